@@ -1,0 +1,33 @@
+# One target for each folder of the grader.
+#   ticker_folder(NAME metrics SOURCES a.cpp b.cpp PUBLIC lib... PRIVATE lib...)
+# makes the static library ticker::metrics, whose headers are included as <grader/metrics/X.h>.
+function(ticker_folder)
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(ticker_${ARG_NAME} STATIC ${ARG_SOURCES})
+  add_library(ticker::${ARG_NAME} ALIAS ticker_${ARG_NAME})
+  target_include_directories(ticker_${ARG_NAME} PUBLIC "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(ticker_${ARG_NAME}
+    PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} raytracer::warnings)
+endfunction()
+
+# One test program for each folder: ticker_test(NAME metrics SOURCES aTest.cpp LIBRARIES lib...
+# [LABELS unit]). Labels: unit, render, grader, slow.
+function(ticker_test)
+  if(NOT TICKER_BUILD_TESTS)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "NAME;TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS unit)
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  add_executable(test_${ARG_NAME} ${ARG_SOURCES})
+  target_link_libraries(test_${ARG_NAME}
+    PRIVATE ${ARG_LIBRARIES} raytracer::warnings GTest::gtest GTest::gtest_main)
+  target_compile_definitions(test_${ARG_NAME} PRIVATE
+    TICKER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" TICKER_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  gtest_discover_tests(test_${ARG_NAME} TEST_PREFIX "${ARG_NAME}."
+    DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,6 @@
+# Warnings for our own code; link to it PRIVATE. Errors only where TICKER_WERROR is on, as in CI.
+add_library(raytracer_warnings INTERFACE)
+add_library(raytracer::warnings ALIAS raytracer_warnings)
+target_compile_options(raytracer_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+  $<$<BOOL:${TICKER_WERROR}>:-Werror>)

@@ -1,0 +1,32 @@
+#ifndef TICKER_DECISION_DISTRIBUTED_JUDGEDISTRIBUTED_H
+#define TICKER_DECISION_DISTRIBUTED_JUDGEDISTRIBUTED_H
+
+#include <grader/decision/TaskJudgement.h>
+#include <grader/probe/Examinee.h>
+
+#include <cstdint>
+
+namespace ticker::decision {
+
+/// Which of the two tasks the submission attempted; the other one is still the stub.
+struct DistributedAttempt {
+    bool softShadows = true;   ///< T2.1
+    bool depthOfField = true;  ///< T2.2
+};
+
+struct DistributedJudgement {
+    TaskJudgement softShadows;   ///< T2.1: shadow.*, run.*, settings.*
+    TaskJudgement depthOfField;  ///< T2.2: dof.*, run.*, settings.*
+};
+
+/// Judges tasks T2.1 and T2.2 by asking the submission for illuminated points and small renders.
+///
+/// @param seed  Every hidden question is drawn from it; equal seeds give equal findings for code
+///              that uses the kit's generator.
+[[nodiscard]] DistributedJudgement judgeDistributed(probe::Examinee& examinee,
+                                                    const DistributedAttempt& attempt,
+                                                    std::uint64_t seed);
+
+}  // namespace ticker::decision
+
+#endif

@@ -1,0 +1,131 @@
+#ifndef TICKER_PROBE_QUESTION_H
+#define TICKER_PROBE_QUESTION_H
+
+#include <raytracer/base/RenderSettings.h>
+#include <raytracer/image/ColourRGB.h>
+#include <raytracer/math/Vector3.h>
+#include <raytracer/scene/SceneDescription.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ticker::probe {
+
+using raytracer::ColourRGB;
+using raytracer::Vector3;
+
+/// A height map, told briefly enough to be sent: height(column, row) is
+/// `columns[column] + rows[row]` when `bytes` is empty, else kBumpFactor * bytes[...] / 255.
+struct HeightMapDescription {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> bytes;  ///< width * height, rows from the top; or empty
+    std::vector<double> columns;      ///< width
+    std::vector<double> rows;         ///< height
+
+    [[nodiscard]] raytracer::HeightMap build() const;
+};
+
+/// Asks `BumpySphere::getNormalAt` at some points of one sphere.
+struct NormalQuestion {
+    Vector3 centre;
+    double radius = 1.0;
+    HeightMapDescription map;
+    std::vector<Vector3> positions;  ///< on the sphere, world space
+};
+
+/// A point to be lit: arguments of `Renderer::illuminate`.
+struct LitPoint {
+    int object = 0;  ///< index in Scene::objects(): spheres first, then planes
+    Vector3 position;
+    Vector3 normal;
+    Vector3 viewer;
+};
+
+/// Asks `Renderer::illuminate` at some points, one after the other, each after seedRandom(seed +
+/// i).
+struct IlluminateQuestion {
+    raytracer::SceneDescription scene;
+    raytracer::RenderSettings settings;
+    std::vector<LitPoint> points;
+    std::uint32_t eventCapacity = 0;  ///< rays logged at most; 0: no log
+};
+
+/// Asks `Renderer::render`, `repetitions` times with settings.seed, settings.seed + 1, ...
+struct RenderQuestion {
+    raytracer::SceneDescription scene;
+    raytracer::RenderSettings settings;
+    int repetitions = 1;
+    std::uint32_t eventCapacity = 0;  ///< events logged at most over all repetitions; 0: no log
+};
+
+using Question = std::variant<NormalQuestion, IlluminateQuestion, RenderQuestion>;
+
+/// What RenderObserver saw, in order of happening on each thread. `ask` marks the point or
+/// repetition that it belongs to. Fields that an event does not have are zero.
+struct Event {
+    enum class Kind : std::uint32_t {
+        cameraRayAsked,   ///< x, y; a = origin, b = direction
+        traceBegan,       ///< bounces; a = origin, b = direction
+        traceEnded,       ///< a = colour
+        illuminateBegan,  ///< object; a = position, b = normal, c = viewer
+        illuminateEnded,  ///< a = colour
+        rayCast,          ///< object hit or -1; distance; a = origin, b = direction
+        pixelSet          ///< x, y; a = colour
+    };
+    Kind kind = Kind::rayCast;
+    std::uint32_t thread = 0;  ///< 0 for the first thread that did anything, then 1, ...
+    std::uint32_t ask = 0;
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+    std::int32_t object = -1;  ///< index in Scene::objects()
+    std::int32_t bounces = 0;
+    std::uint32_t reserved = 0;
+    double distance = 0.0;
+    Vector3 a;
+    Vector3 b;
+    Vector3 c;
+};
+
+/// How an answer came about. Everything in an answer is the student's process's claim.
+enum class AnswerState : std::uint32_t {
+    missing = 0,  ///< never reached: the process ended, or was ended, before
+    answered = 1,
+    threw = 2  ///< an exception came out of the student's code; `message` says which
+};
+
+/// Parts of a question that were never answered hold not-a-number in every component.
+struct NormalAnswer {
+    AnswerState state = AnswerState::missing;
+    std::string message;           ///< of the first exception; untrusted text
+    std::uint32_t exceptions = 0;  ///< positions at which an exception came out
+    std::vector<Vector3> normals;  ///< one for each position
+};
+
+struct IlluminateAnswer {
+    AnswerState state = AnswerState::missing;
+    std::string message;
+    std::vector<ColourRGB> colours;  ///< one for each point
+    std::vector<Event> events;
+    bool eventsCut = false;  ///< more happened than fitted
+};
+
+struct RenderAnswer {
+    AnswerState state = AnswerState::missing;
+    std::string message;
+    int width = 0;  ///< as asked; a wrong size is `wrongSize`
+    int height = 0;
+    bool wrongSize = false;                      ///< an image of another size came back
+    std::vector<std::vector<ColourRGB>> images;  ///< one for each repetition, rows from the top
+    std::vector<Event> events;
+    bool eventsCut = false;
+};
+
+using Answer = std::variant<NormalAnswer, IlluminateAnswer, RenderAnswer>;
+
+}  // namespace ticker::probe
+
+#endif

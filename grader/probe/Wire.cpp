@@ -1,0 +1,1 @@
+#include <grader/probe/Question.h>

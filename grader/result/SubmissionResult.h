@@ -1,0 +1,72 @@
+#ifndef TICKER_RESULT_SUBMISSIONRESULT_H
+#define TICKER_RESULT_SUBMISSIONRESULT_H
+
+#include <grader/result/Finding.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ticker {
+
+/// Design, settled question 6.
+enum class TaskState {
+    passed,
+    failed,
+    notAttempted,  ///< the stub still stands
+    blocked,       ///< did not compile, crashed, timed out: the reason says which
+    notGraded      ///< our fault; never a score
+};
+
+/// The judgement of one task. Ids: "T1", "T2.1", "T2.2", "screenshot".
+struct TaskReport {
+    std::string id;
+    std::string title;
+    TaskState state = TaskState::notGraded;
+    std::string reason;  ///< one sentence; empty where the findings say it all
+    std::vector<Finding> findings;
+};
+
+enum class Verdict { awarded, notAwarded, needsReview, notGraded };
+
+/// One picture that the submission rendered, and how it compares.
+struct RenderScore {
+    std::string scene;  ///< "bump-mapping", "distributed", "bumpmap-test"
+    int width = 0;
+    int height = 0;
+    double flip = 0.0;
+    double ssim = 0.0;
+    double gmsd = 0.0;
+    double zMax = 0.0;
+    double rmse = 0.0;
+    std::string image;      ///< path under the result's folder; empty where there is none
+    std::string reference;  ///< likewise: what was expected
+};
+
+struct Timing {
+    double compileMs = 0.0;
+    double probeMs = 0.0;
+    double totalMs = 0.0;
+};
+
+/// Everything that is known about one submission: what result.json holds.
+struct SubmissionResult {
+    static constexpr int kSchemaVersion = 1;
+
+    std::string submission;  ///< its name, as a folder under OUT
+    Verdict verdict = Verdict::notGraded;
+    double score = 0.0;
+    double maxScore = 1.0;
+    std::string option = "none";  ///< "T1", "T2", "both" or "none"
+    std::uint64_t seed = 0;
+    std::string sandboxLevel = "none";
+    std::string toolVersion;
+    std::vector<TaskReport> tasks;
+    std::vector<RenderScore> renders;
+    std::vector<std::string> notices;
+    Timing timing;
+};
+
+}  // namespace ticker
+
+#endif

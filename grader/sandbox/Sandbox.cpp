@@ -1,0 +1,2 @@
+#include <grader/sandbox/Sandbox.h>
+// written by the sandbox helper

@@ -1,0 +1,61 @@
+#ifndef RAYTRACER_BASE_ERROR_H
+#define RAYTRACER_BASE_ERROR_H
+
+#include <stdexcept>
+#include <string>
+
+namespace raytracer {
+
+/// What a program tells the shell. The numbers are fixed: scripts rely on them.
+enum class ExitCode : int {
+    success = 0,
+    checkFailed = 1,   ///< a check did not pass
+    badInput = 2,      ///< wrong usage, or an input that cannot be read
+    notGradable = 3,   ///< something failed for reasons that are not the user's
+    interrupted = 130  ///< stopped by Ctrl-C
+};
+
+/// The number to hand to `exit`.
+[[nodiscard]] constexpr int toInt(ExitCode code) {
+    return static_cast<int>(code);
+}
+
+/// Base of every error that the kit throws. Caught only in `main`.
+class Error : public std::runtime_error {
+public:
+    /// @param message   One line that says what went wrong, where, and what to do next.
+    /// @param exitCode  The status that `main` returns.
+    explicit Error(const std::string& message, ExitCode exitCode = ExitCode::notGradable)
+        : std::runtime_error(message), exitCode_(exitCode) {}
+
+    [[nodiscard]] ExitCode exitCode() const { return exitCode_; }
+
+private:
+    ExitCode exitCode_;
+};
+
+/// An input that cannot be used. Its message starts with "file:line: " (or "file: ").
+class InputError : public Error {
+public:
+    /// @param file     Path as the user gave it; may be empty for wrong usage.
+    /// @param line     Line in the file, counted from 1; 0 where the format has no lines.
+    /// @param message  What was found and what was expected.
+    InputError(const std::string& file, int line, const std::string& message)
+        : Error(locate(file, line) + message, ExitCode::badInput), file_(file), line_(line) {}
+
+    [[nodiscard]] const std::string& file() const { return file_; }
+    [[nodiscard]] int line() const { return line_; }
+
+private:
+    static std::string locate(const std::string& file, int line) {
+        if (file.empty()) return {};
+        return line > 0 ? file + ":" + std::to_string(line) + ": " : file + ": ";
+    }
+
+    std::string file_;
+    int line_;
+};
+
+}  // namespace raytracer
+
+#endif

@@ -1,0 +1,33 @@
+#ifndef RAYTRACER_GEOMETRY_PLANE_H
+#define RAYTRACER_GEOMETRY_PLANE_H
+
+#include <raytracer/geometry/SceneObject.h>
+
+namespace raytracer {
+
+/// An endless plane. Its normal points to one side only: the other side is lit by nothing but the
+/// ambient light.
+class Plane final : public SceneObject {
+public:
+    /// @param point   Any point of the plane, world space.
+    /// @param normal  Any length but zero; it is normalised.
+    Plane(const Vector3& point, const Vector3& normal, const Material& material)
+        : SceneObject(material), point_(point), normal_(normal.normalised()) {}
+
+    [[nodiscard]] const Vector3& point() const { return point_; }
+    [[nodiscard]] const Vector3& normal() const { return normal_; }
+
+    /// Distance to the plane in lengths of the ray's direction; infinite when it is not in front.
+    [[nodiscard]] double distanceAlong(const Ray& ray) const;
+
+    [[nodiscard]] std::optional<RaycastHit> intersectionWith(const Ray& ray) const override;
+    [[nodiscard]] Vector3 getNormalAt(const Vector3& position) const override;
+
+private:
+    Vector3 point_;
+    Vector3 normal_;
+};
+
+}  // namespace raytracer
+
+#endif

@@ -1,0 +1,31 @@
+#ifndef RAYTRACER_IO_IMAGEREADER_H
+#define RAYTRACER_IO_IMAGEREADER_H
+
+#include <raytracer/geometry/HeightMap.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace raytracer {
+
+/// An 8-bit picture as a file holds it: rows from the top, red, green, blue.
+struct ByteImage {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb;  ///< width * height * 3
+};
+
+/// Reads a PNG, JPEG, BMP, TGA or PPM file; grey becomes equal channels, alpha is dropped.
+/// @throws InputError where the file is missing, over 64 MiB, no picture, or over 16 384 pixels on
+/// a
+///         side or 64 million in all (judged before memory is taken).
+[[nodiscard]] ByteImage readImage(const std::filesystem::path& file);
+
+/// Reads a bump map: height is the linear byte value, the mean of the channels.
+/// @throws InputError as `readImage`, and where a side is below `HeightMap::kSmallestSide`.
+[[nodiscard]] HeightMap readHeightMap(const std::filesystem::path& file);
+
+}  // namespace raytracer
+
+#endif

@@ -1,0 +1,52 @@
+#ifndef RAYTRACER_RENDER_RENDERER_H
+#define RAYTRACER_RENDER_RENDERER_H
+
+#include <raytracer/base/RenderSettings.h>
+#include <raytracer/geometry/SceneObject.h>
+#include <raytracer/image/ColourRGB.h>
+#include <raytracer/image/Image.h>
+#include <raytracer/math/Ray.h>
+#include <raytracer/render/ForEachPixel.h>
+#include <raytracer/scene/Camera.h>
+#include <raytracer/scene/Scene.h>
+
+namespace raytracer {
+
+/// Turns a scene into a picture.
+class Renderer {
+public:
+    explicit Renderer(const RenderSettings& settings) : settings_(settings) {}
+
+    [[nodiscard]] const RenderSettings& settings() const { return settings_; }
+
+    /// Task T2.2, in exercise/Renderer.cpp: the picture of a scene, in linear colours.
+    [[nodiscard]] Image render(const Scene& scene) const;
+
+    /// The colour that arrives along a ray: direct light, and mirrored light over up to
+    /// `bouncesLeft` reflections. Given; nothing to be done here.
+    [[nodiscard]] ColourRGB trace(const Scene& scene, const Ray& ray, int bouncesLeft) const;
+
+    /// Task T2.1, in exercise/Renderer.cpp: the light that a point sends to a viewer, by Phong's
+    /// model: ambient, diffuse and specular.
+    ///
+    /// @param object  The surface that the point lies on.
+    /// @param P       The point, world space.
+    /// @param N       Its unit normal, world space.
+    /// @param O       Where the point is seen from: the origin of the ray that hit it.
+    [[nodiscard]] ColourRGB illuminate(const Scene& scene, const SceneObject& object,
+                                       const Vector3& P, const Vector3& N, const Vector3& O) const;
+
+private:
+    RenderSettings settings_;
+};
+
+/// Colour of a ray that hits nothing.
+inline constexpr ColourRGB kBackgroundColour{0.001};
+
+/// How far a ray that leaves a surface starts above it, world units, so that it does not hit the
+/// surface it starts from.
+inline constexpr double kShadowBias = 1e-4;
+
+}  // namespace raytracer
+
+#endif

@@ -1,0 +1,85 @@
+#include <raytracer/base/RenderObserver.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/ForEachPixel.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace raytracer {
+namespace {
+
+/// Hands out the rows of one image to threads that all run `work`.
+class RowLoop {
+public:
+    RowLoop(const Image& image, const std::function<void(int, int)>& function)
+        : image_(image), function_(function) {}
+
+    void work() {
+        try {
+            for (int row = next_++; row < image_.height() && !stopped(); row = next_++) {
+                renderRow(row);
+                report(row);
+            }
+        } catch (...) {
+            const std::lock_guard lock{mutex_};
+            if (!error_) error_ = std::current_exception();
+        }
+    }
+
+    void rethrow() const {
+        if (error_) std::rethrow_exception(error_);
+    }
+
+private:
+    [[nodiscard]] bool stopped() {
+        const RenderMonitor* monitor = image_.settings().monitor;
+        if (monitor != nullptr && monitor->interrupted()) return true;
+        const std::lock_guard lock{mutex_};
+        return error_ != nullptr;
+    }
+
+    void renderRow(int row) const {
+        const RenderSettings& settings = image_.settings();
+        const bool whole = settings.region.isWholeFrame();
+        const auto frameRow = static_cast<std::uint64_t>(row + (whole ? 0 : settings.region.y));
+        for (int x = 0; x < image_.width(); ++x) {
+            const auto frameColumn =
+                static_cast<std::uint64_t>(x + (whole ? 0 : settings.region.x));
+            // Any odd multiplier would do: the generator's own seeding mixes the bits.
+            seedRandom(settings.seed * 0xD1342543DE82EF95U + (frameRow << 32U) + frameColumn);
+            function_(x, row);
+        }
+    }
+
+    void report(int row) {
+        RenderMonitor* monitor = image_.settings().monitor;
+        const int done = ++done_;
+        if (monitor != nullptr) monitor->rowFinished(row, done, image_.height());
+    }
+
+    const Image& image_;
+    const std::function<void(int, int)>& function_;
+    std::atomic<int> next_{0};
+    std::atomic<int> done_{0};
+    std::mutex mutex_;
+    std::exception_ptr error_;
+};
+
+}  // namespace
+
+void forEachPixel(const Image& image, const std::function<void(int x, int y)>& function) {
+    RowLoop loop{image, function};
+    const int threads = std::clamp(image.settings().threads, 1, image.height());
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < threads; ++i)
+        helpers.emplace_back([&loop] { loop.work(); });
+    loop.work();
+    helpers.clear();
+    loop.rethrow();
+}
+
+}  // namespace raytracer
