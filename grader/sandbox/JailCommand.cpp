@@ -105,7 +105,9 @@ jail::Filter filterOf(const Command& command, Level level) {
 jail::Options innerOptions(const Command& command, const JailPlace& place) {
     jail::Options options;
     options.reports = true;
-    options.landlock = place.level != Level::none;
+    // Where namespaces hide everything else already, a kernel without Landlock will do.
+    const bool needed = place.level == Level::ownUser || place.level == Level::sameUser;
+    options.landlock = needed || (place.level == Level::namespaces && place.landlock);
     options.filter = filterOf(command, place.level);
     options.cpuSeconds = wholeSeconds(command.limits.cpuSeconds);
     options.addressSpaceBytes = command.limits.addressSpaceBytes;

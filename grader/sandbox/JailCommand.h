@@ -12,6 +12,7 @@ namespace ticker::sandbox {
 /// What one run has to itself.
 struct JailPlace {
     Level level = Level::none;
+    bool landlock = false;             ///< the kernel has it
     std::filesystem::path helper;      ///< readable by the jail's user
     std::filesystem::path bubblewrap;  ///< level A only
     long user = -1;                    ///< uid to become; -1: the caller's own

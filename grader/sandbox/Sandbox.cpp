@@ -1,94 +1,12 @@
-#include <grader/sandbox/HelperProgram.h>
-#include <grader/sandbox/JailCommand.h>
+#include <grader/sandbox/Diagnosis.h>
+#include <grader/sandbox/RunAt.h>
 #include <grader/sandbox/Sandbox.h>
-#include <grader/sandbox/StagingFolder.h>
-#include <grader/sandbox/UserSlots.h>
-#include <grader/sandbox/Watch.h>
-#include <grader/sandbox/jail/Options.h>
 
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
 
-#include <unistd.h>
-
-#include <optional>
-#include <system_error>
-
 namespace ticker::sandbox {
-namespace fs = std::filesystem;
-namespace {
-
-constexpr UserRange kUsers{60800, 64};
-
-// What every run of this process shares: the place for files, and the helper's copy there, which
-// the jail's user can reach wherever the project lies.
-struct Workshop {
-    StagingFolder staging;
-    fs::path helper = copyHelper(staging);
-
-    static fs::path copyHelper(const StagingFolder& staging) {
-        const fs::path copy = staging.path() / "ticker-jail";
-        fs::copy_file(findHelper(), copy);
-        fs::permissions(copy, fs::perms{0755});
-        return copy;
-    }
-};
-
-const Workshop& workshop() {
-    static const Workshop shared;
-    return shared;
-}
-
-// A folder of one run, gone with it.
-class ScratchFolder {
-public:
-    explicit ScratchFolder(long user) {
-        path_ = workshop().staging.makeFolder(fs::perms::owner_all);
-        const uid_t owner = static_cast<uid_t>(user);
-        if (user >= 0 && chown(path_.c_str(), owner, owner) != 0)
-            throw raytracer::Error("sandbox: cannot give the scratch folder away");
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        if (!path_.empty()) fs::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
-
-Launch describe(const Command& command, const JailPlace& place) {
-    Launch launch;
-    launch.program = place.helper;
-    launch.arguments = jailArguments(command, place);
-    for (const Descriptor& descriptor : command.descriptors)
-        launch.redirections.push_back({descriptor.host, descriptor.inside});
-    int next = jail::kFirstProductDescriptor;
-    for (const Product& product : command.products)
-        launch.redirections.push_back({product.host, next++});
-    return launch;
-}
-
-Outcome runAt(Level level, const Command& command) {
-    const UserSlot slot = takeUserSlot(kUsers);
-    JailPlace place;
-    place.level = level;
-    place.helper = workshop().helper;
-    if (level == Level::namespaces) place.bubblewrap = findBubblewrap();
-    if (level != Level::sameUser) place.user = slot.user();
-    std::optional<ScratchFolder> scratch;
-    if (command.wantsScratch && level != Level::namespaces) {
-        scratch.emplace(place.user);
-        place.scratch = scratch->path();
-    }
-    return watch(describe(command, place), command.limits);
-}
-
-}  // namespace
 
 std::string toString(Level level) {
     switch (level) {
@@ -105,15 +23,24 @@ std::string toString(Level level) {
 }
 
 Sandbox Sandbox::best() {
-    return at(Level::namespaces);
+    for (const Level level : {Level::namespaces, Level::ownUser, Level::sameUser})
+        if (diagnose(level).available) return Sandbox{level};
+    std::string message = "this machine gives no sandbox";
+    for (const Diagnosis& diagnosis : diagnose())
+        message += fmt::format("; {}: {}", toString(diagnosis.level), diagnosis.reason);
+    throw raytracer::Error(message);
 }
 
 Sandbox Sandbox::at(Level level) {
-    return Sandbox{level};
+    const Diagnosis& diagnosis = diagnose(level);
+    if (diagnosis.available) return Sandbox{level};
+    throw raytracer::Error(fmt::format("sandbox level {} is not to be had here: {}{}{}",
+                                       toString(level), diagnosis.reason,
+                                       diagnosis.advice.empty() ? "" : "; ", diagnosis.advice));
 }
 
 std::filesystem::path Sandbox::makeStagingFolder() {
-    return workshop().staging.makeFolder(fs::perms{0711});
+    return staging().makeFolder(std::filesystem::perms{0711});
 }
 
 std::filesystem::path Sandbox::pathFor(const ReadOnlyPath& path) const {

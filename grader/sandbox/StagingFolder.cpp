@@ -23,7 +23,9 @@ namespace {
 
 constexpr const char* kPrefix = "ticker-stage-";
 
-bool everyUserCanReach(const fs::path& folder) {
+// Only where we are root do jobs run as somebody else.
+bool jobsCanReach(const fs::path& folder) {
+    if (geteuid() != 0) return true;
     for (fs::path at = folder; !at.empty(); at = at.parent_path()) {
         struct stat status {};
         if (stat(at.c_str(), &status) != 0 || (status.st_mode & S_IXOTH) == 0) return false;
@@ -71,7 +73,7 @@ void removeAbandoned(const fs::path& place) {
 
 // Locked before it gets the name that removeAbandoned looks for.
 std::optional<std::pair<fs::path, FileDescriptor>> create(const fs::path& place) {
-    if (!place.is_absolute() || !everyUserCanReach(place) || !programsRunIn(place)) return {};
+    if (!place.is_absolute() || !jobsCanReach(place) || !programsRunIn(place)) return {};
     const std::string name = randomName();
     const fs::path first = place / ("ticker-new-" + name);
     if (mkdir(first.c_str(), 0711) != 0) return {};

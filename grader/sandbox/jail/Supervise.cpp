@@ -4,8 +4,10 @@
 #include <grader/sandbox/jail/Supervise.h>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/signalfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -60,11 +62,24 @@ bool reap(pid_t child, int& status) {
     }
 }
 
-int waitFor(pid_t child, const Options& options) {
-    const sigset_t watched = watchedSignals();
+bool toldToStop(int signals) {
+    signalfd_siginfo info{};
+    while (read(signals, &info, sizeof info) == sizeof info)
+        if (info.ssi_signo == SIGTERM) return true;
+    return false;
+}
+
+// Stops at SIGTERM, and also where nobody is left to read the report: the death signal of a parent
+// that dies while bubblewrap starts can be missed, a closed pipe cannot.
+int waitFor(pid_t child, int signals, const Options& options) {
+    const bool reports = fcntl(kStatusDescriptor, F_GETFD) >= 0;
+    std::array<pollfd, 2> watched{{{signals, POLLIN, 0}, {reports ? kStatusDescriptor : -1, 0, 0}}};
     int status = 0;
     while (!reap(child, status)) {
-        if (sigwaitinfo(&watched, nullptr) == SIGTERM) killAll(child, options.user);
+        poll(watched.data(), watched.size(), -1);
+        const bool abandoned = (watched[1].revents & POLLERR) != 0;
+        if (abandoned) watched[1].fd = -1;
+        if (toldToStop(signals) || abandoned) killAll(child, options.user);
     }
     return status;
 }
@@ -86,6 +101,8 @@ Report supervise(const Options& options) {
     if (pipe2(pipe.data(), O_CLOEXEC) != 0) return failed(errno, "pipe");
     const sigset_t watched = watchedSignals();
     sigprocmask(SIG_BLOCK, &watched, nullptr);
+    const int signals = signalfd(-1, &watched, SFD_CLOEXEC | SFD_NONBLOCK);
+    if (signals < 0) return failed(errno, "signalfd");
     prctl(PR_SET_DUMPABLE, 0);
     if (prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) return failed(errno, "subreaper");
 
@@ -99,7 +116,7 @@ Report supervise(const Options& options) {
     }
     close(pipe[1]);
     const StartFailure failure = readFailure(pipe[0]);
-    const int status = waitFor(child, options);
+    const int status = waitFor(child, signals, options);
     Report report = describe(status);
     endAll(child, options.user);
     if (failure.step[0] != '\0') return failed(failure.error, failure.step);
