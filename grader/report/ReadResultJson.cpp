@@ -14,7 +14,8 @@
 namespace ticker::report {
 namespace {
 
-using nlohmann::json;
+// Ordered: evidence stands in the order in which a person should read it.
+using json = nlohmann::ordered_json;
 using raytracer::InputError;
 
 constexpr std::uintmax_t kLargestFile = 16U << 20U;

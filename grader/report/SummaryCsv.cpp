@@ -21,7 +21,8 @@ std::string findingsOf(const SubmissionResult& result) {
     std::string ids;
     for (const TaskReport& task : result.tasks)
         for (const Finding& finding : task.findings)
-            if (finding.severity != Severity::note) ids += (ids.empty() ? "" : " ") + finding.id;
+            if (finding.severity != Severity::note)
+                ids += fmt::format("{}{}", ids.empty() ? "" : " ", finding.id);
     return ids;
 }
 
