@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
-#include <stdexcept>
+#include <exception>
 #include <string>
 #include <thread>
 #include <vector>
@@ -102,7 +102,7 @@ int threadBomb(std::span<char*>) {
     try {
         while (true)
             workers.emplace_back([] { pause(); });
-    } catch (const std::system_error&) {
+    } catch (const std::exception&) {
         _exit(kRefused);
     }
 }
