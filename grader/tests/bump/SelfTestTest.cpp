@@ -2,14 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 namespace ticker::selftest {
 namespace {
 
 TEST(BumpSelfTest, ATenthOfTheTablesComesOutRight) {
     const char* fraction = std::getenv("BUMP_FRACTION");
-    const BumpSelfTest result = runBumpSelfTest(fraction ? std::atof(fraction) : 0.1, {1, 2, 3});
+    const BumpSelfTest result = runBumpSelfTest(0.1, {1, 2, 3});
     EXPECT_TRUE(result.passed()) << result.table();
 }
 
