@@ -6,7 +6,6 @@ namespace ticker::selftest {
 namespace {
 
 TEST(BumpSelfTest, ATenthOfTheTablesComesOutRight) {
-    const char* fraction = std::getenv("BUMP_FRACTION");
     const BumpSelfTest result = runBumpSelfTest(0.1, {1, 2, 3});
     EXPECT_TRUE(result.passed()) << result.table();
 }
