@@ -49,8 +49,7 @@ ColourRGB Draw::colour(double low, double high) {
 }
 
 Perpendiculars perpendicularsOf(const Vector3& axis) {
-    const Vector3 helper =
-        std::abs(axis.x) < 0.6 ? Vector3{1.0, 0.0, 0.0} : Vector3{0.0, 1.0, 0.0};
+    const Vector3 helper = std::abs(axis.x) < 0.6 ? Vector3{1.0, 0.0, 0.0} : Vector3{0.0, 1.0, 0.0};
     const Vector3 first = axis.cross(helper).normalised();
     return {first, axis.cross(first)};
 }

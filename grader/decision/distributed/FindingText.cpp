@@ -88,8 +88,8 @@ constexpr std::array kTexts{
     Text{"dof.shared-samples",
          "Draw the point of the aperture inside of the loop over the rays, a new one for each.",
          kLens2},
-    Text{"dof.not-averaged",
-         "Add the colours of all rays of the pixel and divide by their number.", kLens3},
+    Text{"dof.not-averaged", "Add the colours of all rays of the pixel and divide by their number.",
+         kLens3},
     Text{"dof.focal-distance",
          "The focal plane lies at z = settings().dofFocalPlane: go along the pinhole ray by "
          "dofFocalPlane / direction.z, not by dofFocalPlane.",
@@ -114,8 +114,8 @@ constexpr std::array kTexts{
          ""}};
 
 std::size_t rankOf(std::string_view id) {
-    const auto at = std::find_if(kTexts.begin(), kTexts.end(),
-                                 [&](const Text& text) { return text.id == id; });
+    const auto at =
+        std::find_if(kTexts.begin(), kTexts.end(), [&](const Text& text) { return text.id == id; });
     return static_cast<std::size_t>(at - kTexts.begin());
 }
 

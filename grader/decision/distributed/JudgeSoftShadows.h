@@ -11,9 +11,9 @@ namespace ticker::decision {
 
 /// What the answers about `illuminate` say.
 struct ShadowOutcome {
-    std::vector<Finding> findings;          ///< of T2.1, unsorted
-    std::optional<ShadowReading> reading;   ///< the accepted one that fits everywhere
-    std::optional<AimShape> shape;          ///< likewise
+    std::vector<Finding> findings;         ///< of T2.1, unsorted
+    std::optional<ShadowReading> reading;  ///< the accepted one that fits everywhere
+    std::optional<AimShape> shape;         ///< likewise
     bool rayless = false;  ///< casts no ray that could be seen: only values can be judged
 };
 

@@ -127,8 +127,7 @@ ScatterPlot plotLens(const Lens& lens, double expected) {
 double acceptedFactor(const Lens& lens, double amount, double shortfall) {
     for (const double factor : {1.0, 0.5}) {
         const double half = factor * amount;
-        if (lens.halfWidth() <= half * (1.0 + 1e-5) &&
-            lens.halfWidth() >= half * (1.0 - shortfall))
+        if (lens.halfWidth() <= half * (1.0 + 1e-5) && lens.halfWidth() >= half * (1.0 - shortfall))
             return factor;
     }
     return 0.0;

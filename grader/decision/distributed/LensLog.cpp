@@ -31,18 +31,30 @@ bool isUsable(const Event& event) {
 // Follows one thread of one repetition.
 class ThreadReader {
 public:
-    ThreadReader(const raytracer::RenderSettings& settings, const Surfaces& surfaces, int repetition)
+    ThreadReader(const raytracer::RenderSettings& settings, const Surfaces& surfaces,
+                 int repetition)
         : settings_(settings), surfaces_(surfaces), repetition_(repetition) {}
 
     void read(const Event& event) {
         switch (event.kind) {
-            case Event::Kind::cameraRayAsked: camera_ = indexOf(event); break;
-            case Event::Kind::traceBegan: begin(event); break;
-            case Event::Kind::traceEnded: end(event); break;
-            case Event::Kind::rayCast: cast(event); break;
-            case Event::Kind::pixelSet: set(event); break;
+            case Event::Kind::cameraRayAsked:
+                camera_ = indexOf(event);
+                break;
+            case Event::Kind::traceBegan:
+                begin(event);
+                break;
+            case Event::Kind::traceEnded:
+                end(event);
+                break;
+            case Event::Kind::rayCast:
+                cast(event);
+                break;
+            case Event::Kind::pixelSet:
+                set(event);
+                break;
             case Event::Kind::illuminateBegan:
-            case Event::Kind::illuminateEnded: break;
+            case Event::Kind::illuminateEnded:
+                break;
         }
     }
     [[nodiscard]] const std::vector<PlacedRay>& traced() const { return traced_; }
@@ -50,8 +62,8 @@ public:
 
 private:
     [[nodiscard]] int indexOf(const Event& event) const {
-        const bool inside = event.x >= 0 && event.x < settings_.width && event.y >= 0 &&
-                            event.y < settings_.height;
+        const bool inside =
+            event.x >= 0 && event.x < settings_.width && event.y >= 0 && event.y < settings_.height;
         return inside ? event.y * settings_.width + event.x : -1;
     }
     [[nodiscard]] PlacedRay placed(const Event& event) const {

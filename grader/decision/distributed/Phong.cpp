@@ -13,9 +13,9 @@ PhongTerms phongTerms(const raytracer::Material& material, const raytracer::Poin
         light.colour() * (light.intensity() / (4.0 * std::numbers::pi * distance * distance));
     const double facing = std::max(0.0, normal.dot(toLight));
     const double mirrored = std::max(0.0, toLight.reflectIn(normal).dot(toViewer));
-    return {material.colour * arriving * (material.phongKD * facing),
-            light.colour() * arriving *
-                (material.phongKS * std::pow(mirrored, material.phongAlpha))};
+    return {
+        material.colour * arriving * (material.phongKD * facing),
+        light.colour() * arriving * (material.phongKS * std::pow(mirrored, material.phongAlpha))};
 }
 
 }  // namespace ticker::decision

@@ -84,9 +84,10 @@ double quantile(std::vector<double> values, double share) {
 }
 
 double shareBeyond(const std::vector<double>& values, double limit) {
-    const auto beyond = std::count_if(values.begin(), values.end(),
-                                      [&](double value) { return value > limit; });
-    return static_cast<double>(beyond) / static_cast<double>(std::max<std::size_t>(values.size(), 1));
+    const auto beyond =
+        std::count_if(values.begin(), values.end(), [&](double value) { return value > limit; });
+    return static_cast<double>(beyond) /
+           static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
 // Aims that come again, out of a small pool or from a generator that is started again for every
@@ -138,19 +139,19 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     // Bernstein's bound, in radii.
     const double count = static_cast<double>(verdict.distinct);
     const double logRisk = std::log(6.0 / kStatementRisk);
-    const double leanBound = std::sqrt(3.0) * (std::sqrt(2.0 / 3.0 * logRisk / count) +
-                                               2.0 / 3.0 * logRisk / count);
+    const double leanBound =
+        std::sqrt(3.0) * (std::sqrt(2.0 / 3.0 * logRisk / count) + 2.0 / 3.0 * logRisk / count);
     verdict.offCentre = verdict.lean > leanBound * std::max(1.0, verdict.widest);
 
     const double gapBound = dkwBound(verdict.distinct) + kLatticeError;
     const Feet stretched = seen.scaled(1.0 / verdict.widest);
     double bestGap = 2.0;
-    for (const AimShape shape : {AimShape::ball, AimShape::surface, AimShape::uniformRadius,
-                                 AimShape::polarHelper}) {
+    for (const AimShape shape :
+         {AimShape::ball, AimShape::surface, AimShape::uniformRadius, AimShape::polarHelper}) {
         const Feet expected = expectedFeet(shape, views);
         // Of `distinct` independent lines at least one comes as near to the rim as this.
-        const double rim = quantile(expected.values[0],
-                                    1.0 - std::min(1.0, 1.2 * missedShare(verdict.distinct)));
+        const double rim =
+            quantile(expected.values[0], 1.0 - std::min(1.0, 1.2 * missedShare(verdict.distinct)));
         const bool narrow = verdict.widest < rim - kLatticeError;
         const double gap = worstGap(seen, expected);
         if (gap <= gapBound && !narrow && gap < bestGap) {
@@ -166,10 +167,14 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
 
 std::string_view nameOf(AimShape shape) {
     switch (shape) {
-        case AimShape::ball: return "uniform in the ball";
-        case AimShape::surface: return "on the surface of the ball";
-        case AimShape::uniformRadius: return "uniform in radius and direction";
-        case AimShape::polarHelper: return "uniform in radius and both angles";
+        case AimShape::ball:
+            return "uniform in the ball";
+        case AimShape::surface:
+            return "on the surface of the ball";
+        case AimShape::uniformRadius:
+            return "uniform in radius and direction";
+        case AimShape::polarHelper:
+            return "uniform in radius and both angles";
     }
     return "";
 }

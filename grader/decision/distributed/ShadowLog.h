@@ -14,10 +14,10 @@ namespace ticker::decision {
 /// nothing about where on the line the sample lies.
 struct AimLine {
     Vector3 origin;
-    Vector3 direction;  ///< unit
-    Vector3 foot;       ///< from the light's centre to the line's nearest point
-    double miss = 0.0;  ///< length of `foot`
-    Sight toLight = Sight::unsure;   ///< to the light: what stands behind it does not count
+    Vector3 direction;                ///< unit
+    Vector3 foot;                     ///< from the light's centre to the line's nearest point
+    double miss = 0.0;                ///< length of `foot`
+    Sight toLight = Sight::unsure;    ///< to the light: what stands behind it does not count
     Sight endlessly = Sight::unsure;  ///< anything on the line counts
 };
 
@@ -37,9 +37,7 @@ struct ShadowLog {
     std::vector<PointLog> points;
     bool cut = false;  ///< more rays than the log had room for: counts are lower bounds
 
-    [[nodiscard]] const raytracer::SceneDescription& scene() const {
-        return asked->question.scene;
-    }
+    [[nodiscard]] const raytracer::SceneDescription& scene() const { return asked->question.scene; }
     [[nodiscard]] const raytracer::RenderSettings& settings() const {
         return asked->question.settings;
     }

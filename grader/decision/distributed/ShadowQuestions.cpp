@@ -115,7 +115,8 @@ ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& setting
     const Surfaces surfaces{scene};
     const Vector3 axis = (ball - light).normalised();
     const double rim = std::asin(radius / (ball - light).magnitude());
-    const int share = purpose == Purpose::otherSettings ? kPointsForEachZone / 2 : kPointsForEachZone;
+    const int share =
+        purpose == Purpose::otherSettings ? kPointsForEachZone / 2 : kPointsForEachZone;
     std::array<int, 3> wanted{share, share, share};
     for (int attempt = 0; attempt < 20000; ++attempt) {
         const Vector3 ray = draw.directionAround(axis, 2.2 * rim);

@@ -135,11 +135,21 @@ ScatterPlot plotAims(const std::vector<const ShadowLog*>& far) {
 ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
     for (const ShadowLog& log : logs) {
         switch (log.asked->purpose) {
-            case Purpose::oneLight: oneLight.push_back(&log); break;
-            case Purpose::severalLights: severalLights.push_back(&log); break;
-            case Purpose::beyondLight: beyondLight.push_back(&log); break;
-            case Purpose::farLight: farLight.push_back(&log); break;
-            case Purpose::otherSettings: otherSettings.push_back(&log); break;
+            case Purpose::oneLight:
+                oneLight.push_back(&log);
+                break;
+            case Purpose::severalLights:
+                severalLights.push_back(&log);
+                break;
+            case Purpose::beyondLight:
+                beyondLight.push_back(&log);
+                break;
+            case Purpose::farLight:
+                farLight.push_back(&log);
+                break;
+            case Purpose::otherSettings:
+                otherSettings.push_back(&log);
+                break;
         }
     }
 }
@@ -177,8 +187,7 @@ std::optional<Finding> checkStarts(const ShadowLogs& logs) {
         fmt::format("Shadow rays were expected to start at the point that is lit (at most 0.001 "
                     "from it); they start up to {:.3g} away.",
                     farthest));
-    if (spread <= kLargestBias)
-        finding.hint = "Start the shadow rays at P + N * kShadowBias.";
+    if (spread <= kLargestBias) finding.hint = "Start the shadow rays at P + N * kShadowBias.";
     finding.evidence.emplace_back("farthestStart", farthest);
     finding.evidence.emplace_back("spreadOfStarts", spread);
     return finding;

@@ -153,7 +153,8 @@ Range addedBy(const LightParts& parts, const ColourRGB& ambient, ShadowArithmeti
     Range lit = parts.litDiffuse;
     lit += parts.litSpecular;
     switch (arithmetic) {
-        case ShadowArithmetic::inverted: return difference(full, lit);
+        case ShadowArithmetic::inverted:
+            return difference(full, lit);
         case ShadowArithmetic::ambientScaled:
             lit += {ambient * (parts.lowShare - 1.0), ambient * (parts.highShare - 1.0)};
             return lit;
@@ -172,7 +173,8 @@ Range addedBy(const LightParts& parts, const ColourRGB& ambient, ShadowArithmeti
         case ShadowArithmetic::litIfHalf:
             return decided(full, parts.lowShare > 0.5 + 1e-9, parts.highShare > 0.5 - 1e-9);
         case ShadowArithmetic::right:
-        case ShadowArithmetic::endless: break;
+        case ShadowArithmetic::endless:
+            break;
     }
     return lit;
 }
@@ -187,8 +189,12 @@ ColourRGB unshadowed(const PointLog& point, const SceneDescription& scene, std::
                      bool viewerIsEye) {
     const ShadowReading reading{Phong::central, viewerIsEye, false};
     const raytracer::RenderSettings settings;
-    const Setting at{materialOf(scene, point.point.object), scene.pointLights[light], point,
-                     settings, reading, false};
+    const Setting at{materialOf(scene, point.point.object),
+                     scene.pointLights[light],
+                     point,
+                     settings,
+                     reading,
+                     false};
     const SampleTerms terms = centralTerms(at);
     return terms.diffuse.high + terms.specular.high;
 }
@@ -215,8 +221,9 @@ bool fits(const PointLog& point, const SceneDescription& scene,
     const ColourRGB ambient = ambientPart(point, scene);
     Range range{ambient, ambient};
     for (std::size_t i = 0; i < scene.pointLights.size(); ++i) {
-        const Setting at{materialOf(scene, point.point.object), scene.pointLights[i], point,
-                         settings, reading, arithmetic == ShadowArithmetic::endless};
+        const Setting at{
+            materialOf(scene, point.point.object),  scene.pointLights[i], point, settings, reading,
+            arithmetic == ShadowArithmetic::endless};
         range += addedBy(partsOf(at, point.lines[i]), ambient, arithmetic);
     }
     const ColourRGB slack = toleranceAt(point, scene, reading.viewerIsEye);

@@ -28,8 +28,8 @@ enum class ShadowArithmetic {
     ambientScaled,
     specularUnshadowed,
     diffuseUnshadowed,
-    endless,    ///< what stands behind the light counts
-    litIfAll,   ///< all or nothing
+    endless,   ///< what stands behind the light counts
+    litIfAll,  ///< all or nothing
     litIfAny,
     litIfHalf
 };
@@ -62,8 +62,8 @@ struct FitCount {
                                     const raytracer::SceneDescription& scene);
 
 /// How far two colours of this point may differ without meaning anything.
-[[nodiscard]] ColourRGB toleranceAt(const PointLog& point,
-                                    const raytracer::SceneDescription& scene, bool viewerIsEye);
+[[nodiscard]] ColourRGB toleranceAt(const PointLog& point, const raytracer::SceneDescription& scene,
+                                    bool viewerIsEye);
 
 }  // namespace ticker::decision
 

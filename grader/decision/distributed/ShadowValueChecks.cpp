@@ -44,8 +44,9 @@ constexpr std::array kMistakes{
     NamedArithmetic{ShadowArithmetic::litIfHalf, "shadow.all-or-nothing",
                     "At the edge of a shadow a fraction of the light was expected; there is all of "
                     "it where more than half of the rays arrive and none elsewhere."},
-    NamedArithmetic{ShadowArithmetic::ambientScaled, "shadow.ambient-scaled",
-                    "In shadow the ambient light was expected to stay; it is scaled like the rest."},
+    NamedArithmetic{
+        ShadowArithmetic::ambientScaled, "shadow.ambient-scaled",
+        "In shadow the ambient light was expected to stay; it is scaled like the rest."},
     NamedArithmetic{ShadowArithmetic::specularUnshadowed, "shadow.specular-unshadowed",
                     "In shadow no highlight was expected; the specular term is there in full."},
     NamedArithmetic{ShadowArithmetic::diffuseUnshadowed, "shadow.diffuse-unshadowed",
@@ -88,8 +89,8 @@ bool neverAFraction(const Logs& logs) {
 }
 
 // Geometry's word on a point that lies in full light or full shadow of every light.
-std::optional<ColourRGB> knownColour(const PointLog& point, const raytracer::SceneDescription& scene,
-                                     bool viewerIsEye) {
+std::optional<ColourRGB> knownColour(const PointLog& point,
+                                     const raytracer::SceneDescription& scene, bool viewerIsEye) {
     ColourRGB expected = ambientPart(point, scene);
     for (std::size_t i = 0; i < point.zones.size(); ++i) {
         if (point.zones[i] == Zone::penumbra) return std::nullopt;
@@ -130,9 +131,8 @@ void addWorstPoint(const Logs& logs, Finding& finding) {
             std::size_t open = 0;
             for (const std::vector<AimLine>& lines : point.lines)
                 open += static_cast<std::size_t>(
-                    std::count_if(lines.begin(), lines.end(), [](const AimLine& line) {
-                        return line.toLight == Sight::open;
-                    }));
+                    std::count_if(lines.begin(), lines.end(),
+                                  [](const AimLine& line) { return line.toLight == Sight::open; }));
             finding.evidence.emplace_back("raysThatArrive", static_cast<double>(open));
             finding.evidence.emplace_back("raysCast", static_cast<double>(point.lineCount()));
             finding.evidence.emplace_back("ambient", listed(ambientPart(point, log->scene())));
@@ -204,7 +204,8 @@ ArithmeticVerdict checkArithmetic(const ShadowLogs& logs) {
         if (!wrong) {
             verdict.reading = reading;
             // What fits may still be rays that never got off the surface.
-            if (shadowsItself(logs.oneLight, reading.viewerIsEye)) verdict.finding = unexplained(logs.oneLight);
+            if (shadowsItself(logs.oneLight, reading.viewerIsEye))
+                verdict.finding = unexplained(logs.oneLight);
             return verdict;
         }
         if (!rest) rest = std::move(wrong);

@@ -1,6 +1,7 @@
 #ifndef TICKER_DECISION_DISTRIBUTED_SURFACES_H
 #define TICKER_DECISION_DISTRIBUTED_SURFACES_H
 
+#include <raytracer/image/ColourRGB.h>
 #include <raytracer/math/Vector3.h>
 #include <raytracer/scene/SceneDescription.h>
 
@@ -8,6 +9,7 @@
 
 namespace ticker::decision {
 
+using raytracer::ColourRGB;
 using raytracer::Vector3;
 
 /// Whether a ray gets through. `unsure` where rounding decides: such rays are never held against
