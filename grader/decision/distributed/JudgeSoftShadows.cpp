@@ -36,10 +36,14 @@ void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     std::vector<Finding>& findings = outcome.findings;
     const std::optional<Finding> starts = checkStarts(logs);
     keep(findings, starts);
-    std::optional<Finding> counts = checkRayCounts(logs);
-    // Rays that start all around the point and go to the centre are no hard shadow.
-    if (counts && !(starts && counts->id == "shadow.hard")) keep(findings, std::move(counts));
-    keep(findings, checkFixedSamples(logs));
+    std::optional<Finding> fixed = checkFixedSamples(logs);
+    std::optional<Finding> counts = checkRayCounts(logs, fixed.has_value());
+    // Rays that start all around the point and go to the centre are no hard shadow; aims that are
+    // all the centre are fixed, but that is not what went wrong.
+    const bool hard = counts && counts->id == "shadow.hard";
+    if (counts && !(hard && starts)) keep(findings, std::move(counts));
+    if (!hard) keep(findings, std::move(fixed));
+    keep(findings, checkEveryLight(logs));
     keep(findings, checkDirectionOffset(logs));
     const AimVerdict aims = judgeAims(logs.farLight);
     keep(findings, checkAims(logs, aims));

@@ -26,7 +26,9 @@ struct ShadowLogs {
 /// Each of these looks at one thing and reports it where it is wrong.
 [[nodiscard]] std::optional<Finding> checkFinite(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkStarts(const ShadowLogs& logs);
-[[nodiscard]] std::optional<Finding> checkRayCounts(const ShadowLogs& logs);
+/// @param fixed  Samples are shared between points, which is another finding.
+[[nodiscard]] std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed);
+[[nodiscard]] std::optional<Finding> checkEveryLight(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkFixedSamples(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);

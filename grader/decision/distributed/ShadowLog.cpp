@@ -26,6 +26,25 @@ std::size_t nearestLight(const std::vector<raytracer::PointLight>& lights, const
     return nearest;
 }
 
+/// Where a ray starts and where it goes, unit.
+struct Course {
+    Vector3 origin;
+    Vector3 direction;
+};
+
+// A ray may be cast the other way round, from the light to the point: it sees the same. It is told
+// by its line, which passes the point, and turned round, a small bias off the surface.
+Course fromPoint(const Course& course, const probe::LitPoint& point) {
+    const Vector3 towards = point.position - course.origin;
+    const double along = towards.dot(course.direction);
+    constexpr double kFarAway = 0.5;
+    constexpr double kPasses = 1.5e-3;
+    if (along < kFarAway) return course;
+    const Vector3 nearest = course.origin + course.direction * along;
+    if ((nearest - point.position).magnitude() > kPasses) return course;
+    return {point.position + point.normal * 1e-4, -course.direction};
+}
+
 AimLine readLine(const Surfaces& surfaces, const Vector3& centre, const Vector3& origin,
                  const Vector3& direction) {
     AimLine line;
@@ -70,10 +89,11 @@ ShadowLog readShadowLog(const ShadowQuestion& asked, const probe::IlluminateAnsw
         if (!isFinite(event.a) || !isFinite(event.b) || lights.empty()) continue;
         const double length = event.b.magnitude();
         if (!(length > 0.0) || !std::isfinite(length)) continue;
-        const Vector3 direction = event.b / length;
-        const std::size_t light = nearestLight(lights, event.a, direction);
-        log.points[event.ask].lines[light].push_back(
-            readLine(surfaces, lights[light].position(), event.a, direction));
+        PointLog& at = log.points[event.ask];
+        const Course course = fromPoint({event.a, event.b / length}, at.point);
+        const std::size_t light = nearestLight(lights, course.origin, course.direction);
+        at.lines[light].push_back(
+            readLine(surfaces, lights[light].position(), course.origin, course.direction));
     }
     if (log.cut && !answer.events.empty() && answer.events.back().ask < log.points.size())
         log.points.resize(answer.events.back().ask);  // the last one may be incomplete

@@ -19,6 +19,7 @@ using raytracer::SceneDescription;
 // Points for each zone of a one-light question; with ten rays each that is enough for every exact
 // statement, and 67 points in each of three far-light questions give 2010 aim lines.
 constexpr int kPointsForEachZone = 12;
+constexpr int kPointsOnSphere = 6;
 constexpr int kPointsSeveral = 24;
 constexpr int kPointsBeyond = 8;
 constexpr int kPointsFar = 67;
@@ -94,13 +95,26 @@ void setCapacity(ShadowQuestion& question) {
     question.question.eventCapacity = static_cast<std::uint32_t>(rays * kLogMargin);
 }
 
-/// A floor, a sphere above it and a light above that, in a random orientation.
-ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& settings,
-                            Purpose purpose) {
+// Where the sphere looks at the light it shades nothing: rays that do not get off it are seen here.
+void addPointsOnSphere(Draw& draw, ShadowQuestion& drawn) {
+    const SceneDescription& scene = drawn.question.scene;
+    const raytracer::SphereDescription& sphere = scene.spheres.front();
+    const Vector3 light = scene.pointLights.front().position();
+    for (int i = 0; i < kPointsOnSphere; ++i) {
+        const Vector3 normal = draw.directionAround((light - sphere.centre).normalised(), 0.9);
+        const Vector3 point = sphere.centre + normal * sphere.radius;
+        drawn.question.points.push_back({0, point, normal, drawViewer(draw, point, normal, light)});
+        drawn.zones.push_back({Zone::lit});
+    }
+}
+
+/// A floor, a sphere `height` above it and a light above that, in a random orientation.
+ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& settings, Purpose purpose,
+                            double height) {
     const Vector3 up = draw.direction();
     const Vector3 foot = drawPlace(draw);
     const double radius = draw.between(0.55, 0.75);
-    const Vector3 ball = foot + up * draw.between(1.4, 2.0);
+    const Vector3 ball = foot + up * (height * draw.between(0.8, 1.2));
     const Vector3 light = ball + draw.directionAround(up, 0.5) * draw.between(3.0, 4.0);
 
     ShadowQuestion drawn;
@@ -130,6 +144,7 @@ ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& setting
         drawn.zones.push_back(zones);
         if (std::all_of(wanted.begin(), wanted.end(), [](int count) { return count == 0; })) break;
     }
+    addPointsOnSphere(draw, drawn);
     setCapacity(drawn);
     return drawn;
 }
@@ -233,8 +248,10 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     Draw draw{seed, 21};
     const raytracer::RenderSettings handout;
     std::vector<ShadowQuestion> questions;
-    for (int i = 0; i < 2; ++i)
-        questions.push_back(drawOneLight(draw, handout, Purpose::oneLight));
+    questions.push_back(drawOneLight(draw, handout, Purpose::oneLight, 1.7));
+    // Far from the floor the light's own size matters less to the distance of its samples, which
+    // cannot be seen.
+    questions.push_back(drawOneLight(draw, handout, Purpose::oneLight, 20.0));
     questions.push_back(drawSeveralLights(draw));
     questions.push_back(drawBeyondLight(draw));
 
@@ -247,7 +264,7 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     raytracer::RenderSettings other;
     other.shadowRayCount = draw.whole(13, 17);
     other.lightSize = draw.between(0.15, 0.22);
-    questions.push_back(drawOneLight(draw, other, Purpose::otherSettings));
+    questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
     return questions;
 }
 

@@ -27,18 +27,19 @@ double biasOf(const AimLine& line, const PointLog& point) {
     return (line.origin - point.point.position).magnitude();
 }
 
-std::size_t distinctDirections(const std::vector<AimLine>& lines) {
-    std::set<std::array<std::int64_t, 3>> seen;
+std::size_t distinctRays(const std::vector<AimLine>& lines) {
+    std::set<std::array<std::int64_t, 6>> seen;
+    const auto cell = [](double value) { return std::llround(value * 1e12); };
     for (const AimLine& line : lines)
-        seen.insert({std::llround(line.direction.x * 1e12), std::llround(line.direction.y * 1e12),
-                     std::llround(line.direction.z * 1e12)});
+        seen.insert({cell(line.direction.x), cell(line.direction.y), cell(line.direction.z),
+                     cell(line.origin.x), cell(line.origin.y), cell(line.origin.z)});
     return seen.size();
 }
 
 struct Counts {
     std::size_t fewest = static_cast<std::size_t>(-1);
     std::size_t fewestDistinct = static_cast<std::size_t>(-1);
-    std::size_t mostDistinct = 0;
+    std::size_t most = 0;
     bool allCentral = true;
 };
 
@@ -49,10 +50,10 @@ Counts countRays(const std::vector<const ShadowLog*>& logs) {
             for (std::size_t i = 0; i < point.lines.size(); ++i) {
                 if (!faces(point, log->scene().pointLights[i])) continue;
                 const std::vector<AimLine>& lines = point.lines[i];
-                const std::size_t distinct = distinctDirections(lines);
+                const std::size_t distinct = distinctRays(lines);
                 counts.fewest = std::min(counts.fewest, lines.size());
                 counts.fewestDistinct = std::min(counts.fewestDistinct, distinct);
-                counts.mostDistinct = std::max(counts.mostDistinct, distinct);
+                counts.most = std::max(counts.most, lines.size());
                 for (const AimLine& line : lines)
                     if (line.miss > 1.01 * std::min(biasOf(line, point), kLargestBias) + 1e-7)
                         counts.allCentral = false;
@@ -193,26 +194,34 @@ std::optional<Finding> checkStarts(const ShadowLogs& logs) {
     return finding;
 }
 
-std::optional<Finding> checkRayCounts(const ShadowLogs& logs) {
-    const Counts counts = countRays(logs.atHandoutSettings());
+std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed) {
+    std::vector<const ShadowLog*> single = logs.oneLight;
+    single.insert(single.end(), logs.beyondLight.begin(), logs.beyondLight.end());
+    single.insert(single.end(), logs.farLight.begin(), logs.farLight.end());
+    const Counts counts = countRays(single);
     const std::size_t asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
     std::optional<Finding> finding;
-    if (counts.allCentral || counts.mostDistinct <= 1) {
-        // Copies of one ray whose aim is random are one ray, but no ray to the centre.
+    if (counts.allCentral || counts.most <= 1) {
         finding = distributedFinding(
             "shadow.hard", Severity::fail,
             counts.allCentral
                 ? fmt::format("{} shadow rays to random points of the light were expected; every "
                               "ray goes to the light's centre.",
                               asked)
-                : fmt::format("{} different shadow rays for each light were expected; all rays of "
-                              "a point and light are one and the same.",
-                              asked));
-    } else if (counts.fewestDistinct < asked) {
+                : fmt::format(
+                      "{} shadow rays for each point and light were expected; there is one.",
+                      asked));
+    } else if (counts.fewest < asked) {
+        finding = distributedFinding(
+            "shadow.too-few-rays", Severity::fail,
+            fmt::format("{} shadow rays for each point and light were expected; at some points "
+                        "there are {}.",
+                        asked, counts.fewest));
+    } else if (counts.fewestDistinct < asked && !fixed) {
         finding = distributedFinding(
             "shadow.too-few-rays", Severity::fail,
             fmt::format("{} different shadow rays for each point and light were expected; at some "
-                        "points there are {}.",
+                        "points only {} of them differ.",
                         asked, counts.fewestDistinct));
     }
     if (finding) {
@@ -224,11 +233,23 @@ std::optional<Finding> checkRayCounts(const ShadowLogs& logs) {
     return finding;
 }
 
+std::optional<Finding> checkEveryLight(const ShadowLogs& logs) {
+    for (const ShadowLog* log : logs.severalLights)
+        for (const PointLog& point : log->points)
+            for (std::size_t i = 0; i < point.lines.size(); ++i)
+                if (faces(point, log->scene().pointLights[i]) && point.lines[i].empty())
+                    return distributedFinding(
+                        "shadow.lights-mixed", Severity::fail,
+                        "Shadow rays to every light were expected; with three lights in the scene, "
+                        "some lights get none.");
+    return std::nullopt;
+}
+
 std::optional<Finding> checkFixedSamples(const ShadowLogs& logs) {
     if (logs.oneLight.empty()) return std::nullopt;
     for (const ShadowLog* log : logs.oneLight)
         if (!sameAimsEverywhere(*log)) return std::nullopt;
-    const std::size_t distinct = distinctDirections(logs.oneLight[0]->points[0].lines[0]);
+    const std::size_t distinct = distinctRays(logs.oneLight[0]->points[0].lines[0]);
     Finding finding = distributedFinding(
         "shadow.fixed-samples", distinct <= 2 ? Severity::fail : Severity::warn,
         fmt::format("New random points of the light were expected for every point that is lit; "
@@ -239,7 +260,7 @@ std::optional<Finding> checkFixedSamples(const ShadowLogs& logs) {
 }
 
 std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs) {
-    const double near = widestMiss(logs.oneLight);
+    const double near = widestMiss({logs.oneLight.begin(), logs.oneLight.begin() + 1});
     const double far = widestMiss(logs.farLight);
     const double radius = raytracer::RenderSettings{}.lightSize;
     // Lights of the one kind stand 6 units away, of the other more than 100: a light that is as

@@ -245,9 +245,10 @@ FitCount countFits(const ShadowLog& log, const ShadowReading& reading,
 
 std::vector<ShadowReading> acceptedShadowReadings() {
     std::vector<ShadowReading> readings;
-    for (const bool viewerIsEye : {false, true})
-        for (const bool withoutCentral : {false, true})
-            for (const Phong phong : {Phong::central, Phong::perSampleDirection, Phong::perSample})
+    // The last one leaves most open, so it is tried last.
+    for (const Phong phong : {Phong::central, Phong::perSampleDirection, Phong::perSample})
+        for (const bool viewerIsEye : {false, true})
+            for (const bool withoutCentral : {false, true})
                 readings.push_back({phong, viewerIsEye, withoutCentral});
     return readings;
 }

@@ -68,7 +68,8 @@ std::vector<double> listed(const ColourRGB& colour) {
     return {colour.r, colour.g, colour.b};
 }
 
-// Where some rays arrive and some do not, the value is everything or nothing, every time.
+// Where some rays arrive and some do not, the value is everything or nothing, every time; elsewhere
+// it is right.
 bool neverAFraction(const Logs& logs) {
     std::size_t mixed = 0;
     for (const ShadowLog* log : logs)
@@ -76,14 +77,14 @@ bool neverAFraction(const Logs& logs) {
             const auto open = [](const AimLine& line) { return line.toLight == Sight::open; };
             const auto blocked = [](const AimLine& line) { return line.toLight == Sight::blocked; };
             const std::vector<AimLine>& lines = point.lines[0];
-            if (std::none_of(lines.begin(), lines.end(), open) ||
-                std::none_of(lines.begin(), lines.end(), blocked))
-                continue;
             const ColourRGB slack = toleranceAt(point, log->scene(), false);
             const bool all = near(point.colour, inFullLight(point, log->scene()), slack);
             const bool none = near(point.colour, ambientPart(point, log->scene()), slack);
-            if (!all && !none) return false;
-            ++mixed;
+            const bool anyOpen = std::any_of(lines.begin(), lines.end(), open);
+            const bool anyBlocked = std::any_of(lines.begin(), lines.end(), blocked);
+            const bool fitting = anyOpen && anyBlocked ? all || none : anyOpen ? all : none;
+            if (!fitting) return false;
+            if (anyOpen && anyBlocked) ++mixed;
         }
     return mixed >= 4;
 }
