@@ -34,13 +34,19 @@ double largestGap(std::vector<double> samples, const std::function<double(double
     return gap;
 }
 
-double largestGap(std::vector<double> left, std::vector<double> right) {
-    std::sort(right.begin(), right.end());
-    const double count = static_cast<double>(right.size());
-    return largestGap(std::move(left), [&](double value) {
-        const auto below = std::upper_bound(right.begin(), right.end(), value) - right.begin();
-        return static_cast<double>(below) / count;
-    });
+double largestGap(const std::vector<double>& left, const std::vector<double>& right, double size) {
+    const double leftShare = 1.0 / static_cast<double>(std::max<std::size_t>(left.size(), 1));
+    const double rightShare = 1.0 / static_cast<double>(std::max<std::size_t>(right.size(), 1));
+    double gap = 0.0;
+    std::size_t below = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        while (below < right.size() && right[below] <= left[i] / size)
+            ++below;
+        const double expected = static_cast<double>(below) * rightShare;
+        gap = std::max({gap, expected - static_cast<double>(i) * leftShare,
+                        static_cast<double>(i + 1) * leftShare - expected});
+    }
+    return gap;
 }
 
 }  // namespace ticker::decision

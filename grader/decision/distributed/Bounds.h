@@ -8,8 +8,7 @@
 namespace ticker::decision {
 
 /// The chance that one statistical statement about a correct submission is wrong. A decision makes
-/// fewer than 40 of them, and each must fail again on fresh samples, so that a correct submission
-/// fails by them with less than (40e-11)^2.
+/// fewer than 90 of them: together they fail a correct submission with a chance below 1e-9.
 inline constexpr double kStatementRisk = 1e-11;
 
 /// Largest distance between the distribution function of `count` independent samples and the true
@@ -30,8 +29,9 @@ inline constexpr double kStatementRisk = 1e-11;
 [[nodiscard]] double largestGap(std::vector<double> samples,
                                 const std::function<double(double)>& distribution);
 
-/// The same, between two sets of samples.
-[[nodiscard]] double largestGap(std::vector<double> left, std::vector<double> right);
+/// The same, between two sets of samples, both sorted, the left one divided by `size`.
+[[nodiscard]] double largestGap(const std::vector<double>& left, const std::vector<double>& right,
+                                double size = 1.0);
 
 }  // namespace ticker::decision
 

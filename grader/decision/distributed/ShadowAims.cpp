@@ -1,4 +1,5 @@
 #include <grader/decision/distributed/Bounds.h>
+#include <grader/decision/distributed/Draw.h>
 #include <grader/decision/distributed/ShadowAims.h>
 
 #include <algorithm>
@@ -6,8 +7,11 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <numbers>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace ticker::decision {
 namespace {
@@ -31,60 +35,107 @@ Vector3 shaped(AimShape shape, double u, double v, double w) {
     return Vector3{ring * std::cos(turn), ring * std::sin(turn), z} * radius;
 }
 
-/// Feet of lines, in radii of the light, as the numbers that are compared: the length, then the
-/// places along the axes and along the diagonals of the axes.
-struct Feet {
-    std::array<std::vector<double>, 10> values;
+// Numbers that are compared: the length of a foot, and its place along two axes at right angles to
+// the view and along their diagonals. Along the view itself feet have no extent but for the light's
+// angular size, so that nothing may be read from there.
+constexpr std::size_t kNumbers = 5;
 
-    void add(const Vector3& foot) {
-        const std::array<double, 10> numbers{
-            foot.magnitude(), foot.x,          foot.y,          foot.z,          foot.x + foot.y,
-            foot.x - foot.y,  foot.y + foot.z, foot.y - foot.z, foot.z + foot.x, foot.z - foot.x};
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            values[i].push_back(numbers[i]);
+/// Feet of lines, in radii of the light: one list of each number, sorted.
+class Feet {
+public:
+    void add(const Vector3& foot, const Perpendiculars& sides) {
+        const double first = foot.dot(sides.first);
+        const double second = foot.dot(sides.second);
+        const std::array<double, kNumbers> numbers{foot.magnitude(), first, second, first + second,
+                                                   first - second};
+        for (std::size_t i = 0; i < kNumbers; ++i)
+            values_[i].push_back(numbers[i]);
     }
-    [[nodiscard]] Feet scaled(double factor) const {
-        Feet result = *this;
-        for (std::vector<double>& list : result.values)
-            for (double& value : list)
-                value *= factor;
-        return result;
+    void add(const Feet& other) {
+        for (std::size_t i = 0; i < kNumbers; ++i)
+            values_[i].insert(values_[i].end(), other.values_[i].begin(), other.values_[i].end());
     }
-    [[nodiscard]] double mean(std::size_t which) const {
+    void sort() {
+        for (std::vector<double>& list : values_)
+            std::sort(list.begin(), list.end());
+    }
+    [[nodiscard]] std::size_t count() const { return values_[0].size(); }
+    [[nodiscard]] const std::vector<double>& lengths() const { return values_[0]; }
+    [[nodiscard]] double meanLength() const {
+        return std::accumulate(lengths().begin(), lengths().end(), 0.0) /
+               static_cast<double>(std::max<std::size_t>(count(), 1));
+    }
+    /// Largest distance of the distribution functions of all numbers, and the sum of all of them.
+    struct Gaps {
+        double worst = 0.0;
         double sum = 0.0;
-        for (const double value : values[which])
-            sum += value;
-        return sum / static_cast<double>(std::max<std::size_t>(values[which].size(), 1));
+    };
+    [[nodiscard]] Gaps gapsFrom(const Feet& expected, double size) const {
+        Gaps gaps;
+        for (std::size_t i = 0; i < kNumbers; ++i) {
+            const double gap = largestGap(values_[i], expected.values_[i], size);
+            gaps.worst = std::max(gaps.worst, gap);
+            gaps.sum += gap;
+        }
+        return gaps;
+    }
+
+private:
+    std::array<std::vector<double>, kNumbers> values_;
+};
+
+/// The feet as seen from each direction, and all together.
+struct Views {
+    std::vector<Feet> each;
+    Feet all;
+
+    void finish() {
+        for (Feet& feet : each) {
+            all.add(feet);
+            feet.sort();
+        }
+        all.sort();
     }
 };
 
 // Kronecker points of the plastic number's analogue in three dimensions (M. Roberts 2018).
-Feet expectedFeet(AimShape shape, const std::vector<Vector3>& views) {
+Views expectedViews(AimShape shape, const std::vector<Vector3>& directions) {
     constexpr double g = 1.22074408460575947536;
-    Feet feet;
-    for (const Vector3& view : views) {
+    Views views;
+    for (const Vector3& direction : directions) {
+        const Perpendiculars sides = perpendicularsOf(direction);
+        Feet feet;
         for (int i = 1; i <= kLattice; ++i) {
             double whole = 0.0;
             const Vector3 aim =
                 shaped(shape, std::modf(0.5 + i / g, &whole), std::modf(0.5 + i / (g * g), &whole),
                        std::modf(0.5 + i / (g * g * g), &whole));
-            feet.add(aim - view * aim.dot(view));
+            feet.add(aim - direction * aim.dot(direction), sides);
         }
+        views.each.push_back(std::move(feet));
     }
-    return feet;
+    views.finish();
+    return views;
 }
 
-double worstGap(const Feet& seen, const Feet& expected) {
-    double gap = 0.0;
-    for (std::size_t i = 0; i < seen.values.size(); ++i)
-        gap = std::max(gap, largestGap(seen.values[i], expected.values[i]));
-    return gap;
+/// How far the views lie from expected ones, where the bounds for the whole and for each view hold;
+/// else empty.
+std::optional<double> fitOf(const Views& seen, const Views& expected, double size, double slack,
+                            std::size_t distinct, bool repeated) {
+    const Feet::Gaps all = seen.all.gapsFrom(expected.all, size);
+    if (all.worst > dkwBound(distinct) + kLatticeError + slack) return std::nullopt;
+    double sum = all.sum;
+    for (std::size_t i = 0; i < seen.each.size(); ++i) {
+        const std::size_t count = repeated ? distinct : seen.each[i].count();
+        const Feet::Gaps gaps = seen.each[i].gapsFrom(expected.each[i], size);
+        if (gaps.worst > dkwBound(count) + kLatticeError + slack) return std::nullopt;
+        sum += gaps.sum;
+    }
+    return sum;
 }
 
-double quantile(std::vector<double> values, double share) {
-    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[static_cast<std::size_t>(at)];
+double quantile(const std::vector<double>& sorted, double share) {
+    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
 double shareBeyond(const std::vector<double>& values, double limit) {
@@ -128,57 +179,71 @@ std::size_t independentLines(const std::vector<const ShadowLog*>& far, std::size
     return repeated ? most : lines;
 }
 
+// Three means of feet of variance at most 1/3 (those of a surface, seen from the side): Bernstein's
+// bound, in radii.
+double leanBound(std::size_t distinct) {
+    const double share = std::log(6.0 / kStatementRisk) / static_cast<double>(distinct);
+    return std::sqrt(3.0) * (std::sqrt(2.0 / 3.0 * share) + 2.0 / 3.0 * share);
+}
+
+void compareShapes(const Views& seen, const std::vector<Vector3>& directions, AimVerdict& verdict) {
+    const bool repeated = verdict.distinct < verdict.lines;
+    double best = std::numeric_limits<double>::infinity();
+    double bestScaled = best;
+    for (const AimShape shape :
+         {AimShape::ball, AimShape::surface, AimShape::uniformRadius, AimShape::polarHelper}) {
+        const Views expected = expectedViews(shape, directions);
+        // Of `distinct` independent lines at least one comes as near to the rim as this.
+        const double rim = quantile(expected.all.lengths(),
+                                    1.0 - std::min(1.0, 1.2 * missedShare(verdict.distinct)));
+        const std::optional<double> fit =
+            fitOf(seen, expected, 1.0, 0.0, verdict.distinct, repeated);
+        if (fit && verdict.widest >= rim - kLatticeError && *fit < best) {
+            best = *fit;
+            verdict.shape = shape;
+        }
+        // Another size of the same shape: the mean says which, and no line passes outside of it.
+        const double size = seen.all.meanLength() / expected.all.meanLength();
+        const std::optional<double> scaled =
+            fitOf(seen, expected, size, 0.02, verdict.distinct, repeated);
+        if (scaled && verdict.widest <= 1.05 * size && *scaled < bestScaled) {
+            bestScaled = *scaled;
+            verdict.scaledShape = shape;
+        }
+    }
+}
+
 }  // namespace
 
 AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     AimVerdict verdict;
-    Feet seen;
-    std::vector<Vector3> views;
+    Views seen;
+    std::vector<Vector3> directions;
+    Vector3 sum;
     double radius = 1.0;
     for (const ShadowLog* log : far) {
         radius = log->settings().lightSize;
         const Vector3 light = log->scene().pointLights[0].position();
-        views.push_back((light - log->scene().planes[0].point).normalised());
+        directions.push_back((light - log->scene().planes[0].point).normalised());
+        const Perpendiculars sides = perpendicularsOf(directions.back());
+        Feet feet;
         for (const PointLog& point : log->points)
-            for (const AimLine& line : samplesOf(point, log->settings()))
-                seen.add(line.foot / radius);
+            for (const AimLine& line : samplesOf(point, log->settings())) {
+                feet.add(line.foot / radius, sides);
+                sum += line.foot / radius;
+            }
+        seen.each.push_back(std::move(feet));
     }
-    verdict.lines = seen.values[0].size();
-    verdict.distinct = independentLines(far, verdict.lines);
+    seen.finish();
+    verdict.lines = seen.all.count();
     if (verdict.lines == 0) return verdict;
-    verdict.widest = *std::max_element(seen.values[0].begin(), seen.values[0].end());
-    verdict.rimShare = shareBeyond(seen.values[0], 0.9 * verdict.widest);
-    verdict.lean = Vector3{seen.mean(1), seen.mean(2), seen.mean(3)}.magnitude();
+    verdict.distinct = independentLines(far, verdict.lines);
+    verdict.widest = seen.all.lengths().back();
+    verdict.rimShare = shareBeyond(seen.all.lengths(), 0.9 * verdict.widest);
+    verdict.lean = sum.magnitude() / static_cast<double>(verdict.lines);
     verdict.tooWide = verdict.widest > 1.0 + 1e-6 + kBiasAllowance / radius;
-
-    // Three means of feet of variance at most 1/3 (those of a surface, seen from the side):
-    // Bernstein's bound, in radii.
-    const double count = static_cast<double>(verdict.distinct);
-    const double logRisk = std::log(6.0 / kStatementRisk);
-    const double leanBound =
-        std::sqrt(3.0) * (std::sqrt(2.0 / 3.0 * logRisk / count) + 2.0 / 3.0 * logRisk / count);
-    verdict.offCentre = verdict.lean > leanBound * std::max(1.0, verdict.widest);
-
-    const double gapBound = dkwBound(verdict.distinct) + kLatticeError;
-    double bestGap = 2.0;
-    for (const AimShape shape :
-         {AimShape::ball, AimShape::surface, AimShape::uniformRadius, AimShape::polarHelper}) {
-        const Feet expected = expectedFeet(shape, views);
-        // Of `distinct` independent lines at least one comes as near to the rim as this.
-        const double rim =
-            quantile(expected.values[0], 1.0 - std::min(1.0, 1.2 * missedShare(verdict.distinct)));
-        const bool narrow = verdict.widest < rim - kLatticeError;
-        const double gap = worstGap(seen, expected);
-        if (gap <= gapBound && !narrow && gap < bestGap) {
-            bestGap = gap;
-            verdict.shape = shape;
-        }
-        // Another size of the same shape: the mean says which, and no line passes outside of it.
-        const double size = seen.mean(0) / expected.mean(0);
-        if (!verdict.scaledShape && verdict.widest <= 1.04 * size &&
-            worstGap(seen.scaled(1.0 / size), expected) <= gapBound + 0.02)
-            verdict.scaledShape = shape;
-    }
+    verdict.offCentre = verdict.lean > leanBound(verdict.distinct) * std::max(1.0, verdict.widest);
+    compareShapes(seen, directions, verdict);
     verdict.tooNarrow = !verdict.tooWide && !verdict.shape && verdict.widest < 0.97;
     return verdict;
 }
