@@ -1,8 +1,9 @@
 // The scenes are what their comments say.
-#include "../io/TemporaryFolder.h"
 
 #include <raytracer/io/SceneReader.h>
 #include <raytracer/render/Renderer.h>
+
+#include <grader/tests/io/TemporaryFolder.h>
 
 #include <gtest/gtest.h>
 
