@@ -81,6 +81,12 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     return result;
 }
 
+// What the kernel says to a file that is no program that it can run: a student can make one.
+bool isUnfit(int error) {
+    return error == ENOEXEC || error == ENOENT || error == ENOMEM || error == EINVAL ||
+           error == ELIBBAD;
+}
+
 }  // namespace
 
 StartFailure becomeCommand(const Options& options, pid_t parent, int keepOpen) {
@@ -91,9 +97,11 @@ StartFailure becomeCommand(const Options& options, pid_t parent, int keepOpen) {
     const std::vector<char*> argv = pointers(words);
     const std::vector<char*> environment = pointers(settings);
 
+    const bool isThere = access(argv[0], X_OK) == 0;
     Failure step = giveUpRights(options, parent, keepOpen);
     if (step == nullptr) {
         execve(argv[0], argv.data(), environment.data());
+        if (isThere && isUnfit(errno)) _exit(kNotExecutable);
         step = "execve";
     }
     StartFailure failure;

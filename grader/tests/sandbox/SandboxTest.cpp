@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -129,6 +130,18 @@ TEST_P(EveryLevel, RunsForManyThreadsAtOnce) {
     }
     for (std::size_t i = 0; i < outcomes.size(); ++i)
         EXPECT_EQ(describe(outcomes[i]), "exit " + std::to_string(i));
+}
+
+// A student's linker can make such a file, so it must not be taken for our fault.
+TEST_P(EveryLevel, TellsAFileThatIsNoProgram) {
+    const std::filesystem::path file = Sandbox::makeStagingFolder() / "program";
+    std::ofstream{file} << "#!/not-there\n";
+    std::filesystem::permissions(file, std::filesystem::perms{0755});
+    Command command = trick({"nothing"});
+    command.readOnly = {{file, "/program"}};
+    command.arguments[0] = "/program";
+    EXPECT_EQ(describe(run(command)), "exit 126");
+    std::filesystem::remove_all(file.parent_path());
 }
 
 TEST_P(EveryLevel, SaysThatAMissingProgramIsOurFault) {
