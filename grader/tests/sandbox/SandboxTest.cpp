@@ -134,14 +134,7 @@ TEST_P(EveryLevel, RunsForManyThreadsAtOnce) {
 
 // A student's linker can make such a file, so it must not be taken for our fault.
 TEST_P(EveryLevel, TellsAFileThatIsNoProgram) {
-    const std::filesystem::path file = Sandbox::makeStagingFolder() / "program";
-    std::ofstream{file} << "#!/not-there\n";
-    std::filesystem::permissions(file, std::filesystem::perms{0755});
-    Command command = trick({"nothing"});
-    command.readOnly = {{file, "/program"}};
-    command.arguments[0] = "/program";
-    EXPECT_EQ(describe(run(command)), "exit 126");
-    std::filesystem::remove_all(file.parent_path());
+    EXPECT_EQ(describe(runText("#!/not-there\n")), "exit 126");
 }
 
 TEST_P(EveryLevel, SaysThatAMissingProgramIsOurFault) {
