@@ -4,6 +4,7 @@
 #include <raytracer/base/Error.h>
 #include <raytracer/io/ImageWriter.h>
 #include <raytracer/io/SceneReader.h>
+#include <raytracer/math/Random.h>
 #include <raytracer/render/Renderer.h>
 
 #include <algorithm>
@@ -69,6 +70,7 @@ ExitCode renderScene(const Options& options) {
     const RenderSettings settings = settingsOf(options, progress);
     if (options.verbose)
         std::cerr << "seed " << settings.seed << ", " << settings.threads << " threads\n";
+    seedRandom(settings.seed);  // for solutions that loop over the pixels by themselves
     const Image image = Renderer{settings}.render(scene);
     writeResults(image, options);
 
