@@ -65,6 +65,9 @@ bool isTransposed(const Examination& examination, const std::optional<Hints>& hi
 
 std::optional<WrongReason> findWrong(const Examination& examination) {
     if (examination.conduct.inward) return WrongReason::inward;
+    // Normals of chords over a hundredth of the map lean by 0.03 without any slope.
+    constexpr double kFlatTilt = 0.1;
+    if (!(examination.flatTilt <= kFlatTilt)) return WrongReason::flatTilted;
     if (const auto reason = reasonOf(examination.ramps.kind)) return reason;
     // What follows asks whether a submission that is right on ramps is right elsewhere, too.
     if (examination.ramps.kind != RampKind::right) return std::nullopt;
