@@ -91,13 +91,15 @@ struct Tricks {
     /// Scrambled Sobol' points for means (A. Owen 1995; B. Burley, "Practical Hash-based Owen
     /// Scrambling", JCGT 9(4), 2020); off: plain random points.
     bool lowDiscrepancy = true;
-    /// Share of a light that a plane hides in closed form, instead of by samples, for means.
-    bool analyticPlanes = true;
+    /// Share of a ball that one sphere or one plane hides, in closed form or by a short quadrature,
+    /// instead of by samples, for means.
+    bool closedForms = true;
     /// Two shadow rays a hit instead of shadowRayCount, for means and variances: the second moment
     /// follows from the products of two independent estimates.
     bool pairedShadows = true;
-    /// Points that need shadow rays are gathered into full vectors.
-    bool compaction = true;
+    /// Pixels get as many lens paths as their own noise asks for (J. Neyman, "On the Two Different
+    /// Aspects of the Representative Method", 1934), found by a pilot that is thrown away.
+    bool allocation = true;
 };
 
 }  // namespace ticker::oracle
