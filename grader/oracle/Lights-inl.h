@@ -71,11 +71,28 @@ HWY_INLINE void enqueue(ShadowQueue& queue, MF mask, const Start& start, const O
     queue.size = at + hn::CountTrue(F(), mask);
 }
 
+/// Lanes in which exactly one near sphere, or one plane, may shade.
+HWY_INLINE MF onlyOne(const Setup& setup, const Occluders& occluders) {
+    const VU zero = hn::Zero(U());
+    const VU one = hn::Set(U(), 1U);
+    const VU near = occluders.nearSpheres;
+    const VU planes = occluders.planes;
+    const VU several = hn::Or(occluders.otherSpheres,
+                              hn::Or(hn::And(near, hn::Sub(near, one)),
+                                     hn::And(planes, hn::Sub(planes, one))));
+    const VU shared = hn::And(hn::Or(near, planes), hn::Set(U(), bitOf(31)));
+    const bool planesToo = setup.reading.shadowReach != ShadowReach::toCentre;
+    const auto both = planesToo ? hn::And(hn::Ne(near, zero), hn::Ne(planes, zero))
+                                : hn::Ne(planes, zero);
+    const auto few = hn::Eq(hn::Or(several, shared), zero);
+    return hn::RebindMask(F(), hn::AndNot(both, few));
+}
+
 /// The light of one lamp at one vector of hits: stores the contribution, and the share of it that
 /// arrives where cones tell it; other hits are queued.
 HWY_INLINE void lookAtLight(const Setup& setup, std::size_t number, const Surface& surface,
-                            VF weight, const Vec3& ambient, std::size_t at, Workspace& work,
-                            Vec3& colour) {
+                            VF weight, const Vec3& ambient, std::size_t at, bool paired,
+                            Workspace& work, Vec3& colour) {
     const SceneSoA::Light& light = setup.scene.lights[number];
     const Vec3 apart =
         all3(light.position[0], light.position[1], light.position[2]) - surface.point;
@@ -102,7 +119,12 @@ HWY_INLINE void lookAtLight(const Setup& setup, std::size_t number, const Surfac
     const VU marks =
         hn::Or(occluders.nearSpheres, hn::Or(occluders.otherSpheres, occluders.planes));
     const MF open = hn::AndNot(occluders.shaded, hn::RebindMask(F(), hn::Ne(marks, hn::Zero(U()))));
-    const MF unknown = hn::And(matters, open);
+    MF unknown = hn::And(matters, open);
+    if (paired && setup.closedFormsHold) {
+        const MF single = hn::And(unknown, onlyOne(setup, occluders));
+        if (!hn::AllFalse(F(), single)) enqueue(lamp.singles, single, start, occluders, at);
+        unknown = hn::AndNot(single, unknown);
+    }
     if (!hn::AllFalse(F(), unknown)) enqueue(lamp.queue, unknown, start, occluders, at);
 }
 

@@ -6,6 +6,7 @@
 #define TICKER_ORACLE_PATHS_INL_H
 #endif
 
+#include <grader/oracle/Closed-inl.h>
 #include <grader/oracle/Lens-inl.h>
 #include <grader/oracle/Lights-inl.h>
 #include <grader/oracle/PerSample-inl.h>
@@ -65,7 +66,7 @@ HWY_INLINE bool stepVector(const Setup& setup, int depth, std::size_t at, Aims& 
     Vec3 colour = moved({missed, missed, missed}, ambient, lit);
     for (std::size_t light = 0; light < work.lights.size(); ++light) {
         if (setup.contributionIsShare)
-            lookAtLight(setup, light, surface, lit, ambient, at, work, colour);
+            lookAtLight(setup, light, surface, lit, ambient, at, paired, work, colour);
         else
             sampleLight(setup, light, static_cast<std::size_t>(depth), surface, lit, ambient, at,
                         paired, aims, work);
@@ -101,8 +102,10 @@ HWY_INLINE void traceAll(const Setup& setup, Drawing drawing, Lens& lens, Aims& 
         for (std::size_t at = 0; at < work.paths; at += width())
             alive = stepVector(setup, depth, at, aims, paired, work) || alive;
         if (!alive) break;
-        for (std::size_t light = 0; light < work.lights.size(); ++light)
+        for (std::size_t light = 0; light < work.lights.size(); ++light) {
+            settleClosed(setup, light, work);
             settle(setup, light, static_cast<std::size_t>(depth), paired, aims, work);
+        }
         addLights(work, paired);
     }
 }

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ticker::oracle {
 namespace {
+
+constexpr int kNodes = 12;
 
 float toFloat(double value) {
     return static_cast<float>(value);
@@ -27,6 +30,35 @@ double boundOf(LightShape shape) {
     return shape == LightShape::cube ? std::numbers::sqrt3 : 1.0;
 }
 
+// Legendre's polynomial of degree n and its derivative, by the three-term recurrence.
+std::pair<double, double> legendre(int n, double x) {
+    double previous = 0.0;
+    double value = 1.0;
+    for (int k = 1; k <= n; ++k) {
+        const double next = ((2.0 * k - 1.0) * x * value - (k - 1.0) * previous) / k;
+        previous = value;
+        value = next;
+    }
+    return {value, n * (x * value - previous) / (x * x - 1.0)};
+}
+
+// Gauss and Legendre's rule for the unit interval, with p = 1 - (1 - z)^2 in place of z.
+std::vector<Setup::Node> crowdedNodes(int count) {
+    std::vector<Setup::Node> nodes;
+    for (int i = 0; i < count; ++i) {
+        double x = std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5));
+        for (int step = 0; step < 20; ++step) {
+            const auto [value, slope] = legendre(count, x);
+            x -= value / slope;
+        }
+        const double slope = legendre(count, x).second;
+        const double weight = 1.0 / ((1.0 - x * x) * slope * slope);
+        const double rest = 0.5 * (1.0 + x);  // 1 - z
+        nodes.push_back({toFloat(1.0 - rest * rest), toFloat(weight * 2.0 * rest)});
+    }
+    return nodes;
+}
+
 }  // namespace
 
 Setup::Setup(const raytracer::SceneDescription& description,
@@ -39,6 +71,7 @@ Setup::Setup(const raytracer::SceneDescription& description,
       tricks(chosenTricks),
       width(settings.imageWidth()),
       height(settings.imageHeight()),
+      nodes(crowdedNodes(kNodes)),
       pool(chosenReading.lightShape, renderSettings.lightSize * chosenMistake.lightSizeFactor) {
     check(settings);
     const double step = 2.0 * std::tan(std::numbers::pi / 8.0) / settings.width;

@@ -8,6 +8,8 @@
 #include <raytracer/base/RenderSettings.h>
 #include <raytracer/scene/SceneDescription.h>
 
+#include <vector>
+
 namespace ticker::oracle {
 
 /// Everything that stays the same while a picture is computed: scene, settings, reading, mistakes,
@@ -45,6 +47,13 @@ struct Setup {
     bool contributionIsShare = true;
     bool conesHold = true;        ///< cone tests are valid for this reading and mistake
     bool closedFormsHold = true;  ///< likewise the share of a ball behind a cone or plane
+
+    /// One node of the quadrature over a turn, on the unit interval.
+    struct Node {
+        float position;
+        float weight;
+    };
+    std::vector<Node> nodes;
 
     BallPool pool;  ///< aim points for student renders, radius included
 };

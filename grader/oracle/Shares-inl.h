@@ -96,17 +96,21 @@ HWY_INLINE void settlePaired(const Setup& setup, const Waiting& waiting, Occludi
     scatter(hn::IfThenElseZero(hn::Xor(first, second), all(noise)), lamp.shareNoise, waiting.slot);
 }
 
+/// Idle lanes of the last vector write behind the last path.
+HWY_INLINE void fillIdleLanes(ShadowQueue& queue) {
+    for (std::size_t i = queue.size; i < queue.size + width(); ++i) {
+        queue.slot[i] = static_cast<std::uint32_t>(kPaths);
+        queue.nearSpheres[i] = queue.otherSpheres[i] = queue.planes[i] = 0;
+    }
+}
+
 /// Settles every queued point of a light and empties the queue.
 template <typename Aims>
 HWY_INLINE void settle(const Setup& setup, std::size_t light, std::size_t depth, bool paired,
                        Aims& aims, Workspace& work) {
     LightWork& lamp = work.lights[light];
     ShadowQueue& queue = lamp.queue;
-    // Idle lanes of the last vector write behind the last path.
-    for (std::size_t i = queue.size; i < queue.size + width(); ++i) {
-        queue.slot[i] = static_cast<std::uint32_t>(kPaths);
-        queue.nearSpheres[i] = queue.otherSpheres[i] = queue.planes[i] = 0;
-    }
+    fillIdleLanes(queue);
     Occluding occluding{setup.scene, work.occluders};
     for (std::size_t at = 0; at < queue.size; at += width()) {
         const Waiting waiting = waitingAt(setup, setup.scene.lights[light], queue, at);

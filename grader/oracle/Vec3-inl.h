@@ -56,6 +56,10 @@ HWY_INLINE Vec3 moved(const Vec3& start, const Vec3& along, VF distance) {
 HWY_INLINE VF dot(const Vec3& a, const Vec3& b) {
     return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
 }
+HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
 HWY_INLINE VF squared(const Vec3& a) {
     return dot(a, a);
 }
