@@ -47,8 +47,8 @@ HWY_INLINE VF visibleBesideSphere(const Setup& setup, const TwoCones& cones) {
         hn::Asin(F(), hn::Min(one, hn::Div(cones.sineB, hn::Max(cones.sineG, tiny))));
     const MF touches = hn::Gt(cones.cosineG, hn::Mul(cones.cosineA, cones.cosineB));
     const VF pi = all(3.14159265F);
-    const VF range = hn::IfThenElse(outside, hn::IfThenElse(touches, tangent, rimTurn),
-                                    hn::Sub(pi, rimTurn));
+    const VF range =
+        hn::IfThenElse(outside, hn::IfThenElse(touches, tangent, rimTurn), hn::Sub(pi, rimTurn));
     const VF rangeTurns = hn::Mul(range, all(0.159154943F));
     const VF side = hn::IfThenElse(outside, one, all(-1.0F));
 
@@ -91,8 +91,7 @@ HWY_INLINE VF visibleBesidePlanes(const Setup& setup, const Waiting& waiting, VF
         const VF height = heightAbove(scene, i, waiting.start);
         const VF rise = dot(normal, waiting.aim.centre);
         const VF aim = endless ? rise : hn::Add(rise, height);
-        const VF share =
-            capShare(hn::Div(hn::CopySign(aim, hn::Xor(aim, height)), radius));
+        const VF share = capShare(hn::Div(hn::CopySign(aim, hn::Xor(aim, height)), radius));
         visible = hn::IfThenElse(mine, share, visible);
     }
     return visible;
@@ -123,8 +122,7 @@ HWY_INLINE VF visibleShare(const Setup& setup, const Waiting& waiting) {
         TwoCones cones;
         cones.sineA = hn::Mul(radius, waiting.aim.inverseDistance);
         cones.cosineA = hn::Sqrt(positive(hn::NegMulAdd(cones.sineA, cones.sineA, one)));
-        const VF inverseDistance2 =
-            hn::Div(one, hn::MulAdd(sphereRadius, sphereRadius, power));
+        const VF inverseDistance2 = hn::Div(one, hn::MulAdd(sphereRadius, sphereRadius, power));
         const VF inverseDistance = hn::Sqrt(inverseDistance2);
         cones.sineB = hn::Mul(sphereRadius, inverseDistance);
         cones.cosineB = hn::Sqrt(hn::Mul(power, inverseDistance2));

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 
 #include <grader/oracle/Paths-inl.h>
+#include <grader/oracle/Sums-inl.h>
 
 #include <hwy/highway.h>
 
@@ -43,10 +44,20 @@ HWY_AFTER_NAMESPACE();
 namespace ticker::oracle {
 
 HWY_EXPORT(tracePathsHere);
+HWY_EXPORT(coloursHere);
+HWY_EXPORT(sumsHere);
 HWY_EXPORT(instructionSetHere);
 
 void tracePaths(const Setup& setup, Drawing drawing, Workspace& work, LaneSeeds& seeds) {
     HWY_DYNAMIC_DISPATCH(tracePathsHere)(setup, drawing, work, seeds);
+}
+
+std::array<double, 3> sumColours(const Workspace& work, std::size_t first, std::size_t end) {
+    return HWY_DYNAMIC_DISPATCH(coloursHere)(work, first, end);
+}
+
+PathSums sumPaths(const Workspace& work, std::size_t first, std::size_t end, bool paired) {
+    return HWY_DYNAMIC_DISPATCH(sumsHere)(work, first, end, paired);
 }
 
 const char* instructionSet() {

@@ -5,6 +5,7 @@
 #include <grader/oracle/Workspace.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace ticker::oracle {
@@ -26,6 +27,20 @@ struct LaneSeeds {
 /// Traces the paths of a workspace, by the widest vectors that this machine has.
 /// `seeds` matter, and change, for `Drawing::student` only.
 void tracePaths(const Setup& setup, Drawing drawing, Workspace& work, LaneSeeds& seeds);
+
+/// Sums of the colours of paths [first, end) of a traced workspace.
+std::array<double, 3> sumColours(const Workspace& work, std::size_t first, std::size_t end);
+
+/// Sums over paths of one pixel, of colours counted from `pivot`.
+struct PathSums {
+    std::array<double, 3> pivot{};
+    std::array<double, 3> mean{};
+    std::array<double, 6> second{};  ///< products of two independent estimates: rr gg bb rg rb gb
+    std::array<double, 6> noise{};   ///< covariance that shadow rays add
+};
+
+/// @param paired  As traced: `Drawing::paired`.
+PathSums sumPaths(const Workspace& work, std::size_t first, std::size_t end, bool paired);
 
 /// Name of the instruction set that `tracePaths` uses: "AVX3", "AVX2", "SSE4", ...
 const char* instructionSet();

@@ -77,13 +77,13 @@ HWY_INLINE MF onlyOne(const Setup& setup, const Occluders& occluders) {
     const VU one = hn::Set(U(), 1U);
     const VU near = occluders.nearSpheres;
     const VU planes = occluders.planes;
-    const VU several = hn::Or(occluders.otherSpheres,
-                              hn::Or(hn::And(near, hn::Sub(near, one)),
-                                     hn::And(planes, hn::Sub(planes, one))));
+    const VU several =
+        hn::Or(occluders.otherSpheres,
+               hn::Or(hn::And(near, hn::Sub(near, one)), hn::And(planes, hn::Sub(planes, one))));
     const VU shared = hn::And(hn::Or(near, planes), hn::Set(U(), bitOf(31)));
     const bool planesToo = setup.reading.shadowReach != ShadowReach::toCentre;
-    const auto both = planesToo ? hn::And(hn::Ne(near, zero), hn::Ne(planes, zero))
-                                : hn::Ne(planes, zero);
+    const auto both =
+        planesToo ? hn::And(hn::Ne(near, zero), hn::Ne(planes, zero)) : hn::Ne(planes, zero);
     const auto few = hn::Eq(hn::Or(several, shared), zero);
     return hn::RebindMask(F(), hn::AndNot(both, few));
 }

@@ -2,6 +2,7 @@
 
 #include <grader/oracle/Kernel.h>
 #include <grader/oracle/Lattice.h>
+#include <grader/oracle/Paths.h>
 #include <grader/oracle/Tiles.h>
 
 namespace ticker::oracle {
@@ -14,54 +15,21 @@ std::uint32_t keyOf(std::uint64_t seed, std::uint64_t number, int pixel) {
     return mixed(run + static_cast<std::uint32_t>(pixel));
 }
 
-/// Paths of one tile, pixel after pixel.
-class TileMoments {
-public:
-    TileMoments(const Setup& setup, Workspace& work, Replicate& result)
-        : setup_(setup), work_(work), result_(result) {}
-
-    void add(int pixel, std::uint32_t key, std::uint32_t sample) {
-        if (work_.paths == kPaths) flush();
-        const std::size_t at = work_.paths++;
-        work_.column[at] = pixel % setup_.width;
-        work_.row[at] = pixel / setup_.width;
-        work_.sample[at] = sample;
-        work_.randomisation[at] = key;
-        pixelOf_[at] = static_cast<std::size_t>(pixel);
+// Undoes the pivot of `sums`, in double precision.
+void add(const PathSums& sums, double paths, PathMoments& to) {
+    constexpr std::size_t kFirst[6] = {0, 1, 2, 0, 0, 1};
+    constexpr std::size_t kSecond[6] = {0, 1, 2, 1, 2, 2};
+    const auto& p = sums.pivot;
+    for (std::size_t c = 0; c < 3; ++c)
+        to.mean[c] += sums.mean[c] + paths * p[c];
+    for (std::size_t e = 0; e < 6; ++e) {
+        const std::size_t a = kFirst[e];
+        const std::size_t b = kSecond[e];
+        to.second[e] +=
+            sums.second[e] + p[a] * sums.mean[b] + p[b] * sums.mean[a] + paths * p[a] * p[b];
+        to.noise[e] += sums.noise[e];
     }
-    void flush() {
-        if (work_.paths == 0) return;
-        const bool straight = setup_.mistake.allOrNothing || setup_.mistake.litIfAny;
-        const bool paired = setup_.tricks.pairedShadows && !straight;
-        LaneSeeds none{};
-        tracePaths(setup_, paired ? Drawing::paired : Drawing::independent, work_, none);
-        for (std::size_t i = 0; i < work_.paths; ++i)
-            addPath(i, paired, result_[pixelOf_[i]]);
-        work_.paths = 0;
-    }
-
-private:
-    void addPath(std::size_t i, bool paired, PathMoments& sum) const {
-        constexpr std::size_t kFirst[6] = {0, 1, 2, 0, 0, 1};
-        constexpr std::size_t kSecond[6] = {0, 1, 2, 1, 2, 2};
-        const auto& colour = work_.colour;
-        const auto& other = paired ? work_.pairedColour : work_.colour;
-        for (std::size_t c = 0; c < 3; ++c)
-            sum.mean[c] += 0.5 * (double{colour[c][i]} + double{other[c][i]});
-        for (std::size_t e = 0; e < 6; ++e) {
-            const std::size_t a = kFirst[e];
-            const std::size_t b = kSecond[e];
-            sum.second[e] += 0.5 * (double{colour[a][i]} * double{other[b][i]} +
-                                    double{colour[b][i]} * double{other[a][i]});
-            if (paired) sum.noise[e] += double{work_.noise[e][i]};
-        }
-    }
-
-    const Setup& setup_;
-    Workspace& work_;
-    Replicate& result_;
-    std::array<std::size_t, kPaths> pixelOf_{};
-};
+}
 
 }  // namespace
 
@@ -88,19 +56,25 @@ PathMoments& PathMoments::operator*=(double factor) {
 Replicate replicate(const Setup& setup, std::uint64_t seed, std::uint64_t number,
                     const std::vector<std::uint32_t>& counts) {
     Replicate result(counts.size());
+    const auto at = [](int pixel) { return static_cast<std::size_t>(pixel); };
+    // All or nothing is no average of rays, so that pairs of rays do not tell its moments.
+    const bool straight = setup.mistake.allOrNothing || setup.mistake.litIfAny;
+    const bool paired = setup.tricks.pairedShadows && !straight;
+    const auto trace = [&](Workspace& full, const std::vector<PathPacker::Run>& runs) {
+        LaneSeeds none{};
+        tracePaths(setup, paired ? Drawing::paired : Drawing::independent, full, none);
+        for (const PathPacker::Run& run : runs)
+            add(sumPaths(full, run.first, run.end, paired),
+                static_cast<double>(run.end - run.first), result[at(run.pixel)]);
+    };
     forEachTile(static_cast<int>(counts.size()), setup.settings.threads, setup.settings.monitor,
                 [&](const Tile& tile, Workspace& work) {
-                    work.paths = 0;
-                    TileMoments moments{setup, work, result};
-                    for (int pixel = tile.first; pixel < tile.end; ++pixel) {
-                        const std::uint32_t key = keyOf(seed, number, pixel);
-                        for (std::uint32_t i = 0; i < counts[static_cast<std::size_t>(pixel)]; ++i)
-                            moments.add(pixel, key, i);
-                    }
-                    moments.flush();
+                    PathPacker packer{setup, work};
                     for (int pixel = tile.first; pixel < tile.end; ++pixel)
-                        result[static_cast<std::size_t>(pixel)] *=
-                            1.0 / counts[static_cast<std::size_t>(pixel)];
+                        packer.add(pixel, keyOf(seed, number, pixel), counts[at(pixel)], trace);
+                    packer.finish(trace);
+                    for (int pixel = tile.first; pixel < tile.end; ++pixel)
+                        result[at(pixel)] *= 1.0 / counts[at(pixel)];
                 });
     return result;
 }

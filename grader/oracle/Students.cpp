@@ -1,6 +1,7 @@
 #include <grader/oracle/Students.h>
 
 #include <grader/oracle/Kernel.h>
+#include <grader/oracle/Paths.h>
 #include <grader/oracle/Tiles.h>
 
 #include <array>
@@ -32,57 +33,30 @@ LaneSeeds seedsOf(std::uint64_t seed, int tile) {
     return seeds;
 }
 
-/// Pixels of one tile, path after path.
-class TileRender {
-public:
-    TileRender(const Setup& setup, const Tile& tile, Workspace& work, std::uint64_t seed)
-        : setup_(setup),
-          tile_(tile),
-          work_(work),
-          seeds_(seedsOf(seed, tile.number)),
-          sums_(static_cast<std::size_t>(tile.end - tile.first)) {}
-
-    void run() {
-        work_.paths = 0;
-        for (int pixel = tile_.first; pixel < tile_.end; ++pixel)
-            for (int ray = 0; ray < setup_.settings.dofRayCount; ++ray)
-                add(pixel);
-        flush();
-    }
-
-    void write(raytracer::Image& image) const {
-        const double scale = setup_.mistake.pixelScale / setup_.settings.dofRayCount;
-        for (std::size_t i = 0; i < sums_.size(); ++i) {
-            const int pixel = tile_.first + static_cast<int>(i);
-            image.set(pixel % setup_.width, pixel / setup_.width,
-                      {sums_[i][0] * scale, sums_[i][1] * scale, sums_[i][2] * scale});
+void renderTile(const Setup& setup, const Tile& tile, std::uint64_t seed, Workspace& work,
+                raytracer::Image& image) {
+    LaneSeeds seeds = seedsOf(seed, tile.number);
+    std::vector<std::array<double, 3>> sums(static_cast<std::size_t>(tile.end - tile.first));
+    const auto trace = [&](Workspace& full, const std::vector<PathPacker::Run>& runs) {
+        tracePaths(setup, Drawing::student, full, seeds);
+        for (const PathPacker::Run& run : runs) {
+            const std::array<double, 3> colours = sumColours(full, run.first, run.end);
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                sums[static_cast<std::size_t>(run.pixel - tile.first)][channel] += colours[channel];
         }
-    }
+    };
+    PathPacker packer{setup, work};
+    for (int pixel = tile.first; pixel < tile.end; ++pixel)
+        packer.add(pixel, 0, static_cast<std::uint32_t>(setup.settings.dofRayCount), trace);
+    packer.finish(trace);
 
-private:
-    void add(int pixel) {
-        if (work_.paths == kPaths) flush();
-        const std::size_t at = work_.paths++;
-        work_.column[at] = pixel % setup_.width;
-        work_.row[at] = pixel / setup_.width;
-        pixelOf_[at] = static_cast<std::size_t>(pixel - tile_.first);
+    const double scale = setup.mistake.pixelScale / setup.settings.dofRayCount;
+    for (int pixel = tile.first; pixel < tile.end; ++pixel) {
+        const auto& sum = sums[static_cast<std::size_t>(pixel - tile.first)];
+        image.set(pixel % setup.width, pixel / setup.width,
+                  {sum[0] * scale, sum[1] * scale, sum[2] * scale});
     }
-    void flush() {
-        if (work_.paths == 0) return;
-        tracePaths(setup_, Drawing::student, work_, seeds_);
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            for (std::size_t i = 0; i < work_.paths; ++i)
-                sums_[pixelOf_[i]][channel] += work_.colour[channel][i];
-        work_.paths = 0;
-    }
-
-    const Setup& setup_;
-    Tile tile_;
-    Workspace& work_;
-    LaneSeeds seeds_;
-    std::vector<std::array<float, 3>> sums_;
-    std::array<std::size_t, kPaths> pixelOf_{};
-};
+}
 
 }  // namespace
 
@@ -90,12 +64,9 @@ raytracer::Image studentRender(const Setup& setup, std::uint64_t seed) {
     raytracer::RenderSettings settings = setup.settings;
     settings.observer = nullptr;
     raytracer::Image image{settings};
-    forEachTile(setup.width * setup.height, settings.threads, settings.monitor,
-                [&](const Tile& tile, Workspace& work) {
-                    TileRender render{setup, tile, work, seed};
-                    render.run();
-                    render.write(image);
-                });
+    forEachTile(
+        setup.width * setup.height, settings.threads, settings.monitor,
+        [&](const Tile& tile, Workspace& work) { renderTile(setup, tile, seed, work, image); });
     return image;
 }
 

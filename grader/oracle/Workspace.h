@@ -48,8 +48,8 @@ struct LightWork {
     Lanes<float> share;        ///< of the light that arrives
     Lanes<float> pairedShare;  ///< an independent second estimate, or the same exact value
     Lanes<float> shareNoise;   ///< variance of a student's share
-    ShadowQueue queue;    ///< points that need shadow rays
-    ShadowQueue singles;  ///< points with one occluder, whose share has a closed form
+    ShadowQueue queue;         ///< points that need shadow rays
+    ShadowQueue singles;       ///< points with one occluder, whose share has a closed form
 };
 
 /// What one thread works in. Slot i of every array belongs to path i.
