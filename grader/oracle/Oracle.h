@@ -40,7 +40,7 @@ struct Moments {
     /// (`replicates` - 1 degrees of freedom), good when summed over many.
     std::vector<raytracer::ColourRGB> meanError;
     int replicates = 0;          ///< independent randomisations that were averaged
-    std::int64_t lensPaths = 0;  ///< lens paths traced for each pixel, all replicates together
+    std::int64_t lensPaths = 0;  ///< lens paths that went into them, of all pixels together
 
     /// Sum over pixels and channels of meanError, divided by that of variance / renders: what the
     /// error of `mean` adds to the variance of a statistic of the mean of `renders` renders.
@@ -49,13 +49,14 @@ struct Moments {
     [[nodiscard]] double rmsError() const;
 };
 
-/// When to stop. The first goal that is met ends the work; `maxLensPaths` ends it in any case.
+/// How good moments shall be. Work ends when every goal that is set is met, or when all pixels have
+/// `maxLensPaths`. With equal minimum and maximum every pixel gets just that many.
 struct Precision {
     double share = 0.01;  ///< goal for Moments::shareOfVariance(renders); 0: no such goal
     int renders = 16;
-    double rms = 0.0;  ///< goal for Moments::rmsError(), linear; 0: no such goal
-    int minLensPaths = 256;
-    int maxLensPaths = 1 << 18;
+    double rms = 0.0;            ///< goal for Moments::rmsError(), linear; 0: no such goal
+    int minLensPaths = 128;      ///< of each pixel
+    int maxLensPaths = 1 << 18;  ///< likewise
 };
 
 /// An independent renderer of the exercise's scenes (design, section 4), fast enough to make a

@@ -1,6 +1,7 @@
 #include <grader/oracle/Setup.h>
 
 #include <raytracer/base/Error.h>
+#include <raytracer/base/RenderObserver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,10 @@ Setup::Setup(const raytracer::SceneDescription& description,
     conesHold = tricks.coneTests && mistake.pointJitter == 0.0;
     closedFormsHold = tricks.closedForms && conesHold && contributionIsShare &&
                       reading.lightShape == LightShape::ball && radius > 0.0;
+}
+
+bool interrupted(const Setup& setup) {
+    return setup.settings.monitor != nullptr && setup.settings.monitor->interrupted();
 }
 
 }  // namespace ticker::oracle

@@ -58,6 +58,9 @@ struct Setup {
     BallPool pool;  ///< aim points for student renders, radius included
 };
 
+/// Whether the settings' monitor has said stop.
+[[nodiscard]] bool interrupted(const Setup& setup);
+
 }  // namespace ticker::oracle
 
 #endif
