@@ -9,11 +9,18 @@
 #include <raytracer/scene/PointLight.h>
 #include <raytracer/scene/SceneDescription.h>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace raytracer {
+
+/// What a ray meets first, told as briefly as can be; small enough to be returned in registers.
+struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();  ///< in lengths of the direction
+    const SceneObject* object = nullptr;                        ///< null: nothing is met
+};
 
 /// Everything that rays can hit and that gives light. Never changes once built, so threads may
 /// share it.
@@ -28,7 +35,9 @@ public:
     Scene& operator=(const Scene&) = delete;
 
     /// The first surface that the ray meets in front of its origin; empty when it meets none.
-    [[nodiscard]] std::optional<RaycastHit> findClosestIntersection(const Ray& ray) const;
+    [[nodiscard]] std::optional<RaycastHit> findClosestIntersection(const Ray& ray) const {
+        return observer_ == nullptr ? hitAt(ray, nearest(ray)) : findWatched(ray);
+    }
 
     [[nodiscard]] const std::vector<PointLight>& pointLights() const { return pointLights_; }
     [[nodiscard]] const ColourRGB& ambientLighting() const { return ambientLighting_; }
@@ -41,7 +50,16 @@ public:
 private:
     struct Fast;  // the objects again, laid out for speed
 
-    std::optional<RaycastHit> closest(const Ray& ray) const;
+    [[nodiscard]] Nearest nearest(const Ray& ray) const;
+    [[nodiscard]] std::optional<RaycastHit> findWatched(const Ray& ray) const;
+
+    // Inline, so that a caller who wants only the distance does not pay for place and normal.
+    [[nodiscard]] static std::optional<RaycastHit> hitAt(const Ray& ray, const Nearest& nearest) {
+        if (nearest.object == nullptr) return std::nullopt;
+        const Vector3 location = ray.evaluateAt(nearest.distance);
+        return RaycastHit{nearest.object, nearest.distance, location,
+                          nearest.object->getNormalAt(location)};
+    }
 
     ColourRGB ambientLighting_;
     std::vector<PointLight> pointLights_;
