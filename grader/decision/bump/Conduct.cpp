@@ -65,13 +65,6 @@ std::vector<Vector3> poles() {
     return directions;
 }
 
-std::vector<Vector3> anywhere(Draws& draws, int count) {
-    std::vector<Vector3> directions;
-    for (int i = 0; i < count; ++i)
-        directions.push_back(draws.direction());
-    return directions;
-}
-
 void note(Offence& offence, const probe::NormalQuestion& question, std::size_t point,
           double value = 0.0) {
     if (offence.count == 0.0) {
@@ -172,8 +165,8 @@ ConductPlan planConduct(Questionnaire& questionnaire, Draws& draws) {
     plan.nearestPoint = questionnaire.add(kSceneBall, map,
                                           {{0.0, 0.0, -1.0}, {-0.0, 0.0, -1.0}, {0.0, -0.0, -1.0}});
     plan.poles = questionnaire.add(kSceneBall, map, poles());
-    plan.smallMap = questionnaire.add(kSceneBall, noise(draws, 16, 16), anywhere(draws, kPoints));
-    plan.tinyMap = questionnaire.add(kSceneBall, noise(draws, 4, 4), anywhere(draws, kPoints));
+    plan.smallMap = questionnaire.add(kSceneBall, noise(draws, 16, 16), draws.directions(kPoints));
+    plan.tinyMap = questionnaire.add(kSceneBall, noise(draws, 4, 4), draws.directions(kPoints));
     return plan;
 }
 

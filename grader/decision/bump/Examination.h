@@ -17,7 +17,7 @@ namespace ticker::decision::bump {
 /// The first sitting: everything that a right submission is asked.
 struct MainPlan {
     Questionnaire questionnaire;
-    RampPlan gentle;  ///< heights of 0 to 0.6: tilts are in proportion to slopes
+    RampPlan gentle;  ///< heights of 0 to 0.2: tilts are in proportion to slopes
     RampPlan steep;   ///< heights of 0 to 5, as maps have them
     SlopePlan slopes;
     LetterPlan letters;
@@ -40,7 +40,7 @@ struct HintPlan {
 struct Examination {
     Conduct conduct;
     RampJudgement ramps;         ///< on gentle ramps, or on steep ones where those tell nothing
-    bool growsWithSlope = true;  ///< eight times the slope tilts at least twice as much
+    bool growsWithSlope = true;  ///< 25 times the slope tilts at least twice as much
     bool steepAgrees = true;     ///< steep ramps tilt in the same directions as gentle ones
     std::optional<SlopeAgreement> slopes;  ///< where the map's place is known
     std::optional<LetterReading> letters;  ///< likewise

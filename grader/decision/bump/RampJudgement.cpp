@@ -57,8 +57,9 @@ RampJudgement judgeRamps(const std::vector<RampTilts>& tilts) {
     judgement.strength = strength(tilts);
     const auto [alongU, alongV] = judgement.strength;
     const double strongest = std::max(alongU, alongV);
-    // Not above, rather than below: not-a-number is no tilt either.
-    if (!(strongest > kRounding)) return judgement;
+    // Far below double precision's rounding. Not above, rather than below: not-a-number is no tilt.
+    constexpr double kNothing = 1e-13;
+    if (!(strongest > kNothing)) return judgement;
     if (!(alongU > kIgnoredShare * strongest)) judgement.kind = RampKind::slopeUIgnored;
     if (!(alongV > kIgnoredShare * strongest)) judgement.kind = RampKind::slopeVIgnored;
     if (judgement.kind != RampKind::silent) return judgement;

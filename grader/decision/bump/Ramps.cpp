@@ -49,12 +49,11 @@ double positionFrom(const Vector3& ramp, const Vector3& bow) {
 
 }  // namespace
 
-RampPlan planRamps(Questionnaire& questionnaire, Draws& draws, const Ball& ball,
-                   const RampShape& shape, int points) {
+RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball, const RampShape& shape,
+                   std::vector<Vector3> directions) {
     RampPlan plan;
     plan.shape = shape;
-    for (int i = 0; i < points; ++i)
-        plan.directions.push_back(draws.direction());
+    plan.directions = std::move(directions);
     plan.flat = questionnaire.add(ball, flatMap(shape), plan.directions);
     plan.uRamp = questionnaire.add(ball, alongU(shape, false), plan.directions);
     plan.uBow = questionnaire.add(ball, alongU(shape, true), plan.directions);

@@ -167,10 +167,8 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     constexpr int kAcross = 80;
     constexpr double kRise = 3.0;
     SlopePlan plan;
-    for (int i = 0; i < kPoints; ++i)
-        plan.directions.push_back(draws.direction());
-    for (int i = 0; i < kFieldPoints; ++i)
-        plan.fieldDirections.push_back(draws.direction());
+    plan.directions = draws.directions(kPoints);
+    plan.fieldDirections = draws.directions(kFieldPoints);
     plan.sawtoothU = questionnaire.add(
         ball, {kAlong, kAcross, {}, sawtooth(kAlong), level(kAcross)}, plan.directions);
     plan.sawtoothV = questionnaire.add(

@@ -262,7 +262,7 @@ Words wrongWords(WrongReason reason, const Examination& examination,
             return directionWords(*examination.ramps.response);
         case WrongReason::doesNotGrow:
             return {
-                "A slope that is eight times as steep tilts the normal hardly more: a bigger "
+                "A slope that is 25 times as steep tilts the normal hardly more: a bigger "
                 "bump should give a larger coefficient.",
                 "Do not normalise the slopes, and do not cut them off: only the sum of "
                 "Equation (1) is normalised.",
