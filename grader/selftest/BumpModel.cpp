@@ -32,7 +32,7 @@ constexpr std::array kNames{
     SlipNames{Slip::otherOrigin, "tangents-of-another-origin", kTurning},
     SlipNames{Slip::otherSense, "tangents-of-mirrored-longitude", kTurning},
     SlipNames{Slip::notUnit, "not-normalised", "bump.not-unit"},
-    SlipNames{Slip::acosBeyondOne, "acos-without-radius", "bump.not-finite"},
+    SlipNames{Slip::acosBeyondOne, "acos-without-radius-row-clamped", "bump.not-finite"},
     SlipNames{Slip::clampedAcos, "clamped-acos-without-radius", kWrong},
     SlipNames{Slip::unitGradient, "unit-gradient", "bump.not-finite"},
     SlipNames{Slip::flat, "same-texel-twice", "bump.flat"},

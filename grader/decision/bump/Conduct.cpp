@@ -52,6 +52,22 @@ std::vector<Vector3> hiddenMeridians() {
     return directions;
 }
 
+/// Rings so near to the ends of all three axes that they lie in a map's first or last row.
+std::vector<Vector3> lastRows() {
+    std::vector<Vector3> directions;
+    for (const Vector3& axis : {Vector3{0, 1, 0}, Vector3{0, 0, 1}, Vector3{1, 0, 0}})
+        for (const double angle : {0.01, 0.02, 0.04})
+            for (int step = 0; step < 16; ++step) {
+                const double turn = (step + 0.3) * std::numbers::pi / 8.0;
+                const Vector3 across{axis.y, axis.z, axis.x};
+                const Vector3 beside =
+                    across * std::cos(turn) + axis.cross(across) * std::sin(turn);
+                directions.push_back((axis + beside * angle).normalised());
+                directions.push_back((beside * angle - axis).normalised());
+            }
+    return directions;
+}
+
 /// Both ends of all three axes, exactly, and within single precision's rounding of them.
 std::vector<Vector3> poles() {
     std::vector<Vector3> directions;
@@ -164,6 +180,7 @@ ConductPlan planConduct(Questionnaire& questionnaire, Draws& draws) {
     plan.hiddenMeridian = questionnaire.add(kSceneBall, map, hiddenMeridians());
     plan.nearestPoint = questionnaire.add(kSceneBall, map,
                                           {{0.0, 0.0, -1.0}, {-0.0, 0.0, -1.0}, {0.0, -0.0, -1.0}});
+    plan.lastRows = questionnaire.add(kSceneBall, map, lastRows());
     plan.poles = questionnaire.add(kSceneBall, map, poles());
     plan.smallMap = questionnaire.add(kSceneBall, noise(draws, 16, 16), draws.directions(kPoints));
     plan.tinyMap = questionnaire.add(kSceneBall, noise(draws, 4, 4), draws.directions(kPoints));

@@ -25,6 +25,7 @@ struct ConductPlan {
     std::size_t visibleMeridian = 0;
     std::size_t hiddenMeridian = 0;
     std::size_t nearestPoint = 0;
+    std::size_t lastRows = 0;
     std::size_t poles = 0;
     std::size_t smallMap = 0;
     std::size_t tinyMap = 0;

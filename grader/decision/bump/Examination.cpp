@@ -46,6 +46,14 @@ void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTi
     examination.steepAgrees = agreeing >= kAgree * 2.0 * static_cast<double>(count);
 }
 
+double middleTilt(const std::vector<Vector3>& tilts) {
+    std::vector<double> lengths;
+    lengths.reserve(tilts.size());
+    for (const Vector3& tilt : tilts)
+        lengths.push_back(tilt.magnitude());
+    return median(lengths);
+}
+
 }  // namespace
 
 MainPlan planMain(std::uint64_t seed) {
@@ -68,7 +76,7 @@ HintPlan planHints(std::uint64_t seed) {
     constexpr int kPoints = 500;
     Draws draws(seed + 0x5151U);
     HintPlan plan;
-    const int side = draws.integer(240, 280);
+    const int side = draws.integer(380, 430);
     const std::vector<Vector3> directions = draws.directions(kPoints);
     plan.square =
         planRamps(plan.questionnaire, drawBall(draws), {side, side, kGentleRise}, directions);
@@ -94,6 +102,8 @@ Examination examine(const MainPlan& plan, const Answers& answers) {
     } else {
         examination.ramps = judgeRamps(steep);
     }
+    examination.flatTilt = std::max(middleTilt(answers.tilts(plan.gentle.flat)),
+                                    middleTilt(answers.tilts(plan.steep.flat)));
     if (!examination.ramps.response) return examination;
     const Landing& landing = examination.ramps.fit->landing;
     examination.slopes = readSlopes(plan.slopes, answers, landing, *examination.ramps.response);

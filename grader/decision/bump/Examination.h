@@ -40,6 +40,7 @@ struct HintPlan {
 struct Examination {
     Conduct conduct;
     RampJudgement ramps;         ///< on gentle ramps, or on steep ones where those tell nothing
+    double flatTilt = 0.0;       ///< middle tilt on a map without slope
     bool growsWithSlope = true;  ///< 25 times the slope tilts at least twice as much
     bool steepAgrees = true;     ///< steep ramps tilt in the same directions as gentle ones
     std::optional<SlopeAgreement> slopes;  ///< where the map's place is known

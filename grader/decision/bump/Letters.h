@@ -32,8 +32,14 @@ struct EdgeCount {
     int lost = 0;  ///< hardly any change
 
     [[nodiscard]] int crossed() const { return right + opposite + lost; }
-    [[nodiscard]] bool mostlyRight() const { return 10 * right >= 9 * crossed(); }
-    [[nodiscard]] bool mostlyOpposite() const { return 10 * opposite >= 9 * crossed(); }
+    /// Hardly any opposite change, and a change at half the edges: a coarse sampling of a steep
+    /// edge may miss it.
+    [[nodiscard]] bool mostlyRight() const {
+        return 9 * opposite <= right && 2 * right >= crossed() && right > 0;
+    }
+    [[nodiscard]] bool mostlyOpposite() const {
+        return 9 * right <= opposite && 2 * opposite >= crossed() && opposite > 0;
+    }
 };
 
 /// One kind of letter: what its vertical strokes' edges say (crossed along u) and what its

@@ -89,30 +89,20 @@ int texel(double coordinate, int count) {
     return std::clamp(static_cast<int>(coordinate * count), 0, count - 1);
 }
 
-/// Pairs of what was expected and what was seen.
-class Correlation {
+/// How well what was seen has the sign of what was expected: 1 always, -1 never. Big pairs count
+/// for more; how much was seen does not matter, since that is the code's choice.
+class SignAgreement {
 public:
     void add(double expected, double seen) {
         if (!std::isfinite(seen)) return;
-        count_ += 1.0;
-        x_ += expected;
-        y_ += seen;
-        xx_ += expected * expected;
-        yy_ += seen * seen;
-        xy_ += expected * seen;
+        sum_ += expected * seen;
+        size_ += std::abs(expected * seen);
     }
-    [[nodiscard]] double value() const {
-        const double spread = (xx_ - x_ * x_ / count_) * (yy_ - y_ * y_ / count_);
-        return spread > 0.0 ? (xy_ - x_ * y_ / count_) / std::sqrt(spread) : 0.0;
-    }
+    [[nodiscard]] double value() const { return size_ > 0.0 ? sum_ / size_ : 0.0; }
 
 private:
-    double count_ = 0.0;
-    double x_ = 0.0;
-    double y_ = 0.0;
-    double xx_ = 0.0;
-    double yy_ = 0.0;
-    double xy_ = 0.0;
+    double sum_ = 0.0;
+    double size_ = 0.0;
 };
 
 /// Far enough from poles and seam for any difference and any interpolation.
@@ -142,8 +132,8 @@ void readField(const SlopePlan& plan, const Answers& answers, const Landing& lan
                const Response& response, SlopeAgreement& agreement) {
     const HeightMapDescription& map = answers.asked().question(plan.field).map;
     const std::vector<Vector3> tilts = answers.tilts(plan.field);
-    Correlation alongU;
-    Correlation alongV;
+    SignAgreement alongU;
+    SignAgreement alongV;
     for (std::size_t i = 0; i < tilts.size(); ++i) {
         const Vector3& n = plan.fieldDirections[i];
         if (!isOrdinary(landing, n)) continue;
@@ -154,8 +144,8 @@ void readField(const SlopePlan& plan, const Answers& answers, const Landing& lan
         alongV.add(slopeAlongV(map, u, v) * strengthAt(response.v, v),
                    -tilts[i].dot(landing.alongV(n)));
     }
-    agreement.fieldCorrelationU = alongU.value();
-    agreement.fieldCorrelationV = alongV.value();
+    agreement.fieldU = alongU.value();
+    agreement.fieldV = alongV.value();
 }
 
 }  // namespace

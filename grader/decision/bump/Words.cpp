@@ -25,6 +25,15 @@ std::string percent(double share) {
                                       : fmt::format("{:.0f} %", value);
 }
 
+/// What the student's code said, as one harmless line.
+std::string quoted(const std::string& text) {
+    constexpr std::size_t kLongest = 160;
+    std::string line = text.substr(0, kLongest);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return line.size() < text.size() ? line + "..." : line;
+}
+
 std::string pointsOf(const Offence& offence) {
     return fmt::format("{:.0f} of {:.0f} points", offence.count, offence.asked);
 }
@@ -36,14 +45,24 @@ std::string firstAt(const Offence& offence) {
 
 Words threwWords(const Offence& offence) {
     const bool lookUp = offence.message.find("outside the map") != std::string::npos;
-    return {fmt::format("The program stops at {}: \"{}\". The first is {}.", pointsOf(offence),
-                        offence.message, firstAt(offence)),
-            lookUp
-                ? "Look at the line that turns (u, v) into a column and a row, and at the texels "
-                  "to the right and below: columns end at width() - 1 and rows at height() - 1. "
-                  "Let columns go round (modulo the width), and let rows stop at the edge."
-                : "An exception came out of getNormalAt. A render would end there.",
-            "1, Implementation, step 3"};
+    // What a double that is not a number, or far too large, becomes as an int.
+    const bool overflow = offence.message.find("2147483648") != std::string::npos;
+    Words words;
+    words.message = fmt::format("The program stops at {}: \"{}\". The first is {}.",
+                                pointsOf(offence), quoted(offence.message), firstAt(offence));
+    words.section = "1, Implementation, step 3";
+    if (overflow)
+        words.hint =
+            "A u or v that is not a number became a column or row: look for an acos of a "
+            "value beyond 1 (divide by the radius, or normalise, first).";
+    else if (lookUp)
+        words.hint =
+            "Look at the line that turns (u, v) into a column and a row, and at the texels "
+            "to the right and below: columns end at width() - 1 and rows at height() - 1. "
+            "Let columns go round (modulo the width), and let rows stop at the edge.";
+    else
+        words.hint = "An exception came out of getNormalAt. A render would end there.";
+    return words;
 }
 
 Words notFiniteWords(const Offence& offence) {
@@ -211,9 +230,9 @@ Words patchyWords(const Response& response) {
 
 Words slopesWords(const SlopeAgreement& slopes) {
     return {fmt::format("On even ramps the tilt is right, but on pictures it is not: on a smooth "
-                        "random map it follows the slope along u with a correlation of {:.2f} and "
-                        "along v of {:.2f} (right code: above 0.9).",
-                        slopes.fieldCorrelationU, slopes.fieldCorrelationV),
+                        "random map {} of the tilt along u and {} of that along v lean against the "
+                        "slope of the map (right code: all but a few percent).",
+                        percent(0.5 + 0.5 * slopes.fieldU), percent(0.5 + 0.5 * slopes.fieldV)),
             "Check that Bu compares two texels of the point's own row, and Bv two of its own "
             "column.",
             "1, Implementation, step 3"};
@@ -239,6 +258,13 @@ Words wrongWords(WrongReason reason, const Examination& examination,
                     "The smooth normal is position minus centre, not the other way round; with a "
                     "cross product of two tangents, mind their order.",
                     "1, Implementation, step 1"};
+        case WrongReason::flatTilted:
+            return {fmt::format("On a map without any slope the normal should be the smooth "
+                                "sphere's, but it is tilted by {:.0f} degrees (median).",
+                                std::atan(examination.flatTilt) * kDegrees),
+                    "The tilt must come from differences of heights, not from heights, and must be "
+                    "added to the unit normal, (position - centre) / radius.",
+                    "1, Implementation, steps 1 and 3"};
         case WrongReason::slopeUIgnored:
             return ignoredWords("u", "columns");
         case WrongReason::slopeVIgnored:

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -129,6 +130,11 @@ TEST_P(EveryLevel, RunsForManyThreadsAtOnce) {
     }
     for (std::size_t i = 0; i < outcomes.size(); ++i)
         EXPECT_EQ(describe(outcomes[i]), "exit " + std::to_string(i));
+}
+
+// A student's linker can make such a file, so it must not be taken for our fault.
+TEST_P(EveryLevel, TellsAFileThatIsNoProgram) {
+    EXPECT_EQ(describe(runText("#!/not-there\n")), "exit 126");
 }
 
 TEST_P(EveryLevel, SaysThatAMissingProgramIsOurFault) {
