@@ -2,6 +2,7 @@
 #define TICKER_PROBE_QUESTION_H
 
 #include <raytracer/base/RenderSettings.h>
+#include <raytracer/geometry/HeightMap.h>
 #include <raytracer/image/ColourRGB.h>
 #include <raytracer/math/Vector3.h>
 #include <raytracer/scene/SceneDescription.h>
@@ -97,7 +98,8 @@ enum class AnswerState : std::uint32_t {
     threw = 2  ///< an exception came out of the student's code; `message` says which
 };
 
-/// Parts of a question that were never answered hold not-a-number in every component.
+/// Parts of a question that were never answered hold not-a-number in every component;
+/// `isUnanswered` (AnswerMemory.h) tells it from one that was computed.
 struct NormalAnswer {
     AnswerState state = AnswerState::missing;
     std::string message;           ///< of the first exception; untrusted text
@@ -110,7 +112,8 @@ struct IlluminateAnswer {
     std::string message;
     std::vector<ColourRGB> colours;  ///< one for each point
     std::vector<Event> events;
-    bool eventsCut = false;  ///< more happened than fitted
+    bool eventsCut = false;        ///< more happened than fitted
+    std::uint32_t exceptions = 0;  ///< points at which an exception came out
 };
 
 struct RenderAnswer {
@@ -122,6 +125,7 @@ struct RenderAnswer {
     std::vector<std::vector<ColourRGB>> images;  ///< one for each repetition, rows from the top
     std::vector<Event> events;
     bool eventsCut = false;
+    std::uint32_t exceptions = 0;  ///< repetitions out of which an exception came
 };
 
 using Answer = std::variant<NormalAnswer, IlluminateAnswer, RenderAnswer>;

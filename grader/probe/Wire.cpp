@@ -1,1 +1,262 @@
-#include <grader/probe/Question.h>
+#include <grader/probe/Wire.h>
+
+#include <grader/probe/ByteStream.h>
+
+#include <raytracer/base/Error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace ticker::probe {
+namespace {
+
+using raytracer::HeightMap;
+using raytracer::Material;
+using raytracer::PlaneDescription;
+using raytracer::PointLight;
+using raytracer::RenderSettings;
+using raytracer::SceneDescription;
+using raytracer::SphereDescription;
+
+constexpr std::uint32_t kMagic = 0x544B5051;  // "TKPQ"
+constexpr std::uint32_t kVersion = 1;
+constexpr int kLargestMapSide = 16384;  // as the picture reader: raytracer/io/ImageReader.h
+constexpr int kLargestFrame = 4096;
+constexpr int kMostRepetitions = 4096;
+
+[[noreturn]] void refuse(const char* what) {
+    throw raytracer::Error(std::string{"questions: "} + what);
+}
+
+// Heights that came from a picture are sent as its bytes: an eighth of the size.
+std::vector<std::uint8_t> asBytes(const std::vector<double>& heights) {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(heights.size());
+    for (const double height : heights) {
+        const double level = std::round(height * 255.0 / raytracer::kBumpFactor);
+        if (!(level >= 0.0 && level <= 255.0)) return {};
+        const auto byte = static_cast<std::uint8_t>(level);
+        if (raytracer::kBumpFactor * byte / 255.0 != height) return {};
+        bytes.push_back(byte);
+    }
+    return bytes;
+}
+
+void putMap(ByteWriter& writer, const HeightMap& map) {
+    std::vector<double> heights;
+    for (int row = 0; row < map.height(); ++row)
+        for (int column = 0; column < map.width(); ++column)
+            heights.push_back(map.at(column, row));
+    const std::vector<std::uint8_t> bytes = asBytes(heights);
+    writer.put(map.width());
+    writer.put(map.height());
+    writer.putAll(bytes);
+    writer.putAll(bytes.empty() ? heights : std::vector<double>{});
+}
+
+HeightMap getMap(ByteReader& reader) {
+    const auto width = reader.get<int>();
+    const auto height = reader.get<int>();
+    if (width > kLargestMapSide || height > kLargestMapSide) refuse("a map is too large");
+    const auto bytes = reader.getAll<std::uint8_t>();
+    auto heights = reader.getAll<double>();
+    if (!bytes.empty()) return HeightMap::fromBytes(width, height, bytes);
+    return {width, height, std::move(heights)};
+}
+
+void putScene(ByteWriter& writer, const SceneDescription& scene) {
+    writer.put(scene.ambientLighting);
+    writer.put(static_cast<std::uint64_t>(scene.pointLights.size()));
+    for (const PointLight& light : scene.pointLights) {
+        writer.put(light.position());
+        writer.put(light.colour());
+        writer.put(light.intensity());
+    }
+    writer.put(static_cast<std::uint64_t>(scene.spheres.size()));
+    for (const SphereDescription& sphere : scene.spheres) {
+        writer.put(sphere.centre);
+        writer.put(sphere.radius);
+        writer.put(sphere.material);
+        writer.put(static_cast<std::uint32_t>(sphere.heightMap != nullptr));
+        if (sphere.heightMap != nullptr) putMap(writer, *sphere.heightMap);
+    }
+    writer.putAll(scene.planes);
+}
+
+SceneDescription getScene(ByteReader& reader) {
+    SceneDescription scene;
+    scene.ambientLighting = reader.get<ColourRGB>();
+    const std::size_t lights = reader.getCount(sizeof(Vector3));
+    for (std::size_t i = 0; i < lights; ++i) {
+        const auto position = reader.get<Vector3>();
+        const auto colour = reader.get<ColourRGB>();
+        scene.pointLights.emplace_back(position, colour, reader.get<double>());
+    }
+    const std::size_t spheres = reader.getCount(sizeof(Vector3));
+    for (std::size_t i = 0; i < spheres; ++i) {
+        SphereDescription sphere;
+        sphere.centre = reader.get<Vector3>();
+        sphere.radius = reader.get<double>();
+        sphere.material = reader.get<Material>();
+        if (reader.get<std::uint32_t>() != 0)
+            sphere.heightMap = std::make_shared<const HeightMap>(getMap(reader));
+        scene.spheres.push_back(std::move(sphere));
+    }
+    scene.planes = reader.getAll<PlaneDescription>();
+    return scene;
+}
+
+void check(const RenderSettings& settings) {
+    const bool fits = settings.width > 0 && settings.height > 0 &&
+                      settings.width <= kLargestFrame && settings.height <= kLargestFrame &&
+                      settings.imageWidth() <= kLargestFrame &&
+                      settings.imageHeight() <= kLargestFrame;
+    if (!fits) refuse("an image's size must be 1 to 4096 pixels");
+}
+
+void check(const NormalQuestion& question) {
+    if (question.map.width > kLargestMapSide || question.map.height > kLargestMapSide)
+        refuse("a map is too large");
+    const std::uint64_t texels = static_cast<std::uint64_t>(std::max(0, question.map.width)) *
+                                 static_cast<std::uint64_t>(std::max(0, question.map.height));
+    const bool fits =
+        question.map.bytes.empty()
+            ? question.map.columns.size() * question.map.rows.size() == texels &&
+                  question.map.columns.size() == static_cast<std::uint64_t>(question.map.width)
+            : question.map.bytes.size() == texels;
+    if (!fits) refuse("a map has another number of heights than its size says");
+}
+
+void check(const IlluminateQuestion& question) {
+    check(question.settings);
+    const std::size_t objects = question.scene.spheres.size() + question.scene.planes.size();
+    const bool allThere = std::ranges::all_of(question.points, [&](const LitPoint& point) {
+        return point.object >= 0 && static_cast<std::size_t>(point.object) < objects;
+    });
+    if (!allThere) refuse("a point lies on an object that is not in the scene");
+}
+
+void check(const RenderQuestion& question) {
+    check(question.settings);
+    if (question.repetitions < 1 || question.repetitions > kMostRepetitions)
+        refuse("repetitions must be 1 to 4096");
+}
+
+void putSettings(ByteWriter& writer, RenderSettings settings) {
+    settings.observer = nullptr;
+    settings.monitor = nullptr;
+    writer.put(settings);
+}
+
+RenderSettings getSettings(ByteReader& reader) {
+    auto settings = reader.get<RenderSettings>();
+    settings.observer = nullptr;
+    settings.monitor = nullptr;
+    return settings;
+}
+
+struct Put {
+    ByteWriter& writer;
+
+    void operator()(const NormalQuestion& question) const {
+        check(question);
+        writer.put(question.centre);
+        writer.put(question.radius);
+        writer.put(question.map.width);
+        writer.put(question.map.height);
+        writer.putAll(question.map.bytes);
+        writer.putAll(question.map.columns);
+        writer.putAll(question.map.rows);
+        writer.putAll(question.positions);
+    }
+    void operator()(const IlluminateQuestion& question) const {
+        check(question);
+        putScene(writer, question.scene);
+        putSettings(writer, question.settings);
+        writer.putAll(question.points);
+        writer.put(question.eventCapacity);
+    }
+    void operator()(const RenderQuestion& question) const {
+        check(question);
+        putScene(writer, question.scene);
+        putSettings(writer, question.settings);
+        writer.put(question.repetitions);
+        writer.put(question.eventCapacity);
+    }
+};
+
+NormalQuestion getNormalQuestion(ByteReader& reader) {
+    NormalQuestion question;
+    question.centre = reader.get<Vector3>();
+    question.radius = reader.get<double>();
+    question.map.width = reader.get<int>();
+    question.map.height = reader.get<int>();
+    question.map.bytes = reader.getAll<std::uint8_t>();
+    question.map.columns = reader.getAll<double>();
+    question.map.rows = reader.getAll<double>();
+    question.positions = reader.getAll<Vector3>();
+    check(question);
+    return question;
+}
+
+IlluminateQuestion getIlluminateQuestion(ByteReader& reader) {
+    IlluminateQuestion question;
+    question.scene = getScene(reader);
+    question.settings = getSettings(reader);
+    question.points = reader.getAll<LitPoint>();
+    question.eventCapacity = reader.get<std::uint32_t>();
+    check(question);
+    return question;
+}
+
+RenderQuestion getRenderQuestion(ByteReader& reader) {
+    RenderQuestion question;
+    question.scene = getScene(reader);
+    question.settings = getSettings(reader);
+    question.repetitions = reader.get<int>();
+    question.eventCapacity = reader.get<std::uint32_t>();
+    check(question);
+    return question;
+}
+
+Question getQuestion(ByteReader& reader) {
+    switch (reader.get<std::uint32_t>()) {
+        case 0:
+            return getNormalQuestion(reader);
+        case 1:
+            return getIlluminateQuestion(reader);
+        case 2:
+            return getRenderQuestion(reader);
+        default:
+            refuse("a question of no known kind");
+    }
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeQuestions(const std::vector<Question>& questions) {
+    ByteWriter writer;
+    writer.put(kMagic);
+    writer.put(kVersion);
+    writer.put(static_cast<std::uint64_t>(questions.size()));
+    for (const Question& question : questions) {
+        writer.put(static_cast<std::uint32_t>(question.index()));
+        std::visit(Put{writer}, question);
+    }
+    return writer.take();
+}
+
+std::vector<Question> decodeQuestions(std::span<const std::byte> message) {
+    ByteReader reader{message};
+    if (reader.get<std::uint32_t>() != kMagic || reader.get<std::uint32_t>() != kVersion)
+        refuse("not a message of this version");
+    const std::size_t count = reader.getCount(sizeof(std::uint32_t));
+    std::vector<Question> questions;
+    for (std::size_t i = 0; i < count; ++i)
+        questions.push_back(getQuestion(reader));
+    if (!reader.atEnd()) refuse("bytes are left over");
+    return questions;
+}
+
+}  // namespace ticker::probe

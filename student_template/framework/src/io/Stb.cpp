@@ -1,1 +1,39 @@
-// written by the io helper
+// The only place where the stb libraries are compiled.
+//
+// Pictures come from strangers, so only PNG is read (stb's other decoders had most of its security
+// bugs), and no single block of memory is larger than what the largest accepted picture needs:
+// without this, a small file could unpack to gigabytes.
+#include <cstddef>
+#include <cstdlib>
+
+namespace {
+
+// 64 million pixels of four 16-bit channels, one filter byte for each row of an interlaced picture.
+constexpr std::size_t kLargestBlock = 64'000'000ULL * 8 + 16'384ULL * 2;
+
+void* boundedMalloc(std::size_t size) {
+    return size <= kLargestBlock ? std::malloc(size) : nullptr;
+}
+
+void* boundedRealloc(void* block, std::size_t size) {
+    return size <= kLargestBlock ? std::realloc(block, size) : nullptr;
+}
+
+}  // namespace
+
+// stb casts what these give, as C does, and the compiler lays that at our door.
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+
+#define STBI_MALLOC(size) boundedMalloc(size)
+#define STBI_REALLOC(block, size) boundedRealloc(block, size)
+#define STBI_FREE(block) std::free(block)
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STBI_FAILURE_USERMSG
+#define STBI_MAX_DIMENSIONS 16384
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb_image.h>
+
+#define STBI_WRITE_NO_STDIO
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb_image_write.h>

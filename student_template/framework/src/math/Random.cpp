@@ -2,17 +2,20 @@
 #include <raytracer/math/Vector3.h>
 
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 
 namespace raytracer {
 namespace {
 
-/// xoshiro256+ (Blackman and Vigna 2018), seeded by splitmix64, with a small pool of ball points
-/// that are made ahead: rejection without a branch costs a third of the usual loop.
+/// xoshiro256++ (Blackman and Vigna 2018), seeded by splitmix64.
 class Generator {
 public:
-    explicit Generator(std::uint64_t seed) { restart(seed); }
+    /// True until the first `restart`: no seed leads to a state of zeros.
+    [[nodiscard]] bool isBlank() const {
+        return (state_[0] | state_[1] | state_[2] | state_[3]) == 0;
+    }
 
     void restart(std::uint64_t seed) {
         for (std::uint64_t& word : state_) {
@@ -22,22 +25,10 @@ public:
             z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
             word = z ^ (z >> 31U);
         }
-        ready_ = 0;
     }
-
-    /// In [0, 1).
-    double uniform() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
-
-    Vector3 ballPoint() {
-        if (ready_ == 0) refill();
-        return pool_[--ready_];
-    }
-
-private:
-    static constexpr std::size_t kPoolSize = 64;
 
     std::uint64_t next() {
-        const std::uint64_t result = state_[0] + state_[3];
+        const std::uint64_t result = std::rotl(state_[0] + state_[3], 23) + state_[0];
         const std::uint64_t t = state_[1] << 17U;
         state_[2] ^= state_[0];
         state_[3] ^= state_[1];
@@ -48,41 +39,96 @@ private:
         return result;
     }
 
+private:
+    std::array<std::uint64_t, 4> state_{};
+};
+
+// constinit: ready without a constructor, so that no draw has to ask whether it has run.
+constinit thread_local Generator generator;
+
+/// The thread's generator. A thread that nobody seeded gets a stream of its own: two that draw the
+/// same numbers would show as a pattern in the picture.
+Generator& seededGenerator() {
+    static constinit std::atomic<std::uint64_t> threadsSeen{0};
+    if (generator.isBlank()) generator.restart(threadsSeen++);
+    return generator;
+}
+
+/// One draw as the place of a cell in a cube of 2^21 cells on a side; the ball fills the cube.
+struct Cell {
+    std::int64_t x;
+    std::int64_t y;
+    std::int64_t z;
+
+    // 21 bits each, signed: the shifts left push the others out.
+    explicit Cell(std::uint64_t bits)
+        : x(static_cast<std::int64_t>(bits << 43U) >> 43U),
+          y(static_cast<std::int64_t>(bits << 22U) >> 43U),
+          z(static_cast<std::int64_t>(bits << 1U) >> 43U) {}
+
+    /// Whether the middle (x + 1/2, y + 1/2, z + 1/2) is less than 2^20 away from the origin.
+    [[nodiscard]] bool isInBall() const {
+        constexpr std::int64_t kRadiusSquared = std::int64_t{1} << 40U;
+        return x * (x + 1) + y * (y + 1) + z * (z + 1) < kRadiusSquared;
+    }
+
+    /// The middle, in the unit ball.
+    [[nodiscard]] Vector3 middle() const { return {scaled(x), scaled(y), scaled(z)}; }
+
+private:
+    static double scaled(std::int64_t place) {
+        return static_cast<double>(static_cast<std::int32_t>(place)) * 0x1p-20 + 0x1p-21;
+    }
+};
+
+/// Cells of the unit ball, drawn ahead in batches: rejection without a branch costs a third of the
+/// usual loop.
+class BallCells {
+public:
+    void clear() { ready_ = 0; }
+
+    Cell take() {
+        if (ready_ == 0) refill();
+        return Cell{draws_[--ready_]};
+    }
+
+private:
+    static constexpr std::size_t kCount = 64;
+
     // A candidate is written in any case and kept by moving the end only if it lies in the ball.
-    void refill() {
+    [[gnu::noinline]] void refill() {
+        Generator local = seededGenerator();  // in registers meanwhile
         std::size_t kept = 0;
-        while (kept < kPoolSize) {
-            const double x = 2.0 * uniform() - 1.0;
-            const double y = 2.0 * uniform() - 1.0;
-            const double z = 2.0 * uniform() - 1.0;
-            pool_[kept] = {x, y, z};
-            kept += static_cast<std::size_t>(x * x + y * y + z * z < 1.0);
+        while (kept < kCount) {
+            const std::uint64_t draw = local.next();
+            draws_[kept] = draw;
+            kept += static_cast<std::size_t>(Cell{draw}.isInBall());
         }
+        generator = local;
         ready_ = kept;
     }
 
-    std::array<std::uint64_t, 4> state_{};
-    std::array<Vector3, kPoolSize> pool_{};
+    std::array<std::uint64_t, kCount> draws_{};
     std::size_t ready_ = 0;
 };
 
-Generator& generator() {
-    thread_local Generator instance{0};
-    return instance;
-}
+constinit thread_local BallCells ballCells;
 
 }  // namespace
 
 double randomBetween(double low, double high) {
-    return low + (high - low) * generator().uniform();
+    const double unit = static_cast<double>(seededGenerator().next() >> 11U) * 0x1p-53;
+    const double value = low + (high - low) * unit;
+    return value == high ? low : value;  // rounding may reach the end that is excluded
 }
 
 void seedRandom(std::uint64_t seed) {
-    generator().restart(seed);
+    generator.restart(seed);
+    ballCells.clear();
 }
 
 Vector3 Vector3::randomInsideUnitSphere() {
-    return generator().ballPoint();
+    return ballCells.take().middle();
 }
 
 }  // namespace raytracer

@@ -3,6 +3,8 @@
 
 #include <raytracer/geometry/SceneObject.h>
 
+#include <limits>
+
 namespace raytracer {
 
 /// An endless plane. Its normal points to one side only: the other side is lit by nothing but the
@@ -18,7 +20,19 @@ public:
     [[nodiscard]] const Vector3& normal() const { return normal_; }
 
     /// Distance to the plane in lengths of the ray's direction; infinite when it is not in front.
-    [[nodiscard]] double distanceAlong(const Ray& ray) const;
+    [[nodiscard]] double distanceAlong(const Ray& ray) const {
+        return distanceAlong(ray, point_, normal_);
+    }
+
+    /// The same for the plane through `point` with `normal`.
+    [[nodiscard]] static double distanceAlong(const Ray& ray, const Vector3& point,
+                                              const Vector3& normal) {
+        const double height = (point - ray.origin).dot(normal);
+        const double slope = ray.direction.dot(normal);
+        // Equal signs say that the plane is in front: the division is kept for rays that hit.
+        if (!(height * slope > 0.0)) return std::numeric_limits<double>::infinity();
+        return height / slope;
+    }
 
     [[nodiscard]] std::optional<RaycastHit> intersectionWith(const Ray& ray) const override;
     [[nodiscard]] Vector3 getNormalAt(const Vector3& position) const override;

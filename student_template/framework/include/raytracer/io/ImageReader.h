@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace raytracer {
@@ -16,11 +18,16 @@ struct ByteImage {
     std::vector<std::uint8_t> rgb;  ///< width * height * 3
 };
 
-/// Reads a PNG, JPEG, BMP, TGA or PPM file; grey becomes equal channels, alpha is dropped.
-/// @throws InputError where the file is missing, over 64 MiB, no picture, or over 16 384 pixels on
-/// a
-///         side or 64 million in all (judged before memory is taken).
+/// Reads a PNG file; other formats are refused by name. Grey becomes equal channels with the same
+/// values, alpha is dropped, of 16-bit channels the upper 8 bits are kept.
+/// @throws InputError where the file is missing, over 64 MiB, no PNG, damaged, or over 16 384
+///         pixels on a side or 64 million in all (judged before memory is taken).
 [[nodiscard]] ByteImage readImage(const std::filesystem::path& file);
+
+/// The same for a file that is in memory already.
+/// @param name  What errors call the file.
+/// @throws InputError as `readImage`.
+[[nodiscard]] ByteImage decodeImage(std::string_view bytes, const std::string& name);
 
 /// Reads a bump map: height is the linear byte value, the mean of the channels.
 /// @throws InputError as `readImage`, and where a side is below `HeightMap::kSmallestSide`.

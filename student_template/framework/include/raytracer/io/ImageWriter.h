@@ -5,11 +5,21 @@
 #include <raytracer/io/ImageReader.h>
 
 #include <filesystem>
+#include <string>
 
 namespace raytracer {
 
 /// The 8-bit picture of a linear image, through the tone curve.
 [[nodiscard]] ByteImage toBytes(const Image& image);
+
+/// Looks whether a picture could be written here, so that a missing folder shows before a long
+/// render and not after it. Writes nothing.
+/// @throws InputError where the folder is missing, or the name is that of a folder or a device.
+void checkWritable(const std::filesystem::path& file);
+
+/// The bytes of a PNG file.
+/// @throws Error where the picture is too large to be packed.
+[[nodiscard]] std::string encodePng(const ByteImage& image);
 
 /// Writes a PNG file: whole or not at all (a temporary file is renamed into place).
 /// @throws InputError where the file cannot be written.
@@ -17,6 +27,11 @@ void writePng(const ByteImage& image, const std::filesystem::path& file);
 
 /// The same for a linear image, through the tone curve.
 void writePng(const Image& image, const std::filesystem::path& file);
+
+/// Writes the linear colours, without the tone curve, as a PFM file: three 32-bit floats for each
+/// pixel, little-endian, rows from the bottom as that format has it. Whole or not at all.
+/// @throws InputError where the file cannot be written.
+void writePfm(const Image& image, const std::filesystem::path& file);
 
 }  // namespace raytracer
 

@@ -9,11 +9,18 @@
 #include <raytracer/scene/PointLight.h>
 #include <raytracer/scene/SceneDescription.h>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace raytracer {
+
+/// What a ray meets first, told as briefly as can be; small enough to be returned in registers.
+struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();  ///< in lengths of the direction
+    const SceneObject* object = nullptr;                        ///< null: nothing is met
+};
 
 /// Everything that rays can hit and that gives light. Never changes once built, so threads may
 /// share it.
@@ -28,7 +35,21 @@ public:
     Scene& operator=(const Scene&) = delete;
 
     /// The first surface that the ray meets in front of its origin; empty when it meets none.
-    [[nodiscard]] std::optional<RaycastHit> findClosestIntersection(const Ray& ray) const;
+    ///
+    /// Inline, so that a caller who wants only the distance does not pay for place and normal.
+    [[nodiscard]] std::optional<RaycastHit> findClosestIntersection(const Ray& ray) const {
+        std::optional<RaycastHit> hit;
+        const Nearest nearest = findNearest(ray);
+        if (nearest.object != nullptr) {
+            hit.emplace();
+            hit->object = nearest.object;
+            hit->distance = nearest.distance;
+            hit->location = ray.evaluateAt(nearest.distance);
+            hit->normal = nearest.object->getNormalAt(hit->location);
+        }
+        if (observer_ != nullptr) tellObserver(ray, hit);
+        return hit;
+    }
 
     [[nodiscard]] const std::vector<PointLight>& pointLights() const { return pointLights_; }
     [[nodiscard]] const ColourRGB& ambientLighting() const { return ambientLighting_; }
@@ -41,7 +62,9 @@ public:
 private:
     struct Fast;  // the objects again, laid out for speed
 
-    std::optional<RaycastHit> closest(const Ray& ray) const;
+    [[nodiscard]] Nearest findNearest(const Ray& ray) const;
+    // By value: a hit whose address is known has to stand in memory, watched or not.
+    void tellObserver(Ray ray, std::optional<RaycastHit> hit) const;
 
     ColourRGB ambientLighting_;
     std::vector<PointLight> pointLights_;

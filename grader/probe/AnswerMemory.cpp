@@ -1,0 +1,220 @@
+#include <grader/probe/AnswerMemory.h>
+
+#include <raytracer/base/Error.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <string_view>
+
+namespace ticker::probe {
+namespace {
+
+constexpr std::uint64_t kMostBytes = 1U << 30U;
+
+std::uint64_t valueCountOf(const NormalQuestion& question) {
+    return question.positions.size();
+}
+std::uint64_t valueCountOf(const IlluminateQuestion& question) {
+    return question.points.size();
+}
+std::uint64_t valueCountOf(const RenderQuestion& question) {
+    return static_cast<std::uint64_t>(question.settings.imageWidth()) *
+           static_cast<std::uint64_t>(question.settings.imageHeight()) *
+           static_cast<std::uint64_t>(question.repetitions);
+}
+
+std::uint64_t askCountOf(const RenderQuestion& question) {
+    return static_cast<std::uint64_t>(question.repetitions);
+}
+template <typename AnyQuestion>
+std::uint64_t askCountOf(const AnyQuestion& question) {
+    return valueCountOf(question);
+}
+
+std::uint32_t eventCapacityOf(const NormalQuestion& /*question*/) {
+    return 0;
+}
+template <typename AnyQuestion>
+std::uint32_t eventCapacityOf(const AnyQuestion& question) {
+    return question.eventCapacity;
+}
+
+std::size_t claim(std::uint64_t& used, std::uint64_t count, std::uint64_t size) {
+    const std::uint64_t at = used;
+    if (count > (kMostBytes - used) / size)
+        throw raytracer::Error("questions: the answers would take more than 1 GiB");
+    used += count * size;
+    return static_cast<std::size_t>(at);
+}
+
+template <typename Value>
+Value load(std::span<const std::byte> memory, std::size_t at) {
+    Value value{};
+    std::memcpy(&value, memory.data() + at, sizeof value);
+    return value;
+}
+
+template <typename Value>
+std::vector<Value> loadAll(std::span<const std::byte> memory, std::size_t at, std::size_t count) {
+    std::vector<Value> values(count);
+    if (count > 0) std::memcpy(values.data(), memory.data() + at, count * sizeof(Value));
+    return values;
+}
+
+AnswerState stateOf(const AnswerHeader& header) {
+    if (header.state == static_cast<std::uint32_t>(AnswerState::answered))
+        return AnswerState::answered;
+    if (header.state == static_cast<std::uint32_t>(AnswerState::threw)) return AnswerState::threw;
+    return AnswerState::missing;
+}
+
+// A header that was never begun holds the filling, whose words are no claim of anybody.
+bool wasBegun(const AnswerHeader& header) {
+    return stateOf(header) != AnswerState::missing || header.state == AnswerHeader::kBegun;
+}
+
+std::string messageOf(const AnswerHeader& header) {
+    if (!wasBegun(header)) return {};
+    const auto* end = std::find(std::begin(header.message), std::end(header.message) - 1, '\0');
+    return {std::begin(header.message), end};
+}
+
+std::vector<Event> eventsOf(const AnswerHeader& header, std::span<const std::byte> memory,
+                            const AnswerPlace& place, std::size_t objectCount) {
+    if (!wasBegun(header)) return {};
+    const std::uint64_t count = std::min<std::uint64_t>(header.eventsSeen, place.eventCapacity);
+    std::vector<Event> events;
+    events.reserve(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        // A slot holds kind + 1, so that one which nobody finished writing is told apart.
+        const std::size_t at = place.events + i * sizeof(Event);
+        const auto kind = load<std::uint32_t>(memory, at);
+        if (kind == 0 || kind > static_cast<std::uint32_t>(Event::Kind::pixelSet) + 1) continue;
+        auto event = load<Event>(memory, at);
+        event.kind = static_cast<Event::Kind>(kind - 1);
+        const bool objectKnown =
+            event.object >= -1 && event.object < static_cast<std::int64_t>(objectCount);
+        if (event.ask < place.askCount && objectKnown) events.push_back(event);
+    }
+    return events;
+}
+
+struct Read {
+    std::span<const std::byte> memory;
+    const AnswerPlace& place;
+    AnswerHeader header = load<AnswerHeader>(memory, place.header);
+
+    Answer operator()(const NormalQuestion& /*question*/) const {
+        NormalAnswer answer;
+        answer.state = stateOf(header);
+        answer.message = messageOf(header);
+        answer.exceptions = exceptions();
+        answer.normals = loadAll<Vector3>(memory, place.values, place.valueCount);
+        return answer;
+    }
+
+    Answer operator()(const IlluminateQuestion& question) const {
+        IlluminateAnswer answer;
+        answer.state = stateOf(header);
+        answer.message = messageOf(header);
+        answer.exceptions = exceptions();
+        answer.colours = loadAll<ColourRGB>(memory, place.values, place.valueCount);
+        answer.events = eventsOf(header, memory, place, objectCount(question.scene));
+        answer.eventsCut = eventsCut();
+        return answer;
+    }
+
+    Answer operator()(const RenderQuestion& question) const {
+        RenderAnswer answer;
+        answer.state = stateOf(header);
+        answer.message = messageOf(header);
+        answer.exceptions = exceptions();
+        answer.width = question.settings.imageWidth();
+        answer.height = question.settings.imageHeight();
+        answer.wrongSize = wasBegun(header) && header.wrongSize != 0;
+        const std::size_t pixels = place.valueCount / place.askCount;
+        for (std::size_t i = 0; i < place.askCount; ++i)
+            answer.images.push_back(
+                loadAll<ColourRGB>(memory, place.values + i * pixels * sizeof(ColourRGB), pixels));
+        answer.events = eventsOf(header, memory, place, objectCount(question.scene));
+        answer.eventsCut = eventsCut();
+        return answer;
+    }
+
+private:
+    [[nodiscard]] std::uint32_t exceptions() const {
+        return wasBegun(header) ? std::min(header.exceptions, place.askCount) : 0;
+    }
+    [[nodiscard]] bool eventsCut() const {
+        return wasBegun(header) && header.eventsSeen > place.eventCapacity &&
+               place.eventCapacity > 0;
+    }
+    static std::size_t objectCount(const raytracer::SceneDescription& scene) {
+        return scene.spheres.size() + scene.planes.size();
+    }
+};
+
+bool isFilling(double a, double b, double c) {
+    return std::bit_cast<std::uint64_t>(a) == kUnansweredWord &&
+           std::bit_cast<std::uint64_t>(b) == kUnansweredWord &&
+           std::bit_cast<std::uint64_t>(c) == kUnansweredWord;
+}
+
+}  // namespace
+
+AnswerLayout layoutFor(const std::vector<Question>& questions) {
+    AnswerLayout layout;
+    std::uint64_t used = sizeof(SheetHeader);
+    for (const Question& question : questions) {
+        AnswerPlace place;
+        const auto count = std::visit([](const auto& q) { return valueCountOf(q); }, question);
+        place.header = claim(used, 1, sizeof(AnswerHeader));
+        place.values = claim(used, count, sizeof(Vector3));
+        place.valueCount = static_cast<std::size_t>(count);
+        place.eventCapacity =
+            std::visit([](const auto& q) { return eventCapacityOf(q); }, question);
+        place.askCount = static_cast<std::uint32_t>(
+            std::visit([](const auto& q) { return askCountOf(q); }, question));
+        layout.places.push_back(place);
+    }
+    layout.filledBytes = static_cast<std::size_t>(used);
+    for (AnswerPlace& place : layout.places)
+        place.events = claim(used, place.eventCapacity, sizeof(Event));
+    layout.totalBytes = static_cast<std::size_t>(used);
+    return layout;
+}
+
+void fillUnanswered(std::span<std::byte> memory, const AnswerLayout& layout) {
+    if (memory.size() < layout.totalBytes)
+        throw raytracer::Error("the answer memory is smaller than the answers");
+    for (std::size_t at = 0; at < layout.filledBytes; at += sizeof kUnansweredWord)
+        std::memcpy(memory.data() + at, &kUnansweredWord, sizeof kUnansweredWord);
+}
+
+std::vector<Answer> readAnswers(const std::vector<Question>& questions,
+                                std::span<const std::byte> memory) {
+    const AnswerLayout layout = layoutFor(questions);
+    if (memory.size() < layout.totalBytes)
+        throw raytracer::Error("the answer memory is smaller than the answers");
+    std::vector<Answer> answers;
+    answers.reserve(questions.size());
+    for (std::size_t i = 0; i < questions.size(); ++i)
+        answers.push_back(std::visit(Read{memory, layout.places[i]}, questions[i]));
+    return answers;
+}
+
+bool saysFinished(std::span<const std::byte> memory) {
+    return memory.size() >= sizeof(SheetHeader) &&
+           load<SheetHeader>(memory, 0).finished == kSheetFinished;
+}
+
+bool isUnanswered(const Vector3& value) {
+    return isFilling(value.x, value.y, value.z);
+}
+
+bool isUnanswered(const ColourRGB& value) {
+    return isFilling(value.r, value.g, value.b);
+}
+
+}  // namespace ticker::probe

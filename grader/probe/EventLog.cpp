@@ -1,0 +1,130 @@
+#include <grader/probe/EventLog.h>
+
+#include <raytracer/geometry/RaycastHit.h>
+#include <raytracer/geometry/SceneObject.h>
+
+#include <cstring>
+
+namespace ticker::probe {
+namespace {
+
+// A thread outlives a log, and a new log may lie where an old one was: logs are told apart by this.
+std::uint64_t nextGeneration() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+Vector3 asVector(const ColourRGB& colour) {
+    return {colour.r, colour.g, colour.b};
+}
+
+Event rayEvent(Event::Kind kind, const raytracer::Ray& ray) {
+    Event event;
+    event.kind = kind;
+    event.a = ray.origin;
+    event.b = ray.direction;
+    return event;
+}
+
+Event colourEvent(Event::Kind kind, const ColourRGB& colour) {
+    Event event;
+    event.kind = kind;
+    event.a = asVector(colour);
+    return event;
+}
+
+}  // namespace
+
+EventLog::EventLog(std::span<std::byte> slots, std::uint64_t& seen)
+    : slots_(slots.data()),
+      capacity_(slots.size() / sizeof(Event)),
+      seen_(seen),
+      generation_(nextGeneration()) {
+    seen_ = 0;
+}
+
+void EventLog::cameraRayAsked(int x, int y, const raytracer::Ray& ray) {
+    Event event = rayEvent(Event::Kind::cameraRayAsked, ray);
+    event.x = x;
+    event.y = y;
+    record(event);
+}
+
+void EventLog::traceBegan(const raytracer::Ray& ray, int bouncesLeft) {
+    Event event = rayEvent(Event::Kind::traceBegan, ray);
+    event.bounces = bouncesLeft;
+    record(event);
+}
+
+void EventLog::traceEnded(const ColourRGB& colour) {
+    record(colourEvent(Event::Kind::traceEnded, colour));
+}
+
+void EventLog::illuminateBegan(const raytracer::SceneObject& object, const Vector3& position,
+                               const Vector3& normal, const Vector3& viewer) {
+    Event event;
+    event.kind = Event::Kind::illuminateBegan;
+    event.object = numberOf(&object);
+    event.a = position;
+    event.b = normal;
+    event.c = viewer;
+    record(event);
+}
+
+void EventLog::illuminateEnded(const ColourRGB& colour) {
+    record(colourEvent(Event::Kind::illuminateEnded, colour));
+}
+
+void EventLog::rayCast(const raytracer::Ray& ray, const raytracer::RaycastHit* hit) {
+    Event event = rayEvent(Event::Kind::rayCast, ray);
+    if (hit != nullptr) {
+        event.object = numberOf(hit->object);
+        event.distance = hit->distance;
+    }
+    record(event);
+}
+
+void EventLog::pixelSet(int x, int y, const ColourRGB& colour) {
+    Event event = colourEvent(Event::Kind::pixelSet, colour);
+    event.x = x;
+    event.y = y;
+    record(event);
+}
+
+void EventLog::record(Event event) {
+    const std::uint64_t slot =
+        std::atomic_ref<std::uint64_t>{seen_}.fetch_add(1, std::memory_order_relaxed);
+    if (slot >= capacity_) return;
+    event.thread = threadNumber();
+    event.ask = ask_;
+    std::byte* at = slots_ + slot * sizeof(Event);
+    constexpr std::size_t kBody = sizeof event.kind;
+    std::memcpy(at + kBody, reinterpret_cast<const std::byte*>(&event) + kBody,
+                sizeof event - kBody);
+    // The kind comes last, plus one: a slot whose kind is 0 was never finished.
+    auto& kind = *reinterpret_cast<std::uint32_t*>(at);
+    std::atomic_ref<std::uint32_t>{kind}.store(static_cast<std::uint32_t>(event.kind) + 1,
+                                               std::memory_order_release);
+}
+
+std::uint32_t EventLog::threadNumber() {
+    struct Known {
+        std::uint64_t generation = 0;
+        std::uint32_t number = 0;
+    };
+    thread_local Known known;
+    if (known.generation != generation_) known = {generation_, threads_++};
+    return known.number;
+}
+
+std::int32_t EventLog::numberOf(const raytracer::SceneObject* object) const {
+    if (scene_ == nullptr) return -1;
+    std::int32_t number = 0;
+    for (const auto& candidate : scene_->objects()) {
+        if (candidate.get() == object) return number;
+        ++number;
+    }
+    return -1;
+}
+
+}  // namespace ticker::probe

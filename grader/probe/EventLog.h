@@ -1,0 +1,55 @@
+#ifndef TICKER_PROBE_EVENTLOG_H
+#define TICKER_PROBE_EVENTLOG_H
+
+#include <grader/probe/Question.h>
+
+#include <raytracer/base/RenderObserver.h>
+#include <raytracer/scene/Scene.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace ticker::probe {
+
+/// Writes what it observes into a caller's memory, each event as it happens, so that a crash loses
+/// nothing that came before. Any number of threads may be observed.
+class EventLog final : public raytracer::RenderObserver {
+public:
+    /// @param slots  Zero bytes for a whole number of `Event`s, aligned to 8.
+    /// @param seen   Counts the events, also those that no longer fit; set to 0.
+    EventLog(std::span<std::byte> slots, std::uint64_t& seen);
+
+    /// Events from now on belong to this position, point or repetition.
+    void beginAsk(std::uint32_t ask) { ask_ = ask; }
+
+    /// The scene whose objects are numbered; not owned; null: every object is -1.
+    void watch(const raytracer::Scene* scene) { scene_ = scene; }
+
+    void cameraRayAsked(int x, int y, const raytracer::Ray& ray) override;
+    void traceBegan(const raytracer::Ray& ray, int bouncesLeft) override;
+    void traceEnded(const ColourRGB& colour) override;
+    void illuminateBegan(const raytracer::SceneObject& object, const Vector3& position,
+                         const Vector3& normal, const Vector3& viewer) override;
+    void illuminateEnded(const ColourRGB& colour) override;
+    void rayCast(const raytracer::Ray& ray, const raytracer::RaycastHit* hit) override;
+    void pixelSet(int x, int y, const ColourRGB& colour) override;
+
+private:
+    void record(Event event);
+    [[nodiscard]] std::uint32_t threadNumber();
+    [[nodiscard]] std::int32_t numberOf(const raytracer::SceneObject* object) const;
+
+    std::byte* slots_;
+    std::uint64_t capacity_;
+    std::uint64_t& seen_;
+    const raytracer::Scene* scene_ = nullptr;
+    std::atomic<std::uint32_t> ask_{0};
+    std::atomic<std::uint32_t> threads_{0};
+    std::uint64_t generation_;
+};
+
+}  // namespace ticker::probe
+
+#endif

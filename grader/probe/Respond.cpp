@@ -1,0 +1,164 @@
+#include <grader/probe/Respond.h>
+
+#include <grader/probe/AnswerMemory.h>
+#include <grader/probe/EventLog.h>
+
+#include <raytracer/base/Error.h>
+#include <raytracer/geometry/BumpySphere.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+#include <raytracer/scene/Scene.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace ticker::probe {
+namespace {
+
+/// The place of one answer, while it is being written.
+class AnswerSheet {
+public:
+    AnswerSheet(std::span<std::byte> memory, const AnswerPlace& place)
+        : memory_(memory),
+          place_(place),
+          header_(*new (memory.data() + place.header) AnswerHeader{}) {
+        header_.state = AnswerHeader::kBegun;
+    }
+
+    ~AnswerSheet() {
+        const auto state = header_.exceptions > 0 ? AnswerState::threw : AnswerState::answered;
+        header_.state = static_cast<std::uint32_t>(state);
+    }
+    AnswerSheet(const AnswerSheet&) = delete;
+    AnswerSheet& operator=(const AnswerSheet&) = delete;
+
+    /// Value `index` of the answer; both Vector3 and ColourRGB are three doubles.
+    template <typename Value>
+    void write(std::size_t index, const Value& value) {
+        std::memcpy(memory_.data() + place_.values + index * sizeof value, &value, sizeof value);
+    }
+
+    void sayWrongSize() { header_.wrongSize = 1; }
+
+    /// Runs `work`, which may throw whatever a student can think of.
+    template <typename Work>
+    void attempt(Work&& work) {
+        try {
+            std::forward<Work>(work)();
+        } catch (const std::exception& error) {
+            note(error.what());
+        } catch (...) {
+            note("an exception that is no std::exception");
+        }
+    }
+
+    /// A log for this answer's events; empty where none are wanted.
+    [[nodiscard]] std::unique_ptr<EventLog> makeLog() {
+        if (place_.eventCapacity == 0) return nullptr;
+        return std::make_unique<EventLog>(
+            memory_.subspan(place_.events, place_.eventCapacity * sizeof(Event)),
+            header_.eventsSeen);
+    }
+
+private:
+    void note(std::string_view message) {
+        if (header_.exceptions++ > 0) return;
+        const std::size_t size = std::min(message.size(), sizeof header_.message - 1);
+        std::memcpy(header_.message, message.data(), size);
+    }
+
+    std::span<std::byte> memory_;
+    const AnswerPlace& place_;
+    AnswerHeader& header_;
+};
+
+struct Reply {
+    AnswerSheet& sheet;
+
+    void operator()(const NormalQuestion& question) const {
+        const auto map = std::make_shared<const raytracer::HeightMap>(question.map.build());
+        const raytracer::BumpySphere sphere{question.centre, question.radius, {}, map};
+        for (std::size_t i = 0; i < question.positions.size(); ++i) {
+            raytracer::seedRandom(i);
+            sheet.attempt([&] { sheet.write(i, sphere.getNormalAt(question.positions[i])); });
+        }
+    }
+
+    void operator()(const IlluminateQuestion& question) const {
+        const Stage stage{sheet, question.scene, question.settings};
+        const raytracer::Renderer renderer{stage.settings};
+        for (std::size_t i = 0; i < question.points.size(); ++i) {
+            const LitPoint& point = question.points[i];
+            const auto& object = *stage.scene.objects()[static_cast<std::size_t>(point.object)];
+            stage.begin(i);
+            raytracer::seedRandom(question.settings.seed + i);
+            sheet.attempt([&] {
+                sheet.write(i, renderer.illuminate(stage.scene, object, point.position,
+                                                   point.normal, point.viewer));
+            });
+        }
+    }
+
+    void operator()(const RenderQuestion& question) const {
+        const Stage stage{sheet, question.scene, question.settings};
+        for (std::size_t i = 0; i < static_cast<std::size_t>(question.repetitions); ++i) {
+            raytracer::RenderSettings settings = stage.settings;
+            settings.seed += i;
+            stage.begin(i);
+            raytracer::seedRandom(settings.seed);
+            sheet.attempt([&] {
+                copyPixels(i, settings, raytracer::Renderer{settings}.render(stage.scene));
+            });
+        }
+    }
+
+private:
+    /// A scene with its observer, where one is wanted.
+    struct Stage {
+        std::unique_ptr<EventLog> log;
+        raytracer::RenderSettings settings;
+        raytracer::Scene scene;
+
+        Stage(AnswerSheet& sheet, const raytracer::SceneDescription& description,
+              const raytracer::RenderSettings& wanted)
+            : log(sheet.makeLog()), settings(wanted), scene(description, log.get()) {
+            settings.observer = log.get();
+            if (log != nullptr) log->watch(&scene);
+        }
+
+        void begin(std::size_t ask) const {
+            if (log != nullptr) log->beginAsk(static_cast<std::uint32_t>(ask));
+        }
+    };
+
+    void copyPixels(std::size_t repetition, const raytracer::RenderSettings& settings,
+                    const raytracer::Image& image) const {
+        if (image.width() != settings.imageWidth() || image.height() != settings.imageHeight()) {
+            sheet.sayWrongSize();
+            return;
+        }
+        std::size_t index = repetition * image.pixels().size();
+        for (const ColourRGB& colour : image.pixels())
+            sheet.write(index++, colour);
+    }
+};
+
+}  // namespace
+
+void respond(const std::vector<Question>& questions, std::span<std::byte> memory) {
+    const AnswerLayout layout = layoutFor(questions);
+    if (memory.size() < layout.totalBytes)
+        throw raytracer::Error("the answer memory is smaller than the answers");
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+        AnswerSheet sheet{memory, layout.places[i]};
+        std::visit(Reply{sheet}, questions[i]);
+    }
+    const SheetHeader finished{kSheetFinished};
+    std::memcpy(memory.data(), &finished, sizeof finished);
+}
+
+}  // namespace ticker::probe

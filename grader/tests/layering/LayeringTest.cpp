@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Reads the #include lines of the whole project against layers.txt, and the names of packages that
+// no header may spell.
+namespace ticker {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot{TICKER_SOURCE_DIR};
+
+struct Layer {
+    std::set<std::string> folders;
+    std::set<std::string> packages;
+};
+
+std::map<std::string, Layer> readLayers() {
+    std::ifstream file{kRoot / "grader/tests/layering/layers.txt"};
+    std::map<std::string, Layer> layers;
+    for (std::string line; std::getline(file, line);) {
+        if (line.empty() || line.front() == '#') continue;
+        std::istringstream words{line};
+        std::string name;
+        words >> name;
+        Layer layer{.folders = {name}, .packages = {}};
+        bool afterBar = false;
+        for (std::string word; words >> word;) {
+            if (word == "|")
+                afterBar = true;
+            else
+                (afterBar ? layer.packages : layer.folders).insert(word);
+        }
+        layers[name] = layer;
+    }
+    return layers;
+}
+
+/// The layer that a source file belongs to; empty for tests, benchmarks and tools.
+std::optional<std::string> layerOf(const fs::path& file) {
+    std::vector<std::string> parts;
+    for (const fs::path& part : fs::relative(file, kRoot))
+        parts.push_back(part.string());
+    const auto at = [&](std::size_t i) { return i < parts.size() ? parts[i] : std::string{}; };
+    if (at(0) == "student_template" && at(1) == "framework") {
+        if (at(2) == "app") return "app";
+        return "raytracer/" + (at(2) == "include" ? at(4) : at(3));
+    }
+    if (at(1) == "exercise") return "exercise";
+    if (at(0) == "grader" && at(1) != "tests" && at(1) != "bench" && at(1) != "samples" &&
+        at(1) != "hostile" && at(1) != "integrations")
+        return "grader/" + at(1);
+    return std::nullopt;
+}
+
+std::optional<std::string> packageOf(const std::string& header) {
+    static const std::array<std::pair<const char*, const char*>, 14> kPackages{{
+        {"opencv2/", "opencv"},
+        {"tinyxml2.h", "tinyxml2"},
+        {"stb_", "stb"},
+        {"stb/", "stb"},
+        {"sqlite3.h", "sqlite3"},
+        {"seccomp.h", "seccomp"},
+        {"archive", "archive"},
+        {"nlohmann/", "json"},
+        {"CLI/", "cli11"},
+        {"fmt/", "fmt"},
+        {"hwy/", "hwy"},
+        {"httplib.h", "httplib"},
+        {"gtest/", "gtest"},
+        {"benchmark/", "benchmark"},
+    }};
+    for (const auto& [prefix, name] : kPackages)
+        if (header.rfind(prefix, 0) == 0) return name;
+    return std::nullopt;
+}
+
+/// "raytracer/math" of "raytracer/math/Ray.h", "grader/decision" of "grader/decision/bump/Fit.h".
+std::optional<std::string> folderOf(const std::string& header) {
+    static const std::regex kOurs{R"(^((raytracer|grader)/[a-z]+)/.*)"};
+    std::smatch match;
+    if (std::regex_match(header, match, kOurs)) return match[1];
+    return std::nullopt;
+}
+
+std::vector<fs::path> sources() {
+    std::vector<fs::path> files;
+    for (const char* top : {"student_template", "reference_solution", "grader", "tools"})
+        for (const auto& entry : fs::recursive_directory_iterator{kRoot / top})
+            if (entry.is_regular_file() &&
+                (entry.path().extension() == ".h" || entry.path().extension() == ".cpp"))
+                files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<std::string> linesOf(const fs::path& file) {
+    std::ifstream stream{file};
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+TEST(Layering, EveryIncludePointsDownTheArrowsOfTheDesign) {
+    const std::map<std::string, Layer> layers = readLayers();
+    ASSERT_GT(layers.size(), 20U);
+    static const std::regex kInclude{R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)"};
+    int checked = 0;
+    for (const fs::path& file : sources()) {
+        const std::optional<std::string> layer = layerOf(file);
+        if (!layer) continue;
+        const auto known = layers.find(*layer);
+        if (known == layers.end()) {
+            ADD_FAILURE() << file << ": folder " << *layer << " has no line in layers.txt";
+            continue;
+        }
+        for (const std::string& line : linesOf(file)) {
+            std::smatch match;
+            if (!std::regex_match(line, match, kInclude)) continue;
+            ++checked;
+            const std::string header = match[1];
+            if (const auto folder = folderOf(header)) {
+                EXPECT_TRUE(known->second.folders.contains(*folder))
+                    << file << " may not include <" << header << ">: see layers.txt";
+            } else if (const auto package = packageOf(header)) {
+                EXPECT_TRUE(known->second.packages.contains(*package))
+                    << file << " may not use the package of <" << header << ">: see layers.txt";
+            }
+        }
+    }
+    EXPECT_GT(checked, 100);
+}
+
+TEST(Layering, NoHeaderSpellsTheNameOfAPackageThatMustStayHidden) {
+    static const std::regex kHidden{R"(\bcv::|\btinyxml2::|\bstbi_|\bsqlite3|\bseccomp_|\bscmp_)"};
+    for (const fs::path& file : sources()) {
+        if (file.extension() != ".h") continue;
+        int number = 0;
+        for (const std::string& line : linesOf(file)) {
+            ++number;
+            EXPECT_FALSE(std::regex_search(line, kHidden)) << file << ":" << number << ": " << line;
+        }
+    }
+}
+
+TEST(Layering, EveryHeaderHasAnIncludeGuardNamedAfterItsPath) {
+    for (const fs::path& file : sources()) {
+        // Highway includes its -inl.h files once for each instruction set.
+        const bool perTarget = file.stem().string().ends_with("-inl");
+        if (file.extension() != ".h" || perTarget) continue;
+        const std::vector<std::string> lines = linesOf(file);
+        std::string stem = file.stem().string();
+        std::transform(stem.begin(), stem.end(), stem.begin(), [](unsigned char c) {
+            return std::isalnum(c) != 0 ? static_cast<char>(std::toupper(c)) : '_';
+        });
+        const bool guarded = std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+            return line.rfind("#ifndef ", 0) == 0 && line.find(stem + "_H") != std::string::npos;
+        });
+        EXPECT_TRUE(guarded) << file;
+    }
+}
+
+}  // namespace
+}  // namespace ticker

@@ -1,0 +1,130 @@
+#include <grader/tests/support/LocalExaminee.h>
+#include <grader/tests/support/SampleQuestions.h>
+
+#include <raytracer/geometry/BumpySphere.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace ticker::probe {
+namespace {
+
+template <typename AnyAnswer>
+AnyAnswer askFor(const Question& question) {
+    return std::get<AnyAnswer>(tests::LocalExaminee{}.ask({question}).answers.at(0));
+}
+
+std::size_t countOf(const std::vector<Event>& events, Event::Kind kind) {
+    return static_cast<std::size_t>(std::ranges::count(events, kind, &Event::kind));
+}
+
+TEST(Respond, GivesTheNormalsOfTheLinkedSolution) {
+    const NormalQuestion question = tests::normalQuestion();
+
+    const auto answer = askFor<NormalAnswer>(question);
+
+    EXPECT_EQ(answer.state, AnswerState::answered);
+    const raytracer::BumpySphere sphere{
+        question.centre,
+        question.radius,
+        {},
+        std::make_shared<const raytracer::HeightMap>(question.map.build())};
+    for (std::size_t i = 0; i < question.positions.size(); ++i)
+        EXPECT_EQ(answer.normals[i], sphere.getNormalAt(question.positions[i])) << i;
+}
+
+TEST(Respond, SeedsEachPointByItself) {
+    const IlluminateQuestion question = tests::illuminateQuestion();
+
+    const auto answer = askFor<IlluminateAnswer>(question);
+
+    EXPECT_EQ(answer.state, AnswerState::answered);
+    EXPECT_TRUE(answer.events.empty());
+    const raytracer::Scene scene{question.scene};
+    const LitPoint& point = question.points[1];
+    raytracer::seedRandom(question.settings.seed + 1);
+    const ColourRGB expected = raytracer::Renderer{question.settings}.illuminate(
+        scene, *scene.objects()[1], point.position, point.normal, point.viewer);
+    EXPECT_EQ(answer.colours[1], expected);
+}
+
+TEST(Respond, LogsTheShadowRaysOfEachPoint) {
+    const auto answer = askFor<IlluminateAnswer>(tests::illuminateQuestion(100));
+
+    ASSERT_EQ(answer.events.size(), 4U);  // two points, two rays each
+    EXPECT_FALSE(answer.eventsCut);
+    EXPECT_EQ(answer.events[0].ask, 0U);
+    EXPECT_EQ(answer.events[3].ask, 1U);
+    EXPECT_EQ(answer.events[3].kind, Event::Kind::rayCast);
+    EXPECT_NEAR(answer.events[3].a.y, -0.7 + raytracer::kShadowBias, 1e-12);
+    EXPECT_EQ(answer.events[3].object, 0);
+    EXPECT_GT(answer.events[3].distance, 0.0);
+}
+
+TEST(Respond, LogsNoMoreThanFitsAndSaysSo) {
+    const auto answer = askFor<IlluminateAnswer>(tests::illuminateQuestion(3));
+    EXPECT_EQ(answer.events.size(), 3U);
+    EXPECT_TRUE(answer.eventsCut);
+}
+
+TEST(Respond, RendersEachRepetitionUnderItsOwnSeed) {
+    const RenderQuestion question = tests::renderQuestion();
+
+    const auto answer = askFor<RenderAnswer>(question);
+
+    EXPECT_EQ(answer.state, AnswerState::answered);
+    EXPECT_EQ(answer.width, 8);
+    ASSERT_EQ(answer.images.size(), 2U);
+    EXPECT_NE(answer.images[0], answer.images[1]);
+    raytracer::RenderSettings settings = question.settings;
+    settings.seed += 1;
+    const raytracer::Scene scene{question.scene};
+    EXPECT_EQ(answer.images[1], raytracer::Renderer{settings}.render(scene).pixels());
+}
+
+TEST(Respond, LoggingDoesNotChangeThePicture) {
+    const auto plain = askFor<RenderAnswer>(tests::renderQuestion());
+    const auto logged = askFor<RenderAnswer>(tests::renderQuestion(10'000));
+    EXPECT_EQ(plain.images, logged.images);
+    EXPECT_EQ(countOf(logged.events, Event::Kind::pixelSet), 2U * 48U);
+    EXPECT_EQ(countOf(logged.events, Event::Kind::cameraRayAsked), 2U * 48U);
+    EXPECT_EQ(countOf(logged.events, Event::Kind::traceBegan),
+              countOf(logged.events, Event::Kind::traceEnded));
+}
+
+TEST(Respond, NumbersThreadsFromZeroAndKeepsEachOnesOrder) {
+    RenderQuestion question = tests::renderQuestion(10'000);
+    question.settings.threads = 2;
+
+    const auto answer = askFor<RenderAnswer>(question);
+
+    std::set<std::uint32_t> threads;
+    for (const Event& event : answer.events)
+        threads.insert(event.thread);
+    EXPECT_EQ(*threads.begin(), 0U);
+    EXPECT_EQ(*threads.rbegin(), threads.size() - 1);
+    for (const std::uint32_t thread : threads) {
+        std::vector<Event> own;
+        std::ranges::copy_if(answer.events, std::back_inserter(own),
+                             [&](const Event& event) { return event.thread == thread; });
+        EXPECT_EQ(own.front().kind, Event::Kind::cameraRayAsked);
+        EXPECT_EQ(own.back().kind, Event::Kind::pixelSet);
+    }
+}
+
+TEST(Respond, AnswersManyQuestionsInOrder) {
+    const Sitting sitting = tests::LocalExaminee{}.ask(
+        {tests::normalQuestion(), tests::renderQuestion(4), tests::illuminateQuestion()});
+    ASSERT_EQ(sitting.answers.size(), 3U);
+    EXPECT_EQ(sitting.end.kind, ProcessEnd::Kind::finished);
+    EXPECT_TRUE(std::holds_alternative<NormalAnswer>(sitting.answers[0]));
+    EXPECT_EQ(std::get<RenderAnswer>(sitting.answers[1]).events.size(), 4U);
+    EXPECT_EQ(std::get<IlluminateAnswer>(sitting.answers[2]).state, AnswerState::answered);
+}
+
+}  // namespace
+}  // namespace ticker::probe

@@ -1,0 +1,97 @@
+#include <grader/probe/Wire.h>
+#include <grader/tests/support/SampleQuestions.h>
+
+#include <raytracer/base/Error.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace ticker::probe {
+namespace {
+
+std::vector<Question> sampleQuestions() {
+    return {tests::normalQuestion(), tests::illuminateQuestion(5), tests::renderQuestion(9)};
+}
+
+TEST(Wire, CarriesEveryFieldOfANormalQuestion) {
+    const NormalQuestion asked = tests::normalQuestion();
+
+    const auto questions = decodeQuestions(encodeQuestions({asked}));
+
+    ASSERT_EQ(questions.size(), 1U);
+    const auto& got = std::get<NormalQuestion>(questions[0]);
+    EXPECT_EQ(got.centre, asked.centre);
+    EXPECT_EQ(got.radius, asked.radius);
+    EXPECT_EQ(got.map.columns, asked.map.columns);
+    EXPECT_EQ(got.map.rows, asked.map.rows);
+    EXPECT_EQ(got.positions, asked.positions);
+}
+
+TEST(Wire, CarriesASceneWithItsSettingsButNoPointers) {
+    RenderQuestion asked = tests::renderQuestion(9);
+    asked.settings.monitor = reinterpret_cast<raytracer::RenderMonitor*>(&asked);
+
+    const auto questions = decodeQuestions(encodeQuestions({asked}));
+
+    const auto& got = std::get<RenderQuestion>(questions.at(0));
+    EXPECT_EQ(got.settings.monitor, nullptr);
+    EXPECT_EQ(got.settings.dofRayCount, 3);
+    EXPECT_EQ(got.settings.seed, 7U);
+    EXPECT_EQ(got.repetitions, 2);
+    EXPECT_EQ(got.eventCapacity, 9U);
+    ASSERT_EQ(got.scene.spheres.size(), 1U);
+    ASSERT_EQ(got.scene.planes.size(), 1U);
+    EXPECT_EQ(got.scene.spheres[0].material.colour, asked.scene.spheres[0].material.colour);
+    ASSERT_NE(got.scene.spheres[0].heightMap, nullptr);
+    EXPECT_EQ(got.scene.spheres[0].heightMap->at(7, 3), asked.scene.spheres[0].heightMap->at(7, 3));
+    EXPECT_EQ(got.scene.pointLights.at(0).intensity(), 100.0);
+}
+
+TEST(Wire, SendsHeightsThatAreNoBytesInFull) {
+    RenderQuestion asked = tests::renderQuestion();
+    asked.scene.spheres[0].heightMap =
+        std::make_shared<const raytracer::HeightMap>(4, 4, std::vector<double>(16, 1.0 / 3.0));
+
+    const auto questions = decodeQuestions(encodeQuestions({asked}));
+
+    const auto& got = std::get<RenderQuestion>(questions.at(0));
+    EXPECT_EQ(got.scene.spheres[0].heightMap->at(1, 1), 1.0 / 3.0);
+}
+
+TEST(Wire, RefusesAPointOnAnObjectThatIsNotThere) {
+    IlluminateQuestion question = tests::illuminateQuestion();
+    question.points[0].object = 2;
+    EXPECT_THROW(static_cast<void>(encodeQuestions({question})), raytracer::Error);
+}
+
+TEST(Wire, RefusesAMapThatContradictsItsSize) {
+    NormalQuestion question = tests::normalQuestion();
+    question.map.rows.pop_back();
+    EXPECT_THROW(static_cast<void>(encodeQuestions({question})), raytracer::Error);
+}
+
+TEST(Wire, RefusesEveryCutMessage) {
+    const auto message = encodeQuestions(sampleQuestions());
+    for (std::size_t size = 0; size < message.size(); ++size) {
+        const std::span<const std::byte> cut{message.data(), size};
+        EXPECT_THROW(static_cast<void>(decodeQuestions(cut)), raytracer::Error) << size;
+    }
+}
+
+TEST(Wire, SurvivesAnyByteBeingChanged) {
+    auto message = encodeQuestions(sampleQuestions());
+    std::mt19937 generator{1};
+    for (std::byte& byte : message) {
+        const std::byte before = byte;
+        byte = static_cast<std::byte>(generator() & 0xFFU);
+        try {
+            static_cast<void>(decodeQuestions(message));
+        } catch (const raytracer::Error&) {  // refused: as good as understood
+        }
+        byte = before;
+    }
+}
+
+}  // namespace
+}  // namespace ticker::probe

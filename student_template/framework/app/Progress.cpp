@@ -1,0 +1,78 @@
+#include "Progress.h"
+
+#include <unistd.h>
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+
+namespace raytracer {
+namespace {
+
+constexpr std::chrono::milliseconds kRedrawEvery{100};
+constexpr int kBarWidth = 30;
+
+// A signal handler has nowhere else to leave a note.
+std::atomic<bool> interruptAsked{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "needed in a signal handler");
+
+void askToStop(int signal) {
+    interruptAsked = true;
+    std::signal(signal, SIG_DFL);
+}
+
+std::string durationText(double seconds) {
+    const long whole = std::lround(seconds);
+    if (whole < 60) return std::to_string(whole) + " s";
+    if (whole < 3600)
+        return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+    return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
+}
+
+}  // namespace
+
+Progress::Progress(bool drawn) : drawn_(drawn) {
+    interruptAsked = false;
+    std::signal(SIGINT, askToStop);
+}
+
+Progress::~Progress() {
+    std::signal(SIGINT, SIG_DFL);
+    if (drawn_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::rowFinished(int /*row*/, int done, int rows) {
+    ++done_;
+    if (!drawn_) return;
+    const std::lock_guard lock{mutex_};
+    const Clock::time_point now = Clock::now();
+    if (now - lastDrawn_ < kRedrawEvery) return;
+    lastDrawn_ = now;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    std::fprintf(stderr, "\r%s\033[K", progressText(done, rows, seconds).c_str());
+}
+
+bool Progress::interrupted() const {
+    return interruptAsked;
+}
+
+bool terminalWantsProgress() {
+    const char* noColour = std::getenv("NO_COLOR");
+    return isatty(STDERR_FILENO) == 1 && (noColour == nullptr || *noColour == '\0');
+}
+
+std::string progressText(int done, int rows, double seconds) {
+    const int filled = kBarWidth * done / std::max(1, rows);
+    const double left = seconds * (rows - done) / std::max(1, done);
+    const std::string percent = std::to_string(100 * done / std::max(1, rows));
+    std::string text = "[";
+    text.append(static_cast<std::size_t>(filled), '#');
+    text.append(static_cast<std::size_t>(kBarWidth - filled), '-');
+    text += "] ";
+    text.append(3 - std::min<std::size_t>(3, percent.size()), ' ');
+    return text + percent + " %, " + durationText(left) + " left";
+}
+
+}  // namespace raytracer

@@ -1,0 +1,49 @@
+#ifndef RAYTRACER_APP_PROGRESS_H
+#define RAYTRACER_APP_PROGRESS_H
+
+#include <raytracer/base/RenderObserver.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <string>
+
+namespace raytracer {
+
+/// Draws a progress bar with the time left on stderr, and stops the render at Ctrl-C.
+class Progress final : public RenderMonitor {
+public:
+    /// @param drawn  Whether to draw the bar at all; Ctrl-C is heeded in any case.
+    /// From here on the first Ctrl-C only asks the render to stop; a second one ends the program.
+    explicit Progress(bool drawn);
+    /// Wipes the bar away.
+    ~Progress() override;
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void rowFinished(int row, int done, int rows) override;
+    [[nodiscard]] bool interrupted() const override;
+
+    /// Rows finished so far.
+    [[nodiscard]] int done() const { return done_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    bool drawn_;
+    Clock::time_point start_ = Clock::now();
+    std::atomic<int> done_{0};
+    std::mutex mutex_;
+    Clock::time_point lastDrawn_;
+};
+
+/// True where a progress bar is welcome: stderr is a terminal and NO_COLOR is not set.
+[[nodiscard]] bool terminalWantsProgress();
+
+/// The text of a bar: `[#####-----]  50 %, 12 s left`.
+/// @param seconds  Time since the start.
+[[nodiscard]] std::string progressText(int done, int rows, double seconds);
+
+}  // namespace raytracer
+
+#endif

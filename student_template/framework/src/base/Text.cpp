@@ -1,0 +1,105 @@
+#include <raytracer/base/Text.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <system_error>
+#include <vector>
+
+namespace raytracer {
+namespace {
+
+constexpr std::size_t kLongestQuote = 60;
+
+char lowerCase(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+// Letters to add, leave out or replace, to make one of the other (Levenshtein 1966).
+std::size_t editDistance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t replaced =
+                diagonal + (lowerCase(a[i]) == lowerCase(b[j]) ? std::size_t{0} : std::size_t{1});
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+template <typename Number>
+std::optional<Number> parseWhole(std::string_view text) {
+    Number value{};
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end) return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+std::optional<double> parseNumber(std::string_view text) {
+    if (text.starts_with('+')) {
+        text.remove_prefix(1);
+        if (text.starts_with('-')) return std::nullopt;
+    }
+    const std::optional<double> value = parseWhole<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<std::uint64_t> parseCount(std::string_view text) {
+    return parseWhole<std::uint64_t>(text);
+}
+
+std::string inQuotes(std::string_view text) {
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    std::string result = "\"";
+    for (const char c : text.substr(0, kLongestQuote)) {
+        if (c >= ' ' && c <= '~') {
+            result += c;
+        } else {
+            const auto byte = static_cast<unsigned char>(c);
+            result += {'\\', 'x', kDigits[byte / 16U], kDigits[byte % 16U]};
+        }
+    }
+    if (text.size() > kLongestQuote) result += "...";
+    return result + "\"";
+}
+
+std::string joined(std::span<const std::string_view> names) {
+    std::string result;
+    for (const std::string_view name : names) {
+        if (!result.empty()) result += ", ";
+        result += name;
+    }
+    return result;
+}
+
+std::optional<std::string_view> nearestName(std::string_view name,
+                                            std::span<const std::string_view> known) {
+    if (known.empty() || name.size() > kLongestQuote) return std::nullopt;
+    const auto nearest = std::ranges::min_element(
+        known, {}, [name](std::string_view candidate) { return editDistance(name, candidate); });
+    const std::size_t allowed = std::max<std::size_t>(1, nearest->size() / 3);
+    // A name of one letter is one letter away from every other.
+    const bool guessable =
+        name.size() > 1 || (name.size() == 1 && editDistance(name, *nearest) == 0);
+    if (!guessable || editDistance(name, *nearest) > allowed) return std::nullopt;
+    return *nearest;
+}
+
+std::string knownNamesHint(std::string_view name, std::span<const std::string_view> known) {
+    const std::optional<std::string_view> nearest = nearestName(name, known);
+    return (nearest ? "; did you mean " + inQuotes(*nearest) + "? Known are: " : "; known are: ") +
+           joined(known);
+}
+
+}  // namespace raytracer

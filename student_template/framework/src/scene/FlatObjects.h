@@ -1,0 +1,126 @@
+#ifndef RAYTRACER_SRC_SCENE_FLATOBJECTS_H
+#define RAYTRACER_SRC_SCENE_FLATOBJECTS_H
+
+#include <raytracer/geometry/Plane.h>
+#include <raytracer/geometry/Sphere.h>
+#include <raytracer/scene/Scene.h>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace raytracer {
+
+/// The spheres of a scene, four by four and component by component: one instruction works on two.
+class FlatSpheres {
+public:
+    void add(const Sphere& sphere) {
+        const std::size_t lane = count_++ % kLanes;
+        if (lane == 0) blocks_.emplace_back();
+        blocks_.back().put(lane, sphere);
+    }
+
+    /// The nearest sphere.
+    [[nodiscard]] Nearest nearest(const Ray& ray) const {
+        Nearest found;
+        const double a = ray.direction.dot(ray.direction);
+        for (const Block& block : blocks_) {
+            if (!block.isMissedBy(ray, a)) found = block.nearest(ray, found);
+        }
+        return found;
+    }
+
+private:
+    static constexpr std::size_t kLanes = 4;
+
+    // GCC and Clang turn arithmetic on these into what the processor has (SSE2, NEON), which is
+    // the same arithmetic on each half as on a double alone.
+    using Pair = double __attribute__((vector_size(16)));
+    using BitsOfPair = std::int64_t __attribute__((vector_size(16)));
+    using Lanes = std::array<Pair, kLanes / 2>;
+
+    class Block {
+    public:
+        void put(std::size_t lane, const Sphere& sphere) {
+            x_[lane / 2][lane % 2] = sphere.centre().x;
+            y_[lane / 2][lane % 2] = sphere.centre().y;
+            z_[lane / 2][lane % 2] = sphere.centre().z;
+            radiusSquared_[lane / 2][lane % 2] = sphere.radius() * sphere.radius();
+            spheres_[lane] = &sphere;
+        }
+
+        /// True when the ray certainly meets none of the four; most rays need to know no more.
+        /// @param a  Square of the direction's length.
+        [[nodiscard]] bool isMissedBy(const Ray& ray, double a) const {
+            return (missSigns(ray, a, 0) & missSigns(ray, a, 1)) < 0;
+        }
+
+        // Out of line, so that the rays that do not come here need not save registers for it.
+        [[nodiscard, gnu::noinline]] Nearest nearest(const Ray& ray, Nearest found) const {
+            for (const Sphere* sphere : spheres_) {
+                if (sphere == nullptr) break;
+                const double distance = sphere->distanceAlong(ray);
+                if (distance < found.distance) found = {distance, sphere};
+            }
+            return found;
+        }
+
+    private:
+        // Negative when both spheres of a pair are missed: no root, or both roots behind an origin
+        // that is outside. The terms are those of Sphere::distanceAlong.
+        [[nodiscard]] std::int64_t missSigns(const Ray& ray, double a, std::size_t pair) const {
+            const Pair x = x_[pair] - ray.origin.x;
+            const Pair y = y_[pair] - ray.origin.y;
+            const Pair z = z_[pair] - ray.origin.z;
+            const Pair b = x * ray.direction.x + y * ray.direction.y + z * ray.direction.z;
+            const Pair c = x * x + y * y + z * z - radiusSquared_[pair];
+            const BitsOfPair noRoot = std::bit_cast<BitsOfPair>(b * b - a * c);
+            const BitsOfPair behind = std::bit_cast<BitsOfPair>(b) & ~std::bit_cast<BitsOfPair>(c);
+            const BitsOfPair missed = noRoot | behind;
+            return missed[0] & missed[1];
+        }
+
+        static constexpr Pair kNever = {-std::numeric_limits<double>::infinity(),
+                                        -std::numeric_limits<double>::infinity()};
+
+        Lanes x_{};
+        Lanes y_{};
+        Lanes z_{};
+        Lanes radiusSquared_{kNever, kNever};  // no ray meets an empty lane
+        std::array<const Sphere*, kLanes> spheres_{};
+    };
+
+    std::vector<Block> blocks_;
+    std::size_t count_ = 0;
+};
+
+/// The planes of a scene, side by side in memory.
+class FlatPlanes {
+public:
+    void add(const Plane& plane) { planes_.push_back({plane.point(), plane.normal(), &plane}); }
+
+    /// The nearest plane, or `found` where no plane is nearer.
+    [[nodiscard]] Nearest nearest(const Ray& ray, Nearest found) const {
+        for (const Entry& plane : planes_) {
+            const double distance = Plane::distanceAlong(ray, plane.point, plane.normal);
+            if (distance < found.distance) found = {distance, plane.object};
+        }
+        return found;
+    }
+
+private:
+    struct Entry {
+        Vector3 point;
+        Vector3 normal;
+        const Plane* object;
+    };
+
+    std::vector<Entry> planes_;
+};
+
+}  // namespace raytracer
+
+#endif
