@@ -42,8 +42,8 @@ scmp_filter_ctx makeRunFilter() {
     if (filter == nullptr) return nullptr;
     constexpr std::uint64_t kThread = CLONE_THREAD | CLONE_VM;
     const bool added =
-        add(filter, SCMP_ACT_ALLOW, kRunAllowed) &&
-        add(filter, SCMP_ACT_KILL_PROCESS, kRunKilled) &&
+        add(filter, SCMP_ACT_ALLOW, allowedInRun()) &&
+        add(filter, SCMP_ACT_KILL_PROCESS, killedInRun()) &&
         // A look at the limits, never a change.
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), equals(2, 0)) &&
         // fdopen() asks how a descriptor was opened.
@@ -67,7 +67,7 @@ scmp_filter_ctx makeCompileFilter() {
     if (filter == nullptr) return nullptr;
     constexpr std::uint32_t kRefuse = SCMP_ACT_ERRNO(EPERM);
     bool added =
-        add(filter, kRefuse, kCompileRefused) &&
+        add(filter, kRefuse, refusedInCompile()) &&
         seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
     for (const std::uint64_t space : kNamespaces)
         added = added && addIf(filter, kRefuse, SCMP_SYS(clone), masked(0, space, space));
