@@ -93,22 +93,22 @@ Words flatWords() {
 }
 
 Words longitudeWords(const Examination& examination) {
-    const Response& response = *examination.ramps.response;
-    const std::string turned =
-        response.tangentTurn == 0.0
-            ? std::string{}
-            : fmt::format(
-                  " The tangents seem to be those of a longitude that is {:.0f} degrees "
-                  "away.",
-                  std::abs(response.tangentTurn));
-    return {
-        "The same slope tilts the normal differently at different longitudes: the tilt should "
-        "turn with the point round the sphere." +
-            turned,
-        "Pu and Pv must come from the same angles, with the same axis and the same origin, as "
-        "the (u, v) that you look up: differentiate your own F(u, v), Equation (2), at the "
-        "point's own longitude and polar angle.",
-        "1, Implementation, step 2"};
+    const double turn = examination.ramps.response->tangentTurn;
+    Words words;
+    words.message =
+        turn == 0.0 ? "The same slope tilts the normal differently at different longitudes: the "
+                      "tilt should turn with the point round the sphere."
+                    : fmt::format(
+                          "The normal tilts as it should at a longitude that is {:.0f} "
+                          "degrees away: the tangents belong to another parametrisation "
+                          "than the place where the map is looked up.",
+                          std::abs(turn));
+    words.hint =
+        "Pu and Pv must come from the same angles, with the same axis and the same origin, as the "
+        "(u, v) that you look up: differentiate your own F(u, v), Equation (2), at the point's own "
+        "longitude and polar angle.";
+    words.section = "1, Implementation, step 2";
+    return words;
 }
 
 Words swappedWords(const Examination& examination, const std::optional<Hints>& hints) {
@@ -381,6 +381,7 @@ Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examina
     for (std::size_t i = 1; i < faults.size(); ++i)
         also += (also.empty() ? "" : ", ") + idOf(faults[i]);
     if (!also.empty()) evidence.emplace_back("also", also);
+    if (examination.letters) addLetters(evidence, *examination.letters);
     if (examination.ramps.response) {
         const ResponseMatrix& m = examination.ramps.response->matrix;
         evidence.emplace_back("responseMatrix",
@@ -388,7 +389,6 @@ Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examina
         addAxis(evidence, "u", examination.ramps.response->u);
         addAxis(evidence, "v", examination.ramps.response->v);
     }
-    if (examination.letters) addLetters(evidence, *examination.letters);
     if (examination.ramps.fit) addLanding(evidence, *examination.ramps.fit);
     addOffence(evidence, "exception", examination.conduct.threw);
     addOffence(evidence, "notFinite", examination.conduct.notFinite);
