@@ -181,8 +181,12 @@ double strengthRatio(std::vector<Reply> replies) {
     return most > 0.0 ? most / std::max(least, 1e-9) : 1.0;
 }
 
-void findWorst(const std::vector<Reply>& replies, AxisResponse& axis) {
+void findWorst(const std::vector<Reply>& replies, double deadLength, AxisResponse& axis) {
     for (const Reply& reply : replies) {
+        if (!(reply.tilt.magnitude() > deadLength)) {
+            axis.deadAt = reply.direction;
+            continue;
+        }
         const double angle = reply.angle() * kDegrees;
         if (std::abs(angle) < std::abs(axis.worstDirection)) continue;
         axis.worstDirection = angle;
@@ -200,7 +204,7 @@ AxisResponse measureAxis(const std::vector<Reply>& replies, double usualLength) 
     if (axis.sense == Sense::dead) return axis;
     describeBands(replies, deadLength, axis);
     axis.strengthRatio = strengthRatio(replies);
-    findWorst(replies, axis);
+    findWorst(replies, deadLength, axis);
     return axis;
 }
 
