@@ -102,6 +102,13 @@ jail::Filter filterOf(const Command& command, Level level) {
     return command.policy == Policy::run ? jail::Filter::run : jail::Filter::compile;
 }
 
+// The kernel counts the processes of a uid; since 5.14, those in a user namespace by themselves.
+// A limit that counted the caller's own processes would fail honest jobs.
+bool countsOnlyItsOwnProcesses(const JailPlace& place) {
+    if (place.user >= 0) return true;
+    return place.level == Level::namespaces && place.countsProcesses;
+}
+
 jail::Options innerOptions(const Command& command, const JailPlace& place) {
     jail::Options options;
     options.reports = true;
@@ -113,7 +120,8 @@ jail::Options innerOptions(const Command& command, const JailPlace& place) {
     options.addressSpaceBytes = command.limits.addressSpaceBytes;
     options.fileSizeBytes = command.limits.fileSizeBytes;
     options.stackBytes = command.limits.stackBytes;
-    options.processes = static_cast<std::uint64_t>(std::max(1, command.limits.processes));
+    if (countsOnlyItsOwnProcesses(place))
+        options.processes = static_cast<std::uint64_t>(std::max(1, command.limits.processes));
     options.openFiles = static_cast<std::uint64_t>(std::max(1, command.limits.openFiles));
     options.folder = behind(command, place, command.folder).string();
     if (command.wantsScratch) options.scratch = behind(command, place, kScratchFolder).string();

@@ -13,6 +13,7 @@ namespace ticker::sandbox {
 struct JailPlace {
     Level level = Level::none;
     bool landlock = false;             ///< the kernel has it
+    bool countsProcesses = false;      ///< the kernel does so in each user namespace
     std::filesystem::path helper;      ///< readable by the jail's user
     std::filesystem::path bubblewrap;  ///< level A only
     long user = -1;                    ///< uid to become; -1: the caller's own

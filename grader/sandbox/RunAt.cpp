@@ -10,8 +10,11 @@
 
 #include <linux/landlock.h>
 #include <sys/syscall.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
+#include <charconv>
+#include <cstring>
 #include <optional>
 #include <system_error>
 
@@ -65,6 +68,18 @@ bool hasLandlock() {
     return has;
 }
 
+bool kernelCountsProcessesByNamespace() {
+    utsname name{};
+    int major = 0;
+    int minor = 0;
+    if (uname(&name) != 0) return false;
+    const char* const end = name.release + std::strlen(name.release);
+    const auto [dot, error] = std::from_chars(name.release, end, major);
+    if (error != std::errc{} || dot == end) return false;
+    std::from_chars(dot + 1, end, minor);
+    return major > 5 || (major == 5 && minor >= 14);
+}
+
 Launch describe(const Command& command, const JailPlace& place) {
     Launch launch;
     launch.program = place.helper;
@@ -84,6 +99,7 @@ Outcome runAt(Level level, const Command& command) {
     JailPlace place;
     place.level = level;
     place.landlock = hasLandlock();
+    place.countsProcesses = kernelCountsProcessesByNamespace();
     place.helper = workshop().helper;
     if (level == Level::namespaces) place.bubblewrap = findBubblewrap();
     if (level != Level::sameUser) place.user = slot.user();

@@ -18,7 +18,7 @@ using raytracer::Vector3;
 
 constexpr int kWidth = 1024;
 constexpr int kHeight = 512;
-constexpr int kScales = 1300;
+constexpr int kScales = 1100;
 constexpr std::uint64_t kSeed = 1978;
 
 Vector3 onSphere(double longitudeTurns, double polarTurns) {
@@ -84,8 +84,8 @@ public:
 private:
     static constexpr double kJitter = 0.30;       // of the spacing
     static constexpr double kLowestScale = 0.7;   // height, of the highest
-    static constexpr double kWaviness = 0.05;     // radii
-    static constexpr double kGrooveWidth = 0.28;  // of the spacing
+    static constexpr double kWaviness = 0.03;     // radii
+    static constexpr double kGrooveWidth = 0.36;  // of the spacing
     static constexpr double kReach = 0.75;        // of the spacing
     static constexpr double kRoundness = 0.6;     // how much lower a scale is at its rim
 
@@ -136,11 +136,11 @@ private:
 
 std::uint8_t byteAt(const Skin& skin, int column, int row) {
     constexpr double kGrainFrequency = 45.0;
-    constexpr double kGrain = 0.05;
+    constexpr double kGrain = 0.06;
     constexpr double kMiddle = 0.5;
     const Vector3 position = onSphere((column + 0.5) / kWidth, (row + 0.5) / (2.0 * kHeight));
     const double grain = kGrain * (valueNoise(position * kGrainFrequency, kSeed) - 0.5);
-    const double height = 0.08 + 0.84 * skin.heightAt(position) + grain;
+    const double height = 0.2 + 0.6 * skin.heightAt(position) + grain;
     // 1 up to 70 degrees of latitude, 0 from 85 degrees on.
     const double ring = std::sqrt(position.x * position.x + position.z * position.z);
     const double calm = smoothStep(0.087, 0.342, ring);
