@@ -25,6 +25,7 @@ struct TaskReport {
     TaskState state = TaskState::notGraded;
     std::string reason;  ///< one sentence; empty where the findings say it all
     std::vector<Finding> findings;
+    bool needsReview = false;  ///< the state is the best guess, but a person should look
 };
 
 enum class Verdict { awarded, notAwarded, needsReview, notGraded };
@@ -41,6 +42,21 @@ struct RenderScore {
     double rmse = 0.0;
     std::string image;      ///< path under the result's folder; empty where there is none
     std::string reference;  ///< likewise: what was expected
+};
+
+/// A picture that belongs to a result, as a file below OUT/<submission>/.
+struct ResultPicture {
+    std::string file;     ///< "images/expected-bump-mapping.png"
+    std::string caption;  ///< for its alternative text
+    std::string png;      ///< the file's bytes; empty in a result that was read back
+};
+
+/// What the compiler said about one of the student's files, made safe to read but not to embed:
+/// it still has to be escaped.
+struct Diagnostics {
+    std::string file;    ///< "Renderer.cpp"
+    std::string text;    ///< capped; paths relative
+    std::string source;  ///< the student's file, for the lines that the text names; may be empty
 };
 
 struct Timing {
@@ -63,6 +79,8 @@ struct SubmissionResult {
     std::string toolVersion;
     std::vector<TaskReport> tasks;
     std::vector<RenderScore> renders;
+    std::vector<ResultPicture> pictures;
+    std::vector<Diagnostics> diagnostics;
     std::vector<std::string> notices;
     Timing timing;
 };

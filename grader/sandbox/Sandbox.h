@@ -48,16 +48,28 @@ struct ReadOnlyPath {
 /// A descriptor handed to the command; all others are closed.
 struct Descriptor {
     int host = -1;
-    int inside = -1;  ///< 3 or higher
+    int inside = -1;  ///< 3 to 31
 };
+
+/// A regular file that the command leaves in its scratch folder. After the command has ended with
+/// 0 and nothing of it runs any more, the file is copied to `host`, which the command never holds.
+struct Product {
+    std::string name;  ///< in the scratch folder; no path
+    int host = -1;
+};
+
+/// The scratch folder, as `folder` names it at every level. Relative paths from there, and the
+/// environment's TMPDIR, work at every level; "/tmp/x" in an argument works at level A only.
+inline constexpr const char* kScratchFolder = "/tmp";
 
 /// One command to run.
 struct Command {
-    std::vector<std::string> arguments;  ///< argv; [0] is a path inside
+    std::vector<std::string> arguments;  ///< argv; [0] is a path inside; see Sandbox::pathFor
     std::filesystem::path folder = "/";  ///< working directory, inside
     std::vector<ReadOnlyPath> readOnly;
     bool wantsScratch = false;  ///< an empty writable /tmp of at most `fileSizeBytes` * 4
     std::vector<Descriptor> descriptors;
+    std::vector<Product> products;  ///< at most 16; needs `wantsScratch`
     Policy policy = Policy::run;
     Limits limits;
 };
@@ -66,14 +78,15 @@ struct Command {
 /// `output`.
 struct Outcome {
     enum class End {
-        exited,       ///< `code` is the exit status
-        signalled,    ///< `code` is the signal
+        exited,       ///< `code` is the exit status; 126 also: the file is no program
+        signalled,    ///< `code` is the signal; SIGXCPU: the CPU limit, SIGSYS: a forbidden call
         wallLimit,    ///< killed by us: wall clock
         outputLimit,  ///< killed by us: too much output
         failed        ///< could not be started or watched: our fault; `output` says why
     };
     End end = End::failed;
     int code = 0;
+    bool productsMissing = false;  ///< exited with 0, but did not leave what was to be copied
     std::string output;  ///< stdout and stderr as they came, cut at the limit; never trusted
     double cpuMs = 0.0;
     double wallMs = 0.0;
@@ -92,6 +105,18 @@ public:
     [[nodiscard]] static Sandbox at(Level level);
 
     [[nodiscard]] Level level() const { return level_; }
+
+    /// A new empty folder for files that commands are to read, until this process ends; the caller
+    /// may remove it earlier. Everything in it must be readable by everybody (folders 0755, files
+    /// 0644, programs 0755): where we are root, commands run as another user, who cannot reach
+    /// what lies under a folder such as /root (mode 0700). So every `ReadOnlyPath::host` should be
+    /// a system folder such as /usr or lie in such a folder. Strangers cannot list its parent and
+    /// do not know its name.
+    [[nodiscard]] static std::filesystem::path makeStagingFolder();
+
+    /// Where a command of this sandbox sees `path`: for its arguments. `Command::folder` and
+    /// `arguments[0]` are translated by `run`.
+    [[nodiscard]] std::filesystem::path pathFor(const ReadOnlyPath& path) const;
 
     /// Runs the command to its end or to its limits. Nothing of it is left afterwards.
     /// Never throws for what the command does.

@@ -77,8 +77,7 @@ ExitCode renderScene(const Options& options) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (options.verbose) std::cerr << "rendered in " << seconds.count() << " s\n";
     if (!progress.interrupted() || progress.done() == image.height()) return ExitCode::success;
-    std::cerr << "\ninterrupted: " << options.image.string() << " holds " << progress.done()
-              << " of " << image.height() << " rows\n";
+    std::cerr << "\ninterrupted: " << options.image.string() << " holds the rows that were done\n";
     return ExitCode::interrupted;
 }
 

@@ -14,7 +14,7 @@
 namespace raytracer {
 namespace {
 
-constexpr std::size_t kLargestFile = 1024 * 1024;
+constexpr std::size_t kLargestFile = 1024UL * 1024UL;
 constexpr int kMostElements = 10'000;
 constexpr int kDeepestLevel = 8;
 
@@ -26,13 +26,14 @@ std::string_view meaningOf(tinyxml2::XMLError error) {
             return "an element is not closed, or closed by another name; expected "
                    "<name .../> or <name> ... </name>";
         case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-            return "a broken attribute; expected name=\"value\"";
+            return "a broken attribute, or one that is given twice; expected name=\"value\"";
         case tinyxml2::XML_ERROR_PARSING_COMMENT:
             return "a comment is not closed; expected -->";
         case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
             return "elements are nested too deeply";
         default:
-            return "broken XML; expected <name attribute=\"value\"/>";
+            return "broken XML, or an element that is not closed; expected <name "
+                   "attribute=\"value\"/>";
     }
 }
 
@@ -48,7 +49,8 @@ public:
         XmlElement element{source.Name(), source.GetLineNum(), {}, {}};
         for (const tinyxml2::XMLAttribute* attribute = source.FirstAttribute();
              attribute != nullptr; attribute = attribute->Next())
-            addAttribute(element, *attribute);
+            element.attributes.push_back(
+                {attribute->Name(), attribute->Value(), attribute->GetLineNum()});
         for (const tinyxml2::XMLNode* node = source.FirstChild(); node != nullptr;
              node = node->NextSibling()) {
             if (const tinyxml2::XMLElement* child = node->ToElement(); child != nullptr)
@@ -71,14 +73,6 @@ public:
     }
 
 private:
-    void addAttribute(XmlElement& element, const tinyxml2::XMLAttribute& source) const {
-        const std::string_view name = source.Name();
-        if (std::ranges::find(element.attributes, name, &XmlAttribute::name) !=
-            element.attributes.end())
-            fail(source.GetLineNum(), inQuotes(name) + " is given twice in <" + element.name + ">");
-        element.attributes.push_back({std::string(name), source.Value(), source.GetLineNum()});
-    }
-
     std::string file_;
     int count_ = 0;
 };

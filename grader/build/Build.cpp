@@ -1,0 +1,165 @@
+#include <grader/build/Build.h>
+
+#include <grader/build/Diagnostics.h>
+#include <grader/sandbox/FileDescriptor.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <fstream>
+
+namespace ticker::build {
+namespace fs = std::filesystem;
+namespace {
+
+using sandbox::Outcome;
+using Kind = BuildResult::Kind;
+
+const char* objectNameOf(SourceFile file) {
+    return file == SourceFile::bumpySphere ? "BumpySphere.o" : "Renderer.o";
+}
+
+SourceFile otherThan(SourceFile file) {
+    return file == SourceFile::bumpySphere ? SourceFile::renderer : SourceFile::bumpySphere;
+}
+
+/// One file on its way to a program.
+class Job {
+public:
+    Job(const Kit& kit, const sandbox::Sandbox& sandbox, const sandbox::Limits& limits,
+        SourceFile file)
+        : kit_(kit),
+          sandbox_(sandbox),
+          limits_(limits),
+          file_(file),
+          kitPath_{kit.folder(), "/kit"},
+          sourcePath_{sources_.path(), "/source"} {}
+
+    void writeSource(std::string_view source) const {
+        const fs::path file = sources_.path() / nameOf(file_);
+        std::ofstream stream{file, std::ios::binary};
+        stream.write(source.data(), static_cast<std::streamsize>(source.size()));
+        if (!stream.flush()) throw raytracer::Error("cannot write " + file.string());
+        fs::permissions(file, fs::perms{0644});
+    }
+
+    [[nodiscard]] BuildResult compileAndLink(bool precompiled) const {
+        JobFolder folder;
+        const fs::path target = folder.path() / "probe";
+        // Closed before the program is run: a file that is open for writing cannot be.
+        sandbox::FileDescriptor product{
+            open(target.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0755)};
+        if (!product.isOpen() || fchmod(product.get(), 0755) != 0)
+            throw raytracer::Error("cannot write " + target.string());
+        const Outcome outcome = sandbox_.run(command(precompiled, product.get()));
+        product.reset();
+
+        BuildResult result;
+        result.cpuMs = outcome.cpuMs;
+        result.wallMs = outcome.wallMs;
+        result.kind = kindOf(outcome);
+        result.diagnostics = explained(result.kind, outcome);
+        if (result.kind == Kind::built) result.program.emplace(std::move(folder));
+        return result;
+    }
+
+private:
+    [[nodiscard]] std::string inKit(const char* name) const {
+        return (sandbox_.pathFor(kitPath_) / name).string();
+    }
+
+    [[nodiscard]] sandbox::Command command(bool precompiled, int product) const {
+        sandbox::Command command;
+        std::vector<std::string>& words = command.arguments;
+        words.push_back(kit_.compiler());
+        words.insert(words.end(), kit_.compileFlags().begin(), kit_.compileFlags().end());
+        words.push_back("-I" + inKit("include"));
+        if (precompiled)
+            words.insert(words.end(), {"-Winvalid-pch", "-include", inKit("pch/Framework.h")});
+        words.push_back((sandbox_.pathFor(sourcePath_) / nameOf(file_)).string());
+        words.push_back(inKit("template/") + objectNameOf(otherThan(file_)));
+        words.push_back(inKit("lib/probe.o"));
+        words.insert(words.end(), {"-Wl,--whole-archive", inKit("lib/libkit.a"),
+                                   "-Wl,--no-whole-archive", "-o", "probe"});
+        words.insert(words.end(), kit_.linkFlags().begin(), kit_.linkFlags().end());
+        command.folder = sandbox::kScratchFolder;
+        command.readOnly = {{"/usr", "/usr"}, kitPath_, sourcePath_};
+        command.wantsScratch = true;
+        command.products = {{"probe", product}};
+        command.policy = sandbox::Policy::compile;
+        command.limits = limits_;
+        return command;
+    }
+
+    static bool says(const Outcome& outcome, std::string_view words) {
+        return outcome.output.find(words) != std::string::npos;
+    }
+
+    // A compiler that was stopped is seen only in its driver's words. They stand beside the
+    // student's text, which could imitate them: only the name of the student's own failure
+    // depends on it.
+    static Kind kindOf(const Outcome& outcome) {
+        switch (outcome.end) {
+            case Outcome::End::failed:
+                return Kind::ourFault;
+            case Outcome::End::wallLimit:
+            case Outcome::End::outputLimit:
+                return Kind::limit;
+            case Outcome::End::signalled:
+                return outcome.code == SIGSYS ? Kind::forbidden : Kind::limit;
+            case Outcome::End::exited:
+                break;
+        }
+        if (outcome.code == 0) return outcome.productsMissing ? Kind::ourFault : Kind::built;
+        if (says(outcome, "Bad system call signal terminated program")) return Kind::forbidden;
+        for (const char* stopped :
+             {"signal terminated program", "out of memory", "virtual memory exhausted",
+              "cannot allocate memory", "File too large", "No space left on device"})
+            if (says(outcome, stopped)) return Kind::limit;
+        return says(outcome, "duplicate symbol:") || says(outcome, "multiple definition of")
+                   ? Kind::forbidden
+                   : Kind::failed;
+    }
+
+    [[nodiscard]] std::string explained(Kind kind, const Outcome& outcome) const {
+        if (kind == Kind::built) return {};
+        std::string text = readableDiagnostics(
+            outcome.output,
+            {sandbox_.pathFor(sourcePath_), sandbox_.pathFor(kitPath_), kit_.folder()},
+            nameOf(file_));
+        if (outcome.end == Outcome::End::wallLimit)
+            text += fmt::format("the compiler was stopped after {:.0f} s\n", limits_.wallSeconds);
+        if (outcome.end == Outcome::End::outputLimit)
+            text += "the compiler was stopped because it printed too much\n";
+        return text;
+    }
+
+    const Kit& kit_;
+    const sandbox::Sandbox& sandbox_;
+    const sandbox::Limits& limits_;
+    SourceFile file_;
+    JobFolder sources_;
+    sandbox::ReadOnlyPath kitPath_;
+    sandbox::ReadOnlyPath sourcePath_;
+};
+
+}  // namespace
+
+BuildResult buildProgram(const Kit& kit, const sandbox::Sandbox& sandbox,
+                         const sandbox::Limits& limits, SourceFile file, std::string_view source) {
+    const Job job{kit, sandbox, limits, file};
+    job.writeSource(source);
+    BuildResult first = job.compileAndLink(true);
+    if (first.kind != Kind::failed) return first;
+    BuildResult second = job.compileAndLink(false);
+    second.cpuMs += first.cpuMs;
+    second.wallMs += first.wallMs;
+    return second;
+}
+
+}  // namespace ticker::build

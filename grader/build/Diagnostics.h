@@ -1,0 +1,23 @@
+#ifndef TICKER_BUILD_DIAGNOSTICS_H
+#define TICKER_BUILD_DIAGNOSTICS_H
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ticker::build {
+
+/// Most bytes of diagnostics that are kept.
+inline constexpr std::size_t kMostDiagnostics = 16U << 10U;
+
+/// A compiler's output as a student may read it: without the folders in `hidden`, with the
+/// linker's temporary object called `fileName`, cut at a line, as valid UTF-8.
+[[nodiscard]] std::string readableDiagnostics(std::string_view output,
+                                              const std::vector<std::filesystem::path>& hidden,
+                                              std::string_view fileName);
+
+}  // namespace ticker::build
+
+#endif

@@ -1,0 +1,45 @@
+#ifndef TICKER_BUILD_KIT_H
+#define TICKER_BUILD_KIT_H
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ticker::build {
+
+/// The two files that a submission may bring; `BumpySphere.cpp` is option 1.
+enum class SourceFile { bumpySphere, renderer };
+
+/// "BumpySphere.cpp" or "Renderer.cpp".
+[[nodiscard]] std::string nameOf(SourceFile file);
+
+/// What every submission is compiled and linked with, prebuilt in one folder (grader/build/kit).
+class Kit {
+public:
+    /// The kit of the build tree that the running program belongs to: ../kit from its folder.
+    /// @throws raytracer::Error (notGradable) where it is not there or not whole.
+    [[nodiscard]] static Kit besideProgram();
+    /// @throws raytracer::Error (notGradable) where `folder` holds no kit.
+    [[nodiscard]] static Kit at(const std::filesystem::path& folder);
+
+    /// Where every user can read it; a copy, where the kit lies under a private folder.
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    [[nodiscard]] const std::string& compiler() const { return compiler_; }
+    [[nodiscard]] const std::vector<std::string>& compileFlags() const { return compileFlags_; }
+    [[nodiscard]] const std::vector<std::string>& linkFlags() const { return linkFlags_; }
+
+    /// The stub as it was handed out.
+    [[nodiscard]] std::string templateSource(SourceFile file) const;
+
+private:
+    Kit() = default;
+
+    std::filesystem::path folder_;
+    std::string compiler_;
+    std::vector<std::string> compileFlags_;
+    std::vector<std::string> linkFlags_;
+};
+
+}  // namespace ticker::build
+
+#endif

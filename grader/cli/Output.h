@@ -1,0 +1,29 @@
+#ifndef TICKER_CLI_OUTPUT_H
+#define TICKER_CLI_OUTPUT_H
+
+#include <grader/result/SubmissionResult.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ticker::cli {
+
+/// Writes OUT/<submission>/: images/, report.html and, last, result.json, which says that the rest
+/// is there.
+/// @throws raytracer::InputError where something cannot be written.
+void writeSubmission(const std::filesystem::path& out, const SubmissionResult& result);
+
+/// Writes OUT/summary.csv and OUT/index.html, in the order of the submissions' names.
+void writeClass(const std::filesystem::path& out, std::vector<SubmissionResult> results);
+
+/// All results below OUT, by name.
+/// @throws raytracer::InputError where OUT holds none, or one cannot be read.
+[[nodiscard]] std::vector<SubmissionResult> readResults(const std::filesystem::path& out);
+
+/// One line of a table for a person: verdict, task states, findings.
+[[nodiscard]] std::string tableLine(const SubmissionResult& result);
+
+}  // namespace ticker::cli
+
+#endif

@@ -1,0 +1,65 @@
+#include <grader/cli/Progress.h>
+#include <grader/result/Names.h>
+
+#include <fmt/core.h>
+#include <unistd.h>
+#include <cstdio>
+#include <cstdlib>
+
+namespace ticker::cli {
+namespace {
+
+constexpr std::size_t kBarWidth = 24;
+
+std::string clock(double seconds) {
+    const auto whole = static_cast<long>(seconds + 0.5);
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+}  // namespace
+
+bool mayDraw(bool quiet) {
+    return !quiet && std::getenv("NO_COLOR") == nullptr && ::isatty(STDERR_FILENO) == 1;
+}
+
+Progress::Progress(std::size_t total, bool draw)
+    : total_(total), draw_(draw), start_(std::chrono::steady_clock::now()) {
+    if (draw_) drawLine();
+}
+
+Progress::~Progress() {
+    if (draw_) std::fputs("\r\x1B[K", stderr);
+}
+
+void Progress::finished(Verdict verdict) {
+    const std::lock_guard lock{mutex_};
+    ++done_;
+    ++counts_[verdict];
+    if (draw_) drawLine();
+}
+
+void Progress::print(const std::string& line) {
+    const std::lock_guard lock{mutex_};
+    if (draw_) std::fputs("\r\x1B[K", stderr);
+    std::fputs((line + "\n").c_str(), stdout);
+    std::fflush(stdout);
+    if (draw_) drawLine();
+}
+
+void Progress::drawLine() const {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    const std::size_t filled = total_ == 0 ? kBarWidth : done_ * kBarWidth / total_;
+    std::string line = fmt::format("\r\x1B[K[{}{}] {}/{}", std::string(filled, '#'),
+                                   std::string(kBarWidth - filled, '.'), done_, total_);
+    if (done_ > 0) {
+        const double each = passed.count() / static_cast<double>(done_);
+        line += fmt::format("  {:.1f}/s  {} left", 1.0 / each,
+                            clock(each * static_cast<double>(total_ - done_)));
+    }
+    for (const auto& [verdict, count] : counts_)
+        line += fmt::format("  {} {}", count, toString(verdict));
+    std::fputs(line.c_str(), stderr);
+    std::fflush(stderr);
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,45 @@
+#ifndef TICKER_CLI_PROGRESS_H
+#define TICKER_CLI_PROGRESS_H
+
+#include <grader/result/SubmissionResult.h>
+
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace ticker::cli {
+
+/// True where stderr is a terminal, NO_COLOR is not set and nobody asked for quiet.
+[[nodiscard]] bool mayDraw(bool quiet);
+
+/// A line on stderr that says how far a class is: bar, rate, time left, running counts.
+/// May be shared by threads. Draws nothing where it may not.
+class Progress {
+public:
+    Progress(std::size_t total, bool draw);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// One more submission is finished.
+    void finished(Verdict verdict);
+
+    /// Prints one line on stdout, above the bar.
+    void print(const std::string& line);
+
+private:
+    void drawLine() const;
+
+    std::size_t total_;
+    bool draw_;
+    std::chrono::steady_clock::time_point start_;
+    mutable std::mutex mutex_;
+    std::size_t done_ = 0;
+    std::map<Verdict, std::size_t> counts_;
+};
+
+}  // namespace ticker::cli
+
+#endif

@@ -1,0 +1,32 @@
+#ifndef TICKER_CLI_VERB_H
+#define TICKER_CLI_VERB_H
+
+#include <raytracer/base/Error.h>
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace ticker::cli {
+
+/// What every verb understands.
+struct Voice {
+    bool quiet = false;    ///< nothing on stderr but errors
+    bool verbose = false;  ///< more on stderr
+};
+
+/// Runs a verb after its command line was read.
+using Run = std::function<raytracer::ExitCode()>;
+
+// Each adds one verb to the command line and gives back what runs it. `voice` outlives the program.
+Run addGrade(CLI::App& app, const Voice& voice);
+Run addCheck(CLI::App& app, const Voice& voice);
+Run addRender(CLI::App& app, const Voice& voice);
+Run addReport(CLI::App& app, const Voice& voice);
+Run addDoctor(CLI::App& app, const Voice& voice);
+
+}  // namespace ticker::cli
+
+#endif

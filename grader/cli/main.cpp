@@ -1,0 +1,55 @@
+#include <grader/cli/Verb.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using raytracer::ExitCode;
+using raytracer::toInt;
+
+int report(const std::string& message, ExitCode code) {
+    std::fprintf(stderr, "ticker: %s\n", message.c_str());
+    return toInt(code);
+}
+
+/// Says what CLI11 found wrong, in one line, or prints the help that was asked for.
+int answer(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return report(std::string{error.what()} + " (ticker --help tells all)", ExitCode::badInput);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace ticker::cli;
+    CLI::App app{"Grades a ray-tracing exercise: bump mapping, soft shadows, depth of field.",
+                 "ticker"};
+    app.set_version_flag("--version", TICKER_VERSION);
+    app.require_subcommand(1);
+    app.fallthrough();
+    Voice voice;
+    app.add_flag("--quiet", voice.quiet, "Say nothing but errors");
+    app.add_flag("--verbose", voice.verbose, "Say more");
+
+    const std::vector<Run> verbs{addGrade(app, voice), addCheck(app, voice), addRender(app, voice),
+                                 addReport(app, voice), addDoctor(app, voice)};
+    try {
+        app.parse(argc, argv);
+        const std::vector<CLI::App*> known = app.get_subcommands(nullptr);
+        for (std::size_t i = 0; i < known.size(); ++i)
+            if (known[i]->parsed()) return toInt(verbs.at(i)());
+    } catch (const CLI::ParseError& error) {
+        return answer(app, error);
+    } catch (const raytracer::Error& error) {
+        return report(error.what(), error.exitCode());
+    } catch (const std::exception& error) {
+        return report(std::string{"unexpected: "} + error.what(), ExitCode::notGradable);
+    }
+    return toInt(ExitCode::badInput);
+}

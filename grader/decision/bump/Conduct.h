@@ -1,0 +1,69 @@
+#ifndef TICKER_DECISION_BUMP_CONDUCT_H
+#define TICKER_DECISION_BUMP_CONDUCT_H
+
+#include <grader/decision/bump/Draws.h>
+#include <grader/decision/bump/Tilt.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace ticker::decision::bump {
+
+/// What a fault at a point means.
+enum class Place {
+    ordinary,         ///< any picture may show it
+    rough,            ///< likewise, on a map of random texels: tilts may be extreme
+    visibleMeridian,  ///< x or y is exactly that of the eye: a picture of odd size shows it
+    hiddenMeridian,   ///< x, y or z is exactly the centre's, on a side that no usual picture shows
+    nearestPoint,     ///< nearest to the eye: a pole for some, yet a picture of odd size shows it
+    pole,             ///< at, or within rounding of, a place where polar coordinates end
+    tinyMap           ///< an ordinary point of a map of 4 x 4 texels
+};
+
+/// Questions at special points, and where every other question's points lie.
+struct ConductPlan {
+    std::size_t visibleMeridian = 0;
+    std::size_t hiddenMeridian = 0;
+    std::size_t nearestPoint = 0;
+    std::size_t lastRows = 0;
+    std::size_t poles = 0;
+    std::size_t smallMap = 0;
+    std::size_t tinyMap = 0;
+
+    [[nodiscard]] Place placeOf(std::size_t question) const;
+};
+
+[[nodiscard]] ConductPlan planConduct(Questionnaire& questionnaire, Draws& draws);
+
+/// Something that went wrong at some points: how many of how many, and where for the first time.
+struct Offence {
+    double count = 0.0;
+    double asked = 0.0;
+    std::string message;  ///< of the first exception; what the student's code said
+    Vector3 direction;    ///< of the first point, from the centre
+    int width = 0;        ///< of the first point's map
+    int height = 0;
+    double value = 0.0;  ///< the largest error, where there is one
+
+    [[nodiscard]] explicit operator bool() const { return count > 0.0; }
+};
+
+/// How the code behaved, whatever its normals mean.
+struct Conduct {
+    Offence threw;        ///< at points that a picture may show
+    Offence threwHidden;  ///< at poles, hidden meridians, or on the tiny map
+    Offence notFinite;    ///< at points that a picture may show
+    Offence notFiniteHidden;
+    Offence notUnit;
+    Offence notUnitHidden;
+    Offence inward;            ///< the normal points into the sphere
+    Offence missing;           ///< never answered, though the process ended well
+    double largestTilt = 0.0;  ///< over all ordinary points and maps
+};
+
+[[nodiscard]] Conduct readConduct(const ConductPlan& plan, const Answers& answers);
+
+}  // namespace ticker::decision::bump
+
+#endif

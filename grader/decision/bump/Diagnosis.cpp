@@ -1,0 +1,116 @@
+#include <grader/decision/bump/Diagnosis.h>
+
+#include <algorithm>
+
+namespace ticker::decision::bump {
+namespace {
+
+// A tilt of a thousandth changes no pixel by as much as a grey step, not even at a step from black
+// to white.
+constexpr double kVisibleTilt = 1e-3;
+// Downwards within 45 degrees of straight down.
+constexpr double kDownwards = -0.7;
+
+std::optional<Fault> faultOf(RampKind kind) {
+    switch (kind) {
+        case RampKind::longitudeDependent:
+            return Fault::longitudeDependent;
+        case RampKind::swapped:
+            return Fault::swapped;
+        case RampKind::inverted:
+            return Fault::inverted;
+        case RampKind::invertedU:
+            return Fault::invertedU;
+        case RampKind::invertedV:
+            return Fault::invertedV;
+        default:
+            return std::nullopt;
+    }
+}
+
+bool isFlat(const Examination& examination) {
+    const Conduct& conduct = examination.conduct;
+    return !conduct.inward && !conduct.threw && !conduct.notFinite &&
+           !(conduct.largestTilt > kVisibleTilt);
+}
+
+/// Where a flat map tilts the normal, what ramps add to that says nothing.
+bool tiltsWithoutSlope(const Examination& examination) {
+    // Normals of chords over a hundredth of the map lean by 0.03.
+    constexpr double kFlatTilt = 0.1;
+    return examination.flatTilt > kFlatTilt;
+}
+
+std::optional<WrongReason> reasonOf(RampKind kind) {
+    switch (kind) {
+        case RampKind::silent:
+            return WrongReason::smallSlopesLost;
+        case RampKind::slopeUIgnored:
+            return WrongReason::slopeUIgnored;
+        case RampKind::slopeVIgnored:
+            return WrongReason::slopeVIgnored;
+        case RampKind::signLost:
+            return WrongReason::signLost;
+        case RampKind::strangeLanding:
+            return WrongReason::strangeLanding;
+        case RampKind::patchy:
+            return WrongReason::patchy;
+        case RampKind::strangeDirection:
+            return WrongReason::strangeDirection;
+        default:
+            return std::nullopt;
+    }
+}
+
+/// A look-up with columns and rows exchanged leaves maps that are not square: the square ones tell.
+bool isTransposed(const Examination& examination, const std::optional<Hints>& hints) {
+    const bool unclear = !examination.ramps.response;
+    return unclear && (examination.ramps.transposed || (hints && hints->square.transposed));
+}
+
+}  // namespace
+
+std::optional<WrongReason> findWrong(const Examination& examination) {
+    const Offence& inward = examination.conduct.inward;
+    // Wrong tangents tip a normal over here and there; then they are what is wrong.
+    if (inward.count > 0.5 * inward.asked) return WrongReason::inward;
+    if (tiltsWithoutSlope(examination)) return WrongReason::flatTilted;
+    if (examination.ramps.kind == RampKind::strangeLanding && !examination.growsWithSlope)
+        return WrongReason::doesNotGrow;
+    if (const auto reason = reasonOf(examination.ramps.kind)) return reason;
+    // What follows asks whether a submission that is right on ramps is right elsewhere, too.
+    if (examination.ramps.kind != RampKind::right) return std::nullopt;
+    // Tangents of the texel's corner tip a very strong tilt over at the seam's step.
+    constexpr double kSomeInward = 0.01;
+    if (inward.count > kSomeInward * inward.asked) return WrongReason::inward;
+    if (!examination.growsWithSlope) return WrongReason::doesNotGrow;
+    if (!examination.steepAgrees) return WrongReason::steepDiffers;
+    if (!examination.slopes || !examination.slopes->good()) return WrongReason::slopesDiffer;
+    if (!examination.letters || !examination.letters->good()) return WrongReason::lettersDiffer;
+    return std::nullopt;
+}
+
+std::vector<Fault> diagnose(const Examination& examination, const std::optional<Hints>& hints) {
+    if (isTransposed(examination, hints)) return {Fault::swapped};
+    std::vector<Fault> faults;
+    const Conduct& conduct = examination.conduct;
+    if (conduct.threw) faults.push_back(Fault::threw);
+    if (conduct.notFinite) faults.push_back(Fault::notFinite);
+    if (conduct.notUnit) faults.push_back(Fault::notUnit);
+    if (isFlat(examination)) {
+        faults.push_back(Fault::flat);
+        return faults;
+    }
+    const bool telling = !tiltsWithoutSlope(examination);
+    if (const auto fault = faultOf(examination.ramps.kind); fault && telling)
+        faults.push_back(*fault);
+    const bool placed = telling && examination.ramps.response.has_value();
+    if (placed && examination.ramps.fit->landing.axis().y < kDownwards)
+        faults.push_back(Fault::upsideDown);
+    // Answers that are missing or not finite explain anything odd.
+    const bool incomplete = conduct.threw || conduct.notFinite;
+    if (!incomplete && findWrong(examination)) faults.push_back(Fault::wrong);
+    return faults;
+}
+
+}  // namespace ticker::decision::bump

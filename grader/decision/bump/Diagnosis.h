@@ -1,0 +1,51 @@
+#ifndef TICKER_DECISION_BUMP_DIAGNOSIS_H
+#define TICKER_DECISION_BUMP_DIAGNOSIS_H
+
+#include <grader/decision/bump/Examination.h>
+
+#include <optional>
+#include <vector>
+
+namespace ticker::decision::bump {
+
+/// What is wrong with a submission, in the order in which it is reported: the first that applies.
+enum class Fault {
+    threw,
+    notFinite,
+    notUnit,
+    flat,
+    longitudeDependent,
+    swapped,
+    inverted,
+    invertedU,
+    invertedV,
+    upsideDown,
+    wrong
+};
+
+/// Every fault that applies, most important first; empty for a right submission.
+[[nodiscard]] std::vector<Fault> diagnose(const Examination& examination,
+                                          const std::optional<Hints>& hints);
+
+/// Why a submission is wrong that fits no name: the first that applies.
+enum class WrongReason {
+    inward,
+    flatTilted,
+    slopeUIgnored,
+    slopeVIgnored,
+    signLost,
+    strangeLanding,
+    smallSlopesLost,  ///< ramps tilt nothing, steps do
+    patchy,
+    strangeDirection,
+    doesNotGrow,
+    steepDiffers,
+    slopesDiffer,
+    lettersDiffer
+};
+
+[[nodiscard]] std::optional<WrongReason> findWrong(const Examination& examination);
+
+}  // namespace ticker::decision::bump
+
+#endif

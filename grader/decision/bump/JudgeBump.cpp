@@ -1,0 +1,102 @@
+#include <grader/decision/bump/JudgeBump.h>
+
+#include <grader/decision/bump/Diagnosis.h>
+#include <grader/decision/bump/Examination.h>
+#include <grader/decision/bump/Words.h>
+
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace ticker::decision {
+namespace {
+
+using namespace bump;
+using probe::ProcessEnd;
+
+struct EndWords {
+    const char* id;
+    const char* message;
+};
+
+EndWords wordsFor(ProcessEnd::Kind kind) {
+    switch (kind) {
+        case ProcessEnd::Kind::crashed:
+            return {"run.crashed", "The program crashed while it answered questions for normals."};
+        case ProcessEnd::Kind::exitedEarly:
+            return {"run.exited-early", "The program ended itself before the last question."};
+        case ProcessEnd::Kind::timedOut:
+            return {"run.timed-out", "getNormalAt took too long: the time was up."};
+        case ProcessEnd::Kind::memory:
+            return {"run.memory", "The program asked for more memory than it may have."};
+        case ProcessEnd::Kind::outputLimit:
+            return {"run.output-limit", "The program printed too much."};
+        case ProcessEnd::Kind::forbiddenCall:
+            return {"run.forbidden-call",
+                    "The program asked the system for something that a renderer does not need."};
+        case ProcessEnd::Kind::finished:
+        case ProcessEnd::Kind::ourFault:
+            break;
+    }
+    return {"run.no-answer", "The program ended without answering every question."};
+}
+
+TaskJudgement blocked(EndWords words, const std::string& detail) {
+    Finding finding;
+    finding.id = words.id;
+    finding.message = words.message;
+    if (!detail.empty()) finding.evidence.emplace_back("detail", detail);
+    return {TaskState::blocked, words.message, {std::move(finding)}, false};
+}
+
+/// The judgement where the process did not come to an honest end; empty where it did.
+std::optional<TaskJudgement> judgeEnd(const Answers& answers, const Conduct& conduct) {
+    const ProcessEnd& end = answers.end();
+    if (end.kind == ProcessEnd::Kind::ourFault)
+        return TaskJudgement{TaskState::notGraded, end.detail, {}, false};
+    if (end.kind != ProcessEnd::Kind::finished || conduct.missing)
+        return blocked(wordsFor(end.kind), end.detail);
+    return std::nullopt;
+}
+
+/// Asks again where that helps to explain a fault. A process that ends badly explains nothing.
+std::optional<Hints> askForHints(probe::Examinee& examinee, std::uint64_t seed) {
+    const HintPlan plan = planHints(seed);
+    const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));
+    if (answers.end().kind != ProcessEnd::Kind::finished) return std::nullopt;
+    return readHints(plan, answers);
+}
+
+TaskJudgement failed(const std::vector<Fault>& faults, const Examination& examination,
+                     const std::optional<Hints>& hints, const MainPlan& plan,
+                     const Answers& answers) {
+    Finding finding = describe(faults, examination, hints);
+    if (examination.ramps.response)
+        finding.rasters = drawRelief(plan.letters, answers, examination.ramps.fit->landing,
+                                     *examination.ramps.response);
+    TaskJudgement judgement;
+    judgement.state = faults.front() == Fault::threw ? TaskState::blocked : TaskState::failed;
+    judgement.reason = finding.message;
+    judgement.findings.push_back(std::move(finding));
+    return judgement;
+}
+
+}  // namespace
+
+TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed) {
+    const MainPlan plan = planMain(seed);
+    const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));
+    const Examination examination = examine(plan, answers);
+    if (auto ended = judgeEnd(answers, examination.conduct)) return *std::move(ended);
+
+    TaskJudgement judgement{TaskState::passed, {}, {}, false};
+    if (!diagnose(examination, std::nullopt).empty()) {
+        const std::optional<Hints> hints = askForHints(examinee, seed);
+        judgement = failed(diagnose(examination, hints), examination, hints, plan, answers);
+    }
+    std::vector<Finding> notes = sideNotes(examination);
+    std::move(notes.begin(), notes.end(), std::back_inserter(judgement.findings));
+    return judgement;
+}
+
+}  // namespace ticker::decision

@@ -1,0 +1,42 @@
+#ifndef TICKER_DECISION_BUMP_RAMPJUDGEMENT_H
+#define TICKER_DECISION_BUMP_RAMPJUDGEMENT_H
+
+#include <grader/decision/bump/Landing.h>
+#include <grader/decision/bump/Ramps.h>
+#include <grader/decision/bump/Response.h>
+
+#include <optional>
+#include <vector>
+
+namespace ticker::decision::bump {
+
+/// What one set of ramps says about a submission.
+enum class RampKind {
+    right,
+    silent,  ///< no ramp tilts anything
+    longitudeDependent,
+    swapped,
+    inverted,
+    invertedU,
+    invertedV,
+    slopeUIgnored,    ///< a slope along u alone tilts nothing
+    slopeVIgnored,    ///< a slope along v alone tilts nothing
+    signLost,         ///< falling slopes tilt like rising ones
+    strangeLanding,   ///< texels lie where no polar coordinates put them
+    patchy,           ///< right, but at many points nothing tilts
+    strangeDirection  ///< tilts fit nothing known
+};
+
+struct RampJudgement {
+    RampKind kind = RampKind::silent;
+    RampStrength strength;
+    std::optional<LandingFit> fit;     ///< where enough points told their place
+    std::optional<Response> response;  ///< where the fit is good
+    bool transposed = false;           ///< columns follow the polar angle, rows the longitude
+};
+
+[[nodiscard]] RampJudgement judgeRamps(const std::vector<RampTilts>& tilts);
+
+}  // namespace ticker::decision::bump
+
+#endif

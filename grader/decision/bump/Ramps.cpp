@@ -1,0 +1,91 @@
+#include <grader/decision/bump/Ramps.h>
+
+#include <grader/decision/bump/Numbers.h>
+
+#include <limits>
+#include <utility>
+
+namespace ticker::decision::bump {
+namespace {
+
+using probe::HeightMapDescription;
+
+/// `rise` times x, or x (1 - x), with x from 0 to 1 over `count` texels.
+std::vector<double> profile(int count, double rise, bool bow) {
+    std::vector<double> heights;
+    heights.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        const double x = i / static_cast<double>(count - 1);
+        heights.push_back(bow ? rise * x * (1.0 - x) : rise * x);
+    }
+    return heights;
+}
+
+std::vector<double> level(int count) {
+    return std::vector<double>(static_cast<std::size_t>(count), 0.0);
+}
+
+HeightMapDescription alongU(const RampShape& shape, bool bow) {
+    return {
+        shape.along, shape.across, {}, profile(shape.along, shape.rise, bow), level(shape.across)};
+}
+
+HeightMapDescription alongV(const RampShape& shape, bool bow) {
+    return {
+        shape.across, shape.along, {}, level(shape.across), profile(shape.along, shape.rise, bow)};
+}
+
+/// Position along a map from the tilts on its ramp and its bow.
+double positionFrom(const Vector3& ramp, const Vector3& bow) {
+    const double length = ramp.dot(ramp);
+    if (!(length > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+    return 0.5 * (1.0 - bow.dot(ramp) / length);
+}
+
+}  // namespace
+
+RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball, const RampShape& shape,
+                   std::vector<Vector3> directions) {
+    RampPlan plan;
+    plan.shape = shape;
+    plan.directions = std::move(directions);
+    plan.flat = questionnaire.add(ball, flatMap(shape.across, shape.across), plan.directions);
+    plan.uRamp = questionnaire.add(ball, alongU(shape, false), plan.directions);
+    plan.uBow = questionnaire.add(ball, alongU(shape, true), plan.directions);
+    plan.vRamp = questionnaire.add(ball, alongV(shape, false), plan.directions);
+    plan.vBow = questionnaire.add(ball, alongV(shape, true), plan.directions);
+    return plan;
+}
+
+std::vector<RampTilts> readRamps(const RampPlan& plan, const Answers& answers) {
+    const std::vector<Vector3> uRamp = answers.tiltsBeyond(plan.flat, plan.uRamp);
+    const std::vector<Vector3> uBow = answers.tiltsBeyond(plan.flat, plan.uBow);
+    const std::vector<Vector3> vRamp = answers.tiltsBeyond(plan.flat, plan.vRamp);
+    const std::vector<Vector3> vBow = answers.tiltsBeyond(plan.flat, plan.vBow);
+    std::vector<RampTilts> tilts;
+    tilts.reserve(uRamp.size());
+    for (std::size_t i = 0; i < uRamp.size(); ++i)
+        tilts.push_back({plan.directions[i], uRamp[i], uBow[i], vRamp[i], vBow[i]});
+    return tilts;
+}
+
+std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts) {
+    std::vector<Sighting> seen;
+    seen.reserve(tilts.size());
+    for (const RampTilts& tilt : tilts)
+        seen.push_back({tilt.direction, positionFrom(tilt.onURamp, tilt.onUBow),
+                        positionFrom(tilt.onVRamp, tilt.onVBow)});
+    return seen;
+}
+
+RampStrength strength(const std::vector<RampTilts>& tilts) {
+    std::vector<double> alongU;
+    std::vector<double> alongV;
+    for (const RampTilts& tilt : tilts) {
+        alongU.push_back(tilt.onURamp.magnitude());
+        alongV.push_back(tilt.onVRamp.magnitude());
+    }
+    return {median(alongU), median(alongV)};
+}
+
+}  // namespace ticker::decision::bump

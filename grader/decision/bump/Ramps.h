@@ -1,0 +1,58 @@
+#ifndef TICKER_DECISION_BUMP_RAMPS_H
+#define TICKER_DECISION_BUMP_RAMPS_H
+
+#include <grader/decision/bump/Landing.h>
+#include <grader/decision/bump/Tilt.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace ticker::decision::bump {
+
+/// Size and steepness of a set of ramps.
+struct RampShape {
+    int along = 1536;   ///< texels in the direction of the slope
+    int across = 96;    ///< texels at a right angle to it
+    double rise = 5.0;  ///< height from end to end
+};
+
+/// Five questions at the same points of the same sphere: a flat map, a ramp and a bow (a parabola
+/// of the same slope at its start, falling again from the middle) along u, and both along v.
+struct RampPlan {
+    RampShape shape;
+    std::vector<Vector3> directions;
+    std::size_t flat = 0;
+    std::size_t uRamp = 0;
+    std::size_t uBow = 0;
+    std::size_t vRamp = 0;
+    std::size_t vBow = 0;
+};
+
+[[nodiscard]] RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball,
+                                 const RampShape& shape, std::vector<Vector3> directions);
+
+/// Tilts at one point, less the tilt on the flat map; not finite where an answer is missing.
+struct RampTilts {
+    Vector3 direction;
+    Vector3 onURamp;
+    Vector3 onUBow;
+    Vector3 onVRamp;
+    Vector3 onVBow;
+};
+
+[[nodiscard]] std::vector<RampTilts> readRamps(const RampPlan& plan, const Answers& answers);
+
+/// Where on the map each point lies: a bow's slope is that of the ramp times 1 - 2 x, so the ratio
+/// of the two tilts tells x whatever their sign, their direction and their strength.
+[[nodiscard]] std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts);
+
+/// The middle tilt of each ramp.
+struct RampStrength {
+    double alongU = 0.0;
+    double alongV = 0.0;
+};
+[[nodiscard]] RampStrength strength(const std::vector<RampTilts>& tilts);
+
+}  // namespace ticker::decision::bump
+
+#endif

@@ -1,0 +1,215 @@
+#include <grader/decision/bump/Slopes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace ticker::decision::bump {
+namespace {
+
+using probe::HeightMapDescription;
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kByte = 5.0 / 255.0;
+constexpr int kBytesPerTexel = 4;
+constexpr int kTooth = 64;  // texels: 63 steps of 4 bytes
+
+std::vector<double> sawtooth(int count) {
+    std::vector<double> heights;
+    for (int i = 0; i < count; ++i)
+        heights.push_back(kByte * kBytesPerTexel * (i % kTooth));
+    return heights;
+}
+
+std::vector<double> ramp(int count, double rise) {
+    std::vector<double> heights;
+    for (int i = 0; i < count; ++i)
+        heights.push_back(rise * i / (count - 1));
+    return heights;
+}
+
+std::vector<double> level(int count) {
+    return std::vector<double>(static_cast<std::size_t>(count), 0.0);
+}
+
+/// cos and sin of a phase that grows evenly over `count` texels.
+struct Phases {
+    std::vector<double> cosines;
+    std::vector<double> sines;
+
+    Phases(int count, double times, double start) {
+        for (int i = 0; i < count; ++i) {
+            const double phase = kTurn * times * (i + 0.5) / count + start;
+            cosines.push_back(std::cos(phase));
+            sines.push_back(std::sin(phase));
+        }
+    }
+};
+
+/// Adds cos(column phase + row phase) to every texel.
+void addWave(std::vector<double>& values, const Phases& columns, const Phases& rows) {
+    std::size_t at = 0;
+    for (std::size_t row = 0; row < rows.cosines.size(); ++row)
+        for (std::size_t column = 0; column < columns.cosines.size(); ++column)
+            values[at++] += rows.cosines[row] * columns.cosines[column] -
+                            rows.sines[row] * columns.sines[column];
+}
+
+/// Bytes from 32 to 224. Waves close round the sphere; the shortest are 45 texels long.
+HeightMapDescription randomField(Draws& draws) {
+    constexpr int kWidth = 420;
+    constexpr int kHeight = 230;
+    constexpr int kWaves = 6;
+    std::vector<double> values(static_cast<std::size_t>(kWidth) * kHeight, 0.0);
+    for (int wave = 0; wave < kWaves; ++wave) {
+        // The first two see to it that there is some slope along each axis.
+        const double round = wave == 0 ? 7.0 : draws.integer(-8, 8);
+        const double down = wave == 1 ? 4.0 : draws.uniform(-4.5, 4.5);
+        addWave(values, Phases(kWidth, round, draws.uniform(0.0, kTurn)),
+                Phases(kHeight, down, 0.0));
+    }
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const double low = *least;
+    const double scale = 192.0 / (*most - low);
+    HeightMapDescription map{kWidth, kHeight, {}, {}, {}};
+    map.bytes.reserve(values.size());
+    for (const double value : values)
+        map.bytes.push_back(static_cast<std::uint8_t>(32.5 + (value - low) * scale));
+    return map;
+}
+
+double byteAt(const HeightMapDescription& map, int column, int row) {
+    const int c = (column + map.width) % map.width;
+    const int r = std::clamp(row, 0, map.height - 1);
+    return map.bytes[static_cast<std::size_t>(r * map.width + c)];
+}
+
+int texel(double coordinate, int count) {
+    return std::clamp(static_cast<int>(coordinate * count), 0, count - 1);
+}
+
+/// How well what was seen has the sign of what was expected: 1 always, -1 never. Big pairs count
+/// for more; how much was seen does not matter, since that is the code's choice.
+class SignAgreement {
+public:
+    void add(double expected, double seen) {
+        if (!std::isfinite(seen)) return;
+        sum_ += expected * seen;
+        size_ += std::abs(expected * seen);
+    }
+    [[nodiscard]] double value() const { return size_ > 0.0 ? sum_ / size_ : 0.0; }
+
+private:
+    double sum_ = 0.0;
+    double size_ = 0.0;
+};
+
+/// Far enough from poles and seam for any difference and any interpolation.
+bool isOrdinary(const Landing& landing, const Vector3& direction) {
+    constexpr double kPoleMargin = 0.06;
+    constexpr double kSeamMargin = 0.02;
+    const double v = landing.v(direction);
+    return std::min(v, 1.0 - v) >= kPoleMargin &&
+           turnDistance(landing.u(direction), 0.0) >= kSeamMargin;
+}
+
+/// The share for which `leans(tilt, direction)` holds, of the ordinary points that are tilted at
+/// all.
+template <typename Leans>
+double share(const std::vector<Vector3>& directions, const std::vector<Vector3>& tilts,
+             const Landing& landing, Leans leans) {
+    constexpr double kNothing = 1e-9;
+    double right = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        if (!isOrdinary(landing, directions[i])) continue;
+        if (!(tilts[i].magnitude() > kNothing)) continue;
+        count += 1.0;
+        if (leans(tilts[i], directions[i])) right += 1.0;
+    }
+    return right / std::max(1.0, count);
+}
+
+void readField(const SlopePlan& plan, const Answers& answers, const Landing& landing,
+               const Response& response, SlopeAgreement& agreement) {
+    const HeightMapDescription& map = answers.asked().question(plan.field).map;
+    const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.fieldFlat, plan.field);
+    SignAgreement alongU;
+    SignAgreement alongV;
+    for (std::size_t i = 0; i < tilts.size(); ++i) {
+        const Vector3& n = plan.fieldDirections[i];
+        if (!isOrdinary(landing, n)) continue;
+        const double u = landing.u(n);
+        const double v = landing.v(n);
+        alongU.add(slopeAlongU(map, u, v) * strengthAt(response.u, v),
+                   -tilts[i].dot(landing.alongU(n)));
+        alongV.add(slopeAlongV(map, u, v) * strengthAt(response.v, v),
+                   -tilts[i].dot(landing.alongV(n)));
+    }
+    agreement.fieldU = alongU.value();
+    agreement.fieldV = alongV.value();
+}
+
+}  // namespace
+
+SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
+    constexpr int kPoints = 250;
+    constexpr int kFieldPoints = 800;
+    constexpr int kAlong = 1024;
+    constexpr int kAcross = 80;
+    constexpr double kRise = 3.0;
+    SlopePlan plan;
+    plan.directions = draws.directions(kPoints);
+    plan.fieldDirections = draws.directions(kFieldPoints);
+    plan.flat = questionnaire.add(ball, flatMap(kAcross, kAcross), plan.directions);
+    plan.fieldFlat = questionnaire.add(ball, flatMap(kAcross, kAcross), plan.fieldDirections);
+    plan.sawtoothU = questionnaire.add(
+        ball, {kAlong, kAcross, {}, sawtooth(kAlong), level(kAcross)}, plan.directions);
+    plan.sawtoothV = questionnaire.add(
+        ball, {kAcross, kAlong, {}, level(kAcross), sawtooth(kAlong)}, plan.directions);
+    constexpr int kSide = 300;
+    plan.oblique = questionnaire.add(
+        ball, {kSide, kSide, {}, ramp(kSide, 0.3 * kRise), ramp(kSide, 0.2 * kRise)},
+        plan.directions);
+    plan.field = questionnaire.add(ball, randomField(draws), plan.fieldDirections);
+    return plan;
+}
+
+SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers, const Landing& landing,
+                          const Response& response) {
+    const auto leansU = [&](const Vector3& tilt, const Vector3& n) {
+        return -tilt.dot(landing.alongU(n)) > 0.5 * tilt.magnitude();
+    };
+    const auto leansV = [&](const Vector3& tilt, const Vector3& n) {
+        return -tilt.dot(landing.alongV(n)) > 0.5 * tilt.magnitude();
+    };
+    // Along neither axis into the slope, but for what the tangents may be off.
+    const auto leansBoth = [&](const Vector3& tilt, const Vector3& n) {
+        const double most = 0.1 * tilt.magnitude();
+        return tilt.dot(landing.alongU(n)) < most && tilt.dot(landing.alongV(n)) < most;
+    };
+    const auto measure = [&](std::size_t question, const auto& leans) {
+        return share(plan.directions, answers.tiltsBeyond(plan.flat, question), landing, leans);
+    };
+    SlopeAgreement agreement;
+    agreement.sawtoothU = measure(plan.sawtoothU, leansU);
+    agreement.sawtoothV = measure(plan.sawtoothV, leansV);
+    agreement.oblique = measure(plan.oblique, leansBoth);
+    readField(plan, answers, landing, response, agreement);
+    return agreement;
+}
+
+double slopeAlongU(const HeightMapDescription& map, double u, double v) {
+    const int column = texel(u, map.width);
+    const int row = texel(v, map.height);
+    return 0.5 * kByte * (byteAt(map, column + 1, row) - byteAt(map, column - 1, row));
+}
+
+double slopeAlongV(const HeightMapDescription& map, double u, double v) {
+    const int column = texel(u, map.width);
+    const int row = texel(v, map.height);
+    return 0.5 * kByte * (byteAt(map, column, row + 1) - byteAt(map, column, row - 1));
+}
+
+}  // namespace ticker::decision::bump

@@ -1,0 +1,74 @@
+#ifndef TICKER_DECISION_BUMP_TILT_H
+#define TICKER_DECISION_BUMP_TILT_H
+
+#include <grader/probe/Examinee.h>
+
+#include <raytracer/math/Vector3.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace ticker::decision::bump {
+
+using raytracer::Vector3;
+
+/// The sphere of a question.
+struct Ball {
+    Vector3 centre;
+    double radius = 1.0;
+
+    [[nodiscard]] Vector3 at(const Vector3& direction) const { return centre + direction * radius; }
+};
+
+[[nodiscard]] inline bool isFinite(const Vector3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// What was added to the smooth normal before normalising, but for its part along it:
+/// n' / (n'.n) - n. It inverts the normalisation exactly, so that it grows in proportion to the
+/// slope however steep the bumps are. Not finite where n' is not, or lies in the tangent plane.
+[[nodiscard]] inline Vector3 tiltOf(const Vector3& normal, const Vector3& smoothNormal) {
+    return normal / normal.dot(smoothNormal) - smoothNormal;
+}
+
+/// A map without slope, of half the greatest height.
+[[nodiscard]] probe::HeightMapDescription flatMap(int width, int height);
+
+/// Collects the questions of one sitting; a question's number finds its answer later.
+class Questionnaire {
+public:
+    /// Asks for the normals of `ball` at the points that lie in `directions`.
+    std::size_t add(const Ball& ball, probe::HeightMapDescription map,
+                    const std::vector<Vector3>& directions);
+
+    [[nodiscard]] const std::vector<probe::Question>& questions() const { return questions_; }
+    [[nodiscard]] const probe::NormalQuestion& question(std::size_t number) const;
+
+private:
+    std::vector<probe::Question> questions_;
+};
+
+/// What came back, put beside what was asked.
+class Answers {
+public:
+    Answers(const Questionnaire& asked, probe::Sitting sitting);
+
+    [[nodiscard]] const probe::ProcessEnd& end() const { return sitting_.end; }
+    [[nodiscard]] const Questionnaire& asked() const { return *asked_; }
+    /// The answer to a question; its normals are as many as were asked for, and not finite where
+    /// none came.
+    [[nodiscard]] const probe::NormalAnswer& answer(std::size_t number) const;
+    [[nodiscard]] std::vector<Vector3> tilts(std::size_t number) const;
+    /// Likewise, less the tilts of a flat map at the same points: differences over coarse steps
+    /// lean even there.
+    [[nodiscard]] std::vector<Vector3> tiltsBeyond(std::size_t flat, std::size_t number) const;
+
+private:
+    const Questionnaire* asked_;
+    probe::Sitting sitting_;
+};
+
+}  // namespace ticker::decision::bump
+
+#endif

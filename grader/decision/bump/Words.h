@@ -1,0 +1,31 @@
+#ifndef TICKER_DECISION_BUMP_WORDS_H
+#define TICKER_DECISION_BUMP_WORDS_H
+
+#include <grader/decision/bump/Diagnosis.h>
+#include <grader/decision/bump/Examination.h>
+#include <grader/result/Finding.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ticker::decision::bump {
+
+/// The finding's id: "bump.inverted-u".
+[[nodiscard]] std::string idOf(Fault fault);
+
+/// The finding that a student reads: message, hint, section and evidence.
+/// @param faults  Everything that `diagnose` found; the first is described, the others stand in
+///                the evidence.
+[[nodiscard]] Finding describe(const std::vector<Fault>& faults, const Examination& examination,
+                               const std::optional<Hints>& hints);
+
+/// What does no harm but should be known: mirrored text, trouble at poles.
+[[nodiscard]] std::vector<Finding> sideNotes(const Examination& examination);
+
+/// Where a point lies on the sphere, as a person would say it.
+[[nodiscard]] std::string placeInWords(const raytracer::Vector3& direction);
+
+}  // namespace ticker::decision::bump
+
+#endif

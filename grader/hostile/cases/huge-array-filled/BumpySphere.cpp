@@ -1,0 +1,18 @@
+// Option 1, task T1: bump mapping.
+#include <raytracer/geometry/BumpySphere.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+char room[8ULL << 30U] = {1};
+
+namespace raytracer {
+
+Vector3 BumpySphere::getNormalAt(const Vector3& position) const {
+    // TASK T1 begin
+    return Sphere::getNormalAt(position) * room[0];
+    // TASK T1 end
+}
+
+}  // namespace raytracer

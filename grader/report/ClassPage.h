@@ -1,0 +1,16 @@
+#ifndef TICKER_REPORT_CLASSPAGE_H
+#define TICKER_REPORT_CLASSPAGE_H
+
+#include <grader/result/SubmissionResult.h>
+
+#include <string>
+#include <vector>
+
+namespace ticker::report {
+
+/// The text of index.html: a class at a glance, with links to `<submission>/report.html`.
+[[nodiscard]] std::string classPage(const std::vector<SubmissionResult>& results);
+
+}  // namespace ticker::report
+
+#endif

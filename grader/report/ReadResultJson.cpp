@@ -1,0 +1,172 @@
+#include <grader/report/ResultJson.h>
+#include <grader/result/Names.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+
+namespace ticker::report {
+namespace {
+
+// Ordered: evidence stands in the order in which a person should read it.
+using json = nlohmann::ordered_json;
+using raytracer::InputError;
+
+constexpr std::uintmax_t kLargestFile = 16U << 20U;
+
+/// A value of the file, with its place for messages.
+struct Place {
+    std::string file;
+    std::string path;
+    const json* value = nullptr;
+
+    [[noreturn]] void fail(const std::string& expected) const {
+        throw InputError(
+            file, 0, fmt::format("{}: expected {}", path.empty() ? "the file" : path, expected));
+    }
+    [[nodiscard]] Place at(const char* name) const {
+        if (!value->is_object() || !value->contains(name))
+            fail(fmt::format("an object with a member \"{}\"", name));
+        return {file, path + "/" + name, &value->at(name)};
+    }
+    [[nodiscard]] bool has(const char* name) const {
+        return value->is_object() && value->contains(name);
+    }
+    [[nodiscard]] std::vector<Place> items() const {
+        if (!value->is_array()) fail("an array");
+        std::vector<Place> places;
+        for (std::size_t i = 0; i < value->size(); ++i)
+            places.push_back({file, path + "/" + std::to_string(i), &(*value)[i]});
+        return places;
+    }
+    [[nodiscard]] std::string text() const {
+        if (!value->is_string()) fail("a string");
+        return value->get<std::string>();
+    }
+    [[nodiscard]] double number() const {
+        if (value->is_null()) return std::numeric_limits<double>::quiet_NaN();
+        if (!value->is_number()) fail("a number");
+        return value->get<double>();
+    }
+    [[nodiscard]] int integer() const {
+        const double real = number();
+        if (!(real >= -2147483648.0 && real <= 2147483647.0)) fail("an integer");
+        return static_cast<int>(real);
+    }
+    template <typename Names>
+    [[nodiscard]] auto oneOf(const Names& names) const {
+        const auto known = valueIn(names, text());
+        if (!known) fail("one of the words of the schema, found \"" + text() + "\"");
+        return *known;
+    }
+};
+
+EvidenceValue readEvidence(const Place& place) {
+    if (place.value->is_boolean()) return place.value->get<bool>();
+    if (place.value->is_string()) return place.text();
+    if (!place.value->is_array()) return place.number();
+    std::vector<double> list;
+    for (const Place& item : place.items())
+        list.push_back(item.number());
+    return list;
+}
+
+Finding readFinding(const Place& place) {
+    Finding finding;
+    finding.id = place.at("id").text();
+    finding.severity = place.at("severity").oneOf(kSeverityNames);
+    finding.message = place.at("message").text();
+    finding.hint = place.at("hint").text();
+    if (place.has("section")) finding.section = place.at("section").text();
+    const Place evidence = place.at("evidence");
+    if (!evidence.value->is_object()) evidence.fail("an object");
+    for (const auto& [key, value] : evidence.value->items())
+        finding.evidence.emplace_back(
+            key, readEvidence({place.file, evidence.path + "/" + key, &value}));
+    return finding;
+}
+
+TaskReport readTask(const Place& place) {
+    TaskReport task;
+    task.id = place.at("id").text();
+    task.title = place.at("title").text();
+    task.state = place.at("state").oneOf(kTaskStateNames);
+    task.reason = place.at("reason").text();
+    for (const Place& finding : place.at("findings").items())
+        task.findings.push_back(readFinding(finding));
+    return task;
+}
+
+RenderScore readRender(const Place& place) {
+    RenderScore render;
+    render.scene = place.at("scene").text();
+    render.width = place.at("width").integer();
+    render.height = place.at("height").integer();
+    render.flip = place.at("flip").number();
+    render.ssim = place.at("ssim").number();
+    render.gmsd = place.at("gmsd").number();
+    render.zMax = place.at("zMax").number();
+    if (place.has("rmse")) render.rmse = place.at("rmse").number();
+    render.image = place.at("image").text();
+    if (place.has("reference")) render.reference = place.at("reference").text();
+    return render;
+}
+
+std::uint64_t readSeed(const Place& place) {
+    const std::string text = place.text();
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc{} || end != text.data() + text.size())
+        place.fail("a whole number in a string");
+    return seed;
+}
+
+json parse(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error) throw InputError(file.string(), 0, "cannot be read; expected a result.json");
+    if (size > kLargestFile)
+        throw InputError(file.string(), 0, fmt::format("{} bytes: too large for a result", size));
+    std::ifstream stream{file};
+    try {
+        return json::parse(stream);
+    } catch (const json::exception& problem) {
+        throw InputError(file.string(), 0, fmt::format("not JSON: {}", problem.what()));
+    }
+}
+
+}  // namespace
+
+SubmissionResult readResultJson(const std::filesystem::path& file) {
+    const json document = parse(file);
+    const Place top{file.string(), "", &document};
+    if (top.at("schemaVersion").integer() != SubmissionResult::kSchemaVersion)
+        top.at("schemaVersion").fail(fmt::format("{}", SubmissionResult::kSchemaVersion));
+    SubmissionResult result;
+    result.submission = top.at("submission").text();
+    result.verdict = top.at("verdict").oneOf(kVerdictNames);
+    result.score = top.at("score").number();
+    result.maxScore = top.at("maxScore").number();
+    result.option = top.at("option").text();
+    result.seed = readSeed(top.at("seed"));
+    result.sandboxLevel = top.at("sandboxLevel").text();
+    result.toolVersion = top.at("toolVersion").text();
+    for (const Place& task : top.at("tasks").items())
+        result.tasks.push_back(readTask(task));
+    for (const Place& render : top.at("renders").items())
+        result.renders.push_back(readRender(render));
+    for (const Place& notice : top.at("notices").items())
+        result.notices.push_back(notice.text());
+    const Place timing = top.at("timing");
+    result.timing = {timing.at("compileMs").number(), timing.at("probeMs").number(),
+                     timing.at("totalMs").number()};
+    return result;
+}
+
+}  // namespace ticker::report

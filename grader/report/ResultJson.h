@@ -1,0 +1,27 @@
+#ifndef TICKER_REPORT_RESULTJSON_H
+#define TICKER_REPORT_RESULTJSON_H
+
+#include <grader/result/SubmissionResult.h>
+
+#include <filesystem>
+#include <string>
+
+namespace ticker::report {
+
+/// The text of result.json: schema version 1, see docs/schema/result.schema.json. Numbers that are
+/// not finite become null.
+[[nodiscard]] std::string resultJson(const SubmissionResult& result);
+
+/// Reads a result.json back. What the file does not hold (the bytes of pictures, plots) stays
+/// empty.
+/// @throws raytracer::InputError naming the file, the member and what was expected; the file may be
+///         anything.
+[[nodiscard]] SubmissionResult readResultJson(const std::filesystem::path& file);
+
+/// Writes text whole or not at all: a temporary file beside it is renamed into place.
+/// @throws raytracer::InputError where the file cannot be written.
+void writeAtomically(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace ticker::report
+
+#endif

@@ -1,0 +1,46 @@
+#include <grader/report/Escape.h>
+#include <grader/report/SummaryCsv.h>
+#include <grader/result/Names.h>
+
+#include <fmt/core.h>
+
+#include <array>
+
+namespace ticker::report {
+namespace {
+
+constexpr std::array kTasks{"T1", "T2.1", "T2.2", "screenshot"};
+
+std::string stateOf(const SubmissionResult& result, const std::string& id) {
+    for (const TaskReport& task : result.tasks)
+        if (task.id == id) return std::string{toString(task.state)};
+    return "";
+}
+
+std::string findingsOf(const SubmissionResult& result) {
+    std::string ids;
+    for (const TaskReport& task : result.tasks)
+        for (const Finding& finding : task.findings)
+            if (finding.severity != Severity::note)
+                ids += fmt::format("{}{}", ids.empty() ? "" : " ", finding.id);
+    return ids;
+}
+
+}  // namespace
+
+std::string summaryCsv(const std::vector<SubmissionResult>& results) {
+    std::string text = "submission,verdict,score,option";
+    for (const char* task : kTasks)
+        text += fmt::format(",{}", task);
+    text += ",findings\r\n";
+    for (const SubmissionResult& result : results) {
+        text += fmt::format("{},{},{:g},{}", escapeCsv(result.submission), toString(result.verdict),
+                            result.score, escapeCsv(result.option));
+        for (const char* task : kTasks)
+            text += "," + stateOf(result, task);
+        text += "," + escapeCsv(findingsOf(result)) + "\r\n";
+    }
+    return text;
+}
+
+}  // namespace ticker::report

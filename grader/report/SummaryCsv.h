@@ -1,0 +1,18 @@
+#ifndef TICKER_REPORT_SUMMARYCSV_H
+#define TICKER_REPORT_SUMMARYCSV_H
+
+#include <grader/result/SubmissionResult.h>
+
+#include <string>
+#include <vector>
+
+namespace ticker::report {
+
+/// The text of summary.csv: a header, then one line for each submission: submission, verdict,
+/// score, option, the state of each task, and the ids of its findings of severity fail or warn,
+/// separated by spaces. Lines end in CR LF (RFC 4180).
+[[nodiscard]] std::string summaryCsv(const std::vector<SubmissionResult>& results);
+
+}  // namespace ticker::report
+
+#endif

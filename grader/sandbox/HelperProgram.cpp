@@ -1,0 +1,47 @@
+#include <grader/sandbox/HelperProgram.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace ticker::sandbox {
+namespace fs = std::filesystem;
+
+fs::path findHelper() {
+    std::error_code error;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const fs::path beside = folder / "ticker-jail";
+    const fs::path installed = folder.parent_path() / "libexec" / "ticker" / "ticker-jail";
+    for (const fs::path& candidate : {beside, installed})
+        if (access(candidate.c_str(), X_OK) == 0) return candidate;
+    throw raytracer::Error(
+        fmt::format("sandbox: the helper ticker-jail is missing: neither {} nor "
+                    "{} is there; build the target ticker-jail",
+                    beside.string(), installed.string()));
+}
+
+fs::path findBubblewrap() {
+    std::vector<fs::path> folders{"/usr/bin", "/usr/local/bin", "/bin"};
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): read once, before threads write the environment.
+    if (const char* list = std::getenv("PATH")) {
+        std::istringstream words{list};
+        for (std::string word; std::getline(words, word, ':');)
+            folders.emplace_back(word);
+    }
+    for (const fs::path& folder : folders) {
+        if (folder.is_relative()) continue;
+        const fs::path candidate = folder / "bwrap";
+        if (access(candidate.c_str(), X_OK) == 0) return candidate;
+    }
+    return {};
+}
+
+}  // namespace ticker::sandbox

@@ -1,0 +1,126 @@
+#include <grader/sandbox/HelperProgram.h>
+#include <grader/sandbox/JailCommand.h>
+#include <grader/sandbox/RunAt.h>
+#include <grader/sandbox/SandboxPolicy.h>
+#include <grader/sandbox/UserSlots.h>
+#include <grader/sandbox/Watch.h>
+#include <grader/sandbox/jail/Options.h>
+
+#include <raytracer/base/Error.h>
+
+#include <linux/landlock.h>
+#include <sys/syscall.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <cstring>
+#include <optional>
+#include <system_error>
+
+namespace ticker::sandbox {
+namespace fs = std::filesystem;
+namespace {
+
+// What every run of this process shares: the place for files, and the helper's copy there, which
+// the jail's user can reach wherever the project lies.
+struct Workshop {
+    StagingFolder staging;
+    fs::path helper = copyHelper(staging);
+
+    static fs::path copyHelper(const StagingFolder& staging) {
+        const fs::path copy = staging.path() / "ticker-jail";
+        fs::copy_file(findHelper(), copy);
+        fs::permissions(copy, fs::perms{0755});
+        return copy;
+    }
+};
+
+const Workshop& workshop() {
+    static const Workshop shared;
+    return shared;
+}
+
+// A folder of one run, gone with it.
+class ScratchFolder {
+public:
+    explicit ScratchFolder(long user) {
+        path_ = workshop().staging.makeFolder(fs::perms::owner_all);
+        const uid_t owner = static_cast<uid_t>(user);
+        if (user >= 0 && chown(path_.c_str(), owner, owner) != 0)
+            throw raytracer::Error("sandbox: cannot give the scratch folder away");
+    }
+    ~ScratchFolder() {
+        std::error_code ignored;
+        if (!path_.empty()) fs::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+bool hasLandlock() {
+    static const bool has =
+        syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) >= 1;
+    return has;
+}
+
+bool kernelCountsProcessesByNamespace() {
+    utsname name{};
+    int major = 0;
+    int minor = 0;
+    if (uname(&name) != 0) return false;
+    const char* const end = name.release + std::strlen(name.release);
+    const auto [dot, error] = std::from_chars(name.release, end, major);
+    if (error != std::errc{} || dot == end) return false;
+    std::from_chars(dot + 1, end, minor);
+    return major > 5 || (major == 5 && minor >= 14);
+}
+
+Launch describe(const Command& command, const JailPlace& place) {
+    Launch launch;
+    launch.program = place.helper;
+    launch.arguments = jailArguments(command, place);
+    for (const Descriptor& descriptor : command.descriptors)
+        launch.redirections.push_back({descriptor.host, descriptor.inside});
+    int next = jail::kFirstProductDescriptor;
+    for (const Product& product : command.products)
+        launch.redirections.push_back({product.host, next++});
+    return launch;
+}
+
+}  // namespace
+
+Outcome runAt(Level level, const Command& command) {
+    const UserSlot slot = takeUserSlot(defaultPolicy().users);
+    JailPlace place;
+    place.level = level;
+    place.landlock = hasLandlock();
+    place.countsProcesses = kernelCountsProcessesByNamespace();
+    place.helper = workshop().helper;
+    if (level == Level::namespaces) place.bubblewrap = findBubblewrap();
+    if (level != Level::sameUser) place.user = slot.user();
+    std::optional<ScratchFolder> scratch;
+    if (command.wantsScratch && level != Level::namespaces) {
+        scratch.emplace(place.user);
+        place.scratch = scratch->path();
+    }
+    return watch(describe(command, place), command.limits);
+}
+
+Outcome runNothing(Level level) {
+    Command command;
+    command.readOnly = {{workshop().helper, "/nothing"}};
+    command.arguments = {"/nothing", "nothing"};
+    command.limits = defaultPolicy().decode;
+    return runAt(level, command);
+}
+
+const StagingFolder& staging() {
+    return workshop().staging;
+}
+
+}  // namespace ticker::sandbox

@@ -1,0 +1,95 @@
+#include <grader/sandbox/jail/Lockdown.h>
+#include <grader/sandbox/jail/SystemCalls.h>
+
+#include <fcntl.h>
+#include <sched.h>
+#include <seccomp.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <span>
+
+namespace ticker::jail {
+namespace {
+
+constexpr std::uint64_t kNamespaces[] = {CLONE_NEWUSER, CLONE_NEWNS,  CLONE_NEWPID,   CLONE_NEWNET,
+                                         CLONE_NEWIPC,  CLONE_NEWUTS, CLONE_NEWCGROUP};
+
+// Names that this machine's architecture does not have are skipped.
+bool add(scmp_filter_ctx filter, std::uint32_t action, std::span<const int> calls) {
+    for (const int call : calls) {
+        const int result = seccomp_rule_add_array(filter, action, call, 0, nullptr);
+        if (result != 0 && result != -EDOM) return false;
+    }
+    return true;
+}
+
+scmp_arg_cmp equals(unsigned argument, std::uint64_t value) {
+    return {argument, SCMP_CMP_EQ, value, 0};
+}
+
+scmp_arg_cmp masked(unsigned argument, std::uint64_t mask, std::uint64_t value) {
+    return {argument, SCMP_CMP_MASKED_EQ, mask, value};
+}
+
+bool addIf(scmp_filter_ctx filter, std::uint32_t action, int call, scmp_arg_cmp condition) {
+    return seccomp_rule_add_array(filter, action, call, 1, &condition) == 0;
+}
+
+scmp_filter_ctx makeRunFilter() {
+    scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EPERM));
+    if (filter == nullptr) return nullptr;
+    constexpr std::uint64_t kThread = CLONE_THREAD | CLONE_VM;
+    const bool added =
+        add(filter, SCMP_ACT_ALLOW, allowedInRun()) &&
+        add(filter, SCMP_ACT_KILL_PROCESS, killedInRun()) &&
+        // A look at the limits, never a change.
+        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), equals(2, 0)) &&
+        // fdopen() asks how a descriptor was opened.
+        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(fcntl), equals(1, F_GETFL)) &&
+        // abort() and raise(): signals to itself.
+        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill),
+              equals(0, static_cast<std::uint64_t>(getpid()))) &&
+        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(clone), masked(0, kThread, kThread)) &&
+        addIf(filter, SCMP_ACT_KILL_PROCESS, SCMP_SYS(clone), masked(0, CLONE_THREAD, 0)) &&
+        // fstat() of newer C libraries: newfstatat with an empty path.
+        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat), masked(3, 0x1000, 0x1000)) &&
+        // Its flags lie in memory, where no filter sees them; the C library falls back to clone.
+        seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
+    if (added) return filter;
+    seccomp_release(filter);
+    return nullptr;
+}
+
+scmp_filter_ctx makeCompileFilter() {
+    scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+    if (filter == nullptr) return nullptr;
+    constexpr std::uint32_t kRefuse = SCMP_ACT_ERRNO(EPERM);
+    bool added =
+        add(filter, kRefuse, refusedInCompile()) &&
+        seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
+    for (const std::uint64_t space : kNamespaces)
+        added = added && addIf(filter, kRefuse, SCMP_SYS(clone), masked(0, space, space));
+    // TIOCSTI and TIOCLINUX type into somebody's terminal.
+    for (const std::uint64_t request : {0x5412U, 0x541cU})
+        added = added && addIf(filter, kRefuse, SCMP_SYS(ioctl), masked(1, 0xffffffffU, request));
+    if (added) return filter;
+    seccomp_release(filter);
+    return nullptr;
+}
+
+}  // namespace
+
+Failure restrictSystemCalls(Filter which) {
+    if (which == Filter::none) return nullptr;
+    scmp_filter_ctx filter = which == Filter::run ? makeRunFilter() : makeCompileFilter();
+    if (filter == nullptr) return "seccomp rules";
+    const bool loaded =
+        seccomp_attr_set(filter, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS) == 0 &&
+        seccomp_attr_set(filter, SCMP_FLTATR_CTL_OPTIMIZE, 2) == 0 && seccomp_load(filter) == 0;
+    seccomp_release(filter);
+    return loaded ? nullptr : "seccomp";
+}
+
+}  // namespace ticker::jail

@@ -1,0 +1,140 @@
+#include <grader/build/Build.h>
+#include <grader/sandbox/SandboxPolicy.h>
+#include <grader/tests/support/Files.h>
+
+#include <gtest/gtest.h>
+
+namespace ticker::build {
+namespace {
+
+using Kind = BuildResult::Kind;
+
+const sandbox::Sandbox& theSandbox() {
+    static const sandbox::Sandbox instance = sandbox::Sandbox::best();
+    return instance;
+}
+
+BuildResult build(SourceFile file, const std::string& source) {
+    static const Kit kit = Kit::besideProgram();
+    sandbox::Limits limits = sandbox::defaultPolicy().compile;
+    limits.cpuSeconds = 10.0;
+    return buildProgram(kit, theSandbox(), limits, file, source);
+}
+
+std::string reference(const char* name) {
+    return tests::readFile("reference_solution/exercise/" + std::string{name});
+}
+
+TEST(Build, MakesAProgramOfEachReferenceFile) {
+    for (const SourceFile file : {SourceFile::bumpySphere, SourceFile::renderer}) {
+        const BuildResult result = build(file, reference(nameOf(file).c_str()));
+        EXPECT_EQ(result.kind, Kind::built) << result.diagnostics;
+        ASSERT_TRUE(result.program);
+        EXPECT_GT(std::filesystem::file_size(result.program->file()), 100'000U);
+        EXPECT_EQ(result.diagnostics, "");
+    }
+}
+
+TEST(Build, RemovesTheProgramWithItsOwner) {
+    std::filesystem::path file;
+    {
+        const BuildResult result = build(SourceFile::bumpySphere, reference("BumpySphere.cpp"));
+        ASSERT_TRUE(result.program);
+        file = result.program->file();
+    }
+    EXPECT_FALSE(std::filesystem::exists(file.parent_path()));
+}
+
+TEST(Build, ShowsErrorsWithTheStudentsFileAndLineAndNoPathOfThisMachine) {
+    const BuildResult result = build(SourceFile::bumpySphere, "int x = 1;\nint y = nonsense;\n");
+
+    EXPECT_EQ(result.kind, Kind::failed);
+    EXPECT_FALSE(result.program);
+    EXPECT_TRUE(result.diagnostics.starts_with("BumpySphere.cpp:2:9: error: 'nonsense'"))
+        << result.diagnostics;
+    EXPECT_EQ(result.diagnostics.find("/source"), std::string::npos);
+    EXPECT_EQ(result.diagnostics.find(TICKER_SOURCE_DIR), std::string::npos);
+}
+
+// With `using namespace std`, a name of a header that the file never asked for must not hurt it.
+TEST(Build, DoesNotBlameAFileForThePrecompiledHeader) {
+    const std::string source =
+        "#include <raytracer/geometry/BumpySphere.h>\n"
+        "using namespace std;\n"
+        "static double normal_distribution = 1.0;\n"
+        "raytracer::Vector3 raytracer::BumpySphere::getNormalAt(\n"
+        "    const Vector3& p) const {\n"
+        "    return Sphere::getNormalAt(p) * normal_distribution;\n"
+        "}\n";
+    EXPECT_EQ(build(SourceFile::bumpySphere, source).kind, Kind::built);
+}
+
+TEST(Build, RefusesAnOwnMain) {
+    const BuildResult result =
+        build(SourceFile::bumpySphere, reference("BumpySphere.cpp") + "int main() { return 0; }\n");
+    EXPECT_EQ(result.kind, Kind::forbidden);
+    EXPECT_NE(result.diagnostics.find("main"), std::string::npos) << result.diagnostics;
+    EXPECT_NE(result.diagnostics.find("BumpySphere.cpp"), std::string::npos) << result.diagnostics;
+    EXPECT_EQ(result.diagnostics.find("/tmp"), std::string::npos) << result.diagnostics;
+}
+
+TEST(Build, RefusesAnOwnVersionOfTheFramework) {
+    const BuildResult result =
+        build(SourceFile::bumpySphere,
+              reference("BumpySphere.cpp") +
+                  "namespace raytracer { double randomBetween(double, double) { return 0.5; } }\n");
+    EXPECT_EQ(result.kind, Kind::forbidden) << result.diagnostics;
+}
+
+TEST(Build, SeesNothingOfTheOtherFileOrOfThisMachine) {
+    for (const char* include : {"Renderer.cpp", "/etc/passwd", TICKER_SOURCE_DIR "/LICENSE"}) {
+        const BuildResult result =
+            build(SourceFile::bumpySphere, std::string{"#include \""} + include + "\"\n");
+        EXPECT_EQ(result.kind, Kind::failed) << include;
+        EXPECT_NE(result.diagnostics.find("No such file"), std::string::npos) << result.diagnostics;
+    }
+}
+
+TEST(Build, StopsACompilerThatPrintsTooMuch) {
+    std::string source;
+    for (int i = 0; i < 2000; ++i)
+        source += "#warning " + std::string(100, 'x') + "\n";
+    const BuildResult result = build(SourceFile::renderer, source);
+    EXPECT_EQ(result.kind, Kind::limit);
+    EXPECT_LT(result.diagnostics.size(), 20'000U);
+}
+
+TEST(Build, StopsACompilerThatTakesTooLong) {
+    // Doubles at every level: 2^60 functions.
+    const char* source =
+        "template <int N> struct A { static constexpr long long f(int x) {\n"
+        "  return A<N-1>::f(x) + A<N-1>::f(x + 1); } };\n"
+        "template <> struct A<0> { static constexpr long long f(int x) {\n"
+        "  return x; } };\n"
+        "static_assert(A<60>::f(1) > 0);\n";
+    const std::string bomb =
+        "#define A x, x, x, x, x, x, x, x\n#define B A, A, A, A, A, A, A, A\n"
+        "#define C B, B, B, B, B, B, B, B\n#define D C, C, C, C, C, C, C, C\n"
+        "#define E D, D, D, D, D, D, D, D\n#define F E, E, E, E, E, E, E, E\n"
+        "#define G F, F, F, F, F, F, F, F\n#define H G, G, G, G, G, G, G, G\n"
+        "int x;\nint y[] = {H, H, H, H, H, H, H, H};\n";
+    static const Kit kit = Kit::besideProgram();
+    sandbox::Limits limits = sandbox::defaultPolicy().compile;
+    limits.cpuSeconds = 2.0;
+    limits.addressSpaceBytes = 600'000'000;
+    const BuildResult macros = buildProgram(kit, theSandbox(), limits, SourceFile::renderer, bomb);
+    EXPECT_EQ(macros.kind, Kind::limit) << macros.diagnostics;
+    // This one runs into the limit on constant expressions, which is an ordinary error.
+    EXPECT_EQ(build(SourceFile::renderer, source).kind, Kind::failed);
+}
+
+TEST(Build, TakesAnyBytesAsSource) {
+    std::string source = reference("Renderer.cpp");
+    source += "// \xFF\xFE \xC3\x28 latin-1: \xE9\n";
+    EXPECT_EQ(build(SourceFile::renderer, source).kind, Kind::built);
+    source += "const char* \xE9 = 3;\n";
+    EXPECT_EQ(build(SourceFile::renderer, source).kind, Kind::failed);
+}
+
+}  // namespace
+}  // namespace ticker::build

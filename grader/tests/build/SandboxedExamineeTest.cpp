@@ -1,0 +1,145 @@
+#include <grader/build/Build.h>
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/probe/AnswerMemory.h>
+#include <grader/sandbox/SandboxPolicy.h>
+#include <grader/tests/support/Files.h>
+#include <grader/tests/support/SampleQuestions.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ticker::build {
+namespace {
+
+using probe::AnswerState;
+using probe::NormalAnswer;
+using probe::ProcessEnd;
+using probe::Sitting;
+using Kind = ProcessEnd::Kind;
+
+/// Builds a submission and asks it, under limits that keep the test short.
+Sitting ask(SourceFile file, const std::string& source,
+            const std::vector<probe::Question>& questions) {
+    static const sandbox::Sandbox theSandbox = sandbox::Sandbox::best();
+    static const Kit kit = Kit::besideProgram();
+    const BuildResult built =
+        buildProgram(kit, theSandbox, sandbox::defaultPolicy().compile, file, source);
+    EXPECT_EQ(built.kind, BuildResult::Kind::built) << built.diagnostics;
+    if (!built.program) return {};
+    sandbox::Limits limits = sandbox::defaultPolicy().run;
+    limits.cpuSeconds = 1.0;
+    limits.wallSeconds = 20.0;
+    limits.addressSpaceBytes = 400'000'000;
+    SandboxedExaminee examinee{*built.program, theSandbox, limits};
+    return examinee.ask(questions);
+}
+
+/// A BumpySphere.cpp whose getNormalAt has this body.
+std::string bumpySphere(const std::string& body, const std::string& before = {}) {
+    return "#include <raytracer/geometry/BumpySphere.h>\n#include <cstdlib>\n#include <thread>\n"
+           "#include <unistd.h>\n" +
+           before +
+           "\nnamespace raytracer {\nVector3 BumpySphere::getNormalAt(const Vector3& position) "
+           "const {\n" +
+           body + "\n}\n}\n";
+}
+
+Sitting askBumpySphere(const std::string& body, const std::string& before = {}) {
+    return ask(SourceFile::bumpySphere, bumpySphere(body, before), {tests::normalQuestion()});
+}
+
+TEST(SandboxedExaminee, AnswersAsTheSolutionDoes) {
+    const Sitting sitting =
+        ask(SourceFile::renderer, tests::readFile("reference_solution/exercise/Renderer.cpp"),
+            {tests::normalQuestion(), tests::illuminateQuestion(100), tests::renderQuestion(50)});
+
+    EXPECT_EQ(sitting.end.kind, Kind::finished) << sitting.end.detail;
+    ASSERT_EQ(sitting.answers.size(), 3U);
+    EXPECT_EQ(std::get<NormalAnswer>(sitting.answers[0]).state, AnswerState::answered);
+    EXPECT_EQ(std::get<probe::IlluminateAnswer>(sitting.answers[1]).events.size(), 4U);
+    const auto& render = std::get<probe::RenderAnswer>(sitting.answers[2]);
+    EXPECT_EQ(render.events.size(), 50U);
+    EXPECT_TRUE(render.eventsCut);
+    EXPECT_NE(render.images[0], render.images[1]);
+}
+
+TEST(SandboxedExaminee, LetsThreadsRun) {
+    probe::RenderQuestion question = tests::renderQuestion();
+    const std::string source = tests::readFile("reference_solution/exercise/Renderer.cpp");
+    const Sitting one = ask(SourceFile::renderer, source, {question});
+    question.settings.threads = 2;
+    const Sitting two = ask(SourceFile::renderer, source, {question});
+    EXPECT_EQ(two.end.kind, Kind::finished) << two.end.detail;
+    EXPECT_EQ(std::get<probe::RenderAnswer>(one.answers.at(0)).images,
+              std::get<probe::RenderAnswer>(two.answers.at(0)).images);
+}
+
+TEST(SandboxedExaminee, KeepsWhatWasAnsweredBeforeACrash) {
+    const Sitting sitting = askBumpySphere(
+        "if (position.x > 0.9) *static_cast<volatile int*>(nullptr) = 1;\n"
+        "return Sphere::getNormalAt(position);");
+
+    EXPECT_EQ(sitting.end.kind, Kind::crashed);
+    EXPECT_NE(sitting.end.detail.find("SIGSEGV"), std::string::npos) << sitting.end.detail;
+    const auto& answer = std::get<NormalAnswer>(sitting.answers.at(0));
+    EXPECT_EQ(answer.state, AnswerState::missing);
+    EXPECT_EQ(answer.normals[0], (raytracer::Vector3{0.0, 0.0, -1.0}));
+    EXPECT_TRUE(probe::isUnanswered(answer.normals[1]));
+}
+
+TEST(SandboxedExaminee, CountsExceptionsAndGoesOn) {
+    const Sitting sitting = askBumpySphere(
+        "if (position.x == 1.0) throw std::runtime_error(\"column \\x01 <b>\");\n"
+        "return Sphere::getNormalAt(position);",
+        "#include <stdexcept>");
+
+    EXPECT_EQ(sitting.end.kind, Kind::finished);
+    const auto& answer = std::get<NormalAnswer>(sitting.answers.at(0));
+    EXPECT_EQ(answer.state, AnswerState::threw);
+    EXPECT_EQ(answer.exceptions, 1U);
+    EXPECT_EQ(answer.message, "column \x01 <b>");
+    EXPECT_TRUE(probe::isUnanswered(answer.normals[1]));
+    EXPECT_FALSE(probe::isUnanswered(answer.normals[2]));
+}
+
+struct Ending {
+    const char* name;
+    const char* body;
+    const char* before;
+    Kind expected;
+};
+
+void PrintTo(const Ending& ending, std::ostream* out) {
+    *out << ending.name;
+}
+
+class SandboxedExamineeEnds : public testing::TestWithParam<Ending> {};
+
+TEST_P(SandboxedExamineeEnds, AsTheKernelSaysAndWithNothingAnswered) {
+    const Sitting sitting = askBumpySphere(GetParam().body, GetParam().before);
+    EXPECT_EQ(sitting.end.kind, GetParam().expected) << sitting.end.detail;
+    ASSERT_EQ(sitting.answers.size(), 1U);
+    EXPECT_TRUE(probe::isUnanswered(std::get<NormalAnswer>(sitting.answers[0]).normals[2]));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryWay, SandboxedExamineeEnds,
+    testing::Values(
+        Ending{"ALoopWithoutEnd", "for (volatile int i = 0;; i = i + 1) {}", "", Kind::timedOut},
+        Ending{"AnExit", "std::exit(0);", "", Kind::exitedEarly},
+        Ending{"AnExitThatImitatesASignal", "_exit(137);", "", Kind::exitedEarly},
+        Ending{"AnExitBeforeMain", "return {};", "static int x = (_exit(0), 1);",
+               Kind::exitedEarly},
+        Ending{"AnAbort", "std::abort();", "", Kind::crashed},
+        Ending{"AVectorWithoutEnd",
+               "std::vector<double> v; for (;;) v.resize(v.size() * 2 + 1000);",
+               "#include <vector>", Kind::memory},
+        Ending{"AFork", "fork(); return {};", "", Kind::forbiddenCall},
+        Ending{"ASocket", "socket(AF_INET, SOCK_STREAM, 0); return {};", "#include <sys/socket.h>",
+               Kind::forbiddenCall},
+        Ending{"AFlood", "for (;;) write(2, \"0123456789abcdef\", 16);", "", Kind::outputLimit}),
+    [](const auto& ending) { return ending.param.name; });
+
+}  // namespace
+}  // namespace ticker::build

@@ -1,0 +1,33 @@
+#ifndef GRADER_TESTS_IO_PNGBUILDER_H
+#define GRADER_TESTS_IO_PNGBUILDER_H
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ticker::testing {
+
+/// PNG's own numbers for what a pixel holds.
+enum class PngColour : std::uint8_t { grey = 0, rgb = 2, greyAlpha = 4, rgbAlpha = 6 };
+
+/// The header of a PNG file; nothing is checked, so it may lie.
+struct PngHeader {
+    std::uint32_t width = 1;
+    std::uint32_t height = 1;
+    std::uint8_t depth = 8;
+    PngColour colour = PngColour::grey;
+};
+
+/// A PNG file with these bytes as its unpacked rows, each of which begins with a filter byte.
+[[nodiscard]] std::string makePng(const PngHeader& header, const std::string& rows);
+
+/// A PNG file around data that is packed already (or claims to be).
+[[nodiscard]] std::string makePngAround(const PngHeader& header, const std::string& packed);
+
+/// Rows of `header.height` times the same bytes, each with filter 0.
+[[nodiscard]] std::string equalRows(const PngHeader& header, const std::string& row);
+
+}  // namespace ticker::testing
+
+#endif

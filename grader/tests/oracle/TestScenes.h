@@ -1,0 +1,47 @@
+#ifndef TICKER_TESTS_ORACLE_TESTSCENES_H
+#define TICKER_TESTS_ORACLE_TESTSCENES_H
+
+#include <raytracer/scene/SceneDescription.h>
+
+namespace ticker::oracle::test {
+
+/// The colour #RRGGBB.
+inline raytracer::ColourRGB hexColour(unsigned rgb) {
+    return {((rgb >> 16U) & 255U) / 255.0, ((rgb >> 8U) & 255U) / 255.0, (rgb & 255U) / 255.0};
+}
+
+inline raytracer::SphereDescription sphere(const raytracer::Vector3& centre, double radius,
+                                           unsigned rgb) {
+    raytracer::SphereDescription result;
+    result.centre = centre;
+    result.radius = radius;
+    result.material.colour = hexColour(rgb);
+    return result;
+}
+
+inline raytracer::PlaneDescription plane(const raytracer::Vector3& point,
+                                         const raytracer::Vector3& normal, unsigned rgb) {
+    raytracer::PlaneDescription result;
+    result.point = point;
+    result.normal = normal;
+    result.material.colour = hexColour(rgb);
+    return result;
+}
+
+/// The handout's second scene.
+inline raytracer::SceneDescription distributedScene() {
+    raytracer::SceneDescription scene;
+    scene.ambientLighting = hexColour(0x050505);
+    scene.pointLights.emplace_back(raytracer::Vector3{-1.5, 4.5, 2.0}, hexColour(0xe1f2ef), 450.0);
+    scene.spheres = {sphere({0.5, -0.26398, 3.51805}, 0.5, 0x051a34),
+                     sphere({-0.2, 0.01504, 4.99187}, 0.5, 0x051a34),
+                     sphere({-0.9, 0.29406, 6.46569}, 0.5, 0x051a34),
+                     sphere({-1.6, 0.57308, 7.93951}, 0.5, 0x051a34)};
+    scene.planes = {plane({0.0, -0.47623, 5.085}, {0.0, 0.9825, -0.186}, 0x82898f),
+                    plane({0.0, 0.0, 12.0}, {0.0, 0.0, -1.0}, 0x516e7e)};
+    return scene;
+}
+
+}  // namespace ticker::oracle::test
+
+#endif

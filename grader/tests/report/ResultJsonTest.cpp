@@ -1,0 +1,136 @@
+#include <grader/report/ResultJson.h>
+#include <grader/report/SummaryCsv.h>
+#include <grader/result/Names.h>
+
+#include <raytracer/base/Error.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace ticker::report {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+SubmissionResult example() {
+    Finding finding;
+    finding.id = "bump.inverted-u";
+    finding.severity = Severity::fail;
+    finding.message = "u is \x1B inverted <b>";
+    finding.hint = "line 12";
+    finding.section = "1, Theory";
+    finding.evidence = {{"matrix", std::vector<double>{-1.0, 0.0, 0.0, 1.0}},
+                        {"points", 120.0},
+                        {"worst", std::numeric_limits<double>::infinity()},
+                        {"where", std::string{"latitude 40"}},
+                        {"seam", true}};
+    TaskReport t1{"T1", "Bump mapping", TaskState::failed, "", {finding}, false};
+    TaskReport shot{"screenshot", "Screenshot", TaskState::notAttempted, "there is none", {}, true};
+    SubmissionResult result;
+    result.submission = "Zo\xC3\xAB, \"the\" =ray</td>";
+    result.verdict = Verdict::notAwarded;
+    result.option = "T1";
+    result.seed = 18446744073709551615U;
+    result.sandboxLevel = "A";
+    result.toolVersion = "0.1.0";
+    result.tasks = {t1, shot};
+    result.renders = {{"bumpmap-test", 160, 120, 0.1, 0.9, 0.05, 3.0, 4.0, "images/a.png", ""}};
+    result.notices = {"notes.txt was ignored"};
+    result.timing = {400.2, 31.0, 500.0};
+    return result;
+}
+
+fs::path temporary(const std::string& name) {
+    return fs::path{testing::TempDir()} / name;
+}
+
+bool fitsTheSchema(const std::string& text) {
+    std::ifstream stream{TICKER_SOURCE_DIR "/docs/schema/result.schema.json"};
+    const json schemaDocument = json::parse(stream);
+    valijson::Schema schema;
+    valijson::SchemaParser{}.populateSchema(valijson::adapters::NlohmannJsonAdapter{schemaDocument},
+                                            schema);
+    const json document = json::parse(text);
+    const valijson::adapters::NlohmannJsonAdapter target{document};
+    return valijson::Validator{}.validate(schema, target, nullptr);
+}
+
+TEST(ResultJson, FitsItsSchema) {
+    EXPECT_TRUE(fitsTheSchema(resultJson(example())));
+    EXPECT_TRUE(fitsTheSchema(resultJson(SubmissionResult{})));
+    json wrong = json::parse(resultJson(example()));
+    wrong["verdict"] = "maybe";
+    EXPECT_FALSE(fitsTheSchema(wrong.dump())) << "the schema must be able to refuse";
+}
+
+TEST(ResultJson, ComesBackAsItWentOut) {
+    const fs::path file = temporary("result.json");
+    writeAtomically(resultJson(example()), file);
+    const SubmissionResult back = readResultJson(file);
+    EXPECT_EQ(resultJson(back), resultJson(example()));
+    EXPECT_EQ(back.seed, example().seed);
+    EXPECT_EQ(back.tasks.at(0).findings.at(0).evidence.size(), 5U);
+    fs::remove(file);
+}
+
+TEST(ResultJson, HoldsNoControlCharacterAndNoNumberThatIsNone) {
+    const json document = json::parse(resultJson(example()));
+    const json& finding = document["tasks"][0]["findings"][0];
+    EXPECT_EQ(finding["message"], "u is \xEF\xBF\xBD inverted <b>");
+    EXPECT_TRUE(finding["evidence"]["worst"].is_null());
+}
+
+TEST(ReadResultJson, SaysWhatIsWrongInAnyFile) {
+    const fs::path file = temporary("broken.json");
+    const auto messageFor = [&](const std::string& text) {
+        std::ofstream{file} << text;
+        try {
+            static_cast<void>(readResultJson(file));
+        } catch (const raytracer::InputError& error) {
+            return std::string{error.what()};
+        }
+        return std::string{"no error"};
+    };
+    EXPECT_NE(messageFor("").find("not JSON"), std::string::npos);
+    EXPECT_NE(messageFor("[1]").find("schemaVersion"), std::string::npos);
+    EXPECT_NE(messageFor(R"({"schemaVersion": 99})").find("/schemaVersion: expected 1"),
+              std::string::npos);
+    json document = json::parse(resultJson(example()));
+    document["tasks"][0]["state"] = "great";
+    EXPECT_NE(messageFor(document.dump()).find("/tasks/0/state"), std::string::npos);
+    document = json::parse(resultJson(example()));
+    document["seed"] = "12x";
+    EXPECT_NE(messageFor(document.dump()).find("/seed"), std::string::npos);
+    fs::remove(file);
+    EXPECT_THROW(static_cast<void>(readResultJson(file)), raytracer::InputError);
+}
+
+TEST(WriteAtomically, NamesTheFileThatCannotBeWritten) {
+    try {
+        writeAtomically("x", temporary("no-such-folder") / "a.json");
+        FAIL() << "expected an error";
+    } catch (const raytracer::InputError& error) {
+        EXPECT_NE(std::string{error.what()}.find("no-such-folder"), std::string::npos);
+    }
+}
+
+TEST(SummaryCsv, HasOneLineForEachSubmissionWithNamesDefused) {
+    const std::string text = summaryCsv({example()});
+    EXPECT_EQ(text,
+              "submission,verdict,score,option,T1,T2.1,T2.2,screenshot,findings\r\n"
+              "\"Zo\xC3\xAB, \"\"the\"\" =ray</td>\",notAwarded,0,T1,failed,,,notAttempted,"
+              "bump.inverted-u\r\n");
+}
+
+}  // namespace
+}  // namespace ticker::report

@@ -1,0 +1,131 @@
+#include <grader/rubric/Rubric.h>
+
+#include <raytracer/base/Error.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace ticker::rubric {
+namespace {
+
+const std::filesystem::path kDefault{TICKER_SOURCE_DIR "/grader/rubric/rubric.json"};
+
+TaskReport task(const std::string& id, TaskState state, std::vector<Finding> findings = {}) {
+    TaskReport report;
+    report.id = id;
+    report.state = state;
+    report.findings = std::move(findings);
+    return report;
+}
+
+Finding finding(const std::string& id, Severity severity) {
+    Finding made;
+    made.id = id;
+    made.severity = severity;
+    return made;
+}
+
+SubmissionResult submission(TaskState t1, TaskState t21, TaskState t22,
+                            TaskState screenshot = TaskState::passed) {
+    SubmissionResult result;
+    result.tasks = {task("T1", t1), task("T2.1", t21), task("T2.2", t22),
+                    task("screenshot", screenshot)};
+    return result;
+}
+
+constexpr auto kPassed = TaskState::passed;
+constexpr auto kFailed = TaskState::failed;
+constexpr auto kStub = TaskState::notAttempted;
+
+TEST(DefaultRubric, AwardsEitherOptionAndNoMoreThanOneForBoth) {
+    const Rubric rubric = readRubric(kDefault);
+    const auto t1 = applyRubric(rubric, submission(kPassed, kStub, kStub));
+    EXPECT_EQ(t1.verdict, Verdict::awarded);
+    EXPECT_EQ(t1.option, "T1");
+    EXPECT_EQ(t1.score, 1.0);
+    const auto t2 = applyRubric(rubric, submission(kStub, kPassed, kPassed));
+    EXPECT_EQ(t2.verdict, Verdict::awarded);
+    EXPECT_EQ(t2.option, "T2");
+    const auto both = applyRubric(rubric, submission(kPassed, kPassed, kPassed));
+    EXPECT_EQ(both.option, "both");
+    EXPECT_EQ(both.score, 1.0);
+}
+
+TEST(DefaultRubric, DoesNotAwardHalfAnOptionOrAnUntouchedTemplate) {
+    const Rubric rubric = readRubric(kDefault);
+    EXPECT_EQ(applyRubric(rubric, submission(kFailed, kPassed, kFailed)).verdict,
+              Verdict::notAwarded);
+    EXPECT_EQ(applyRubric(rubric, submission(kStub, kPassed, kStub)).verdict, Verdict::notAwarded);
+    const auto untouched = applyRubric(rubric, submission(kStub, kStub, kStub));
+    EXPECT_EQ(untouched.verdict, Verdict::notAwarded);
+    EXPECT_EQ(untouched.option, "none");
+    EXPECT_EQ(untouched.score, 0.0);
+}
+
+TEST(DefaultRubric, AwardsOneGoodOptionThoughTheOtherFailed) {
+    EXPECT_EQ(
+        applyRubric(readRubric(kDefault), submission(kPassed, kFailed, TaskState::blocked)).verdict,
+        Verdict::awarded);
+}
+
+TEST(DefaultRubric, SendsAMissingScreenshotToAPersonOnlyWhereItMatters) {
+    const Rubric rubric = readRubric(kDefault);
+    EXPECT_EQ(applyRubric(rubric, submission(kPassed, kStub, kStub, kStub)).verdict,
+              Verdict::needsReview);
+    EXPECT_EQ(applyRubric(rubric, submission(kFailed, kStub, kStub, kStub)).verdict,
+              Verdict::notAwarded);
+}
+
+TEST(DefaultRubric, NeverTurnsOurFaultIntoAScore) {
+    const Rubric rubric = readRubric(kDefault);
+    const auto ours = applyRubric(rubric, submission(TaskState::notGraded, kStub, kStub));
+    EXPECT_EQ(ours.verdict, Verdict::notGraded);
+    EXPECT_EQ(ours.score, 0.0);
+    EXPECT_EQ(applyRubric(rubric, submission(TaskState::notGraded, kPassed, kPassed)).verdict,
+              Verdict::awarded);
+}
+
+TEST(DefaultRubric, SendsADoubtfulTaskToAPerson) {
+    SubmissionResult doubtful = submission(kStub, kPassed, kPassed);
+    doubtful.tasks[2].needsReview = true;
+    EXPECT_EQ(applyRubric(readRubric(kDefault), doubtful).verdict, Verdict::needsReview);
+}
+
+TEST(RubricSeverities, ChangeWhatAFindingDoesToItsTask) {
+    Rubric rubric = readRubric(kDefault);
+    rubric.severities["bump.inverted-u"] = Severity::warn;
+    rubric.severities["bump.mirrored"] = Severity::fail;
+    SubmissionResult lenient = submission(kFailed, kStub, kStub);
+    lenient.tasks[0].findings = {finding("bump.inverted-u", Severity::fail)};
+    EXPECT_EQ(applyRubric(rubric, lenient).verdict, Verdict::awarded);
+    SubmissionResult strict = submission(kPassed, kStub, kStub);
+    strict.tasks[0].findings = {finding("bump.mirrored", Severity::note)};
+    EXPECT_EQ(applyRubric(rubric, strict).tasks[0].state, TaskState::failed);
+}
+
+TEST(ReadRubric, SaysWhichMemberDoesNotFit) {
+    const auto file = std::filesystem::path{testing::TempDir()} / "rubric-wrong.json";
+    const auto messageFor = [&](const std::string& text) {
+        std::ofstream{file} << text;
+        try {
+            static_cast<void>(readRubric(file));
+        } catch (const raytracer::InputError& error) {
+            return std::string{error.what()};
+        }
+        return std::string{"no error"};
+    };
+    EXPECT_NE(messageFor("{").find("not JSON"), std::string::npos);
+    EXPECT_NE(messageFor("[]").find("an object"), std::string::npos);
+    EXPECT_NE(messageFor(R"({"maxScore": 1})").find("a member \"options\""), std::string::npos);
+    EXPECT_NE(messageFor(R"({"maxScore": 1, "options": [{"name": "a", "tasks": ["T9"],
+        "points": 1}], "screenshotTask": "", "severities": {}})")
+                  .find("/options/0/tasks/0: expected \"T1\""),
+              std::string::npos);
+    EXPECT_NE(messageFor(R"({"maxscore": 1})").find("/maxscore"), std::string::npos);
+    std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace ticker::rubric

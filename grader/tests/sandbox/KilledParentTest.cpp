@@ -1,0 +1,106 @@
+// kill -9 of the program that started a jail ends the jail.
+#include "JailFixture.h"
+
+#include <grader/sandbox/FileDescriptor.h>
+#include <grader/sandbox/Spawner.h>
+#include <grader/sandbox/StagingFolder.h>
+
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+
+namespace ticker::sandbox {
+namespace {
+
+constexpr int kPatienceMs = 20'000;
+
+class KilledParent : public AtLevel {
+protected:
+    void SetUp() override {
+        AtLevel::SetUp();
+        // What the victim leaves becomes ours, so that its end can be waited for.
+        prctl(PR_SET_CHILD_SUBREAPER, 1);
+    }
+    void TearDown() override {
+        prctl(PR_SET_CHILD_SUBREAPER, 0);
+        AtLevel::TearDown();
+        // The victims could not: a new folder takes the old ones away.
+        const StagingFolder sweeper;
+    }
+
+    // Everything that the victim starts inherits the pipe's other end: its end of file says that
+    // nobody holds it any more.
+    void startVictim() {
+        std::array<int, 2> ends{};
+        ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+        pipe_ = FileDescriptor{ends[0]};
+        const FileDescriptor other{ends[1]};
+        Launch victim;
+        victim.program = programBeside("sandbox_victim");
+        victim.arguments = {toString(GetParam()), programBeside("sandbox_tricks").string(),
+                            marker()};
+        victim.redirections = {{0, 0}, {1, 1}, {2, 2}, {other.get(), 3}};
+        victim_ = launch(victim).pid;
+        ASSERT_GT(victim_, 0);
+    }
+
+    void killVictim() {
+        kill(victim_, SIGKILL);
+        waitpid(victim_, nullptr, 0);
+    }
+
+    // True when the sleeper has begun.
+    [[nodiscard]] bool hasBegun(int waitMs) {
+        pollfd polled{pipe_.get(), POLLIN, 0};
+        char byte = 0;
+        return poll(&polled, 1, waitMs) == 1 && read(pipe_.get(), &byte, 1) == 1;
+    }
+
+    [[nodiscard]] bool allHaveEnded() {
+        pollfd polled{pipe_.get(), POLLIN, 0};
+        std::array<char, 8> bytes{};
+        while (poll(&polled, 1, kPatienceMs) == 1) {
+            if (read(pipe_.get(), bytes.data(), bytes.size()) != 0) continue;
+            // A helper that was just being started holds no pipe: it sees at once that it is alone.
+            while (waitpid(-1, nullptr, 0) > 0) {
+            }
+            return true;
+        }
+        return false;
+    }
+
+private:
+    FileDescriptor pipe_;
+    pid_t victim_ = -1;
+};
+
+INSTANTIATE_TEST_SUITE_P(Sandbox, KilledParent,
+                         testing::Values(Level::namespaces, Level::ownUser, Level::sameUser,
+                                         Level::none),
+                         levelName);
+
+TEST_P(KilledParent, EndsTheJailThatRuns) {
+    startVictim();
+    ASSERT_TRUE(hasBegun(kPatienceMs));
+    killVictim();
+    EXPECT_TRUE(allHaveEnded());
+}
+
+TEST_P(KilledParent, EndsTheJailAtWhateverMoment) {
+    for (int moment = 0; moment < 8; ++moment) {
+        startVictim();
+        static_cast<void>(hasBegun(2 * moment));
+        killVictim();
+        EXPECT_TRUE(allHaveEnded()) << "killed after " << 2 * moment << " ms";
+    }
+}
+
+}  // namespace
+}  // namespace ticker::sandbox

@@ -1,0 +1,155 @@
+#include "Trick.h"
+
+#include <grader/sandbox/jail/Report.h>
+
+#include <arpa/inet.h>
+#include <dirent.h>
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/ptrace.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace tricks {
+namespace {
+
+int result(bool worked) {
+    return worked ? kSucceeded : kRefused;
+}
+
+int daemonise(std::span<char*>) {
+    if (fork() != 0) _exit(0);
+    setsid();
+    if (fork() != 0) _exit(0);
+    while (true)
+        pause();
+}
+
+int killParent(std::span<char*>) {
+    kill(getppid(), SIGKILL);
+    return result(true);
+}
+
+int killAll(std::span<char*>) {
+    kill(-1, SIGKILL);
+    return result(true);
+}
+
+int traceParent(std::span<char*>) {
+    return result(ptrace(PTRACE_ATTACH, getppid(), nullptr, nullptr) == 0);
+}
+
+int internetSocket(std::span<char*>) {
+    return result(socket(AF_INET, SOCK_STREAM, 0) >= 0);
+}
+
+int abstractSocket(std::span<char*>) {
+    return result(socket(AF_UNIX, SOCK_STREAM, 0) >= 0);
+}
+
+int readFile(std::span<char*> arguments) {
+    const int file = open(arguments[0], O_RDONLY);
+    if (file < 0) return kRefused;
+    char text[256] = {};
+    const ssize_t size = read(file, text, sizeof text);
+    if (size > 0) write(1, text, static_cast<std::size_t>(size));
+    return kSucceeded;
+}
+
+int writeFile(std::span<char*> arguments) {
+    const int file = open(arguments[0], O_WRONLY | O_CREAT, 0666);
+    return result(file >= 0 && write(file, "x", 1) == 1);
+}
+
+int listFolder(std::span<char*> arguments) {
+    DIR* folder = opendir(arguments[0]);
+    return result(folder != nullptr);
+}
+
+int makeLink(std::span<char*> arguments) {
+    return result(symlink("/etc/passwd", arguments[0]) == 0);
+}
+
+// Says on every descriptor that all went well.
+int forgeReport(std::span<char*>) {
+    ticker::jail::Report forged;
+    forged.kind = ticker::jail::Report::Kind::exited;
+    for (int descriptor = 3; descriptor < 1024; ++descriptor)
+        if (write(descriptor, &forged, sizeof forged) >= 0) return kSucceeded;
+    return 7;
+}
+
+int newNamespaces(std::span<char*>) {
+    return result(unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0);
+}
+
+int ioUring(std::span<char*>) {
+    char parameters[256] = {};
+    return result(syscall(SYS_io_uring_setup, 8, parameters) >= 0);
+}
+
+int memoryFile(std::span<char*>) {
+    return result(memfd_create("x", 0) >= 0);
+}
+
+int otherProgram(std::span<char*>) {
+    char shell[] = "/bin/sh";
+    char* const words[] = {shell, nullptr};
+    execv(shell, words);
+    return kRefused;
+}
+
+int typeIntoTerminal(std::span<char*>) {
+    return result(ioctl(0, TIOCSTI, "x") == 0);
+}
+
+// The 32-bit entry, where call numbers mean something else: 2 is fork.
+int otherArchitecture(std::span<char*>) {
+#if defined(__x86_64__)
+    int number = 2;
+    asm volatile("int $0x80" : "+a"(number) : : "memory");
+    return result(number >= 0);
+#else
+    return kRefused;
+#endif
+}
+
+int becomeRoot(std::span<char*>) {
+    return result(setresuid(0, 0, 0) == 0);
+}
+
+constexpr Trick kTricks[] = {{"daemon", daemonise},
+                             {"kill-parent", killParent},
+                             {"kill-all", killAll},
+                             {"trace-parent", traceParent},
+                             {"internet-socket", internetSocket},
+                             {"abstract-socket", abstractSocket},
+                             {"read-file", readFile},
+                             {"write-file", writeFile},
+                             {"list-folder", listFolder},
+                             {"make-link", makeLink},
+                             {"forge-report", forgeReport},
+                             {"new-namespaces", newNamespaces},
+                             {"io-uring", ioUring},
+                             {"memory-file", memoryFile},
+                             {"other-program", otherProgram},
+                             {"type-into-terminal", typeIntoTerminal},
+                             {"other-architecture", otherArchitecture},
+                             {"become-root", becomeRoot}};
+
+}  // namespace
+
+std::span<const Trick> prying() {
+    return kTricks;
+}
+
+}  // namespace tricks

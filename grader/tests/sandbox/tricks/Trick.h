@@ -1,0 +1,27 @@
+#ifndef TICKER_TESTS_SANDBOX_TRICK_H
+#define TICKER_TESTS_SANDBOX_TRICK_H
+
+#include <span>
+
+// What a hostile or an honest program does with what it is given. A trick that is stopped politely
+// (an error instead of a signal) says so with its exit status, see below.
+namespace tricks {
+
+inline constexpr int kRefused = 40;    ///< the system said no
+inline constexpr int kSucceeded = 66;  ///< the trick worked: the jail leaks
+
+struct Trick {
+    const char* name;
+    int (*run)(std::span<char*> arguments);
+};
+
+/// Honest things that must keep working.
+[[nodiscard]] std::span<const Trick> honest();
+/// Uses up time, memory, processes, output, files.
+[[nodiscard]] std::span<const Trick> greedy();
+/// Reaches for processes, files, the network, the kernel.
+[[nodiscard]] std::span<const Trick> prying();
+
+}  // namespace tricks
+
+#endif
