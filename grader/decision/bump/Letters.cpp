@@ -44,16 +44,16 @@ Cell placeCell(const HeightMapDescription& map, const Landing& landing, const Ve
     return cell;
 }
 
-/// Brings recovered slopes to the scale of the true ones, keeping their signs.
+/// Brings recovered slopes to the size of the true ones, keeping their signs.
 void scale(std::vector<Cell>& cells, double Cell::*seen, double Cell::*expected) {
-    double product = 0.0;
-    double square = 0.0;
+    double seenSquares = 0.0;
+    double trueSquares = 0.0;
     for (Cell& cell : cells) {
         if (!std::isfinite(cell.*seen)) cell.*seen = 0.0;
-        product += std::abs(cell.*seen * (cell.*expected));
-        square += (cell.*seen) * (cell.*seen);
+        seenSquares += (cell.*seen) * (cell.*seen);
+        trueSquares += (cell.*expected) * (cell.*expected);
     }
-    const double factor = square > 0.0 ? product / square : 0.0;
+    const double factor = seenSquares > 0.0 ? std::sqrt(trueSquares / seenSquares) : 0.0;
     for (Cell& cell : cells)
         cell.*seen *= factor;
 }
@@ -246,7 +246,7 @@ std::vector<Raster> drawRelief(const LetterPlan& plan, const Answers& answers,
     heights.reserve(grid.size());
     for (const Cell& cell : grid)
         heights.push_back(cell.height);
-    return {raster("expected relief: H raised (bright), L lowered (dark)", heights),
+    return {raster("expected relief, where your u and v lay the map: H raised, L lowered", heights),
             raster("relief that your normals show", integrate(differencesOf(grid)))};
 }
 
