@@ -46,9 +46,9 @@ struct RenderScore {
 
 /// A picture that belongs to a result, as a file below OUT/<submission>/.
 struct ResultPicture {
-    std::string file;               ///< "images/expected-bump-mapping.png"
-    std::string caption;            ///< for its alternative text
-    std::vector<std::uint8_t> png;  ///< the bytes; empty in a result that was read back
+    std::string file;     ///< "images/expected-bump-mapping.png"
+    std::string caption;  ///< for its alternative text
+    std::string png;      ///< the file's bytes; empty in a result that was read back
 };
 
 /// What the compiler said about one of the student's files, made safe to read but not to embed:

@@ -30,6 +30,7 @@ enum class Fault {
 /// Why a submission is wrong that fits no name: the first that applies.
 enum class WrongReason {
     inward,
+    flatTilted,
     slopeUIgnored,
     slopeVIgnored,
     signLost,

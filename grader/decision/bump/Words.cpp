@@ -25,6 +25,15 @@ std::string percent(double share) {
                                       : fmt::format("{:.0f} %", value);
 }
 
+/// What the student's code said, as one harmless line.
+std::string quoted(const std::string& text) {
+    constexpr std::size_t kLongest = 160;
+    std::string line = text.substr(0, kLongest);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return line.size() < text.size() ? line + "..." : line;
+}
+
 std::string pointsOf(const Offence& offence) {
     return fmt::format("{:.0f} of {:.0f} points", offence.count, offence.asked);
 }
@@ -36,14 +45,24 @@ std::string firstAt(const Offence& offence) {
 
 Words threwWords(const Offence& offence) {
     const bool lookUp = offence.message.find("outside the map") != std::string::npos;
-    return {fmt::format("The program stops at {}: \"{}\". The first is {}.", pointsOf(offence),
-                        offence.message, firstAt(offence)),
-            lookUp
-                ? "Look at the line that turns (u, v) into a column and a row, and at the texels "
-                  "to the right and below: columns end at width() - 1 and rows at height() - 1. "
-                  "Let columns go round (modulo the width), and let rows stop at the edge."
-                : "An exception came out of getNormalAt. A render would end there.",
-            "1, Implementation, step 3"};
+    // What a double that is not a number, or far too large, becomes as an int.
+    const bool overflow = offence.message.find("2147483648") != std::string::npos;
+    Words words;
+    words.message = fmt::format("The program stops at {}: \"{}\". The first is {}.",
+                                pointsOf(offence), quoted(offence.message), firstAt(offence));
+    words.section = "1, Implementation, step 3";
+    if (overflow)
+        words.hint =
+            "A u or v that is not a number became a column or row: look for an acos of a "
+            "value beyond 1 (divide by the radius, or normalise, first).";
+    else if (lookUp)
+        words.hint =
+            "Look at the line that turns (u, v) into a column and a row, and at the texels "
+            "to the right and below: columns end at width() - 1 and rows at height() - 1. "
+            "Let columns go round (modulo the width), and let rows stop at the edge.";
+    else
+        words.hint = "An exception came out of getNormalAt. A render would end there.";
+    return words;
 }
 
 Words notFiniteWords(const Offence& offence) {
@@ -74,22 +93,22 @@ Words flatWords() {
 }
 
 Words longitudeWords(const Examination& examination) {
-    const Response& response = *examination.ramps.response;
-    const std::string turned =
-        response.tangentTurn == 0.0
-            ? std::string{}
-            : fmt::format(
-                  " The tangents seem to be those of a longitude that is {:.0f} degrees "
-                  "away.",
-                  std::abs(response.tangentTurn));
-    return {
-        "The same slope tilts the normal differently at different longitudes: the tilt should "
-        "turn with the point round the sphere." +
-            turned,
-        "Pu and Pv must come from the same angles, with the same axis and the same origin, as "
-        "the (u, v) that you look up: differentiate your own F(u, v), Equation (2), at the "
-        "point's own longitude and polar angle.",
-        "1, Implementation, step 2"};
+    const double turn = examination.ramps.response->tangentTurn;
+    Words words;
+    words.message =
+        turn == 0.0 ? "The same slope tilts the normal differently at different longitudes: the "
+                      "tilt should turn with the point round the sphere."
+                    : fmt::format(
+                          "The normal tilts as it should at a longitude that is {:.0f} "
+                          "degrees away: the tangents belong to another parametrisation "
+                          "than the place where the map is looked up.",
+                          std::abs(turn));
+    words.hint =
+        "Pu and Pv must come from the same angles, with the same axis and the same origin, as the "
+        "(u, v) that you look up: differentiate your own F(u, v), Equation (2), at the point's own "
+        "longitude and polar angle.";
+    words.section = "1, Implementation, step 2";
+    return words;
 }
 
 Words swappedWords(const Examination& examination, const std::optional<Hints>& hints) {
@@ -144,12 +163,21 @@ Words upsideDownWords() {
         "1, Implementation, step 1"};
 }
 
+/// The beginning of a hint where the code does well as long as every map has one size.
+std::string rememberedSize(const std::optional<Hints>& hints) {
+    if (!hints || hints->square.kind != RampKind::right) return {};
+    return "As long as every map has the same size, the tilt is right: look for a size that is "
+           "remembered (a static variable) or written in as a number. ";
+}
+
 Words strangeLandingWords(const Examination& examination, const std::optional<Hints>& hints) {
     std::string hint =
         "Check u and v: with the smooth unit normal n, the polar angle is acos(n.y) and the "
         "longitude an atan2 of n.x and n.z; u is the longitude over 2 pi, v the polar angle over "
         "pi.";
-    if (hints && hints->unitSphere.response)
+    if (const std::string remembered = rememberedSize(hints); !remembered.empty())
+        hint = remembered + hint;
+    else if (hints && hints->unitSphere.response)
         hint =
             "On a sphere of radius 1 around the origin the map lies where it should: somewhere "
             "the centre is not subtracted, or the radius not divided out. " +
@@ -169,6 +197,14 @@ Words strangeLandingWords(const Examination& examination, const std::optional<Hi
     return {message + ".", hint, "1, Implementation, step 1"};
 }
 
+Words signLostWords(const std::optional<Hints>& hints) {
+    return {"A falling slope does not tilt the normal the other way than a rising one does.",
+            rememberedSize(hints) +
+                "Look for an abs, a max or an unsigned type in the differences, and check that the "
+                "column and the row change with the point.",
+            "1, Implementation, step 3"};
+}
+
 Words ignoredWords(const std::string& axis, const std::string& what) {
     return {fmt::format("A slope along {} alone tilts nothing: the normal does not change where "
                         "only {} differ.",
@@ -185,35 +221,49 @@ std::string directionInWords(const AxisResponse& axis) {
                        percent(axis.shares.across), percent(axis.shares.dead));
 }
 
+/// ", everywhere 30 degrees off", where every band of an axis agrees on that.
+std::string commonTurn(const AxisResponse& axis) {
+    constexpr double kAgree = 10.0;
+    const auto [least, most] =
+        std::minmax_element(axis.bandDirection.begin(), axis.bandDirection.end());
+    const double middle = std::abs(0.5 * (*least + *most));
+    if (*most - *least > kAgree || middle < kAgree) return {};
+    return fmt::format(", everywhere {:.0f} degrees off", middle);
+}
+
 Words directionWords(const Response& response) {
+    const AxisResponse& farthest =
+        std::abs(response.u.worstDirection) > std::abs(response.v.worstDirection) ? response.u
+                                                                                  : response.v;
     return {
         fmt::format("The tilt fits no reading of Equation (1). A slope along u tilts the normal: "
-                    "{}. A slope along v: {}.",
-                    directionInWords(response.u), directionInWords(response.v)),
-        fmt::format(
-            "The farthest off is {}. Work out Pu, Pv, Bu and Bv there by hand and "
-            "compare.",
-            placeInWords(std::abs(response.u.worstDirection) > std::abs(response.v.worstDirection)
-                             ? response.u.worst
-                             : response.v.worst)),
+                    "{}{}. A slope along v: {}{}.",
+                    directionInWords(response.u), commonTurn(response.u),
+                    directionInWords(response.v), commonTurn(response.v)),
+        fmt::format("The farthest off is {}. Work out Pu, Pv, Bu and Bv there by hand and "
+                    "compare.",
+                    placeInWords(farthest.worst)),
         "1, Implementation, steps 2 and 3"};
 }
 
 Words patchyWords(const Response& response) {
+    const AxisResponse& axis =
+        response.u.shares.dead > response.v.shares.dead ? response.u : response.v;
     return {
         fmt::format("On an even slope many points are not tilted at all: {} of them along u, {} "
                     "along v. Elsewhere the direction is right.",
                     percent(response.u.shares.dead), percent(response.v.shares.dead)),
-        "Compare this texel with the next one: a step in u or v that is smaller than a texel "
-        "often reads the same texel twice.",
-        "1, Implementation, step 3"};
+        fmt::format("One of them lies {}. A step in u or v that is smaller than a texel often "
+                    "reads the same texel twice; a tangent may have no length there.",
+                    placeInWords(axis.deadAt)),
+        "1, Implementation, steps 2 and 3"};
 }
 
 Words slopesWords(const SlopeAgreement& slopes) {
     return {fmt::format("On even ramps the tilt is right, but on pictures it is not: on a smooth "
-                        "random map it follows the slope along u with a correlation of {:.2f} and "
-                        "along v of {:.2f} (right code: above 0.9).",
-                        slopes.fieldCorrelationU, slopes.fieldCorrelationV),
+                        "random map {} of the tilt along u and {} of that along v lean against the "
+                        "slope of the map (right code: all but a few percent).",
+                        percent(0.5 + 0.5 * slopes.fieldU), percent(0.5 + 0.5 * slopes.fieldV)),
             "Check that Bu compares two texels of the point's own row, and Bv two of its own "
             "column.",
             "1, Implementation, step 3"};
@@ -239,16 +289,19 @@ Words wrongWords(WrongReason reason, const Examination& examination,
                     "The smooth normal is position minus centre, not the other way round; with a "
                     "cross product of two tangents, mind their order.",
                     "1, Implementation, step 1"};
+        case WrongReason::flatTilted:
+            return {fmt::format("On a map without any slope the normal should be the smooth "
+                                "sphere's, but it is tilted by {:.0f} degrees (median).",
+                                std::atan(examination.flatTilt) * kDegrees),
+                    "The tilt must come from differences of heights, not from heights, and must be "
+                    "added to the unit normal, (position - centre) / radius.",
+                    "1, Implementation, steps 1 and 3"};
         case WrongReason::slopeUIgnored:
             return ignoredWords("u", "columns");
         case WrongReason::slopeVIgnored:
             return ignoredWords("v", "rows");
         case WrongReason::signLost:
-            return {
-                "A falling slope tilts the normal like a rising one: both sides of every bump "
-                "lean the same way.",
-                "Look for an abs or an unsigned type in the differences.",
-                "1, Implementation, step 3"};
+            return signLostWords(hints);
         case WrongReason::strangeLanding:
             return strangeLandingWords(examination, hints);
         case WrongReason::smallSlopesLost:
@@ -262,7 +315,7 @@ Words wrongWords(WrongReason reason, const Examination& examination,
             return directionWords(*examination.ramps.response);
         case WrongReason::doesNotGrow:
             return {
-                "A slope that is 25 times as steep tilts the normal hardly more: a bigger "
+                "A slope that is 50 times as steep tilts the normal hardly more: a bigger "
                 "bump should give a larger coefficient.",
                 "Do not normalise the slopes, and do not cut them off: only the sum of "
                 "Equation (1) is normalised.",
@@ -355,6 +408,7 @@ Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examina
     for (std::size_t i = 1; i < faults.size(); ++i)
         also += (also.empty() ? "" : ", ") + idOf(faults[i]);
     if (!also.empty()) evidence.emplace_back("also", also);
+    if (examination.letters) addLetters(evidence, *examination.letters);
     if (examination.ramps.response) {
         const ResponseMatrix& m = examination.ramps.response->matrix;
         evidence.emplace_back("responseMatrix",
@@ -362,7 +416,6 @@ Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examina
         addAxis(evidence, "u", examination.ramps.response->u);
         addAxis(evidence, "v", examination.ramps.response->v);
     }
-    if (examination.letters) addLetters(evidence, *examination.letters);
     if (examination.ramps.fit) addLanding(evidence, *examination.ramps.fit);
     addOffence(evidence, "exception", examination.conduct.threw);
     addOffence(evidence, "notFinite", examination.conduct.notFinite);

@@ -1,0 +1,32 @@
+#ifndef TICKER_ORACLE_FLOATTIFF_H
+#define TICKER_ORACLE_FLOATTIFF_H
+
+#include <raytracer/image/ColourRGB.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace ticker::oracle {
+
+/// A picture of 32-bit floats: rows from the top, red, green, blue.
+struct FloatPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<raytracer::ColourRGB> pixels;
+};
+
+/// Writes a compressed TIFF file, whole or not at all.
+/// @throws raytracer::InputError where it cannot be written.
+void writeTiff(const FloatPicture& picture, const std::filesystem::path& file);
+
+/// @throws raytracer::InputError where the file is missing or holds anything but three 32-bit
+///         floats for each pixel.
+[[nodiscard]] FloatPicture readTiff(const std::filesystem::path& file);
+
+/// Writes bytes to a file beside `file` and renames it into place.
+/// @throws raytracer::InputError where it cannot be written.
+void replaceWhole(const std::filesystem::path& file, const std::string& bytes);
+
+}  // namespace ticker::oracle
+
+#endif
