@@ -19,6 +19,7 @@ struct Reading {
         inverseSine,  ///< the true gradient
         mapUnits,     ///< differences over u and v: times width and height
         blinn,        ///< Blinn's form with cross products and the length of P_u x P_v
+        equation,     ///< Equation (1) with the signs that fit, unit tangents
         displaced     ///< the displaced surface, differentiated numerically
     };
     enum class Tangents { formula, numeric };  ///< how P_u and P_v are made

@@ -274,14 +274,15 @@ private:
                 sum = n_ - (pu * bu_ + pv * bv_) * k;
                 break;
         }
-        if (reading_.gain == Reading::Gain::blinn) sum = blinn(pu, pv, k);
+        const Real sense = reading_.mirrored ? Real(-1) : Real(1);
+        if (reading_.gain == Reading::Gain::equation) sum = crossed(pu, pv, k * sense);
+        if (reading_.gain == Reading::Gain::blinn) sum = crossed(pu, pv, k / pu.cross(pv).dot(n_));
         return slip_ == Slip::notUnit ? sum : sum.unit();
     }
 
-    /// n + (B_u (n x P_v) - B_v (n x P_u)) / h with P_u x P_v = h n, h of either sign.
-    [[nodiscard]] V blinn(const V& pu, const V& pv, Real k) const {
-        const Real h = pu.cross(pv).dot(n_);
-        return n_ + (n_.cross(pv) * bu_ - n_.cross(pu) * bv_) * (k / h);
+    /// n + (B_u (n x P_v) - B_v (n x P_u)) k: right for k of the sign of h in P_u x P_v = h n.
+    [[nodiscard]] V crossed(const V& pu, const V& pv, Real k) const {
+        return n_ + (n_.cross(pv) * bu_ - n_.cross(pu) * bv_) * k;
     }
 
     /// The displaced surface's own normal, by central differences over a texel.

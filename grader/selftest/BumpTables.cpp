@@ -39,9 +39,11 @@ void takeTurns(std::vector<Reading>& readings) {
 
 constexpr std::array kGains{Reading::Gain::unit,        Reading::Gain::sine,
                             Reading::Gain::inverseSine, Reading::Gain::mapUnits,
-                            Reading::Gain::blinn,       Reading::Gain::displaced};
+                            Reading::Gain::blinn,       Reading::Gain::equation,
+                            Reading::Gain::displaced};
 constexpr std::array kGainNames{"unit tangents",      "P_u by sin theta", "P_u by 1 / sin theta",
-                                "slopes over (u, v)", "Blinn's form",     "displaced surface"};
+                                "slopes over (u, v)", "Blinn's form",     "Equation (1)",
+                                "displaced surface"};
 constexpr std::array kSamplings{Reading::Sampling::floor, Reading::Sampling::round,
                                 Reading::Sampling::bilinear, Reading::Sampling::bicubic};
 constexpr std::array kDifferences{Reading::Difference::forward, Reading::Difference::backward,
@@ -83,7 +85,8 @@ Reading fitting(Reading reading, Slip slip) {
     // A sixth of a difference is never a whole number: that sphere is flat.
     if (slip == Slip::wholeNumbers) reading.difference = Reading::Difference::forward;
     // Turned tangents have no area at the equator, which Blinn's form divides by.
-    if (slip == Slip::otherOrigin) reading.gain = Reading::Gain::unit;
+    if (slip == Slip::otherOrigin && reading.gain == Reading::Gain::blinn)
+        reading.gain = Reading::Gain::equation;
     // A polar angle that is no number makes a row that is none: clamped, the tangents show it.
     if (slip == Slip::acosBeyondOne) reading.edge = Reading::Edge::clamp;
     // Numeric tangents have no length at the poles, where this angle often is.

@@ -110,7 +110,8 @@ private:
     // merely odd does not count at a pole, even where that faces the eye.
     [[nodiscard]] bool ends() const { return shows() || place_ == Place::nearestPoint; }
     [[nodiscard]] bool shows() const {
-        return place_ == Place::ordinary || place_ == Place::visibleMeridian;
+        return place_ == Place::ordinary || place_ == Place::rough ||
+               place_ == Place::visibleMeridian;
     }
     [[nodiscard]] Offence& threw() { return ends() ? conduct_.threw : conduct_.threwHidden; }
     [[nodiscard]] Offence& notFinite() {
@@ -132,13 +133,13 @@ private:
         constexpr double kUnitTolerance = 1e-3;
         const double error = std::abs(normal.magnitude() - 1.0);
         if (!(error <= kUnitTolerance)) note(notUnit(), question_, point, error);
-        if (place_ == Place::ordinary) readDirection(point, normal);
+        if (place_ == Place::ordinary || place_ == Place::rough) readDirection(point, normal);
     }
 
     void readDirection(std::size_t point, const Vector3& normal) {
         const Vector3 smooth = (question_.positions[point] - question_.centre).normalised();
         if (!(normal.dot(smooth) > 0.0)) {
-            note(conduct_.inward, question_, point);
+            if (place_ == Place::ordinary) note(conduct_.inward, question_, point);
             return;
         }
         const double tilt = tiltOf(normal, smooth).magnitude();
@@ -166,6 +167,7 @@ private:
 Place ConductPlan::placeOf(std::size_t question) const {
     if (question == visibleMeridian) return Place::visibleMeridian;
     if (question == hiddenMeridian) return Place::hiddenMeridian;
+    if (question == smallMap || question == lastRows) return Place::rough;
     if (question == nearestPoint) return Place::nearestPoint;
     if (question == poles) return Place::pole;
     if (question == tinyMap) return Place::tinyMap;

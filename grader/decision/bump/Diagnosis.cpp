@@ -70,12 +70,47 @@ bool isTransposed(const Examination& examination, const std::optional<Hints>& hi
 
 }  // namespace
 
+std::string idOf(Fault fault) {
+    switch (fault) {
+        case Fault::threw:
+            return "run.crashed";
+        case Fault::notFinite:
+            return "bump.not-finite";
+        case Fault::notUnit:
+            return "bump.not-unit";
+        case Fault::flat:
+            return "bump.flat";
+        case Fault::longitudeDependent:
+            return "bump.longitude-dependent";
+        case Fault::swapped:
+            return "bump.swapped-axes";
+        case Fault::inverted:
+            return "bump.inverted";
+        case Fault::invertedU:
+            return "bump.inverted-u";
+        case Fault::invertedV:
+            return "bump.inverted-v";
+        case Fault::upsideDown:
+            return "bump.upside-down";
+        case Fault::wrong:
+            break;
+    }
+    return "bump.wrong";
+}
+
 std::optional<WrongReason> findWrong(const Examination& examination) {
-    if (examination.conduct.inward) return WrongReason::inward;
+    const Offence& inward = examination.conduct.inward;
+    // Wrong tangents tip a normal over here and there; then they are what is wrong.
+    if (inward.count > 0.5 * inward.asked) return WrongReason::inward;
     if (tiltsWithoutSlope(examination)) return WrongReason::flatTilted;
+    if (examination.ramps.kind == RampKind::strangeLanding && !examination.growsWithSlope)
+        return WrongReason::doesNotGrow;
     if (const auto reason = reasonOf(examination.ramps.kind)) return reason;
     // What follows asks whether a submission that is right on ramps is right elsewhere, too.
     if (examination.ramps.kind != RampKind::right) return std::nullopt;
+    // Tangents of the texel's corner tip a very strong tilt over at the seam's step.
+    constexpr double kSomeInward = 0.01;
+    if (inward.count > kSomeInward * inward.asked) return WrongReason::inward;
     if (!examination.growsWithSlope) return WrongReason::doesNotGrow;
     if (!examination.steepAgrees) return WrongReason::steepDiffers;
     if (!examination.slopes || !examination.slopes->good()) return WrongReason::slopesDiffer;

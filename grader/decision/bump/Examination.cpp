@@ -11,7 +11,7 @@ namespace {
 
 // Gentle ramps are so low beside the sphere's radius that the exact normal of the displaced surface
 // is as good as in proportion to the slope.
-constexpr double kGentleRise = 0.2;
+constexpr double kGentleRise = 0.1;
 constexpr double kSteepRise = 5.0;
 
 /// Sides that no submission can know.
@@ -21,14 +21,14 @@ RampShape drawShape(Draws& draws, double rise) {
 
 Ball drawBall(Draws& draws) {
     const double side = draws.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0;
-    return {{side * draws.uniform(0.7, 2.0), draws.uniform(-1.5, 1.5), draws.uniform(6.0, 9.0)},
-            draws.uniform(2.5, 5.0)};
+    return {{side * draws.uniform(0.7, 2.0), draws.uniform(-1.5, 1.5), draws.uniform(20.0, 30.0)},
+            draws.uniform(8.0, 16.0)};
 }
 
 /// Both ramps, the steep one against the gentle one: do tilts grow, and keep their direction?
 void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTilts>& steep,
                   Examination& examination) {
-    constexpr double kGrows = 2.0;  // the displaced surface's exact normal: 12; in proportion: 25
+    constexpr double kGrows = 2.0;  // the displaced surface's exact normal: 30; in proportion: 50
     constexpr double kAgree = 0.95;
     std::vector<double> growth;
     double agreeing = 0.0;
@@ -78,13 +78,14 @@ HintPlan planHints(std::uint64_t seed) {
     HintPlan plan;
     const int side = draws.integer(380, 430);
     const std::vector<Vector3> directions = draws.directions(kPoints);
+    // All maps of one size, so that code which remembers a size does well; lower ramps on smaller
+    // spheres.
     plan.square =
         planRamps(plan.questionnaire, drawBall(draws), {side, side, kGentleRise}, directions);
-    // Lower ramps on smaller spheres.
     plan.unitSphere =
-        planRamps(plan.questionnaire, {{}, 1.0}, drawShape(draws, 0.3 * kGentleRise), directions);
+        planRamps(plan.questionnaire, {{}, 1.0}, {side, side, 0.2 * kGentleRise}, directions);
     plan.sceneSphere = planRamps(plan.questionnaire, {{0.0, 0.0, 3.5}, 0.7},
-                                 drawShape(draws, 0.2 * kGentleRise), directions);
+                                 {side, side, 0.1 * kGentleRise}, directions);
     return plan;
 }
 

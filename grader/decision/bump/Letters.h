@@ -16,10 +16,11 @@ namespace ticker::decision::bump {
 /// The handout's own test: a map of bright letters H and dark letters L on grey, asked for on a
 /// grid over the near side of the scene's sphere.
 struct LetterPlan {
-    static constexpr int kColumns = 128;  ///< from -90 to 90 degrees of longitude, to the right
-    static constexpr int kRows = 64;      ///< from 45 degrees above the equator to 45 below
+    static constexpr int kColumns = 128;  ///< from about -88 to 88 degrees of longitude
+    static constexpr int kRows = 64;      ///< from about 44 degrees above the equator to 44 below
 
     std::vector<Vector3> directions;  ///< row after row from the top
+    std::size_t flat = 0;             ///< at the same points
     std::size_t question = 0;
 };
 

@@ -114,14 +114,17 @@ bool isOrdinary(const Landing& landing, const Vector3& direction) {
            turnDistance(landing.u(direction), 0.0) >= kSeamMargin;
 }
 
-/// The share of the ordinary points for which `leans(tilt, direction)` holds.
+/// The share for which `leans(tilt, direction)` holds, of the ordinary points that are tilted at
+/// all.
 template <typename Leans>
 double share(const std::vector<Vector3>& directions, const std::vector<Vector3>& tilts,
              const Landing& landing, Leans leans) {
+    constexpr double kNothing = 1e-9;
     double right = 0.0;
     double count = 0.0;
     for (std::size_t i = 0; i < directions.size(); ++i) {
         if (!isOrdinary(landing, directions[i])) continue;
+        if (!(tilts[i].magnitude() > kNothing)) continue;
         count += 1.0;
         if (leans(tilts[i], directions[i])) right += 1.0;
     }
@@ -131,7 +134,7 @@ double share(const std::vector<Vector3>& directions, const std::vector<Vector3>&
 void readField(const SlopePlan& plan, const Answers& answers, const Landing& landing,
                const Response& response, SlopeAgreement& agreement) {
     const HeightMapDescription& map = answers.asked().question(plan.field).map;
-    const std::vector<Vector3> tilts = answers.tilts(plan.field);
+    const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.fieldFlat, plan.field);
     SignAgreement alongU;
     SignAgreement alongV;
     for (std::size_t i = 0; i < tilts.size(); ++i) {
@@ -159,6 +162,8 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     SlopePlan plan;
     plan.directions = draws.directions(kPoints);
     plan.fieldDirections = draws.directions(kFieldPoints);
+    plan.flat = questionnaire.add(ball, flatMap(kAcross, kAcross), plan.directions);
+    plan.fieldFlat = questionnaire.add(ball, flatMap(kAcross, kAcross), plan.fieldDirections);
     plan.sawtoothU = questionnaire.add(
         ball, {kAlong, kAcross, {}, sawtooth(kAlong), level(kAcross)}, plan.directions);
     plan.sawtoothV = questionnaire.add(
@@ -179,13 +184,18 @@ SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers, const L
     const auto leansV = [&](const Vector3& tilt, const Vector3& n) {
         return -tilt.dot(landing.alongV(n)) > 0.5 * tilt.magnitude();
     };
+    // Along neither axis into the slope, but for what the tangents may be off.
     const auto leansBoth = [&](const Vector3& tilt, const Vector3& n) {
-        return tilt.dot(landing.alongU(n)) < 0.0 && tilt.dot(landing.alongV(n)) < 0.0;
+        const double most = 0.1 * tilt.magnitude();
+        return tilt.dot(landing.alongU(n)) < most && tilt.dot(landing.alongV(n)) < most;
+    };
+    const auto measure = [&](std::size_t question, const auto& leans) {
+        return share(plan.directions, answers.tiltsBeyond(plan.flat, question), landing, leans);
     };
     SlopeAgreement agreement;
-    agreement.sawtoothU = share(plan.directions, answers.tilts(plan.sawtoothU), landing, leansU);
-    agreement.sawtoothV = share(plan.directions, answers.tilts(plan.sawtoothV), landing, leansV);
-    agreement.oblique = share(plan.directions, answers.tilts(plan.oblique), landing, leansBoth);
+    agreement.sawtoothU = measure(plan.sawtoothU, leansU);
+    agreement.sawtoothV = measure(plan.sawtoothV, leansV);
+    agreement.oblique = measure(plan.oblique, leansBoth);
     readField(plan, answers, landing, response, agreement);
     return agreement;
 }

@@ -16,6 +16,8 @@ namespace ticker::decision::bump {
 struct SlopePlan {
     std::vector<Vector3> directions;
     std::vector<Vector3> fieldDirections;
+    std::size_t flat = 0;       ///< at `directions`
+    std::size_t fieldFlat = 0;  ///< at `fieldDirections`
     std::size_t sawtoothU = 0;
     std::size_t sawtoothV = 0;
     std::size_t oblique = 0;
