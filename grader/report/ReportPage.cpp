@@ -40,7 +40,7 @@ std::string overviewItem(const TaskReport& task) {
     html += badge(toString(task.state), wordsFor(task.state));
     if (const Finding* finding = firstFail(task))
         html += fmt::format("<span class=\"reason mono\">{}</span>", escapeHtml(finding->id));
-    if (!task.reason.empty())
+    else if (!task.reason.empty())
         html += fmt::format("<span class=\"reason\">{}</span>", escapeHtml(task.reason));
     return html + "</li>";
 }
