@@ -45,7 +45,8 @@ pipeline::Grader makeGrader(const GradeOptions& options) {
             .rubric = rubric::readRubric(
                 options.rubric.empty() ? home.rubric() : std::filesystem::path{options.rubric}),
             .toolVersion = TICKER_VERSION,
-            .option = choices().at(options.option)};
+            .option = choices().at(options.option),
+            .scenes = pipeline::readSpecScenes(home.scenes(), home.assets())};
 }
 
 std::uint64_t seedOf(const GradeOptions& options) {

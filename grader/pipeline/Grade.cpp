@@ -40,6 +40,10 @@ void judge(FileWork& work, SourceFile file, probe::Examinee& examinee, std::uint
     settle(work.tasks.at(1), std::move(judgement.depthOfField));
 }
 
+bool isBlocked(const TaskReport& task) {
+    return task.state == TaskState::blocked;
+}
+
 /// Grades one file after the other into one result.
 class Grading {
 public:
@@ -52,6 +56,9 @@ public:
         if (work.program) {
             build::SandboxedExaminee examinee{*work.program, grader_.sandbox, grader_.policy.run};
             judge(work, file, examinee, seed_);
+            // Code that crashed or loops would do so again.
+            if (std::ranges::none_of(work.tasks, isBlocked))
+                addRenders(result, grader_.scenes, file == SourceFile::bumpySphere, examinee);
             result.timing.probeMs += examinee.wallMs();
         }
         std::move(work.tasks.begin(), work.tasks.end(), std::back_inserter(result.tasks));
@@ -74,6 +81,7 @@ public:
             report.reason = "no task was attempted";
             report.findings.clear();
         }
+        if (report.state == TaskState::passed) showScreenshot(result);
         result.tasks.push_back(std::move(report));
     }
 
@@ -92,6 +100,11 @@ public:
     }
 
 private:
+    void showScreenshot(SubmissionResult& result) const {
+        result.pictures.push_back({"images/screenshot.png", "screenshot.png as handed in",
+                                   *submission_.part(intake::Part::screenshot)});
+    }
+
     const intake::Submission& submission_;
     const Grader& grader_;
     std::uint64_t seed_;

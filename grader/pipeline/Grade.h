@@ -3,6 +3,7 @@
 
 #include <grader/build/Kit.h>
 #include <grader/intake/Submission.h>
+#include <grader/pipeline/SpecScenes.h>
 #include <grader/result/SubmissionResult.h>
 #include <grader/rubric/Rubric.h>
 #include <grader/sandbox/Sandbox.h>
@@ -10,6 +11,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace ticker::pipeline {
 
@@ -24,6 +26,7 @@ struct Grader {
     rubric::Rubric rubric;
     std::string toolVersion;
     OptionChoice option = OptionChoice::automatic;
+    std::vector<SpecScene> scenes = {};  ///< rendered for people to look at; may be empty
 };
 
 /// Judges one submission: builds each file that was worked on, asks it, applies the rubric.

@@ -98,18 +98,13 @@ struct Views {
     }
 };
 
-// Kronecker points of the plastic number's analogue in three dimensions (M. Roberts 2018).
 Views expectedViews(AimShape shape, const std::vector<Vector3>& directions) {
-    constexpr double g = 1.22074408460575947536;
     Views views;
     for (const Vector3& direction : directions) {
         const Perpendiculars sides = perpendicularsOf(direction);
         Feet feet;
-        for (int i = 1; i <= kLattice; ++i) {
-            double whole = 0.0;
-            const Vector3 aim =
-                shaped(shape, std::modf(0.5 + i / g, &whole), std::modf(0.5 + i / (g * g), &whole),
-                       std::modf(0.5 + i / (g * g * g), &whole));
+        for (int i = 0; i < kLattice; ++i) {
+            const Vector3 aim = aimOf(shape, i);
             feet.add(aim - direction * aim.dot(direction), sides);
         }
         views.each.push_back(std::move(feet));
@@ -248,18 +243,13 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     return verdict;
 }
 
-std::string_view nameOf(AimShape shape) {
-    switch (shape) {
-        case AimShape::ball:
-            return "uniform in the ball";
-        case AimShape::surface:
-            return "on the surface of the ball";
-        case AimShape::uniformRadius:
-            return "uniform in radius and direction";
-        case AimShape::polarHelper:
-            return "uniform in radius and both angles";
-    }
-    return "";
+// Kronecker points of the plastic number's analogue in three dimensions (M. Roberts 2018).
+Vector3 aimOf(AimShape shape, int i) {
+    constexpr double g = 1.22074408460575947536;
+    double whole = 0.0;
+    const double n = i + 1.0;
+    return shaped(shape, std::modf(0.5 + n / g, &whole), std::modf(0.5 + n / (g * g), &whole),
+                  std::modf(0.5 + n / (g * g * g), &whole));
 }
 
 }  // namespace ticker::decision

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace ticker::decision {
@@ -33,7 +32,8 @@ struct AimVerdict {
 /// @param far  Logs of purpose farLight.
 [[nodiscard]] AimVerdict judgeAims(const std::vector<const ShadowLog*>& far);
 
-[[nodiscard]] std::string_view nameOf(AimShape shape);
+/// Point `i` of an even lattice of aims, for a light of radius 1 around the origin.
+[[nodiscard]] Vector3 aimOf(AimShape shape, int i);
 
 }  // namespace ticker::decision
 

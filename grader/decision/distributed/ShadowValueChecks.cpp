@@ -1,4 +1,5 @@
 #include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/Phong.h>
 #include <grader/decision/distributed/ShadowChecks.h>
 
 #include <fmt/core.h>
@@ -57,6 +58,15 @@ ColourRGB inFullLight(const PointLog& point, const raytracer::SceneDescription& 
     for (std::size_t i = 0; i < scene.pointLights.size(); ++i)
         colour += unshadowed(point, scene, i, false);
     return colour;
+}
+
+PhongTerms termsTowards(const PointLog& point, const raytracer::SceneDescription& scene) {
+    const raytracer::PointLight& light = scene.pointLights[0];
+    const Vector3 towards = light.position() - point.point.position;
+    const double distance = towards.magnitude();
+    return phongTerms(materialOf(scene, point.point.object), light, point.point.normal,
+                      (point.point.viewer - point.point.position).normalised(), towards / distance,
+                      distance);
 }
 
 bool near(const ColourRGB& a, const ColourRGB& b, const ColourRGB& slack) {
@@ -194,6 +204,57 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
     return std::nullopt;
 }
 
+bool allNearKnown(const Logs& logs, bool viewerIsEye) {
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points)
+            if (!isNearKnown(point, *log, viewerIsEye)) return false;
+    return true;
+}
+
+// Whether points in the shadow of their one light have this much of its diffuse and specular terms,
+// and of the ambient one.
+bool shadowHolds(const Logs& logs, double ambient, bool diffuse, bool specular) {
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points) {
+            if (point.zones[0] != Zone::umbra) continue;
+            const PhongTerms terms = termsTowards(point, log->scene());
+            ColourRGB expected = ambientPart(point, log->scene()) * ambient;
+            if (diffuse) expected += terms.diffuse;
+            if (specular) expected += terms.specular;
+            if (!near(point.colour, expected, inFullLight(point, log->scene()) * 0.1)) return false;
+        }
+    return true;
+}
+
+// Without rays, mistakes are known by what they leave in full shadow.
+std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
+    const auto named = [](ShadowArithmetic arithmetic) -> std::optional<Finding> {
+        for (const NamedArithmetic& mistake : kMistakes)
+            if (mistake.arithmetic == arithmetic)
+                return distributedFinding(mistake.id, Severity::fail, mistake.seen);
+        return std::nullopt;
+    };
+    if (allNearKnown(logs.oneLight, false)) {
+        if (!allNearKnown(logs.beyondLight, false))
+            return distributedFinding("shadow.beyond-light", Severity::fail,
+                                      "A point in plain sight of the light was expected to be lit; "
+                                      "an object behind the light casts a shadow on it.");
+        if (!allNearKnown(logs.severalLights, false))
+            return distributedFinding("shadow.lights-mixed", Severity::fail,
+                                      "With one light the colours are right; with three lights "
+                                      "they are not.");
+        return std::nullopt;
+    }
+    if (shadowHolds(logs.oneLight, 0.0, false, false))
+        return named(ShadowArithmetic::ambientScaled);
+    if (shadowHolds(logs.oneLight, 1.0, false, true))
+        return named(ShadowArithmetic::specularUnshadowed);
+    if (shadowHolds(logs.oneLight, 1.0, true, false))
+        return named(ShadowArithmetic::diffuseUnshadowed);
+    if (shadowHolds(logs.oneLight, 1.0, true, true)) return named(ShadowArithmetic::inverted);
+    return std::nullopt;
+}
+
 }  // namespace
 
 ArithmeticVerdict checkArithmetic(const ShadowLogs& logs) {
@@ -219,22 +280,15 @@ ArithmeticVerdict checkArithmetic(const ShadowLogs& logs) {
 ArithmeticVerdict checkValues(const ShadowLogs& logs) {
     ArithmeticVerdict verdict;
     for (const bool viewerIsEye : {false, true}) {
-        const PointLog* wrong = nullptr;
-        for (const ShadowLog* log : logs.atHandoutSettings())
-            for (const PointLog& point : log->points)
-                if (wrong == nullptr && !isNearKnown(point, *log, viewerIsEye)) wrong = &point;
-        if (wrong == nullptr) {
-            verdict.finding.reset();
-            verdict.reading = ShadowReading{ShadowReading::Phong::central, viewerIsEye, false};
-            return verdict;
-        }
-        if (verdict.finding) continue;
-        verdict.finding = distributedFinding(
-            "shadow.wrong", Severity::fail,
-            "Points in full light and in full shadow have a known colour; illuminate gives another "
-            "one.");
-        verdict.finding->evidence.emplace_back("seen", listed(wrong->colour));
+        if (!allNearKnown(logs.atHandoutSettings(), viewerIsEye)) continue;
+        verdict.reading = ShadowReading{ShadowReading::Phong::central, viewerIsEye, false};
+        return verdict;
     }
+    verdict.finding = knownValueMistake(logs);
+    if (!verdict.finding)
+        verdict.finding = distributedFinding("shadow.wrong", Severity::fail,
+                                             "Points in full light and in full shadow have a known "
+                                             "colour; illuminate gives another one.");
     return verdict;
 }
 

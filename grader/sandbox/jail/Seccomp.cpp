@@ -1,15 +1,20 @@
 #include <grader/sandbox/jail/Lockdown.h>
 #include <grader/sandbox/jail/SystemCalls.h>
 
+#include <fcntl.h>
 #include <sched.h>
 #include <seccomp.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <span>
 
 namespace ticker::jail {
 namespace {
+
+constexpr std::uint64_t kNamespaces[] = {CLONE_NEWUSER, CLONE_NEWNS,  CLONE_NEWPID,   CLONE_NEWNET,
+                                         CLONE_NEWIPC,  CLONE_NEWUTS, CLONE_NEWCGROUP};
 
 // Names that this machine's architecture does not have are skipped.
 bool add(scmp_filter_ctx filter, std::uint32_t action, std::span<const int> calls) {
@@ -18,6 +23,14 @@ bool add(scmp_filter_ctx filter, std::uint32_t action, std::span<const int> call
         if (result != 0 && result != -EDOM) return false;
     }
     return true;
+}
+
+scmp_arg_cmp equals(unsigned argument, std::uint64_t value) {
+    return {argument, SCMP_CMP_EQ, value, 0};
+}
+
+scmp_arg_cmp masked(unsigned argument, std::uint64_t mask, std::uint64_t value) {
+    return {argument, SCMP_CMP_MASKED_EQ, mask, value};
 }
 
 bool addIf(scmp_filter_ctx filter, std::uint32_t action, int call, scmp_arg_cmp condition) {
@@ -29,20 +42,19 @@ scmp_filter_ctx makeRunFilter() {
     if (filter == nullptr) return nullptr;
     constexpr std::uint64_t kThread = CLONE_THREAD | CLONE_VM;
     const bool added =
-        add(filter, SCMP_ACT_ALLOW, kRunAllowed) &&
-        add(filter, SCMP_ACT_KILL_PROCESS, kRunKilled) &&
+        add(filter, SCMP_ACT_ALLOW, allowedInRun()) &&
+        add(filter, SCMP_ACT_KILL_PROCESS, killedInRun()) &&
         // A look at the limits, never a change.
-        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), SCMP_A2_64(SCMP_CMP_EQ, 0)) &&
+        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), equals(2, 0)) &&
+        // fdopen() asks how a descriptor was opened.
+        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(fcntl), equals(1, F_GETFL)) &&
         // abort() and raise(): signals to itself.
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill),
-              SCMP_A0_64(SCMP_CMP_EQ, static_cast<std::uint64_t>(getpid()))) &&
-        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(clone),
-              SCMP_A0_64(SCMP_CMP_MASKED_EQ, kThread, kThread)) &&
-        addIf(filter, SCMP_ACT_KILL_PROCESS, SCMP_SYS(clone),
-              SCMP_A0_64(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0)) &&
+              equals(0, static_cast<std::uint64_t>(getpid()))) &&
+        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(clone), masked(0, kThread, kThread)) &&
+        addIf(filter, SCMP_ACT_KILL_PROCESS, SCMP_SYS(clone), masked(0, CLONE_THREAD, 0)) &&
         // fstat() of newer C libraries: newfstatat with an empty path.
-        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat),
-              SCMP_A3_64(SCMP_CMP_MASKED_EQ, 0x1000, 0x1000)) &&
+        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat), masked(3, 0x1000, 0x1000)) &&
         // Its flags lie in memory, where no filter sees them; the C library falls back to clone.
         seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
     if (added) return filter;
@@ -55,16 +67,13 @@ scmp_filter_ctx makeCompileFilter() {
     if (filter == nullptr) return nullptr;
     constexpr std::uint32_t kRefuse = SCMP_ACT_ERRNO(EPERM);
     bool added =
-        add(filter, kRefuse, kCompileRefused) &&
+        add(filter, kRefuse, refusedInCompile()) &&
         seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
-    for (const std::uint64_t space : {CLONE_NEWUSER, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWNET,
-                                      CLONE_NEWIPC, CLONE_NEWUTS, CLONE_NEWCGROUP})
-        added = added && addIf(filter, kRefuse, SCMP_SYS(clone),
-                               SCMP_A0_64(SCMP_CMP_MASKED_EQ, space, space));
+    for (const std::uint64_t space : kNamespaces)
+        added = added && addIf(filter, kRefuse, SCMP_SYS(clone), masked(0, space, space));
     // TIOCSTI and TIOCLINUX type into somebody's terminal.
     for (const std::uint64_t request : {0x5412U, 0x541cU})
-        added = added && addIf(filter, kRefuse, SCMP_SYS(ioctl),
-                               SCMP_A1_64(SCMP_CMP_MASKED_EQ, 0xffffffffU, request));
+        added = added && addIf(filter, kRefuse, SCMP_SYS(ioctl), masked(1, 0xffffffffU, request));
     if (added) return filter;
     seccomp_release(filter);
     return nullptr;

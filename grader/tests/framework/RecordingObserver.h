@@ -18,11 +18,13 @@ public:
         names.emplace_back("cameraRayAsked");
         cameraRay = ray;
     }
-    void traceBegan(const raytracer::Ray& /*ray*/, int bouncesLeft) override {
+    void traceBegan(const raytracer::Ray& ray, int bouncesLeft) override {
         names.push_back("traceBegan " + std::to_string(bouncesLeft));
+        if (depth_++ == 0) tracedRays.push_back(ray);
     }
-    void traceEnded(const raytracer::ColourRGB& /*colour*/) override {
+    void traceEnded(const raytracer::ColourRGB& colour) override {
         names.emplace_back("traceEnded");
+        if (--depth_ == 0) tracedColours.push_back(colour);
     }
     void illuminateBegan(const raytracer::SceneObject& /*object*/,
                          const raytracer::Vector3& /*position*/,
@@ -46,6 +48,11 @@ public:
     raytracer::Ray cameraRay;
     std::vector<raytracer::Ray> rays;
     std::vector<raytracer::RaycastHit> hits;  ///< one for each ray; without object for a miss
+    std::vector<raytracer::Ray> tracedRays;   ///< those of the outermost traces
+    std::vector<raytracer::ColourRGB> tracedColours;  ///< what they gave
+
+private:
+    int depth_ = 0;
 };
 
 }  // namespace ticker

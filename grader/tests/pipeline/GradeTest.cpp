@@ -1,4 +1,5 @@
 #include <grader/pipeline/Grade.h>
+#include <grader/pipeline/Screenshot.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>
 
@@ -136,6 +137,37 @@ TEST(GradeSubmission, GivesEqualFindingsForEqualSeeds) {
     const SubmissionResult second = grade(work);
     EXPECT_EQ(first.verdict, second.verdict);
     EXPECT_EQ(findingIds(first.tasks[0]), findingIds(second.tasks[0]));
+}
+
+TEST(GradeSubmission, ShowsWhatTheCodeRendersBesideWhatWasExpected) {
+    static const std::vector<SpecScene> scenes =
+        readSpecScenes(std::filesystem::path{TICKER_SOURCE_DIR} / "scenes",
+                       std::filesystem::path{TICKER_SOURCE_DIR} / "assets");
+    Grader grader = tests::testGrader();
+    grader.scenes = scenes;
+    intake::Submission work =
+        submission(tests::readFile("reference_solution/exercise/BumpySphere.cpp"),
+                   tests::readFile("reference_solution/exercise/Renderer.cpp"));
+    work.parts[2] = tests::readFile("grader/samples/awarded/reference-bump/screenshot.png");
+
+    const SubmissionResult result = gradeSubmission(work, grader, kSeed);
+
+    EXPECT_EQ(result.verdict, Verdict::awarded);
+    ASSERT_EQ(result.renders.size(), 3U);
+    for (const RenderScore& render : result.renders) {
+        // Measured: 0.016 and 0.981 where each pixel is the mean of 50 paths; 0.0002 and 0.99996
+        // where nothing is random.
+        const bool isNoisy = render.scene == "distributed";
+        EXPECT_LT(render.flip, isNoisy ? 0.04 : 0.001) << render.scene;
+        EXPECT_GT(render.ssim, isNoisy ? 0.95 : 0.999) << render.scene;
+    }
+    std::vector<std::string> files;
+    for (const ResultPicture& picture : result.pictures) {
+        files.push_back(picture.file);
+        EXPECT_TRUE(readPngHeader(picture.png)) << picture.file;
+    }
+    EXPECT_EQ(files.size(), 7U);
+    EXPECT_EQ(files.back(), "images/screenshot.png");
 }
 
 TEST(NotGraded, IsNeverAScore) {

@@ -28,7 +28,8 @@ TEST_P(EveryLevel, TellsTheExitStatus) {
 }
 
 TEST_P(EveryLevel, LetsHonestProgramsWork) {
-    for (const char* name : {"threads", "random-device", "exceptions", "memory"})
+    for (const char* name :
+         {"threads", "random-device", "exceptions", "memory", "stream-descriptor"})
         EXPECT_EQ(describe(runTrick({name})), "exit 0") << name;
 }
 
