@@ -98,23 +98,21 @@ bool isOneInPieces(const Below& below, const std::vector<Below>& children) {
 
 Below look(const fs::path& folder, int depth) {
     const Entries entries = entriesOf(folder);
-    Below below;
-    below.isEmpty = entries.isEmpty;
-    if (!entries.parts.empty())
-        return {{{folder, folder}}, {entries.parts.begin(), entries.parts.end()}, true, false};
-    if (depth >= kDeepest) return below;
-
     std::vector<Below> children;
-    for (const fs::path& child : entries.folders)
-        children.push_back(look(child, depth + 1));
+    if (depth < kDeepest)
+        for (const fs::path& child : entries.folders)
+            children.push_back(look(child, depth + 1));
     nameAfterChildren(children, entries.folders);
 
+    Below below;
+    below.isEmpty = entries.isEmpty;
     bool isClass = !entries.archives.empty();
     for (const Below& child : children) {
         isClass = isClass || child.isSubmission;
         add(below, child);
     }
-    if (entries.archives.empty() && isOneInPieces(below, children))
+    below.parts.insert(entries.parts.begin(), entries.parts.end());
+    if (!entries.parts.empty() || (entries.archives.empty() && isOneInPieces(below, children)))
         return {{{folder, folder}}, below.parts, true, false};
     for (const fs::path& archive : entries.archives)
         below.submissions.push_back({archive, archive});

@@ -58,7 +58,8 @@ struct Reading {
     BumpReading bump;
 };
 
-/// Mistakes that students make, as parameters; the defaults make none. They combine freely.
+/// Mistakes that students make, as parameters; the defaults make none. They combine freely, but
+/// allOrNothing, litIfAny and pointJitter are heeded with PhongReading::central only.
 struct Mistake {
     double lightSizeFactor = 1.0;  ///< radius of the light / lightSize
     double lightOffset[3] = {};    ///< aim points moved, in units of lightSize (off-centre)
@@ -88,8 +89,7 @@ struct Tricks {
     /// Points that no object can shade, or that one sphere shades wholly, draw no shadow samples:
     /// cones around light and occluder (J. Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984).
     bool coneTests = true;
-    /// Scrambled Sobol' points for means (A. Owen 1995; B. Burley, "Practical Hash-based Owen
-    /// Scrambling", JCGT 9(4), 2020); off: plain random points.
+    /// Randomly shifted lattice points for means, see Lattice.h; off: plain random points.
     bool lowDiscrepancy = true;
     /// Share of a ball that one sphere or one plane hides, in closed form or by a short quadrature,
     /// instead of by samples, for means.

@@ -41,9 +41,10 @@ HWY_INLINE MF rayStopped(const Setup& setup, const Waiting& waiting, Occluding& 
                          Aims& aims, std::size_t i) {
     Vec3 towards = moved(waiting.aim.centre, aims.point(i), waiting.aim.spread);
     if (setup.mistake.pointJitter > 0.0) {
+        constexpr std::size_t kJitter = 4100;  // far from every other number's dimensions
         const VF jitter =
             all(static_cast<float>(setup.mistake.pointJitter) / std::max(setup.lightRadius, 1e-6F));
-        const Vec3 away = aims.point(i) * jitter;
+        const Vec3 away = aims.point(i + kJitter) * jitter;
         const Start start{waiting.start.point + away, hn::Set(I(), -1), waiting.start.clearance};
         occluding.prepare(start, waiting.nearSpheres, waiting.otherSpheres, waiting.planes);
         towards = towards - away;

@@ -1,5 +1,6 @@
 #include <grader/report/ClassPage.h>
 #include <grader/report/Escape.h>
+#include <grader/report/PageParts.h>
 #include <grader/report/PageSources.h>
 #include <grader/report/Words.h>
 #include <grader/result/Names.h>
@@ -7,31 +8,14 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace ticker::report {
 namespace {
 
 constexpr std::array kTasks{"T1", "T2.1", "T2.2", "screenshot"};
-
-/// A path of our own naming, for an attribute: everything unusual percent-encoded.
-std::string address(std::string_view path) {
-    std::string encoded;
-    for (const char c : path) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isalnum(byte) != 0 || std::string_view{"-_.~/"}.find(c) != std::string_view::npos)
-            encoded += c;
-        else
-            encoded += fmt::format("%{:02X}", byte);
-    }
-    return encoded;
-}
-
-std::string badge(std::string_view kind, std::string_view words) {
-    return fmt::format(R"(<span class="badge {}">{}</span>)", kind, words);
-}
 
 std::set<std::string> idsOf(const SubmissionResult& result) {
     std::set<std::string> ids;
@@ -41,55 +25,82 @@ std::set<std::string> idsOf(const SubmissionResult& result) {
     return ids;
 }
 
-std::string counts(const std::vector<SubmissionResult>& results) {
-    std::map<Verdict, int> byVerdict;
-    for (const SubmissionResult& result : results)
-        ++byVerdict[result.verdict];
+/// How many submissions there are of each kind.
+struct Tally {
+    std::map<Verdict, int> verdicts;
+    std::map<std::string, int> findings;
+};
+
+Tally tallyOf(const std::vector<SubmissionResult>& results) {
+    Tally tally;
+    for (const SubmissionResult& result : results) {
+        ++tally.verdicts[result.verdict];
+        for (const std::string& id : idsOf(result))
+            ++tally.findings[id];
+    }
+    return tally;
+}
+
+std::string counts(const Tally& tally) {
     std::string html = "<ul class=\"counts\">";
-    for (const auto& [verdict, count] : byVerdict)
+    for (const auto& [verdict, count] : tally.verdicts)
         html += fmt::format("<li>{}</li>", badge(toString(verdict),
                                                  fmt::format("{} {}", count, wordsFor(verdict))));
     return html + "</ul>";
 }
 
-std::string filters(const std::vector<SubmissionResult>& results) {
-    std::map<std::string, int> byFinding;
-    std::set<Verdict> verdicts;
-    for (const SubmissionResult& result : results) {
-        verdicts.insert(result.verdict);
-        for (const std::string& id : idsOf(result))
-            ++byFinding[id];
-    }
+/// The findings, most frequent first, each a button that filters the table.
+std::string findingCounts(const Tally& tally, std::size_t submissions) {
+    if (tally.findings.empty()) return "";
+    std::vector<std::pair<std::string, int>> ordered{tally.findings.begin(), tally.findings.end()};
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
     std::string html =
-        "<div class=\"filters screen-only\"><label>Search <input id=\"search\" type=\"search\">"
-        "</label><label>Verdict <select id=\"verdict\"><option value=\"\">all</option>";
-    for (const Verdict verdict : verdicts)
+        "<section aria-labelledby=\"found\"><h2 id=\"found\">What was found</h2>"
+        "<ul class=\"found\">";
+    for (const auto& [id, count] : ordered)
+        html += fmt::format(
+            "<li><button type=\"button\" data-finding=\"{0}\" aria-pressed=\"false\" "
+            "style=\"--share:{1:.1f}%\"><span class=\"mono\">{0}</span> "
+            "<span class=\"soft\">{2} of {3}</span></button></li>",
+            escapeHtml(id), 100.0 * count / static_cast<double>(submissions), count, submissions);
+    return html + "</ul></section>";
+}
+
+std::string options(const Tally& tally) {
+    std::string html = "<label>Verdict <select id=\"verdict\"><option value=\"\">all</option>";
+    for (const auto& [verdict, count] : tally.verdicts)
         html +=
             fmt::format("<option value=\"{}\">{}</option>", toString(verdict), wordsFor(verdict));
     html +=
         "</select></label><label>Finding <select id=\"finding\"><option value=\"\">all</option>";
-    for (const auto& [id, count] : byFinding)
-        html += fmt::format("<option value=\"{0}\">{0}: {1} of {2}</option>", escapeHtml(id), count,
-                            results.size());
-    return html + fmt::format(
-                      "</select></label><span id=\"shown\" role=\"status\">{} submissions"
-                      "</span></div>",
-                      results.size());
+    for (const auto& [id, count] : tally.findings)
+        html += fmt::format("<option value=\"{0}\">{0}</option>", escapeHtml(id));
+    return html + "</select></label>";
+}
+
+std::string filters(const Tally& tally, std::size_t submissions) {
+    return fmt::format(
+        "<div class=\"filters screen-only\"><label>Search <input id=\"search\" type=\"search\">"
+        "</label>{}<button type=\"button\" id=\"clear\">Show all</button>"
+        "<span id=\"shown\" role=\"status\">{} submissions</span></div>",
+        options(tally), submissions);
 }
 
 std::string stateCell(const SubmissionResult& result, std::string_view id) {
     for (const TaskReport& task : result.tasks)
-        if (task.id == id)
+        if (task.id == id && task.state != TaskState::notAttempted)
             return "<td>" + badge(toString(task.state), wordsFor(task.state)) + "</td>";
-    return "<td></td>";
+    return "<td class=\"soft\">&ndash;</td>";
 }
 
 std::string thumbnail(const SubmissionResult& result) {
     for (const RenderScore& render : result.renders)
         if (!render.image.empty())
             return fmt::format(
-                R"(<img loading="lazy" src="{}" alt="{} as rendered by this submission">)",
-                address(result.submission + "/" + render.image), escapeHtml(render.scene));
+                R"(<img loading="lazy" width="96" height="72" src="{}" alt="{}, by {}">)",
+                address(result.submission + "/" + render.image), escapeHtml(render.scene),
+                escapeHtml(result.submission));
     return "";
 }
 
@@ -101,7 +112,8 @@ std::string row(const SubmissionResult& result) {
         list += fmt::format("<span class=\"id\">{}</span>", escapeHtml(id));
     }
     std::string html = fmt::format(
-        "<tr data-verdict=\"{}\" data-findings=\"{}\"><td class=\"name\"><a href=\"{}\">{}</a></td>"
+        "<tr data-verdict=\"{}\" data-findings=\"{}\"><th scope=\"row\" class=\"name\">"
+        "<a href=\"{}\">{}</a></th>"
         "<td>{}</td>",
         toString(result.verdict), ids, address(result.submission + "/report.html"),
         escapeHtml(result.submission), badge(toString(result.verdict), wordsFor(result.verdict)));
@@ -112,8 +124,9 @@ std::string row(const SubmissionResult& result) {
 
 std::string table(const std::vector<SubmissionResult>& results) {
     std::string html =
-        "<div class=\"scroll\"><table><caption>Click a heading to sort, a name to read the report."
-        "</caption><thead><tr><th scope=\"col\"><button type=\"button\">Submission</button></th>"
+        "<div class=\"scroll\"><table><caption>A heading sorts, a name opens the report; "
+        "&ndash; means not attempted.</caption><thead><tr><th scope=\"col\"><button "
+        "type=\"button\">Submission</button></th>"
         "<th scope=\"col\"><button type=\"button\">Verdict</button></th>";
     for (const char* task : kTasks)
         html += fmt::format("<th scope=\"col\"><button type=\"button\">{}</button></th>", task);
@@ -128,15 +141,16 @@ std::string table(const std::vector<SubmissionResult>& results) {
 }  // namespace
 
 std::string classPage(const std::vector<SubmissionResult>& results) {
-    return fmt::format(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-        "<title>Tick 1*: {0} submissions</title><style>{1}{2}</style></head><body>"
-        "<header><p class=\"soft\">Tick 1*</p><h1>{0} submissions</h1>{3}</header>"
-        "<main>{4}{5}</main><footer>Proposed by ticker; a person decides.</footer>"
-        "<script>{6}</script></body></html>\n",
-        results.size(), commonCss(), classCss(), counts(results), filters(results), table(results),
-        classJs());
+    const Tally tally = tallyOf(results);
+    return pageHead(fmt::format("Tick 1*: {} submissions", results.size()), classCss()) +
+           fmt::format(
+               "<header><p class=\"soft\">Tick 1*</p><h1>{} submissions</h1>{}</header>"
+               "<main id=\"main\">{}<section aria-labelledby=\"all\">"
+               "<h2 id=\"all\">Submissions</h2>{}{}</section></main>"
+               "<footer><p>Proposed by ticker; a person decides.</p></footer>",
+               results.size(), counts(tally), findingCounts(tally, results.size()),
+               filters(tally, results.size()), table(results)) +
+           "<script>" + std::string{classJs()} + "</script></body></html>\n";
 }
 
 }  // namespace ticker::report

@@ -81,8 +81,9 @@ std::string scatterSvg(const ScatterPlot& plot) {
     const std::string style = R"svg(fill="none" stroke="var(--bad)" stroke-width="1.5")svg";
     if (plot.expectedShape == ScatterPlot::Shape::disc)
         svg += fmt::format(R"(<circle r="{:.1f}" {}/>)", half, style);
-    else svg += fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" {}/>)",
-                            -half, -half, 2 * half, 2 * half, style);
+    else
+        svg += fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" {}/>)",
+                           -half, -half, 2 * half, 2 * half, style);
     return svg + "</svg>";
 }
 

@@ -34,6 +34,18 @@ std::string_view wordsFor(TaskState state) {
     return "";
 }
 
+std::string_view wordsFor(Severity severity) {
+    switch (severity) {
+        case Severity::fail:
+            return "mistake";
+        case Severity::warn:
+            return "warning";
+        case Severity::note:
+            return "note";
+    }
+    return "";
+}
+
 std::string spelledOut(std::string_view key) {
     std::string words;
     for (const char c : key) {

@@ -16,6 +16,9 @@ inline constexpr std::string_view kScreenshotFile = "images/screenshot.png";
 /// For people: "not attempted", ...
 [[nodiscard]] std::string_view wordsFor(TaskState state);
 
+/// For people: "mistake", "warning", "note".
+[[nodiscard]] std::string_view wordsFor(Severity severity);
+
 /// "worstLatitude" as "worst latitude".
 [[nodiscard]] std::string spelledOut(std::string_view key);
 

@@ -42,6 +42,7 @@ struct RenderScore {
     double rmse = 0.0;
     std::string image;      ///< path under the result's folder; empty where there is none
     std::string reference;  ///< likewise: what was expected
+    std::string errorMap;   ///< likewise: where the two look different
 };
 
 /// A picture that belongs to a result, as a file below OUT/<submission>/.

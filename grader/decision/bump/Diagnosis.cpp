@@ -70,6 +70,34 @@ bool isTransposed(const Examination& examination, const std::optional<Hints>& hi
 
 }  // namespace
 
+std::string idOf(Fault fault) {
+    switch (fault) {
+        case Fault::threw:
+            return "run.crashed";
+        case Fault::notFinite:
+            return "bump.not-finite";
+        case Fault::notUnit:
+            return "bump.not-unit";
+        case Fault::flat:
+            return "bump.flat";
+        case Fault::longitudeDependent:
+            return "bump.longitude-dependent";
+        case Fault::swapped:
+            return "bump.swapped-axes";
+        case Fault::inverted:
+            return "bump.inverted";
+        case Fault::invertedU:
+            return "bump.inverted-u";
+        case Fault::invertedV:
+            return "bump.inverted-v";
+        case Fault::upsideDown:
+            return "bump.upside-down";
+        case Fault::wrong:
+            break;
+    }
+    return "bump.wrong";
+}
+
 std::optional<WrongReason> findWrong(const Examination& examination) {
     const Offence& inward = examination.conduct.inward;
     // Wrong tangents tip a normal over here and there; then they are what is wrong.

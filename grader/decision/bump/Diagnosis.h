@@ -4,6 +4,7 @@
 #include <grader/decision/bump/Examination.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ticker::decision::bump {
@@ -22,6 +23,9 @@ enum class Fault {
     upsideDown,
     wrong
 };
+
+/// The finding's id: "bump.inverted-u".
+[[nodiscard]] std::string idOf(Fault fault);
 
 /// Every fault that applies, most important first; empty for a right submission.
 [[nodiscard]] std::vector<Fault> diagnose(const Examination& examination,

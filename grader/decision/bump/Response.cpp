@@ -1,6 +1,7 @@
 #include <grader/decision/bump/Response.h>
 
 #include <grader/decision/bump/Numbers.h>
+#include <grader/decision/bump/Replies.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kDegrees = 180.0 / kPi;
 
-// Coarse finite-difference tangents, or tangents of the texel instead of the point, turn an honest
-// tilt by up to 6 degrees on these maps.
-constexpr double kSenseTolerance = 15.0 / kDegrees;
 // Poles and the seam have rules of their own. Differences over a hundredth of the map reach so far.
 constexpr double kPoleMargin = 8.0 / 180.0;
 constexpr double kSeamMargin = 0.012;
@@ -24,31 +22,6 @@ constexpr double kSeamMargin = 0.012;
 constexpr double kDeadShare = 0.01;
 // Isolated points may stray for reasons nobody thought of; a picture's worth of them may not.
 constexpr double kAlmostAll = 0.985;
-
-/// A point that has to follow the rules.
-struct Reply {
-    Vector3 direction;
-    double u = 0.0;
-    double v = 0.0;
-    Vector3 alongSlope;  // unit tangent along which the ramp rises
-    Vector3 across;      // the map's other unit tangent
-    Vector3 tilt;
-
-    [[nodiscard]] double towards() const { return -tilt.dot(alongSlope); }
-    [[nodiscard]] double sideways() const { return -tilt.dot(across); }
-    [[nodiscard]] double angle() const { return std::atan2(sideways(), towards()); }
-    [[nodiscard]] std::size_t band() const {
-        return std::min(kBands - 1, static_cast<std::size_t>(v * kBands));
-    }
-    [[nodiscard]] std::size_t sector() const {
-        return std::min(kSectors - 1, static_cast<std::size_t>(u * kSectors));
-    }
-};
-
-struct Replies {
-    std::vector<Reply> onU;
-    std::vector<Reply> onV;
-};
 
 Replies ordinaryReplies(const std::vector<RampTilts>& tilts, const Landing& landing) {
     Replies replies;
@@ -72,10 +45,6 @@ double middleLength(const std::vector<Reply>& replies) {
     for (const Reply& reply : replies)
         lengths.push_back(reply.tilt.magnitude());
     return median(lengths);
-}
-
-bool near(double angle, double target) {
-    return std::abs(std::remainder(angle - target, 2.0 * kPi)) <= kSenseTolerance;
 }
 
 SenseShares countSenses(const std::vector<Reply>& replies, double deadLength) {
@@ -219,51 +188,6 @@ std::array<double, 2> matrixRow(const std::vector<Reply>& replies) {
     }
     if (!(length > 0.0)) return {0.0, 0.0};
     return {towards / length, sideways / length};
-}
-
-/// How a tangent of each axis becomes a tilt.
-enum class Form {
-    direct,        ///< B_u P_u and B_v P_v
-    crossProducts  ///< B_u (n x P_v) and B_v (n x P_u): Equation (1)
-};
-
-/// The direction in which tangents tilt that belong to a longitude `turn` away.
-double turnedAngle(const Reply& reply, const Landing& landing, double turn, Form form,
-                   bool slopeAlongU) {
-    const Vector3& axis = landing.axis();
-    const Vector3& n = reply.direction;
-    const Vector3 flat = n - axis * n.dot(axis);
-    const Vector3 right = n.cross(axis);
-    const Vector3 turned = flat * std::cos(turn) + right * std::sin(turn) + axis * n.dot(axis);
-    const Vector3 alongU = landing.alongU(turned);
-    const Vector3 alongV = landing.alongV(turned);
-    const double sense = landing.mirrored() ? -1.0 : 1.0;
-    const Vector3 crossed = slopeAlongU ? alongV.cross(n) : n.cross(alongU);
-    const Vector3 direct = slopeAlongU ? alongU : alongV;
-    const Vector3 tilt = form == Form::direct ? direct : crossed * sense;
-    return std::atan2(tilt.dot(reply.across), tilt.dot(reply.alongSlope));
-}
-
-double shareExplained(const Replies& replies, const Landing& landing, double turn, Form form) {
-    double explained = 0.0;
-    for (const Reply& reply : replies.onU)
-        if (near(reply.angle(), turnedAngle(reply, landing, turn, form, true))) explained += 1.0;
-    for (const Reply& reply : replies.onV)
-        if (near(reply.angle(), turnedAngle(reply, landing, turn, form, false))) explained += 1.0;
-    const auto count = static_cast<double>(replies.onU.size() + replies.onV.size());
-    return explained / std::max(1.0, count);
-}
-
-/// Degrees by which tangents that are turned about the axis explain the tilts; 0 where none do.
-double findTangentTurn(const Replies& replies, const Landing& landing) {
-    constexpr int kStep = 10;
-    constexpr double kExplained = 0.9;
-    for (int turn = 180; turn > -180; turn -= kStep) {
-        if (std::abs(turn) < 20) continue;
-        for (const Form form : {Form::direct, Form::crossProducts})
-            if (shareExplained(replies, landing, turn / kDegrees, form) >= kExplained) return turn;
-    }
-    return 0.0;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@ const search = document.getElementById("search");
 const verdict = document.getElementById("verdict");
 const finding = document.getElementById("finding");
 const shown = document.getElementById("shown");
+const chips = [...document.querySelectorAll("[data-finding]")];
 
 function filter() {
   const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -17,9 +18,22 @@ function filter() {
     row.hidden = !fits;
     if (fits) count += 1;
   }
+  for (const chip of chips)
+    chip.setAttribute("aria-pressed", String(chip.dataset.finding === finding.value));
   shown.textContent = count === rows.length ? `${count} submissions` : `${count} of ${rows.length} submissions`;
 }
 for (const control of [search, verdict, finding]) control.addEventListener("input", filter);
+for (const chip of chips)
+  chip.addEventListener("click", () => {
+    finding.value = finding.value === chip.dataset.finding ? "" : chip.dataset.finding;
+    filter();
+  });
+document.getElementById("clear").addEventListener("click", () => {
+  for (const control of [search, verdict, finding]) control.value = "";
+  filter();
+});
+// A browser may bring back what was typed before the page was loaded again.
+filter();
 
 for (const [index, head] of [...document.querySelectorAll("thead th")].entries()) {
   const button = head.querySelector("button");

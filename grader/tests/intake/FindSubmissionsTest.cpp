@@ -65,6 +65,18 @@ TEST(FindSubmissions, TakesOneWorkOverSeveralFoldersAsOne) {
     EXPECT_EQ(namesIn(folder.path() / "ann"), Names{"ann"});
 }
 
+TEST(FindSubmissions, DoesNotMakeOneOutOfTwoPeople) {
+    const tests::TemporaryFolder folder;
+    folder.write("class/ann/BumpySphere.cpp", "x");
+    folder.write("class/bob/screenshot.png", "x");
+    folder.write("class/bob/old/Renderer.cpp", "x");
+    folder.write("class/bob/new/Renderer.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path() / "class"), (Names{"ann", "bob"}));
+    std::filesystem::remove_all(folder.path() / "class/bob");
+    folder.write("class/bob/Renderer.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path() / "class"), (Names{"ann", "bob"}));
+}
+
 TEST(FindSubmissions, GivesEachItsOwnName) {
     const tests::TemporaryFolder folder;
     folder.write("monday/ann/Renderer.cpp", "x");

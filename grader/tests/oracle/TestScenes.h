@@ -3,6 +3,10 @@
 
 #include <raytracer/scene/SceneDescription.h>
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 namespace ticker::oracle::test {
 
 /// The colour #RRGGBB.
@@ -39,6 +43,32 @@ inline raytracer::SceneDescription distributedScene() {
                      sphere({-1.6, 0.57308, 7.93951}, 0.5, 0x051a34)};
     scene.planes = {plane({0.0, -0.47623, 5.085}, {0.0, 0.9825, -0.186}, 0x82898f),
                     plane({0.0, 0.0, 12.0}, {0.0, 0.0, -1.0}, 0x516e7e)};
+    return scene;
+}
+
+/// Two lights of different colours, a bumpy sphere, a mirror, a penumbra that two spheres share,
+/// different exponents, and a plane that reaches between the lights.
+inline raytracer::SceneDescription variedScene() {
+    raytracer::SceneDescription scene;
+    scene.ambientLighting = hexColour(0x101418);
+    scene.pointLights.emplace_back(raytracer::Vector3{-1.5, 2.5, 2.0}, hexColour(0xffe0c0), 150.0);
+    scene.pointLights.emplace_back(raytracer::Vector3{1.8, 1.6, 3.0}, hexColour(0xa0c0ff), 80.0);
+    scene.spheres = {sphere({0.4, -0.1, 3.6}, 0.4, 0xd06020),
+                     sphere({-0.5, 0.1, 4.2}, 0.45, 0x309050),
+                     sphere({-0.45, 0.75, 3.6}, 0.2, 0x888888)};
+    scene.spheres[1].material.phongAlpha = 23.0;
+    scene.spheres[1].material.reflectivity = 0.6;
+    scene.spheres[2].material.phongAlpha = 4.5;
+    std::vector<double> heights;
+    for (int row = 0; row < 16; ++row)
+        for (int column = 0; column < 24; ++column)
+            heights.push_back(0.03 * ((column * 7 + row * row * 3) % 11));
+    scene.spheres[0].heightMap =
+        std::make_shared<const raytracer::HeightMap>(24, 16, std::move(heights));
+    scene.planes = {plane({0.0, -0.6, 0.0}, {0.0, 1.0, -0.1}, 0x808080),
+                    plane({2.6, 0.0, 6.0}, {-1.0, 0.1, -0.3}, 0x606090)};
+    scene.planes[0].material.phongKS = 0.3;
+    scene.planes[1].material.reflectivity = 0.0;
     return scene;
 }
 

@@ -20,7 +20,7 @@ inline const pipeline::Grader& testGrader() {
                               rubric::readRubric(root / "grader/rubric/rubric.json"),
                               "test",
                               pipeline::OptionChoice::automatic};
-        made.policy.run.cpuSeconds = 4.0;
+        made.policy.run.cpuSeconds = 2.0;
         return made;
     }();
     return grader;

@@ -1,0 +1,107 @@
+#include <grader/oracle/BallPool.h>
+#include <grader/oracle/Oracle.h>
+#include <grader/tests/oracle/Agreement.h>
+#include <grader/tests/oracle/TestScenes.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ticker::oracle::test {
+namespace {
+
+raytracer::RenderSettings smallSettings() {
+    raytracer::RenderSettings settings;
+    settings.width = 24;
+    settings.height = 18;
+    settings.dofFocalPlane = 4.0;
+    return settings;
+}
+
+Precision good() {
+    Precision precision;
+    precision.share = 0.01;
+    return precision;
+}
+
+double varianceSum(const Moments& moments) {
+    double sum = 0.0;
+    for (const Covariance& c : moments.covariance)
+        sum += c.rr + c.gg + c.bb;
+    return sum;
+}
+
+// 36 tiles for each of 10 comparisons: with errors from 3 degrees of freedom in each of 36 pixels
+// a tile's z is nearly normal; 6 has a false-alarm probability below 1e-6 in all. The summed
+// variance comes from some 1e5 paths: 5 % is more than 5 of its standard errors.
+TEST(OracleTricks, ChangeNoExpectedValue) {
+    const std::vector<std::pair<std::string, bool Tricks::*>> tricks{
+        {"coneTests", &Tricks::coneTests},
+        {"lowDiscrepancy", &Tricks::lowDiscrepancy},
+        {"closedForms", &Tricks::closedForms},
+        {"pairedShadows", &Tricks::pairedShadows},
+        {"allocation", &Tricks::allocation}};
+    for (const auto& scene : {distributedScene(), variedScene()}) {
+        const Moments all = Oracle{scene, smallSettings()}.moments(21, good());
+        for (const auto& [name, trick] : tricks) {
+            SCOPED_TRACE(name);
+            Tricks without;
+            without.*trick = false;
+            const Moments plain =
+                Oracle{scene, smallSettings(), {}, {}, without}.moments(22, good());
+            EXPECT_LT(largestTileZ(all, plain), 6.0);
+            EXPECT_NEAR(varianceSum(plain) / varianceSum(all), 1.0, 0.05);
+        }
+    }
+}
+
+// The error that moments claim is the error that they have: of the difference of two, over all
+// pixels, with 3 degrees of freedom each.
+TEST(OracleMoments, KnowTheirOwnError) {
+    const Oracle oracle{variedScene(), smallSettings()};
+    double claimed = 0.0;
+    double found = 0.0;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        const Moments a = oracle.moments(2 * seed, good());
+        const Moments b = oracle.moments(2 * seed + 1, good());
+        for (std::size_t i = 0; i < a.mean.size(); ++i) {
+            const raytracer::ColourRGB off = a.mean[i] - b.mean[i];
+            found += off.r * off.r + off.g * off.g + off.b * off.b;
+            claimed += a.meanError[i].r + a.meanError[i].g + a.meanError[i].b;
+            claimed += b.meanError[i].r + b.meanError[i].g + b.meanError[i].b;
+        }
+    }
+    // A few dozen noisy pixels carry the sum: its own error is some 10 %.
+    EXPECT_NEAR(found / claimed, 1.0, 0.4);
+}
+
+TEST(OracleMoments, ReachThePrecisionThatIsAskedFor) {
+    const Moments moments = Oracle{distributedScene(), smallSettings()}.moments(1, good());
+    EXPECT_LE(moments.shareOfVariance(16), 0.01);
+    Precision byError;
+    byError.share = 0.0;
+    byError.rms = 3e-4;
+    EXPECT_LE(Oracle(distributedScene(), smallSettings()).moments(1, byError).rmsError(), 3e-4);
+}
+
+// The pool stands for the ball: its share below any plane through it must be the ball's, within
+// far less than what a student's render could tell.
+TEST(BallPool, IsUniformInTheBall) {
+    const BallPool pool{LightShape::ball, 1.0};
+    for (const double height : {-0.7, -0.3, 0.0, 0.4, 0.8}) {
+        const double expected = 0.25 * (1.0 + height) * (1.0 + height) * (2.0 - height);
+        for (const std::vector<float>* axis : {&pool.x, &pool.y, &pool.z}) {
+            double below = 0.0;
+            for (const float value : *axis)
+                below += (value < height ? 0.5 : 0.0) + (-value < height ? 0.5 : 0.0);
+            // Random points would be 0.004 off.
+            EXPECT_NEAR(below / BallPool::kSize, expected, 0.001);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ticker::oracle::test
