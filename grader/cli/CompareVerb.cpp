@@ -11,14 +11,22 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace ticker::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using metrics::Comparison;
+using metrics::Map;
+
+// Two pictures of a million tiles reach this many standard errors by chance once in 10^8 times.
+constexpr double kFullNoiseScore = 10.0;
 
 struct CompareOptions {
     std::string reference;
@@ -28,55 +36,90 @@ struct CompareOptions {
     double pixelsPerDegree = metrics::kUsualPixelsPerDegree;
 };
 
-std::string asJson(const metrics::Comparison& comparison) {
-    nlohmann::ordered_json document;
-    document["width"] = comparison.width;
-    document["height"] = comparison.height;
-    for (const metrics::Row& row : comparison.rows)
-        document["metrics"][row.name] =
-            std::isfinite(row.value) ? nlohmann::ordered_json(row.value) : nullptr;
-    document["differingTiles"] = comparison.noise.differing;
-    document["summary"] = comparison.summary;
-    return document.dump(2) + "\n";
+metrics::ByteView viewOf(const raytracer::ByteImage& image) {
+    return {image.width, image.height, image.rgb};
 }
 
-void writeMaps(const metrics::Comparison& comparison, const fs::path& folder) {
-    fs::create_directories(folder);
+nlohmann::ordered_json number(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+std::string jsonText(const Comparison& comparison) {
+    nlohmann::ordered_json json;
+    json["width"] = comparison.width;
+    json["height"] = comparison.height;
+    for (const metrics::Row& row : comparison.rows)
+        json["metrics"][row.name] = number(row.value);
+    json["noise"] = {{"tileSize", comparison.noise.tileSize},
+                     {"tiles", comparison.noise.score.values.size()},
+                     {"differing", comparison.noise.differing},
+                     {"smallestProbability", number(comparison.noise.smallest)}};
+    json["summary"] = comparison.summary;
+    return json.dump(2) + "\n";
+}
+
+/// Every tile as large as it is in the picture.
+Map spread(const Map& tiles, int tileSize, int width, int height) {
+    Map map{width, height, {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            map.values.push_back(
+                tiles.values[static_cast<std::size_t>(y / tileSize * tiles.width + x / tileSize)]);
+    return map;
+}
+
+void writeMaps(const Comparison& comparison, const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw raytracer::InputError(folder.string(), 0, "cannot be made: " + error.message());
     for (const metrics::Row& row : comparison.rows) {
         if (row.map.values.empty()) continue;
-        metrics::Map map = row.map;
+        Map map = row.map;
         if (row.inverted)
             for (float& value : map.values)
                 value = 1.0F - value;
-        raytracer::writePng(
-            raytracer::ByteImage{map.width, map.height, metrics::magma(map, row.full)},
-            folder / (row.name + ".png"));
+        raytracer::writePng({map.width, map.height, metrics::magma(map, row.full)},
+                            folder / (row.name + ".png"));
     }
+    const Map noise = spread(comparison.noise.score, comparison.noise.tileSize, comparison.width,
+                             comparison.height);
+    raytracer::writePng({noise.width, noise.height, metrics::blueWhiteRed(noise, kFullNoiseScore)},
+                        folder / "noise.png");
 }
 
-raytracer::ExitCode compareImages(const CompareOptions& options) {
+raytracer::ExitCode compare(const CompareOptions& options, const Voice& voice) {
     const raytracer::ByteImage reference = raytracer::readImage(options.reference);
     const raytracer::ByteImage test = raytracer::readImage(options.test);
-    const metrics::Comparison comparison =
-        metrics::compare({reference.width, reference.height, reference.rgb},
-                         {test.width, test.height, test.rgb}, options.pixelsPerDegree);
-    if (!options.maps.empty()) writeMaps(comparison, options.maps);
-    fmt::print("{}", options.json ? asJson(comparison) : metrics::table(comparison));
+    if (reference.width != test.width || reference.height != test.height)
+        throw raytracer::InputError(
+            options.test, 0,
+            fmt::format("{} x {} pixels, but {} has {} x {}; render both at the same size",
+                        test.width, test.height, options.reference, reference.width,
+                        reference.height));
+    const Comparison comparison =
+        metrics::compare(viewOf(reference), viewOf(test), options.pixelsPerDegree);
+    fmt::print("{}", options.json ? jsonText(comparison) : metrics::table(comparison));
+    if (options.maps.empty()) return raytracer::ExitCode::success;
+    writeMaps(comparison, options.maps);
+    if (!voice.quiet) fmt::print(stderr, "maps: {}\n", options.maps);
     return raytracer::ExitCode::success;
 }
 
 }  // namespace
 
-Run addCompare(CLI::App& app, const Voice& /*voice*/) {
+Run addCompare(CLI::App& app, const Voice& voice) {
     auto options = std::make_shared<CompareOptions>();
-    CLI::App* verb = app.add_subcommand("compare", "Say how much two pictures differ, and where");
-    verb->add_option("reference", options->reference, "PNG file")->required();
+    CLI::App* verb =
+        app.add_subcommand("compare", "Say how two pictures differ: numbers, maps, noise or more");
+    verb->add_option("reference", options->reference, "PNG file: what is right")->required();
     verb->add_option("test", options->test, "PNG file of the same size")->required();
-    verb->add_flag("--json", options->json, "For machines");
-    verb->add_option("--maps", options->maps, "Folder to write a picture of each metric's map to");
-    verb->add_option("--pixels-per-degree", options->pixelsPerDegree, "Viewing distance for FLIP")
-        ->check(CLI::PositiveNumber);
-    return [options] { return compareImages(*options); };
+    verb->add_flag("--json", options->json, "JSON instead of a table");
+    verb->add_option("--maps", options->maps, "Folder for a picture of each metric's map");
+    verb->add_option("--ppd", options->pixelsPerDegree,
+                     "Pixels in one degree of view, for FLIP; 67 if not given")
+        ->check(CLI::Range(4.0, 500.0));
+    return [options, &voice] { return compare(*options, voice); };
 }
 
 }  // namespace ticker::cli

@@ -1,5 +1,6 @@
 #include <grader/pipeline/SpecScenes.h>
 
+#include <grader/metrics/Colours.h>
 #include <grader/metrics/Compare.h>
 #include <grader/oracle/References.h>
 #include <grader/probe/AnswerMemory.h>
@@ -47,6 +48,11 @@ void addRender(SubmissionResult& result, const SpecScene& scene,
                                raytracer::encodePng(picture)});
     result.pictures.push_back(
         {render.reference, scene.name + " as it should be", raytracer::encodePng(scene.expected)});
+    render.errorMap = "images/flip-" + scene.name + ".png";
+    const metrics::Map& errors = scores.errors;
+    result.pictures.push_back(
+        {render.errorMap, scene.name + ": where the two look different",
+         raytracer::encodePng({errors.width, errors.height, metrics::magma(errors)})});
     result.renders.push_back(std::move(render));
 }
 
