@@ -31,20 +31,6 @@ metrics::ByteView viewOf(const raytracer::ByteImage& image) {
     return {image.width, image.height, image.rgb};
 }
 
-/// The picture that came, unless some of it is missing.
-std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer) {
-    if (answer.images.size() != 1 || answer.wrongSize) return std::nullopt;
-    const std::vector<raytracer::ColourRGB>& pixels = answer.images.front();
-    if (std::ranges::any_of(pixels, [](const auto& pixel) { return probe::isUnanswered(pixel); }))
-        return std::nullopt;
-    raytracer::Image image{answer.width, answer.height};
-    std::size_t index = 0;
-    for (int y = 0; y < answer.height; ++y)
-        for (int x = 0; x < answer.width; ++x)
-            image.set(x, y, pixels[index++]);
-    return raytracer::toBytes(image);
-}
-
 void addRender(SubmissionResult& result, const SpecScene& scene,
                const raytracer::ByteImage& picture) {
     const metrics::Scores scores = metrics::score(viewOf(scene.expected), viewOf(picture));
@@ -71,6 +57,19 @@ void addRender(SubmissionResult& result, const SpecScene& scene,
 }
 
 }  // namespace
+
+std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer) {
+    if (answer.images.size() != 1 || answer.wrongSize) return std::nullopt;
+    const std::vector<raytracer::ColourRGB>& pixels = answer.images.front();
+    if (std::ranges::any_of(pixels, [](const auto& pixel) { return probe::isUnanswered(pixel); }))
+        return std::nullopt;
+    raytracer::Image image{answer.width, answer.height};
+    std::size_t index = 0;
+    for (int y = 0; y < answer.height; ++y)
+        for (int x = 0; x < answer.width; ++x)
+            image.set(x, y, pixels[index++]);
+    return raytracer::toBytes(image);
+}
 
 std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
                                       const std::filesystem::path& assets) {

@@ -62,7 +62,8 @@ Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t 
     const probe::RenderQuestion asked = drawPictureQuestion(seed * 4 + stage);
     const probe::Sitting sitting = examinee.ask({asked});
     const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
-    if (answer == nullptr || answer->wrongSize) return {std::nullopt, true};
+    if (answer == nullptr || answer->wrongSize || answer->images.empty())
+        return {std::nullopt, true};
     return {judgePictures(asked, *answer, seed * 4 + stage, kLimit).finding, false};
 }
 
