@@ -18,9 +18,6 @@ inline constexpr std::size_t kMostDiagnostics = 16U << 10U;
                                               const std::vector<std::filesystem::path>& hidden,
                                               std::string_view fileName);
 
-/// `text` with every byte that is not part of valid UTF-8, and every NUL, as U+FFFD.
-[[nodiscard]] std::string asUtf8(std::string_view text);
-
 }  // namespace ticker::build
 
 #endif

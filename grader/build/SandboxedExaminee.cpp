@@ -1,7 +1,7 @@
 #include <grader/build/SandboxedExaminee.h>
 
-#include <grader/build/Diagnostics.h>
 #include <grader/build/SharedMemory.h>
+#include <grader/intake/Utf8.h>
 #include <grader/probe/AnswerMemory.h>
 #include <grader/probe/Wire.h>
 
@@ -60,7 +60,8 @@ ProcessEnd endBySignal(const Outcome& outcome) {
 }
 
 ProcessEnd endOf(const Outcome& outcome, bool finished, const sandbox::Limits& limits) {
-    if (outcome.end == Outcome::End::failed) return {Kind::ourFault, asUtf8(outcome.output)};
+    if (outcome.end == Outcome::End::failed)
+        return {Kind::ourFault, intake::asUtf8(outcome.output)};
     if (finished) return {};
     switch (outcome.end) {
         case Outcome::End::wallLimit:

@@ -38,7 +38,7 @@ void writeSubmission(const fs::path& out, const SubmissionResult& result) {
     const fs::path folder = out / result.submission;
     makeFolder(folder / "images");
     for (const ResultPicture& picture : result.pictures)
-        report::writeAtomically({picture.png.begin(), picture.png.end()}, folder / picture.file);
+        report::writeAtomically(picture.png, folder / picture.file);
     report::writeAtomically(report::reportPage(result), folder / "report.html");
     report::writeAtomically(report::resultJson(result), folder / "result.json");
 }

@@ -38,10 +38,11 @@ void Progress::finished(Verdict verdict) {
     if (draw_) drawLine();
 }
 
-void Progress::say(const std::string& line) {
+void Progress::print(const std::string& line) {
     const std::lock_guard lock{mutex_};
     if (draw_) std::fputs("\r\x1B[K", stderr);
-    std::fputs((line + "\n").c_str(), stderr);
+    std::fputs((line + "\n").c_str(), stdout);
+    std::fflush(stdout);
     if (draw_) drawLine();
 }
 

@@ -26,8 +26,8 @@ public:
     /// One more submission is finished.
     void finished(Verdict verdict);
 
-    /// Prints one line above the bar.
-    void say(const std::string& line);
+    /// Prints one line on stdout, above the bar.
+    void print(const std::string& line);
 
 private:
     void drawLine() const;

@@ -115,6 +115,7 @@ RenderScore readRender(const Place& place) {
     if (place.has("rmse")) render.rmse = place.at("rmse").number();
     render.image = place.at("image").text();
     if (place.has("reference")) render.reference = place.at("reference").text();
+    if (place.has("errorMap")) render.errorMap = place.at("errorMap").text();
     return render;
 }
 

@@ -75,6 +75,7 @@ ordered_json renderJson(const RenderScore& render) {
     json["rmse"] = number(render.rmse);
     json["image"] = render.image;
     json["reference"] = render.reference;
+    if (!render.errorMap.empty()) json["errorMap"] = render.errorMap;
     return json;
 }
 

@@ -42,13 +42,14 @@ struct RenderScore {
     double rmse = 0.0;
     std::string image;      ///< path under the result's folder; empty where there is none
     std::string reference;  ///< likewise: what was expected
+    std::string errorMap;   ///< likewise: where the two look different
 };
 
 /// A picture that belongs to a result, as a file below OUT/<submission>/.
 struct ResultPicture {
-    std::string file;               ///< "images/expected-bump-mapping.png"
-    std::string caption;            ///< for its alternative text
-    std::vector<std::uint8_t> png;  ///< the bytes; empty in a result that was read back
+    std::string file;     ///< "images/expected-bump-mapping.png"
+    std::string caption;  ///< for its alternative text
+    std::string png;      ///< the file's bytes; empty in a result that was read back
 };
 
 /// What the compiler said about one of the student's files, made safe to read but not to embed:

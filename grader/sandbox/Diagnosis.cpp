@@ -38,7 +38,8 @@ std::string promise(Level level) {
 std::string adviceFor(Level level) {
     switch (level) {
         case Level::namespaces:
-            return "allow unprivileged user namespaces (sysctl kernel.unprivileged_userns_clone=1; "
+            return "needs bubblewrap 0.8 or later; allow unprivileged user namespaces (sysctl "
+                   "kernel.unprivileged_userns_clone=1; "
                    "on Ubuntu also kernel.apparmor_restrict_unprivileged_userns=0); in a "
                    "container, "
                    "run it with --security-opt seccomp=unconfined, or accept the next level";

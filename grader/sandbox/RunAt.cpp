@@ -115,6 +115,8 @@ Outcome runNothing(Level level) {
     Command command;
     command.readOnly = {{workshop().helper, "/nothing"}};
     command.arguments = {"/nothing", "nothing"};
+    // Bubblewrap before 0.8 cannot bound a scratch folder: better found out now.
+    command.wantsScratch = true;
     command.limits = defaultPolicy().decode;
     return runAt(level, command);
 }

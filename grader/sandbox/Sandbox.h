@@ -78,7 +78,7 @@ struct Command {
 /// `output`.
 struct Outcome {
     enum class End {
-        exited,       ///< `code` is the exit status
+        exited,       ///< `code` is the exit status; 126 also: the file is no program
         signalled,    ///< `code` is the signal; SIGXCPU: the CPU limit, SIGSYS: a forbidden call
         wallLimit,    ///< killed by us: wall clock
         outputLimit,  ///< killed by us: too much output

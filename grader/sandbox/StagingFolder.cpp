@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <ctime>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kPrefix = "ticker-stage-";
+constexpr const char* kNewPrefix = "ticker-new-";
 
 // Only where we are root do jobs run as somebody else.
 bool jobsCanReach(const fs::path& folder) {
@@ -60,11 +62,19 @@ bool isOurs(const fs::path& folder) {
            status.st_uid == geteuid();
 }
 
+// The few moments before a new folder is locked do not last a minute.
+bool isPastItsBeginning(const fs::path& folder) {
+    struct stat status {};
+    return lstat(folder.c_str(), &status) == 0 && std::time(nullptr) - status.st_mtime > 60;
+}
+
 // A folder whose lock is free belongs to nobody who lives.
 void removeAbandoned(const fs::path& place) {
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator{place, ignored}) {
-        if (!entry.path().filename().string().starts_with(kPrefix)) continue;
+        const std::string name = entry.path().filename().string();
+        const bool began = name.starts_with(kPrefix);
+        if (!began && !(name.starts_with(kNewPrefix) && isPastItsBeginning(entry.path()))) continue;
         if (!isOurs(entry.path())) continue;
         const FileDescriptor lock = lockFolder(entry.path());
         if (lock.isOpen()) fs::remove_all(entry.path(), ignored);
@@ -75,7 +85,7 @@ void removeAbandoned(const fs::path& place) {
 std::optional<std::pair<fs::path, FileDescriptor>> create(const fs::path& place) {
     if (!place.is_absolute() || !jobsCanReach(place) || !programsRunIn(place)) return {};
     const std::string name = randomName();
-    const fs::path first = place / ("ticker-new-" + name);
+    const fs::path first = place / (kNewPrefix + name);
     if (mkdir(first.c_str(), 0711) != 0) return {};
     FileDescriptor lock = lockFolder(first);
     const fs::path last = place / (kPrefix + name);

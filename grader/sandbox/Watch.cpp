@@ -136,7 +136,10 @@ private:
             take(report);
         else
             take(usage);
-        if (stopped_) outcome_.end = *stopped_;
+        if (stopped_) {
+            outcome_.end = *stopped_;
+            outcome_.code = 0;
+        }
         return std::move(outcome_);
     }
 

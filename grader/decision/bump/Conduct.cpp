@@ -52,6 +52,22 @@ std::vector<Vector3> hiddenMeridians() {
     return directions;
 }
 
+/// Rings so near to the ends of all three axes that they lie in a map's first or last row.
+std::vector<Vector3> lastRows() {
+    std::vector<Vector3> directions;
+    for (const Vector3& axis : {Vector3{0, 1, 0}, Vector3{0, 0, 1}, Vector3{1, 0, 0}})
+        for (const double angle : {0.01, 0.02, 0.04})
+            for (int step = 0; step < 16; ++step) {
+                const double turn = (step + 0.3) * std::numbers::pi / 8.0;
+                const Vector3 across{axis.y, axis.z, axis.x};
+                const Vector3 beside =
+                    across * std::cos(turn) + axis.cross(across) * std::sin(turn);
+                directions.push_back((axis + beside * angle).normalised());
+                directions.push_back((beside * angle - axis).normalised());
+            }
+    return directions;
+}
+
 /// Both ends of all three axes, exactly, and within single precision's rounding of them.
 std::vector<Vector3> poles() {
     std::vector<Vector3> directions;
@@ -62,13 +78,6 @@ std::vector<Vector3> poles() {
             for (const double angle : {1e-9, 1e-7, 1e-5, 1e-4})
                 directions.push_back((axis * side + beside * angle).normalised());
         }
-    return directions;
-}
-
-std::vector<Vector3> anywhere(Draws& draws, int count) {
-    std::vector<Vector3> directions;
-    for (int i = 0; i < count; ++i)
-        directions.push_back(draws.direction());
     return directions;
 }
 
@@ -101,7 +110,8 @@ private:
     // merely odd does not count at a pole, even where that faces the eye.
     [[nodiscard]] bool ends() const { return shows() || place_ == Place::nearestPoint; }
     [[nodiscard]] bool shows() const {
-        return place_ == Place::ordinary || place_ == Place::visibleMeridian;
+        return place_ == Place::ordinary || place_ == Place::rough ||
+               place_ == Place::visibleMeridian;
     }
     [[nodiscard]] Offence& threw() { return ends() ? conduct_.threw : conduct_.threwHidden; }
     [[nodiscard]] Offence& notFinite() {
@@ -123,13 +133,13 @@ private:
         constexpr double kUnitTolerance = 1e-3;
         const double error = std::abs(normal.magnitude() - 1.0);
         if (!(error <= kUnitTolerance)) note(notUnit(), question_, point, error);
-        if (place_ == Place::ordinary) readDirection(point, normal);
+        if (place_ == Place::ordinary || place_ == Place::rough) readDirection(point, normal);
     }
 
     void readDirection(std::size_t point, const Vector3& normal) {
         const Vector3 smooth = (question_.positions[point] - question_.centre).normalised();
         if (!(normal.dot(smooth) > 0.0)) {
-            note(conduct_.inward, question_, point);
+            if (place_ == Place::ordinary) note(conduct_.inward, question_, point);
             return;
         }
         const double tilt = tiltOf(normal, smooth).magnitude();
@@ -157,6 +167,7 @@ private:
 Place ConductPlan::placeOf(std::size_t question) const {
     if (question == visibleMeridian) return Place::visibleMeridian;
     if (question == hiddenMeridian) return Place::hiddenMeridian;
+    if (question == smallMap || question == lastRows) return Place::rough;
     if (question == nearestPoint) return Place::nearestPoint;
     if (question == poles) return Place::pole;
     if (question == tinyMap) return Place::tinyMap;
@@ -171,9 +182,10 @@ ConductPlan planConduct(Questionnaire& questionnaire, Draws& draws) {
     plan.hiddenMeridian = questionnaire.add(kSceneBall, map, hiddenMeridians());
     plan.nearestPoint = questionnaire.add(kSceneBall, map,
                                           {{0.0, 0.0, -1.0}, {-0.0, 0.0, -1.0}, {0.0, -0.0, -1.0}});
+    plan.lastRows = questionnaire.add(kSceneBall, map, lastRows());
     plan.poles = questionnaire.add(kSceneBall, map, poles());
-    plan.smallMap = questionnaire.add(kSceneBall, noise(draws, 16, 16), anywhere(draws, kPoints));
-    plan.tinyMap = questionnaire.add(kSceneBall, noise(draws, 4, 4), anywhere(draws, kPoints));
+    plan.smallMap = questionnaire.add(kSceneBall, noise(draws, 16, 16), draws.directions(kPoints));
+    plan.tinyMap = questionnaire.add(kSceneBall, noise(draws, 4, 4), draws.directions(kPoints));
     return plan;
 }
 

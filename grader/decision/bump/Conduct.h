@@ -13,6 +13,7 @@ namespace ticker::decision::bump {
 /// What a fault at a point means.
 enum class Place {
     ordinary,         ///< any picture may show it
+    rough,            ///< likewise, on a map of random texels: tilts may be extreme
     visibleMeridian,  ///< x or y is exactly that of the eye: a picture of odd size shows it
     hiddenMeridian,   ///< x, y or z is exactly the centre's, on a side that no usual picture shows
     nearestPoint,     ///< nearest to the eye: a pole for some, yet a picture of odd size shows it
@@ -25,6 +26,7 @@ struct ConductPlan {
     std::size_t visibleMeridian = 0;
     std::size_t hiddenMeridian = 0;
     std::size_t nearestPoint = 0;
+    std::size_t lastRows = 0;
     std::size_t poles = 0;
     std::size_t smallMap = 0;
     std::size_t tinyMap = 0;

@@ -34,6 +34,13 @@ bool isFlat(const Examination& examination) {
            !(conduct.largestTilt > kVisibleTilt);
 }
 
+/// Where a flat map tilts the normal, what ramps add to that says nothing.
+bool tiltsWithoutSlope(const Examination& examination) {
+    // Normals of chords over a hundredth of the map lean by 0.03.
+    constexpr double kFlatTilt = 0.1;
+    return examination.flatTilt > kFlatTilt;
+}
+
 std::optional<WrongReason> reasonOf(RampKind kind) {
     switch (kind) {
         case RampKind::silent:
@@ -63,11 +70,47 @@ bool isTransposed(const Examination& examination, const std::optional<Hints>& hi
 
 }  // namespace
 
+std::string idOf(Fault fault) {
+    switch (fault) {
+        case Fault::threw:
+            return "run.crashed";
+        case Fault::notFinite:
+            return "bump.not-finite";
+        case Fault::notUnit:
+            return "bump.not-unit";
+        case Fault::flat:
+            return "bump.flat";
+        case Fault::longitudeDependent:
+            return "bump.longitude-dependent";
+        case Fault::swapped:
+            return "bump.swapped-axes";
+        case Fault::inverted:
+            return "bump.inverted";
+        case Fault::invertedU:
+            return "bump.inverted-u";
+        case Fault::invertedV:
+            return "bump.inverted-v";
+        case Fault::upsideDown:
+            return "bump.upside-down";
+        case Fault::wrong:
+            break;
+    }
+    return "bump.wrong";
+}
+
 std::optional<WrongReason> findWrong(const Examination& examination) {
-    if (examination.conduct.inward) return WrongReason::inward;
+    const Offence& inward = examination.conduct.inward;
+    // Wrong tangents tip a normal over here and there; then they are what is wrong.
+    if (inward.count > 0.5 * inward.asked) return WrongReason::inward;
+    if (tiltsWithoutSlope(examination)) return WrongReason::flatTilted;
+    if (examination.ramps.kind == RampKind::strangeLanding && !examination.growsWithSlope)
+        return WrongReason::doesNotGrow;
     if (const auto reason = reasonOf(examination.ramps.kind)) return reason;
     // What follows asks whether a submission that is right on ramps is right elsewhere, too.
     if (examination.ramps.kind != RampKind::right) return std::nullopt;
+    // Tangents of the texel's corner tip a very strong tilt over at the seam's step.
+    constexpr double kSomeInward = 0.01;
+    if (inward.count > kSomeInward * inward.asked) return WrongReason::inward;
     if (!examination.growsWithSlope) return WrongReason::doesNotGrow;
     if (!examination.steepAgrees) return WrongReason::steepDiffers;
     if (!examination.slopes || !examination.slopes->good()) return WrongReason::slopesDiffer;
@@ -86,8 +129,10 @@ std::vector<Fault> diagnose(const Examination& examination, const std::optional<
         faults.push_back(Fault::flat);
         return faults;
     }
-    if (const auto fault = faultOf(examination.ramps.kind)) faults.push_back(*fault);
-    const bool placed = examination.ramps.response.has_value();
+    const bool telling = !tiltsWithoutSlope(examination);
+    if (const auto fault = faultOf(examination.ramps.kind); fault && telling)
+        faults.push_back(*fault);
+    const bool placed = telling && examination.ramps.response.has_value();
     if (placed && examination.ramps.fit->landing.axis().y < kDownwards)
         faults.push_back(Fault::upsideDown);
     // Answers that are missing or not finite explain anything odd.

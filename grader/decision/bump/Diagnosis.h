@@ -4,6 +4,7 @@
 #include <grader/decision/bump/Examination.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ticker::decision::bump {
@@ -23,6 +24,9 @@ enum class Fault {
     wrong
 };
 
+/// The finding's id: "bump.inverted-u".
+[[nodiscard]] std::string idOf(Fault fault);
+
 /// Every fault that applies, most important first; empty for a right submission.
 [[nodiscard]] std::vector<Fault> diagnose(const Examination& examination,
                                           const std::optional<Hints>& hints);
@@ -30,6 +34,7 @@ enum class Fault {
 /// Why a submission is wrong that fits no name: the first that applies.
 enum class WrongReason {
     inward,
+    flatTilted,
     slopeUIgnored,
     slopeVIgnored,
     signLost,

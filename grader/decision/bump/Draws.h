@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 namespace ticker::decision::bump {
 
@@ -34,6 +36,15 @@ public:
         const double longitude = uniform(0.0, 2.0 * std::numbers::pi);
         const double ring = std::sqrt(std::max(0.0, 1.0 - y * y));
         return Vector3{ring * std::sin(longitude), y, -ring * std::cos(longitude)}.normalised();
+    }
+
+    /// So many unit vectors.
+    [[nodiscard]] std::vector<Vector3> directions(int count) {
+        std::vector<Vector3> drawn;
+        drawn.reserve(static_cast<std::size_t>(count));
+        for (int i = 0; i < count; ++i)
+            drawn.push_back(direction());
+        return drawn;
     }
 
 private:

@@ -10,9 +10,8 @@ namespace ticker::decision::bump {
 namespace {
 
 // Gentle ramps are so low beside the sphere's radius that the exact normal of the displaced surface
-// is as good as in proportion to the slope; their tilts are still 50 times single precision's
-// rounding at a strength of 0.2.
-constexpr double kGentleRise = 0.6;
+// is as good as in proportion to the slope.
+constexpr double kGentleRise = 0.1;
 constexpr double kSteepRise = 5.0;
 
 /// Sides that no submission can know.
@@ -22,14 +21,14 @@ RampShape drawShape(Draws& draws, double rise) {
 
 Ball drawBall(Draws& draws) {
     const double side = draws.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0;
-    return {{side * draws.uniform(0.7, 2.0), draws.uniform(-1.5, 1.5), draws.uniform(4.0, 9.0)},
-            draws.uniform(2.0, 4.0)};
+    return {{side * draws.uniform(0.7, 2.0), draws.uniform(-1.5, 1.5), draws.uniform(20.0, 30.0)},
+            draws.uniform(8.0, 16.0)};
 }
 
 /// Both ramps, the steep one against the gentle one: do tilts grow, and keep their direction?
 void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTilts>& steep,
                   Examination& examination) {
-    constexpr double kGrows = 2.0;  // the displaced surface's exact normal: 4; in proportion: 8.3
+    constexpr double kGrows = 2.0;  // the displaced surface's exact normal: 30; in proportion: 50
     constexpr double kAgree = 0.95;
     std::vector<double> growth;
     double agreeing = 0.0;
@@ -47,6 +46,14 @@ void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTi
     examination.steepAgrees = agreeing >= kAgree * 2.0 * static_cast<double>(count);
 }
 
+double middleTilt(const std::vector<Vector3>& tilts) {
+    std::vector<double> lengths;
+    lengths.reserve(tilts.size());
+    for (const Vector3& tilt : tilts)
+        lengths.push_back(tilt.magnitude());
+    return median(lengths);
+}
+
 }  // namespace
 
 MainPlan planMain(std::uint64_t seed) {
@@ -55,10 +62,10 @@ MainPlan planMain(std::uint64_t seed) {
     Draws draws(seed);
     MainPlan plan;
     const Ball ball = drawBall(draws);
-    plan.gentle =
-        planRamps(plan.questionnaire, draws, ball, drawShape(draws, kGentleRise), kGentlePoints);
-    plan.steep =
-        planRamps(plan.questionnaire, draws, ball, drawShape(draws, kSteepRise), kSteepPoints);
+    std::vector<Vector3> directions = draws.directions(kGentlePoints);
+    plan.gentle = planRamps(plan.questionnaire, ball, drawShape(draws, kGentleRise), directions);
+    directions.resize(kSteepPoints);
+    plan.steep = planRamps(plan.questionnaire, ball, drawShape(draws, kSteepRise), directions);
     plan.slopes = planSlopes(plan.questionnaire, draws, drawBall(draws));
     plan.letters = planLetters(plan.questionnaire, draws);
     plan.conduct = planConduct(plan.questionnaire, draws);
@@ -69,13 +76,16 @@ HintPlan planHints(std::uint64_t seed) {
     constexpr int kPoints = 500;
     Draws draws(seed + 0x5151U);
     HintPlan plan;
-    const int side = draws.integer(240, 280);
+    const int side = draws.integer(380, 430);
+    const std::vector<Vector3> directions = draws.directions(kPoints);
+    // All maps of one size, so that code which remembers a size does well; lower ramps on smaller
+    // spheres.
     plan.square =
-        planRamps(plan.questionnaire, draws, drawBall(draws), {side, side, kGentleRise}, kPoints);
-    plan.unitSphere = planRamps(plan.questionnaire, draws, {{}, 1.0},
-                                drawShape(draws, 0.3 * kGentleRise), kPoints);
-    plan.sceneSphere = planRamps(plan.questionnaire, draws, {{0.0, 0.0, 3.5}, 0.7},
-                                 drawShape(draws, 0.2 * kGentleRise), kPoints);
+        planRamps(plan.questionnaire, drawBall(draws), {side, side, kGentleRise}, directions);
+    plan.unitSphere =
+        planRamps(plan.questionnaire, {{}, 1.0}, {side, side, 0.2 * kGentleRise}, directions);
+    plan.sceneSphere = planRamps(plan.questionnaire, {{0.0, 0.0, 3.5}, 0.7},
+                                 {side, side, 0.1 * kGentleRise}, directions);
     return plan;
 }
 
@@ -84,12 +94,17 @@ Examination examine(const MainPlan& plan, const Answers& answers) {
     examination.conduct = readConduct(plan.conduct, answers);
     const std::vector<RampTilts> gentle = readRamps(plan.gentle, answers);
     const std::vector<RampTilts> steep = readRamps(plan.steep, answers);
-    examination.ramps = judgeRamps(gentle);
-    const bool tooWeak = examination.ramps.kind == RampKind::silent;
-    if (tooWeak)
-        examination.ramps = judgeRamps(steep);
-    else
+    // Single precision leaves 1e-7 in a normal: a fiftieth of this.
+    constexpr double kClear = 5e-6;
+    const RampStrength gently = strength(gentle);
+    if (std::max(gently.alongU, gently.alongV) > kClear) {
+        examination.ramps = judgeRamps(gentle);
         compareRamps(gentle, steep, examination);
+    } else {
+        examination.ramps = judgeRamps(steep);
+    }
+    examination.flatTilt = std::max(middleTilt(answers.tilts(plan.gentle.flat)),
+                                    middleTilt(answers.tilts(plan.steep.flat)));
     if (!examination.ramps.response) return examination;
     const Landing& landing = examination.ramps.fit->landing;
     examination.slopes = readSlopes(plan.slopes, answers, landing, *examination.ramps.response);

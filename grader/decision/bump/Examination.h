@@ -17,7 +17,7 @@ namespace ticker::decision::bump {
 /// The first sitting: everything that a right submission is asked.
 struct MainPlan {
     Questionnaire questionnaire;
-    RampPlan gentle;  ///< heights of 0 to 0.6: tilts are in proportion to slopes
+    RampPlan gentle;  ///< heights of 0 to 0.1: tilts are in proportion to slopes
     RampPlan steep;   ///< heights of 0 to 5, as maps have them
     SlopePlan slopes;
     LetterPlan letters;
@@ -29,7 +29,7 @@ struct MainPlan {
 /// The second sitting, which only a failing submission sees: where does it do better?
 struct HintPlan {
     Questionnaire questionnaire;
-    RampPlan square;       ///< a square map: columns and rows may be exchanged without harm
+    RampPlan square;       ///< columns and rows may be exchanged without harm
     RampPlan unitSphere;   ///< centre at the origin, radius 1
     RampPlan sceneSphere;  ///< the exercise's own sphere
 };
@@ -40,7 +40,8 @@ struct HintPlan {
 struct Examination {
     Conduct conduct;
     RampJudgement ramps;         ///< on gentle ramps, or on steep ones where those tell nothing
-    bool growsWithSlope = true;  ///< eight times the slope tilts at least twice as much
+    double flatTilt = 0.0;       ///< middle tilt on a map without slope
+    bool growsWithSlope = true;  ///< 50 times the slope tilts at least twice as much
     bool steepAgrees = true;     ///< steep ramps tilt in the same directions as gentle ones
     std::optional<SlopeAgreement> slopes;  ///< where the map's place is known
     std::optional<LetterReading> letters;  ///< likewise

@@ -17,6 +17,8 @@ constexpr double kTurn = 2.0 * kPi;
 constexpr std::size_t kFewestSightings = 50;
 // Nearer to the axis than this cosine (10 degrees) a point says little about its longitude.
 constexpr double kNearAxis = 0.985;
+// A difference that reaches over the seam tells no place: three texels of a map of 260.
+constexpr double kNearSeam = 0.015;
 
 double fraction(double value) {
     const double rest = value - std::floor(value);
@@ -87,7 +89,9 @@ LandingFit measure(const std::vector<Sighting>& sightings, const Landing& landin
     double stray = 0.0;
     for (const Sighting& sighting : sightings) {
         if (std::abs(sighting.direction.dot(landing.axis())) > kNearAxis) continue;
-        uErrors.push_back(turnDistance(sighting.u, landing.u(sighting.direction)));
+        const double u = landing.u(sighting.direction);
+        if (turnDistance(u, 0.0) < kNearSeam) continue;
+        uErrors.push_back(turnDistance(sighting.u, u));
         vErrors.push_back(std::abs(sighting.v - landing.v(sighting.direction)));
         const bool near =
             uErrors.back() <= LandingFit::kStray && vErrors.back() <= LandingFit::kStray;

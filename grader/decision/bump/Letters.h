@@ -16,10 +16,11 @@ namespace ticker::decision::bump {
 /// The handout's own test: a map of bright letters H and dark letters L on grey, asked for on a
 /// grid over the near side of the scene's sphere.
 struct LetterPlan {
-    static constexpr int kColumns = 128;  ///< from -90 to 90 degrees of longitude, to the right
-    static constexpr int kRows = 64;      ///< from 45 degrees above the equator to 45 below
+    static constexpr int kColumns = 128;  ///< from about -88 to 88 degrees of longitude
+    static constexpr int kRows = 64;      ///< from about 44 degrees above the equator to 44 below
 
     std::vector<Vector3> directions;  ///< row after row from the top
+    std::size_t flat = 0;             ///< at the same points
     std::size_t question = 0;
 };
 
@@ -32,8 +33,14 @@ struct EdgeCount {
     int lost = 0;  ///< hardly any change
 
     [[nodiscard]] int crossed() const { return right + opposite + lost; }
-    [[nodiscard]] bool mostlyRight() const { return 10 * right >= 9 * crossed(); }
-    [[nodiscard]] bool mostlyOpposite() const { return 10 * opposite >= 9 * crossed(); }
+    /// Hardly any opposite change, and a change at half the edges: a coarse sampling of a steep
+    /// edge may miss it.
+    [[nodiscard]] bool mostlyRight() const {
+        return 9 * opposite <= right && 2 * right >= crossed() && right > 0;
+    }
+    [[nodiscard]] bool mostlyOpposite() const {
+        return 9 * right <= opposite && 2 * opposite >= crossed() && opposite > 0;
+    }
 };
 
 /// One kind of letter: what its vertical strokes' edges say (crossed along u) and what its

@@ -1,6 +1,7 @@
 #include <grader/decision/bump/RampJudgement.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ticker::decision::bump {
@@ -13,15 +14,16 @@ std::vector<Sighting> transpose(std::vector<Sighting> seen) {
 }
 
 /// True where hardly any bow tilts against its ramp, though half of every bow falls.
-bool losesSigns(const std::vector<RampTilts>& tilts) {
+bool losesSigns(const std::vector<RampTilts>& tilts, Vector3 RampTilts::*ramp,
+                Vector3 RampTilts::*bow) {
     constexpr double kHardlyAny = 0.1;
     double opposite = 0.0;
     double counted = 0.0;
     for (const RampTilts& tilt : tilts) {
-        if (!isFinite(tilt.onUBow) || !isFinite(tilt.onVBow)) continue;
-        counted += 2.0;
-        if (tilt.onUBow.dot(tilt.onURamp) < 0.0) opposite += 1.0;
-        if (tilt.onVBow.dot(tilt.onVRamp) < 0.0) opposite += 1.0;
+        const double product = (tilt.*ramp).dot(tilt.*bow);
+        if (std::isnan(product)) continue;
+        counted += 1.0;
+        if (product < 0.0) opposite += 1.0;
     }
     return counted > 0.0 && opposite < kHardlyAny * counted;
 }
@@ -46,7 +48,9 @@ RampKind kindOf(const Response& response) {
 
 RampKind kindWithoutLanding(const std::vector<RampTilts>& tilts, const RampJudgement& judgement) {
     if (judgement.transposed) return RampKind::swapped;
-    return losesSigns(tilts) ? RampKind::signLost : RampKind::strangeLanding;
+    const bool lost = losesSigns(tilts, &RampTilts::onURamp, &RampTilts::onUBow) ||
+                      losesSigns(tilts, &RampTilts::onVRamp, &RampTilts::onVBow);
+    return lost ? RampKind::signLost : RampKind::strangeLanding;
 }
 
 }  // namespace
@@ -57,8 +61,9 @@ RampJudgement judgeRamps(const std::vector<RampTilts>& tilts) {
     judgement.strength = strength(tilts);
     const auto [alongU, alongV] = judgement.strength;
     const double strongest = std::max(alongU, alongV);
-    // Not above, rather than below: not-a-number is no tilt either.
-    if (!(strongest > kRounding)) return judgement;
+    // Far below double precision's rounding. Not above, rather than below: not-a-number is no tilt.
+    constexpr double kNothing = 1e-13;
+    if (!(strongest > kNothing)) return judgement;
     if (!(alongU > kIgnoredShare * strongest)) judgement.kind = RampKind::slopeUIgnored;
     if (!(alongV > kIgnoredShare * strongest)) judgement.kind = RampKind::slopeVIgnored;
     if (judgement.kind != RampKind::silent) return judgement;

@@ -35,11 +35,6 @@ HeightMapDescription alongV(const RampShape& shape, bool bow) {
         shape.across, shape.along, {}, level(shape.across), profile(shape.along, shape.rise, bow)};
 }
 
-HeightMapDescription flatMap(const RampShape& shape) {
-    std::vector<double> columns(static_cast<std::size_t>(shape.across), 0.5 * shape.rise);
-    return {shape.across, shape.across, {}, std::move(columns), level(shape.across)};
-}
-
 /// Position along a map from the tilts on its ramp and its bow.
 double positionFrom(const Vector3& ramp, const Vector3& bow) {
     const double length = ramp.dot(ramp);
@@ -49,13 +44,12 @@ double positionFrom(const Vector3& ramp, const Vector3& bow) {
 
 }  // namespace
 
-RampPlan planRamps(Questionnaire& questionnaire, Draws& draws, const Ball& ball,
-                   const RampShape& shape, int points) {
+RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball, const RampShape& shape,
+                   std::vector<Vector3> directions) {
     RampPlan plan;
     plan.shape = shape;
-    for (int i = 0; i < points; ++i)
-        plan.directions.push_back(draws.direction());
-    plan.flat = questionnaire.add(ball, flatMap(shape), plan.directions);
+    plan.directions = std::move(directions);
+    plan.flat = questionnaire.add(ball, flatMap(shape.across, shape.across), plan.directions);
     plan.uRamp = questionnaire.add(ball, alongU(shape, false), plan.directions);
     plan.uBow = questionnaire.add(ball, alongU(shape, true), plan.directions);
     plan.vRamp = questionnaire.add(ball, alongV(shape, false), plan.directions);
@@ -64,16 +58,14 @@ RampPlan planRamps(Questionnaire& questionnaire, Draws& draws, const Ball& ball,
 }
 
 std::vector<RampTilts> readRamps(const RampPlan& plan, const Answers& answers) {
-    const std::vector<Vector3> flat = answers.tilts(plan.flat);
-    const std::vector<Vector3> uRamp = answers.tilts(plan.uRamp);
-    const std::vector<Vector3> uBow = answers.tilts(plan.uBow);
-    const std::vector<Vector3> vRamp = answers.tilts(plan.vRamp);
-    const std::vector<Vector3> vBow = answers.tilts(plan.vBow);
+    const std::vector<Vector3> uRamp = answers.tiltsBeyond(plan.flat, plan.uRamp);
+    const std::vector<Vector3> uBow = answers.tiltsBeyond(plan.flat, plan.uBow);
+    const std::vector<Vector3> vRamp = answers.tiltsBeyond(plan.flat, plan.vRamp);
+    const std::vector<Vector3> vBow = answers.tiltsBeyond(plan.flat, plan.vBow);
     std::vector<RampTilts> tilts;
-    tilts.reserve(flat.size());
-    for (std::size_t i = 0; i < flat.size(); ++i)
-        tilts.push_back({plan.directions[i], uRamp[i] - flat[i], uBow[i] - flat[i],
-                         vRamp[i] - flat[i], vBow[i] - flat[i]});
+    tilts.reserve(uRamp.size());
+    for (std::size_t i = 0; i < uRamp.size(); ++i)
+        tilts.push_back({plan.directions[i], uRamp[i], uBow[i], vRamp[i], vBow[i]});
     return tilts;
 }
 

@@ -1,7 +1,6 @@
 #ifndef TICKER_DECISION_BUMP_RAMPS_H
 #define TICKER_DECISION_BUMP_RAMPS_H
 
-#include <grader/decision/bump/Draws.h>
 #include <grader/decision/bump/Landing.h>
 #include <grader/decision/bump/Tilt.h>
 
@@ -29,8 +28,8 @@ struct RampPlan {
     std::size_t vBow = 0;
 };
 
-[[nodiscard]] RampPlan planRamps(Questionnaire& questionnaire, Draws& draws, const Ball& ball,
-                                 const RampShape& shape, int points);
+[[nodiscard]] RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball,
+                                 const RampShape& shape, std::vector<Vector3> directions);
 
 /// Tilts at one point, less the tilt on the flat map; not finite where an answer is missing.
 struct RampTilts {
@@ -46,9 +45,6 @@ struct RampTilts {
 /// Where on the map each point lies: a bow's slope is that of the ramp times 1 - 2 x, so the ratio
 /// of the two tilts tells x whatever their sign, their direction and their strength.
 [[nodiscard]] std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts);
-
-/// Tilts smaller than this may be rounding: single precision leaves 1e-7 in a normal.
-inline constexpr double kRounding = 1e-6;
 
 /// The middle tilt of each ramp.
 struct RampStrength {

@@ -41,6 +41,7 @@ struct AxisResponse {
     double strengthRatio = 1.0;
     std::array<double, kBands> bandDirection{};  ///< degrees, -180 to 180
     std::array<double, kBands> bandStrength{};   ///< middle length of the tilt
+    Vector3 deadAt;                              ///< a point that is not tilted
     Vector3 worst;                               ///< where the direction is farthest from right
     double worstDirection = 0.0;                 ///< degrees
 };

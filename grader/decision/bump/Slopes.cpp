@@ -89,30 +89,20 @@ int texel(double coordinate, int count) {
     return std::clamp(static_cast<int>(coordinate * count), 0, count - 1);
 }
 
-/// Pairs of what was expected and what was seen.
-class Correlation {
+/// How well what was seen has the sign of what was expected: 1 always, -1 never. Big pairs count
+/// for more; how much was seen does not matter, since that is the code's choice.
+class SignAgreement {
 public:
     void add(double expected, double seen) {
         if (!std::isfinite(seen)) return;
-        count_ += 1.0;
-        x_ += expected;
-        y_ += seen;
-        xx_ += expected * expected;
-        yy_ += seen * seen;
-        xy_ += expected * seen;
+        sum_ += expected * seen;
+        size_ += std::abs(expected * seen);
     }
-    [[nodiscard]] double value() const {
-        const double spread = (xx_ - x_ * x_ / count_) * (yy_ - y_ * y_ / count_);
-        return spread > 0.0 ? (xy_ - x_ * y_ / count_) / std::sqrt(spread) : 0.0;
-    }
+    [[nodiscard]] double value() const { return size_ > 0.0 ? sum_ / size_ : 0.0; }
 
 private:
-    double count_ = 0.0;
-    double x_ = 0.0;
-    double y_ = 0.0;
-    double xx_ = 0.0;
-    double yy_ = 0.0;
-    double xy_ = 0.0;
+    double sum_ = 0.0;
+    double size_ = 0.0;
 };
 
 /// Far enough from poles and seam for any difference and any interpolation.
@@ -124,14 +114,17 @@ bool isOrdinary(const Landing& landing, const Vector3& direction) {
            turnDistance(landing.u(direction), 0.0) >= kSeamMargin;
 }
 
-/// The share of the ordinary points for which `leans(tilt, direction)` holds.
+/// The share for which `leans(tilt, direction)` holds, of the ordinary points that are tilted at
+/// all.
 template <typename Leans>
 double share(const std::vector<Vector3>& directions, const std::vector<Vector3>& tilts,
              const Landing& landing, Leans leans) {
+    constexpr double kNothing = 1e-9;
     double right = 0.0;
     double count = 0.0;
     for (std::size_t i = 0; i < directions.size(); ++i) {
         if (!isOrdinary(landing, directions[i])) continue;
+        if (!(tilts[i].magnitude() > kNothing)) continue;
         count += 1.0;
         if (leans(tilts[i], directions[i])) right += 1.0;
     }
@@ -141,9 +134,9 @@ double share(const std::vector<Vector3>& directions, const std::vector<Vector3>&
 void readField(const SlopePlan& plan, const Answers& answers, const Landing& landing,
                const Response& response, SlopeAgreement& agreement) {
     const HeightMapDescription& map = answers.asked().question(plan.field).map;
-    const std::vector<Vector3> tilts = answers.tilts(plan.field);
-    Correlation alongU;
-    Correlation alongV;
+    const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.fieldFlat, plan.field);
+    SignAgreement alongU;
+    SignAgreement alongV;
     for (std::size_t i = 0; i < tilts.size(); ++i) {
         const Vector3& n = plan.fieldDirections[i];
         if (!isOrdinary(landing, n)) continue;
@@ -154,8 +147,8 @@ void readField(const SlopePlan& plan, const Answers& answers, const Landing& lan
         alongV.add(slopeAlongV(map, u, v) * strengthAt(response.v, v),
                    -tilts[i].dot(landing.alongV(n)));
     }
-    agreement.fieldCorrelationU = alongU.value();
-    agreement.fieldCorrelationV = alongV.value();
+    agreement.fieldU = alongU.value();
+    agreement.fieldV = alongV.value();
 }
 
 }  // namespace
@@ -167,10 +160,10 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     constexpr int kAcross = 80;
     constexpr double kRise = 3.0;
     SlopePlan plan;
-    for (int i = 0; i < kPoints; ++i)
-        plan.directions.push_back(draws.direction());
-    for (int i = 0; i < kFieldPoints; ++i)
-        plan.fieldDirections.push_back(draws.direction());
+    plan.directions = draws.directions(kPoints);
+    plan.fieldDirections = draws.directions(kFieldPoints);
+    plan.flat = questionnaire.add(ball, flatMap(kAcross, kAcross), plan.directions);
+    plan.fieldFlat = questionnaire.add(ball, flatMap(kAcross, kAcross), plan.fieldDirections);
     plan.sawtoothU = questionnaire.add(
         ball, {kAlong, kAcross, {}, sawtooth(kAlong), level(kAcross)}, plan.directions);
     plan.sawtoothV = questionnaire.add(
@@ -191,13 +184,18 @@ SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers, const L
     const auto leansV = [&](const Vector3& tilt, const Vector3& n) {
         return -tilt.dot(landing.alongV(n)) > 0.5 * tilt.magnitude();
     };
+    // Along neither axis into the slope, but for what the tangents may be off.
     const auto leansBoth = [&](const Vector3& tilt, const Vector3& n) {
-        return tilt.dot(landing.alongU(n)) < 0.0 && tilt.dot(landing.alongV(n)) < 0.0;
+        const double most = 0.1 * tilt.magnitude();
+        return tilt.dot(landing.alongU(n)) < most && tilt.dot(landing.alongV(n)) < most;
+    };
+    const auto measure = [&](std::size_t question, const auto& leans) {
+        return share(plan.directions, answers.tiltsBeyond(plan.flat, question), landing, leans);
     };
     SlopeAgreement agreement;
-    agreement.sawtoothU = share(plan.directions, answers.tilts(plan.sawtoothU), landing, leansU);
-    agreement.sawtoothV = share(plan.directions, answers.tilts(plan.sawtoothV), landing, leansV);
-    agreement.oblique = share(plan.directions, answers.tilts(plan.oblique), landing, leansBoth);
+    agreement.sawtoothU = measure(plan.sawtoothU, leansU);
+    agreement.sawtoothV = measure(plan.sawtoothV, leansV);
+    agreement.oblique = measure(plan.oblique, leansBoth);
     readField(plan, answers, landing, response, agreement);
     return agreement;
 }

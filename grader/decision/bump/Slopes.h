@@ -16,6 +16,8 @@ namespace ticker::decision::bump {
 struct SlopePlan {
     std::vector<Vector3> directions;
     std::vector<Vector3> fieldDirections;
+    std::size_t flat = 0;       ///< at `directions`
+    std::size_t fieldFlat = 0;  ///< at `fieldDirections`
     std::size_t sawtoothU = 0;
     std::size_t sawtoothV = 0;
     std::size_t oblique = 0;
@@ -27,15 +29,17 @@ struct SlopePlan {
 struct SlopeAgreement {
     double sawtoothU = 0.0;  ///< share of the points whose tilt leans the right way
     double sawtoothV = 0.0;
-    double oblique = 0.0;            ///< share that leans the right way along both axes
-    double fieldCorrelationU = 0.0;  ///< of the tilt along u with the slope along u
-    double fieldCorrelationV = 0.0;
+    double oblique = 0.0;  ///< share that leans the right way along both axes
+    double fieldU = 0.0;   ///< of the tilt along u: the share that leans against the slope along u,
+                           ///< weighted by both, less the share that leans into it
+    double fieldV = 0.0;
 
-    /// Sawtooth: the teeth's edges and what a wide difference smears of them are a fifth. Oblique:
-    /// only the seam strays. Field: an interpolated or widely differenced slope keeps 0.95.
+    /// Sawtooth: the teeth's edges and what a wide difference smears of them are a third at most.
+    /// Oblique: only the seam strays. Field: an interpolated or widely differenced slope keeps
+    /// 0.97.
     [[nodiscard]] bool good() const {
-        return sawtoothU >= 0.7 && sawtoothV >= 0.7 && oblique >= 0.95 &&
-               fieldCorrelationU >= 0.8 && fieldCorrelationV >= 0.8;
+        return sawtoothU >= 0.6 && sawtoothV >= 0.6 && oblique >= 0.95 && fieldU >= 0.9 &&
+               fieldV >= 0.9;
     }
 };
 

@@ -11,6 +11,15 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
+probe::HeightMapDescription flatMap(int width, int height) {
+    constexpr double kHalfHeight = 2.5;
+    return {width,
+            height,
+            {},
+            std::vector<double>(static_cast<std::size_t>(width), kHalfHeight),
+            std::vector<double>(static_cast<std::size_t>(height), 0.0)};
+}
+
 std::size_t Questionnaire::add(const Ball& ball, probe::HeightMapDescription map,
                                const std::vector<Vector3>& directions) {
     probe::NormalQuestion question;
@@ -53,6 +62,14 @@ std::vector<Vector3> Answers::tilts(std::size_t number) const {
         tilts.push_back(tiltOf(normals[i], smooth));
     }
     return tilts;
+}
+
+std::vector<Vector3> Answers::tiltsBeyond(std::size_t flat, std::size_t number) const {
+    const std::vector<Vector3> level = tilts(flat);
+    std::vector<Vector3> result = tilts(number);
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] -= level.at(i);
+    return result;
 }
 
 }  // namespace ticker::decision::bump

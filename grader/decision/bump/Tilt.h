@@ -32,6 +32,9 @@ struct Ball {
     return normal / normal.dot(smoothNormal) - smoothNormal;
 }
 
+/// A map without slope, of half the greatest height.
+[[nodiscard]] probe::HeightMapDescription flatMap(int width, int height);
+
 /// Collects the questions of one sitting; a question's number finds its answer later.
 class Questionnaire {
 public:
@@ -57,6 +60,9 @@ public:
     /// none came.
     [[nodiscard]] const probe::NormalAnswer& answer(std::size_t number) const;
     [[nodiscard]] std::vector<Vector3> tilts(std::size_t number) const;
+    /// Likewise, less the tilts of a flat map at the same points: differences over coarse steps
+    /// lean even there.
+    [[nodiscard]] std::vector<Vector3> tiltsBeyond(std::size_t flat, std::size_t number) const;
 
 private:
     const Questionnaire* asked_;

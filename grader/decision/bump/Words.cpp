@@ -1,49 +1,37 @@
 #include <grader/decision/bump/Words.h>
 
+#include <grader/decision/bump/BumpEvidence.h>
+#include <grader/decision/bump/Phrases.h>
+#include <grader/decision/bump/WrongWords.h>
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace ticker::decision::bump {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-
-/// Message, hint and section of one finding.
-struct Words {
-    std::string message;
-    std::string hint;
-    std::string section;
-};
-
-std::string percent(double share) {
-    const double value = 100.0 * share;
-    return value > 0.0 && value < 1.0 ? fmt::format("{:.2g} %", value)
-                                      : fmt::format("{:.0f} %", value);
-}
-
-std::string pointsOf(const Offence& offence) {
-    return fmt::format("{:.0f} of {:.0f} points", offence.count, offence.asked);
-}
-
-std::string firstAt(const Offence& offence) {
-    return fmt::format("{}, on a map of {} x {} texels", placeInWords(offence.direction),
-                       offence.width, offence.height);
-}
-
 Words threwWords(const Offence& offence) {
     const bool lookUp = offence.message.find("outside the map") != std::string::npos;
-    return {fmt::format("The program stops at {}: \"{}\". The first is {}.", pointsOf(offence),
-                        offence.message, firstAt(offence)),
-            lookUp
-                ? "Look at the line that turns (u, v) into a column and a row, and at the texels "
-                  "to the right and below: columns end at width() - 1 and rows at height() - 1. "
-                  "Let columns go round (modulo the width), and let rows stop at the edge."
-                : "An exception came out of getNormalAt. A render would end there.",
-            "1, Implementation, step 3"};
+    // What a double that is not a number, or far too large, becomes as an int.
+    const bool overflow = offence.message.find("2147483648") != std::string::npos;
+    Words words;
+    words.message = fmt::format("The program stops at {}: \"{}\". The first is {}.",
+                                pointsOf(offence), quoted(offence.message), firstAt(offence));
+    words.section = "1, Implementation, step 3";
+    if (overflow)
+        words.hint =
+            "A u or v that is not a number became a column or row: look for an acos of a "
+            "value beyond 1 (divide by the radius, or normalise, first).";
+    else if (lookUp)
+        words.hint =
+            "Look at the line that turns (u, v) into a column and a row, and at the texels "
+            "to the right and below: columns end at width() - 1 and rows at height() - 1. "
+            "Let columns go round (modulo the width), and let rows stop at the edge.";
+    else
+        words.hint = "An exception came out of getNormalAt. A render would end there.";
+    return words;
 }
 
 Words notFiniteWords(const Offence& offence) {
@@ -74,22 +62,22 @@ Words flatWords() {
 }
 
 Words longitudeWords(const Examination& examination) {
-    const Response& response = *examination.ramps.response;
-    const std::string turned =
-        response.tangentTurn == 0.0
-            ? std::string{}
-            : fmt::format(
-                  " The tangents seem to be those of a longitude that is {:.0f} degrees "
-                  "away.",
-                  std::abs(response.tangentTurn));
-    return {
-        "The same slope tilts the normal differently at different longitudes: the tilt should "
-        "turn with the point round the sphere." +
-            turned,
-        "Pu and Pv must come from the same angles, with the same axis and the same origin, as "
-        "the (u, v) that you look up: differentiate your own F(u, v), Equation (2), at the "
-        "point's own longitude and polar angle.",
-        "1, Implementation, step 2"};
+    const double turn = examination.ramps.response->tangentTurn;
+    Words words;
+    words.message =
+        turn == 0.0 ? "The same slope tilts the normal differently at different longitudes: the "
+                      "tilt should turn with the point round the sphere."
+                    : fmt::format(
+                          "The normal tilts as it should at a longitude that is {:.0f} "
+                          "degrees away: the tangents belong to another parametrisation "
+                          "than the place where the map is looked up.",
+                          std::abs(turn));
+    words.hint =
+        "Pu and Pv must come from the same angles, with the same axis and the same origin, as the "
+        "(u, v) that you look up: differentiate your own F(u, v), Equation (2), at the point's own "
+        "longitude and polar angle.";
+    words.section = "1, Implementation, step 2";
+    return words;
 }
 
 Words swappedWords(const Examination& examination, const std::optional<Hints>& hints) {
@@ -144,141 +132,6 @@ Words upsideDownWords() {
         "1, Implementation, step 1"};
 }
 
-Words strangeLandingWords(const Examination& examination, const std::optional<Hints>& hints) {
-    std::string hint =
-        "Check u and v: with the smooth unit normal n, the polar angle is acos(n.y) and the "
-        "longitude an atan2 of n.x and n.z; u is the longitude over 2 pi, v the polar angle over "
-        "pi.";
-    if (hints && hints->unitSphere.response)
-        hint =
-            "On a sphere of radius 1 around the origin the map lies where it should: somewhere "
-            "the centre is not subtracted, or the radius not divided out. " +
-            hint;
-    else if (hints && hints->sceneSphere.response)
-        hint =
-            "On the exercise's own sphere the map lies where it should: use centre() and "
-            "radius() (or Sphere::getNormalAt) instead of numbers. " +
-            hint;
-    std::string message =
-        "The map does not lie on the sphere as spherical polar coordinates put it";
-    if (examination.ramps.fit)
-        message += fmt::format(
-            ": {} of the points read a texel that lies more than a twentieth of "
-            "the map away from where it should be",
-            percent(examination.ramps.fit->strayShare));
-    return {message + ".", hint, "1, Implementation, step 1"};
-}
-
-Words ignoredWords(const std::string& axis, const std::string& what) {
-    return {fmt::format("A slope along {} alone tilts nothing: the normal does not change where "
-                        "only {} differ.",
-                        axis, what),
-            fmt::format("Check that B{0} is a difference of neighbouring {1}, and that the term "
-                        "with B{0} is added.",
-                        axis, what),
-            "1, Implementation, step 3"};
-}
-
-std::string directionInWords(const AxisResponse& axis) {
-    return fmt::format("{} right, {} inverted, {} along the other axis, {} not at all",
-                       percent(axis.shares.right), percent(axis.shares.inverted),
-                       percent(axis.shares.across), percent(axis.shares.dead));
-}
-
-Words directionWords(const Response& response) {
-    return {
-        fmt::format("The tilt fits no reading of Equation (1). A slope along u tilts the normal: "
-                    "{}. A slope along v: {}.",
-                    directionInWords(response.u), directionInWords(response.v)),
-        fmt::format(
-            "The farthest off is {}. Work out Pu, Pv, Bu and Bv there by hand and "
-            "compare.",
-            placeInWords(std::abs(response.u.worstDirection) > std::abs(response.v.worstDirection)
-                             ? response.u.worst
-                             : response.v.worst)),
-        "1, Implementation, steps 2 and 3"};
-}
-
-Words patchyWords(const Response& response) {
-    return {
-        fmt::format("On an even slope many points are not tilted at all: {} of them along u, {} "
-                    "along v. Elsewhere the direction is right.",
-                    percent(response.u.shares.dead), percent(response.v.shares.dead)),
-        "Compare this texel with the next one: a step in u or v that is smaller than a texel "
-        "often reads the same texel twice.",
-        "1, Implementation, step 3"};
-}
-
-Words slopesWords(const SlopeAgreement& slopes) {
-    return {fmt::format("On even ramps the tilt is right, but on pictures it is not: on a smooth "
-                        "random map it follows the slope along u with a correlation of {:.2f} and "
-                        "along v of {:.2f} (right code: above 0.9).",
-                        slopes.fieldCorrelationU, slopes.fieldCorrelationV),
-            "Check that Bu compares two texels of the point's own row, and Bv two of its own "
-            "column.",
-            "1, Implementation, step 3"};
-}
-
-Words lettersWords(const LetterReading& letters) {
-    return {
-        fmt::format("On ramps the tilt is right, but on the letter map the H looks {} and the L "
-                    "looks {}: expected are raised H and lowered L.",
-                    look(letters.h, false), look(letters.l, true)),
-        "Look for anything that treats steep slopes unlike gentle ones, or falling ones unlike "
-        "rising ones.",
-        "1, Testing"};
-}
-
-Words wrongWords(WrongReason reason, const Examination& examination,
-                 const std::optional<Hints>& hints) {
-    switch (reason) {
-        case WrongReason::inward:
-            return {fmt::format("The normal points into the sphere at {}; the first is {}.",
-                                pointsOf(examination.conduct.inward),
-                                firstAt(examination.conduct.inward)),
-                    "The smooth normal is position minus centre, not the other way round; with a "
-                    "cross product of two tangents, mind their order.",
-                    "1, Implementation, step 1"};
-        case WrongReason::slopeUIgnored:
-            return ignoredWords("u", "columns");
-        case WrongReason::slopeVIgnored:
-            return ignoredWords("v", "rows");
-        case WrongReason::signLost:
-            return {
-                "A falling slope tilts the normal like a rising one: both sides of every bump "
-                "lean the same way.",
-                "Look for an abs or an unsigned type in the differences.",
-                "1, Implementation, step 3"};
-        case WrongReason::strangeLanding:
-            return strangeLandingWords(examination, hints);
-        case WrongReason::smallSlopesLost:
-            return {"Steps of the map tilt the normal, but even slopes tilt nothing.",
-                    "Heights are fractions from 0 to 5: look for an int that cuts a difference "
-                    "off, or for a step that reads the same texel twice.",
-                    "1, Implementation, step 3"};
-        case WrongReason::patchy:
-            return patchyWords(*examination.ramps.response);
-        case WrongReason::strangeDirection:
-            return directionWords(*examination.ramps.response);
-        case WrongReason::doesNotGrow:
-            return {
-                "A slope that is eight times as steep tilts the normal hardly more: a bigger "
-                "bump should give a larger coefficient.",
-                "Do not normalise the slopes, and do not cut them off: only the sum of "
-                "Equation (1) is normalised.",
-                "1, Theory"};
-        case WrongReason::steepDiffers:
-            return {"Steep slopes tilt the normal in another direction than gentle ones.",
-                    "Bu and Bv should be in proportion to the differences of the heights.",
-                    "1, Theory"};
-        case WrongReason::slopesDiffer:
-            return slopesWords(*examination.slopes);
-        case WrongReason::lettersDiffer:
-            return lettersWords(*examination.letters);
-    }
-    return {};
-}
-
 Words wordsFor(Fault fault, const Examination& examination, const std::optional<Hints>& hints) {
     switch (fault) {
         case Fault::threw:
@@ -307,72 +160,6 @@ Words wordsFor(Fault fault, const Examination& examination, const std::optional<
     return {};
 }
 
-std::vector<double> toVector(const std::array<double, kBands>& values) {
-    return {values.begin(), values.end()};
-}
-
-void addAxis(Evidence& evidence, const std::string& name, const AxisResponse& axis) {
-    evidence.emplace_back(name + "Right", axis.shares.right);
-    evidence.emplace_back(name + "Inverted", axis.shares.inverted);
-    evidence.emplace_back(name + "Across", axis.shares.across);
-    evidence.emplace_back(name + "Dead", axis.shares.dead);
-    evidence.emplace_back(name + "DirectionByBandDegrees", toVector(axis.bandDirection));
-    evidence.emplace_back(name + "StrengthRatioOverLongitude", axis.strengthRatio);
-}
-
-void addEdges(Evidence& evidence, const std::string& name, const EdgeCount& edges) {
-    evidence.emplace_back(name, fmt::format("{} of {} right, {} inverted, {} lost", edges.right,
-                                            edges.crossed(), edges.opposite, edges.lost));
-}
-
-void addLetters(Evidence& evidence, const LetterReading& letters) {
-    evidence.emplace_back("letterH", look(letters.h, false));
-    evidence.emplace_back("letterL", look(letters.l, true));
-    addEdges(evidence, "letterHAlongU", letters.h.alongU);
-    addEdges(evidence, "letterHAlongV", letters.h.alongV);
-    addEdges(evidence, "letterLAlongU", letters.l.alongU);
-    addEdges(evidence, "letterLAlongV", letters.l.alongV);
-}
-
-void addLanding(Evidence& evidence, const LandingFit& fit) {
-    const Vector3& axis = fit.landing.axis();
-    evidence.emplace_back("topOfMap", std::vector<double>{axis.x, axis.y, axis.z});
-    evidence.emplace_back("uFacingTheCamera", fit.landing.u({0.0, 0.0, -1.0}));
-    evidence.emplace_back("mirrored", fit.landing.mirrored());
-    evidence.emplace_back("strayShare", fit.strayShare);
-}
-
-void addOffence(Evidence& evidence, const std::string& name, const Offence& offence) {
-    if (!offence) return;
-    evidence.emplace_back(name + "Points", offence.count);
-    evidence.emplace_back(name + "Asked", offence.asked);
-    evidence.emplace_back(name + "FirstAt", placeInWords(offence.direction));
-}
-
-Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examination) {
-    Evidence evidence;
-    std::string also;
-    for (std::size_t i = 1; i < faults.size(); ++i)
-        also += (also.empty() ? "" : ", ") + idOf(faults[i]);
-    if (!also.empty()) evidence.emplace_back("also", also);
-    if (examination.ramps.response) {
-        const ResponseMatrix& m = examination.ramps.response->matrix;
-        evidence.emplace_back("responseMatrix",
-                              std::vector<double>{m[0][0], m[0][1], m[1][0], m[1][1]});
-        addAxis(evidence, "u", examination.ramps.response->u);
-        addAxis(evidence, "v", examination.ramps.response->v);
-    }
-    if (examination.letters) addLetters(evidence, *examination.letters);
-    if (examination.ramps.fit) addLanding(evidence, *examination.ramps.fit);
-    addOffence(evidence, "exception", examination.conduct.threw);
-    addOffence(evidence, "notFinite", examination.conduct.notFinite);
-    addOffence(evidence, "notUnit", examination.conduct.notUnit);
-    addOffence(evidence, "inward", examination.conduct.inward);
-    evidence.emplace_back("largestTiltDegrees",
-                          std::atan(examination.conduct.largestTilt) * kDegrees);
-    return evidence;
-}
-
 Finding note(const std::string& id, Severity severity, Words words) {
     Finding finding;
     finding.id = id;
@@ -392,34 +179,6 @@ Finding mirroredNote() {
 }
 
 }  // namespace
-
-std::string idOf(Fault fault) {
-    switch (fault) {
-        case Fault::threw:
-            return "run.crashed";
-        case Fault::notFinite:
-            return "bump.not-finite";
-        case Fault::notUnit:
-            return "bump.not-unit";
-        case Fault::flat:
-            return "bump.flat";
-        case Fault::longitudeDependent:
-            return "bump.longitude-dependent";
-        case Fault::swapped:
-            return "bump.swapped-axes";
-        case Fault::inverted:
-            return "bump.inverted";
-        case Fault::invertedU:
-            return "bump.inverted-u";
-        case Fault::invertedV:
-            return "bump.inverted-v";
-        case Fault::upsideDown:
-            return "bump.upside-down";
-        case Fault::wrong:
-            break;
-    }
-    return "bump.wrong";
-}
 
 Finding describe(const std::vector<Fault>& faults, const Examination& examination,
                  const std::optional<Hints>& hints) {
@@ -447,17 +206,6 @@ std::vector<Finding> sideNotes(const Examination& examination) {
                 " No usual picture shows these points (poles, the far side's exact "
                 "middle, maps of 4 x 4 texels), so this alone fails nothing.";
     return notes;
-}
-
-std::string placeInWords(const Vector3& direction) {
-    const double latitude = std::asin(std::clamp(direction.y, -1.0, 1.0)) * kDegrees;
-    const double longitude = std::atan2(direction.x, -direction.z) * kDegrees;
-    if (std::abs(latitude) > 89.9) return latitude > 0.0 ? "at the top pole" : "at the bottom pole";
-    return fmt::format(
-        "{:.1f} degrees {} the equator and {:.1f} degrees {} of the meridian nearest "
-        "to the camera",
-        std::abs(latitude), latitude < 0.0 ? "below" : "above", std::abs(longitude),
-        longitude < 0.0 ? "left" : "right");
 }
 
 }  // namespace ticker::decision::bump

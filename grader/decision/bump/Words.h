@@ -6,13 +6,9 @@
 #include <grader/result/Finding.h>
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace ticker::decision::bump {
-
-/// The finding's id: "bump.inverted-u".
-[[nodiscard]] std::string idOf(Fault fault);
 
 /// The finding that a student reads: message, hint, section and evidence.
 /// @param faults  Everything that `diagnose` found; the first is described, the others stand in
@@ -22,9 +18,6 @@ namespace ticker::decision::bump {
 
 /// What does no harm but should be known: mirrored text, trouble at poles.
 [[nodiscard]] std::vector<Finding> sideNotes(const Examination& examination);
-
-/// Where a point lies on the sphere, as a person would say it.
-[[nodiscard]] std::string placeInWords(const raytracer::Vector3& direction);
 
 }  // namespace ticker::decision::bump
 

@@ -58,12 +58,17 @@ void resetSignals() {
     sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-Failure giveUpRights(const Options& options, pid_t parent, int keepOpen) {
+// Who runs, where, and with which descriptors.
+Failure changeIdentity(const Options& options, pid_t parent, int keepOpen) {
     if (setsid() < 0) return "setsid";
     if (Failure failure = changeUser(options.user)) return failure;
     if (Failure failure = dieWithParent(parent)) return failure;
     if (Failure failure = closeOtherDescriptors(options, keepOpen)) return failure;
-    if (Failure failure = changeFolder(options)) return failure;
+    return changeFolder(options);
+}
+
+// What may be done from now on.
+Failure giveUpRights(const Options& options) {
     resetSignals();
     if (options.filter != Filter::none || options.landlock) {
         if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return "no_new_privs";
@@ -81,6 +86,13 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     return result;
 }
 
+// What the kernel says to a file that is there, but no program that it can run, or one that wants
+// an interpreter that it cannot have: a student can make one.
+bool isUnfit(int error) {
+    return error == ENOEXEC || error == ENOENT || error == EACCES || error == ENOMEM ||
+           error == EINVAL || error == ELIBBAD;
+}
+
 }  // namespace
 
 StartFailure becomeCommand(const Options& options, pid_t parent, int keepOpen) {
@@ -91,9 +103,12 @@ StartFailure becomeCommand(const Options& options, pid_t parent, int keepOpen) {
     const std::vector<char*> argv = pointers(words);
     const std::vector<char*> environment = pointers(settings);
 
-    Failure step = giveUpRights(options, parent, keepOpen);
+    Failure step = changeIdentity(options, parent, keepOpen);
+    const bool isThere = step == nullptr && access(argv[0], X_OK) == 0;
+    if (step == nullptr) step = giveUpRights(options);
     if (step == nullptr) {
         execve(argv[0], argv.data(), environment.data());
+        if (isThere && isUnfit(errno)) _exit(kNotExecutable);
         step = "execve";
     }
     StartFailure failure;

@@ -7,6 +7,9 @@
 
 namespace ticker::jail {
 
+/// Exit status of a command that is there, but that the system will not run: as in a shell.
+inline constexpr int kNotExecutable = 126;
+
 /// What a child tells about a step that failed before its command began.
 struct StartFailure {
     int error = 0;

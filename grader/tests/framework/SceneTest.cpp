@@ -1,3 +1,5 @@
+#include "RecordingObserver.h"
+
 #include <raytracer/math/Random.h>
 #include <raytracer/scene/Scene.h>
 
@@ -57,6 +59,43 @@ TEST(FindClosestIntersection, IsTheNearestHitOfAllObjects) {
                 expectSameHit(scene.findClosestIntersection(ray), askEveryObject(scene, ray));
             }
         }
+    }
+}
+
+TEST(FindClosestIntersection, TakesTheFirstOfTheSceneWhereTwoAreEquallyNear) {
+    SceneDescription description;
+    for (int i = 0; i < 6; ++i)
+        description.spheres.push_back({{0, 0, 5}, 1.0, {}, nullptr});
+    description.planes.push_back({{0, 0, 4}, {0, 0, -1}, {}});
+    const Scene scene{description};
+    const std::optional<RaycastHit> hit = scene.findClosestIntersection({{}, {0, 0, 1}});
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->object, scene.objects().front().get());
+}
+
+TEST(FindClosestIntersection, IsNoneForARayWithoutADirection) {
+    seedRandom(2);
+    const double no = std::numeric_limits<double>::quiet_NaN();
+    const Scene scene{randomScene(6, 2)};
+    EXPECT_FALSE(scene.findClosestIntersection({{1, 2, 3}, {}}));
+    EXPECT_FALSE(scene.findClosestIntersection({{1, 2, 3}, {no, 0, 1}}));
+    EXPECT_FALSE(scene.findClosestIntersection({{1, 2, 3}, {0, 0, -no}}));
+    EXPECT_FALSE(scene.findClosestIntersection({{no, no, no}, {0, 0, 1}}));
+    EXPECT_FALSE(scene.findClosestIntersection({{1, 2, 3}, {no, no, no}}));
+}
+
+TEST(FindClosestIntersection, TellsTheObserverOfEachRay) {
+    seedRandom(3);
+    ticker::RecordingObserver observer;
+    const Scene scene{randomScene(3, 1), &observer};
+    std::size_t rays = 0;
+    for (double x = -1.0; x <= 1.0; x += 0.25) {
+        const Ray ray{{0, 0, -9}, {x, 0.1, 1}};
+        const std::optional<RaycastHit> hit = scene.findClosestIntersection(ray);
+        ASSERT_EQ(observer.rays.size(), ++rays);
+        EXPECT_EQ(observer.rays.back().direction, ray.direction);
+        EXPECT_EQ(observer.hits.back().object, hit ? hit->object : nullptr);
+        EXPECT_EQ(observer.hits.back().normal, hit ? hit->normal : Vector3{});
     }
 }
 

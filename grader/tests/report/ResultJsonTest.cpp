@@ -44,7 +44,7 @@ SubmissionResult example() {
     result.sandboxLevel = "A";
     result.toolVersion = "0.1.0";
     result.tasks = {t1, shot};
-    result.renders = {{"bumpmap-test", 160, 120, 0.1, 0.9, 0.05, 3.0, 4.0, "images/a.png", ""}};
+    result.renders = {{"bumpmap-test", 160, 120, 0.1, 0.9, 0.05, 3.0, 4.0, "images/a.png", "", ""}};
     result.notices = {"notes.txt was ignored"};
     result.timing = {400.2, 31.0, 500.0};
     return result;

@@ -108,6 +108,18 @@ Outcome AtLevel::run(const Command& command) const {
     return outcome;
 }
 
+Outcome AtLevel::runText(const std::string& text) const {
+    const fs::path folder = Sandbox::makeStagingFolder();
+    std::ofstream{folder / "program"} << text;
+    fs::permissions(folder / "program", fs::perms{0755});
+    Command command = trick({});
+    command.readOnly = {{folder / "program", "/program"}};
+    command.arguments[0] = "/program";
+    Outcome outcome = run(command);
+    fs::remove_all(folder);
+    return outcome;
+}
+
 std::string describe(const Outcome& outcome) {
     switch (outcome.end) {
         case Outcome::End::exited:

@@ -37,7 +37,8 @@ protected:
     [[nodiscard]] Outcome runTrick(const std::vector<std::string>& words) const {
         return run(trick(words));
     }
-    [[nodiscard]] bool isLocked() const { return GetParam() != Level::none; }
+    /// Runs a file of this text as if it were a program.
+    [[nodiscard]] Outcome runText(const std::string& text) const;
     [[nodiscard]] const std::string& marker() const { return marker_; }
 
 private:

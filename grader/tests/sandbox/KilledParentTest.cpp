@@ -9,6 +9,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,7 +23,13 @@ constexpr int kPatienceMs = 20'000;
 
 class KilledParent : public AtLevel {
 protected:
+    void SetUp() override {
+        AtLevel::SetUp();
+        // What the victim leaves becomes ours, so that its end can be waited for.
+        prctl(PR_SET_CHILD_SUBREAPER, 1);
+    }
     void TearDown() override {
+        prctl(PR_SET_CHILD_SUBREAPER, 0);
         AtLevel::TearDown();
         // The victims could not: a new folder takes the old ones away.
         const StagingFolder sweeper;
@@ -59,8 +66,13 @@ protected:
     [[nodiscard]] bool allHaveEnded() {
         pollfd polled{pipe_.get(), POLLIN, 0};
         std::array<char, 8> bytes{};
-        while (poll(&polled, 1, kPatienceMs) == 1)
-            if (read(pipe_.get(), bytes.data(), bytes.size()) == 0) return true;
+        while (poll(&polled, 1, kPatienceMs) == 1) {
+            if (read(pipe_.get(), bytes.data(), bytes.size()) != 0) continue;
+            // A helper that was just being started holds no pipe: it sees at once that it is alone.
+            while (waitpid(-1, nullptr, 0) > 0) {
+            }
+            return true;
+        }
         return false;
     }
 

@@ -66,6 +66,10 @@ TEST_P(Locked, LetsNoOtherProgramRun) {
     EXPECT_EQ(describe(runTrick({"other-program"})), "exit 40");
 }
 
+TEST_P(Locked, GivesNoInterpreterToAProgram) {
+    EXPECT_EQ(describe(runText("#!/bin/sh\nexit 0\n")), "exit 126");
+}
+
 TEST_P(Locked, LetsNobodyTypeIntoATerminal) {
     EXPECT_EQ(describe(runTrick({"type-into-terminal"})), "exit 40");
 }

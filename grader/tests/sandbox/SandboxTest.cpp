@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -27,7 +28,8 @@ TEST_P(EveryLevel, TellsTheExitStatus) {
 }
 
 TEST_P(EveryLevel, LetsHonestProgramsWork) {
-    for (const char* name : {"threads", "random-device", "exceptions", "memory"})
+    for (const char* name :
+         {"threads", "random-device", "exceptions", "memory", "stream-descriptor"})
         EXPECT_EQ(describe(runTrick({name})), "exit 0") << name;
 }
 
@@ -129,6 +131,11 @@ TEST_P(EveryLevel, RunsForManyThreadsAtOnce) {
     }
     for (std::size_t i = 0; i < outcomes.size(); ++i)
         EXPECT_EQ(describe(outcomes[i]), "exit " + std::to_string(i));
+}
+
+// A student's linker can make such a file, so it must not be taken for our fault.
+TEST_P(EveryLevel, TellsAFileThatIsNoProgram) {
+    EXPECT_EQ(describe(runText("#!/not-there\n")), "exit 126");
 }
 
 TEST_P(EveryLevel, SaysThatAMissingProgramIsOurFault) {

@@ -1,6 +1,6 @@
 #include "Program.h"
 
-#include "../io/TemporaryFolder.h"
+#include <grader/tests/io/TemporaryFolder.h>
 
 #include <fcntl.h>
 #include <spawn.h>

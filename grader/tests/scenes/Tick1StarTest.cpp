@@ -1,8 +1,9 @@
-#include "../io/TemporaryFolder.h"
 #include "Program.h"
 
 #include <raytracer/image/ToneCurve.h>
 #include <raytracer/io/ImageReader.h>
+
+#include <grader/tests/io/TemporaryFolder.h>
 
 #include <gtest/gtest.h>
 

@@ -140,6 +140,7 @@ const Option& optionCalled(std::string_view name) {
     });
     if (found != kOptions.end()) return *found;
     std::vector<std::string_view> names;
+    names.reserve(kOptions.size());
     for (const Option& option : kOptions)
         names.push_back(option.name);
     const std::optional<std::string_view> nearest = nearestName(name, names);

@@ -4,6 +4,7 @@
 #include <raytracer/base/Error.h>
 #include <raytracer/io/ImageWriter.h>
 #include <raytracer/io/SceneReader.h>
+#include <raytracer/math/Random.h>
 #include <raytracer/render/Renderer.h>
 
 #include <algorithm>
@@ -69,14 +70,14 @@ ExitCode renderScene(const Options& options) {
     const RenderSettings settings = settingsOf(options, progress);
     if (options.verbose)
         std::cerr << "seed " << settings.seed << ", " << settings.threads << " threads\n";
+    seedRandom(settings.seed);  // for solutions that loop over the pixels by themselves
     const Image image = Renderer{settings}.render(scene);
     writeResults(image, options);
 
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (options.verbose) std::cerr << "rendered in " << seconds.count() << " s\n";
     if (!progress.interrupted() || progress.done() == image.height()) return ExitCode::success;
-    std::cerr << "\ninterrupted: " << options.image.string() << " holds " << progress.done()
-              << " of " << image.height() << " rows\n";
+    std::cerr << "\ninterrupted: " << options.image.string() << " holds the rows that were done\n";
     return ExitCode::interrupted;
 }
 

@@ -46,10 +46,24 @@ ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, co
 
 Image Renderer::render(const Scene& scene) const {
     const Camera camera{settings()};
-    Image image{settings()};
+    RenderSettings smaller = settings();
+    smaller.width /= 2;
+    Image image{smaller};
     forEachPixel(image, [&](int x, int y) {
         // TASK T2.2 begin
-        image.set(x, y, trace(scene, camera.castRay(x, y), settings().bounces));
+        const Ray pinholeRay = camera.castRay(x, y);
+        const Vector3 focalPoint =
+            pinholeRay.evaluateAt(settings().dofFocalPlane / pinholeRay.direction.z);
+
+        ColourRGB sum;
+        for (int i = 0; i < settings().dofRayCount; ++i) {
+            const Vector3 lensPoint{randomBetween(-settings().dofAmount, settings().dofAmount),
+                                    randomBetween(-settings().dofAmount, settings().dofAmount),
+                                    0.0};
+            const Ray ray{lensPoint, (focalPoint - lensPoint).normalised()};
+            sum += trace(scene, ray, settings().bounces);
+        }
+        image.set(x, y, sum / settings().dofRayCount);
         // TASK T2.2 end
     });
     return image;

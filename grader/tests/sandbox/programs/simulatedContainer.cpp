@@ -71,10 +71,14 @@ void refuseNamespaces() {
           SCMP_SYS(pivot_root), SCMP_SYS(bpf), SCMP_SYS(perf_event_open), SCMP_SYS(keyctl),
           SCMP_SYS(add_key), SCMP_SYS(open_tree), SCMP_SYS(move_mount), SCMP_SYS(fsopen)})
         done = done && refuse(filter, call);
-    for (const std::uint64_t space : {CLONE_NEWNS, CLONE_NEWUSER, CLONE_NEWPID, CLONE_NEWNET,
-                                      CLONE_NEWIPC, CLONE_NEWUTS, CLONE_NEWCGROUP})
-        done = done && seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1,
-                                        SCMP_A0_64(SCMP_CMP_MASKED_EQ, space, space)) == 0;
+    constexpr std::uint64_t kNamespaces[] = {CLONE_NEWNS,    CLONE_NEWUSER, CLONE_NEWPID,
+                                             CLONE_NEWNET,   CLONE_NEWIPC,  CLONE_NEWUTS,
+                                             CLONE_NEWCGROUP};
+    for (const std::uint64_t space : kNamespaces) {
+        const scmp_arg_cmp wanted{0, SCMP_CMP_MASKED_EQ, space, space};
+        done = done && seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1,
+                                              &wanted) == 0;
+    }
     done = done && seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0) == 0;
     if (!done || seccomp_load(filter) != 0) fail("seccomp");
     seccomp_release(filter);

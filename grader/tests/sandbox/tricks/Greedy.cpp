@@ -8,8 +8,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 #include <exception>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>

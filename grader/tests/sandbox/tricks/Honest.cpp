@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <future>
 #include <iostream>
@@ -59,6 +60,14 @@ int memory(std::span<char*>) {
     return values.size() == 16U << 20U ? 0 : 1;
 }
 
+// The C library's streams over an inherited descriptor.
+int streamDescriptor(std::span<char*>) {
+    std::FILE* stream = fdopen(1, "w");
+    return stream != nullptr && std::fputs("streamed\n", stream) >= 0 && std::fclose(stream) == 0
+               ? 0
+               : 1;
+}
+
 // What it reads from descriptor 3 goes to descriptor 4.
 int copyDescriptors(std::span<char*>) {
     char text[64] = {};
@@ -72,6 +81,7 @@ constexpr Trick kTricks[] = {{"nothing", nothing},
                              {"random-device", randomDevice},
                              {"exceptions", exceptions},
                              {"memory", memory},
+                             {"stream-descriptor", streamDescriptor},
                              {"copy-descriptors", copyDescriptors}};
 
 }  // namespace

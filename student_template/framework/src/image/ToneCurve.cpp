@@ -10,8 +10,8 @@ std::uint8_t toneMapped(double component) {
     constexpr double kMidGrey = 0.25;
     constexpr double kGamma = 2.2;
     if (!(component > 0.0)) return 0;
-    if (std::isinf(component)) return 255;
     const double powered = std::pow(component, kPower);
+    if (std::isinf(powered)) return 255;
     const double display = powered / (powered + std::pow(kMidGrey, kPower));
     return static_cast<std::uint8_t>(
         std::clamp(255.0 * std::pow(display, 1.0 / kGamma), 0.0, 255.0));

@@ -39,13 +39,17 @@ ByteImage toBytes(const Image& image) {
     return bytes;
 }
 
-void writePng(const ByteImage& image, const std::filesystem::path& file) {
-    checkWritable(file);
+std::string encodePng(const ByteImage& image) {
     std::string bytes;
     const int written = stbi_write_png_to_func(append, &bytes, image.width, image.height, kChannels,
                                                image.rgb.data(), image.width * kChannels);
-    if (written == 0) throw InputError(file.string(), 0, "the picture cannot be packed as PNG");
-    replaceFile(file, bytes);
+    if (written == 0) throw Error("a picture cannot be packed as PNG");
+    return bytes;
+}
+
+void writePng(const ByteImage& image, const std::filesystem::path& file) {
+    checkWritable(file);
+    replaceFile(file, encodePng(image));
 }
 
 void writePng(const Image& image, const std::filesystem::path& file) {

@@ -14,7 +14,7 @@
 namespace raytracer {
 namespace {
 
-constexpr std::size_t kLargestFile = 1024 * 1024;
+constexpr std::size_t kLargestFile = 1024UL * 1024UL;
 constexpr int kMostElements = 10'000;
 constexpr int kDeepestLevel = 8;
 

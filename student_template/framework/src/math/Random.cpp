@@ -2,6 +2,7 @@
 #include <raytracer/math/Vector3.h>
 
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 
@@ -11,9 +12,12 @@ namespace {
 /// xoshiro256++ (Blackman and Vigna 2018), seeded by splitmix64.
 class Generator {
 public:
-    explicit constexpr Generator(std::uint64_t seed) { restart(seed); }
+    /// True until the first `restart`: no seed leads to a state of zeros.
+    [[nodiscard]] bool isBlank() const {
+        return (state_[0] | state_[1] | state_[2] | state_[3]) == 0;
+    }
 
-    constexpr void restart(std::uint64_t seed) {
+    void restart(std::uint64_t seed) {
         for (std::uint64_t& word : state_) {
             seed += 0x9E3779B97F4A7C15U;
             std::uint64_t z = seed;
@@ -38,6 +42,17 @@ public:
 private:
     std::array<std::uint64_t, 4> state_{};
 };
+
+// constinit: ready without a constructor, so that no draw has to ask whether it has run.
+constinit thread_local Generator generator;
+
+/// The thread's generator. A thread that nobody seeded gets a stream of its own: two that draw the
+/// same numbers would show as a pattern in the picture.
+Generator& seededGenerator() {
+    static constinit std::atomic<std::uint64_t> threadsSeen{0};
+    if (generator.isBlank()) generator.restart(threadsSeen++);
+    return generator;
+}
 
 /// One draw as the place of a cell in a cube of 2^21 cells on a side; the ball fills the cube.
 struct Cell {
@@ -72,8 +87,8 @@ class BallCells {
 public:
     void clear() { ready_ = 0; }
 
-    Cell take(Generator& generator) {
-        if (ready_ == 0) refill(generator);
+    Cell take() {
+        if (ready_ == 0) refill();
         return Cell{draws_[--ready_]};
     }
 
@@ -81,8 +96,8 @@ private:
     static constexpr std::size_t kCount = 64;
 
     // A candidate is written in any case and kept by moving the end only if it lies in the ball.
-    [[gnu::noinline]] void refill(Generator& generator) {
-        Generator local = generator;  // in registers meanwhile
+    [[gnu::noinline]] void refill() {
+        Generator local = seededGenerator();  // in registers meanwhile
         std::size_t kept = 0;
         while (kept < kCount) {
             const std::uint64_t draw = local.next();
@@ -97,14 +112,12 @@ private:
     std::size_t ready_ = 0;
 };
 
-// Ready without a constructor at run time, so that no draw has to ask whether it has run.
-constinit thread_local Generator generator{0};
 constinit thread_local BallCells ballCells;
 
 }  // namespace
 
 double randomBetween(double low, double high) {
-    const double unit = static_cast<double>(generator.next() >> 11U) * 0x1p-53;
+    const double unit = static_cast<double>(seededGenerator().next() >> 11U) * 0x1p-53;
     const double value = low + (high - low) * unit;
     return value == high ? low : value;  // rounding may reach the end that is excluded
 }
@@ -115,7 +128,7 @@ void seedRandom(std::uint64_t seed) {
 }
 
 Vector3 Vector3::randomInsideUnitSphere() {
-    return ballCells.take(generator).middle();
+    return ballCells.take().middle();
 }
 
 }  // namespace raytracer

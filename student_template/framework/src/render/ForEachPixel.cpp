@@ -12,6 +12,12 @@
 namespace raytracer {
 namespace {
 
+// Any odd multiplier would do: the generator's own seeding mixes the bits.
+std::uint64_t pixelSeed(std::uint64_t seed, int column, int row) {
+    return seed * 0xD1342543DE82EF95U + (static_cast<std::uint64_t>(row) << 32U) +
+           static_cast<std::uint64_t>(column);
+}
+
 /// Hands out the rows of one image to threads that all run `work`.
 class RowLoop {
 public:
@@ -44,13 +50,9 @@ private:
 
     void renderRow(int row) const {
         const RenderSettings& settings = image_.settings();
-        const bool whole = settings.region.isWholeFrame();
-        const auto frameRow = static_cast<std::uint64_t>(row + (whole ? 0 : settings.region.y));
+        const Region region = settings.region.isWholeFrame() ? Region{} : settings.region;
         for (int x = 0; x < image_.width(); ++x) {
-            const auto frameColumn =
-                static_cast<std::uint64_t>(x + (whole ? 0 : settings.region.x));
-            // Any odd multiplier would do: the generator's own seeding mixes the bits.
-            seedRandom(settings.seed * 0xD1342543DE82EF95U + (frameRow << 32U) + frameColumn);
+            seedRandom(pixelSeed(settings.seed, region.x + x, region.y + row));
             function_(x, row);
         }
     }
@@ -79,6 +81,8 @@ void forEachPixel(const Image& image, const std::function<void(int x, int y)>& f
         helpers.emplace_back([&loop] { loop.work(); });
     loop.work();
     helpers.clear();
+    // What is drawn after the loop must not depend on which pixel this thread happened to end with.
+    seedRandom(pixelSeed(image.settings().seed, -1, -1));
     loop.rethrow();
 }
 

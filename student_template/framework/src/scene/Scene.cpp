@@ -36,14 +36,12 @@ Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
-Nearest Scene::nearest(const Ray& ray) const {
+Nearest Scene::findNearest(const Ray& ray) const {
     return fast_->planes.nearest(ray, fast_->spheres.nearest(ray));
 }
 
-std::optional<RaycastHit> Scene::findWatched(const Ray& ray) const {
-    const std::optional<RaycastHit> hit = hitAt(ray, nearest(ray));
+void Scene::tellObserver(Ray ray, std::optional<RaycastHit> hit) const {
     observer_->rayCast(ray, hit ? &*hit : nullptr);
-    return hit;
 }
 
 }  // namespace raytracer

@@ -9,6 +9,7 @@ namespace raytracer {
 ///
 /// @param task  Tag as in the handout: "T1", "T2.1" or "T2.2".
 /// @param hint  What is to be written in its place.
+/// @throws Error for any other task.
 /// Safe to call from several threads.
 void unfinished(std::string_view task, std::string_view hint);
 

@@ -26,7 +26,18 @@ struct ColourRGB {
         b *= scale;
         return *this;
     }
-    constexpr ColourRGB& operator/=(double divisor) { return *this *= 1.0 / divisor; }
+    constexpr ColourRGB& operator*=(const ColourRGB& o) {
+        r *= o.r;
+        g *= o.g;
+        b *= o.b;
+        return *this;
+    }
+    constexpr ColourRGB& operator/=(double divisor) {
+        r /= divisor;
+        g /= divisor;
+        b /= divisor;
+        return *this;
+    }
 
     friend constexpr bool operator==(const ColourRGB&, const ColourRGB&) = default;
 };

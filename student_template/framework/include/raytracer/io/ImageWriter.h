@@ -5,6 +5,7 @@
 #include <raytracer/io/ImageReader.h>
 
 #include <filesystem>
+#include <string>
 
 namespace raytracer {
 
@@ -15,6 +16,10 @@ namespace raytracer {
 /// render and not after it. Writes nothing.
 /// @throws InputError where the folder is missing, or the name is that of a folder or a device.
 void checkWritable(const std::filesystem::path& file);
+
+/// The bytes of a PNG file.
+/// @throws Error where the picture is too large to be packed.
+[[nodiscard]] std::string encodePng(const ByteImage& image);
 
 /// Writes a PNG file: whole or not at all (a temporary file is renamed into place).
 /// @throws InputError where the file cannot be written.

@@ -11,6 +11,11 @@ struct Ray {
     Vector3 origin;
     Vector3 direction;
 
+    constexpr Ray() = default;
+    // Component by component: a copy in pairs of what was just computed stalls the processor.
+    constexpr Ray(const Vector3& from, const Vector3& towards)
+        : origin(from.x, from.y, from.z), direction(towards.x, towards.y, towards.z) {}
+
     /// The point origin + distance * direction.
     [[nodiscard]] constexpr Vector3 evaluateAt(double distance) const {
         return origin + direction * distance;

@@ -57,7 +57,12 @@ struct Vector3 {
         z *= scale;
         return *this;
     }
-    constexpr Vector3& operator/=(double divisor) { return *this *= 1.0 / divisor; }
+    constexpr Vector3& operator/=(double divisor) {
+        x /= divisor;
+        y /= divisor;
+        z /= divisor;
+        return *this;
+    }
 
     friend constexpr bool operator==(const Vector3&, const Vector3&) = default;
 };

@@ -35,8 +35,20 @@ public:
     Scene& operator=(const Scene&) = delete;
 
     /// The first surface that the ray meets in front of its origin; empty when it meets none.
+    ///
+    /// Inline, so that a caller who wants only the distance does not pay for place and normal.
     [[nodiscard]] std::optional<RaycastHit> findClosestIntersection(const Ray& ray) const {
-        return observer_ == nullptr ? hitAt(ray, nearest(ray)) : findWatched(ray);
+        std::optional<RaycastHit> hit;
+        const Nearest nearest = findNearest(ray);
+        if (nearest.object != nullptr) {
+            hit.emplace();
+            hit->object = nearest.object;
+            hit->distance = nearest.distance;
+            hit->location = ray.evaluateAt(nearest.distance);
+            hit->normal = nearest.object->getNormalAt(hit->location);
+        }
+        if (observer_ != nullptr) tellObserver(ray, hit);
+        return hit;
     }
 
     [[nodiscard]] const std::vector<PointLight>& pointLights() const { return pointLights_; }
@@ -50,16 +62,9 @@ public:
 private:
     struct Fast;  // the objects again, laid out for speed
 
-    [[nodiscard]] Nearest nearest(const Ray& ray) const;
-    [[nodiscard]] std::optional<RaycastHit> findWatched(const Ray& ray) const;
-
-    // Inline, so that a caller who wants only the distance does not pay for place and normal.
-    [[nodiscard]] static std::optional<RaycastHit> hitAt(const Ray& ray, const Nearest& nearest) {
-        if (nearest.object == nullptr) return std::nullopt;
-        const Vector3 location = ray.evaluateAt(nearest.distance);
-        return RaycastHit{nearest.object, nearest.distance, location,
-                          nearest.object->getNormalAt(location)};
-    }
+    [[nodiscard]] Nearest findNearest(const Ray& ray) const;
+    // By value: a hit whose address is known has to stand in memory, watched or not.
+    void tellObserver(Ray ray, std::optional<RaycastHit> hit) const;
 
     ColourRGB ambientLighting_;
     std::vector<PointLight> pointLights_;

@@ -1,0 +1,75 @@
+#include <grader/cli/GradeOptions.h>
+#include <grader/cli/Verb.h>
+#include <grader/intake/Intake.h>
+#include <grader/report/Escape.h>
+#include <grader/report/Words.h>
+#include <grader/result/Names.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <memory>
+#include <string>
+
+namespace ticker::cli {
+namespace {
+
+struct CheckOptions {
+    std::string folder;
+    GradeOptions grade;
+};
+
+void print(const Finding& finding) {
+    fmt::print("  {} {}\n    {}\n", toString(finding.severity), finding.id,
+               report::escapeLine(finding.message));
+    if (!finding.hint.empty()) fmt::print("    Hint: {}\n", report::escapeLine(finding.hint));
+    if (!finding.section.empty()) fmt::print("    Handout: {}\n", finding.section);
+}
+
+void print(const SubmissionResult& result) {
+    for (const TaskReport& task : result.tasks) {
+        fmt::print("{} {}: {}{}\n", task.id, task.title, report::wordsFor(task.state),
+                   task.reason.empty() ? "" : ": " + report::escapeLine(task.reason));
+        for (const Finding& finding : task.findings)
+            print(finding);
+    }
+    for (const Diagnostics& said : result.diagnostics)
+        if (!said.text.empty())
+            fmt::print("\nWhat the compiler said about {}:\n{}\n", said.file,
+                       report::cleanText(said.text));
+    for (const std::string& notice : result.notices)
+        fmt::print("note: {}\n", report::escapeLine(notice));
+    fmt::print("\n{}: {}\n", report::escapeLine(result.submission),
+               report::wordsFor(result.verdict));
+}
+
+raytracer::ExitCode check(const CheckOptions& options) {
+    const auto found = intake::findSubmissions(options.folder);
+    if (found.size() != 1)
+        throw raytracer::InputError(
+            options.folder, 0,
+            fmt::format("{} submissions here; check takes one (ticker grade takes many)",
+                        found.size()));
+    const SubmissionResult result = pipeline::gradeSubmission(
+        intake::readSubmission(found.front()), makeGrader(options.grade), seedOf(options.grade));
+    print(result);
+    if (result.verdict == Verdict::notGraded) return raytracer::ExitCode::notGradable;
+    const bool allGood =
+        std::all_of(result.tasks.begin(), result.tasks.end(), [](const TaskReport& task) {
+            return task.state == TaskState::passed || task.state == TaskState::notAttempted;
+        });
+    return allGood ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
+}
+
+}  // namespace
+
+Run addCheck(CLI::App& app, const Voice& /*voice*/) {
+    auto options = std::make_shared<CheckOptions>();
+    CLI::App* verb = app.add_subcommand("check", "The full diagnosis of one submission, as text");
+    verb->add_option("folder", options->folder, "Folder or zip with the files")->required();
+    addGradeOptions(*verb, options->grade);
+    return [options] { return check(*options); };
+}
+
+}  // namespace ticker::cli

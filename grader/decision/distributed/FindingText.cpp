@@ -1,0 +1,156 @@
+#include <grader/decision/distributed/FindingText.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace ticker::decision {
+namespace {
+
+struct Text {
+    std::string_view id;
+    std::string_view hint;
+    std::string_view section;
+};
+
+constexpr std::string_view kShadow1 = "2.1, Implementation, step 1";
+constexpr std::string_view kShadow2 = "2.1, Implementation, step 2";
+constexpr std::string_view kShadow3 = "2.1, Implementation, step 3";
+constexpr std::string_view kLens1 = "2.2, Implementation, step 1";
+constexpr std::string_view kLens2 = "2.2, Implementation, step 2";
+constexpr std::string_view kLens3 = "2.2, Implementation, step 3";
+
+// In the order of contract.md: the first that applies is reported.
+constexpr std::array kTexts{
+    Text{"shadow.hard",
+         "Aim each shadow ray at light.position() + Vector3::randomInsideUnitSphere() * "
+         "settings().lightSize, a new point for every ray.",
+         kShadow1},
+    Text{"shadow.too-few-rays",
+         "Cast settings().shadowRayCount rays for every light, each to a new point.", kShadow1},
+    Text{"shadow.fixed-samples",
+         "Draw new points in every call: a generator must not be started again with the same seed "
+         "for each point.",
+         kShadow1},
+    Text{"shadow.inverted",
+         "The light that arrives is the share of rays that reach the light, not of those that are "
+         "blocked.",
+         kShadow2},
+    Text{"shadow.all-or-nothing",
+         "The share must be a fraction: dividing one int by another drops everything after the "
+         "point.",
+         kShadow2},
+    Text{"shadow.ambient-scaled",
+         "Scale the diffuse and the specular term only; the ambient term is there in full shadow, "
+         "too.",
+         kShadow3},
+    Text{"shadow.specular-unshadowed", "Scale the specular term by the share, too.", kShadow3},
+    Text{"shadow.diffuse-unshadowed", "Scale the diffuse term by the share, too.", kShadow3},
+    Text{"shadow.lights-mixed",
+         "Start counts and sums anew for each light, inside of the loop over the lights.",
+         kShadow2},
+    Text{"shadow.beyond-light",
+         "An object casts a shadow only if it is nearer than the light: compare the distance of "
+         "the hit with that of the light.",
+         kShadow1},
+    Text{"shadow.point-jittered",
+         "All shadow rays start at the point itself, a tiny step along N away from the surface; "
+         "only their targets are random.",
+         kShadow1},
+    Text{"shadow.direction-offset",
+         "Add the random offset to the light's position, before the direction is normalised.",
+         kShadow1},
+    Text{"shadow.light-size",
+         "A point in the light is light.position() + Vector3::randomInsideUnitSphere() * "
+         "settings().lightSize: lightSize is the radius.",
+         kShadow1},
+    Text{"shadow.not-a-ball",
+         "The light is a ball around light.position(): Vector3::randomInsideUnitSphere() gives "
+         "points of the unit ball.",
+         kShadow1},
+    Text{"shadow.clustered",
+         "Vector3::randomInsideUnitSphere() of this kit gives points that fill the ball evenly.",
+         kShadow1},
+    Text{"shadow.view-from-eye",
+         "V points from P to O. At a mirrored surface O is not the camera, so reflections come "
+         "out wrong.",
+         kShadow3},
+    Text{"shadow.wrong",
+         "Compare with the steps of the handout: the share of rays that reach the light scales "
+         "diffuse and specular.",
+         kShadow3},
+    Text{"dof.none",
+         "Start every ray at a random point of the aperture and send it through the focal point.",
+         kLens2},
+    Text{"dof.too-few-rays", "Cast settings().dofRayCount rays for every pixel.", kLens2},
+    Text{"dof.shared-samples",
+         "Draw the point of the aperture inside of the loop over the rays, a new one for each.",
+         kLens2},
+    Text{"dof.not-averaged", "Add the colours of all rays of the pixel and divide by their number.",
+         kLens3},
+    Text{"dof.focal-distance",
+         "The focal plane lies at z = settings().dofFocalPlane: go along the pinhole ray by "
+         "dofFocalPlane / direction.z, not by dofFocalPlane.",
+         kLens1},
+    Text{"dof.focal-plane",
+         "All rays of a pixel must meet the pinhole ray at z = settings().dofFocalPlane.", kLens1},
+    Text{"dof.off-centre",
+         "The aperture is centred on the eye: random numbers between -1 and 1, not between 0 and "
+         "1.",
+         kLens2},
+    Text{"dof.disc",
+         "The aperture is a square in the xy-plane: x and y are drawn independently, each evenly, "
+         "and z is 0.",
+         kLens2},
+    Text{"dof.aperture-size",
+         "The half-width of the aperture is settings().dofAmount (or half of it).", kLens2},
+    Text{"dof.reused-pattern", "Draw new points of the aperture for every pixel.", kLens2},
+    Text{"dof.wrong", "Compare with the steps of the handout.", kLens3},
+    Text{"settings.hard-coded",
+         "Take the numbers from settings(): shadowRayCount, lightSize, dofRayCount, "
+         "dofFocalPlane, dofAmount, bounces.",
+         ""}};
+
+std::size_t rankOf(std::string_view id) {
+    const auto at =
+        std::find_if(kTexts.begin(), kTexts.end(), [&](const Text& text) { return text.id == id; });
+    return static_cast<std::size_t>(at - kTexts.begin());
+}
+
+}  // namespace
+
+Finding distributedFinding(std::string_view id, Severity severity, std::string seen) {
+    Finding finding;
+    finding.id = id;
+    finding.severity = severity;
+    finding.message = std::move(seen);
+    if (const std::size_t rank = rankOf(id); rank < kTexts.size()) {
+        finding.hint = kTexts.at(rank).hint;
+        finding.section = kTexts.at(rank).section;
+    }
+    return finding;
+}
+
+std::vector<Finding> mostImportantFirst(std::vector<Finding> findings) {
+    std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
+        if (a.severity != b.severity) return a.severity < b.severity;
+        return rankOf(a.id) < rankOf(b.id);
+    });
+    std::vector<Finding> kept;
+    std::string others;
+    for (Finding& finding : findings) {
+        const bool failed = !kept.empty() && kept.front().severity == Severity::fail;
+        if (failed && finding.severity == Severity::fail) {
+            if (others.find(finding.id) == std::string::npos)
+                others += (others.empty() ? "" : ", ") + finding.id;
+        } else {
+            kept.push_back(std::move(finding));
+        }
+    }
+    if (!others.empty()) kept.front().evidence.emplace_back("alsoSeen", others);
+    return kept;
+}
+
+}  // namespace ticker::decision

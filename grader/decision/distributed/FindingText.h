@@ -1,0 +1,22 @@
+#ifndef TICKER_DECISION_DISTRIBUTED_FINDINGTEXT_H
+#define TICKER_DECISION_DISTRIBUTED_FINDINGTEXT_H
+
+#include <grader/result/Finding.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ticker::decision {
+
+/// A finding of T2.1 or T2.2 with the hint and the handout's section that belong to its id.
+/// @param seen  What was expected and what was seen: the message.
+[[nodiscard]] Finding distributedFinding(std::string_view id, Severity severity, std::string seen);
+
+/// Puts findings into contract.md's order and keeps the first failure: the names of the others
+/// become its evidence, warnings and notes follow it.
+[[nodiscard]] std::vector<Finding> mostImportantFirst(std::vector<Finding> findings);
+
+}  // namespace ticker::decision
+
+#endif

@@ -1,0 +1,87 @@
+#include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/JudgeDepthOfField.h>
+#include <grader/decision/distributed/LensChecks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ticker::decision {
+namespace {
+
+void keep(std::vector<Finding>& findings, std::optional<Finding> finding) {
+    if (finding) findings.push_back(std::move(*finding));
+}
+
+bool hasFailure(const std::vector<Finding>& findings) {
+    return std::any_of(findings.begin(), findings.end(),
+                       [](const Finding& finding) { return finding.severity == Severity::fail; });
+}
+
+bool isFinite(const LensLog& log) {
+    return std::all_of(log.pixels.begin(), log.pixels.end(), [](const LensPixel& pixel) {
+        return std::isfinite(pixel.colour.r + pixel.colour.g + pixel.colour.b);
+    });
+}
+
+// Where pixels have no rays at all nothing can be said about their rays.
+bool lacksRays(const LensLog& log) {
+    return std::any_of(log.pixels.begin(), log.pixels.end(),
+                       [](const LensPixel& pixel) { return pixel.rays.empty(); });
+}
+
+void checkRays(const LensLog& log, LensOutcome& outcome) {
+    std::optional<Finding> counts = checkLensCounts(log);
+    const bool none = counts && counts->id == "dof.none";
+    const bool shared = counts && counts->id == "dof.shared-samples";
+    keep(outcome.findings, std::move(counts));
+    keep(outcome.findings, checkAverage(log));
+    keep(outcome.findings, checkBounces(log));
+    if (none) return;
+    keep(outcome.findings, checkFocus(log));
+    if (shared) return;
+    ApertureVerdict aperture = checkAperture(log);
+    outcome.apertureFactor = aperture.factor;
+    keep(outcome.findings, std::move(aperture.finding));
+    keep(outcome.findings, checkPattern(log));
+}
+
+std::optional<Finding> checkOtherSettings(const LensLog& log) {
+    if (lacksRays(log)) return std::nullopt;
+    LensOutcome other;
+    checkRays(log, other);
+    const auto wrong =
+        std::find_if(other.findings.begin(), other.findings.end(),
+                     [](const Finding& finding) { return finding.severity == Severity::fail; });
+    if (wrong == other.findings.end()) return std::nullopt;
+    Finding finding =
+        distributedFinding("settings.hard-coded", Severity::warn,
+                           "With other settings, what is right with the handout's "
+                           "numbers no longer is: render does not follow settings(). " +
+                               wrong->message);
+    finding.section = "2.2, Implementation";
+    finding.evidence = wrong->evidence;
+    finding.evidence.emplace_back("otherwise", wrong->id);
+    return finding;
+}
+
+}  // namespace
+
+LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
+    LensOutcome outcome;
+    if (!isFinite(handout)) {
+        outcome.findings.push_back(
+            distributedFinding("dof.wrong", Severity::fail,
+                               "Colours were expected; some pixels hold a value that is no "
+                               "number."));
+        return outcome;
+    }
+    outcome.rayless = lacksRays(handout);
+    if (outcome.rayless) return outcome;
+    outcome.valueless = !handout.pixels.front().rays.front().value.has_value();
+    checkRays(handout, outcome);
+    if (!hasFailure(outcome.findings)) keep(outcome.findings, checkOtherSettings(other));
+    return outcome;
+}
+
+}  // namespace ticker::decision

@@ -1,0 +1,27 @@
+#ifndef TICKER_DECISION_DISTRIBUTED_JUDGEDEPTHOFFIELD_H
+#define TICKER_DECISION_DISTRIBUTED_JUDGEDEPTHOFFIELD_H
+
+#include <grader/decision/distributed/LensLog.h>
+#include <grader/result/Finding.h>
+
+#include <optional>
+#include <vector>
+
+namespace ticker::decision {
+
+/// What the answers about `render` say.
+struct LensOutcome {
+    std::vector<Finding> findings;         ///< of T2.2, unsorted
+    std::optional<double> apertureFactor;  ///< half-width / dofAmount of the accepted reading
+    bool rayless = false;    ///< casts no ray that could be seen: only pictures can be judged
+    bool valueless = false;  ///< its rays could be seen, but not what colour each of them gave
+};
+
+/// Judges T2.2 from answered questions alone.
+/// @param handout  At the handout's settings.
+/// @param other    At other settings: what is wrong there alone is a warning.
+[[nodiscard]] LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other);
+
+}  // namespace ticker::decision
+
+#endif

@@ -1,0 +1,143 @@
+#include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/JudgeDepthOfField.h>
+#include <grader/decision/distributed/JudgeDistributed.h>
+#include <grader/decision/distributed/JudgeSoftShadows.h>
+#include <grader/decision/distributed/LensQuestions.h>
+#include <grader/decision/distributed/PenumbraCheck.h>
+#include <grader/decision/distributed/PictureCheck.h>
+#include <grader/decision/distributed/RunEnd.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace ticker::decision {
+namespace {
+
+TaskJudgement judgementOf(std::vector<Finding> findings, bool needsReview = false) {
+    TaskJudgement judgement;
+    judgement.findings = mostImportantFirst(std::move(findings));
+    const bool failed =
+        std::any_of(judgement.findings.begin(), judgement.findings.end(),
+                    [](const Finding& finding) { return finding.severity == Severity::fail; });
+    judgement.state = failed ? TaskState::failed : TaskState::passed;
+    judgement.needsReview = needsReview && !failed;
+    return judgement;
+}
+
+Finding unseenRays(const char* id, const std::string& what) {
+    Finding finding = distributedFinding(
+        id, Severity::note, what + ": what it computes is judged by its results alone.");
+    return finding;
+}
+
+/// What a statistical stage says; answers that do not come are nothing that it could hold against
+/// anybody, but somebody should look.
+struct Stage {
+    std::optional<Finding> finding;
+    bool needsReview = false;
+};
+
+template <class Answer>
+const Answer* answeredBy(const probe::Sitting& sitting) {
+    if (sitting.answers.empty()) return nullptr;
+    const auto* answer = std::get_if<Answer>(&sitting.answers.front());
+    return answer != nullptr && answer->state == probe::AnswerState::answered ? answer : nullptr;
+}
+
+Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
+    const probe::IlluminateQuestion asked = drawPenumbraQuestion(seed * 4 + stage);
+    const probe::Sitting sitting = examinee.ask({asked});
+    const auto* answer = answeredBy<probe::IlluminateAnswer>(sitting);
+    if (answer == nullptr) return {std::nullopt, true};
+    PenumbraVerdict verdict = checkPenumbra(asked, *answer);
+    return {std::move(verdict.finding), verdict.ambiguous};
+}
+
+// Largest of some 30 z-scores: 6.5 is exceeded with a chance below 1e-8 where they are normal; a
+// failure has to come twice all the same, on fresh scenes and seeds.
+Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
+    constexpr double kLimit = 6.5;
+    const probe::RenderQuestion asked = drawPictureQuestion(seed * 4 + stage);
+    const probe::Sitting sitting = examinee.ask({asked});
+    const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
+    if (answer == nullptr || answer->wrongSize || answer->images.empty())
+        return {std::nullopt, true};
+    return {judgePictures(asked, *answer, seed * 4 + stage, kLimit).finding, false};
+}
+
+// A failure that does not come again is no failure, but somebody should look.
+template <class Judge>
+bool keepRepeated(std::vector<Finding>& findings, const Judge& judge) {
+    const Stage first = judge(1);
+    if (!first.finding) return first.needsReview;
+    Stage second = judge(2);
+    if (!second.finding) return true;
+    findings.push_back(std::move(*second.finding));
+    return false;
+}
+
+TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
+    const std::vector<ShadowQuestion> asked = drawShadowQuestions(seed);
+    std::vector<probe::Question> questions;
+    for (const ShadowQuestion& question : asked)
+        questions.emplace_back(question.question);
+    const probe::Sitting sitting = examinee.ask(questions);
+    if (std::optional<TaskJudgement> blocked = judgeUnanswered(sitting, "illuminate"))
+        return *std::move(blocked);
+
+    std::vector<ShadowLog> logs;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        logs.push_back(
+            readShadowLog(asked[i], std::get<probe::IlluminateAnswer>(sitting.answers[i])));
+    ShadowOutcome outcome = judgeSoftShadows(logs);
+    bool needsReview = false;
+    if (outcome.rayless && outcome.reading) {
+        outcome.findings.push_back(unseenRays(
+            "shadow.unseen-rays", "illuminate casts no ray through findClosestIntersection"));
+        needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
+            return judgePenumbra(examinee, seed, stage);
+        });
+    }
+    return judgementOf(std::move(outcome.findings), needsReview);
+}
+
+TaskJudgement judgeLensTask(probe::Examinee& examinee, std::uint64_t seed) {
+    const LensQuestions asked = drawLensQuestions(seed);
+    const probe::Sitting sitting = examinee.ask({asked.handout, asked.other});
+    if (std::optional<TaskJudgement> blocked = judgeUnanswered(sitting, "render"))
+        return *std::move(blocked);
+
+    const auto& handout = std::get<probe::RenderAnswer>(sitting.answers[0]);
+    const auto& other = std::get<probe::RenderAnswer>(sitting.answers[1]);
+    if (handout.wrongSize)
+        return judgementOf({distributedFinding(
+            "dof.wrong", Severity::fail,
+            "A picture of the size in settings() was expected; one of another size came back.")});
+    LensOutcome outcome =
+        judgeDepthOfField(readLensLog(asked.handout, handout), readLensLog(asked.other, other));
+    bool needsReview = false;
+    if (outcome.rayless || outcome.valueless) {
+        outcome.findings.push_back(
+            unseenRays("dof.unseen-rays", "render does not send its rays through trace"));
+        needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
+            return judgePicture(examinee, seed, stage);
+        });
+    }
+    return judgementOf(std::move(outcome.findings), needsReview);
+}
+
+}  // namespace
+
+DistributedJudgement judgeDistributed(probe::Examinee& examinee, const DistributedAttempt& attempt,
+                                      std::uint64_t seed) {
+    DistributedJudgement judgement;
+    judgement.softShadows.state = TaskState::notAttempted;
+    judgement.depthOfField.state = TaskState::notAttempted;
+    if (attempt.softShadows) judgement.softShadows = judgeShadowTask(examinee, seed);
+    if (attempt.depthOfField) judgement.depthOfField = judgeLensTask(examinee, seed);
+    return judgement;
+}
+
+}  // namespace ticker::decision

@@ -1,0 +1,81 @@
+#include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/JudgeSoftShadows.h>
+#include <grader/decision/distributed/ShadowChecks.h>
+
+#include <utility>
+
+namespace ticker::decision {
+namespace {
+
+void keep(std::vector<Finding>& findings, std::optional<Finding> finding) {
+    if (finding) findings.push_back(std::move(*finding));
+}
+
+bool castsNoRay(const ShadowLogs& logs) {
+    for (const ShadowLog* log : logs.atHandoutSettings())
+        for (const PointLog& point : log->points)
+            if (point.lineCount() > 0) return false;
+    return true;
+}
+
+bool hasFailure(const std::vector<Finding>& findings) {
+    for (const Finding& finding : findings)
+        if (finding.severity == Severity::fail) return true;
+    return false;
+}
+
+void warnOfReading(const ShadowReading& reading, std::vector<Finding>& findings) {
+    if (!reading.viewerIsEye) return;
+    findings.push_back(distributedFinding(
+        "shadow.view-from-eye", Severity::warn,
+        "The highlights were expected as seen from O; they come out as seen from the origin of "
+        "the world."));
+}
+
+void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
+    std::vector<Finding>& findings = outcome.findings;
+    const std::optional<Finding> starts = checkStarts(logs);
+    keep(findings, starts);
+    std::optional<Finding> fixed = checkFixedSamples(logs);
+    std::optional<Finding> counts = checkRayCounts(logs, fixed.has_value());
+    // Rays that start all around the point and go to the centre are no hard shadow; aims that are
+    // all the centre are fixed, but that is not what went wrong.
+    const bool hard = counts && counts->id == "shadow.hard";
+    if (!counts) keep(findings, checkSeveralCounts(logs));
+    if (counts && !(hard && starts)) keep(findings, std::move(counts));
+    if (!hard) keep(findings, std::move(fixed));
+    keep(findings, checkEveryLight(logs));
+    keep(findings, checkDirectionOffset(logs));
+    const AimVerdict aims = judgeAims(logs.farLight);
+    keep(findings, checkAims(logs, aims));
+    outcome.shape = aims.shape;
+
+    ArithmeticVerdict arithmetic = checkArithmetic(logs);
+    keep(findings, std::move(arithmetic.finding));
+    outcome.reading = arithmetic.reading;
+}
+
+}  // namespace
+
+ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
+    const ShadowLogs logs{all};
+    ShadowOutcome outcome;
+    if (std::optional<Finding> finding = checkFinite(logs)) {
+        outcome.findings.push_back(std::move(*finding));
+        return outcome;
+    }
+    outcome.rayless = castsNoRay(logs);
+    if (outcome.rayless) {
+        ArithmeticVerdict values = checkValues(logs);
+        keep(outcome.findings, std::move(values.finding));
+        outcome.reading = values.reading;
+    } else {
+        judgeRays(logs, outcome);
+    }
+    if (outcome.reading) warnOfReading(*outcome.reading, outcome.findings);
+    if (outcome.reading && !outcome.rayless && !hasFailure(outcome.findings))
+        keep(outcome.findings, checkOtherSettings(logs, *outcome.reading));
+    return outcome;
+}
+
+}  // namespace ticker::decision

@@ -1,0 +1,25 @@
+#ifndef TICKER_DECISION_DISTRIBUTED_JUDGESOFTSHADOWS_H
+#define TICKER_DECISION_DISTRIBUTED_JUDGESOFTSHADOWS_H
+
+#include <grader/decision/distributed/ShadowAims.h>
+#include <grader/decision/distributed/ShadowReplay.h>
+
+#include <optional>
+#include <vector>
+
+namespace ticker::decision {
+
+/// What the answers about `illuminate` say.
+struct ShadowOutcome {
+    std::vector<Finding> findings;         ///< of T2.1, unsorted
+    std::optional<ShadowReading> reading;  ///< the accepted one that fits everywhere
+    std::optional<AimShape> shape;         ///< likewise
+    bool rayless = false;  ///< casts no ray that could be seen: only values can be judged
+};
+
+/// Judges T2.1 from answered questions alone: no randomness, no asking.
+[[nodiscard]] ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& logs);
+
+}  // namespace ticker::decision
+
+#endif

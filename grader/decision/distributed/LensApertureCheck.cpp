@@ -1,0 +1,186 @@
+#include <grader/decision/distributed/Bounds.h>
+#include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/LensChecks.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <set>
+
+namespace ticker::decision {
+namespace {
+
+/// Lens points of all pixels.
+struct Lens {
+    std::vector<Vector3> points;
+    std::size_t distinct = 0;  ///< points that can count as independent
+    Vector3 low;
+    Vector3 high;
+
+    [[nodiscard]] Vector3 centre() const { return (low + high) * 0.5; }
+    /// Half of the wider side.
+    [[nodiscard]] double halfWidth() const {
+        return 0.5 * std::max(high.x - low.x, high.y - low.y);
+    }
+};
+
+Lens lensOf(const LensLog& log) {
+    Lens lens;
+    std::set<std::array<std::int64_t, 2>> keys;
+    for (const LensPixel& pixel : log.pixels)
+        for (const LensRay& ray : pixel.rays) {
+            if (lens.points.empty()) lens.low = lens.high = ray.origin;
+            const Vector3& p = ray.origin;
+            lens.low = {std::min(lens.low.x, p.x), std::min(lens.low.y, p.y),
+                        std::min(lens.low.z, p.z)};
+            lens.high = {std::max(lens.high.x, p.x), std::max(lens.high.y, p.y),
+                         std::max(lens.high.z, p.z)};
+            lens.points.push_back(p);
+            keys.insert({std::llround(p.x * 1e9), std::llround(p.y * 1e9)});
+        }
+    const bool repeated =
+        static_cast<double>(keys.size()) < 0.9 * static_cast<double>(lens.points.size());
+    lens.distinct = repeated ? keys.size() : lens.points.size();
+    return lens;
+}
+
+// How much narrower than the aperture `count` independent points can be: the range r of uniform
+// points in [0, 1] has P(range <= r) = n r^(n-1) - (n-1) r^n, solved for the risk by bisection.
+double rangeShortfall(std::size_t count) {
+    if (count < 3) return 1.0;
+    const auto n = static_cast<double>(count);
+    double low = 0.0;
+    double high = 1.0;
+    for (int i = 0; i < 60; ++i) {
+        const double r = 0.5 * (low + high);
+        const double chance = n * std::pow(r, n - 1.0) - (n - 1.0) * std::pow(r, n);
+        (chance < kStatementRisk ? low : high) = r;
+    }
+    return 1.0 - low;
+}
+
+double uniformCdf(double value) {
+    return std::clamp(0.5 * (value + 1.0), 0.0, 1.0);
+}
+
+// Of half the sum of two uniform numbers in [-1, 1].
+double triangleCdf(double value) {
+    const double v = std::clamp(value, -1.0, 1.0);
+    return v < 0.0 ? 0.5 * (v + 1.0) * (v + 1.0) : 1.0 - 0.5 * (1.0 - v) * (1.0 - v);
+}
+
+// Corners: of a square's points the share 1 - pi/4 lies outside of the inscribed disc; of a disc's
+// none does. The marginals and the two diagonals see what fills the square unevenly.
+struct ShapeVerdict {
+    bool square = true;
+    double cornerShare = 0.0;
+    double gap = 0.0;
+};
+
+ShapeVerdict judgeShape(const Lens& lens) {
+    ShapeVerdict verdict;
+    const Vector3 centre = lens.centre();
+    const double half = lens.halfWidth();
+    std::array<std::vector<double>, 4> values;
+    std::size_t corners = 0;
+    for (const Vector3& point : lens.points) {
+        const double x = (point.x - centre.x) / half;
+        const double y = (point.y - centre.y) / half;
+        if (x * x + y * y > 1.0) ++corners;
+        values[0].push_back(x);
+        values[1].push_back(y);
+        values[2].push_back(0.5 * (x + y));
+        values[3].push_back(0.5 * (x - y));
+    }
+    const double share = static_cast<double>(corners) / static_cast<double>(lens.points.size());
+    const auto independent =
+        static_cast<std::size_t>(share * static_cast<double>(lens.distinct) + 0.5);
+    constexpr double kCorners = 1.0 - std::numbers::pi / 4.0;
+    const double slack = rangeShortfall(lens.distinct);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        verdict.gap = std::max(verdict.gap, i < 2 ? largestGap(values[i], uniformCdf)
+                                                  : largestGap(values[i], triangleCdf));
+    verdict.cornerShare = share;
+    const bool cornersMissing =
+        share < kCorners && chernoffTail(independent, lens.distinct, kCorners) < kStatementRisk;
+    verdict.square = !cornersMissing && verdict.gap <= dkwBound(lens.distinct) + slack;
+    return verdict;
+}
+
+ScatterPlot plotLens(const Lens& lens, double expected) {
+    constexpr std::size_t kMostPoints = 600;
+    ScatterPlot plot;
+    plot.title = "Where the camera rays start";
+    plot.unit = "world units";
+    plot.expectedShape = ScatterPlot::Shape::square;
+    plot.expectedHalfWidth = expected;
+    for (const Vector3& point : lens.points)
+        if (plot.points.size() < kMostPoints) plot.points.push_back({point.x, point.y});
+    return plot;
+}
+
+// The accepted half-width that the points fill; 0 where there is none.
+double acceptedFactor(const Lens& lens, double amount, double shortfall) {
+    for (const double factor : {1.0, 0.5}) {
+        const double half = factor * amount;
+        if (lens.halfWidth() <= half * (1.0 + 1e-5) && lens.halfWidth() >= half * (1.0 - shortfall))
+            return factor;
+    }
+    return 0.0;
+}
+
+}  // namespace
+
+ApertureVerdict checkAperture(const LensLog& log) {
+    ApertureVerdict verdict;
+    const Lens lens = lensOf(log);
+    if (lens.points.size() < 3) return verdict;
+    const double amount = log.asked->settings.dofAmount;
+    const double half = lens.halfWidth();
+    const Vector3 centre = lens.centre();
+    const double shortfall = rangeShortfall(lens.distinct);
+    const ShapeVerdict shape = judgeShape(lens);
+    const double depth = std::max(std::abs(lens.low.z), std::abs(lens.high.z));
+    const double factor = acceptedFactor(lens, amount, shortfall);
+    if (std::max(std::abs(centre.x), std::abs(centre.y)) > 2.0 * shortfall * half + 1e-7) {
+        verdict.finding = distributedFinding(
+            "dof.off-centre", Severity::fail,
+            fmt::format("An aperture centred on the eye was expected; its centre is at ({:.3f}, "
+                        "{:.3f}).",
+                        centre.x, centre.y));
+    } else if (depth > 1e-6) {
+        verdict.finding = distributedFinding(
+            "dof.disc", Severity::fail,
+            fmt::format("A square in the plane z = 0 was expected; rays start up to {:.3g} in "
+                        "front of it or behind it.",
+                        depth));
+    } else if (!shape.square) {
+        verdict.finding = distributedFinding(
+            "dof.disc", Severity::fail,
+            fmt::format("An evenly filled square was expected; the starting points form another "
+                        "shape ({:.1f} % of them outside of the inscribed disc, 21.5 % expected).",
+                        100.0 * shape.cornerShare));
+    } else if (factor == 0.0) {
+        verdict.finding = distributedFinding(
+            "dof.aperture-size", Severity::fail,
+            fmt::format("A square of half-width {:.3g} (or {:.3g}) was expected; its half-width is "
+                        "{:.3g}.",
+                        amount, 0.5 * amount, half));
+    }
+    if (factor != 0.0) verdict.factor = factor;
+    if (verdict.finding) {
+        verdict.finding->evidence.emplace_back("halfWidth", half);
+        verdict.finding->evidence.emplace_back("centre", std::vector<double>{centre.x, centre.y});
+        verdict.finding->evidence.emplace_back("shareInCorners", shape.cornerShare);
+        verdict.finding->evidence.emplace_back("largestGap", shape.gap);
+        verdict.finding->evidence.emplace_back("points", static_cast<double>(lens.points.size()));
+        verdict.finding->plots.push_back(plotLens(lens, amount));
+    }
+    return verdict;
+}
+
+}  // namespace ticker::decision

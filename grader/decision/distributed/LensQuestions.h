@@ -1,0 +1,22 @@
+#ifndef TICKER_DECISION_DISTRIBUTED_LENSQUESTIONS_H
+#define TICKER_DECISION_DISTRIBUTED_LENSQUESTIONS_H
+
+#include <grader/probe/Question.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace ticker::decision {
+
+/// Questions about `render` of T2.2. Their scenes have no light but the ambient one, so that
+/// nothing that `illuminate` does wrong can be held against `render`.
+struct LensQuestions {
+    probe::RenderQuestion handout;  ///< the handout's settings, on a tiny frame, two repetitions
+    probe::RenderQuestion other;    ///< other ray count, focal plane, aperture and bounces
+};
+
+[[nodiscard]] LensQuestions drawLensQuestions(std::uint64_t seed);
+
+}  // namespace ticker::decision
+
+#endif

@@ -1,0 +1,287 @@
+#include <grader/decision/distributed/Bounds.h>
+#include <grader/decision/distributed/Draw.h>
+#include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/PenumbraCheck.h>
+#include <grader/decision/distributed/Phong.h>
+#include <grader/decision/distributed/ShadowAims.h>
+#include <grader/decision/distributed/ShadowQuestions.h>
+#include <grader/decision/distributed/ShadowReplay.h>
+#include <grader/decision/distributed/Surfaces.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace ticker::decision {
+namespace {
+
+using Phong = ShadowReading::Phong;
+
+constexpr std::size_t kPoints = 12;
+constexpr std::size_t kCalls = 2000;
+constexpr int kAims = 8192;
+
+// Shares counted on so many lattice points are off by less than this (measured against 65536).
+constexpr double kShareError = 0.0025;
+
+double total(const ColourRGB& colour) {
+    return colour.r + colour.g + colour.b;
+}
+
+/// The light that got through at one point, call by call, as a share of all light.
+struct Samples {
+    std::vector<double> shares;
+    double mean = 0.0;
+    double variance = 0.0;
+};
+
+PointLog bare(const probe::LitPoint& point) {
+    PointLog log;
+    log.point = point;
+    log.lines.resize(1);
+    log.zones = {Zone::penumbra};
+    return log;
+}
+
+Samples readSamples(const probe::IlluminateQuestion& asked, const probe::IlluminateAnswer& answer,
+                    std::size_t point) {
+    Samples samples;
+    const PointLog log = bare(asked.points[point * kCalls]);
+    const double ambient = total(ambientPart(log, asked.scene));
+    const double full = total(unshadowed(log, asked.scene, 0, false));
+    for (std::size_t i = 0; i < kCalls; ++i)
+        samples.shares.push_back((total(answer.colours[point * kCalls + i]) - ambient) / full);
+    for (const double share : samples.shares)
+        samples.mean += share / kCalls;
+    for (const double share : samples.shares)
+        samples.variance += (share - samples.mean) * (share - samples.mean) / (kCalls - 1);
+    return samples;
+}
+
+/// Expected shares of one point under every reading of Phong, for one shape of the light.
+struct Expected {
+    double open = 0.0;                             // share of aims in sight
+    std::array<std::array<double, 3>, 2> share{};  // [viewer is the eye][Phong]
+};
+
+Expected expectedAt(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
+                    const probe::LitPoint& point, AimShape shape, double size) {
+    const raytracer::PointLight& light = asked.scene.pointLights[0];
+    const raytracer::Material& material = materialOf(asked.scene, point.object);
+    const PointLog log = bare(point);
+    const double full = total(unshadowed(log, asked.scene, 0, false));
+    const double centre = (light.position() - point.position).magnitude();
+    const Vector3 start = point.position + point.normal * 1e-4;
+    Expected expected;
+    for (int i = 0; i < kAims; ++i) {
+        const Vector3 aim = light.position() + aimOf(shape, i) * (size * asked.settings.lightSize);
+        const Vector3 towards = aim - start;
+        const double distance = towards.magnitude();
+        if (surfaces.sightAlong(start, towards / distance, distance) == Sight::blocked) continue;
+        expected.open += 1.0 / kAims;
+        for (const std::size_t eye : {0U, 1U}) {
+            const Vector3 viewer = eye == 1 ? Vector3{} : point.viewer;
+            const double terms =
+                total(phongTerms(material, light, point.normal,
+                                 (viewer - point.position).normalised(), towards / distance, centre)
+                          .sum()) /
+                full / kAims;
+            expected.share[eye][1] += terms;
+            expected.share[eye][2] += terms * centre * centre / (distance * distance);
+        }
+    }
+    for (const std::size_t eye : {0U, 1U})
+        expected.share[eye][0] =
+            expected.open * total(unshadowed(log, asked.scene, 0, eye == 1)) / full;
+    return expected;
+}
+
+/// Sums over points of weight * (seen - expected), in units of what Bernstein's bound allows.
+double excess(const std::vector<Samples>& seen, const std::vector<double>& expected,
+              const std::vector<double>& weights) {
+    const double logRisk = std::log(2.0 / kStatementRisk);
+    double sum = 0.0;
+    double variance = 0.0;
+    double most = 0.0;
+    double slack = 0.0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        sum += weights[i] * (seen[i].mean - expected[i]);
+        // The variance is estimated from the calls; a half more, and the floor, cover its error.
+        variance += weights[i] * weights[i] * (1.5 * seen[i].variance + 0.002) / kCalls;
+        most = std::max(most, std::abs(weights[i]) / kCalls);
+        slack += std::abs(weights[i]) * kShareError;
+    }
+    const double bound = std::sqrt(2.0 * variance * logRisk) + most * logRisk / 3.0 + slack;
+    return std::abs(sum) / bound;
+}
+
+double worstExcess(const std::vector<Samples>& seen, const std::vector<double>& expected,
+                   const std::vector<double>& open) {
+    std::vector<double> even(seen.size(), 1.0);
+    std::vector<double> wider;
+    for (const double share : open)
+        wider.push_back(0.5 - share);  // a larger light moves every share towards one half
+    double worst = std::max(excess(seen, expected, even), excess(seen, expected, wider));
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        std::vector<double> single(seen.size(), 0.0);
+        single[i] = 1.0;
+        worst = std::max(worst, excess(seen, expected, single));
+    }
+    return worst;
+}
+
+// The size of the ball that explains the means, in units of lightSize; 0 where none does.
+double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
+                   const std::vector<Samples>& seen) {
+    // Sizes in between fit not quite.
+    double best = 2.0;
+    double bestSize = 0.0;
+    for (const double size : {0.25, 0.5, 0.6, 0.75, 0.9, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5}) {
+        std::vector<double> open;
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            open.push_back(
+                expectedAt(asked, surfaces, asked.points[i * kCalls], AimShape::ball, size).open);
+        const double worst = worstExcess(seen, open, open);
+        if (worst >= best) continue;
+        best = worst;
+        bestSize = size;
+    }
+    return bestSize;
+}
+
+// The fewest rays of which all shares are fractions; 0 where they are none of up to nine.
+int fewRays(const std::vector<Samples>& seen) {
+    for (int rays = 1; rays < raytracer::RenderSettings{}.shadowRayCount; ++rays) {
+        bool all = true;
+        for (const Samples& samples : seen)
+            for (const double share : samples.shares) {
+                const double hits = share * rays;
+                all = all && std::abs(hits - std::round(hits)) < 0.01;
+            }
+        if (all) return rays;
+    }
+    return 0;
+}
+
+std::optional<Finding> checkFractions(const std::vector<Samples>& seen,
+                                      const std::vector<double>& open) {
+    const int rays = fewRays(seen);
+    if (rays == 0) return std::nullopt;
+    double spread = 0.0;
+    double away = 0.0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        spread = std::max(spread, seen[i].variance);
+        away = std::max(away, std::abs(seen[i].mean - open[i]));
+    }
+    if (rays > 1)
+        return distributedFinding(
+            "shadow.too-few-rays", Severity::fail,
+            fmt::format("10 shadow rays were expected; the light at the edge of a shadow comes in "
+                        "steps of 1/{}.",
+                        rays));
+    if (spread > 1e-9 && away > 0.15)
+        return distributedFinding("shadow.all-or-nothing", Severity::fail,
+                                  "At the edge of a shadow a fraction of the light was expected; "
+                                  "there is all of it or none, never a part.");
+    return distributedFinding("shadow.hard", Severity::fail,
+                              "At the edge of a shadow a fraction of the light was expected; there "
+                              "is all of it or none, as from one shadow ray.");
+}
+
+/// The best of all readings of Phong for one shape; gives the shares of aims in sight, too.
+double excessOfShape(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
+                     const std::vector<Samples>& seen, AimShape shape, std::vector<double>& open) {
+    std::vector<Expected> expected;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        expected.push_back(expectedAt(asked, surfaces, asked.points[i * kCalls], shape, 1.0));
+        open.push_back(expected.back().open);
+    }
+    double best = 1e9;
+    for (const std::size_t eye : {0U, 1U})
+        for (const std::size_t phong : {0U, 1U, 2U}) {
+            std::vector<double> shares;
+            for (const Expected& at : expected)
+                shares.push_back(at.share[eye][phong]);
+            best = std::min(best, worstExcess(seen, shares, open));
+        }
+    return best;
+}
+
+Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
+                const std::vector<Samples>& seen, double timesTheBound) {
+    const double size = fittingSize(asked, surfaces, seen);
+    const double radius = size * asked.settings.lightSize;
+    Finding finding =
+        size > 0.0
+            ? distributedFinding(
+                  "shadow.light-size", Severity::fail,
+                  fmt::format("At the edge of a shadow the mean of many calls is known for a light "
+                              "of radius {}; illuminate gives about that of one of radius {:.2g}.",
+                              asked.settings.lightSize, radius))
+            : distributedFinding(
+                  "shadow.wrong", Severity::fail,
+                  "At the edge of a shadow the mean of many calls is known; illuminate gives "
+                  "another one, so that the light has the wrong size or shape, or the share is "
+                  "computed wrongly.");
+    if (size > 0.0) finding.evidence.emplace_back("radius", radius);
+    finding.evidence.emplace_back("timesTheBound", timesTheBound);
+    return finding;
+}
+
+}  // namespace
+
+probe::IlluminateQuestion drawPenumbraQuestion(std::uint64_t seed) {
+    // Two questions of the exact layer's kind; only their points at edges of shadows are asked.
+    probe::IlluminateQuestion question;
+    std::size_t points = 0;
+    for (const ShadowQuestion& drawn : drawShadowQuestions(seed ^ 0x50454E554D425241U)) {
+        if (drawn.purpose != ShadowQuestion::Purpose::oneLight) continue;
+        question.scene = drawn.question.scene;
+        question.settings = drawn.question.settings;
+        question.points.clear();
+        points = 0;
+        for (std::size_t i = 0; i < drawn.zones.size() && points < kPoints; ++i) {
+            if (drawn.zones[i][0] != Zone::penumbra) continue;
+            question.points.insert(question.points.end(), kCalls, drawn.question.points[i]);
+            ++points;
+        }
+    }
+    return question;
+}
+
+PenumbraVerdict checkPenumbra(const probe::IlluminateQuestion& asked,
+                              const probe::IlluminateAnswer& answer) {
+    const Surfaces surfaces{asked.scene};
+    std::vector<Samples> seen;
+    for (std::size_t i = 0; i < asked.points.size() / kCalls; ++i)
+        seen.push_back(readSamples(asked, answer, i));
+
+    if (!std::all_of(seen.begin(), seen.end(),
+                     [](const Samples& samples) { return std::isfinite(samples.mean); }))
+        return {distributedFinding("shadow.wrong", Severity::fail,
+                                   "A colour was expected from illuminate; at the edge of a shadow "
+                                   "it gave a value that is no number."),
+                false};
+    double best = 1e9;
+    double bestOfBall = 1e9;
+    std::vector<double> openInBall;
+    for (const AimShape shape :
+         {AimShape::ball, AimShape::surface, AimShape::uniformRadius, AimShape::polarHelper}) {
+        std::vector<double> open;
+        best = std::min(best, excessOfShape(asked, surfaces, seen, shape, open));
+        if (shape != AimShape::ball) continue;
+        bestOfBall = best;
+        openInBall = open;
+    }
+    if (std::optional<Finding> fractions = checkFractions(seen, openInBall))
+        return {std::move(fractions), false};
+    if (best <= 1.0) return {std::nullopt, bestOfBall > 1.0};
+    return {explain(asked, surfaces, seen, best), false};
+}
+
+}  // namespace ticker::decision

@@ -1,0 +1,36 @@
+#ifndef TICKER_DECISION_DISTRIBUTED_PICTURECHECK_H
+#define TICKER_DECISION_DISTRIBUTED_PICTURECHECK_H
+
+#include <grader/probe/Question.h>
+#include <grader/result/Finding.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace ticker::decision {
+
+/// A question whose pictures alone are judged, for code whose rays cannot be seen: a scene without
+/// a light, at the handout's settings, several repetitions, no log.
+[[nodiscard]] probe::RenderQuestion drawPictureQuestion(std::uint64_t seed);
+
+/// What pictures say about T2.2, as z-scores: standard normal for a correct submission, but for the
+/// approximation of sums of some hundred pixels by a normal law.
+struct PictureVerdict {
+    double apertureFactor = 1.0;  ///< the accepted reading that fits best
+    double largestZ = 0.0;        ///< of all tests under that reading, without sign
+    double excessVariance =
+        0.0;                 ///< z of the pixels' spread over the repetitions; high: too few rays
+    bool identical = false;  ///< all repetitions are one picture: a fixed seed
+    std::optional<Finding> finding;  ///< what fits best, where `largestZ` is beyond the limit
+};
+
+/// Compares with the oracle's mean and variance under each accepted aperture, by one matched filter
+/// for each mistake that has a name (Neyman and Pearson 1933) and by tiles for the unknown.
+/// @param limit  On |z|.
+[[nodiscard]] PictureVerdict judgePictures(const probe::RenderQuestion& asked,
+                                           const probe::RenderAnswer& answer, std::uint64_t seed,
+                                           double limit);
+
+}  // namespace ticker::decision
+
+#endif

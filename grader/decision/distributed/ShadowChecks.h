@@ -1,0 +1,51 @@
+#ifndef TICKER_DECISION_DISTRIBUTED_SHADOWCHECKS_H
+#define TICKER_DECISION_DISTRIBUTED_SHADOWCHECKS_H
+
+#include <grader/decision/distributed/ShadowAims.h>
+#include <grader/decision/distributed/ShadowReplay.h>
+#include <grader/result/Finding.h>
+
+#include <optional>
+#include <vector>
+
+namespace ticker::decision {
+
+/// The logs of T2.1 by purpose.
+struct ShadowLogs {
+    std::vector<const ShadowLog*> oneLight;
+    std::vector<const ShadowLog*> severalLights;
+    std::vector<const ShadowLog*> beyondLight;
+    std::vector<const ShadowLog*> farLight;
+    std::vector<const ShadowLog*> otherSettings;
+
+    explicit ShadowLogs(const std::vector<ShadowLog>& logs);
+    /// All but otherSettings.
+    [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
+};
+
+/// Each of these looks at one thing and reports it where it is wrong.
+[[nodiscard]] std::optional<Finding> checkFinite(const ShadowLogs& logs);
+[[nodiscard]] std::optional<Finding> checkStarts(const ShadowLogs& logs);
+/// @param fixed  Samples are shared between points, which is another finding.
+[[nodiscard]] std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed);
+[[nodiscard]] std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs);
+[[nodiscard]] std::optional<Finding> checkEveryLight(const ShadowLogs& logs);
+[[nodiscard]] std::optional<Finding> checkFixedSamples(const ShadowLogs& logs);
+[[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
+[[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);
+[[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs,
+                                                        const ShadowReading& reading);
+
+/// Replays every value; the reading that fits, or the mistake.
+struct ArithmeticVerdict {
+    std::optional<ShadowReading> reading;
+    std::optional<Finding> finding;
+};
+[[nodiscard]] ArithmeticVerdict checkArithmetic(const ShadowLogs& logs);
+
+/// Judges values alone, where no ray was logged: points in full light and in full shadow.
+[[nodiscard]] ArithmeticVerdict checkValues(const ShadowLogs& logs);
+
+}  // namespace ticker::decision
+
+#endif

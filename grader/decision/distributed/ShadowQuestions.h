@@ -1,0 +1,33 @@
+#ifndef TICKER_DECISION_DISTRIBUTED_SHADOWQUESTIONS_H
+#define TICKER_DECISION_DISTRIBUTED_SHADOWQUESTIONS_H
+
+#include <grader/probe/Question.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace ticker::decision {
+
+/// What geometry alone says about a point and a spherical light, with a margin around the light.
+enum class Zone { lit, umbra, penumbra };
+
+/// A question about `illuminate`, and what it is for.
+struct ShadowQuestion {
+    enum class Purpose {
+        oneLight,       ///< an occluder between a light and a floor: lit, umbra and penumbra points
+        severalLights,  ///< three lights far apart in direction, two of them with an occluder
+        beyondLight,    ///< an object behind the light: every point is lit
+        farLight,       ///< a lonely light, a hundred units away: where the rays aim
+        otherSettings   ///< like oneLight, with other ray counts and light size
+    };
+    Purpose purpose = Purpose::oneLight;
+    probe::IlluminateQuestion question;
+    std::vector<std::vector<Zone>> zones;  ///< [point][light]
+};
+
+/// Draws the questions of T2.1. All but `otherSettings` use the handout's settings.
+[[nodiscard]] std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed);
+
+}  // namespace ticker::decision
+
+#endif

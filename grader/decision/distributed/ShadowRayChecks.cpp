@@ -1,0 +1,359 @@
+#include <grader/decision/distributed/Draw.h>
+#include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/ShadowChecks.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace ticker::decision {
+namespace {
+
+using Purpose = ShadowQuestion::Purpose;
+
+// Accepted bias 1e-6 to 1e-3, and half as much again for a step along N and L.
+constexpr double kLargestBias = 1.5e-3;
+
+/// Whether the surface looks at the light; others may be spared their rays.
+bool faces(const PointLog& point, const raytracer::PointLight& light) {
+    const Vector3 towards = (light.position() - point.point.position).normalised();
+    return towards.dot(point.point.normal) > 0.05;
+}
+
+double biasOf(const AimLine& line, const PointLog& point) {
+    return (line.origin - point.point.position).magnitude();
+}
+
+std::size_t distinctRays(const std::vector<AimLine>& lines) {
+    std::set<std::array<std::int64_t, 6>> seen;
+    const auto cell = [](double value) { return std::llround(value * 1e12); };
+    for (const AimLine& line : lines)
+        seen.insert({cell(line.direction.x), cell(line.direction.y), cell(line.direction.z),
+                     cell(line.origin.x), cell(line.origin.y), cell(line.origin.z)});
+    return seen.size();
+}
+
+struct Counts {
+    std::size_t fewest = static_cast<std::size_t>(-1);
+    std::size_t fewestDistinct = static_cast<std::size_t>(-1);
+    std::size_t most = 0;
+    bool allCentral = true;
+};
+
+Counts countRays(const std::vector<const ShadowLog*>& logs) {
+    Counts counts;
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points)
+            for (std::size_t i = 0; i < point.lines.size(); ++i) {
+                if (!faces(point, log->scene().pointLights[i])) continue;
+                const std::vector<AimLine>& lines = point.lines[i];
+                const std::size_t distinct = distinctRays(lines);
+                counts.fewest = std::min(counts.fewest, lines.size());
+                counts.fewestDistinct = std::min(counts.fewestDistinct, distinct);
+                counts.most = std::max(counts.most, lines.size());
+                for (const AimLine& line : lines)
+                    if (line.miss > 1.01 * std::min(biasOf(line, point), kLargestBias) + 1e-7)
+                        counts.allCentral = false;
+            }
+    return counts;
+}
+
+// Distance of two lines, where they pass each other somewhere near the light; else a large number.
+double distanceNear(const AimLine& a, const AimLine& b, const Vector3& light, double radius) {
+    const Vector3 across = a.direction.cross(b.direction);
+    const double sine = across.magnitude();
+    if (sine < 1e-3) return 1e9;
+    const Vector3 between = b.origin - a.origin;
+    const double along = between.cross(b.direction).dot(across) / (sine * sine);
+    const Vector3 nearest = a.origin + a.direction * along;
+    if ((nearest - light).magnitude() > 4.0 * radius) return 1e9;
+    return std::abs(between.dot(across)) / sine;
+}
+
+// Equal aims at two points: the lines meet, ray by ray in the order of casting. Independent lines
+// come as near as 2e-3 of radius 0.4 with a chance below 0.02, and all ten of them below 1e-16.
+bool sameAims(const PointLog& a, const PointLog& b, const Vector3& light, double radius) {
+    const std::vector<AimLine>& left = a.lines[0];
+    const std::vector<AimLine>& right = b.lines[0];
+    if (left.size() != right.size() || left.empty()) return false;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const double slack =
+            1e-6 + 2.0 * std::min(std::max(biasOf(left[i], a), biasOf(right[i], b)), 1e-3);
+        if (distanceNear(left[i], right[i], light, radius) > slack) return false;
+    }
+    return true;
+}
+
+// Points that are too close together to tell are left out.
+bool sameAimsEverywhere(const ShadowLog& log) {
+    if (log.points.empty()) return false;
+    const Vector3 light = log.scene().pointLights[0].position();
+    std::size_t compared = 0;
+    for (const PointLog& point : log.points) {
+        const double apart = (point.point.position - log.points[0].point.position).magnitude();
+        if (apart < 0.05) continue;
+        if (!sameAims(log.points[0], point, light, log.settings().lightSize)) return false;
+        ++compared;
+    }
+    return compared >= 8;
+}
+
+double widestMiss(const std::vector<const ShadowLog*>& logs) {
+    double widest = 0.0;
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points)
+            for (const std::vector<AimLine>& lines : point.lines)
+                for (const AimLine& line : lines)
+                    widest = std::max(widest, line.miss);
+    return widest;
+}
+
+ScatterPlot plotAims(const std::vector<const ShadowLog*>& far) {
+    constexpr std::size_t kMostPoints = 400;
+    ScatterPlot plot;
+    plot.title = "Where the shadow rays pass the light's centre";
+    plot.unit = "world units";
+    plot.expectedShape = ScatterPlot::Shape::disc;
+    if (far.empty()) return plot;
+    const ShadowLog& log = *far.front();
+    plot.expectedHalfWidth = log.settings().lightSize;
+    for (const PointLog& point : log.points)
+        for (const AimLine& line : point.lines[0]) {
+            if (plot.points.size() >= kMostPoints) break;
+            const Vector3 view =
+                (log.scene().pointLights[0].position() - point.point.position).normalised();
+            const Perpendiculars sides = perpendicularsOf(view);
+            plot.points.push_back({line.foot.dot(sides.first), line.foot.dot(sides.second)});
+        }
+    return plot;
+}
+
+}  // namespace
+
+ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
+    for (const ShadowLog& log : logs) {
+        switch (log.asked->purpose) {
+            case Purpose::oneLight:
+                oneLight.push_back(&log);
+                break;
+            case Purpose::severalLights:
+                severalLights.push_back(&log);
+                break;
+            case Purpose::beyondLight:
+                beyondLight.push_back(&log);
+                break;
+            case Purpose::farLight:
+                farLight.push_back(&log);
+                break;
+            case Purpose::otherSettings:
+                otherSettings.push_back(&log);
+                break;
+        }
+    }
+}
+
+std::vector<const ShadowLog*> ShadowLogs::atHandoutSettings() const {
+    std::vector<const ShadowLog*> all;
+    for (const auto* some : {&oneLight, &severalLights, &beyondLight, &farLight})
+        all.insert(all.end(), some->begin(), some->end());
+    return all;
+}
+
+std::optional<Finding> checkFinite(const ShadowLogs& logs) {
+    for (const ShadowLog* log : logs.atHandoutSettings())
+        for (const PointLog& point : log->points)
+            if (!std::isfinite(point.colour.r + point.colour.g + point.colour.b))
+                return distributedFinding("shadow.wrong", Severity::fail,
+                                          "A colour was expected from illuminate; at an ordinary "
+                                          "point it gave a value that is no number.");
+    return std::nullopt;
+}
+
+std::optional<Finding> checkStarts(const ShadowLogs& logs) {
+    double farthest = 0.0;
+    double spread = 0.0;
+    for (const ShadowLog* log : logs.atHandoutSettings())
+        for (const PointLog& point : log->points)
+            for (const std::vector<AimLine>& lines : point.lines)
+                for (const AimLine& line : lines) {
+                    farthest = std::max(farthest, biasOf(line, point));
+                    spread = std::max(spread, (line.origin - lines.front().origin).magnitude());
+                }
+    if (farthest <= kLargestBias) return std::nullopt;
+    Finding finding = distributedFinding(
+        spread > kLargestBias ? "shadow.point-jittered" : "shadow.wrong", Severity::fail,
+        fmt::format("Shadow rays were expected to start at the point that is lit (at most 0.001 "
+                    "from it); they start up to {:.3g} away.",
+                    farthest));
+    if (spread <= kLargestBias) finding.hint = "Start the shadow rays at P + N * kShadowBias.";
+    finding.evidence.emplace_back("farthestStart", farthest);
+    finding.evidence.emplace_back("spreadOfStarts", spread);
+    return finding;
+}
+
+std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed) {
+    std::vector<const ShadowLog*> single = logs.oneLight;
+    single.insert(single.end(), logs.beyondLight.begin(), logs.beyondLight.end());
+    single.insert(single.end(), logs.farLight.begin(), logs.farLight.end());
+    const Counts counts = countRays(single);
+    const std::size_t asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
+    std::optional<Finding> finding;
+    if (counts.allCentral || counts.most <= 1) {
+        finding = distributedFinding(
+            "shadow.hard", Severity::fail,
+            counts.allCentral
+                ? fmt::format("{} shadow rays to random points of the light were expected; every "
+                              "ray goes to the light's centre.",
+                              asked)
+                : fmt::format(
+                      "{} shadow rays for each point and light were expected; there is one.",
+                      asked));
+    } else if (counts.fewest < asked) {
+        finding = distributedFinding(
+            "shadow.too-few-rays", Severity::fail,
+            fmt::format("{} shadow rays for each point and light were expected; at some points "
+                        "there are {}.",
+                        asked, counts.fewest));
+    } else if (counts.fewestDistinct < asked && !fixed) {
+        finding = distributedFinding(
+            "shadow.too-few-rays", Severity::fail,
+            fmt::format("{} different shadow rays for each point and light were expected; at some "
+                        "points only {} of them differ.",
+                        asked, counts.fewestDistinct));
+    }
+    if (finding) {
+        finding->evidence.emplace_back("raysExpected", static_cast<double>(asked));
+        finding->evidence.emplace_back("fewestRays", static_cast<double>(counts.fewest));
+        finding->evidence.emplace_back("fewestDistinctRays",
+                                       static_cast<double>(counts.fewestDistinct));
+    }
+    return finding;
+}
+
+// Lights that get no ray at all are another finding.
+std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs) {
+    const auto asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
+    std::size_t fewest = asked;
+    for (const ShadowLog* log : logs.severalLights)
+        for (const PointLog& point : log->points)
+            for (std::size_t i = 0; i < point.lines.size(); ++i)
+                if (faces(point, log->scene().pointLights[i]) && !point.lines[i].empty())
+                    fewest = std::min(fewest, point.lines[i].size());
+    if (fewest >= asked) return std::nullopt;
+    Finding finding = distributedFinding(
+        "shadow.too-few-rays", Severity::fail,
+        fmt::format("{} shadow rays to each light were expected; with three lights in the scene, "
+                    "some light gets {}.",
+                    asked, fewest));
+    finding.evidence.emplace_back("raysExpected", static_cast<double>(asked));
+    finding.evidence.emplace_back("fewestRays", static_cast<double>(fewest));
+    return finding;
+}
+
+std::optional<Finding> checkEveryLight(const ShadowLogs& logs) {
+    for (const ShadowLog* log : logs.severalLights)
+        for (const PointLog& point : log->points)
+            for (std::size_t i = 0; i < point.lines.size(); ++i)
+                if (faces(point, log->scene().pointLights[i]) && point.lines[i].empty())
+                    return distributedFinding(
+                        "shadow.lights-mixed", Severity::fail,
+                        "Shadow rays to every light were expected; with three lights in the scene, "
+                        "some lights get none.");
+    return std::nullopt;
+}
+
+std::optional<Finding> checkFixedSamples(const ShadowLogs& logs) {
+    if (logs.oneLight.empty()) return std::nullopt;
+    for (const ShadowLog* log : logs.oneLight)
+        if (!sameAimsEverywhere(*log)) return std::nullopt;
+    const std::size_t distinct = distinctRays(logs.oneLight[0]->points[0].lines[0]);
+    Finding finding = distributedFinding(
+        "shadow.fixed-samples", distinct <= 2 ? Severity::fail : Severity::warn,
+        fmt::format("New random points of the light were expected for every point that is lit; "
+                    "the same {} are used at all of them.",
+                    distinct));
+    finding.evidence.emplace_back("distinctAims", static_cast<double>(distinct));
+    return finding;
+}
+
+std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs) {
+    const double near = widestMiss({logs.oneLight.begin(), logs.oneLight.begin() + 1});
+    const double far = widestMiss(logs.farLight);
+    const double radius = raytracer::RenderSettings{}.lightSize;
+    // Lights of the one kind stand 6 units away, of the other more than 100: a light that is as
+    // large in angle grows by more than 15, a ball of any size not at all.
+    if (far < 2.0 * radius || far < 5.0 * near) return std::nullopt;
+    Finding finding = distributedFinding(
+        "shadow.direction-offset", Severity::fail,
+        fmt::format("Shadow rays were expected to pass within {} of the light's centre whatever "
+                    "its distance; at a light 6 units away they pass within {:.2f}, at one more "
+                    "than 100 away within {:.1f}: the light grows with the distance.",
+                    radius, near, far));
+    finding.evidence.emplace_back("widestNear", near);
+    finding.evidence.emplace_back("widestFar", far);
+    return finding;
+}
+
+std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims) {
+    if (aims.lines == 0) return std::nullopt;
+    const double radius = raytracer::RenderSettings{}.lightSize;
+    const double widest = aims.widest * radius;
+    std::optional<Finding> finding;
+    if (aims.offCentre || (!aims.shape && !aims.scaledShape)) {
+        finding = distributedFinding(
+            "shadow.not-a-ball", Severity::fail,
+            fmt::format("Shadow rays were expected to fill a ball of radius {} around the light; "
+                        "where they aim has another shape{}.",
+                        radius, aims.offCentre ? ", off the light's centre" : ""));
+    } else if (aims.tooWide || !aims.shape) {
+        finding = distributedFinding(
+            "shadow.light-size", Severity::fail,
+            fmt::format("Shadow rays were expected to pass within {} of the light's centre; they "
+                        "fill a ball of radius {:.3g}.",
+                        radius, widest));
+    } else if (*aims.shape == AimShape::polarHelper) {
+        finding = distributedFinding(
+            "shadow.clustered", Severity::warn,
+            "The points in the light were expected to be spread evenly; they crowd at its centre "
+            "and its poles, as those of the original course's helper do.");
+    }
+    if (finding) {
+        finding->evidence.emplace_back("widest", widest);
+        finding->evidence.emplace_back("widestExpected", radius);
+        finding->evidence.emplace_back("shareNearRim", aims.rimShare);
+        finding->evidence.emplace_back("lean", aims.lean * radius);
+        finding->evidence.emplace_back("lines", static_cast<double>(aims.lines));
+        finding->plots.push_back(plotAims(logs.farLight));
+    }
+    return finding;
+}
+
+std::optional<Finding> checkOtherSettings(const ShadowLogs& logs, const ShadowReading& reading) {
+    for (const ShadowLog* log : logs.otherSettings) {
+        const Counts counts = countRays({log});
+        const auto asked = static_cast<std::size_t>(log->settings().shadowRayCount);
+        const double widest = widestMiss({log});
+        const bool tooFew = counts.fewest < asked;
+        const bool tooWide = widest > log->settings().lightSize * (1.0 + 1e-6) + kLargestBias;
+        const bool wrongValue = !countFits(*log, reading, ShadowArithmetic::right).all();
+        if (!tooFew && !tooWide && !wrongValue) continue;
+        Finding finding = distributedFinding(
+            "settings.hard-coded", Severity::warn,
+            fmt::format("Asked for {} shadow rays to a light of radius {:.3g}, illuminate cast {} "
+                        "within {:.3g}: right with the handout's numbers, but it does not follow "
+                        "settings().",
+                        asked, log->settings().lightSize, counts.fewest, widest));
+        finding.section = "2.1, Implementation";
+        finding.evidence.emplace_back("raysAsked", static_cast<double>(asked));
+        finding.evidence.emplace_back("raysSeen", static_cast<double>(counts.fewest));
+        finding.evidence.emplace_back("lightSizeAsked", log->settings().lightSize);
+        finding.evidence.emplace_back("widest", widest);
+        return finding;
+    }
+    return std::nullopt;
+}
+
+}  // namespace ticker::decision

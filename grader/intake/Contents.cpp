@@ -1,0 +1,96 @@
+#include <grader/intake/Contents.h>
+
+#include <raytracer/base/Text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace ticker::intake {
+namespace {
+
+std::string lowered(std::string_view text) {
+    std::string result{text};
+    for (char& c : result)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+std::string_view lastComponent(std::string_view path) {
+    return path.substr(path.find_last_of('/') + 1);
+}
+
+void dropEnd(std::string& text, std::string_view end) {
+    if (text.ends_with(end)) text.resize(text.size() - end.size());
+}
+
+void dropSpaces(std::string& text) {
+    while (text.ends_with(' '))
+        text.pop_back();
+    text.erase(0, text.find_first_not_of(' '));
+}
+
+// "renderer (1)", "renderer-2", "renderer - copy" -> "renderer"
+void dropDecoration(std::string& stem) {
+    dropEnd(stem, "copy");
+    dropSpaces(stem);
+    dropEnd(stem, ")");
+    while (!stem.empty() && std::isdigit(static_cast<unsigned char>(stem.back())) != 0)
+        stem.pop_back();
+    while (!stem.empty() && std::string_view{" (-_"}.find(stem.back()) != std::string_view::npos)
+        stem.pop_back();
+}
+
+}  // namespace
+
+std::optional<Part> partOf(std::string_view path) {
+    std::string name = lowered(lastComponent(path));
+    dropSpaces(name);
+    dropEnd(name, ".txt");
+    const std::size_t dot = name.find_last_of('.');
+    if (dot == std::string::npos) return std::nullopt;
+    const std::string extension = name.substr(dot);
+    std::string stem = name.substr(0, dot);
+    dropDecoration(stem);
+    dropSpaces(stem);
+    for (const Part part : kParts)
+        if (stem + extension == lowered(nameOf(part))) return part;
+    return std::nullopt;
+}
+
+bool isLitter(std::string_view path) {
+    std::size_t begin = 0;
+    while (begin <= path.size()) {
+        const std::size_t end = std::min(path.find('/', begin), path.size());
+        const std::string_view component = path.substr(begin, end - begin);
+        if (component == "__MACOSX" || component == ".git" || component.starts_with("._"))
+            return true;
+        begin = end + 1;
+    }
+    return false;
+}
+
+Finding refusal(std::string id, std::string message, std::string hint) {
+    Finding finding;
+    finding.id = std::move(id);
+    finding.severity = Severity::fail;
+    finding.message = std::move(message);
+    finding.hint = std::move(hint);
+    finding.section = "3, Submission";
+    return finding;
+}
+
+std::uint64_t byteLimitOf(Part part, const IntakeLimits& limits) {
+    return part == Part::screenshot ? limits.screenshotBytes : limits.sourceBytes;
+}
+
+Finding tooLarge(std::string_view path, std::uint64_t limit) {
+    return refusal(
+        "intake.too-large",
+        fmt::format("{} is larger than {} KiB.", raytracer::inQuotes(path), limit >> 10U),
+        "Hand in the file that you wrote, and the picture as tick1star writes it.");
+}
+
+}  // namespace ticker::intake

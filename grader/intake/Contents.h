@@ -1,0 +1,68 @@
+#ifndef TICKER_INTAKE_CONTENTS_H
+#define TICKER_INTAKE_CONTENTS_H
+
+#include <grader/intake/Submission.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ticker::intake {
+
+/// What intake takes at most. The sizes are far above what honest work needs: a solution is about
+/// 5 KiB, a screenshot of 640 x 480 about 500 KiB.
+struct IntakeLimits {
+    std::uint64_t sourceBytes = 256U << 10U;
+    std::uint64_t screenshotBytes = 16U << 20U;
+    std::uint64_t archiveBytes = 64U << 20U;  ///< of the archive itself
+    std::uint64_t unpackedBytes = 256U << 20U;
+    std::uint64_t members = 4096;
+    int depth = 16;               ///< folders in folders
+    double largestRatio = 100.0;  ///< unpacked to packed, above `ratioFreeBytes`
+    std::uint64_t ratioFreeBytes = 16U << 20U;
+};
+
+/// A file that may be one of the three parts.
+struct Candidate {
+    Part part = Part::bumpySphere;
+    std::string path;                ///< inside the submission
+    std::string bytes;               ///< empty where it was not read
+    std::optional<Finding> refusal;  ///< why it was not read
+};
+
+/// What is in a folder or an archive.
+struct Contents {
+    std::vector<Candidate> candidates;
+    std::vector<std::string> others;  ///< paths of everything else
+    std::vector<Finding> refusals;    ///< of the submission as a whole
+};
+
+/// The part that a file of this path may be: by its last component, whatever its case, also with
+/// what browsers and systems add to a name ("Renderer (1).cpp", "Renderer.cpp.txt").
+[[nodiscard]] std::optional<Part> partOf(std::string_view path);
+
+/// True for what systems leave behind: "__MACOSX/...", "._Renderer.cpp", ".git/...".
+[[nodiscard]] bool isLitter(std::string_view path);
+
+/// A finding of severity fail.
+[[nodiscard]] Finding refusal(std::string id, std::string message, std::string hint);
+
+/// How many bytes of a part are taken.
+[[nodiscard]] std::uint64_t byteLimitOf(Part part, const IntakeLimits& limits);
+/// intake.too-large, about one part.
+[[nodiscard]] Finding tooLarge(std::string_view path, std::uint64_t limit);
+
+/// Reads a folder and what is below it. Links, pipes and devices are never opened.
+/// @throws raytracer::InputError where the folder itself cannot be read.
+[[nodiscard]] Contents readFolder(const std::filesystem::path& folder, const IntakeLimits& limits);
+
+/// Reads a zip or tar archive in memory; nothing is unpacked to disk.
+/// @throws raytracer::InputError where the file cannot be read at all.
+[[nodiscard]] Contents readArchive(const std::filesystem::path& file, const IntakeLimits& limits);
+
+}  // namespace ticker::intake
+
+#endif

@@ -1,0 +1,186 @@
+#include <grader/intake/Intake.h>
+#include <grader/intake/Utf8.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <system_error>
+
+namespace ticker::intake {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kDeepest = 8;
+
+bool isArchive(const fs::path& path) {
+    std::string name = path.filename().string();
+    for (char& c : name)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return name.ends_with(".zip") || name.ends_with(".tar") || name.ends_with(".tar.gz") ||
+           name.ends_with(".tgz");
+}
+
+bool isHidden(const fs::path& path) {
+    const std::string name = path.filename().string();
+    return name.starts_with('.') || name == "__MACOSX";
+}
+
+struct Entries {
+    std::vector<fs::path> folders;
+    std::vector<fs::path> archives;
+    std::set<Part> parts;  ///< that lie in the folder itself
+    bool isEmpty = true;
+};
+
+Entries entriesOf(const fs::path& folder) {
+    Entries entries;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator{folder, error}) {
+        if (isHidden(entry.path())) continue;
+        entries.isEmpty = false;
+        if (entry.is_directory(error) && !entry.is_symlink(error)) {
+            entries.folders.push_back(entry.path());
+        } else if (const auto part = partOf(entry.path().filename().string())) {
+            entries.parts.insert(*part);
+        } else if (isArchive(entry.path()) && entry.is_regular_file(error)) {
+            entries.archives.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(entries.folders);
+    std::ranges::sort(entries.archives);
+    return entries;
+}
+
+/// A submission, and the folder or archive that it is named after.
+struct Place {
+    fs::path content;
+    fs::path namedAfter;
+};
+
+/// What lies below a folder.
+struct Below {
+    std::vector<Place> submissions;
+    std::multiset<Part> parts;  ///< of all of them, but for archives
+    bool isSubmission = false;  ///< the folder itself is one
+    bool isEmpty = true;
+};
+
+// ann/tick/Renderer.cpp beside bob/work/Renderer.cpp: they are ann and bob, not tick and work.
+void nameAfterChildren(std::vector<Below>& children, const std::vector<fs::path>& folders) {
+    const auto count = [&](auto&& holds) { return std::ranges::count_if(children, holds); };
+    const auto one = count([](const Below& child) { return child.submissions.size() == 1; });
+    const auto more = count([](const Below& child) { return child.submissions.size() > 1; });
+    if (one < 2 || more > 0) return;
+    for (std::size_t i = 0; i < children.size(); ++i)
+        for (Place& place : children[i].submissions)
+            place.namedAfter = folders[i];
+}
+
+void add(Below& below, const Below& child) {
+    below.submissions.insert(below.submissions.end(), child.submissions.begin(),
+                             child.submissions.end());
+    below.parts.insert(child.parts.begin(), child.parts.end());
+}
+
+// src/Renderer.cpp and pictures/screenshot.png: one submission over several folders. Without a
+// folder that has nothing but the picture, two folders are two people, who chose one option each.
+bool isOneInPieces(const Below& below, const std::vector<Below>& children) {
+    const bool pictureAlone = std::ranges::any_of(children, [](const Below& child) {
+        return child.parts == std::multiset<Part>{Part::screenshot};
+    });
+    return pictureAlone && below.submissions.size() > 1 &&
+           std::ranges::all_of(kParts, [&](Part part) { return below.parts.count(part) <= 1; });
+}
+
+Below look(const fs::path& folder, int depth) {
+    const Entries entries = entriesOf(folder);
+    std::vector<Below> children;
+    if (depth < kDeepest)
+        for (const fs::path& child : entries.folders)
+            children.push_back(look(child, depth + 1));
+    nameAfterChildren(children, entries.folders);
+
+    Below below;
+    below.isEmpty = entries.isEmpty;
+    bool isClass = !entries.archives.empty();
+    for (const Below& child : children) {
+        isClass = isClass || child.isSubmission;
+        add(below, child);
+    }
+    below.parts.insert(entries.parts.begin(), entries.parts.end());
+    if (!entries.parts.empty() || (entries.archives.empty() && isOneInPieces(below, children)))
+        return {{{folder, folder}}, below.parts, true, false};
+    for (const fs::path& archive : entries.archives)
+        below.submissions.push_back({archive, archive});
+    for (std::size_t i = 0; isClass && i < children.size(); ++i)
+        if (children[i].submissions.empty() && !children[i].isEmpty)
+            below.submissions.push_back({entries.folders[i], entries.folders[i]});
+    return below;
+}
+
+std::string withoutArchiveEnding(std::string name) {
+    for (const char* ending : {".gz", ".tar", ".tgz", ".zip"}) {
+        const std::string_view end{ending};
+        if (name.size() > end.size() && name.ends_with(end)) name.resize(name.size() - end.size());
+    }
+    return name;
+}
+
+// A folder of this name can be made on any system, and a shell or a page shows it without surprise.
+std::string safeName(const fs::path& path) {
+    constexpr std::size_t kLongest = 100;
+    const std::string stem =
+        isArchive(path) ? withoutArchiveEnding(path.filename().string()) : path.filename().string();
+    std::string name;
+    for (const char c : asUtf8(stem)) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool harmful = byte < 0x20 || byte == 0x7F ||
+                             std::string_view{"/\\:*?\"<>|"}.find(c) != std::string_view::npos;
+        name += harmful ? '_' : c;
+    }
+    if (name.size() > kLongest) {
+        name.resize(kLongest);
+        while (!name.empty() && (static_cast<unsigned char>(name.back()) & 0xC0U) == 0x80U)
+            name.pop_back();  // not in the middle of a character
+        if (!name.empty() && static_cast<unsigned char>(name.back()) >= 0xC0U) name.pop_back();
+    }
+    while (name.starts_with('.') || name.starts_with('-') || name.starts_with(' '))
+        name.erase(0, 1);
+    return name.empty() ? "submission" : name;
+}
+
+std::string uniqueName(const std::string& name, std::set<std::string>& taken) {
+    std::string result = name;
+    for (int i = 2; !taken.insert(result).second; ++i)
+        result = fmt::format("{}-{}", name, i);
+    return result;
+}
+
+}  // namespace
+
+std::vector<Located> findSubmissions(const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = fs::canonical(path, error);
+    if (error) throw raytracer::InputError(path.string(), 0, "cannot be read: " + error.message());
+    std::vector<Place> found;
+    if (fs::is_directory(whole)) {
+        found = look(whole, 0).submissions;
+        if (found.empty()) found = {{whole, whole}};
+    } else if (fs::is_regular_file(whole) && isArchive(whole)) {
+        found = {{whole, whole}};
+    } else {
+        throw raytracer::InputError(path.string(), 0, "neither a folder nor a zip or tar archive");
+    }
+    std::ranges::sort(found, {}, &Place::content);
+    std::vector<Located> located;
+    std::set<std::string> taken;
+    for (const Place& place : found)
+        located.push_back({uniqueName(safeName(place.namedAfter), taken), place.content});
+    return located;
+}
+
+}  // namespace ticker::intake

@@ -1,0 +1,135 @@
+#include <grader/intake/Intake.h>
+#include <grader/intake/Utf8.h>
+
+#include <raytracer/base/Text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace ticker::intake {
+namespace {
+
+// A source is text in one byte a character: UTF-8, or an older code where only comments differ.
+bool isText(std::string_view bytes) {
+    const auto begins = [&](std::string_view mark) { return bytes.starts_with(mark); };
+    if (begins("\xFF\xFE") || begins("\xFE\xFF")) return false;
+    return bytes.find('\0') == std::string_view::npos;
+}
+
+Finding notText(std::string_view path) {
+    return refusal("intake.not-text",
+                   fmt::format("{} is no plain text: it is binary, or saved as UTF-16.",
+                               raytracer::inQuotes(path)),
+                   "Save the file as UTF-8 and hand it in again.");
+}
+
+Finding ambiguous(Part part, const std::vector<const Candidate*>& candidates) {
+    std::string paths;
+    for (const Candidate* candidate : candidates)
+        paths += (paths.empty() ? "" : ", ") + raytracer::inQuotes(candidate->path);
+    return refusal(
+        "intake.ambiguous",
+        fmt::format("More than one file may be {}, and they differ: {}.", nameOf(part), paths),
+        "Hand in one of them only; the tool never chooses.");
+}
+
+// The name that somebody probably meant to be `part`.
+std::optional<std::string> nearMiss(Part part, const Contents& contents) {
+    const std::string wanted = nameOf(part);
+    const std::array<std::string_view, 1> known{wanted};
+    for (const std::string& path : contents.others) {
+        if (isLitter(path)) continue;
+        const std::string_view name = std::string_view{path}.substr(path.find_last_of('/') + 1);
+        if (raytracer::nearestName(name, known)) return path;
+    }
+    return std::nullopt;
+}
+
+/// Turns what was found into a submission.
+class Assembly {
+public:
+    Assembly(std::string name, Contents contents) : contents_(std::move(contents)) {
+        submission_.name = std::move(name);
+    }
+
+    [[nodiscard]] Submission take() {
+        for (Finding& finding : contents_.refusals)
+            submission_.findings.push_back({std::nullopt, std::move(finding)});
+        if (submission_.findings.empty()) {
+            for (const Part part : kParts)
+                choose(part);
+            reportMissing();
+        }
+        submission_.ignored = std::move(contents_.others);
+        return std::move(submission_);
+    }
+
+private:
+    void choose(Part part) {
+        std::vector<const Candidate*> candidates;
+        for (const Candidate& candidate : contents_.candidates)
+            if (candidate.part == part) candidates.push_back(&candidate);
+        if (candidates.empty()) return;
+        const Candidate& first = *candidates.front();
+        const bool allEqual = std::ranges::all_of(candidates, [&](const Candidate* other) {
+            return other->bytes == first.bytes && !other->refusal;
+        });
+        if (candidates.size() > 1 && !allEqual)
+            submission_.findings.push_back({part, ambiguous(part, candidates)});
+        else if (first.refusal)
+            submission_.findings.push_back({part, *first.refusal});
+        else if (part != Part::screenshot && !isText(first.bytes))
+            submission_.findings.push_back({part, notText(first.path)});
+        else
+            accept(part, candidates);
+    }
+
+    void accept(Part part, const std::vector<const Candidate*>& candidates) {
+        submission_.parts[static_cast<std::size_t>(part)] = candidates.front()->bytes;
+        for (std::size_t i = 1; i < candidates.size(); ++i)
+            contents_.others.push_back(asUtf8(candidates[i]->path));
+    }
+
+    [[nodiscard]] bool isMissing(Part part) const {
+        return !submission_.part(part) && submission_.refusalOf(part) == nullptr;
+    }
+
+    // One source is enough: a missing one is worth a word only where a name comes close to it, or
+    // where there is none at all.
+    void reportMissing() {
+        const bool noSource = isMissing(Part::bumpySphere) && isMissing(Part::renderer);
+        bool hinted = false;
+        for (const Part part : kParts) {
+            const auto near = isMissing(part) ? nearMiss(part, contents_) : std::nullopt;
+            if (!near) continue;
+            hinted = hinted || part != Part::screenshot;
+            Finding finding =
+                refusal("intake.missing-file", fmt::format("There is no {}.", nameOf(part)),
+                        fmt::format("Did you mean {}? Rename it to {}.", raytracer::inQuotes(*near),
+                                    nameOf(part)));
+            submission_.findings.push_back({part, std::move(finding)});
+        }
+        if (noSource && !hinted)
+            submission_.findings.push_back(
+                {std::nullopt,
+                 refusal("intake.missing-file",
+                         "There is neither BumpySphere.cpp nor Renderer.cpp.",
+                         "Hand in the file of the option that you chose, and screenshot.png.")});
+    }
+
+    Contents contents_;
+    Submission submission_;
+};
+
+}  // namespace
+
+Submission readSubmission(const Located& located, const IntakeLimits& limits) {
+    Contents contents = std::filesystem::is_directory(located.path)
+                            ? readFolder(located.path, limits)
+                            : readArchive(located.path, limits);
+    return Assembly{located.name, std::move(contents)}.take();
+}
+
+}  // namespace ticker::intake

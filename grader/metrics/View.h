@@ -1,0 +1,44 @@
+#ifndef TICKER_METRICS_VIEW_H
+#define TICKER_METRICS_VIEW_H
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ticker::metrics {
+
+/// An 8-bit sRGB picture that somebody else owns: rows from the top; red, green, blue.
+struct ByteView {
+    int width = 0;
+    int height = 0;
+    std::span<const std::uint8_t> rgb;  ///< width * height * 3
+};
+
+/// One number for each pixel (or tile), rows from the top.
+struct Map {
+    int width = 0;
+    int height = 0;
+    std::vector<float> values;  ///< width * height
+};
+
+/// What a metric says: one number, and where it comes from.
+struct Measured {
+    double value = 0.0;
+    Map map;
+};
+
+/// Every metric asks this first.
+/// @throws raytracer::InputError with both sizes where they differ, and where a picture is empty or
+///         its data is not as long as its size says.
+void requireSameSize(const ByteView& reference, const ByteView& test);
+void requireSameSize(const Map& reference, const Map& test);
+
+/// Mean of all values; 0 for an empty map.
+[[nodiscard]] double meanOf(const Map& map);
+/// Largest value; 0 for an empty map.
+[[nodiscard]] double largestOf(const Map& map);
+
+}  // namespace ticker::metrics
+
+#endif

@@ -1,0 +1,156 @@
+#include <grader/pipeline/FileWork.h>
+
+#include <grader/intake/TaskText.h>
+
+#include <fmt/core.h>
+
+#include <string_view>
+#include <utility>
+
+namespace ticker::pipeline {
+namespace {
+
+using build::BuildResult;
+using build::SourceFile;
+using intake::Part;
+
+Part partOf(SourceFile file) {
+    return file == SourceFile::bumpySphere ? Part::bumpySphere : Part::renderer;
+}
+
+std::vector<std::string> tasksOf(SourceFile file) {
+    if (file == SourceFile::bumpySphere) return {"T1"};
+    return {"T2.1", "T2.2"};
+}
+
+bool isChosen(SourceFile file, OptionChoice option) {
+    return option == OptionChoice::automatic ||
+           (option == OptionChoice::t1) == (file == SourceFile::bumpySphere);
+}
+
+void closeAll(FileWork& work, TaskState state, const std::string& reason) {
+    for (TaskReport& task : work.tasks) {
+        if (!isOpen(task)) continue;
+        task.state = state;
+        task.reason = reason;
+    }
+}
+
+void blockAll(FileWork& work, const Finding& finding, bool needsReview) {
+    for (TaskReport& task : work.tasks) {
+        if (!isOpen(task)) continue;
+        task.state = TaskState::blocked;
+        task.reason = finding.message;
+        task.findings.push_back(finding);
+        task.needsReview = needsReview;
+    }
+}
+
+// What a person can settle by a question to the student, as against what was plainly refused.
+bool isForAPerson(const Finding& finding) {
+    return finding.id == "intake.ambiguous" || finding.id == "intake.missing-file";
+}
+
+std::string firstError(std::string_view diagnostics) {
+    std::size_t at = diagnostics.find("error: ");
+    if (at == std::string_view::npos) at = 0;
+    const std::size_t begin = at == 0 ? 0 : diagnostics.rfind('\n', at) + 1;
+    constexpr std::size_t kLongest = 200;
+    const std::size_t end = diagnostics.find('\n', begin);
+    std::string_view line = diagnostics.substr(begin, end - begin);
+    if (line.size() <= kLongest) return std::string{line};
+    std::size_t cut = kLongest;
+    while (cut > 0 && (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U)
+        --cut;
+    return std::string{line.substr(0, cut)} + " ...";
+}
+
+Finding buildFinding(const BuildResult& result, const std::string& name) {
+    Finding finding;
+    finding.severity = Severity::fail;
+    switch (result.kind) {
+        case BuildResult::Kind::limit:
+            finding.id = "build.limit";
+            finding.message = fmt::format(
+                "{} takes the compiler more time, memory or output than it may use.", name);
+            finding.hint = "Look for templates or macros that expand without end.";
+            break;
+        case BuildResult::Kind::forbidden:
+            finding.id = "build.forbidden";
+            finding.message = fmt::format(
+                "{} defines something that belongs to the framework, such as main.", name);
+            finding.hint = "Keep your own functions in an unnamed namespace, and leave out main.";
+            break;
+        default:
+            finding.id = "build.failed";
+            finding.message =
+                fmt::format("{} does not compile: {}", name, firstError(result.diagnostics));
+            finding.hint = "Build it with ./check, or with the first command of the README.";
+    }
+    return finding;
+}
+
+void buildFile(FileWork& work, const std::string& source, SourceFile file, const Grader& grader) {
+    BuildResult result =
+        build::buildProgram(grader.kit, grader.sandbox, grader.policy.compile, file, source);
+    work.compileMs = result.wallMs;
+    if (result.kind == BuildResult::Kind::built) {
+        work.program = std::move(result.program);
+        return;
+    }
+    if (result.kind == BuildResult::Kind::ourFault)
+        return closeAll(work, TaskState::notGraded,
+                        "the compiler could not be run: " + result.diagnostics);
+    blockAll(work, buildFinding(result, nameOf(file)), false);
+    work.diagnostics = Diagnostics{nameOf(file), result.diagnostics, source};
+}
+
+}  // namespace
+
+TaskReport blankReport(const std::string& task) {
+    TaskReport report;
+    report.id = task;
+    if (task == "T1") report.title = "Bump mapping";
+    if (task == "T2.1") report.title = "Soft shadows";
+    if (task == "T2.2") report.title = "Depth of field";
+    if (task == "screenshot") report.title = "Screenshot";
+    return report;
+}
+
+// `notGraded` without a reason is what a blank report says; every judgement of ours has a reason.
+bool isOpen(const TaskReport& task) {
+    return task.state == TaskState::notGraded && task.reason.empty();
+}
+
+FileWork prepareFile(const intake::Submission& submission, SourceFile file, const Grader& grader) {
+    FileWork work;
+    for (const std::string& task : tasksOf(file))
+        work.tasks.push_back(blankReport(task));
+    const std::string name = nameOf(file);
+    if (!isChosen(file, grader.option)) {
+        closeAll(work, TaskState::notAttempted, "another option was to be judged");
+        return work;
+    }
+    if (const Finding* refusal = submission.refusalOf(partOf(file))) {
+        blockAll(work, *refusal, isForAPerson(*refusal));
+        return work;
+    }
+    const std::optional<std::string>& source = submission.part(partOf(file));
+    if (!source) {
+        closeAll(work, TaskState::notAttempted, fmt::format("there is no {}", name));
+        return work;
+    }
+    const std::string stub = grader.kit.templateSource(file);
+    bool anyOpen = false;
+    for (TaskReport& task : work.tasks) {
+        if (intake::isStub(*source, stub, task.id)) {
+            task.state = TaskState::notAttempted;
+            task.reason = "the stub still stands";
+        }
+        anyOpen = anyOpen || isOpen(task);
+    }
+    if (anyOpen) buildFile(work, *source, file, grader);
+    return work;
+}
+
+}  // namespace ticker::pipeline

@@ -1,0 +1,74 @@
+#include <grader/report/Escape.h>
+#include <grader/report/Graphics.h>
+#include <grader/report/PageParts.h>
+#include <grader/report/Words.h>
+#include <grader/result/Names.h>
+
+#include <fmt/core.h>
+
+namespace ticker::report {
+namespace {
+
+std::string evidenceText(const EvidenceValue& value) {
+    struct Visitor {
+        std::string operator()(bool flag) const { return flag ? "yes" : "no"; }
+        std::string operator()(double real) const { return fmt::format("{:.6g}", real); }
+        std::string operator()(const std::string& text) const { return escapeHtml(text); }
+        std::string operator()(const std::vector<double>& list) const {
+            std::string text;
+            for (const double real : list)
+                text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", real);
+            return text;
+        }
+    };
+    return std::visit(Visitor{}, value);
+}
+
+std::string evidenceTable(const Evidence& evidence) {
+    if (evidence.empty()) return "";
+    std::string html = "<details><summary>What was measured</summary><table class=\"evidence\">";
+    for (const auto& [key, value] : evidence)
+        html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>",
+                            escapeHtml(spelledOut(key)), evidenceText(value));
+    return html + "</table></details>";
+}
+
+std::string plotFigure(const ScatterPlot& plot) {
+    const char* shape = plot.expectedShape == ScatterPlot::Shape::disc ? "disc" : "square";
+    return fmt::format(
+        "<figure>{}<figcaption>{}. Red: the {} that was expected, {:.4g} {} from the middle to "
+        "its edge.</figcaption></figure>",
+        scatterSvg(plot), escapeHtml(plot.title), shape, plot.expectedHalfWidth,
+        escapeHtml(plot.unit));
+}
+
+std::string pictures(const Finding& finding) {
+    if (finding.plots.empty() && finding.rasters.empty()) return "";
+    std::string html = "<div class=\"pictures\">";
+    for (const ScatterPlot& plot : finding.plots)
+        html += plotFigure(plot);
+    for (const Raster& raster : finding.rasters)
+        html += fmt::format(
+            R"(<figure><img src="{}" alt="{}"><figcaption>{}</figcaption></figure>)",
+            pngAddress(rasterPng(raster)), escapeHtml(raster.title), escapeHtml(raster.title));
+    return html + "</div>";
+}
+
+}  // namespace
+
+std::string findingCard(const Finding& finding) {
+    const std::string_view severity = toString(finding.severity);
+    std::string html =
+        fmt::format("<article class=\"card {0}\"><div class=\"finding-head\">{1}<h3>{2}</h3>",
+                    severity, badge(severity, wordsFor(finding.severity)), escapeHtml(finding.id));
+    if (!finding.section.empty())
+        html += fmt::format("<span class=\"soft\">Handout, section {}</span>",
+                            escapeHtml(finding.section));
+    html += fmt::format("</div><p class=\"message\">{}</p>", escapeHtml(finding.message));
+    if (!finding.hint.empty())
+        html += fmt::format("<p class=\"hint\"><strong>Hint.</strong> {}</p>",
+                            escapeHtml(finding.hint));
+    return html + pictures(finding) + evidenceTable(finding.evidence) + "</article>";
+}
+
+}  // namespace ticker::report

@@ -1,0 +1,53 @@
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+// Fill in what stands between the TASK marks.
+#include <raytracer/base/Unfinished.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raytracer {
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        unfinished("T2.1", "cast settings().shadowRayCount rays to points of the spherical light");
+        const Ray shadowRay{P + N * kShadowBias, toLight};
+        const std::optional<RaycastHit> occluder = scene.findClosestIntersection(shadowRay);
+        if (!occluder || occluder->distance > distance) colour += diffuse + specular;
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        unfinished("T2.2", "average settings().dofRayCount rays through a square aperture");
+        const Ray ray = camera.castRay(x, y);
+        image.set(x, y, trace(scene, ray, settings().bounces));
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,46 @@
+#ifndef TICKER_SELFTEST_ALTEREDEXAMINEE_H
+#define TICKER_SELFTEST_ALTEREDEXAMINEE_H
+
+#include <grader/probe/Examinee.h>
+
+#include <functional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ticker::selftest {
+
+/// Passes questions on to another examinee with altered settings, and hides its rays where told:
+/// mistakes of size, count and plane, and code whose rays cannot be seen, without compiling
+/// anything.
+class AlteredExaminee final : public probe::Examinee {
+public:
+    using Alter = std::function<void(raytracer::RenderSettings&)>;
+
+    /// @param inner  Must outlive this object.
+    AlteredExaminee(probe::Examinee& inner, Alter alter, bool hideRays = false)
+        : inner_(inner), alter_(std::move(alter)), hideRays_(hideRays) {}
+
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        std::vector<probe::Question> altered = questions;
+        for (probe::Question& question : altered)
+            std::visit([this](auto& asked) { change(asked); }, question);
+        return inner_.ask(altered);
+    }
+
+private:
+    void change(probe::NormalQuestion& /*asked*/) const {}
+    template <class Asked>
+    void change(Asked& asked) const {
+        if (alter_) alter_(asked.settings);
+        if (hideRays_) asked.eventCapacity = 0;
+    }
+
+    probe::Examinee& inner_;
+    Alter alter_;
+    bool hideRays_;
+};
+
+}  // namespace ticker::selftest
+
+#endif

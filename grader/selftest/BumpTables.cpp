@@ -1,0 +1,247 @@
+#include <grader/selftest/BumpTables.h>
+
+#include <grader/decision/bump/JudgeBump.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace ticker::selftest {
+namespace {
+
+using decision::TaskJudgement;
+
+// What the cross product does not run through takes turns, so that all of it occurs.
+void takeTurns(std::vector<Reading>& readings) {
+    constexpr std::array kOrigins{0.5, 0.25, 0.0, 0.75, 0.5, 0.137};
+    constexpr std::array kEdges{Reading::Edge::wrap, Reading::Edge::clamp, Reading::Edge::mirror};
+    constexpr std::array kStrengths{0.2, 1.0, 5.0, 20.0};
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        Reading& reading = readings[i];
+        reading.uOrigin = kOrigins[i % kOrigins.size()];
+        reading.edge = kEdges[(i / 2) % kEdges.size()];
+        reading.strength = kStrengths[(i / 3) % kStrengths.size()];
+        reading.lessOne = i % 5 == 1;
+        reading.singlePrecision = i % 7 >= 4;
+        reading.top = i % 11 == 3   ? Reading::Top::z
+                      : i % 11 == 7 ? Reading::Top::x
+                                    : Reading::Top::y;
+        reading.tangents = i % 4 == 2 ? Reading::Tangents::numeric : Reading::Tangents::formula;
+        reading.angle = i % 3 == 2 ? Reading::PolarAngle::arcTangent : Reading::PolarAngle::cosine;
+        // A surface that is displaced by more than its radius is none.
+        if (reading.gain == Reading::Gain::displaced)
+            reading.strength = std::min(reading.strength, 1.0);
+    }
+}
+
+constexpr std::array kGains{Reading::Gain::unit,        Reading::Gain::sine,
+                            Reading::Gain::inverseSine, Reading::Gain::mapUnits,
+                            Reading::Gain::blinn,       Reading::Gain::equation,
+                            Reading::Gain::displaced};
+constexpr std::array kGainNames{"unit tangents",      "P_u by sin theta", "P_u by 1 / sin theta",
+                                "slopes over (u, v)", "Blinn's form",     "Equation (1)",
+                                "displaced surface"};
+constexpr std::array kSamplings{Reading::Sampling::floor, Reading::Sampling::round,
+                                Reading::Sampling::bilinear, Reading::Sampling::bicubic};
+constexpr std::array kDifferences{Reading::Difference::forward, Reading::Difference::backward,
+                                  Reading::Difference::central, Reading::Difference::wide,
+                                  Reading::Difference::sobel};
+
+/// Every step-th of `count` things.
+std::vector<std::size_t> sample(std::size_t count, double fraction) {
+    const double step = 1.0 / std::clamp(fraction, 1e-3, 1.0);
+    std::vector<std::size_t> chosen;
+    for (double at = 0.0; at < static_cast<double>(count); at += step)
+        chosen.push_back(static_cast<std::size_t>(at));
+    return chosen;
+}
+
+/// One judgement to make.
+struct Case {
+    Reading reading;
+    Slip slip = Slip::none;
+    std::uint64_t seed = 0;
+    std::size_t row = 0;
+};
+
+std::vector<Case> acceptedCases(double fraction, const std::vector<std::uint64_t>& seeds) {
+    const std::vector<Reading> readings = acceptedReadings();
+    std::vector<Case> cases;
+    for (const std::size_t i : sample(readings.size() * seeds.size(), fraction)) {
+        const Reading& reading = readings[i % readings.size()];
+        cases.push_back({reading, Slip::none, seeds[i / readings.size()],
+                         static_cast<std::size_t>(reading.gain)});
+    }
+    return cases;
+}
+
+/// The reading, changed where a mistake would be none, or another one, in it.
+Reading fitting(Reading reading, Slip slip) {
+    // Which way up a map stands round another axis is anybody's choice.
+    if (slip == Slip::upsideDown) reading.top = Reading::Top::y;
+    // A sixth of a difference is never a whole number: that sphere is flat.
+    if (slip == Slip::wholeNumbers) reading.difference = Reading::Difference::forward;
+    // Turned tangents have no area at the equator, which Blinn's form divides by.
+    if (slip == Slip::otherOrigin && reading.gain == Reading::Gain::blinn)
+        reading.gain = Reading::Gain::equation;
+    // A polar angle that is no number makes a row that is none: clamped, the tangents show it.
+    if (slip == Slip::acosBeyondOne) reading.edge = Reading::Edge::clamp;
+    // Numeric tangents have no length at the poles, where this angle often is.
+    if (slip == Slip::clampedAcos) reading.tangents = Reading::Tangents::formula;
+    return reading;
+}
+
+std::vector<Case> refusedCases(double fraction, const std::vector<std::uint64_t>& seeds) {
+    const std::vector<Reading> readings = readingsForMistakes();
+    const std::vector<Slip> slips = allSlips();
+    std::vector<Case> cases;
+    for (const std::size_t i : sample(readings.size() * slips.size(), fraction)) {
+        const std::size_t slip = i / readings.size();
+        cases.push_back({fitting(readings[i % readings.size()], slips[slip]), slips[slip],
+                         seeds[i % seeds.size()], slip});
+    }
+    return cases;
+}
+
+std::string firstFailure(const TaskJudgement& judgement) {
+    const auto found =
+        std::find_if(judgement.findings.begin(), judgement.findings.end(),
+                     [](const Finding& finding) { return finding.severity == Severity::fail; });
+    return found == judgement.findings.end() ? std::string{} : found->id;
+}
+
+/// A name that says something untrue. bump.wrong says nothing but that it is wrong.
+bool isMisleading(const std::string& expected, const std::string& got) {
+    return !got.empty() && got != expected && got != "bump.wrong";
+}
+
+void judge(const Case& one, TableRow& row, std::vector<Surprise>& surprises) {
+    FunctionExaminee examinee(
+        [&](const Point& point) { return modelNormal(one.reading, one.slip, point); });
+    const TaskJudgement judgement = decision::judgeBump(examinee, one.seed);
+    const std::string expected = expectedFinding(one.slip);
+    const std::string got = firstFailure(judgement);
+    const bool passed = judgement.state == TaskState::passed;
+    ++row.judged;
+    if (passed) ++row.passed;
+    if (got == expected) ++row.named;
+    const bool misleading = isMisleading(expected, got);
+    if (misleading) ++row.misleading;
+    if (got != expected || passed != expected.empty())
+        surprises.push_back({idOf(one.slip), describe(one.reading), one.seed, expected, got,
+                             judgement.reason, passed, misleading});
+}
+
+std::string rowText(const TableRow& row) {
+    return fmt::format("  {:<34} {:<26} {:>6} {:>7} {:>6} {:>10}\n", row.name, row.expected,
+                       row.judged, row.passed, row.named, row.misleading);
+}
+
+std::string rowsText(const std::string& title, const std::vector<TableRow>& rows) {
+    std::string text = fmt::format("{}\n  {:<34} {:<26} {:>6} {:>7} {:>6} {:>10}\n", title, "",
+                                   "expected", "judged", "passed", "named", "misleading");
+    TableRow sum{"all", "", 0, 0, 0, 0};
+    for (const TableRow& row : rows) {
+        text += rowText(row);
+        sum.judged += row.judged;
+        sum.passed += row.passed;
+        sum.named += row.named;
+        sum.misleading += row.misleading;
+    }
+    return text + rowText(sum);
+}
+
+}  // namespace
+
+std::vector<Reading> acceptedReadings() {
+    constexpr int kRounds = 2;  // each with its own turn of everything else
+    std::vector<Reading> readings;
+    for (const Reading::Gain gain : kGains)
+        for (const Reading::Sampling sampling : kSamplings)
+            for (const Reading::Difference difference : kDifferences)
+                for (const bool mirrored : {false, true})
+                    for (int round = 0; round < kRounds; ++round) {
+                        Reading reading;
+                        reading.gain = gain;
+                        reading.sampling = sampling;
+                        reading.difference = difference;
+                        reading.mirrored = mirrored;
+                        readings.push_back(reading);
+                    }
+    takeTurns(readings);
+    return readings;
+}
+
+std::vector<Reading> readingsForMistakes() {
+    std::vector<Reading> readings;
+    const std::vector<Reading> all = acceptedReadings();
+    constexpr std::size_t kStep = 13;
+    for (std::size_t i = 0; i < all.size(); i += kStep)
+        if (all[i].gain != Reading::Gain::displaced) readings.push_back(all[i]);
+    return readings;
+}
+
+std::vector<Slip> allSlips() {
+    std::vector<Slip> slips;
+    for (int i = 1; i <= static_cast<int>(Slip::firstRow); ++i)
+        slips.push_back(static_cast<Slip>(i));
+    return slips;
+}
+
+bool BumpSelfTest::passed() const {
+    constexpr double kNamed = 0.98;
+    int judged = 0;
+    int named = 0;
+    bool clean = true;
+    for (const TableRow& row : accepted)
+        clean = clean && row.passed == row.judged;
+    for (const TableRow& row : refused) {
+        clean = clean && row.passed == 0 && row.misleading == 0;
+        judged += row.judged;
+        named += row.named;
+    }
+    return clean && named >= kNamed * judged;
+}
+
+std::string BumpSelfTest::table() const {
+    std::string text = rowsText("Accepted readings", accepted) + rowsText("Mistakes", refused);
+    constexpr std::size_t kShown = 20;
+    for (std::size_t i = 0; i < std::min(kShown, surprises.size()); ++i) {
+        const Surprise& surprise = surprises[i];
+        text +=
+            fmt::format("  unexpected: {} with [{}], seed {}: expected \"{}\", got \"{}\": {}\n",
+                        surprise.mistake, surprise.reading, surprise.seed, surprise.expected,
+                        surprise.got, surprise.message);
+    }
+    if (surprises.size() > kShown)
+        text += fmt::format("  and {} more\n", surprises.size() - kShown);
+    return text;
+}
+
+BumpSelfTest runBumpSelfTest(double fraction, const std::vector<std::uint64_t>& seeds,
+                             const Progress& progress) {
+    BumpSelfTest result;
+    for (const char* name : kGainNames)
+        result.accepted.push_back({name, "passed", 0, 0, 0, 0});
+    for (const Slip slip : allSlips())
+        result.refused.push_back({idOf(slip), expectedFinding(slip), 0, 0, 0, 0});
+
+    const std::vector<Case> accepted = acceptedCases(fraction, seeds);
+    const std::vector<Case> refused = refusedCases(fraction, seeds);
+    const int total = static_cast<int>(accepted.size() + refused.size());
+    int done = 0;
+    const auto run = [&](const std::vector<Case>& cases, std::vector<TableRow>& rows) {
+        for (const Case& one : cases) {
+            judge(one, rows[one.row], result.surprises);
+            if (progress) progress(++done, total);
+        }
+    };
+    run(accepted, result.accepted);
+    run(refused, result.refused);
+    return result;
+}
+
+}  // namespace ticker::selftest

@@ -1,0 +1,45 @@
+#ifndef TICKER_SELFTEST_FUNCTIONEXAMINEE_H
+#define TICKER_SELFTEST_FUNCTIONEXAMINEE_H
+
+#include <grader/probe/Examinee.h>
+
+#include <raytracer/geometry/HeightMap.h>
+#include <raytracer/math/Vector3.h>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace ticker::selftest {
+
+using raytracer::HeightMap;
+using raytracer::Vector3;
+
+/// A sphere, its map and a point on it: what `BumpySphere::getNormalAt` knows.
+struct Point {
+    const HeightMap& map;
+    Vector3 centre;
+    double radius;
+    Vector3 position;
+};
+
+using NormalFunction = std::function<Vector3(const Point&)>;
+
+/// An examinee in this process whose getNormalAt is a function; it answers nothing else.
+class FunctionExaminee final : public probe::Examinee {
+public:
+    explicit FunctionExaminee(NormalFunction function) : function_(std::move(function)) {}
+
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override;
+
+    /// How often somebody asked.
+    [[nodiscard]] int sittings() const { return sittings_; }
+
+private:
+    NormalFunction function_;
+    int sittings_ = 0;
+};
+
+}  // namespace ticker::selftest
+
+#endif

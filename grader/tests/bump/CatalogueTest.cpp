@@ -1,0 +1,69 @@
+#include <grader/decision/bump/JudgeBump.h>
+#include <grader/selftest/BumpTables.h>
+#include <grader/tests/bump/StandIn.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace ticker::tests {
+namespace {
+
+std::string stateName(TaskState state) {
+    switch (state) {
+        case TaskState::passed:
+            return "passed";
+        case TaskState::failed:
+            return "failed";
+        case TaskState::blocked:
+            return "blocked";
+        default:
+            return "other";
+    }
+}
+
+decision::TaskJudgement judge(const CompiledMistake& mistake, std::uint64_t seed) {
+    selftest::FunctionExaminee examinee(mistake.normalAt);
+    return decision::judgeBump(examinee, seed);
+}
+
+TEST(BumpCatalogue, EveryMistakeGetsItsFindingOnTwoSeeds) {
+    for (const CompiledMistake& mistake : compiledCatalogue())
+        for (const std::uint64_t seed : {41U, 42U}) {
+            SCOPED_TRACE(mistake.id);
+            const decision::TaskJudgement judgement = judge(mistake, seed);
+            EXPECT_EQ(stateName(judgement.state), mistake.state) << judgement.reason;
+            const std::string got = judgement.findings.empty() ? "" : judgement.findings.front().id;
+            EXPECT_EQ(got, mistake.finding) << judgement.reason;
+        }
+}
+
+TEST(BumpCatalogue, KnowsEveryMistakeOfTheModelByTheSameFinding) {
+    const std::vector<CompiledMistake>& catalogue = compiledCatalogue();
+    for (const selftest::Slip slip : selftest::allSlips()) {
+        const auto same = std::find_if(
+            catalogue.begin(), catalogue.end(),
+            [slip](const CompiledMistake& entry) { return entry.id == selftest::idOf(slip); });
+        ASSERT_NE(same, catalogue.end()) << selftest::idOf(slip);
+        EXPECT_EQ(same->finding, selftest::expectedFinding(slip)) << same->id;
+    }
+}
+
+TEST(BumpCatalogue, EveryFailureTellsTheStudentWhatToLookAt) {
+    for (const CompiledMistake& mistake : compiledCatalogue()) {
+        if (mistake.finding.empty()) continue;
+        SCOPED_TRACE(mistake.id);
+        const decision::TaskJudgement judgement = judge(mistake, 43);
+        ASSERT_FALSE(judgement.findings.empty());
+        const Finding& finding = judgement.findings.front();
+        EXPECT_GT(finding.message.size(), 40U);
+        EXPECT_GT(finding.hint.size(), 40U);
+        EXPECT_FALSE(finding.section.empty());
+        EXPECT_FALSE(finding.evidence.empty());
+    }
+}
+
+}  // namespace
+}  // namespace ticker::tests

@@ -1,0 +1,135 @@
+#include <grader/decision/distributed/Draw.h>
+#include <grader/decision/distributed/ShadowAims.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+namespace ticker::decision {
+namespace {
+
+/// Aim points of a submission, in radii of the light.
+using Aim = std::function<Vector3(Draw&)>;
+
+Vector3 ball(Draw& draw) {
+    return draw.direction() * std::cbrt(draw.between(0.0, 1.0));
+}
+
+Vector3 polarHelper(Draw& draw) {
+    const double radius = draw.between(0.0, 1.0);
+    const double theta = draw.between(0.0, std::numbers::pi);
+    const double phi = draw.between(0.0, 2.0 * std::numbers::pi);
+    return Vector3{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                   std::cos(theta)} *
+           radius;
+}
+
+/// Three far lights, seen along the given directions; ten rays from 67 points each.
+AimVerdict judge(const Aim& aim, const Vector3& axis, std::uint64_t seed) {
+    Draw draw{seed, 1};
+    const Perpendiculars sides = perpendicularsOf(axis);
+    const double radius = 0.4;
+    const double distance = 120.0;
+    std::vector<ShadowQuestion> questions(3);
+    std::vector<ShadowLog> logs(3);
+    std::vector<const ShadowLog*> pointers;
+    const Vector3 directions[3] = {axis, sides.first, sides.second};
+    for (std::size_t i = 0; i < 3; ++i) {
+        raytracer::SceneDescription& scene = questions[i].question.scene;
+        const Vector3 light = directions[i] * distance;
+        scene.pointLights.emplace_back(light, raytracer::ColourRGB{1.0}, 1.0);
+        scene.planes.push_back({{}, directions[i], {}});
+        logs[i].asked = &questions[i];
+        for (int p = 0; p < 67; ++p) {
+            PointLog point;
+            point.lines.resize(1);
+            for (int r = 0; r < 10; ++r) {
+                AimLine line;
+                line.direction = (light + aim(draw) * radius).normalised();
+                line.foot = line.direction * light.dot(line.direction) - light;
+                line.miss = line.foot.magnitude();
+                point.lines[0].push_back(line);
+            }
+            logs[i].points.push_back(point);
+        }
+        pointers.push_back(&logs[i]);
+    }
+    return judgeAims(pointers);
+}
+
+// Each accepted decision is wrong with a chance below 1e-9.
+TEST(JudgeAims, AcceptsTheBallFromEveryDirection) {
+    Draw draw{11, 2};
+    for (int i = 0; i < 60; ++i) {
+        const AimVerdict verdict = judge(ball, draw.direction(), 100 + static_cast<unsigned>(i));
+        EXPECT_EQ(verdict.shape, AimShape::ball) << i;
+        EXPECT_TRUE(verdict.sizeIsRight());
+        EXPECT_FALSE(verdict.offCentre);
+    }
+}
+
+// An axis along the line of sight once made the feet's extent along it look like a wrong shape.
+TEST(JudgeAims, AcceptsTheBallSeenAlongAnAxisAndNearIt) {
+    for (const Vector3& axis :
+         {Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 1e-3}.normalised(),
+          Vector3{1.0, 1.0, 0.0}.normalised(), Vector3{0.001, 0.002, 1.0}.normalised()})
+        EXPECT_EQ(judge(ball, axis, 5).shape, AimShape::ball);
+}
+
+TEST(JudgeAims, TellsTheOriginalsHelperFromTheBall) {
+    Draw draw{12, 2};
+    for (int i = 0; i < 20; ++i)
+        EXPECT_EQ(judge(polarHelper, draw.direction(), 300 + static_cast<unsigned>(i)).shape,
+                  AimShape::polarHelper);
+}
+
+TEST(JudgeAims, CatchesALightTenPercentOff) {
+    for (const double size : {0.9, 1.1}) {
+        const auto aim = [&](Draw& draw) { return ball(draw) * size; };
+        const AimVerdict verdict = judge(aim, Draw{13, 2}.direction(), 1);
+        EXPECT_TRUE(verdict.tooWide || !verdict.shape) << size;
+        EXPECT_EQ(verdict.scaledShape, AimShape::ball) << size;
+    }
+}
+
+TEST(JudgeAims, CatchesACubeADiscAndHalfABall) {
+    const Aim cube = [](Draw& draw) {
+        const double x = draw.between(-0.5, 0.5);
+        const double y = draw.between(-0.5, 0.5);
+        return Vector3{x, y, draw.between(-0.5, 0.5)};
+    };
+    const Aim disc = [](Draw& draw) {
+        const double angle = draw.between(0.0, 2.0 * std::numbers::pi);
+        const double radius = std::sqrt(draw.between(0.0, 1.0));
+        return Vector3{radius * std::cos(angle), radius * std::sin(angle), 0.0};
+    };
+    const Aim half = [](Draw& draw) {
+        const Vector3 point = ball(draw);
+        return Vector3{point.x, std::abs(point.y), point.z};
+    };
+    Draw draw{14, 2};
+    for (int i = 0; i < 10; ++i) {
+        const Vector3 axis = draw.direction();
+        EXPECT_FALSE(judge(cube, axis, 1).shape);
+        EXPECT_FALSE(judge(disc, axis, 2).shape);
+        EXPECT_TRUE(judge(half, axis, 3).offCentre);
+    }
+}
+
+// A pool of ten aims says little about where aims lie: nothing may be concluded.
+TEST(JudgeAims, CountsAimsThatComeAgainOnce) {
+    Draw pool{15, 2};
+    std::vector<Vector3> aims;
+    for (int i = 0; i < 10; ++i)
+        aims.push_back(ball(pool));
+    const Aim again = [&](Draw& draw) { return aims[static_cast<std::size_t>(draw.whole(0, 9))]; };
+    const AimVerdict verdict = judge(again, Draw{16, 2}.direction(), 4);
+    EXPECT_LE(verdict.distinct, 10U);
+    EXPECT_TRUE(verdict.shape.has_value());
+}
+
+}  // namespace
+}  // namespace ticker::decision

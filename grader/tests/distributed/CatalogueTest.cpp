@@ -1,0 +1,80 @@
+#include <grader/selftest/DistributedCatalogue.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace ticker::selftest {
+namespace {
+
+const std::filesystem::path kRoot{TICKER_SOURCE_DIR};
+
+std::string reference() {
+    std::ifstream file{kRoot / "reference_solution/exercise/Renderer.cpp"};
+    return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+std::vector<mistakes::Mistake> catalogue() {
+    return mistakes::readCatalogue(kRoot / "grader/mistakes");
+}
+
+TEST(DistributedCatalogue, FitsTheReferenceEntryByEntry) {
+    for (const mistakes::Mistake& mistake : catalogue()) {
+        if (mistake.task.rfind("T2.", 0) != 0) continue;
+        EXPECT_NE(mistakes::makeMistake(mistake, reference()), reference()) << mistake.path;
+    }
+}
+
+TEST(DistributedCatalogue, HasEveryFindingOfTheContract) {
+    std::set<std::string> findings;
+    for (const mistakes::Mistake& mistake : catalogue())
+        findings.insert(mistake.expect.finding);
+    for (const char* id : {"shadow.hard",
+                           "shadow.too-few-rays",
+                           "shadow.fixed-samples",
+                           "shadow.inverted",
+                           "shadow.all-or-nothing",
+                           "shadow.ambient-scaled",
+                           "shadow.specular-unshadowed",
+                           "shadow.diffuse-unshadowed",
+                           "shadow.lights-mixed",
+                           "shadow.beyond-light",
+                           "shadow.point-jittered",
+                           "shadow.direction-offset",
+                           "shadow.light-size",
+                           "shadow.not-a-ball",
+                           "shadow.clustered",
+                           "shadow.wrong",
+                           "dof.none",
+                           "dof.too-few-rays",
+                           "dof.shared-samples",
+                           "dof.not-averaged",
+                           "dof.focal-distance",
+                           "dof.focal-plane",
+                           "dof.off-centre",
+                           "dof.disc",
+                           "dof.aperture-size",
+                           "dof.reused-pattern",
+                           "dof.wrong",
+                           "settings.hard-coded"})
+        EXPECT_EQ(findings.count(id), 1U) << id;
+}
+
+// A correct reading fails with a chance below 1e-9; a mistake that only statistics see is missed
+// with less than 1e-3.
+TEST(DistributedCatalogue, IsJudgedAsItSays) {
+    CatalogueRun run;
+    run.fraction = 0.05;
+    run.seed = 20;
+    const auto rows = runDistributedCatalogue(catalogue(), reference(), build::Kit::besideProgram(),
+                                              sandbox::Sandbox::best(), run);
+    EXPECT_GE(rows.size(), 7U);
+    for (const CatalogueRow& row : rows)
+        EXPECT_TRUE(row.asExpected) << tableOf(rows);
+}
+
+}  // namespace
+}  // namespace ticker::selftest

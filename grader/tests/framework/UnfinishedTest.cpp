@@ -1,0 +1,33 @@
+#include <raytracer/base/Error.h>
+#include <raytracer/base/Unfinished.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+
+namespace raytracer {
+namespace {
+
+TEST(Unfinished, SpeaksOncePerTaskWhateverTheThreads) {
+    EXPECT_FALSE(isUnfinished("T2.1"));
+    testing::internal::CaptureStderr();
+    const auto callOften = [] {
+        for (int i = 0; i < 100; ++i)
+            unfinished("T2.1", "do this");
+    };
+    std::thread other{callOften};
+    callOften();
+    other.join();
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "T2.1 is not done yet: do this\n");
+    EXPECT_TRUE(isUnfinished("T2.1"));
+    EXPECT_FALSE(isUnfinished("T2.2"));
+}
+
+TEST(Unfinished, RefusesTasksThatDoNotExist) {
+    EXPECT_THROW(unfinished("T3", ""), Error);
+    EXPECT_THROW(static_cast<void>(isUnfinished("t1")), Error);
+}
+
+}  // namespace
+}  // namespace raytracer

@@ -1,0 +1,112 @@
+#include <grader/intake/Intake.h>
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <raytracer/base/Error.h>
+
+#include <gtest/gtest.h>
+
+namespace ticker::intake {
+namespace {
+
+std::vector<std::string> namesIn(const std::filesystem::path& path) {
+    std::vector<std::string> names;
+    for (const Located& located : findSubmissions(path))
+        names.push_back(located.name);
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(FindSubmissions, TakesAFolderWithTheFilesAsOne) {
+    const tests::TemporaryFolder folder;
+    folder.write("ann/Renderer.cpp", "x");
+    folder.write("ann/old/Renderer.cpp", "y");
+    EXPECT_EQ(namesIn(folder.path() / "ann"), Names{"ann"});
+}
+
+TEST(FindSubmissions, TakesAClassOfFoldersAndArchives) {
+    const tests::TemporaryFolder folder;
+    folder.write("ann/Renderer.cpp", "x");
+    folder.write("bob.zip", "x");
+    folder.write("cy/Renderer.cpp", "x");
+    folder.write("notes.txt", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "cy"}));
+}
+
+TEST(FindSubmissions, ForgetsNobodyWhoMisnamedHisFiles) {
+    const tests::TemporaryFolder folder;
+    folder.write("ann/Renderer.cpp", "x");
+    folder.write("bob/tick1.cpp", "x");
+    std::filesystem::create_directory(folder.path() / "empty");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob"}));
+}
+
+TEST(FindSubmissions, LooksSeveralLevelsDeep) {
+    const tests::TemporaryFolder folder;
+    folder.write("awarded/one/Renderer.cpp", "x");
+    folder.write("awarded/two/BumpySphere.cpp", "x");
+    folder.write("needsReview/three/BumpySphere.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"one", "two", "three"}));
+}
+
+TEST(FindSubmissions, NamesAStudentAfterHisFolderNotAfterWhatIsInIt) {
+    const tests::TemporaryFolder folder;
+    folder.write("ann/tick/Renderer.cpp", "x");
+    folder.write("bob/tick/Renderer.cpp", "x");
+    folder.write("cy/Renderer.cpp", "x");
+    folder.write("dee/work.zip", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "cy", "dee"}));
+}
+
+TEST(FindSubmissions, TakesOneWorkOverSeveralFoldersAsOne) {
+    const tests::TemporaryFolder folder;
+    folder.write("ann/src/Renderer.cpp", "x");
+    folder.write("ann/pictures/screenshot.png", "x");
+    EXPECT_EQ(namesIn(folder.path() / "ann"), Names{"ann"});
+}
+
+TEST(FindSubmissions, DoesNotMakeOneOutOfTwoPeople) {
+    const tests::TemporaryFolder folder;
+    folder.write("class/ann/BumpySphere.cpp", "x");
+    folder.write("class/bob/screenshot.png", "x");
+    folder.write("class/bob/old/Renderer.cpp", "x");
+    folder.write("class/bob/new/Renderer.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path() / "class"), (Names{"ann", "bob"}));
+    std::filesystem::remove_all(folder.path() / "class/bob");
+    folder.write("class/bob/Renderer.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path() / "class"), (Names{"ann", "bob"}));
+}
+
+TEST(FindSubmissions, GivesEachItsOwnName) {
+    const tests::TemporaryFolder folder;
+    folder.write("monday/ann/Renderer.cpp", "x");
+    folder.write("monday/bob/Renderer.cpp", "x");
+    folder.write("tuesday/ann/Renderer.cpp", "x");
+    folder.write("tuesday/cy/Renderer.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "ann-2", "cy"}));
+}
+
+TEST(FindSubmissions, GivesNamesThatAreFitForFolders) {
+    const tests::TemporaryFolder folder;
+    folder.write("..ann:<b>\n/Renderer.cpp", "x");
+    folder.write("-rf/Renderer.cpp", "x");
+    folder.write(std::string(200, 'x') + "/Renderer.cpp", "x");
+    folder.write("J\xC3\xBCrgen, =1+1/Renderer.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"rf", "J\xC3\xBCrgen, =1+1", std::string(100, 'x')}));
+}
+
+TEST(FindSubmissions, TakesAnyFolderThatWasNamedByItself) {
+    const tests::TemporaryFolder folder;
+    EXPECT_EQ(findSubmissions(folder.path()).size(), 1U);
+}
+
+TEST(FindSubmissions, SaysWhatIsWrongWithAPath) {
+    const tests::TemporaryFolder folder;
+    folder.write("a.txt", "x");
+    EXPECT_THROW(static_cast<void>(findSubmissions("/nowhere")), raytracer::InputError);
+    EXPECT_THROW(static_cast<void>(findSubmissions(folder.path() / "a.txt")),
+                 raytracer::InputError);
+}
+
+}  // namespace
+}  // namespace ticker::intake

@@ -1,0 +1,153 @@
+#include <grader/intake/Intake.h>
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <raytracer/base/Error.h>
+
+#include <gtest/gtest.h>
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <random>
+
+namespace ticker::intake {
+namespace {
+
+struct Member {
+    std::string path;
+    std::string bytes;
+    unsigned type = AE_IFREG;
+    std::string link;
+};
+
+void writeArchive(const std::filesystem::path& file, const std::vector<Member>& members) {
+    archive* handle = archive_write_new();
+    if (file.extension() == ".zip")
+        archive_write_set_format_zip(handle);
+    else
+        archive_write_set_format_pax_restricted(handle);
+    if (file.extension() == ".gz") archive_write_add_filter_gzip(handle);
+    ASSERT_EQ(archive_write_open_filename(handle, file.c_str()), ARCHIVE_OK);
+    for (const Member& member : members) {
+        archive_entry* entry = archive_entry_new();
+        archive_entry_set_pathname(entry, member.path.c_str());
+        archive_entry_set_filetype(entry, member.type);
+        archive_entry_set_perm(entry, 0644);
+        archive_entry_set_size(entry, static_cast<la_int64_t>(member.bytes.size()));
+        if (!member.link.empty()) archive_entry_set_symlink(entry, member.link.c_str());
+        ASSERT_EQ(archive_write_header(handle, entry), ARCHIVE_OK) << archive_error_string(handle);
+        archive_write_data(handle, member.bytes.data(), member.bytes.size());
+        archive_entry_free(entry);
+    }
+    ASSERT_EQ(archive_write_close(handle), ARCHIVE_OK);
+    archive_write_free(handle);
+}
+
+Submission readOf(const std::string& name, const std::vector<Member>& members,
+                  const IntakeLimits& limits = {}) {
+    const tests::TemporaryFolder folder;
+    writeArchive(folder.path() / name, members);
+    return readSubmission({"somebody", folder.path() / name}, limits);
+}
+
+/// The refusal of the whole submission.
+Finding refusalOf(const Submission& submission) {
+    const Finding* finding = submission.refusalOf(Part::renderer);
+    return finding == nullptr ? Finding{} : *finding;
+}
+
+TEST(ReadArchive, FindsTheFilesInAZipAndInATar) {
+    for (const char* name : {"work.zip", "work.tar", "work.tar.gz"}) {
+        const Submission submission =
+            readOf(name, {{"work/", "", AE_IFDIR, ""},
+                          {"work/Renderer.cpp", "render", AE_IFREG, ""},
+                          {"work/screenshot.png", "picture", AE_IFREG, ""},
+                          {"__MACOSX/work/._Renderer.cpp", "litter", AE_IFREG, ""},
+                          {"work/readme", "", AE_IFREG, ""}});
+        EXPECT_TRUE(submission.findings.empty()) << name;
+        EXPECT_EQ(submission.part(Part::renderer), "render") << name;
+        EXPECT_EQ(submission.part(Part::screenshot), "picture") << name;
+        EXPECT_EQ(submission.ignored.size(), 2U) << name;
+    }
+}
+
+TEST(ReadArchive, RefusesMembersThatEscapeNamingThem) {
+    for (const char* path : {"../Renderer.cpp", "/etc/Renderer.cpp", "a/../../Renderer.cpp",
+                             "..\\Renderer.cpp", "C:\\Renderer.cpp"}) {
+        const Submission submission = readOf("work.zip", {{"BumpySphere.cpp", "bump", AE_IFREG, ""},
+                                                          {path, "render", AE_IFREG, ""}});
+        const Finding finding = refusalOf(submission);
+        EXPECT_EQ(finding.id, "intake.unsafe-archive") << path;
+        EXPECT_NE(finding.message.find("Renderer.cpp"), std::string::npos) << finding.message;
+        EXPECT_FALSE(submission.part(Part::bumpySphere)) << path;
+    }
+}
+
+TEST(ReadArchive, RefusesLinksAndPipes) {
+    EXPECT_EQ(refusalOf(readOf("work.tar", {{"Renderer.cpp", "", AE_IFLNK, "/etc/passwd"}})).id,
+              "intake.unsafe-archive");
+    EXPECT_EQ(refusalOf(readOf("work.zip", {{"Renderer.cpp", "", AE_IFLNK, "/etc/passwd"}})).id,
+              "intake.unsafe-archive");
+    EXPECT_EQ(refusalOf(readOf("work.tar", {{"Renderer.cpp", "", AE_IFIFO, ""}})).id,
+              "intake.unsafe-archive");
+}
+
+TEST(ReadArchive, RefusesABombByItsRatioWhereverItLies) {
+    IntakeLimits limits;
+    limits.ratioFreeBytes = 1U << 20U;
+    const std::string zeros(4U << 20U, '\0');
+    const Submission submission = readOf(
+        "work.tar.gz", {{"Renderer.cpp", "render", AE_IFREG, ""}, {"big.bin", zeros, AE_IFREG, ""}},
+        limits);
+    EXPECT_EQ(refusalOf(submission).id, "intake.unsafe-archive");
+    EXPECT_NE(refusalOf(submission).message.find("big.bin"), std::string::npos);
+}
+
+TEST(ReadArchive, RefusesTooManyMembers) {
+    IntakeLimits limits;
+    limits.members = 10;
+    std::vector<Member> members;
+    for (int i = 0; i < 11; ++i)
+        members.push_back({std::to_string(i), "", AE_IFREG, ""});
+    EXPECT_EQ(refusalOf(readOf("work.zip", members, limits)).id, "intake.too-large");
+}
+
+TEST(ReadArchive, AsksAboutOneNameTwice) {
+    const Submission submission = readOf(
+        "work.zip", {{"Renderer.cpp", "one", AE_IFREG, ""}, {"Renderer.cpp", "two", AE_IFREG, ""}});
+    EXPECT_EQ(refusalOf(submission).id, "intake.ambiguous");
+}
+
+TEST(ReadArchive, RefusesWhatIsNoArchive) {
+    const tests::TemporaryFolder folder;
+    folder.write("work.zip", "this is no archive");
+    const Submission submission = readSubmission({"somebody", folder.path() / "work.zip"});
+    EXPECT_EQ(refusalOf(submission).id, "intake.unsafe-archive");
+}
+
+TEST(ReadArchive, SurvivesDamage) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.path() / "work.zip";
+    writeArchive(file, {{"Renderer.cpp", std::string(5000, 'r'), AE_IFREG, ""},
+                        {"screenshot.png", std::string(3000, 'p'), AE_IFREG, ""}});
+    std::ifstream stream{file, std::ios::binary};
+    const std::string bytes{std::istreambuf_iterator<char>{stream}, {}};
+    std::mt19937 generator{3};
+    for (int round = 0; round < 300; ++round) {
+        std::string damaged =
+            bytes.substr(0, round % 3 == 0 ? generator() % bytes.size() : bytes.size());
+        for (int i = 0; i < 3 && !damaged.empty(); ++i)
+            damaged[generator() % damaged.size()] = static_cast<char>(generator() & 0xFFU);
+        folder.write("work.zip", damaged);
+        const Submission submission = readSubmission({"somebody", file});
+        EXPECT_LE(submission.part(Part::renderer).value_or("").size(), 256U << 10U);
+    }
+}
+
+TEST(ReadArchive, SaysWhereAFileCannotBeRead) {
+    EXPECT_THROW(static_cast<void>(readSubmission({"somebody", "/nowhere.zip"})),
+                 raytracer::InputError);
+}
+
+}  // namespace
+}  // namespace ticker::intake

@@ -1,0 +1,183 @@
+#include <grader/pipeline/Grade.h>
+#include <grader/pipeline/Screenshot.h>
+#include <grader/tests/pipeline/TestGrader.h>
+#include <grader/tests/support/Files.h>
+
+#include <gtest/gtest.h>
+
+namespace ticker::pipeline {
+namespace {
+
+using intake::Part;
+using tests::findingIds;
+using tests::taskOf;
+
+constexpr std::uint64_t kSeed = 1;
+
+std::string stub(const char* name) {
+    return tests::readFile("student_template/exercise/" + std::string{name});
+}
+
+intake::Submission submission(const std::optional<std::string>& bumpySphere,
+                              const std::optional<std::string>& renderer = {}) {
+    intake::Submission result;
+    result.name = "somebody";
+    result.parts[0] = bumpySphere;
+    result.parts[1] = renderer;
+    return result;
+}
+
+SubmissionResult grade(const intake::Submission& work) {
+    return gradeSubmission(work, tests::testGrader(), kSeed);
+}
+
+using Ids = std::vector<std::string>;
+
+TEST(GradeSubmission, ListsTheFourTasksInOrderWithTheirCircumstances) {
+    const SubmissionResult result = grade(submission({}));
+    ASSERT_EQ(result.tasks.size(), 4U);
+    EXPECT_EQ(result.tasks[0].id, "T1");
+    EXPECT_EQ(result.tasks[1].id, "T2.1");
+    EXPECT_EQ(result.tasks[2].id, "T2.2");
+    EXPECT_EQ(result.tasks[3].id, "screenshot");
+    EXPECT_EQ(result.submission, "somebody");
+    EXPECT_EQ(result.seed, kSeed);
+    EXPECT_EQ(result.toolVersion, "test");
+    EXPECT_EQ(result.sandboxLevel, sandbox::toString(tests::testGrader().sandbox.level()));
+}
+
+TEST(GradeSubmission, CompilesNothingWhereEveryStubStillStands) {
+    const SubmissionResult result =
+        grade(submission(stub("BumpySphere.cpp"), stub("Renderer.cpp")));
+    for (const char* task : {"T1", "T2.1", "T2.2", "screenshot"})
+        EXPECT_EQ(taskOf(result, task).state, TaskState::notAttempted) << task;
+    EXPECT_EQ(result.verdict, Verdict::notAwarded);
+    EXPECT_EQ(result.timing.compileMs, 0.0);
+    EXPECT_EQ(result.option, "none");
+}
+
+TEST(GradeSubmission, LetsABrokenFileBlockItsOwnTaskOnly) {
+    const SubmissionResult result = grade(submission(
+        "this is no C++\n", tests::readFile("reference_solution/exercise/Renderer.cpp")));
+    EXPECT_EQ(taskOf(result, "T1").state, TaskState::blocked);
+    EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"build.failed"});
+    EXPECT_EQ(taskOf(result, "T2.1").state, TaskState::passed);
+    EXPECT_EQ(taskOf(result, "T2.2").state, TaskState::passed);
+    ASSERT_EQ(result.diagnostics.size(), 1U);
+    EXPECT_EQ(result.diagnostics[0].file, "BumpySphere.cpp");
+    EXPECT_NE(result.diagnostics[0].text.find("BumpySphere.cpp:1:"), std::string::npos);
+    EXPECT_EQ(result.diagnostics[0].source, "this is no C++\n");
+    EXPECT_EQ(result.verdict, Verdict::needsReview) << "the picture is missing";
+}
+
+TEST(GradeSubmission, BlocksBothTasksOfABrokenRendererButNotTheStubInIt) {
+    std::string source = stub("Renderer.cpp");
+    const std::string line = "const Ray ray = camera.castRay(x, y);";
+    source.replace(source.find(line), line.size(), "nonsense");
+    const SubmissionResult result = grade(submission({}, source));
+    EXPECT_EQ(taskOf(result, "T2.1").state, TaskState::notAttempted);
+    EXPECT_EQ(taskOf(result, "T2.2").state, TaskState::blocked);
+    EXPECT_EQ(findingIds(taskOf(result, "T2.2")), Ids{"build.failed"});
+}
+
+TEST(GradeSubmission, CallsAReplacedFrameworkForbidden) {
+    const SubmissionResult result =
+        grade(submission(tests::readFile("reference_solution/exercise/BumpySphere.cpp") +
+                         "int main() { return 0; }\n"));
+    EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"build.forbidden"});
+    EXPECT_EQ(result.verdict, Verdict::notAwarded);
+}
+
+TEST(GradeSubmission, PassesOnWhatIntakeRefused) {
+    intake::Submission work = submission({}, stub("Renderer.cpp"));
+    Finding refused;
+    refused.id = "intake.ambiguous";
+    refused.message = "two files";
+    work.findings.push_back({Part::bumpySphere, refused});
+    const SubmissionResult result = grade(work);
+    EXPECT_EQ(taskOf(result, "T1").state, TaskState::blocked);
+    EXPECT_EQ(taskOf(result, "T1").reason, "two files");
+    EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"intake.ambiguous"});
+    EXPECT_EQ(taskOf(result, "T2.1").state, TaskState::notAttempted);
+    EXPECT_EQ(result.verdict, Verdict::needsReview);
+}
+
+TEST(GradeSubmission, RefusesAWholeArchive) {
+    intake::Submission work = submission({});
+    Finding refused;
+    refused.id = "intake.unsafe-archive";
+    work.findings.push_back({std::nullopt, refused});
+    const SubmissionResult result = grade(work);
+    for (const TaskReport& task : result.tasks) {
+        EXPECT_EQ(task.state, TaskState::blocked) << task.id;
+        EXPECT_EQ(findingIds(task), Ids{"intake.unsafe-archive"}) << task.id;
+    }
+    EXPECT_EQ(result.verdict, Verdict::notAwarded);
+}
+
+TEST(GradeSubmission, JudgesTheChosenOptionOnly) {
+    Grader grader = tests::testGrader();
+    grader.option = OptionChoice::t2;
+    const SubmissionResult result =
+        gradeSubmission(submission("this is no C++\n", stub("Renderer.cpp")), grader, kSeed);
+    EXPECT_EQ(taskOf(result, "T1").state, TaskState::notAttempted);
+}
+
+TEST(GradeSubmission, ListsWhatWasIgnored) {
+    intake::Submission work = submission({});
+    work.ignored = {"notes.txt", "Vector3.h"};
+    const SubmissionResult result = grade(work);
+    EXPECT_EQ(result.notices, Ids{"Ignored: notes.txt, Vector3.h"});
+}
+
+TEST(GradeSubmission, GivesEqualFindingsForEqualSeeds) {
+    const intake::Submission work =
+        submission(tests::readFile("reference_solution/exercise/BumpySphere.cpp"));
+    const SubmissionResult first = grade(work);
+    const SubmissionResult second = grade(work);
+    EXPECT_EQ(first.verdict, second.verdict);
+    EXPECT_EQ(findingIds(first.tasks[0]), findingIds(second.tasks[0]));
+}
+
+TEST(GradeSubmission, ShowsWhatTheCodeRendersBesideWhatWasExpected) {
+    static const std::vector<SpecScene> scenes =
+        readSpecScenes(std::filesystem::path{TICKER_SOURCE_DIR} / "scenes",
+                       std::filesystem::path{TICKER_SOURCE_DIR} / "assets");
+    Grader grader = tests::testGrader();
+    grader.scenes = scenes;
+    intake::Submission work =
+        submission(tests::readFile("reference_solution/exercise/BumpySphere.cpp"),
+                   tests::readFile("reference_solution/exercise/Renderer.cpp"));
+    work.parts[2] = tests::readFile("grader/samples/awarded/reference-bump/screenshot.png");
+
+    const SubmissionResult result = gradeSubmission(work, grader, kSeed);
+
+    EXPECT_EQ(result.verdict, Verdict::awarded);
+    ASSERT_EQ(result.renders.size(), 3U);
+    for (const RenderScore& render : result.renders) {
+        // Measured: 0.016 and 0.981 where each pixel is the mean of 50 paths; 0.0002 and 0.99996
+        // where nothing is random.
+        const bool isNoisy = render.scene == "distributed";
+        EXPECT_LT(render.flip, isNoisy ? 0.04 : 0.001) << render.scene;
+        EXPECT_GT(render.ssim, isNoisy ? 0.95 : 0.999) << render.scene;
+    }
+    std::vector<std::string> files;
+    for (const ResultPicture& picture : result.pictures) {
+        files.push_back(picture.file);
+        EXPECT_TRUE(readPngHeader(picture.png)) << picture.file;
+    }
+    EXPECT_EQ(files.size(), 7U);
+    EXPECT_EQ(files.back(), "images/screenshot.png");
+}
+
+TEST(NotGraded, IsNeverAScore) {
+    const SubmissionResult result =
+        notGradedResult("somebody", "the disk is full", tests::testGrader(), kSeed);
+    EXPECT_EQ(result.verdict, Verdict::notGraded);
+    for (const TaskReport& task : result.tasks)
+        EXPECT_EQ(task.state, TaskState::notGraded) << task.id;
+    EXPECT_EQ(result.tasks[0].reason, "the disk is full");
+}
+
+}  // namespace
+}  // namespace ticker::pipeline

@@ -1,0 +1,202 @@
+#include <grader/report/ClassPage.h>
+#include <grader/report/ReportPage.h>
+
+#include "ExampleResults.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+// What the text of the pages promises. How they behave is tested in a browser.
+namespace ticker::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<SubmissionResult> everyExample() {
+    return exampleClass(5);
+}
+
+struct Tag {
+    std::string name;
+    std::string text;  // all between < and >
+    std::string bare;  // the same without what stands in quotation marks
+    bool closing = false;
+};
+
+/// All tags in their order; a page's style and script are not looked into.
+std::vector<Tag> scan(const std::string& html) {
+    std::vector<Tag> tags;
+    for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at)) {
+        Tag tag;
+        std::size_t end = at + 1;
+        for (char quote = 0; end < html.size() && (quote != 0 || html[end] != '>'); ++end) {
+            const char c = html[end];
+            if (quote == 0) tag.bare += c;
+            if (quote == 0 && (c == '"' || c == '\''))
+                quote = c;
+            else if (c == quote)
+                quote = 0;
+        }
+        tag.text = html.substr(at + 1, end - at - 1);
+        tag.closing = tag.text.front() == '/';
+        const std::string named = tag.text.substr(tag.closing ? 1 : 0);
+        tag.name = named.substr(0, named.find_first_of(" \n"));
+        at = end;
+        if (!tag.closing && (tag.name == "style" || tag.name == "script"))
+            at = html.find("</" + tag.name, at);
+        tags.push_back(tag);
+    }
+    return tags;
+}
+
+/// The opening tags of one element, each with its attributes.
+std::vector<std::string> tagsOf(const std::string& html, const std::string& name) {
+    std::vector<std::string> found;
+    for (const Tag& tag : scan(html))
+        if (tag.name == name && !tag.closing) found.push_back(tag.text);
+    return found;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++found;
+    return found;
+}
+
+/// Every element is closed, in an order that a stack accepts.
+void expectBalanced(const std::string& html) {
+    static const std::set<std::string> kEmpty{"!doctype", "meta", "img", "input", "br"};
+    std::vector<std::string> open;
+    for (const Tag& tag : scan(html)) {
+        if (kEmpty.contains(tag.name) || tag.text.back() == '/') continue;
+        if (!tag.closing) {
+            open.push_back(tag.name);
+            continue;
+        }
+        ASSERT_FALSE(open.empty()) << tag.name;
+        ASSERT_EQ(open.back(), tag.name);
+        open.pop_back();
+    }
+    EXPECT_TRUE(open.empty()) << open.back();
+}
+
+void expectSelfContained(const std::string& html) {
+    EXPECT_EQ(html.find("http://"), std::string::npos);
+    EXPECT_EQ(html.find("https://"), std::string::npos);
+    EXPECT_EQ(html.find("@import"), std::string::npos);
+    EXPECT_EQ(html.find(TICKER_SOURCE_DIR), std::string::npos);
+}
+
+TEST(ReportPage, IsWellFormedAndNeedsNothingBesideIt) {
+    for (const SubmissionResult& result : everyExample()) {
+        SCOPED_TRACE(result.submission);
+        const std::string html = reportPage(result);
+        expectBalanced(html);
+        expectSelfContained(html);
+        EXPECT_LT(html.size(), 3'000'000U);
+        for (const std::string& image : tagsOf(html, "img")) {
+            EXPECT_NE(image.find("src=\"data:image/png;base64,"), std::string::npos)
+                << image.substr(0, 100);
+            EXPECT_NE(image.find(" alt=\""), std::string::npos) << image.substr(0, 100);
+        }
+    }
+}
+
+TEST(ReportPage, HasOneHeadingLandmarksAndALanguage) {
+    const std::string html = reportPage(failedBumpExample());
+    EXPECT_EQ(tagsOf(html, "h1").size(), 1U);
+    for (const char* landmark : {"header", "main", "footer"})
+        EXPECT_EQ(tagsOf(html, landmark).size(), 1U) << landmark;
+    EXPECT_NE(html.find("<html lang=\"en\""), std::string::npos);
+}
+
+TEST(ReportPage, TellsMessageHintSectionAndEvidenceOfEachFinding) {
+    const std::string html = reportPage(failedBumpExample());
+    const Finding finding = failedBumpExample().tasks.front().findings.front();
+    for (const std::string& text : {finding.id, finding.message, finding.hint, finding.section})
+        EXPECT_NE(html.find(text), std::string::npos) << text;
+    EXPECT_NE(html.find("208 inverted"), std::string::npos);
+}
+
+TEST(ReportPage, DrawsPlotsWithTheExpectedShape) {
+    const std::string html = reportPage(failedLensExample());
+    ASSERT_EQ(tagsOf(html, "svg").size(), 1U);
+    EXPECT_EQ(tagsOf(html, "circle").size(), 600U);
+    EXPECT_EQ(tagsOf(html, "rect").size(), 1U);
+}
+
+TEST(ReportPage, ShowsTheStudentsLineUnderADiagnostic) {
+    const std::string html = reportPage(blockedExample());
+    EXPECT_NE(html.find("return nromal.normalised();"), std::string::npos);
+    EXPECT_NE(html.find("was not declared in this scope"), std::string::npos);
+}
+
+TEST(ReportPage, LetsNothingHostileThrough) {
+    const std::string html = reportPage(hostileExample());
+    EXPECT_EQ(tagsOf(html, "script").size(), 1U);
+    EXPECT_EQ(count(html, "</script>"), 1U);
+    EXPECT_EQ(count(html, "</style>"), 1U);
+    EXPECT_EQ(html.find("<img src=x"), std::string::npos);
+    EXPECT_EQ(html.find('\x1B'), std::string::npos);
+    EXPECT_EQ(html.find("\xE2\x80\xAE"), std::string::npos);
+    EXPECT_EQ(html.find('\xFF'), std::string::npos);
+    for (const Tag& tag : scan(html))
+        EXPECT_EQ(tag.bare.find(" on"), std::string::npos) << tag.text.substr(0, 100);
+}
+
+TEST(ReportPage, OfAResultThatWasReadBackLinksToThePicturesBesideIt) {
+    SubmissionResult result = failedBumpExample();
+    for (ResultPicture& picture : result.pictures)
+        picture.png.clear();
+    const std::string html = reportPage(result);
+    EXPECT_NE(html.find("src=\"images/bump-mapping.png\""), std::string::npos);
+    EXPECT_NE(html.find("src=\"images/expected-bump-mapping.png\""), std::string::npos);
+}
+
+TEST(ClassPage, IsWellFormedAndNeedsNothingButItsFolders) {
+    const std::string html = classPage(exampleClass(60));
+    expectBalanced(html);
+    expectSelfContained(html);
+    EXPECT_EQ(tagsOf(html, "tr").size(), 61U);
+    EXPECT_EQ(tagsOf(html, "h1").size(), 1U);
+    EXPECT_EQ(html.find("<img src=x"), std::string::npos);
+    EXPECT_EQ(count(html, "</script>"), 1U);
+}
+
+TEST(ClassPage, CountsVerdictsAndFindings) {
+    const std::string html = classPage(exampleClass(60));
+    EXPECT_NE(html.find("36 not awarded"), std::string::npos);
+    EXPECT_NE(html.find("bump.inverted-u"), std::string::npos);
+    EXPECT_NE(html.find("12 of 60"), std::string::npos);
+}
+
+TEST(ClassPage, OfNobodySaysSo) {
+    const std::string html = classPage({});
+    expectBalanced(html);
+    EXPECT_NE(html.find("0 submissions"), std::string::npos);
+}
+
+// For people, and for the tests in a browser.
+TEST(Pages, AreWrittenToTheBuildFolderToBeLookedAt) {
+    const fs::path folder = fs::path{TICKER_BINARY_DIR} / "example-pages";
+    const std::vector<SubmissionResult> results = exampleClass(25);
+    for (const SubmissionResult& result : results) {
+        fs::create_directories(folder / result.submission / "images");
+        for (const ResultPicture& picture : result.pictures)
+            std::ofstream{folder / result.submission / picture.file, std::ios::binary}
+                << picture.png;
+        std::ofstream{folder / result.submission / "report.html"} << reportPage(result);
+    }
+    std::ofstream{folder / "index.html"} << classPage(results);
+    EXPECT_GT(fs::file_size(folder / "index.html"), 5'000U);
+}
+
+}  // namespace
+}  // namespace ticker::report
