@@ -93,7 +93,10 @@ TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
             readShadowLog(asked[i], std::get<probe::IlluminateAnswer>(sitting.answers[i])));
     ShadowOutcome outcome = judgeSoftShadows(logs);
     bool needsReview = false;
-    if (outcome.rayless && outcome.reading) {
+    // A light of the wrong size also changes points that should be fully lit.
+    const bool unexplained =
+        !outcome.findings.empty() && outcome.findings.front().id == "shadow.wrong";
+    if (outcome.rayless && (outcome.reading || unexplained)) {
         outcome.findings.push_back(unseenRays(
             "shadow.unseen-rays", "illuminate casts no ray through findClosestIntersection"));
         needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
