@@ -97,7 +97,7 @@ TEST_F(Verbs, WrongUsageAndUnreadableInputExitWithTwoAndOneLine) {
          {std::string{"frobnicate"}, std::string{"grade"},
           "grade /no/such/place -o " + at("x").string(),
           "render /no/scene.xml -o " + at("x.png").string(), "report " + folder_.path().string(),
-          "check " + folder_.path().string(), repository("scenes") + " --seed x"}) {
+          repository("scenes") + " --seed x"}) {
         const Ran ran = run(arguments);
         EXPECT_EQ(ran.status, 2) << arguments << ": " << ran.errors;
         EXPECT_EQ(std::count(ran.errors.begin(), ran.errors.end(), '\n'), 1)
