@@ -26,6 +26,7 @@ Run addCheck(CLI::App& app, const Voice& voice);
 Run addRender(CLI::App& app, const Voice& voice);
 Run addReport(CLI::App& app, const Voice& voice);
 Run addDoctor(CLI::App& app, const Voice& voice);
+Run addSelftest(CLI::App& app, const Voice& voice);
 
 }  // namespace ticker::cli
 
