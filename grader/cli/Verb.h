@@ -28,6 +28,7 @@ Run addCompare(CLI::App& app, const Voice& voice);
 Run addRefs(CLI::App& app, const Voice& voice);
 Run addReport(CLI::App& app, const Voice& voice);
 Run addDoctor(CLI::App& app, const Voice& voice);
+Run addSelftest(CLI::App& app, const Voice& voice);
 
 }  // namespace ticker::cli
 

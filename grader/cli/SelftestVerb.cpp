@@ -1,0 +1,132 @@
+#include <grader/cli/GradeOptions.h>
+#include <grader/cli/Home.h>
+#include <grader/cli/Progress.h>
+#include <grader/cli/Verb.h>
+#include <grader/report/Escape.h>
+#include <grader/selftest/BumpTables.h>
+#include <grader/selftest/DistributedCatalogue.h>
+#include <grader/selftest/HostileTables.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+namespace ticker::cli {
+namespace {
+
+struct SelftestOptions {
+    std::string task;
+    bool hostile = false;
+    double fraction = 1.0;
+    GradeOptions grade;
+};
+
+// One line on stderr that is drawn over and over.
+class Counter {
+public:
+    Counter(std::string what, bool draw) : what_(std::move(what)), draw_(draw) {}
+    ~Counter() {
+        if (draw_) std::fputs("\r\x1b[K", stderr);
+    }
+    Counter(const Counter&) = delete;
+    Counter& operator=(const Counter&) = delete;
+
+    void show(std::size_t done, std::size_t of) const {
+        if (draw_) fmt::print(stderr, "\r\x1b[K{}: {} of {}", what_, done, of);
+    }
+
+private:
+    std::string what_;
+    bool draw_;
+};
+
+void printTable(const std::string& title, const std::string& table) {
+    fmt::print("{}\n{}\n", title, report::cleanText(table));
+    std::fflush(stdout);
+}
+
+bool testBump(const SelftestOptions& options, bool draw) {
+    const Counter counter{"T1", draw};
+    const selftest::BumpSelfTest result =
+        selftest::runBumpSelfTest(options.fraction, {1}, [&](int done, int total) {
+            counter.show(static_cast<std::size_t>(done), static_cast<std::size_t>(total));
+        });
+    printTable("T1: readings that must pass, mistakes that must be named", result.table());
+    return result.passed();
+}
+
+std::string referenceRenderer(const Home& home) {
+    const std::filesystem::path file = home.data / "reference_solution/exercise/Renderer.cpp";
+    std::ifstream stream{file, std::ios::binary};
+    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
+    return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+bool testDistributed(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
+    const Home home = Home::find();
+    const Counter counter{"T2", draw};
+    selftest::CatalogueRun run;
+    run.fraction = options.fraction;
+    run.seed = seedOf(options.grade);
+    run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
+    const auto rows =
+        selftest::runDistributedCatalogue(mistakes::readCatalogue(home.data / "grader/mistakes"),
+                                          referenceRenderer(home), grader.kit, grader.sandbox, run);
+    printTable("T2: the catalogue of mistakes, compiled and judged", selftest::tableOf(rows));
+    return std::ranges::all_of(rows, &selftest::CatalogueRow::asExpected);
+}
+
+bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool draw) {
+    const Home home = Home::find();
+    const Counter counter{"hostile", draw};
+    grader.policy = sandbox::readPolicy(home.data / "grader/hostile/limits.json");
+    selftest::HostileRun run;
+    run.fraction = options.fraction;
+    run.seed = seedOf(options.grade);
+    run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
+    const selftest::HostileTables tables = selftest::runHostileTables(
+        hostile::listHostileCases(home.data / "grader/hostile/cases"), grader, run);
+    printTable("Hostile submissions at sandbox level " + sandbox::toString(grader.sandbox.level()),
+               tables.table());
+    return tables.passed();
+}
+
+raytracer::ExitCode selftest(const SelftestOptions& options, const Voice& voice) {
+    const bool all = options.task.empty() && !options.hostile;
+    const bool draw = mayDraw(voice.quiet);
+    bool good = true;
+    if (all || options.task == "T1") good = testBump(options, draw) && good;
+    if (!all && options.task != "T2" && !options.hostile)
+        return good ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
+    const pipeline::Grader grader = makeGrader(options.grade);
+    if (all || options.task == "T2") good = testDistributed(options, grader, draw) && good;
+    if (all || options.hostile) good = testHostile(options, grader, draw) && good;
+    return good ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
+}
+
+}  // namespace
+
+Run addSelftest(CLI::App& app, const Voice& voice) {
+    auto options = std::make_shared<SelftestOptions>();
+    CLI::App* verb = app.add_subcommand(
+        "selftest",
+        "Mistakes, accepted readings and hostile submissions, against what is expected");
+    verb->add_option("--task", options->task, "Only the tables of T1, or of T2")
+        ->check(CLI::IsMember({"T1", "T2"}));
+    verb->add_flag("--hostile", options->hostile, "Only the hostile submissions");
+    verb->add_option("--fraction", options->fraction, "Share of each table to run")
+        ->check(CLI::Range(0.0, 1.0));
+    verb->add_option("--sandbox", options->grade.sandbox, "Level A, B or C; auto: the best")
+        ->check(CLI::IsMember({"auto", "A", "B", "C"}));
+    verb->add_option("--seed", options->grade.seed,
+                     "Whole number that the hidden questions are drawn from");
+    return [options, &voice] { return selftest(*options, voice); };
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,44 @@
+#ifndef TICKER_SELFTEST_TRACES_H
+#define TICKER_SELFTEST_TRACES_H
+
+#include <grader/sandbox/UserSlots.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ticker::selftest {
+
+/// What hostile submissions are tempted with, and the places where they would leave a trace. A
+/// folder of our own, gone with this object.
+class Traces {
+public:
+    /// @throws raytracer::Error where the folder or the secret cannot be written.
+    Traces();
+    ~Traces();
+    Traces(const Traces&) = delete;
+    Traces& operator=(const Traces&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    /// A file that everybody may read, but that lies in no jail.
+    [[nodiscard]] std::filesystem::path secretFile() const { return folder_ / "secret.txt"; }
+    /// What must turn up nowhere.
+    [[nodiscard]] const std::string& secret() const { return secret_; }
+
+    /// True where somebody wrote the file that the corpus tries to write; removes it.
+    [[nodiscard]] bool takeEscaped() const;
+
+private:
+    std::filesystem::path folder_;
+    std::string secret_;
+};
+
+/// Processes with a jail's uid although no jail has this uid now; empty where we are not root.
+[[nodiscard]] std::vector<std::string> processesLeft(const sandbox::UserRange& users);
+
+/// True where this process has a child.
+[[nodiscard]] bool hasChildLeft();
+
+}  // namespace ticker::selftest
+
+#endif

@@ -1,0 +1,73 @@
+#include <grader/cli/Batch.h>
+#include <grader/hostile/HostileCase.h>
+#include <grader/report/ResultJson.h>
+#include <grader/tests/pipeline/TestGrader.h>
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <map>
+
+namespace ticker::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kSeed = 20261121;
+
+// Two honest ones, then a hostile one, and so on.
+const std::vector<std::string> kHonest{"awarded/reference-bump",       "notAwarded/bump-inverted-u",
+                                       "notAwarded/bump-swapped-axes", "needsReview/no-screenshot",
+                                       "notAwarded/does-not-compile",  "awarded/bump-z-up"};
+const std::vector<std::string> kHostile{"fork-bomb", "memory-bomb", "scan-descriptors"};
+
+// A folder of the class, by a name that gives the wanted order.
+std::string nameOf(std::size_t place) {
+    return "student-" + std::to_string(10 + place);
+}
+
+std::vector<intake::Located> makeClass(const fs::path& folder, bool withHostile) {
+    const fs::path root{TICKER_SOURCE_DIR};
+    const auto corpus = hostile::listHostileCases(root / "grader/hostile/cases");
+    std::size_t honest = 0;
+    for (std::size_t place = 0; place < kHonest.size() + kHostile.size(); ++place) {
+        const fs::path target = folder / nameOf(place);
+        if (place % 3 != 2) {
+            fs::copy(root / "grader/samples" / kHonest.at(honest++), target);
+        } else if (withHostile) {
+            fs::create_directory(target);
+            const auto found =
+                std::ranges::find(corpus, kHostile.at(place / 3), &hostile::HostileCase::name);
+            hostile::writeSubmission(*found, "/etc/hostname", target);
+        }
+    }
+    return intake::findSubmissions(folder);
+}
+
+std::map<std::string, std::string> gradedTexts(const std::vector<intake::Located>& located,
+                                               int workers) {
+    std::map<std::string, std::string> texts;
+    const std::atomic<bool> stop{false};
+    gradeAll(located, tests::testGrader(), kSeed, workers, stop,
+             [&](const intake::Located& each, SubmissionResult result) {
+                 result.timing = {};
+                 texts[each.name] = report::resultJson(result);
+             });
+    return texts;
+}
+
+TEST(GradeAll, GivesHonestSubmissionsBetweenHostileOnesTheResultsThatTheyGetAlone) {
+    const tests::TemporaryFolder alone;
+    const tests::TemporaryFolder mixed;
+    const auto wanted = gradedTexts(makeClass(alone.path(), false), 1);
+    const auto got = gradedTexts(makeClass(mixed.path(), true), 2);
+
+    ASSERT_EQ(wanted.size(), kHonest.size());
+    ASSERT_EQ(got.size(), kHonest.size() + kHostile.size());
+    for (const auto& [name, text] : wanted)
+        EXPECT_EQ(got.at(name), text) << name;
+}
+
+}  // namespace
+}  // namespace ticker::cli
