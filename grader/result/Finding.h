@@ -45,7 +45,7 @@ struct Raster {
 
 /// Something that was observed about a submission, in the student's terms.
 struct Finding {
-    std::string id;  ///< one of docs/findings: "bump.inverted-u"
+    std::string id;  ///< one of docs/findings.md: "bump.inverted-u"
     Severity severity = Severity::fail;
     std::string message;  ///< what was expected, what was seen; one or two sentences, plain text
     std::string hint;     ///< what to look at: the likely line, the likely step; plain text
