@@ -24,6 +24,8 @@ using Run = std::function<raytracer::ExitCode()>;
 Run addGrade(CLI::App& app, const Voice& voice);
 Run addCheck(CLI::App& app, const Voice& voice);
 Run addRender(CLI::App& app, const Voice& voice);
+Run addCompare(CLI::App& app, const Voice& voice);
+Run addRefs(CLI::App& app, const Voice& voice);
 Run addReport(CLI::App& app, const Voice& voice);
 Run addDoctor(CLI::App& app, const Voice& voice);
 Run addSelftest(CLI::App& app, const Voice& voice);

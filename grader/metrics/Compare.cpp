@@ -109,10 +109,12 @@ std::string summarise(const Comparison& comparison, double differing) {
 }  // namespace
 
 Scores score(const ByteView& reference, const ByteView& test) {
-    return {.flip = flip(reference, test).value,
+    Measured errors = flip(reference, test);
+    return {.flip = errors.value,
             .ssim = ssim(reference, test).value,
             .gmsd = gmsd(reference, test).value,
-            .rmse = rmse(reference, test).value};
+            .rmse = rmse(reference, test).value,
+            .errors = std::move(errors.map)};
 }
 
 Comparison compare(const ByteView& reference, const ByteView& test, double pixelsPerDegree) {

@@ -15,6 +15,7 @@ struct Scores {
     double ssim = 1.0;
     double gmsd = 0.0;
     double rmse = 0.0;  ///< of bytes, 0 to 255
+    Map errors;         ///< FLIP of each pixel
 };
 
 /// @throws raytracer::InputError as `requireSameSize`.

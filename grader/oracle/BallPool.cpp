@@ -1,6 +1,6 @@
 #include <grader/oracle/BallPool.h>
-#include <grader/oracle/Lattice.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -17,7 +17,11 @@ AimPoint onSphere(double radius, double height, double turn) {
     return {across * std::cos(kTurn * turn), across * std::sin(kTurn * turn), radius * height};
 }
 
-// The lattice itself is cut into small vectors that would be spread too well, not independently.
+double fraction(double value) {
+    return value - std::floor(value);
+}
+
+// The sequence itself is cut into small vectors that would be spread too well, not independently.
 std::vector<std::uint32_t> shuffled(std::size_t count) {
     std::vector<std::uint32_t> order(count);
     std::iota(order.begin(), order.end(), 0U);
@@ -62,9 +66,10 @@ BallPool::BallPool(LightShape shape, double radius)
       flipZ(0x80000000U) {
     const std::vector<std::uint32_t> order = shuffled(kSize);
     for (std::size_t i = 0; i < kSize; ++i) {
-        const AimPoint point = aimPoint(shape, latticePoint(order[i], 0, 0x5bd1e995U),
-                                        latticePoint(order[i], 1, 0x27d4eb2fU),
-                                        latticePoint(order[i], 2, 0x165667b1U));
+        const double step = order[i] + 1.0;
+        const AimPoint point = aimPoint(shape, fraction(0.5 + step * 0.8191725133961645),
+                                        fraction(0.5 + step * 0.6710436067037893),
+                                        fraction(0.5 + step * 0.5497004779019703));
         x[i] = static_cast<float>(radius * point.x);
         y[i] = static_cast<float>(radius * point.y);
         z[i] = static_cast<float>(radius * point.z);

@@ -18,8 +18,9 @@ struct AimPoint {
 };
 [[nodiscard]] AimPoint aimPoint(LightShape shape, double u, double v, double w);
 
-/// Aim points made ahead, for student renders: drawing one costs three loads. The points are a
-/// rank-1 lattice, so that the pool's own distribution is far closer to the shape's than as many
+/// Aim points made ahead, for student renders: drawing one costs three loads. The points are
+/// Roberts's sequence R3 (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
+/// 2018), so that the pool's own distribution is far closer to the shape's than as many
 /// random points, in random order, so that what lies together in the pool is as good as
 /// independent. Signs may be flipped at random on top of it.
 struct BallPool {

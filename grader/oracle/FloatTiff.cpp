@@ -27,7 +27,8 @@ void replaceWhole(const std::filesystem::path& file, const std::string& bytes) {
 
 void writeTiff(const FloatPicture& picture, const std::filesystem::path& file) {
     constexpr int kDeflate = 8;  // "Adobe deflate" of the TIFF standard
-    cv::Mat matrix{picture.height, picture.width, CV_32FC3};
+    // No braces: they would make a list of three numbers.
+    cv::Mat matrix(picture.height, picture.width, CV_32FC3);
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             const raytracer::ColourRGB& c =

@@ -131,7 +131,8 @@ Manifest readManifest(const std::filesystem::path& folder) {
     if (!stream) return {};
     try {
         Manifest manifest;
-        for (const auto& [name, entry] : Json::parse(stream).at("references").items())
+        const Json json = Json::parse(stream);
+        for (const auto& [name, entry] : json.at("references").items())
             manifest[name] = provenanceOf(entry);
         return manifest;
     } catch (const Json::exception& error) {

@@ -1,5 +1,6 @@
 #include <grader/pipeline/SpecScenes.h>
 
+#include <grader/metrics/Colours.h>
 #include <grader/metrics/Compare.h>
 #include <grader/oracle/References.h>
 #include <grader/probe/AnswerMemory.h>
@@ -30,20 +31,6 @@ metrics::ByteView viewOf(const raytracer::ByteImage& image) {
     return {image.width, image.height, image.rgb};
 }
 
-/// The picture that came, unless some of it is missing.
-std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer) {
-    if (answer.images.size() != 1 || answer.wrongSize) return std::nullopt;
-    const std::vector<raytracer::ColourRGB>& pixels = answer.images.front();
-    if (std::ranges::any_of(pixels, [](const auto& pixel) { return probe::isUnanswered(pixel); }))
-        return std::nullopt;
-    raytracer::Image image{answer.width, answer.height};
-    std::size_t index = 0;
-    for (int y = 0; y < answer.height; ++y)
-        for (int x = 0; x < answer.width; ++x)
-            image.set(x, y, pixels[index++]);
-    return raytracer::toBytes(image);
-}
-
 void addRender(SubmissionResult& result, const SpecScene& scene,
                const raytracer::ByteImage& picture) {
     const metrics::Scores scores = metrics::score(viewOf(scene.expected), viewOf(picture));
@@ -61,10 +48,28 @@ void addRender(SubmissionResult& result, const SpecScene& scene,
                                raytracer::encodePng(picture)});
     result.pictures.push_back(
         {render.reference, scene.name + " as it should be", raytracer::encodePng(scene.expected)});
+    render.errorMap = "images/flip-" + scene.name + ".png";
+    const metrics::Map& errors = scores.errors;
+    result.pictures.push_back(
+        {render.errorMap, scene.name + ": where the two look different",
+         raytracer::encodePng({errors.width, errors.height, metrics::magma(errors)})});
     result.renders.push_back(std::move(render));
 }
 
 }  // namespace
+
+std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer) {
+    if (answer.images.size() != 1 || answer.wrongSize) return std::nullopt;
+    const std::vector<raytracer::ColourRGB>& pixels = answer.images.front();
+    if (std::ranges::any_of(pixels, [](const auto& pixel) { return probe::isUnanswered(pixel); }))
+        return std::nullopt;
+    raytracer::Image image{answer.width, answer.height};
+    std::size_t index = 0;
+    for (int y = 0; y < answer.height; ++y)
+        for (int x = 0; x < answer.width; ++x)
+            image.set(x, y, pixels[index++]);
+    return raytracer::toBytes(image);
+}
 
 std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
                                       const std::filesystem::path& assets) {

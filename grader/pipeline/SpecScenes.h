@@ -10,6 +10,7 @@
 #include <raytracer/scene/SceneDescription.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct SpecScene {
 /// @throws raytracer::InputError where a scene or a map cannot be read.
 [[nodiscard]] std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
                                                     const std::filesystem::path& assets);
+
+/// The picture that came, through the tone curve; empty where some of it is missing.
+[[nodiscard]] std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer);
 
 /// Asks the submission for the pictures of its option and puts them into the result, with scores
 /// against what was expected. A picture that did not come is left out; nothing is decided by it.

@@ -44,8 +44,11 @@ Tally tallyOf(const std::vector<SubmissionResult>& results) {
 std::string counts(const Tally& tally) {
     std::string html = "<ul class=\"counts\">";
     for (const auto& [verdict, count] : tally.verdicts)
-        html += fmt::format("<li>{}</li>", badge(toString(verdict),
-                                                 fmt::format("{} {}", count, wordsFor(verdict))));
+        html += fmt::format(
+            "<li>{}</li>",
+            badge(toString(verdict), verdict == Verdict::needsReview && count != 1
+                                         ? fmt::format("{} need a look", count)
+                                         : fmt::format("{} {}", count, wordsFor(verdict))));
     return html + "</ul>";
 }
 

@@ -40,7 +40,7 @@ std::string overviewItem(const TaskReport& task) {
     html += badge(toString(task.state), wordsFor(task.state));
     if (const Finding* finding = firstFail(task))
         html += fmt::format("<span class=\"reason mono\">{}</span>", escapeHtml(finding->id));
-    if (!task.reason.empty())
+    else if (!task.reason.empty())
         html += fmt::format("<span class=\"reason\">{}</span>", escapeHtml(task.reason));
     return html + "</li>";
 }
@@ -66,7 +66,7 @@ std::string reviewReasons(const SubmissionResult& result) {
 
 std::string header(const SubmissionResult& result) {
     std::string html = fmt::format(
-        "<header><p class=\"soft\"><a href=\"../index.html\">The class</a> &rsaquo; Tick 1*</p>"
+        "<header><p class=\"soft\">Tick 1*</p>"
         "<div class=\"verdict\"><h1>{}</h1>{}<span class=\"soft\">{:g} of {:g}</span></div>{}"
         "<ul class=\"tasks\">",
         escapeHtml(result.submission), badge(toString(result.verdict), wordsFor(result.verdict)),
@@ -82,7 +82,9 @@ std::string taskSections(const SubmissionResult& result) {
         if (!hasSection(task)) continue;
         html += fmt::format("<section id=\"{}\"><h2>{} {}</h2>", anchor(task.id), headingOf(task),
                             badge(toString(task.state), wordsFor(task.state)));
-        if (!task.reason.empty()) html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
+        // Findings say it better.
+        if (task.findings.empty() && !task.reason.empty())
+            html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
         for (const Finding& finding : task.findings)
             html += findingCard(finding);
         if (task.findings.empty() && task.state == TaskState::passed)

@@ -22,8 +22,8 @@ struct Reading {
         equation,     ///< Equation (1) with the signs that fit, unit tangents
         displaced     ///< the displaced surface, differentiated numerically
     };
-    enum class Tangents { formula, numeric };  ///< how P_u and P_v are made
-    enum class Slopes { cosine, arcTangent };  ///< polar angle by acos, or by atan2
+    enum class Tangents { formula, numeric };      ///< how P_u and P_v are made
+    enum class PolarAngle { cosine, arcTangent };  ///< by acos, or by atan2
 
     Top top = Top::y;
     double uOrigin = 0.5;  ///< u of the meridian that faces the camera
@@ -35,7 +35,7 @@ struct Reading {
     Gain gain = Gain::unit;
     double strength = 1.0;
     Tangents tangents = Tangents::formula;
-    Slopes angle = Slopes::cosine;
+    PolarAngle angle = PolarAngle::cosine;
     bool singlePrecision = false;
 };
 

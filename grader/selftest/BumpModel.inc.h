@@ -78,7 +78,7 @@ private:
         if (reading_.mirrored) longitude_ = -longitude_;
         const Real height = lookUp_.dot(up_);
         polar_ = std::acos(std::clamp(height, Real(-1), Real(1)));
-        if (reading_.angle == Reading::Slopes::arcTangent) {
+        if (reading_.angle == Reading::PolarAngle::arcTangent) {
             const Real across = std::hypot(lookUp_.dot(right_), lookUp_.dot(front_));
             polar_ = std::atan2(across, height);
         }

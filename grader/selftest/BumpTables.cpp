@@ -30,7 +30,7 @@ void takeTurns(std::vector<Reading>& readings) {
                       : i % 11 == 7 ? Reading::Top::x
                                     : Reading::Top::y;
         reading.tangents = i % 4 == 2 ? Reading::Tangents::numeric : Reading::Tangents::formula;
-        reading.angle = i % 3 == 2 ? Reading::Slopes::arcTangent : Reading::Slopes::cosine;
+        reading.angle = i % 3 == 2 ? Reading::PolarAngle::arcTangent : Reading::PolarAngle::cosine;
         // A surface that is displaced by more than its radius is none.
         if (reading.gain == Reading::Gain::displaced)
             reading.strength = std::min(reading.strength, 1.0);
@@ -157,13 +157,13 @@ std::string rowsText(const std::string& title, const std::vector<TableRow>& rows
 }  // namespace
 
 std::vector<Reading> acceptedReadings() {
+    constexpr int kRounds = 2;  // each with its own turn of everything else
     std::vector<Reading> readings;
     for (const Reading::Gain gain : kGains)
         for (const Reading::Sampling sampling : kSamplings)
             for (const Reading::Difference difference : kDifferences)
                 for (const bool mirrored : {false, true})
-                    for (int turn = 0; turn < 2; ++turn) {
-                        // The displaced surface is differentiated in one way only.
+                    for (int round = 0; round < kRounds; ++round) {
                         Reading reading;
                         reading.gain = gain;
                         reading.sampling = sampling;

@@ -62,7 +62,8 @@ Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t 
     const probe::RenderQuestion asked = drawPictureQuestion(seed * 4 + stage);
     const probe::Sitting sitting = examinee.ask({asked});
     const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
-    if (answer == nullptr || answer->wrongSize) return {std::nullopt, true};
+    if (answer == nullptr || answer->wrongSize || answer->images.empty())
+        return {std::nullopt, true};
     return {judgePictures(asked, *answer, seed * 4 + stage, kLimit).finding, false};
 }
 
@@ -92,7 +93,10 @@ TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
             readShadowLog(asked[i], std::get<probe::IlluminateAnswer>(sitting.answers[i])));
     ShadowOutcome outcome = judgeSoftShadows(logs);
     bool needsReview = false;
-    if (outcome.rayless && outcome.reading) {
+    // A light of the wrong size also changes points that should be fully lit.
+    const bool unexplained =
+        !outcome.findings.empty() && outcome.findings.front().id == "shadow.wrong";
+    if (outcome.rayless && (outcome.reading || unexplained)) {
         outcome.findings.push_back(unseenRays(
             "shadow.unseen-rays", "illuminate casts no ray through findClosestIntersection"));
         needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {

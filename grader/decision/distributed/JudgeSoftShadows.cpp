@@ -41,6 +41,7 @@ void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     // Rays that start all around the point and go to the centre are no hard shadow; aims that are
     // all the centre are fixed, but that is not what went wrong.
     const bool hard = counts && counts->id == "shadow.hard";
+    if (!counts) keep(findings, checkSeveralCounts(logs));
     if (counts && !(hard && starts)) keep(findings, std::move(counts));
     if (!hard) keep(findings, std::move(fixed));
     keep(findings, checkEveryLight(logs));

@@ -86,6 +86,14 @@ double commonFactor(const LensLog& log) {
     return factor;
 }
 
+enum class Which { first, last };
+
+bool isOneOf(const LensPixel& pixel, Which which) {
+    const std::vector<ColourRGB> values = valuesOf(pixel);
+    return !values.empty() &&
+           near(pixel.colour, which == Which::first ? values.front() : values.back());
+}
+
 bool withinSamples(const LensPixel& pixel) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
     if (values.empty()) return false;
@@ -241,9 +249,9 @@ std::optional<Finding> checkAverage(const LensLog& log) {
     std::string seen;
     if (factor != 0.0)
         seen = fmt::format("it is {:.4g} times their mean", factor);
-    else if (everyPixel(log, [](const LensPixel& p) { return near(p.colour, valuesOf(p).back()); }))
+    else if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::last); }))
         seen = "it is the colour of the last ray alone";
-    else if (everyPixel(log, [](const LensPixel& p) { return near(p.colour, valuesOf(p)[0]); }))
+    else if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::first); }))
         seen = "it is the colour of the first ray alone";
     else if (everyPixel(log, withinSamples))
         seen = "some rays count more than others";

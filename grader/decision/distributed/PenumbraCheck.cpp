@@ -261,6 +261,12 @@ PenumbraVerdict checkPenumbra(const probe::IlluminateQuestion& asked,
     for (std::size_t i = 0; i < asked.points.size() / kCalls; ++i)
         seen.push_back(readSamples(asked, answer, i));
 
+    if (!std::all_of(seen.begin(), seen.end(),
+                     [](const Samples& samples) { return std::isfinite(samples.mean); }))
+        return {distributedFinding("shadow.wrong", Severity::fail,
+                                   "A colour was expected from illuminate; at the edge of a shadow "
+                                   "it gave a value that is no number."),
+                false};
     double best = 1e9;
     double bestOfBall = 1e9;
     std::vector<double> openInBall;

@@ -330,6 +330,14 @@ probe::RenderQuestion drawPictureQuestion(std::uint64_t seed) {
 PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
                              std::uint64_t seed, double limit) {
     const Seen seen = readPictures(answer);
+    if (!std::all_of(seen.mean.begin(), seen.mean.end(),
+                     [](double value) { return std::isfinite(value); })) {
+        PictureVerdict verdict;
+        verdict.finding = distributedFinding("dof.wrong", Severity::fail,
+                                             "Colours were expected; some pixels hold a value that "
+                                             "is no number.");
+        return verdict;
+    }
     const Trial full = tryReading(asked, seen, 1.0, seed, limit);
     if (!full.verdict.finding) return full.verdict;
     const Trial half = tryReading(asked, seen, 0.5, seed, limit);

@@ -28,6 +28,7 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkStarts(const ShadowLogs& logs);
 /// @param fixed  Samples are shared between points, which is another finding.
 [[nodiscard]] std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed);
+[[nodiscard]] std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkEveryLight(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkFixedSamples(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);

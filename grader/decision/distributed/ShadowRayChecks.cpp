@@ -233,6 +233,26 @@ std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed) {
     return finding;
 }
 
+// Lights that get no ray at all are another finding.
+std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs) {
+    const auto asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
+    std::size_t fewest = asked;
+    for (const ShadowLog* log : logs.severalLights)
+        for (const PointLog& point : log->points)
+            for (std::size_t i = 0; i < point.lines.size(); ++i)
+                if (faces(point, log->scene().pointLights[i]) && !point.lines[i].empty())
+                    fewest = std::min(fewest, point.lines[i].size());
+    if (fewest >= asked) return std::nullopt;
+    Finding finding = distributedFinding(
+        "shadow.too-few-rays", Severity::fail,
+        fmt::format("{} shadow rays to each light were expected; with three lights in the scene, "
+                    "some light gets {}.",
+                    asked, fewest));
+    finding.evidence.emplace_back("raysExpected", static_cast<double>(asked));
+    finding.evidence.emplace_back("fewestRays", static_cast<double>(fewest));
+    return finding;
+}
+
 std::optional<Finding> checkEveryLight(const ShadowLogs& logs) {
     for (const ShadowLog* log : logs.severalLights)
         for (const PointLog& point : log->points)

@@ -1,0 +1,131 @@
+#include <grader/cli/Home.h>
+#include <grader/cli/Progress.h>
+#include <grader/cli/Verb.h>
+#include <grader/oracle/References.h>
+
+#include <raytracer/base/RenderObserver.h>
+#include <raytracer/io/SceneReader.h>
+
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace ticker::cli {
+namespace {
+
+struct RefsOptions {
+    bool check = false;
+    std::string folder;
+    std::string scenes;
+};
+
+/// What is kept of which scene: option 1's are noiseless and large, the others small, since their
+/// means and variances are kept as floats.
+struct Kept {
+    const char* name;
+    bool pinhole;
+    int width;
+    int height;
+};
+constexpr std::array kKept{
+    Kept{"bump-mapping", true, 320, 240}, Kept{"bumpmap-test", true, 320, 240},
+    Kept{"distributed", false, 160, 120}, Kept{"penumbra", false, 96, 72},
+    Kept{"two-lights", false, 96, 72},    Kept{"lens-grid", false, 96, 72}};
+
+std::atomic<bool> stopAsked{false};
+extern "C" void askRefsToStop(int /*signal*/) {
+    stopAsked = true;
+}
+
+/// Lets Ctrl-C end a render between two rows.
+class StopMonitor final : public raytracer::RenderMonitor {
+public:
+    void rowFinished(int /*row*/, int /*done*/, int /*rows*/) override {}
+    [[nodiscard]] bool interrupted() const override { return stopAsked; }
+};
+
+std::vector<oracle::ReferenceScene> readScenes(const std::filesystem::path& folder,
+                                               const std::filesystem::path& assets,
+                                               StopMonitor& monitor) {
+    std::vector<oracle::ReferenceScene> scenes;
+    for (const Kept& kept : kKept) {
+        oracle::ReferenceScene scene;
+        scene.name = kept.name;
+        scene.scene = raytracer::readScene(folder / (scene.name + ".xml"), assets);
+        scene.settings.width = kept.width;
+        scene.settings.height = kept.height;
+        scene.settings.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+        scene.settings.monitor = &monitor;
+        scene.pinhole = kept.pinhole;
+        scenes.push_back(std::move(scene));
+    }
+    return scenes;
+}
+
+oracle::ReferenceListener listener(bool quiet) {
+    return [draw = mayDraw(quiet)](const oracle::ReferenceProgress& progress) {
+        if (!draw) return;
+        const std::string left =
+            progress.secondsLeft < 0.0 ? "" : fmt::format(", {:.0f} s left", progress.secondsLeft);
+        fmt::print(stderr, "\r\x1B[K{} of {} {}{}", progress.done, progress.total, progress.scene,
+                   left);
+        if (progress.done == progress.total) fmt::print(stderr, "\r\x1B[K");
+        std::fflush(stderr);
+    };
+}
+
+raytracer::ExitCode checkThem(const std::filesystem::path& folder,
+                              const std::vector<oracle::ReferenceScene>& scenes,
+                              const oracle::ReferenceOptions& options, bool quiet) {
+    bool allPassed = true;
+    for (const auto& one : oracle::checkReferences(folder, scenes, options, listener(quiet))) {
+        fmt::print("{:<6} {}\n", one.passed ? "ok" : "DRIFT", one.message);
+        allPassed = allPassed && one.passed;
+    }
+    return allPassed ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
+}
+
+raytracer::ExitCode refs(const RefsOptions& options, const Voice& voice) {
+    const Home home = Home::find();
+    std::signal(SIGINT, askRefsToStop);
+    StopMonitor monitor;
+    const std::filesystem::path folder = options.folder.empty()
+                                             ? home.assets() / "references"
+                                             : std::filesystem::path{options.folder};
+    const auto scenes =
+        readScenes(options.scenes.empty() ? home.scenes() : std::filesystem::path{options.scenes},
+                   home.assets(), monitor);
+    oracle::ReferenceOptions how;
+    how.seed = std::random_device{}();
+    how.toolVersion = TICKER_VERSION;
+    if (options.check) return checkThem(folder, scenes, how, voice.quiet);
+    std::filesystem::create_directories(folder);
+    if (!oracle::writeReferences(folder, scenes, how, listener(voice.quiet)))
+        return raytracer::ExitCode::interrupted;
+    fmt::print("{} references in {}\n", scenes.size(), folder.string());
+    return raytracer::ExitCode::success;
+}
+
+}  // namespace
+
+Run addRefs(CLI::App& app, const Voice& voice) {
+    auto options = std::make_shared<RefsOptions>();
+    CLI::App* verb = app.add_subcommand(
+        "refs", "Make the reference pictures anew, or look whether they drifted");
+    verb->add_flag("--check", options->check, "Render again and compare; exit 1 on a drift");
+    verb->add_option("--folder", options->folder, "Instead of assets/references");
+    verb->add_option("--scenes", options->scenes, "Instead of scenes/");
+    return [options, &voice] { return refs(*options, voice); };
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,25 @@
+#ifndef TICKER_PIPELINE_RENDERSUBMISSION_H
+#define TICKER_PIPELINE_RENDERSUBMISSION_H
+
+#include <grader/intake/Submission.h>
+#include <grader/pipeline/Grade.h>
+
+#include <raytracer/base/RenderSettings.h>
+#include <raytracer/io/ImageReader.h>
+#include <raytracer/scene/SceneDescription.h>
+
+namespace ticker::pipeline {
+
+/// The picture that a submission's code renders, made in the sandbox. A scene with a bumpy sphere
+/// is rendered with the submission's BumpySphere.cpp, any other with its Renderer.cpp; the
+/// template's file stands in for the other one.
+/// @throws raytracer::InputError saying why there is no picture: the file is missing, does not
+///         compile, crashed, ran out of time.
+[[nodiscard]] raytracer::ByteImage renderSubmission(const intake::Submission& submission,
+                                                    const Grader& grader,
+                                                    const raytracer::SceneDescription& scene,
+                                                    const raytracer::RenderSettings& settings);
+
+}  // namespace ticker::pipeline
+
+#endif
