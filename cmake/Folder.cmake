@@ -11,12 +11,13 @@ function(ticker_folder)
 endfunction()
 
 # One test program for each folder: ticker_test(NAME metrics SOURCES aTest.cpp LIBRARIES lib...
-# [LABELS unit]). Labels: unit, render, grader, slow.
+# [LABELS unit] [FILTER "-*/C"]). Labels: unit, render, grader, slow. FILTER, as GoogleTest's: tests
+# that ctest should list.
 function(ticker_test)
   if(NOT TICKER_BUILD_TESTS)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "NAME;TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "NAME;TIMEOUT;FILTER" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()
@@ -28,6 +29,6 @@ function(ticker_test)
     PRIVATE ${ARG_LIBRARIES} raytracer::warnings GTest::gtest GTest::gtest_main)
   target_compile_definitions(test_${ARG_NAME} PRIVATE
     TICKER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" TICKER_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  gtest_discover_tests(test_${ARG_NAME} TEST_PREFIX "${ARG_NAME}."
+  gtest_discover_tests(test_${ARG_NAME} TEST_PREFIX "${ARG_NAME}." TEST_FILTER "${ARG_FILTER}"
     DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()

@@ -29,7 +29,8 @@ void print(const Finding& finding) {
 
 void print(const SubmissionResult& result) {
     for (const TaskReport& task : result.tasks) {
-        fmt::print("{} {}: {}{}\n", task.id, task.title, report::wordsFor(task.state),
+        const std::string name = task.id.starts_with('T') ? task.id + " " + task.title : task.title;
+        fmt::print("{}: {}{}\n", name, report::wordsFor(task.state),
                    task.reason.empty() ? "" : ": " + report::escapeLine(task.reason));
         for (const Finding& finding : task.findings)
             print(finding);

@@ -177,7 +177,7 @@ TEST(GradeSubmission, ShowsWhatTheCodeRendersBesideWhatWasExpected) {
         files.push_back(picture.file);
         EXPECT_TRUE(readPngHeader(picture.png)) << picture.file;
     }
-    EXPECT_EQ(files.size(), 7U);
+    EXPECT_EQ(files.size(), 10U);
     EXPECT_EQ(files.back(), "images/screenshot.png");
 }
 

@@ -1,0 +1,128 @@
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include "RunTicker.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace ticker::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Verbs : public testing::Test {
+protected:
+    Ran run(const std::string& arguments) {
+        return runTicker(arguments, (folder_.path() / "errors").string());
+    }
+
+    [[nodiscard]] static std::string repository(const std::string& path) {
+        return "'" + (fs::path{TICKER_SOURCE_DIR} / path).string() + "'";
+    }
+
+    [[nodiscard]] fs::path at(const std::string& path) const { return folder_.path() / path; }
+
+    [[nodiscard]] static std::string readBytes(const fs::path& file) {
+        std::ifstream stream{file, std::ios::binary};
+        return {std::istreambuf_iterator<char>{stream}, {}};
+    }
+
+    tests::TemporaryFolder folder_;
+};
+
+TEST_F(Verbs, GradeWritesEverythingThatTheContractNames) {
+    const std::string out = at("out").string();
+    const Ran ran = run("grade " + repository("grader/samples/notAwarded/bump-inverted-u") +
+                        " -o '" + out + "' --seed 7");
+    EXPECT_EQ(ran.status, 0) << ran.errors;
+    EXPECT_NE(ran.output.find("bump.inverted-u"), std::string::npos) << ran.output;
+    for (const char* file : {"index.html", "summary.csv", "bump-inverted-u/result.json",
+                             "bump-inverted-u/report.html", "bump-inverted-u/images"})
+        EXPECT_TRUE(fs::exists(fs::path{out} / file)) << file;
+}
+
+TEST_F(Verbs, GradeGivesTheSameResultForTheSameSeedButForTiming) {
+    const auto resultOf = [&](const std::string& out) {
+        const Ran ran = run("grade " + repository("grader/samples/awarded/reference-distributed") +
+                            " -o '" + at(out).string() + "' --seed 11");
+        EXPECT_EQ(ran.status, 0) << ran.errors;
+        auto result =
+            nlohmann::json::parse(readBytes(at(out) / "reference-distributed" / "result.json"));
+        result.erase("timing");
+        return result;
+    };
+    EXPECT_EQ(resultOf("first"), resultOf("second"));
+}
+
+TEST_F(Verbs, CheckSaysThatNothingIsAttemptedInTheTemplate) {
+    const Ran ran = run("check " + repository("student_template/exercise"));
+    EXPECT_EQ(ran.status, 0) << ran.errors;
+    EXPECT_NE(ran.output.find("T1 Bump mapping: not attempted"), std::string::npos) << ran.output;
+    EXPECT_NE(ran.output.find(": not awarded"), std::string::npos) << ran.output;
+}
+
+TEST_F(Verbs, CheckExitsWithOneWhereATaskFails) {
+    const Ran ran = run("check " + repository("grader/samples/notAwarded/bump-inverted"));
+    EXPECT_EQ(ran.status, 1) << ran.errors;
+    EXPECT_NE(ran.output.find("bump.inverted"), std::string::npos) << ran.output;
+}
+
+TEST_F(Verbs, RenderRepeatsUnderASeedWhateverTheThreads) {
+    const std::string scene = "render " + repository("scenes/distributed.xml") + " -r 32x24 -o '";
+    EXPECT_EQ(run(scene + at("a.png").string() + "' --seed 1 --threads 1").status, 0);
+    EXPECT_EQ(run(scene + at("b.png").string() + "' --seed 1 --threads 2").status, 0);
+    EXPECT_EQ(run(scene + at("c.png").string() + "' --seed 2 --threads 2").status, 0);
+    EXPECT_FALSE(readBytes(at("a.png")).empty());
+    EXPECT_EQ(readBytes(at("a.png")), readBytes(at("b.png")));
+    EXPECT_NE(readBytes(at("a.png")), readBytes(at("c.png")));
+}
+
+TEST_F(Verbs, RenderTakesASubmissionOrTheOracle) {
+    const std::string scene = "render " + repository("scenes/bump-mapping.xml") + " -r 32x24 -o '";
+    const Ran submission = run(scene + at("a.png").string() + "' --seed 1 --solution " +
+                               repository("grader/samples/awarded/reference-bump"));
+    EXPECT_EQ(submission.status, 0) << submission.errors;
+    const Ran oracle = run(scene + at("b.png").string() + "' --engine oracle");
+    EXPECT_EQ(oracle.status, 0) << oracle.errors;
+    EXPECT_TRUE(fs::exists(at("a.png")) && fs::exists(at("b.png")));
+}
+
+TEST_F(Verbs, WrongUsageAndUnreadableInputExitWithTwoAndOneLine) {
+    for (const std::string& arguments :
+         {std::string{"frobnicate"}, std::string{"grade"},
+          "grade /no/such/place -o " + at("x").string(),
+          "render /no/scene.xml -o " + at("x.png").string(), "report " + folder_.path().string(),
+          repository("scenes") + " --seed x"}) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.status, 2) << arguments << ": " << ran.errors;
+        EXPECT_EQ(std::count(ran.errors.begin(), ran.errors.end(), '\n'), 1)
+            << arguments << ": " << ran.errors;
+        EXPECT_EQ(ran.output, "") << arguments;
+    }
+}
+
+TEST_F(Verbs, ReportReadsBackWhatGradeWrote) {
+    const std::string out = at("out").string();
+    ASSERT_EQ(run("grade " + repository("grader/samples/notAwarded/template-untouched") + " -o '" +
+                  out + "' --seed 7")
+                  .status,
+              0);
+    const Ran csv = run("report '" + out + "' --format csv");
+    EXPECT_EQ(csv.output, readBytes(fs::path{out} / "summary.csv"));
+    const Ran json = run("report '" + out + "' --format json");
+    EXPECT_EQ(nlohmann::json::parse(json.output).size(), 1U);
+}
+
+TEST_F(Verbs, DoctorNamesTheSandboxLevels) {
+    const Ran ran = run("doctor");
+    EXPECT_NE(ran.output.find("sandbox A"), std::string::npos) << ran.output;
+    EXPECT_NE(ran.output.find("compiler"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ticker::cli
