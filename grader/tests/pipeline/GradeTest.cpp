@@ -91,6 +91,19 @@ TEST(GradeSubmission, TakesARightAnswerThatPrintsALineForEachCall) {
               TaskState::passed);
 }
 
+// The memory may run out in our own code, between two answers.
+TEST(GradeSubmission, NamesMemoryThatLeaksAwayFromAnswerToAnswer) {
+    std::string source = tests::readFile("reference_solution/exercise/BumpySphere.cpp");
+    const std::string mark = "// TASK T1 begin\n";
+    ASSERT_NE(source.find(mark), std::string::npos);
+    source.insert(source.find(mark) + mark.size(),
+                  "static char* volatile kept = nullptr; kept = new char[1 << 20];\n");
+    Grader grader = tests::testGrader();
+    grader.policy.run.addressSpaceBytes = 500'000'000;
+    const SubmissionResult result = gradeSubmission(submission(source), grader, kSeed);
+    EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"run.memory"});
+}
+
 TEST(GradeSubmission, CallsAReplacedFrameworkForbidden) {
     const SubmissionResult result =
         grade(submission(tests::readFile("reference_solution/exercise/BumpySphere.cpp") +
