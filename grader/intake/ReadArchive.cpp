@@ -42,6 +42,10 @@ bool escapes(std::string_view path) {
     return false;
 }
 
+int depthOf(std::string_view path) {
+    return static_cast<int>(std::count(path.begin(), path.end(), '/'));
+}
+
 /// Reads an archive from its beginning to its end, or to the first member that must not be.
 class ArchiveReader {
 public:
@@ -96,6 +100,7 @@ private:
                           fmt::format("The archive has more than {} members, from {} on.",
                                       limits_.members, raytracer::inQuotes(path)));
         if (escapes(path)) return refuseMember(path, "would be unpacked outside its folder");
+        if (depthOf(path) > limits_.depth) return refuseMember(path, "lies too deep in folders");
         if (archive_entry_hardlink(entry) != nullptr || archive_entry_symlink(entry) != nullptr ||
             type == AE_IFLNK)
             return refuseMember(path, "is a link");

@@ -1,9 +1,12 @@
 #include <grader/pipeline/Screenshot.h>
 
+#include <grader/pipeline/Unpack.h>
+
 #include <fmt/core.h>
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace ticker::pipeline {
@@ -51,6 +54,43 @@ std::optional<Chunk> takeChunk(std::string_view& rest) {
     return Chunk{summed.substr(0, 4), summed.substr(4)};
 }
 
+// Samples of a pixel, by colour type; none: no such type (PNG specification, 11.2.1).
+std::uint64_t samplesOf(int colourType) {
+    constexpr std::array<std::uint64_t, 7> kSamples{1, 0, 3, 1, 2, 0, 4};
+    return colourType < 7 ? kSamples.at(static_cast<std::size_t>(colourType)) : 0;
+}
+
+struct Pass {
+    std::uint64_t x, y, stepX, stepY;
+};
+constexpr std::array<Pass, 1> kAtOnce{{{0, 0, 1, 1}}};
+// Adam7: PNG specification, 8.2.
+constexpr std::array<Pass, 7> kInterlaced{{{0, 0, 8, 8},
+                                           {4, 0, 8, 8},
+                                           {0, 4, 4, 8},
+                                           {2, 0, 4, 4},
+                                           {0, 2, 2, 4},
+                                           {1, 0, 2, 2},
+                                           {0, 1, 1, 2}}};
+
+// What the pixels take, unpacked, as IHDR tells; 0: it tells nonsense.
+std::uint64_t pixelBytesOf(std::string_view header) {
+    const std::uint64_t width = bigEndian(header);
+    const std::uint64_t height = bigEndian(header.substr(4));
+    const auto bits = static_cast<unsigned char>(header[8]);
+    const std::uint64_t bitsOfPixel = bits * samplesOf(static_cast<unsigned char>(header[9]));
+    const std::span<const Pass> passes =
+        header[12] == 0 ? std::span<const Pass>{kAtOnce} : std::span<const Pass>{kInterlaced};
+    std::uint64_t bytes = 0;
+    for (const Pass& pass : passes) {
+        if (bitsOfPixel == 0 || width <= pass.x || height <= pass.y) continue;
+        const std::uint64_t columns = (width - pass.x + pass.stepX - 1) / pass.stepX;
+        const std::uint64_t rows = (height - pass.y + pass.stepY - 1) / pass.stepY;
+        bytes += rows * (1 + (columns * bitsOfPixel + 7) / 8);
+    }
+    return bytes;
+}
+
 Finding finding(const char* id, std::string message, std::string hint) {
     Finding result;
     result.id = id;
@@ -61,17 +101,20 @@ Finding finding(const char* id, std::string message, std::string hint) {
     return result;
 }
 
+Finding unreadable() {
+    return finding("screenshot.unreadable", "screenshot.png is no PNG picture, or it is damaged.",
+                   "Hand in the file that tick1star -o screenshot.png writes.");
+}
+
 std::optional<Finding> problemOf(const std::optional<std::string>& bytes) {
     if (!bytes)
         return finding("screenshot.missing", "There is no screenshot.png.",
                        "Render your option's scene with tick1star and hand the picture in.");
     const std::optional<PngHeader> header = readPngHeader(*bytes);
-    if (!header)
-        return finding("screenshot.unreadable",
-                       "screenshot.png is no PNG picture, or it is damaged.",
-                       "Hand in the file that tick1star -o screenshot.png writes.");
+    if (!header) return unreadable();
     if (header->width == kScreenshotWidth && header->height == kScreenshotHeight)
-        return std::nullopt;
+        return unpacksTo(header->pixelBytes, header->packed) ? std::nullopt
+                                                             : std::optional{unreadable()};
     Finding wrong =
         finding("screenshot.wrong-size",
                 fmt::format("The picture has {} x {} pixels; the handout's has 640 x "
@@ -96,11 +139,11 @@ std::optional<PngHeader> readPngHeader(std::string_view bytes) {
     const std::uint32_t height = bigEndian(first->data.substr(4));
     if (width == 0 || height == 0 || width > kLargestSide || height > kLargestSide)
         return std::nullopt;
-    bool hasPixels = false;
+    PngHeader header{
+        static_cast<int>(width), static_cast<int>(height), pixelBytesOf(first->data), {}};
     while (const std::optional<Chunk> chunk = takeChunk(bytes)) {
-        hasPixels = hasPixels || chunk->type == "IDAT";
-        if (chunk->type == "IEND" && hasPixels)
-            return PngHeader{static_cast<int>(width), static_cast<int>(height)};
+        if (chunk->type == "IDAT") header.packed += chunk->data;
+        if (chunk->type == "IEND" && !header.packed.empty()) return header;
     }
     return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include <grader/result/SubmissionResult.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,13 +18,15 @@ inline constexpr int kScreenshotHeight = 480;
 struct PngHeader {
     int width = 0;
     int height = 0;
+    std::uint64_t pixelBytes = 0;  ///< unpacked, with a filter byte for each row
+    std::string packed;            ///< the zlib stream that holds them
 };
 
 /// The header of a whole PNG file; empty where the bytes are none: another format, cut short, or
-/// damaged. Walks over the chunks and their check sums; pixels are not decoded.
+/// damaged. Walks over the chunks and their check sums; nothing is unpacked.
 [[nodiscard]] std::optional<PngHeader> readPngHeader(std::string_view bytes);
 
-/// Judges the picture as a file: there, a PNG, of the handout's size.
+/// Judges the picture as a file: there, a PNG, of the handout's size, with pixels for this size.
 /// @param bytes  Empty optional: none was handed in.
 [[nodiscard]] TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes);
 

@@ -3,7 +3,6 @@
 #include <raytracer/base/Error.h>
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,22 +24,31 @@ struct Process {
     long user = -1;
 };
 
+// The real uid, or -1 where the process is gone. From the text: the folder's owner is root where a
+// process made itself not dumpable.
+long userOf(const fs::path& process) {
+    std::ifstream stream{process / "status"};
+    for (std::string word; stream >> word;) {
+        long user = -1;
+        if (word == "Uid:" && stream >> user) return user;
+    }
+    return -1;
+}
+
 std::vector<Process> processesOf(const sandbox::UserRange& users) {
     std::vector<Process> found;
     std::error_code gone;
     for (const fs::directory_entry& entry : fs::directory_iterator{"/proc", gone}) {
         const std::string name = entry.path().filename().string();
         if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-        struct stat status {};
-        if (stat(entry.path().c_str(), &status) != 0) continue;
-        const long user = static_cast<long>(status.st_uid);
+        const long user = userOf(entry.path());
         if (user >= users.first && user < users.first + users.count)
             found.push_back({entry.path().string(), user});
     }
     return found;
 }
 
-// The owner of /proc/N is root for a process that is not dumpable; the lock tells jails that run.
+// A jail that runs holds its uid's lock.
 bool isFree(long user) {
     try {
         return sandbox::takeUserSlot({user, 1}).user() == user;
@@ -79,11 +87,9 @@ bool Traces::takeEscaped() const {
 std::vector<std::string> processesLeft(const sandbox::UserRange& users) {
     std::vector<std::string> left;
     if (geteuid() != 0) return left;
-    for (const Process& process : processesOf(users)) {
-        struct stat status {};
-        if (!isFree(process.user) || stat(process.path.c_str(), &status) != 0) continue;
-        if (static_cast<long>(status.st_uid) == process.user) left.push_back(process.path);
-    }
+    for (const Process& process : processesOf(users))
+        if (isFree(process.user) && userOf(process.path) == process.user)
+            left.push_back(process.path);
     return left;
 }
 

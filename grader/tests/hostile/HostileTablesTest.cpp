@@ -1,8 +1,13 @@
 #include <grader/selftest/HostileTables.h>
+#include <grader/selftest/Traces.h>
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 
 namespace ticker::selftest {
@@ -62,6 +67,27 @@ TEST(HostileTables, SeeASecretThatIsOut) {
     ASSERT_EQ(tables.rows.size(), 1U);
     EXPECT_EQ(tables.rows[0].faults, std::vector<std::string>{"the secret is out"})
         << tables.table();
+}
+
+TEST(ProcessesLeft, SeesAProcessWithAUidThatNoJailHolds) {
+    if (geteuid() != 0) GTEST_SKIP() << "only root can give a process another uid";
+    constexpr long kUser = 60950;  // beside those of limits.json
+    int ready[2];
+    ASSERT_EQ(pipe(ready), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        const bool changed = setuid(static_cast<uid_t>(kUser)) == 0;  // not dumpable from here on
+        if (!changed || write(ready[1], "x", 1) != 1) _exit(1);
+        pause();
+        _exit(0);
+    }
+    char byte = 0;
+    EXPECT_EQ(read(ready[0], &byte, 1), 1);
+    const auto left = processesLeft({kUser, 1});
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    EXPECT_EQ(left, std::vector<std::string>{"/proc/" + std::to_string(child)});
+    EXPECT_EQ(processesLeft({kUser, 1}), std::vector<std::string>{});
 }
 
 }  // namespace

@@ -83,6 +83,15 @@ TEST(ReadArchive, RefusesMembersThatEscapeNamingThem) {
     }
 }
 
+TEST(ReadArchive, RefusesMembersThatLieTooDeep) {
+    IntakeLimits limits;
+    limits.depth = 2;
+    EXPECT_EQ(refusalOf(readOf("work.tar", {{"a/b/Renderer.cpp", "", AE_IFREG, ""}}, limits)).id,
+              "");
+    EXPECT_EQ(refusalOf(readOf("work.tar", {{"a/b/c/Renderer.cpp", "", AE_IFREG, ""}}, limits)).id,
+              "intake.unsafe-archive");
+}
+
 TEST(ReadArchive, RefusesLinksAndPipes) {
     EXPECT_EQ(refusalOf(readOf("work.tar", {{"Renderer.cpp", "", AE_IFLNK, "/etc/passwd"}})).id,
               "intake.unsafe-archive");

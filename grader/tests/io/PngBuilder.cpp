@@ -69,7 +69,8 @@ std::string makePngAround(const PngHeader& header, const std::string& packed) {
     std::string description = bigEndian(header.width) + bigEndian(header.height);
     description += static_cast<char>(header.depth);
     description += static_cast<char>(header.colour);
-    description += std::string(3, '\0');
+    description += std::string(2, '\0');
+    description += static_cast<char>(header.interlaced ? 1 : 0);
     return "\x89PNG\r\n\x1A\n" + chunk("IHDR", description) + chunk("IDAT", packed) +
            chunk("IEND", "");
 }

@@ -17,6 +17,7 @@ struct PngHeader {
     std::uint32_t height = 1;
     std::uint8_t depth = 8;
     PngColour colour = PngColour::grey;
+    bool interlaced = false;
 };
 
 /// A PNG file with these bytes as its unpacked rows, each of which begins with a filter byte.

@@ -80,6 +80,30 @@ TEST(GradeSubmission, BlocksBothTasksOfABrokenRendererButNotTheStubInIt) {
     EXPECT_EQ(findingIds(taskOf(result, "T2.2")), Ids{"build.failed"});
 }
 
+// Students look into their code this way, and forget to take it out.
+TEST(GradeSubmission, TakesARightAnswerThatPrintsALineForEachCall) {
+    std::string source = tests::readFile("reference_solution/exercise/BumpySphere.cpp");
+    const std::string mark = "// TASK T1 begin\n";
+    ASSERT_NE(source.find(mark), std::string::npos);
+    source.insert(source.find(mark) + mark.size(),
+                  "std::cout << \"normal at \" << position.x << ' ' << position.y << std::endl;\n");
+    EXPECT_EQ(taskOf(grade(submission("#include <iostream>\n" + source)), "T1").state,
+              TaskState::passed);
+}
+
+// The memory may run out in our own code, between two answers.
+TEST(GradeSubmission, NamesMemoryThatLeaksAwayFromAnswerToAnswer) {
+    std::string source = tests::readFile("reference_solution/exercise/BumpySphere.cpp");
+    const std::string mark = "// TASK T1 begin\n";
+    ASSERT_NE(source.find(mark), std::string::npos);
+    source.insert(source.find(mark) + mark.size(),
+                  "static char* volatile kept = nullptr; kept = new char[1 << 20];\n");
+    Grader grader = tests::testGrader();
+    grader.policy.run.addressSpaceBytes = 500'000'000;
+    const SubmissionResult result = gradeSubmission(submission(source), grader, kSeed);
+    EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"run.memory"});
+}
+
 TEST(GradeSubmission, CallsAReplacedFrameworkForbidden) {
     const SubmissionResult result =
         grade(submission(tests::readFile("reference_solution/exercise/BumpySphere.cpp") +

@@ -1,4 +1,5 @@
 #include <grader/pipeline/Screenshot.h>
+#include <grader/tests/io/PngBuilder.h>
 #include <grader/tests/support/Files.h>
 
 #include <gtest/gtest.h>
@@ -66,6 +67,30 @@ TEST(JudgeScreenshotFile, TakesAPictureOfTheHandoutsSize) {
         tests::readFile("grader/samples/awarded/reference-bump/screenshot.png"));
     EXPECT_EQ(report.state, TaskState::passed);
     EXPECT_TRUE(report.findings.empty());
+}
+
+// 640 x 480, three bytes for each pixel, so many bytes in all.
+std::string pictureOf(std::size_t bytes, bool interlaced = false) {
+    return ticker::testing::makePng({640, 480, 8, ticker::testing::PngColour::rgb, interlaced},
+                                    std::string(bytes, '\0'));
+}
+
+constexpr std::size_t kAllRows = 480 * (1 + 640 * 3);
+
+TEST(JudgeScreenshotFile, RefusesMoreOrFewerPixelsThanItsSizeTells) {
+    EXPECT_EQ(judgeScreenshotFile(pictureOf(kAllRows)).state, TaskState::passed);
+    for (const std::size_t bytes : {kAllRows - 1, kAllRows + 1, 8 * kAllRows, std::size_t{0}}) {
+        const TaskReport report = judgeScreenshotFile(pictureOf(bytes));
+        ASSERT_EQ(report.findings.size(), 1U) << bytes;
+        EXPECT_EQ(report.findings[0].id, "screenshot.unreadable") << bytes;
+    }
+}
+
+// Adam7: 900 rows in seven passes, each with its filter byte.
+TEST(JudgeScreenshotFile, KnowsInterlacedPictures) {
+    constexpr std::size_t kAllPasses = 640 * 480 * 3 + 900;
+    EXPECT_EQ(judgeScreenshotFile(pictureOf(kAllPasses, true)).state, TaskState::passed);
+    EXPECT_EQ(judgeScreenshotFile(pictureOf(kAllRows, true)).state, TaskState::failed);
 }
 
 }  // namespace

@@ -10,7 +10,9 @@ namespace raytracer {
 
 Vector3 BumpySphere::getNormalAt(const Vector3& position) const {
     // TASK T1 begin
-    std::memset(new char[1U << 20U], 1, 1U << 20U);
+    static char* volatile kept = nullptr;  // volatile: else the compiler leaves the leak out
+    kept = new char[1U << 20U];
+    std::memset(kept, 1, 1U << 20U);
     return Sphere::getNormalAt(position);
     // TASK T1 end
 }
