@@ -74,7 +74,8 @@ std::string describe(const Reading& reading) {
         name<4>({"floor", "round", "bilinear", "bicubic"}, reading.sampling),
         reading.lessOne ? " W-1" : "", name<3>({"wrap", "clamp", "mirror"}, reading.edge),
         name<5>({"forward", "backward", "central", "wide", "sobel"}, reading.difference),
-        name<7>({"unit", "sine", "1/sine", "map units", "Blinn", "equation", "displaced"},
+        name<8>({"unit", "sine", "1/sine", "map units", "Blinn", "equation", "displaced",
+                 "displaced unit sphere"},
                 reading.gain),
         reading.strength, name<2>({"", ", numeric tangents"}, reading.tangents),
         name<2>({"", ", atan2"}, reading.angle), reading.singlePrecision ? ", float" : "");

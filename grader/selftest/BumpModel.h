@@ -14,13 +14,14 @@ struct Reading {
     enum class Edge { wrap, clamp, mirror };  ///< what lies beyond the last column and row
     enum class Difference { forward, backward, central, wide, sobel };
     enum class Gain {
-        unit,         ///< unit tangents, difference of texels
-        sine,         ///< P_u as differentiated: shorter towards the poles
-        inverseSine,  ///< the true gradient
-        mapUnits,     ///< differences over u and v: times width and height
-        blinn,        ///< Blinn's form with cross products and the length of P_u x P_v
-        equation,     ///< Equation (1) with the signs that fit, unit tangents
-        displaced     ///< the displaced surface, differentiated numerically
+        unit,          ///< unit tangents, difference of texels
+        sine,          ///< P_u as differentiated: shorter towards the poles
+        inverseSine,   ///< the true gradient
+        mapUnits,      ///< differences over u and v: times width and height
+        blinn,         ///< Blinn's form with cross products and the length of P_u x P_v
+        equation,      ///< Equation (1) with the signs that fit, unit tangents
+        displaced,     ///< the displaced surface, by chords: radius + strength x height
+        displacedUnit  ///< likewise that of a unit sphere: 1 + strength x height / 40
     };
     enum class Tangents { formula, numeric };      ///< how P_u and P_v are made
     enum class PolarAngle { cosine, arcTangent };  ///< by acos, or by atan2
@@ -38,6 +39,11 @@ struct Reading {
     PolarAngle angle = PolarAngle::cosine;
     bool singlePrecision = false;
 };
+
+/// Readings that build the displaced surface and take its normal.
+[[nodiscard]] inline bool isDisplaced(const Reading& reading) {
+    return reading.gain == Reading::Gain::displaced || reading.gain == Reading::Gain::displacedUnit;
+}
 
 /// What a student does wrong. Each is known to the catalogue under the same id, with its finding.
 enum class Slip {

@@ -251,7 +251,7 @@ private:
     }
 
     [[nodiscard]] V tilted() {
-        if (reading_.gain == Reading::Gain::displaced) return displaced();
+        if (isDisplaced(reading_)) return displaced();
         findSlopes();
         makeSigns();
         V pu = tangentU();
@@ -285,21 +285,58 @@ private:
         return n_ + (n_.cross(pv) * bu_ - n_.cross(pu) * bv_) * k;
     }
 
-    /// The displaced surface's own normal, by central differences over a texel.
+    /// One of the displaced surface's chords: its ends on the map, and their heights.
+    struct Chord {
+        Real nearU{};
+        Real nearV{};
+        Real farU{};
+        Real farV{};
+        Real middle{};
+        Real rise{};
+    };
+
+    [[nodiscard]] Chord chord(Real du, Real dv) const {
+        Real near = -1;
+        Real far = 1;
+        if (reading_.difference == Reading::Difference::forward) near = 0;
+        if (reading_.difference == Reading::Difference::backward) far = 0;
+        if (reading_.difference == Reading::Difference::wide) near = -3, far = 3;
+        Chord chord{u_ + near * du, v_ + near * dv, u_ + far * du, v_ + far * dv, 0, 0};
+        const Real nearHeight = heightOver(chord.nearU, chord.nearV);
+        const Real farHeight = heightOver(chord.farU, chord.farV);
+        chord.middle = (nearHeight + farHeight) / 2;
+        chord.rise = farHeight - nearHeight;
+        return chord;
+    }
+
+    /// The displaced surface's own normal, by differences over texels.
     [[nodiscard]] V displaced() {
-        const Real du = Real(1) / Real(columnsUsed());
-        const Real dv = Real(1) / Real(rowsUsed());
-        const V alongU = place(u_ + du, v_) - place(u_ - du, v_);
-        const V alongV = place(u_, v_ + dv) - place(u_, v_ - dv);
-        V normal = alongU.cross(alongV).unit();
+        Chord alongU = chord(Real(1) / Real(columnsUsed()), 0);
+        Chord alongV = chord(0, Real(1) / Real(rowsUsed()));
+        bu_ = alongU.rise, bv_ = alongV.rise;
+        makeSigns();
+        if (slip_ == Slip::swapped || slip_ == Slip::swappedHalf) std::swap(bu_, bv_);
+        alongU.rise = bu_, alongV.rise = bv_;
+        V normal = vectorOf(alongU).cross(vectorOf(alongV)).unit();
         if (normal.dot(n_) < 0) normal = normal * Real(-1);
         return normal;
     }
 
-    [[nodiscard]] V place(Real u, Real v) const {
-        const Real h = heightAt(u * Real(columnsUsed()), v * Real(rowsUsed()));
+    [[nodiscard]] V vectorOf(const Chord& chord) const {
+        return place(chord.farU, chord.farV, chord.middle + chord.rise / 2) -
+               place(chord.nearU, chord.nearV, chord.middle - chord.rise / 2);
+    }
+
+    [[nodiscard]] Real heightOver(Real u, Real v) const {
+        return heightAt(u * Real(columnsUsed()), v * Real(rowsUsed()));
+    }
+
+    [[nodiscard]] V place(Real u, Real v, Real height) const {
         const Real longitude = (u - Real(reading_.uOrigin)) * 2 * kPi;
-        return surface(longitude, v * kPi) * (radius_ + Real(reading_.strength) * h);
+        const bool unitSphere = reading_.gain == Reading::Gain::displacedUnit;
+        const Real size = unitSphere ? 1 + Real(reading_.strength / 40) * height
+                                     : radius_ + Real(reading_.strength) * height;
+        return surface(longitude, v * kPi) * size;
     }
 
     const Reading& reading_;

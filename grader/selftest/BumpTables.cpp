@@ -40,10 +40,10 @@ void takeTurns(std::vector<Reading>& readings) {
 constexpr std::array kGains{Reading::Gain::unit,        Reading::Gain::sine,
                             Reading::Gain::inverseSine, Reading::Gain::mapUnits,
                             Reading::Gain::blinn,       Reading::Gain::equation,
-                            Reading::Gain::displaced};
-constexpr std::array kGainNames{"unit tangents",      "P_u by sin theta", "P_u by 1 / sin theta",
-                                "slopes over (u, v)", "Blinn's form",     "Equation (1)",
-                                "displaced surface"};
+                            Reading::Gain::displaced,   Reading::Gain::displacedUnit};
+constexpr std::array kGainNames{
+    "unit tangents", "P_u by sin theta", "P_u by 1 / sin theta", "slopes over (u, v)",
+    "Blinn's form",  "Equation (1)",     "displaced surface",    "displaced unit sphere"};
 constexpr std::array kSamplings{Reading::Sampling::floor, Reading::Sampling::round,
                                 Reading::Sampling::bilinear, Reading::Sampling::bicubic};
 constexpr std::array kDifferences{Reading::Difference::forward, Reading::Difference::backward,
@@ -94,14 +94,33 @@ Reading fitting(Reading reading, Slip slip) {
     return reading;
 }
 
-std::vector<Case> refusedCases(double fraction, const std::vector<std::uint64_t>& seeds) {
+/// What a displaced surface's normal has no place for: tangents, the sum, single differences.
+bool canHave(const Reading& reading, Slip slip) {
+    constexpr std::array kOfAnySurface{Slip::invertedU, Slip::invertedV, Slip::inverted,
+                                       Slip::swapped, Slip::swappedHalf};
+    return !isDisplaced(reading) ||
+           std::find(kOfAnySurface.begin(), kOfAnySurface.end(), slip) != kOfAnySurface.end();
+}
+
+/// Every mistake in every reading that can have it.
+std::vector<Case> mistakenCases() {
     const std::vector<Reading> readings = readingsForMistakes();
-    const std::vector<Slip> slips = allSlips();
     std::vector<Case> cases;
-    for (const std::size_t i : sample(readings.size() * slips.size(), fraction)) {
-        const std::size_t slip = i / readings.size();
-        cases.push_back({fitting(readings[i % readings.size()], slips[slip]), slips[slip],
-                         seeds[i % seeds.size()], slip});
+    std::size_t row = 0;
+    for (const Slip slip : allSlips()) {
+        for (const Reading& reading : readings)
+            if (canHave(reading, slip)) cases.push_back({fitting(reading, slip), slip, 0, row});
+        ++row;
+    }
+    return cases;
+}
+
+std::vector<Case> refusedCases(double fraction, const std::vector<std::uint64_t>& seeds) {
+    const std::vector<Case> all = mistakenCases();
+    std::vector<Case> cases;
+    for (const std::size_t i : sample(all.size(), fraction)) {
+        cases.push_back(all[i]);
+        cases.back().seed = seeds[i % seeds.size()];
     }
     return cases;
 }
@@ -180,7 +199,7 @@ std::vector<Reading> readingsForMistakes() {
     const std::vector<Reading> all = acceptedReadings();
     constexpr std::size_t kStep = 13;
     for (std::size_t i = 0; i < all.size(); i += kStep)
-        if (all[i].gain != Reading::Gain::displaced) readings.push_back(all[i]);
+        readings.push_back(all[i]);
     return readings;
 }
 

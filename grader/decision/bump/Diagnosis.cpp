@@ -36,7 +36,7 @@ bool isFlat(const Examination& examination) {
 
 /// Where a flat map tilts the normal, what ramps add to that says nothing.
 bool tiltsWithoutSlope(const Examination& examination) {
-    // Normals of chords over a hundredth of the map lean by 0.03.
+    // Normals of chords over a hundredth of the map lean by 0.03; what leans less is made up for.
     constexpr double kFlatTilt = 0.1;
     return examination.flatTilt > kFlatTilt;
 }

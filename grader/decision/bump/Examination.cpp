@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
+#include <utility>
 
 namespace ticker::decision::bump {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 // Gentle ramps are so low beside the sphere's radius that the exact normal of the displaced surface
 // is as good as in proportion to the slope.
 constexpr double kGentleRise = 0.1;
+constexpr double kModerateRise = 1.0;
 constexpr double kSteepRise = 5.0;
 
 /// Sides that no submission can know.
@@ -25,10 +27,16 @@ Ball drawBall(Draws& draws) {
             draws.uniform(8.0, 16.0)};
 }
 
+double strongest(const std::vector<RampTilts>& tilts) {
+    const RampStrength middle = strength(tilts);
+    return std::max(middle.alongU, middle.alongV);
+}
+
 /// Both ramps, the steep one against the gentle one: do tilts grow, and keep their direction?
 void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTilts>& steep,
                   Examination& examination) {
-    constexpr double kGrows = 2.0;  // the displaced surface's exact normal: 30; in proportion: 50
+    // The displaced surface's exact normal: 30; in proportion: 50, and 5 beyond a moderate ramp.
+    constexpr double kGrows = 2.0;
     constexpr double kAgree = 0.95;
     std::vector<double> growth;
     double agreeing = 0.0;
@@ -44,6 +52,32 @@ void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTi
         }
     examination.growsWithSlope = median(growth) >= kGrows;
     examination.steepAgrees = agreeing >= kAgree * 2.0 * static_cast<double>(count);
+}
+
+/// Takes the ramps that tell most: gentle ones unless they tilt so little that rounding shows.
+void judgeAllRamps(const MainPlan& plan, const Answers& answers, Examination& examination) {
+    // Single precision leaves 1e-7 in a normal, and 1e-5 where the normal is that of chords over a
+    // texel: far below either limit.
+    constexpr double kClear = 5e-6;
+    constexpr double kClearOfChords = 2e-3;
+    const std::vector<RampTilts> steep = readRamps(plan.steep, answers);
+    std::vector<RampTilts> low = readRamps(plan.gentle, answers);
+    examination.ramps = judgeRamps(low);
+    if (!(strongest(low) > kClearOfChords)) {
+        std::vector<RampTilts> moderate = readRamps(plan.moderate, answers);
+        const bool tells = strongest(low) > kClear && examination.ramps.response;
+        RampJudgement judgement = judgeRamps(moderate);
+        // Axes exchanged on these long maps tilt a displaced surface little, however high it is:
+        // then only gentle ramps are in proportion.
+        if (judgement.response || !tells) {
+            examination.ramps = std::move(judgement);
+            low = std::move(moderate);
+        }
+    }
+    if (strongest(low) > kClear)
+        compareRamps(low, steep, examination);
+    else
+        examination.ramps = judgeRamps(steep);
 }
 
 double middleTilt(const std::vector<Vector3>& tilts) {
@@ -64,6 +98,8 @@ MainPlan planMain(std::uint64_t seed) {
     const Ball ball = drawBall(draws);
     std::vector<Vector3> directions = draws.directions(kGentlePoints);
     plan.gentle = planRamps(plan.questionnaire, ball, drawShape(draws, kGentleRise), directions);
+    const RampShape moderate{plan.gentle.shape.along, plan.gentle.shape.across, kModerateRise};
+    plan.moderate = planRamps(plan.questionnaire, ball, moderate, directions);
     directions.resize(kSteepPoints);
     plan.steep = planRamps(plan.questionnaire, ball, drawShape(draws, kSteepRise), directions);
     plan.slopes = planSlopes(plan.questionnaire, draws, drawBall(draws));
@@ -92,19 +128,10 @@ HintPlan planHints(std::uint64_t seed) {
 Examination examine(const MainPlan& plan, const Answers& answers) {
     Examination examination;
     examination.conduct = readConduct(plan.conduct, answers);
-    const std::vector<RampTilts> gentle = readRamps(plan.gentle, answers);
-    const std::vector<RampTilts> steep = readRamps(plan.steep, answers);
-    // Single precision leaves 1e-7 in a normal: a fiftieth of this.
-    constexpr double kClear = 5e-6;
-    const RampStrength gently = strength(gentle);
-    if (std::max(gently.alongU, gently.alongV) > kClear) {
-        examination.ramps = judgeRamps(gentle);
-        compareRamps(gentle, steep, examination);
-    } else {
-        examination.ramps = judgeRamps(steep);
-    }
-    examination.flatTilt = std::max(middleTilt(answers.tilts(plan.gentle.flat)),
-                                    middleTilt(answers.tilts(plan.steep.flat)));
+    judgeAllRamps(plan, answers, examination);
+    for (const std::size_t flat :
+         {plan.gentle.uFlat, plan.gentle.vFlat, plan.steep.uFlat, plan.steep.vFlat})
+        examination.flatTilt = std::max(examination.flatTilt, middleTilt(answers.tilts(flat)));
     if (!examination.ramps.response) return examination;
     const Landing& landing = examination.ramps.fit->landing;
     examination.slopes = readSlopes(plan.slopes, answers, landing, *examination.ramps.response);

@@ -17,8 +17,9 @@ namespace ticker::decision::bump {
 /// The first sitting: everything that a right submission is asked.
 struct MainPlan {
     Questionnaire questionnaire;
-    RampPlan gentle;  ///< heights of 0 to 0.1: tilts are in proportion to slopes
-    RampPlan steep;   ///< heights of 0 to 5, as maps have them
+    RampPlan gentle;    ///< heights of 0 to 0.1: tilts are in proportion to slopes
+    RampPlan moderate;  ///< heights of 0 to 1: ten times that, where the gentle ones tilt little
+    RampPlan steep;     ///< heights of 0 to 5, as maps have them
     SlopePlan slopes;
     LetterPlan letters;
     ConductPlan conduct;
@@ -39,8 +40,8 @@ struct HintPlan {
 /// What the first sitting showed.
 struct Examination {
     Conduct conduct;
-    RampJudgement ramps;         ///< on gentle ramps, or on steep ones where those tell nothing
-    double flatTilt = 0.0;       ///< middle tilt on a map without slope
+    RampJudgement ramps;         ///< on the gentlest ramps that tilt clearly
+    double flatTilt = 0.0;       ///< largest middle tilt on maps without slope
     bool growsWithSlope = true;  ///< 50 times the slope tilts at least twice as much
     bool steepAgrees = true;     ///< steep ramps tilt in the same directions as gentle ones
     std::optional<SlopeAgreement> slopes;  ///< where the map's place is known

@@ -4,9 +4,9 @@
 #include <grader/decision/bump/Examination.h>
 #include <grader/decision/bump/Words.h>
 
-#include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace ticker::decision {
 namespace {
@@ -81,6 +81,14 @@ TaskJudgement failed(const std::vector<Fault>& faults, const Examination& examin
     return judgement;
 }
 
+/// A failure at points that show says all that a warning of others could.
+void addNotes(TaskJudgement& judgement, std::vector<Finding> notes) {
+    const bool failed = !judgement.findings.empty();
+    for (Finding& note : notes)
+        if (!failed || judgement.findings.front().id != note.id)
+            judgement.findings.push_back(std::move(note));
+}
+
 }  // namespace
 
 TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed) {
@@ -94,8 +102,7 @@ TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed) {
         const std::optional<Hints> hints = askForHints(examinee, seed);
         judgement = failed(diagnose(examination, hints), examination, hints, plan, answers);
     }
-    std::vector<Finding> notes = sideNotes(examination);
-    std::move(notes.begin(), notes.end(), std::back_inserter(judgement.findings));
+    addNotes(judgement, sideNotes(examination));
     return judgement;
 }
 

@@ -212,7 +212,8 @@ LetterPlan planLetters(Questionnaire& questionnaire, Draws& draws) {
                                          -std::cos(longitude) * std::cos(latitude));
         }
     const Ball ball{{0.0, 0.0, 3.5}, 0.7};
-    plan.flat = questionnaire.add(ball, flatMap(80, 80), plan.directions);
+    plan.flat =
+        questionnaire.add(ball, flatMap(kLetterMapWidth, kLetterMapHeight), plan.directions);
     plan.question = questionnaire.add(ball, letterMap(), plan.directions);
     return plan;
 }

@@ -20,7 +20,7 @@ struct LetterPlan {
     static constexpr int kRows = 64;      ///< from about 44 degrees above the equator to 44 below
 
     std::vector<Vector3> directions;  ///< row after row from the top
-    std::size_t flat = 0;             ///< at the same points
+    std::size_t flat = 0;             ///< of the same size, at the same points
     std::size_t question = 0;
 };
 

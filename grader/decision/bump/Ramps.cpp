@@ -49,19 +49,24 @@ RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball, const RampSha
     RampPlan plan;
     plan.shape = shape;
     plan.directions = std::move(directions);
-    plan.flat = questionnaire.add(ball, flatMap(shape.across, shape.across), plan.directions);
+    // As high as the middle of the ramps.
+    const double middle = 0.5 * shape.rise;
+    plan.uFlat =
+        questionnaire.add(ball, flatMap(shape.along, shape.across, middle), plan.directions);
     plan.uRamp = questionnaire.add(ball, alongU(shape, false), plan.directions);
     plan.uBow = questionnaire.add(ball, alongU(shape, true), plan.directions);
+    plan.vFlat =
+        questionnaire.add(ball, flatMap(shape.across, shape.along, middle), plan.directions);
     plan.vRamp = questionnaire.add(ball, alongV(shape, false), plan.directions);
     plan.vBow = questionnaire.add(ball, alongV(shape, true), plan.directions);
     return plan;
 }
 
 std::vector<RampTilts> readRamps(const RampPlan& plan, const Answers& answers) {
-    const std::vector<Vector3> uRamp = answers.tiltsBeyond(plan.flat, plan.uRamp);
-    const std::vector<Vector3> uBow = answers.tiltsBeyond(plan.flat, plan.uBow);
-    const std::vector<Vector3> vRamp = answers.tiltsBeyond(plan.flat, plan.vRamp);
-    const std::vector<Vector3> vBow = answers.tiltsBeyond(plan.flat, plan.vBow);
+    const std::vector<Vector3> uRamp = answers.tiltsBeyond(plan.uFlat, plan.uRamp);
+    const std::vector<Vector3> uBow = answers.tiltsBeyond(plan.uFlat, plan.uBow);
+    const std::vector<Vector3> vRamp = answers.tiltsBeyond(plan.vFlat, plan.vRamp);
+    const std::vector<Vector3> vBow = answers.tiltsBeyond(plan.vFlat, plan.vBow);
     std::vector<RampTilts> tilts;
     tilts.reserve(uRamp.size());
     for (std::size_t i = 0; i < uRamp.size(); ++i)

@@ -16,14 +16,15 @@ struct RampShape {
     double rise = 5.0;  ///< height from end to end
 };
 
-/// Five questions at the same points of the same sphere: a flat map, a ramp and a bow (a parabola
-/// of the same slope at its start, falling again from the middle) along u, and both along v.
+/// Six questions at the same points of the same sphere: a ramp, a bow (a parabola of the same slope
+/// at its start, falling again from the middle) and a flat map of their size, along u and along v.
 struct RampPlan {
     RampShape shape;
     std::vector<Vector3> directions;
-    std::size_t flat = 0;
+    std::size_t uFlat = 0;
     std::size_t uRamp = 0;
     std::size_t uBow = 0;
+    std::size_t vFlat = 0;
     std::size_t vRamp = 0;
     std::size_t vBow = 0;
 };
@@ -31,7 +32,8 @@ struct RampPlan {
 [[nodiscard]] RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball,
                                  const RampShape& shape, std::vector<Vector3> directions);
 
-/// Tilts at one point, less the tilt on the flat map; not finite where an answer is missing.
+/// Tilts at one point, less the tilt on the flat map of that size; not finite where an answer is
+/// missing.
 struct RampTilts {
     Vector3 direction;
     Vector3 onURamp;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 namespace ticker::decision::bump {
 namespace {
@@ -131,10 +132,16 @@ double share(const std::vector<Vector3>& directions, const std::vector<Vector3>&
     return right / std::max(1.0, count);
 }
 
+LevelPair addPair(Questionnaire& questionnaire, const Ball& ball, HeightMapDescription map,
+                  const std::vector<Vector3>& directions) {
+    const std::size_t flat = questionnaire.add(ball, flatMap(map.width, map.height), directions);
+    return {flat, questionnaire.add(ball, std::move(map), directions)};
+}
+
 void readField(const SlopePlan& plan, const Answers& answers, const Landing& landing,
                const Response& response, SlopeAgreement& agreement) {
-    const HeightMapDescription& map = answers.asked().question(plan.field).map;
-    const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.fieldFlat, plan.field);
+    const HeightMapDescription& map = answers.asked().question(plan.field.map).map;
+    const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.field.flat, plan.field.map);
     SignAgreement alongU;
     SignAgreement alongV;
     for (std::size_t i = 0; i < tilts.size(); ++i) {
@@ -162,17 +169,17 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     SlopePlan plan;
     plan.directions = draws.directions(kPoints);
     plan.fieldDirections = draws.directions(kFieldPoints);
-    plan.flat = questionnaire.add(ball, flatMap(kAcross, kAcross), plan.directions);
-    plan.fieldFlat = questionnaire.add(ball, flatMap(kAcross, kAcross), plan.fieldDirections);
-    plan.sawtoothU = questionnaire.add(
-        ball, {kAlong, kAcross, {}, sawtooth(kAlong), level(kAcross)}, plan.directions);
-    plan.sawtoothV = questionnaire.add(
-        ball, {kAcross, kAlong, {}, level(kAcross), sawtooth(kAlong)}, plan.directions);
+    plan.sawtoothU =
+        addPair(questionnaire, ball, {kAlong, kAcross, {}, sawtooth(kAlong), level(kAcross)},
+                plan.directions);
+    plan.sawtoothV =
+        addPair(questionnaire, ball, {kAcross, kAlong, {}, level(kAcross), sawtooth(kAlong)},
+                plan.directions);
     constexpr int kSide = 300;
-    plan.oblique = questionnaire.add(
-        ball, {kSide, kSide, {}, ramp(kSide, 0.3 * kRise), ramp(kSide, 0.2 * kRise)},
-        plan.directions);
-    plan.field = questionnaire.add(ball, randomField(draws), plan.fieldDirections);
+    plan.oblique = addPair(questionnaire, ball,
+                           {kSide, kSide, {}, ramp(kSide, 0.3 * kRise), ramp(kSide, 0.2 * kRise)},
+                           plan.directions);
+    plan.field = addPair(questionnaire, ball, randomField(draws), plan.fieldDirections);
     return plan;
 }
 
@@ -189,8 +196,8 @@ SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers, const L
         const double most = 0.1 * tilt.magnitude();
         return tilt.dot(landing.alongU(n)) < most && tilt.dot(landing.alongV(n)) < most;
     };
-    const auto measure = [&](std::size_t question, const auto& leans) {
-        return share(plan.directions, answers.tiltsBeyond(plan.flat, question), landing, leans);
+    const auto measure = [&](const LevelPair& pair, const auto& leans) {
+        return share(plan.directions, answers.tiltsBeyond(pair.flat, pair.map), landing, leans);
     };
     SlopeAgreement agreement;
     agreement.sawtoothU = measure(plan.sawtoothU, leansU);

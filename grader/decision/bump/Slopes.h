@@ -11,17 +11,21 @@
 
 namespace ticker::decision::bump {
 
+/// A map, and the flat one of its size at the same points.
+struct LevelPair {
+    std::size_t flat = 0;
+    std::size_t map = 0;
+};
+
 /// Slopes as pictures have them: sawtooth ramps of whole bytes along u and along v, a ramp along
 /// both, and a smooth random field of bytes.
 struct SlopePlan {
     std::vector<Vector3> directions;
     std::vector<Vector3> fieldDirections;
-    std::size_t flat = 0;       ///< at `directions`
-    std::size_t fieldFlat = 0;  ///< at `fieldDirections`
-    std::size_t sawtoothU = 0;
-    std::size_t sawtoothV = 0;
-    std::size_t oblique = 0;
-    std::size_t field = 0;
+    LevelPair sawtoothU;
+    LevelPair sawtoothV;
+    LevelPair oblique;
+    LevelPair field;  ///< at `fieldDirections`
 };
 
 [[nodiscard]] SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& ball);

@@ -11,12 +11,11 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-probe::HeightMapDescription flatMap(int width, int height) {
-    constexpr double kHalfHeight = 2.5;
+probe::HeightMapDescription flatMap(int width, int height, double level) {
     return {width,
             height,
             {},
-            std::vector<double>(static_cast<std::size_t>(width), kHalfHeight),
+            std::vector<double>(static_cast<std::size_t>(width), level),
             std::vector<double>(static_cast<std::size_t>(height), 0.0)};
 }
 

@@ -32,8 +32,8 @@ struct Ball {
     return normal / normal.dot(smoothNormal) - smoothNormal;
 }
 
-/// A map without slope, of half the greatest height.
-[[nodiscard]] probe::HeightMapDescription flatMap(int width, int height);
+/// A map without slope, of half the greatest height unless another is given.
+[[nodiscard]] probe::HeightMapDescription flatMap(int width, int height, double level = 2.5);
 
 /// Collects the questions of one sitting; a question's number finds its answer later.
 class Questionnaire {
@@ -60,8 +60,8 @@ public:
     /// none came.
     [[nodiscard]] const probe::NormalAnswer& answer(std::size_t number) const;
     [[nodiscard]] std::vector<Vector3> tilts(std::size_t number) const;
-    /// Likewise, less the tilts of a flat map at the same points: differences over coarse steps
-    /// lean even there.
+    /// Likewise, less the tilts on a flat map of the same size at the same points: the chords of
+    /// a displaced surface lean even there, by half of their step.
     [[nodiscard]] std::vector<Vector3> tiltsBeyond(std::size_t flat, std::size_t number) const;
 
 private:

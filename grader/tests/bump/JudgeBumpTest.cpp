@@ -102,6 +102,39 @@ TEST(JudgeBump, JudgesTheSignWhateverTheStrength) {
     }
 }
 
+TEST(JudgeBump, MakesUpForTheLeanOfADisplacedSurfacesChords) {
+    Reading reading;
+    reading.gain = Reading::Gain::displacedUnit;
+    reading.difference = Reading::Difference::forward;
+    for (const double strength : {0.2, 1.0, 5.0, 20.0}) {  // 1 + 0.005 to 0.5 times the height
+        reading.strength = strength;
+        EXPECT_EQ(judge(reading).state, TaskState::passed) << strength;
+        EXPECT_EQ(firstId(judge(reading, Slip::inverted)), "bump.inverted") << strength;
+        EXPECT_EQ(firstId(judge(reading, Slip::invertedU)), "bump.inverted-u") << strength;
+    }
+}
+
+TEST(JudgeBump, RefusesALeanThatIsMoreThanThatOfChords) {
+    const auto leaning = [](double lean) {
+        return judge([=](const Point& point) {
+            const Vector3 n = smooth(point);
+            const Vector3 right = n.cross({0.0, 1.0, 0.0}).normalised();
+            return (modelNormal({}, Slip::none, point) + right * lean).normalised();
+        });
+    };
+    EXPECT_EQ(leaning(0.03).state, TaskState::passed);
+    EXPECT_EQ(firstId(leaning(0.2)), "bump.wrong");
+}
+
+TEST(JudgeBump, ListsNoFindingTwice) {
+    // Half as long everywhere: at points that show, and at those that do not.
+    const TaskJudgement judgement =
+        judge([](const Point& point) { return 0.5 * modelNormal({}, Slip::none, point); });
+    const auto listed = std::count_if(judgement.findings.begin(), judgement.findings.end(),
+                                      [](const Finding& f) { return f.id == "bump.not-unit"; });
+    EXPECT_EQ(listed, 1);
+}
+
 TEST(JudgeBump, CallsATiltThatNobodyCanSeeFlat) {
     Reading reading;
     reading.strength = 1e-5;
