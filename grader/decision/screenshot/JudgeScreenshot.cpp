@@ -1,0 +1,209 @@
+#include <grader/decision/screenshot/JudgeScreenshot.h>
+
+#include <grader/decision/screenshot/Agreement.h>
+#include <grader/decision/screenshot/Edits.h>
+#include <grader/decision/screenshot/Suspects.h>
+#include <grader/decision/screenshot/Whole.h>
+#include <grader/decision/screenshot/Windows.h>
+#include <grader/decision/screenshot/Words.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace ticker::decision {
+namespace {
+
+using namespace screenshot;
+
+// Noise of two renders, and edges that fall between pixels: the largest of 300 honest pictures is
+// below half of this.
+constexpr double kMostTileDifference = 20.0;
+// Beyond a thousand rays where the handout says fifty.
+constexpr double kNoNoise = 1.0 / 25.0;
+
+TaskJudgement passed(std::vector<Finding> notes, std::string reason = "") {
+    return {TaskState::passed, std::move(reason), std::move(notes), false};
+}
+
+TaskJudgement passedInDoubt(Finding doubt) {
+    return {TaskState::passed, "", {std::move(doubt)}, true};
+}
+
+TaskJudgement failed(Finding finding) {
+    return {TaskState::failed, "", {std::move(finding)}, false};
+}
+
+/// What the code's windows say.
+struct Verification {
+    enum class Kind {
+        same,
+        different,
+        unknown  ///< `why`; empty: there is no code to ask
+    };
+    Kind kind = Kind::unknown;
+    std::string why;
+    Agreement agreement;
+    std::optional<OwnWindows> own;
+};
+
+Verification unknown(const char* why) {
+    return {Verification::Kind::unknown, why, {}, {}};
+}
+
+Verification compareOnce(const ByteView& picture, const Scene& scene, std::uint64_t seed,
+                         int stage) {
+    const Windows windows = drawWindows(scene.isForT1, picture.width, picture.height, seed, stage);
+    std::optional<Picture> own =
+        renderWindows(scene, windows, seed + static_cast<std::uint64_t>(stage));
+    if (!own) return unknown("this code renders whole frames only, no part of one");
+    Verification result;
+    result.agreement = agreementOf(cutOut(picture, windows).view(), own->view(), !scene.isForT1);
+    result.kind =
+        result.agreement.agrees ? Verification::Kind::same : Verification::Kind::different;
+    result.own = OwnWindows{windows, *std::move(own), !scene.isForT1};
+    return result;
+}
+
+// Code that draws one pattern of points for all pixels has pictures that differ as wholes.
+bool agreesWithItself(const Scene& scene, const OwnWindows& own, std::uint64_t seed) {
+    const std::optional<Picture> again = renderWindows(scene, own.windows, seed);
+    return again && agreementOf(again->view(), own.pixels.view(), own.isRandom).agrees;
+}
+
+Verification verify(const ByteView& picture, const Scene& scene, std::uint64_t seed) {
+    if (scene.examinee == nullptr) return unknown("");
+    Verification result = compareOnce(picture, scene, seed, 0);
+    if (result.kind != Verification::Kind::different || scene.isForT1) return result;
+    result = compareOnce(picture, scene, seed, 1);
+    if (result.kind == Verification::Kind::different &&
+        !agreesWithItself(scene, *result.own, seed + 2))
+        return unknown("this code's own pictures differ as much from one to the next");
+    return result;
+}
+
+/// One picture against the scene that it is most like.
+class Judge {
+public:
+    Judge(const ByteView& picture, const std::vector<Scene>& scenes, std::uint64_t seed)
+        : picture_(picture), scenes_(scenes), scene_(nearestWanted()), seed_(seed) {}
+
+    [[nodiscard]] TaskJudgement judge() const {
+        if (!isSensibleSize(picture_.width, picture_.height)) return judgeOtherSize();
+        const Verification verification = verify(picture_, scene_, seed_);
+        const TileDifference whole = tileDifference(scene_.likeliest(), picture_);
+        const bool looksRight = scene_.hasOwn() ? whole.worst <= kMostTileDifference
+                                                : likeness(scene_.expected, picture_) >= kSameScene;
+        if (verification.kind == Verification::Kind::different || !looksRight)
+            return explain(verification, whole);
+        return accept(verification);
+    }
+
+private:
+    [[nodiscard]] double likenessTo(const Scene& scene) const {
+        const double expected = likeness(scene.expected, picture_);
+        return scene.hasOwn() ? std::max(expected, likeness(scene.own, picture_)) : expected;
+    }
+
+    [[nodiscard]] const Scene& nearestWanted() const {
+        const Scene* best = nullptr;
+        double most = 0.0;
+        for (const Scene& scene : scenes_) {
+            const double like = likenessTo(scene);
+            if (!scene.isWanted || (best != nullptr && like <= most)) continue;
+            best = &scene;
+            most = like;
+        }
+        return best != nullptr ? *best : scenes_.front();
+    }
+
+    /// Another scene that the picture shows, and clearly not this one.
+    [[nodiscard]] const Scene* otherScene() const {
+        // Scenes that differ in their bump map alone are very like each other.
+        constexpr double kAlmostEqual = 0.995;
+        const double here = likenessTo(scene_);
+        for (const Scene& scene : scenes_) {
+            const double there = likenessTo(scene);
+            if (&scene != &scene_ && there > here &&
+                there >= (here >= kSameScene ? kAlmostEqual : kSameScene))
+                return &scene;
+        }
+        return nullptr;
+    }
+
+    [[nodiscard]] TaskJudgement judgeOtherSize() const {
+        const std::optional<Cut> cut = findCut(picture_, scene_);
+        if (cut && cut->kind != Cut::Kind::otherShape) return failed(cutPicture(picture_, *cut));
+        return failed(wrongSize(picture_, cut));
+    }
+
+    [[nodiscard]] TaskJudgement accept(const Verification& verification) const {
+        if (verification.kind == Verification::Kind::unknown)
+            return verification.why.empty()
+                       ? passed({}, "there is no code that it could be compared with")
+                       : passed({unverified(verification.why)});
+        if (verification.agreement.isLossy) return passed({savedAgain(verification.agreement)});
+        if (scene_.isForT1) return passed({});
+        const Picture windows = cutOut(picture_, verification.own->windows);
+        const std::optional<double> noise =
+            noiseRatio(windows.view(), verification.own->pixels.view());
+        return noise && *noise < kNoNoise ? passedInDoubt(isTheReference(*noise)) : passed({});
+    }
+
+    [[nodiscard]] TaskJudgement explain(const Verification& verification,
+                                        const TileDifference& whole) const {
+        const OwnWindows* own = verification.own ? &*verification.own : nullptr;
+        const bool windowsAgree = verification.kind == Verification::Kind::same;
+        if (std::optional<Finding> edit = findEdit(windowsAgree ? nullptr : own))
+            return failed(*std::move(edit));
+        if (windowsAgree) return failed(paintedOver(whole));
+        if (own != nullptr)
+            if (std::optional<TaskJudgement> slight = judgeSlightColours(*own)) return *slight;
+        if (const Scene* other = otherScene())
+            return failed(notThisScene(scene_.name, other->name));
+        if (likenessTo(scene_) < kSameScene) return failed(notThisScene(scene_.name, ""));
+        if (scene_.mayMixBoth)
+            return passed({unverified("it may have been rendered with both of the files")});
+        if (own == nullptr) return passedInDoubt(perhapsNotFromThisCode(picture_, scene_, whole));
+        const Picture windows = cutOut(picture_, own->windows);
+        return failed(notFromThisCode(picture_, scene_, verification.agreement,
+                                      suspect(windows.view(), scene_, own->windows, seed_)));
+    }
+
+    [[nodiscard]] std::optional<Finding> findEdit(const OwnWindows* own) const {
+        if (own != nullptr)
+            if (const auto shift = findShift(picture_, *own)) return moved(*shift);
+        if (const auto mirror = findMirror(picture_, scene_, own)) return mirroredPicture(*mirror);
+        if (const auto change = findRecolouring(picture_, scene_); change && !change->isSlight())
+            return recoloured(*change);
+        if (const auto cut = findCut(picture_, scene_); cut && cut->kind != Cut::Kind::otherShape)
+            return cutPicture(picture_, *cut);
+        return std::nullopt;
+    }
+
+    // "Colours may differ slightly": the windows must agree once the colours do.
+    [[nodiscard]] std::optional<TaskJudgement> judgeSlightColours(const OwnWindows& own) const {
+        const std::optional<Recolouring> change = findRecolouring(picture_, scene_);
+        if (!change) return std::nullopt;
+        const Picture changed =
+            ColourChange{scene_.likeliest(), picture_}.appliedTo(own.pixels.view());
+        const Picture windows = cutOut(picture_, own.windows);
+        if (!agreementOf(windows.view(), changed.view(), own.isRandom).agrees) return std::nullopt;
+        return passed({slightlyOtherColours(*change)});
+    }
+
+    const ByteView& picture_;
+    const std::vector<Scene>& scenes_;
+    const Scene& scene_;
+    std::uint64_t seed_;
+};
+
+}  // namespace
+
+TaskJudgement judgeScreenshot(const metrics::ByteView& picture,
+                              const std::vector<screenshot::Scene>& scenes, std::uint64_t seed) {
+    return Judge{picture, scenes, seed}.judge();
+}
+
+}  // namespace ticker::decision
