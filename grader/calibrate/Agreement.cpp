@@ -114,8 +114,8 @@ void compareVariances(const Sums& sums, const Moments& moments, Agreement& agree
     for (const Covariance& v : moments.covariance)
         expected += v.rr + v.gg + v.bb;
     const double mean = sums.squares / sums.renders;
-    const double spread = std::sqrt(std::max(0.0, sums.squares2 / sums.renders - mean * mean) /
-                                    (sums.renders - 1));
+    const double spread =
+        std::sqrt(std::max(0.0, sums.squares2 / sums.renders - mean * mean) / (sums.renders - 1));
     // A picture without noise: what is left is rounding.
     const double rounding = 3.0 * static_cast<double>(sums.pixels.size()) * kRounding * kRounding;
     agreement.varianceZ = std::abs(mean - expected) / std::hypot(spread, rounding);

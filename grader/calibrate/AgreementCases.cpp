@@ -126,18 +126,17 @@ std::vector<AgreementCase> bumpCases() {
         {{kU, "0.5 - longitude / (2.0 * std::numbers::pi);"},
          {kTilt, "normal - Bu * normal.cross(Pv) - Bv * normal.cross(Pu)"}},
         [](BumpReading& b) { b.mirrored = true; });
-    add("bump-gains", {{kTilt, "normal + 0.4 * Bu * normal.cross(Pv) - 2.5 * Bv * normal.cross(Pu)"}},
+    add("bump-gains",
+        {{kTilt, "normal + 0.4 * Bu * normal.cross(Pv) - 2.5 * Bv * normal.cross(Pu)"}},
         [](BumpReading& b) {
             b.gainU = 0.4;
             b.gainV = 2.5;
         });
     add("bump-scaled-tangent",
-        {{kTilt,
-          "normal + std::sin(polarAngle) * Bu * normal.cross(Pv) - Bv * normal.cross(Pu)"}},
+        {{kTilt, "normal + std::sin(polarAngle) * Bu * normal.cross(Pv) - Bv * normal.cross(Pu)"}},
         [](BumpReading& b) { b.longitudeGain = BumpReading::LatitudeGain::sine; });
     add("bump-exact-gradient",
-        {{kTilt,
-          "normal + Bu / std::sin(polarAngle) * normal.cross(Pv) - Bv * normal.cross(Pu)"}},
+        {{kTilt, "normal + Bu / std::sin(polarAngle) * normal.cross(Pv) - Bv * normal.cross(Pu)"}},
         [](BumpReading& b) { b.longitudeGain = BumpReading::LatitudeGain::inverseSine; });
     return cases;
 }

@@ -24,12 +24,8 @@ using raytracer::RenderSettings;
 using raytracer::SceneDescription;
 
 constexpr int kRenders = 40;
-// Means and variances of fifty thousand comparisons of normal variables: a false alarm in all of
-// them together has a chance below 1e-3.
-constexpr double kLargestZ = 5.8;
 // Rays that graze an edge, or meet a texel's, may fall on its other side in single precision.
 constexpr double kEdge = 2e-4;
-constexpr double kEdgeShare = 0.01;
 
 RenderSettings smallSettings() {
     RenderSettings settings;
@@ -97,8 +93,8 @@ OracleAgreement::OracleAgreement(AgreementPlan plan, const build::Kit& kit,
     : plan_(std::move(plan)), kit_(kit), sandbox_(sandbox) {
     for (const auto& entry : std::filesystem::directory_iterator(plan_.scenes))
         if (entry.path().extension() == ".xml")
-            scenes_.push_back({entry.path().stem().string(),
-                               raytracer::readScene(entry.path(), plan_.assets)});
+            scenes_.push_back(
+                {entry.path().stem().string(), raytracer::readScene(entry.path(), plan_.assets)});
     std::ranges::sort(scenes_, {}, &Scene::name);
     for (std::size_t reading = 0; reading < plan_.cases.size(); ++reading)
         for (std::size_t scene = 0; scene < scenes_.size(); ++scene) {
@@ -138,6 +134,10 @@ std::shared_ptr<const build::Program> OracleAgreement::programOf(std::size_t rea
     return program;
 }
 
+std::pair<std::string, std::string> OracleAgreement::nameOf(std::size_t unit) const {
+    return {plan_.cases[units_.at(unit).reading].name, scenes_[units_[unit].scene].name};
+}
+
 std::string OracleAgreement::run(std::size_t unit) {
     const Unit& wanted = units_.at(unit);
     const std::shared_ptr<const build::Program> program = programOf(wanted.reading);
@@ -152,8 +152,9 @@ std::string OracleAgreement::runNoisy(const Unit& unit, const build::Program& pr
     oracle::Precision precision;
     precision.share = 0.05;
     precision.renders = kRenders;
-    const Moments moments = oracle::Oracle{scene, settings, plan_.cases[unit.reading].reading}
-                                .moments(unit.number + 1, precision);
+    const Moments moments =
+        oracle::Oracle{scene, settings, plan_.cases[unit.reading].reading}.moments(unit.number + 1,
+                                                                                   precision);
     const auto images = rendersOf(program, sandbox_, scene, settings, kRenders);
     const Agreement found = compare(moments, kRenders, [&](int number) {
         return imageOf(images[static_cast<std::size_t>(number - 1)], settings);
@@ -178,8 +179,7 @@ std::string OracleAgreement::runBump(const Unit& unit, const build::Program& pro
     RenderSettings one = settings;
     one.dofRayCount = 1;
     one.shadowRayCount = 1;
-    const raytracer::Image expected =
-        oracle::Oracle{scene, one, reading, pinhole}.studentRender(1);
+    const raytracer::Image expected = oracle::Oracle{scene, one, reading, pinhole}.studentRender(1);
     const auto images = rendersOf(program, sandbox_, scene, settings, 1);
     int off = 0;
     double largest = 0.0;
@@ -196,73 +196,6 @@ std::string OracleAgreement::runBump(const Unit& unit, const build::Program& pro
                           {"off", off},
                           {"largest", largest}}
         .dump();
-}
-
-namespace {
-
-/// All units of one reading.
-struct Row {
-    int units = 0;
-    int comparisons = 0;
-    double largestZ = 0.0;
-    double sumZ2 = 0.0;
-    double varianceZ = 0.0;
-    int pixels = 0;
-    int off = 0;
-    double largest = 0.0;
-
-    void add(const nlohmann::json& record) {
-        ++units;
-        if (record.contains("off")) {
-            pixels += record.at("pixels").get<int>();
-            off += record.at("off").get<int>();
-            largest = std::max(largest, record.at("largest").get<double>());
-            return;
-        }
-        const int tiles = record.at("tiles").get<int>();
-        comparisons += tiles;
-        sumZ2 += tiles * record.at("meanZ2").get<double>();
-        largestZ = std::max(largestZ, record.at("largestZ").get<double>());
-        varianceZ = std::max(varianceZ, record.at("varianceZ").get<double>());
-    }
-
-    [[nodiscard]] bool agrees() const {
-        return largestZ < kLargestZ && varianceZ < kLargestZ && off <= kEdgeShare * pixels;
-    }
-};
-
-}  // namespace
-
-Summary OracleAgreement::summarise(const std::vector<std::string>& records) const {
-    std::vector<std::pair<std::string, Row>> rows;
-    for (const AgreementCase& wanted : plan_.cases)
-        rows.emplace_back(wanted.name, Row{});
-    for (const std::string& text : records) {
-        const auto record = nlohmann::json::parse(text);
-        const auto row = std::ranges::find(rows, record.at("reading").get<std::string>(),
-                                           &std::pair<std::string, Row>::first);
-        if (row != rows.end()) row->second.add(record);
-    }
-    std::string noisy =
-        "| reading | scenes x rounds | tile means | largest z | mean z^2 | largest z of a variance "
-        "|\n|---|---|---|---|---|---|\n";
-    std::string exact =
-        "| bump reading | scenes | pixels | at an edge | largest difference elsewhere |\n"
-        "|---|---|---|---|---|\n";
-    Summary summary;
-    for (const auto& [name, row] : rows) {
-        if (row.units == 0) continue;
-        summary.asExpected = summary.asExpected && row.agrees();
-        if (row.pixels > 0)
-            exact += fmt::format("| {} | {} | {} | {} | {:.1e} |\n", name, row.units, row.pixels,
-                                 row.off, row.largest);
-        else
-            noisy += fmt::format("| {} | {} | {} | {:.2f} | {:.3f} | {:.2f} |\n", name, row.units,
-                                 row.comparisons, row.largestZ, row.sumZ2 / row.comparisons,
-                                 row.varianceZ);
-    }
-    summary.text = noisy + "\n" + exact;
-    return summary;
 }
 
 }  // namespace ticker::calibrate

@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ticker::calibrate {
@@ -43,6 +44,9 @@ public:
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override;
     [[nodiscard]] std::string run(std::size_t unit) override;
     [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
+
+    /// Names of the reading and of the scene of one unit.
+    [[nodiscard]] std::pair<std::string, std::string> nameOf(std::size_t unit) const;
 
 private:
     struct Scene {
