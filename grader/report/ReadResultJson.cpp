@@ -116,6 +116,7 @@ RenderScore readRender(const Place& place) {
     render.image = place.at("image").text();
     if (place.has("reference")) render.reference = place.at("reference").text();
     if (place.has("errorMap")) render.errorMap = place.at("errorMap").text();
+    if (place.has("zMap")) render.zMap = place.at("zMap").text();
     return render;
 }
 

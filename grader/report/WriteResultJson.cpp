@@ -76,6 +76,7 @@ ordered_json renderJson(const RenderScore& render) {
     json["image"] = render.image;
     json["reference"] = render.reference;
     if (!render.errorMap.empty()) json["errorMap"] = render.errorMap;
+    if (!render.zMap.empty()) json["zMap"] = render.zMap;
     return json;
 }
 

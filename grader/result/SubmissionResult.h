@@ -43,6 +43,8 @@ struct RenderScore {
     std::string image;      ///< path under the result's folder; empty where there is none
     std::string reference;  ///< likewise: what was expected
     std::string errorMap;   ///< likewise: where the two look different
+    std::string zMap =
+        {};  ///< likewise: where it is too dark or too bright for noise; may be empty
 };
 
 /// A picture that belongs to a result, as a file below OUT/<submission>/.

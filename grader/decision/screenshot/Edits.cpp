@@ -110,7 +110,7 @@ std::optional<metrics::Mirror> findMirror(const ByteView& picture, const Scene& 
 std::optional<Recolouring> findRecolouring(const ByteView& picture, const Scene& scene) {
     constexpr double kExplained = 0.25;  // of the distance may stay
     constexpr double kLikeEnough = 0.97;
-    const ByteView& reference = scene.likeliest();
+    const ByteView reference = scene.likeliest();
     const double distance = tileDifference(reference, picture).rms;
     const Picture changed = ColourChange{reference, picture}.appliedTo(reference);
     const double left = tileDifference(changed.view(), picture).rms;

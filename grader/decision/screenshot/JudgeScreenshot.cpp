@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ticker::decision {
 namespace {
@@ -93,8 +94,9 @@ public:
         if (!isSensibleSize(picture_.width, picture_.height)) return judgeOtherSize();
         const Verification verification = verify(picture_, scene_, seed_);
         const TileDifference whole = tileDifference(scene_.likeliest(), picture_);
-        const bool looksRight = scene_.hasOwn() ? whole.worst <= kMostTileDifference
-                                                : likeness(scene_.expected, picture_) >= kSameScene;
+        const bool looksRight = scene_.hasOwn()
+                                    ? whole.worst <= kMostTileDifference
+                                    : likeness(scene_.expected(), picture_) >= kSameScene;
         if (verification.kind == Verification::Kind::different || !looksRight)
             return explain(verification, whole);
         return accept(verification);
@@ -102,20 +104,18 @@ public:
 
 private:
     [[nodiscard]] double likenessTo(const Scene& scene) const {
-        const double expected = likeness(scene.expected, picture_);
+        const double expected = likeness(scene.expected(), picture_);
         return scene.hasOwn() ? std::max(expected, likeness(scene.own, picture_)) : expected;
     }
 
     [[nodiscard]] const Scene& nearestWanted() const {
-        const Scene* best = nullptr;
-        double most = 0.0;
-        for (const Scene& scene : scenes_) {
-            const double like = likenessTo(scene);
-            if (!scene.isWanted || (best != nullptr && like <= most)) continue;
-            best = &scene;
-            most = like;
-        }
-        return best != nullptr ? *best : scenes_.front();
+        std::vector<const Scene*> wanted;
+        for (const Scene& scene : scenes_)
+            if (scene.isWanted) wanted.push_back(&scene);
+        if (wanted.size() == 1) return *wanted.front();
+        if (wanted.empty()) return scenes_.front();
+        return **std::ranges::max_element(
+            wanted, {}, [this](const Scene* scene) { return likenessTo(*scene); });
     }
 
     /// Another scene that the picture shows, and clearly not this one.
@@ -203,6 +203,10 @@ private:
 
 TaskJudgement judgeScreenshot(const metrics::ByteView& picture,
                               const std::vector<screenshot::Scene>& scenes, std::uint64_t seed) {
+    if (scenes.empty())
+        return isSensibleSize(picture.width, picture.height)
+                   ? passed({}, "there is no scene that it could be compared with")
+                   : failed(wrongSize(picture, std::nullopt));
     return Judge{picture, scenes, seed}.judge();
 }
 

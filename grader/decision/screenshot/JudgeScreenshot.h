@@ -17,7 +17,8 @@ namespace ticker::decision {
 /// with a shape of 4 : 3, also one that took more rays than the handout says, gets a finding above
 /// a note with a chance below 3e-7 (option 2), or never (option 1).
 ///
-/// @param scenes  Those that are wanted and others that it might show by mistake; not empty.
+/// @param scenes  Those that are wanted and others that it might show by mistake; where there are
+///                none, the size alone is judged.
 /// @param seed    Windows and the code's renders are drawn from it.
 [[nodiscard]] TaskJudgement judgeScreenshot(const metrics::ByteView& picture,
                                             const std::vector<screenshot::Scene>& scenes,

@@ -6,6 +6,7 @@
 
 #include <raytracer/scene/SceneDescription.h>
 
+#include <functional>
 #include <string>
 
 namespace ticker::decision::screenshot {
@@ -21,13 +22,13 @@ struct Scene {
     bool isWanted = true;     ///< a screenshot of it is what an attempted option asks for
     bool mayMixBoth = false;  ///< the student may have rendered it with both files, we with one
     const raytracer::SceneDescription* description = nullptr;
-    ByteView expected;  ///< as it should look
-    ByteView own;       ///< as this submission's code renders it; no bytes where it did not
+    std::function<ByteView()> expected;  ///< as it should look; worked out when asked
+    ByteView own;  ///< as this submission's code renders it; no bytes where it did not
     probe::Examinee* examinee = nullptr;  ///< this submission's code; null where it is no use
 
     [[nodiscard]] bool hasOwn() const { return !own.rgb.empty(); }
     /// The best that is known of what this student's picture should show.
-    [[nodiscard]] const ByteView& likeliest() const { return hasOwn() ? own : expected; }
+    [[nodiscard]] ByteView likeliest() const { return hasOwn() ? own : expected(); }
 };
 
 }  // namespace ticker::decision::screenshot
