@@ -1,5 +1,6 @@
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
+#include <grader/sandbox/SandboxPolicy.h>
 #include <grader/selftest/OracleExaminee.h>
 #include <grader/selftest/ScreenshotCases.h>
 #include <grader/selftest/ScreenshotStudent.h>
@@ -18,8 +19,9 @@ namespace {
 using Case = ScreenshotCase;
 using oracle::Reading;
 
-constexpr std::array kWidths{320, 640, 800, 1280};
-constexpr std::size_t kReadings = 33;  // of each option; each at every width
+// Small ones more often: a large picture of option 2 costs seconds.
+constexpr std::array kWidths{320, 640, 800, 320, 640, 1280, 320, 640, 800, 320};
+constexpr std::size_t kByOracle = 132;  // of each option
 constexpr std::size_t kPicturesOfASource = 6;
 
 template <class Value, std::size_t size>
@@ -75,11 +77,9 @@ private:
     std::uint64_t next_;
 };
 
-Case byOracle(const ScreenshotBench& bench, bool isForT1, std::size_t i, std::uint64_t seed) {
-    const int width = kWidths[i % kWidths.size()];
-    const std::size_t number = i / kWidths.size();
-    // One in five took its time.
-    const int rays = number % 5 == 4 ? 200 : 50;
+Case byOracle(const ScreenshotBench& bench, bool isForT1, std::size_t number, std::uint64_t seed) {
+    const int width = kWidths[number % kWidths.size()];
+    const int rays = number % 7 == 6 ? 200 : 50;  // one in seven took its time
     Case made;
     made.kind = isForT1 ? "option 1, the oracle's readings" : "option 2, the oracle's readings";
     made.name = fmt::format("reading {}, {} pixels wide, {} rays", number, width, rays);
@@ -93,8 +93,8 @@ Case byOracle(const ScreenshotBench& bench, bool isForT1, std::size_t i, std::ui
 }
 
 build::Program programOf(const ScreenshotBench& bench, const RightSource& source) {
-    build::BuildResult built =
-        build::buildProgram(bench.kit, bench.sandbox, sandbox::Limits{}, source.file, source.text);
+    build::BuildResult built = build::buildProgram(
+        bench.kit, bench.sandbox, sandbox::defaultPolicy().compile, source.file, source.text);
     if (!built.program)
         throw raytracer::Error(source.name + " does not compile: " + built.diagnostics);
     return *std::move(built.program);
@@ -110,13 +110,14 @@ Case byProgram(const ScreenshotBench& bench, const std::shared_ptr<LateProgram>&
                std::size_t i, std::uint64_t seed) {
     const bool isForT1 = late->source.file == build::SourceFile::bumpySphere;
     // A large picture of option 2 takes half a minute.
-    const int width = isForT1 ? kWidths[i % kWidths.size()] : kWidths[0];
+    const int width = isForT1 ? kWidths[i % kWidths.size()] : kWidths.front();
     Case made;
     made.kind = isForT1 ? "option 1, compiled" : "option 2, compiled";
     made.name = fmt::format("{}, {} pixels wide", late->source.name, width);
     made.judge = [&bench, late, isForT1, width, seed](double& judgeMs) {
         if (!late->program) late->program = programOf(bench, late->source);
-        build::SandboxedExaminee code{*late->program, bench.sandbox, sandbox::Limits{}};
+        const sandbox::Limits limits = sandbox::defaultPolicy().run;
+        build::SandboxedExaminee code{*late->program, bench.sandbox, limits};
         const ScreenshotStudent student{bench.scenes, isForT1, code};
         return student.handIn(student.render(width, seed), seed + 1, judgeMs);
     };
@@ -128,8 +129,8 @@ Case byProgram(const ScreenshotBench& bench, const std::shared_ptr<LateProgram>&
 std::vector<ScreenshotCase> honestScreenshots(const ScreenshotBench& bench, std::uint64_t seed) {
     Seeds seeds{seed};
     std::vector<Case> cases;
-    for (std::size_t i = 0; i < kReadings * kWidths.size(); ++i)
-        for (const bool isForT1 : {true, false})
+    for (const bool isForT1 : {true, false})
+        for (std::size_t i = 0; i < kByOracle; ++i)
             cases.push_back(byOracle(bench, isForT1, i, seeds.next()));
     for (const RightSource& source : bench.sources) {
         const auto late = std::make_shared<LateProgram>(LateProgram{source, std::nullopt});

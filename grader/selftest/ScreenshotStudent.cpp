@@ -18,10 +18,14 @@ using decision::screenshot::Scene;
 using metrics::Picture;
 using pipeline::SpecScene;
 
-std::optional<raytracer::ByteImage> asked(probe::Examinee& code, const SpecScene& scene,
-                                          const raytracer::RenderSettings& settings) {
+raytracer::ByteImage asked(probe::Examinee& code, const SpecScene& scene,
+                           const raytracer::RenderSettings& settings) {
     const probe::Sitting sitting = code.ask({probe::RenderQuestion{scene.scene, settings, 1, 0}});
-    return pipeline::pictureFrom(std::get<probe::RenderAnswer>(sitting.answers.at(0)));
+    std::optional<raytracer::ByteImage> image =
+        pipeline::pictureFrom(std::get<probe::RenderAnswer>(sitting.answers.at(0)));
+    if (!image)
+        throw raytracer::Error("a student of the selftest gave no picture: " + sitting.end.detail);
+    return *std::move(image);
 }
 
 double threadCpuMs() {
@@ -42,8 +46,7 @@ ScreenshotStudent::ScreenshotStudent(const std::vector<SpecScene>& scenes, bool 
     for (const SpecScene& scene : scenes) {
         if (scene.isForT1 != isForT1) continue;
         if (scene.isHandedIn) scene_ = &scene;
-        if (std::optional<raytracer::ByteImage> picture = asked(code, scene, scene.settings))
-            own_.push_back({scene.name, *std::move(picture)});
+        own_.push_back({scene.name, asked(code, scene, scene.settings)});
     }
 }
 
@@ -58,9 +61,8 @@ Picture ScreenshotStudent::render(const SpecScene& scene, int width, int height,
     settings.height = height;
     settings.seed = seed;
     settings.dofRayCount = rays;
-    std::optional<raytracer::ByteImage> image = asked(code_, scene, settings);
-    if (!image) throw raytracer::Error("a student of the selftest gave no picture");
-    return {image->width, image->height, std::move(image->rgb)};
+    raytracer::ByteImage image = asked(code_, scene, settings);
+    return {image.width, image.height, std::move(image.rgb)};
 }
 
 decision::TaskJudgement ScreenshotStudent::handIn(const Picture& picture, std::uint64_t seed,

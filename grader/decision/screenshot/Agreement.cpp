@@ -2,7 +2,9 @@
 
 #include <grader/metrics/Difference.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace ticker::decision::screenshot {
 namespace {
@@ -54,8 +56,7 @@ Agreement agreementOf(const ByteView& windows, const ByteView& own, bool isRando
 std::optional<double> noiseRatio(const ByteView& windows, const ByteView& own) {
     constexpr int kTile = 8;
     constexpr double kNoisy = 9.0;  // three steps of a byte, squared: rounding has no part in it
-    double picture = 0.0;
-    double rendered = 0.0;
+    std::vector<double> ratios;
     for (int top = 0; top + kTile <= own.height; top += kTile)
         for (int left = 0; left + kTile <= own.width; left += kTile) {
             double first = 0.0;
@@ -65,12 +66,13 @@ std::optional<double> noiseRatio(const ByteView& windows, const ByteView& own) {
                     first += squaredBend(windows, x, y);
                     second += squaredBend(own, x, y);
                 }
-            if (second < kNoisy * kTile * (kTile - 2)) continue;
-            picture += first;
-            rendered += second;
+            if (second >= kNoisy * kTile * (kTile - 2)) ratios.push_back(first / second);
         }
-    if (rendered == 0.0) return std::nullopt;
-    return picture / rendered;
+    if (ratios.empty()) return std::nullopt;
+    // An edge in a tile is no noise; the middle one of all tiles has none.
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::ranges::nth_element(ratios, middle);
+    return *middle;
 }
 
 }  // namespace ticker::decision::screenshot

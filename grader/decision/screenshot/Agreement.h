@@ -23,7 +23,7 @@ struct Agreement {
 [[nodiscard]] Agreement agreementOf(const ByteView& windows, const ByteView& own, bool isRandom);
 
 /// How noisy a picture is beside another one of the same: the variance of its noise over that of
-/// the other. Empty where the other one has hardly any.
+/// the other, in the middle one of all noisy tiles. Empty where the other has hardly any noise.
 [[nodiscard]] std::optional<double> noiseRatio(const ByteView& windows, const ByteView& own);
 
 }  // namespace ticker::decision::screenshot

@@ -85,6 +85,20 @@ Cut cutOf(Cut::Kind kind, const metrics::Fit& fit, const Picture& outer) {
 
 }  // namespace
 
+int agreeingWindows(const ByteView& picture, const OwnWindows& own) {
+    const Picture windows = cutOut(picture, own.windows);
+    int agreeing = 0;
+    int top = 0;
+    for (const metrics::Box& box : own.windows.boxes) {
+        const metrics::Box part{0, top, box.width, box.height};
+        const Picture seen = metrics::cropped(windows.view(), part);
+        const Picture rendered = metrics::cropped(own.pixels.view(), part);
+        agreeing += agreementOf(seen.view(), rendered.view(), own.isRandom).agrees ? 1 : 0;
+        top += box.height;
+    }
+    return agreeing;
+}
+
 std::optional<Shift> findShift(const ByteView& picture, const OwnWindows& own) {
     for (const Shift& shift : shiftsByLength())
         if (agrees(picture, own, shift)) return shift;

@@ -20,6 +20,9 @@ struct OwnWindows {
     bool isRandom = false;
 };
 
+/// How many of the windows agree, each by itself.
+[[nodiscard]] int agreeingWindows(const ByteView& picture, const OwnWindows& own);
+
 /// By how many pixels the picture lies off.
 struct Shift {
     int right = 0;

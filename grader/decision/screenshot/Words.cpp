@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace ticker::decision::screenshot {
@@ -106,14 +107,17 @@ Finding notThisScene(const std::string& wanted, const std::string& shown) {
 }
 
 Finding moved(Shift shift) {
+    const auto pixels = [](int count, const char* less, const char* more) {
+        return count == 0 ? ""
+                          : fmt::format(" {} pixel{} {}", std::abs(count),
+                                        std::abs(count) == 1 ? "" : "s", count < 0 ? less : more);
+    };
     const bool isOriginal = shift.right == 0 && shift.down == 1;
-    Finding result = edited(
-        "moved",
-        fmt::format("The picture lies {} pixel(s) {} and {} pixel(s) {} of where this code renders "
-                    "it.{}",
-                    std::abs(shift.right), shift.right < 0 ? "left" : "right", std::abs(shift.down),
-                    shift.down < 0 ? "above" : "below",
-                    isOriginal ? " The course's old Java kit renders one pixel too low." : ""));
+    Finding result =
+        edited("moved", fmt::format("The picture is moved{}{} against what this code renders.{}",
+                                    pixels(shift.right, "to the left", "to the right"),
+                                    pixels(shift.down, "up", "down"),
+                                    isOriginal ? " The course's old Java kit renders so." : ""));
     result.evidence.emplace_back("right", static_cast<double>(shift.right));
     result.evidence.emplace_back("down", static_cast<double>(shift.down));
     return result;
@@ -175,6 +179,8 @@ Finding paintedOver(const TileDifference& difference) {
 Finding notFromThisCode(const ByteView& picture, const Scene& scene, const Agreement& agreement,
                         const std::optional<Suspicion>& suspicion) {
     std::string told = ": it was made by other code, or with other settings.";
+    if (suspicion && suspicion->id.empty())
+        told = ": it is right, but of another reading, made by other code or with other settings.";
     if (suspicion && !suspicion->id.empty())
         told = fmt::format(": it shows {}, which this code does not.", suspicion->words);
     Finding result = otherCode(picture, scene, Severity::fail, told);

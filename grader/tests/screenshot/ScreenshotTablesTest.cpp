@@ -18,15 +18,9 @@ TEST(ScreenshotTables, FindNothingInHonestPicturesAndNameTheOthers) {
     const sandbox::Sandbox sandbox = sandbox::Sandbox::best();
     ScreenshotRun run;
     run.fraction = 0.1;
-    const ScreenshotSelfTest result =
-        runScreenshotTables({scenes,
-                             kit,
-                             sandbox,
-                             {{"reference", build::SourceFile::bumpySphere,
-                               tests::readFile("reference_solution/exercise/BumpySphere.cpp")},
-                              {"reference", build::SourceFile::renderer,
-                               tests::readFile("reference_solution/exercise/Renderer.cpp")}}},
-                            run);
+    const RightSource reference{"reference", build::SourceFile::bumpySphere,
+                                tests::readFile("reference_solution/exercise/BumpySphere.cpp")};
+    const ScreenshotSelfTest result = runScreenshotTables({scenes, kit, sandbox, {reference}}, run);
     EXPECT_TRUE(result.passed()) << result.table();
     int judged = 0;
     for (const ScreenshotRow& row : result.honest)
