@@ -25,7 +25,9 @@ struct TaskReport {
     TaskState state = TaskState::notGraded;
     std::string reason;  ///< one sentence; empty where the findings say it all
     std::vector<Finding> findings;
-    bool needsReview = false;  ///< the state is the best guess, but a person should look
+    bool needsReview = false;             ///< the state is the best guess, but a person should look
+    std::vector<ScatterPlot> plots = {};  ///< what was seen, where no finding shows it
+    std::vector<Raster> rasters = {};     ///< likewise
 };
 
 enum class Verdict { awarded, notAwarded, needsReview, notGraded };
@@ -43,6 +45,8 @@ struct RenderScore {
     std::string image;      ///< path under the result's folder; empty where there is none
     std::string reference;  ///< likewise: what was expected
     std::string errorMap;   ///< likewise: where the two look different
+    std::string zMap =
+        {};  ///< likewise: where it is too dark or too bright for noise; may be empty
 };
 
 /// A picture that belongs to a result, as a file below OUT/<submission>/.
