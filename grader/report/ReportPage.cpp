@@ -17,8 +17,8 @@ std::string anchor(const std::string& task) {
     return escapeHtml(id);
 }
 
-std::string headingOf(const TaskReport& task) {
-    return escapeHtml(task.id == "screenshot" ? task.title : task.id + " " + task.title);
+std::string nameOf(const TaskReport& task) {
+    return task.id == "screenshot" ? task.title : task.id + " " + task.title;
 }
 
 /// A task that nobody attempted needs no section of its own.
@@ -32,16 +32,40 @@ const Finding* firstFail(const TaskReport& task) {
     return nullptr;
 }
 
+/// Why a task did not pass, in a few words.
+std::string shortReason(const TaskReport& task) {
+    if (const Finding* finding = firstFail(task)) return std::string{wordsForFinding(finding->id)};
+    return task.reason;
+}
+
+/// The verdict as a sentence.
+std::string lead(const SubmissionResult& result) {
+    if (result.verdict == Verdict::notGraded)
+        return "Could not be graded, for reasons that are ours, not the student's.";
+    std::string passed;
+    std::string missed;
+    for (const TaskReport& task : result.tasks) {
+        if (task.state == TaskState::notAttempted || task.id == "screenshot") continue;
+        if (task.state == TaskState::passed)
+            passed += (passed.empty() ? "" : ", ") + nameOf(task);
+        else
+            missed += fmt::format("{}{}: {}", missed.empty() ? "" : "; ", nameOf(task),
+                                  shortReason(task));
+    }
+    if (passed.empty() && missed.empty()) return "No task was attempted.";
+    if (missed.empty()) return "Right: " + passed + ".";
+    if (missed.back() != '.') missed += '.';
+    return missed + (passed.empty() ? "" : " Right: " + passed + ".");
+}
+
 std::string overviewItem(const TaskReport& task) {
-    std::string html = "<li>";
-    html += hasSection(task)
-                ? fmt::format("<a href=\"#{}\">{}</a>", anchor(task.id), headingOf(task))
-                : fmt::format("<strong>{}</strong>", headingOf(task));
+    const std::string name = escapeHtml(nameOf(task));
+    std::string html = fmt::format("<li class=\"{}\">", toString(task.state));
+    html += hasSection(task) ? fmt::format("<a href=\"#{}\">{}</a>", anchor(task.id), name)
+                             : fmt::format("<strong>{}</strong>", name);
     html += badge(toString(task.state), wordsFor(task.state));
-    if (const Finding* finding = firstFail(task))
-        html += fmt::format("<span class=\"reason mono\">{}</span>", escapeHtml(finding->id));
-    else if (!task.reason.empty())
-        html += fmt::format("<span class=\"reason\">{}</span>", escapeHtml(task.reason));
+    if (const std::string reason = shortReason(task); !reason.empty())
+        html += fmt::format("<span class=\"reason\">{}</span>", escapeHtml(sentence(reason)));
     return html + "</li>";
 }
 
@@ -57,41 +81,63 @@ std::string reviewReasons(const SubmissionResult& result) {
                                    : finding != nullptr    ? finding->message
                                    : task.findings.empty() ? std::string{wordsFor(task.state)}
                                                            : task.findings.front().message;
-        reasons += fmt::format("<li>{}: {}</li>", headingOf(task), escapeHtml(reason));
+        reasons += fmt::format("<li><strong>{}:</strong> {}</li>", escapeHtml(nameOf(task)),
+                               escapeHtml(reason));
     }
     if (reasons.empty()) return "";
-    return "<div class=\"why\"><p>Somebody should look at this before it counts:</p><ul>" +
-           reasons + "</ul></div>";
+    return "<section class=\"why\" aria-labelledby=\"why\"><h2 id=\"why\">A person should look "
+           "before this counts</h2><ul>" +
+           reasons + "</ul></section>";
 }
 
 std::string header(const SubmissionResult& result) {
     std::string html = fmt::format(
-        "<header><p class=\"soft\">Tick 1*</p>"
-        "<div class=\"verdict\"><h1>{}</h1>{}<span class=\"soft\">{:g} of {:g}</span></div>{}"
-        "<ul class=\"tasks\">",
-        escapeHtml(result.submission), badge(toString(result.verdict), wordsFor(result.verdict)),
-        result.score, result.maxScore, reviewReasons(result));
-    for (const TaskReport& task : result.tasks)
-        html += overviewItem(task);
-    return html + "</ul></header>";
+        "<header><p class=\"soft crumbs\">Tick 1* report "
+        "<a id=\"class\" href=\"../index.html\">All submissions</a></p>"
+        "<div class=\"hero {0}\"><h1>{1}</h1><p class=\"verdict\">{2} <span>{3:g} of {4:g} "
+        "point{6}</span>"
+        "</p><p class=\"lead\">{5}</p></div></header>",
+        toString(result.verdict), escapeHtml(result.submission),
+        badge(toString(result.verdict), wordsFor(result.verdict)), result.score, result.maxScore,
+        escapeHtml(lead(result)), result.maxScore == 1.0 ? "" : "s");
+    return html;
 }
 
-std::string taskSections(const SubmissionResult& result) {
-    std::string html;
-    for (const TaskReport& task : result.tasks) {
-        if (!hasSection(task)) continue;
-        html += fmt::format("<section id=\"{}\"><h2>{} {}</h2>", anchor(task.id), headingOf(task),
-                            badge(toString(task.state), wordsFor(task.state)));
-        // Findings say it better.
-        if (task.findings.empty() && !task.reason.empty())
-            html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
-        for (const Finding& finding : task.findings)
-            html += findingCard(finding);
-        if (task.findings.empty() && task.state == TaskState::passed)
-            html += "<p class=\"soft\">Nothing to remark.</p>";
-        html += "</section>";
-    }
-    return html;
+std::string overview(const SubmissionResult& result) {
+    std::string html = "<nav aria-label=\"Tasks\"><ul class=\"tasks\">";
+    for (const TaskReport& task : result.tasks)
+        html += overviewItem(task);
+    return html + "</ul></nav>";
+}
+
+/// A link to the pictures, for findings that bring none of their own.
+std::string pictureLink(const SubmissionResult& result, const TaskReport& task) {
+    const bool shown = std::any_of(
+        task.findings.begin(), task.findings.end(),
+        [](const Finding& finding) { return !finding.plots.empty() || !finding.rasters.empty(); });
+    if (shown || result.renders.empty() || firstFail(task) == nullptr) return "";
+    return "<p><a href=\"#pictures\">See where the pictures differ</a></p>";
+}
+
+std::string taskSection(const SubmissionResult& result, const TaskReport& task,
+                        const Album& album) {
+    std::string html = fmt::format(
+        "<section id=\"{0}\" aria-labelledby=\"{0}-head\"><h2 id=\"{0}-head\">{1} {2}"
+        "</h2>",
+        anchor(task.id), escapeHtml(nameOf(task)),
+        badge(toString(task.state), wordsFor(task.state)));
+    // Findings say it better.
+    if (task.findings.empty() && !task.reason.empty())
+        html += fmt::format("<p>{}</p>", escapeHtml(sentence(task.reason)));
+    for (const Finding& finding : task.findings)
+        html += findingCard(finding, album);
+    html += pictureLink(result, task);
+    const std::string seen = figures(task.plots, task.rasters, album);
+    if (!seen.empty())
+        html += "<div class=\"card seen\"><h3>What was seen</h3>" + seen + "</div>";
+    else if (task.findings.empty() && task.state == TaskState::passed)
+        html += "<p class=\"soft\">Nothing to remark.</p>";
+    return html + "</section>";
 }
 
 std::string seconds(double milliseconds) {
@@ -99,17 +145,24 @@ std::string seconds(double milliseconds) {
 }
 
 std::string facts(const SubmissionResult& result) {
-    std::string html = "<section id=\"facts\"><h2>How this was found</h2><dl class=\"facts\">";
+    std::string html =
+        "<section id=\"facts\" aria-labelledby=\"facts-head\"><h2 id=\"facts-head\">How this was "
+        "found</h2><dl class=\"facts\">";
     const auto fact = [&](const char* what, const std::string& value) {
         html += fmt::format("<dt>{}</dt><dd>{}</dd>", what, escapeHtml(value));
     };
+    std::string scenes;
+    for (const RenderScore& render : result.renders)
+        scenes += fmt::format("{}{} at {} x {}", scenes.empty() ? "" : ", ", render.scene,
+                              render.width, render.height);
     fact("Option", result.option);
+    if (!scenes.empty()) fact("Scenes rendered", scenes);
     fact("Seed", std::to_string(result.seed));
     fact("Sandbox level", result.sandboxLevel);
     fact("Tool version", result.toolVersion);
-    fact("Compiling", seconds(result.timing.compileMs));
-    fact("Asking the program", seconds(result.timing.probeMs));
-    fact("In all", seconds(result.timing.totalMs));
+    fact("Time", fmt::format("{} in all: {} to compile, {} in the submission's program",
+                             seconds(result.timing.totalMs), seconds(result.timing.compileMs),
+                             seconds(result.timing.probeMs)));
     for (const std::string& notice : result.notices)
         fact("Notice", notice);
     return html + "</dl></section>";
@@ -118,12 +171,15 @@ std::string facts(const SubmissionResult& result) {
 }  // namespace
 
 std::string reportPage(const SubmissionResult& result) {
-    return pageHead(fmt::format("{}: {}", result.submission, wordsFor(result.verdict)),
-                    reportCss()) +
-           header(result) + "<main id=\"main\">" + taskSections(result) +
-           diagnosticsSection(result) + picturesSection(result) + facts(result) +
-           "</main><footer><p>Proposed by ticker; a person decides.</p></footer><script>" +
-           std::string{reportJs()} + "</script></body></html>\n";
+    const Album album{result};
+    std::string body =
+        header(result) + "<main id=\"main\">" + reviewReasons(result) + overview(result);
+    for (const TaskReport& task : result.tasks)
+        if (hasSection(task)) body += taskSection(result, task, album);
+    body += diagnosticsSection(result) + picturesSection(result, album) + facts(result) +
+            "</main><footer><p>Proposed by ticker; a person decides.</p></footer>";
+    return page(fmt::format("{}: {}", result.submission, wordsFor(result.verdict)), reportCss(),
+                reportJs(), body);
 }
 
 }  // namespace ticker::report
