@@ -10,7 +10,10 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace ticker::cli {
 namespace {
@@ -32,6 +35,28 @@ std::string findingsText(const SubmissionResult& result) {
     return text;
 }
 
+/// The folders below OUT that hold a result, by name.
+std::vector<fs::path> resultFolders(const fs::path& out) {
+    std::error_code error;
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::directory_iterator{out, error})
+        if (fs::is_regular_file(entry.path() / "result.json", error))
+            folders.push_back(entry.path());
+    if (folders.empty())
+        throw raytracer::InputError(out.string(), 0,
+                                    "holds no results; expected the OUT of ticker grade");
+    std::sort(folders.begin(), folders.end());
+    return folders;
+}
+
+/// Brings the pictures back that lie beside a result. A page links to one that cannot be read.
+void fetchPictures(const fs::path& folder, SubmissionResult& result) {
+    for (ResultPicture& picture : result.pictures) {
+        std::ifstream stream{folder / picture.file, std::ios::binary};
+        picture.png.assign(std::istreambuf_iterator<char>{stream}, {});
+    }
+}
+
 }  // namespace
 
 void writeSubmission(const fs::path& out, const SubmissionResult& result) {
@@ -39,8 +64,12 @@ void writeSubmission(const fs::path& out, const SubmissionResult& result) {
     makeFolder(folder / "images");
     for (const ResultPicture& picture : result.pictures)
         report::writeAtomically(picture.png, folder / picture.file);
-    report::writeAtomically(report::reportPage(result), folder / "report.html");
-    report::writeAtomically(report::resultJson(result), folder / "result.json");
+    // The page shows what result.json says, so that it can be made again from there.
+    const std::string json = report::resultJson(result);
+    SubmissionResult told = report::parseResultJson(json, "result.json");
+    told.pictures = result.pictures;
+    report::writeAtomically(report::reportPage(told), folder / "report.html");
+    report::writeAtomically(json, folder / "result.json");
 }
 
 void writeClass(const fs::path& out, std::vector<SubmissionResult> results) {
@@ -54,19 +83,32 @@ void writeClass(const fs::path& out, std::vector<SubmissionResult> results) {
 }
 
 std::vector<SubmissionResult> readResults(const fs::path& out) {
-    std::error_code error;
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator{out, error})
-        if (fs::is_regular_file(entry.path() / "result.json", error))
-            files.push_back(entry.path() / "result.json");
-    if (files.empty())
-        throw raytracer::InputError(out.string(), 0,
-                                    "holds no results; expected the OUT of ticker grade");
-    std::sort(files.begin(), files.end());
     std::vector<SubmissionResult> results;
-    for (const fs::path& file : files)
-        results.push_back(report::readResultJson(file));
+    for (const fs::path& folder : resultFolders(out))
+        results.push_back(report::readResultJson(folder / "result.json"));
     return results;
+}
+
+void rewritePages(const fs::path& out, const std::string& submission) {
+    std::vector<SubmissionResult> results;
+    bool found = submission.empty();
+    for (const fs::path& folder : resultFolders(out)) {
+        SubmissionResult result = report::readResultJson(folder / "result.json");
+        if (submission.empty() || result.submission == submission) {
+            found = true;
+            fetchPictures(folder, result);
+            report::writeAtomically(report::reportPage(result), folder / "report.html");
+        }
+        for (ResultPicture& picture : result.pictures)
+            picture.png.clear();  // a class of them is more than memory has to hold
+        results.push_back(std::move(result));
+    }
+    if (!found) throw noSuchSubmission(out, submission);
+    report::writeAtomically(report::classPage(results), out / "index.html");
+}
+
+raytracer::InputError noSuchSubmission(const fs::path& out, const std::string& submission) {
+    return {out.string(), 0, fmt::format("no result of a submission named \"{}\"", submission)};
 }
 
 std::string tableLine(const SubmissionResult& result) {

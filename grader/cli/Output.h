@@ -3,6 +3,8 @@
 
 #include <grader/result/SubmissionResult.h>
 
+#include <raytracer/base/Error.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,6 +22,15 @@ void writeClass(const std::filesystem::path& out, std::vector<SubmissionResult> 
 /// All results below OUT, by name.
 /// @throws raytracer::InputError where OUT holds none, or one cannot be read.
 [[nodiscard]] std::vector<SubmissionResult> readResults(const std::filesystem::path& out);
+
+/// Writes index.html and each report.html below OUT anew, from result.json and images/ alone.
+/// @param submission  Its report only; empty: all.
+/// @throws raytracer::InputError as `readResults`, and where there is no such submission.
+void rewritePages(const std::filesystem::path& out, const std::string& submission);
+
+/// The error for a name that no result has.
+[[nodiscard]] raytracer::InputError noSuchSubmission(const std::filesystem::path& out,
+                                                     const std::string& submission);
 
 /// One line of a table for a person: verdict, task states, findings.
 [[nodiscard]] std::string tableLine(const SubmissionResult& result);

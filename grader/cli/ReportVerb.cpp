@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ticker::cli {
@@ -36,11 +37,20 @@ const std::map<std::string, Renderer>& formats() {
     return kFormats;
 }
 
+/// The format that is written into OUT instead of printed: the pages.
+constexpr std::string_view kPages = "html";
+
 struct ReportOptions {
     std::string folder;
     std::string format = "csv";
     std::string submission;
 };
+
+raytracer::ExitCode rewrite(const ReportOptions& options, const Voice& voice) {
+    rewritePages(options.folder, options.submission);
+    if (!voice.quiet) fmt::print(stderr, "open {}/index.html\n", options.folder);
+    return raytracer::ExitCode::success;
+}
 
 raytracer::ExitCode print(const ReportOptions& options) {
     std::vector<SubmissionResult> results = readResults(options.folder);
@@ -48,17 +58,14 @@ raytracer::ExitCode print(const ReportOptions& options) {
         std::erase_if(results, [&](const SubmissionResult& result) {
             return result.submission != options.submission;
         });
-        if (results.empty())
-            throw raytracer::InputError(
-                options.folder, 0,
-                fmt::format("no result of a submission named \"{}\"", options.submission));
+        if (results.empty()) throw noSuchSubmission(options.folder, options.submission);
     }
     fmt::print("{}", formats().at(options.format)(results));
     return raytracer::ExitCode::success;
 }
 
 std::vector<std::string> formatNames() {
-    std::vector<std::string> names;
+    std::vector<std::string> names{std::string{kPages}};
     for (const auto& [name, unused] : formats())
         names.push_back(name);
     return names;
@@ -66,14 +73,17 @@ std::vector<std::string> formatNames() {
 
 }  // namespace
 
-Run addReport(CLI::App& app, const Voice& /*voice*/) {
+Run addReport(CLI::App& app, const Voice& voice) {
     auto options = std::make_shared<ReportOptions>();
-    CLI::App* verb = app.add_subcommand("report", "Print the results in OUT in another format");
+    CLI::App* verb = app.add_subcommand("report", "Give the results in OUT in another format");
     verb->add_option("out", options->folder, "Folder that ticker grade wrote")->required();
-    verb->add_option("--format", options->format, "csv or json")
+    verb->add_option("--format", options->format,
+                     "csv or json, printed; html: writes the pages in OUT anew")
         ->check(CLI::IsMember(formatNames()));
     verb->add_option("--submission", options->submission, "Only this one");
-    return [options] { return print(*options); };
+    return [options, &voice] {
+        return options->format == kPages ? rewrite(*options, voice) : print(*options);
+    };
 }
 
 }  // namespace ticker::cli
