@@ -40,7 +40,7 @@ std::string figures(const std::vector<ScatterPlot>& plots, const std::vector<Ras
         html += plotFigure(plot);
     for (const Raster& raster : rasters)
         html += rasterFigure(raster, album);
-    return html.empty() ? html : "<div class=\"figures\">" + html + "</div>";
+    return html;
 }
 
 }  // namespace ticker::report

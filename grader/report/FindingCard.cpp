@@ -34,7 +34,7 @@ std::string evidenceTable(const Evidence& evidence) {
 
 }  // namespace
 
-std::string findingCard(const Finding& finding, const Album& album) {
+std::string findingCard(const Finding& finding, const Album& album, const std::string& seen) {
     const std::string_view severity = toString(finding.severity);
     std::string html =
         fmt::format("<article class=\"card {0}\"><div class=\"finding-head\">{1}<h3>{2}</h3>",
@@ -46,8 +46,10 @@ std::string findingCard(const Finding& finding, const Album& album) {
     if (!finding.hint.empty())
         html += fmt::format("<p class=\"hint\"><strong>Hint.</strong> {}</p>",
                             escapeHtml(finding.hint));
-    return html + figures(finding.plots, finding.rasters, album) + evidenceTable(finding.evidence) +
-           "</article>";
+    if (const std::string shown = figures(finding.plots, finding.rasters, album) + seen;
+        !shown.empty())
+        html += "<div class=\"figures\">" + shown + "</div>";
+    return html + evidenceTable(finding.evidence) + "</article>";
 }
 
 }  // namespace ticker::report

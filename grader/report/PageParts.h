@@ -38,9 +38,11 @@ private:
 };
 
 /// One finding with its message, hint, pictures and measured values.
-[[nodiscard]] std::string findingCard(const Finding& finding, const Album& album);
+/// @param seen  HTML of what else was seen of its task.
+[[nodiscard]] std::string findingCard(const Finding& finding, const Album& album,
+                                      const std::string& seen);
 
-/// Plots and pictures of what was seen, side by side; empty where there are none.
+/// Plots and pictures of what was seen, as figures; empty where there are none.
 [[nodiscard]] std::string figures(const std::vector<ScatterPlot>& plots,
                                   const std::vector<Raster>& rasters, const Album& album);
 

@@ -27,8 +27,9 @@ std::string scale(std::string_view kind, std::string_view low, std::string_view 
 std::string figure(const Shown& shown) {
     const bool upper = shown.kind == "submitted";
     return fmt::format(
-        "<figure class=\"{}\"><div class=\"frame\"><img src=\"{}\" alt=\"{}\" draggable=\"false\">"
-        "</div>{}<figcaption>{}</figcaption></figure>",
+        "<figure class=\"{}\"><div class=\"box\"><div class=\"frame\">"
+        "<img src=\"{}\" alt=\"{}\" "
+        "draggable=\"false\"></div>{}</div><figcaption>{}</figcaption></figure>",
         shown.kind, shown.source, escapeHtml(shown.alt),
         upper ? "<div class=\"divider screen-only\"></div>" : "", shown.caption);
 }
@@ -142,7 +143,9 @@ std::string picturesSection(const SubmissionResult& result, const Album& album) 
     if (html.empty()) return "";
     return "<section id=\"pictures\" aria-labelledby=\"pictures-head\">"
            "<h2 id=\"pictures-head\">Pictures</h2><p class=\"soft\">They explain; they do not "
-           "decide. <span class=\"screen-only\"><kbd>B</kbd> blinks between expected and "
+           "decide: accepted readings of the handout differ in many pixels, and a mistake may "
+           "differ "
+           "in few. <span class=\"screen-only\"><kbd>B</kbd> blinks between expected and "
            "submitted, <kbd>O</kbd> lays one over the other with a slider, <kbd>S</kbd> puts them "
            "side by side; <kbd>+</kbd> <kbd>&minus;</kbd> or a double click zoom all pictures of a "
            "scene, dragging or the arrow keys move them.</span></p>" +

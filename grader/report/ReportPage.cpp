@@ -7,6 +7,8 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace ticker::report {
 namespace {
@@ -38,24 +40,44 @@ std::string shortReason(const TaskReport& task) {
     return task.reason;
 }
 
+/// What is the same for several tasks is said once.
+class Grouped {
+public:
+    void add(const std::string& task, const std::string& what) {
+        for (auto& [tasks, said] : groups_)
+            if (said == what) {
+                tasks += " and " + task;
+                return;
+            }
+        groups_.emplace_back(task, what);
+    }
+    /// Pairs of tasks and what is said of them.
+    [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& groups() const {
+        return groups_;
+    }
+
+private:
+    std::vector<std::pair<std::string, std::string>> groups_;
+};
+
 /// The verdict as a sentence.
 std::string lead(const SubmissionResult& result) {
     if (result.verdict == Verdict::notGraded)
         return "Could not be graded, for reasons that are ours, not the student's.";
-    std::string passed;
-    std::string missed;
+    std::string right;
+    Grouped wrong;
     for (const TaskReport& task : result.tasks) {
         if (task.state == TaskState::notAttempted || task.id == "screenshot") continue;
         if (task.state == TaskState::passed)
-            passed += (passed.empty() ? "" : ", ") + nameOf(task);
+            right += (right.empty() ? "Right: " : ", ") + nameOf(task);
         else
-            missed += fmt::format("{}{}: {}", missed.empty() ? "" : "; ", nameOf(task),
-                                  shortReason(task));
+            wrong.add(nameOf(task), shortReason(task));
     }
-    if (passed.empty() && missed.empty()) return "No task was attempted.";
-    if (missed.empty()) return "Right: " + passed + ".";
-    if (missed.back() != '.') missed += '.';
-    return missed + (passed.empty() ? "" : " Right: " + passed + ".");
+    std::string text;
+    for (const auto& [tasks, what] : wrong.groups())
+        text += fmt::format("{}: {}{}", tasks, what, what.ends_with('.') ? " " : ". ");
+    if (!right.empty()) text += right + ".";
+    return text.empty() ? "No task was attempted." : text;
 }
 
 std::string overviewItem(const TaskReport& task) {
@@ -69,25 +91,28 @@ std::string overviewItem(const TaskReport& task) {
     return html + "</li>";
 }
 
+std::string reviewReason(const TaskReport& task) {
+    if (!task.reason.empty()) return task.reason;
+    if (const Finding* finding = firstFail(task)) return finding->message;
+    return task.findings.empty() ? std::string{wordsFor(task.state)}
+                                 : task.findings.front().message;
+}
+
 /// Why a person should look, where one should.
 std::string reviewReasons(const SubmissionResult& result) {
     if (result.verdict != Verdict::needsReview) return "";
-    std::string reasons;
-    for (const TaskReport& task : result.tasks) {
-        if (!task.needsReview && task.id != "screenshot") continue;
-        if (task.state == TaskState::passed && !task.needsReview) continue;
-        const Finding* finding = firstFail(task);
-        const std::string reason = !task.reason.empty()    ? task.reason
-                                   : finding != nullptr    ? finding->message
-                                   : task.findings.empty() ? std::string{wordsFor(task.state)}
-                                                           : task.findings.front().message;
-        reasons += fmt::format("<li><strong>{}:</strong> {}</li>", escapeHtml(nameOf(task)),
-                               escapeHtml(reason));
-    }
-    if (reasons.empty()) return "";
-    return "<section class=\"why\" aria-labelledby=\"why\"><h2 id=\"why\">A person should look "
-           "before this counts</h2><ul>" +
-           reasons + "</ul></section>";
+    Grouped reasons;
+    for (const TaskReport& task : result.tasks)
+        if (task.needsReview || (task.id == "screenshot" && task.state != TaskState::passed))
+            reasons.add(nameOf(task), reviewReason(task));
+    if (reasons.groups().empty()) return "";
+    std::string html =
+        "<section class=\"why\" aria-labelledby=\"why\"><h2 id=\"why\">A person should look "
+        "before this counts</h2><ul>";
+    for (const auto& [tasks, reason] : reasons.groups())
+        html += fmt::format("<li><strong>{}:</strong> {}</li>", escapeHtml(tasks),
+                            escapeHtml(sentence(reason)));
+    return html + "</ul></section>";
 }
 
 std::string header(const SubmissionResult& result) {
@@ -110,13 +135,27 @@ std::string overview(const SubmissionResult& result) {
     return html + "</ul></nav>";
 }
 
-/// A link to the pictures, for findings that bring none of their own.
-std::string pictureLink(const SubmissionResult& result, const TaskReport& task) {
-    const bool shown = std::any_of(
-        task.findings.begin(), task.findings.end(),
-        [](const Finding& finding) { return !finding.plots.empty() || !finding.rasters.empty(); });
-    if (shown || result.renders.empty() || firstFail(task) == nullptr) return "";
-    return "<p><a href=\"#pictures\">See where the pictures differ</a></p>";
+/// What was seen of a task stands in the card of its first mistake, else in a card of its own. A
+/// mistake without a picture of its own has a link to those of the scenes.
+std::string findingCards(const SubmissionResult& result, const TaskReport& task,
+                         const Album& album) {
+    std::string seen = figures(task.plots, task.rasters, album);
+    std::string html;
+    for (const Finding& finding : task.findings) {
+        const bool first = &finding == firstFail(task);
+        html += findingCard(finding, album, first ? seen : "");
+        if (!first) continue;
+        if (seen.empty() && finding.plots.empty() && finding.rasters.empty() &&
+            !result.renders.empty())
+            html += "<p><a href=\"#pictures\">See where the pictures differ</a></p>";
+        seen.clear();
+    }
+    if (!seen.empty())
+        html += "<div class=\"card\"><h3>What was seen</h3><div class=\"figures\">" + seen +
+                "</div></div>";
+    if (html.empty() && task.state == TaskState::passed)
+        html = "<p class=\"soft\">Nothing to remark.</p>";
+    return html;
 }
 
 std::string taskSection(const SubmissionResult& result, const TaskReport& task,
@@ -129,15 +168,7 @@ std::string taskSection(const SubmissionResult& result, const TaskReport& task,
     // Findings say it better.
     if (task.findings.empty() && !task.reason.empty())
         html += fmt::format("<p>{}</p>", escapeHtml(sentence(task.reason)));
-    for (const Finding& finding : task.findings)
-        html += findingCard(finding, album);
-    html += pictureLink(result, task);
-    const std::string seen = figures(task.plots, task.rasters, album);
-    if (!seen.empty())
-        html += "<div class=\"card seen\"><h3>What was seen</h3>" + seen + "</div>";
-    else if (task.findings.empty() && task.state == TaskState::passed)
-        html += "<p class=\"soft\">Nothing to remark.</p>";
-    return html + "</section>";
+    return html + findingCards(result, task, album) + "</section>";
 }
 
 std::string seconds(double milliseconds) {

@@ -55,10 +55,11 @@ class Viewer {
 
   /// Where in a frame the pointer is, from 0 to 1; null where it is in none.
   place(event) {
-    const frame = event.target.closest(".frame");
-    if (!frame) return null;
+    // Not the event's target: a captured pointer has the stage for its target.
+    const frame = document.elementFromPoint(event.clientX, event.clientY)?.closest(".frame");
+    if (!frame || !this.stage.contains(frame)) return null;
     const box = frame.getBoundingClientRect();
-    return { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height, box };
+    return { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height, box, frame };
   }
 
   /// Zooms by a factor; what is at `fixed` stays there.
@@ -82,7 +83,7 @@ class Viewer {
     const place = this.place(event);
     if (!place || event.button !== 0) return;
     this.stage.setPointerCapture(event.pointerId);
-    const onMap = event.target.closest(".flip, .z");
+    const onMap = place.frame.closest(".flip, .z");
     const nearDivider = Math.abs(place.x - 1 + Number(this.slider.value) / 100) * place.box.width < 16;
     const wipes = this.over && !onMap && (this.zoom === 1 || nearDivider);
     this.dragged = { wipes, x: event.clientX, y: event.clientY, at: this.at, box: place.box };
