@@ -5,33 +5,17 @@
 #include <nlohmann/json.hpp>
 
 #include <sys/wait.h>
+#include <array>
 #include <cstdlib>
 #include <fstream>
+#include <utility>
 
 namespace ticker::coverage {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        std::string name = (fs::temp_directory_path() / "public-coverage-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw raytracer::Error("no temporary folder");
-        path_ = name;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
+constexpr std::array kNames{"BumpySphere", "Renderer"};
 
 std::string quoted(const fs::path& path) {
     return "'" + path.string() + "'";  // our own paths hold no quotes
@@ -41,26 +25,6 @@ std::string quoted(const fs::path& path) {
 int run(const std::string& command) {
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-}
-
-/// Compiles the case's files, or the reference's, and links them; false where that fails.
-bool build(const Case& one, const fs::path& root, const fs::path& linkFile, const fs::path& work) {
-    const std::string include = " -I" + quoted(root / "student_template/framework/include");
-    for (const char* name : {"BumpySphere", "Renderer"}) {
-        const std::string file = std::string{name} + ".cpp";
-        const auto own = one.files.find(file);
-        std::ofstream{work / file}
-            << (own != one.files.end() ? own->second
-                                       : readText(root / "reference_solution/exercise" / file));
-        if (run("cd " + quoted(work) + " && " TICKER_COMPILE " -std=c++20 -O1 -w" + include +
-                " -c " + file + " 2>/dev/null") != 0)
-            return false;
-    }
-    const std::string link = "cd " + quoted(work) +
-                             " && " TICKER_LINK " BumpySphere.o Renderer.o @" + quoted(linkFile) +
-                             " -o public_tests 2>link.txt";
-    if (run(link) != 0) throw raytracer::Error("cannot link: " + readText(work / "link.txt"));
-    return true;
 }
 
 std::vector<std::string> suitesOf(const std::string& task) {
@@ -85,10 +49,52 @@ Outcome read(const nlohmann::json& report) {
 
 }  // namespace
 
-Outcome examine(const Case& one, const fs::path& root, const fs::path& linkFile) {
+ScratchFolder::ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "public-coverage-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw raytracer::Error("no temporary folder");
+    path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+Examiner::Examiner(fs::path root, fs::path linkFile)
+    : root_(std::move(root)), linkFile_(std::move(linkFile)) {
+    for (const std::string name : kNames)
+        if (!compile(readText(root_ / "reference_solution/exercise" / (name + ".cpp")), name,
+                     reference_.path()))
+            throw raytracer::Error("the reference solution does not compile");
+}
+
+/// Leaves NAME.o in the folder; false where that fails.
+bool Examiner::compile(const std::string& text, const std::string& name,
+                       const fs::path& folder) const {
+    std::ofstream{folder / (name + ".cpp")} << text;
+    return run("cd " + quoted(folder) + " && " TICKER_COMPILE " -std=c++20 -O1 -w -I" +
+               quoted(root_ / "student_template/framework/include") + " -c " + name +
+               ".cpp 2>/dev/null") == 0;
+}
+
+bool Examiner::build(const Case& one, const fs::path& folder) const {
+    std::string objects;
+    for (const std::string name : kNames) {
+        const auto own = one.files.find(name + ".cpp");
+        const bool isOwn = own != one.files.end();
+        if (isOwn && !compile(own->second, name, folder)) return false;
+        objects += " " + quoted((isOwn ? folder : reference_.path()) / (name + ".o"));
+    }
+    const std::string link = "cd " + quoted(folder) + " && " TICKER_LINK + objects + " @" +
+                             quoted(linkFile_) + " -o public_tests 2>link.txt";
+    if (run(link) != 0) throw raytracer::Error("cannot link: " + readText(folder / "link.txt"));
+    return true;
+}
+
+Outcome Examiner::examine(const Case& one) const {
     const ScratchFolder work;
     Outcome outcome;
-    if (!build(one, root, linkFile, work.path())) {
+    if (!build(one, work.path())) {
         outcome.kind = Outcome::Kind::doesNotCompile;
         return outcome;
     }

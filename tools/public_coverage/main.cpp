@@ -57,6 +57,7 @@ std::vector<Case> pick(std::vector<Case> cases, double fraction) {
 }
 
 std::vector<Row> examineAll(std::vector<Case> cases) {
+    const Examiner examiner{TICKER_SOURCE_DIR, TICKER_LINK_FILE};
     std::vector<Row> rows(cases.size());
     std::atomic<std::size_t> next{0};
     std::exception_ptr error;
@@ -64,7 +65,7 @@ std::vector<Row> examineAll(std::vector<Case> cases) {
     const auto work = [&] {
         for (std::size_t i = next++; i < rows.size() && !failed; i = next++) {
             try {
-                rows[i] = {cases[i], examine(cases[i], TICKER_SOURCE_DIR, TICKER_LINK_FILE)};
+                rows[i] = {cases[i], examiner.examine(cases[i])};
             } catch (...) {
                 if (!failed.exchange(true)) error = std::current_exception();
             }
