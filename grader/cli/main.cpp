@@ -59,7 +59,8 @@ int main(int argc, char** argv) {
     const std::vector<Run> verbs{
         addGrade(app, voice),  addCheck(app, voice),    addRender(app, voice),
         addReport(app, voice), addDoctor(app, voice),   addCompare(app, voice),
-        addRefs(app, voice),   addSelftest(app, voice), addCollect(app, voice)};
+        addRefs(app, voice),   addSelftest(app, voice), addPackage(app, voice),
+        addCollect(app, voice)};
     try {
         app.parse(argc, argv);
         const std::vector<CLI::App*> known = app.get_subcommands(nullptr);
