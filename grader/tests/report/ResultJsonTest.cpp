@@ -1,3 +1,5 @@
+#include "ExampleResults.h"
+
 #include <grader/report/ResultJson.h>
 #include <grader/report/SummaryCsv.h>
 #include <grader/result/Names.h>
@@ -63,6 +65,11 @@ bool fitsTheSchema(const std::string& text) {
     const json document = json::parse(text);
     const valijson::adapters::NlohmannJsonAdapter target{document};
     return valijson::Validator{}.validate(schema, target, nullptr);
+}
+
+// Whatever text of a result came from a student: the batch goes on.
+TEST(ResultJson, IsValidWhateverTheTextsAre) {
+    EXPECT_TRUE(json::accept(resultJson(hostileExample())));
 }
 
 TEST(ResultJson, FitsItsSchema) {
