@@ -1,4 +1,5 @@
 #include <grader/cli/Batch.h>
+#include <grader/cli/Formats.h>
 #include <grader/cli/GradeOptions.h>
 #include <grader/cli/Output.h>
 #include <grader/cli/Progress.h>
@@ -34,21 +35,31 @@ struct BatchOptions {
     std::string out;
     int workers = 0;
     bool expectFolders = false;
+    bool single = false;
     GradeOptions grade;
+    FormatOptions formats;
 };
 
+/// A path that is one submission, whatever is in it: a platform says so.
+std::vector<intake::Located> wholePath(const std::string& path) {
+    const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
+    const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename();
+    return {{name.empty() ? "submission" : name, whole}};
+}
+
 /// The submissions below all paths; a name that comes twice gets a number.
-std::vector<intake::Located> locate(const std::vector<std::string>& paths) {
+std::vector<intake::Located> locate(const BatchOptions& options) {
     std::vector<intake::Located> all;
     std::map<std::string, int> seen;
-    for (const std::string& path : paths)
-        for (intake::Located located : intake::findSubmissions(path)) {
+    for (const std::string& path : options.paths)
+        for (intake::Located located :
+             options.single ? wholePath(path) : intake::findSubmissions(path)) {
             const int before = seen[located.name]++;
             if (before > 0) located.name += fmt::format("-{}", before + 1);
             all.push_back(std::move(located));
         }
     if (all.empty())
-        throw raytracer::InputError(paths.front(), 0,
+        throw raytracer::InputError(options.paths.front(), 0,
                                     "no submission here; expected BumpySphere.cpp or Renderer.cpp "
                                     "in a folder, a zip, or a folder of such");
     return all;
@@ -80,7 +91,7 @@ raytracer::ExitCode exitCodeOf(const std::vector<SubmissionResult>& results,
 }
 
 raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
-    const std::vector<intake::Located> submissions = locate(options.paths);
+    const std::vector<intake::Located> submissions = locate(options);
     const pipeline::Grader grader = makeGrader(options.grade);
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     const int workers = options.workers > 0 ? options.workers : std::max(1, cores);
@@ -105,7 +116,9 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
                      results.push_back(result);
                  });
     }
+    std::ranges::sort(results, {}, &SubmissionResult::submission);
     writeClass(options.out, results);
+    writeFormats(options.out, results, options.formats);
     if (!voice.quiet) fmt::print(stderr, "{}\n", closingLine(results, options.out));
     if (unexpected > 0)
         fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
@@ -125,6 +138,13 @@ Run addGrade(CLI::App& app, const Voice& voice) {
         ->check(CLI::PositiveNumber);
     verb->add_flag("--expect-folders", options->expectFolders,
                    "Exit 1 unless each verdict is the name of the folder that it lies in");
+    verb->add_flag("--single", options->single,
+                   "The path is one submission, whatever folders it holds");
+    verb->add_option("--format", options->formats.names,
+                     "Write these formats, too, as ticker report does")
+        ->delimiter(',')
+        ->check(CLI::IsMember(formatNames()));
+    addFormatOptions(*verb, options->formats);
     addGradeOptions(*verb, options->grade);
     return [options, &voice] { return grade(*options, voice); };
 }

@@ -69,6 +69,13 @@ std::vector<SubmissionResult> readResults(const fs::path& out) {
     return results;
 }
 
+std::string allResultsJson(const std::vector<SubmissionResult>& results) {
+    std::string text = "[\n";
+    for (std::size_t i = 0; i < results.size(); ++i)
+        text += report::resultJson(results[i]) + (i + 1 < results.size() ? "," : "");
+    return text + "]\n";
+}
+
 std::string tableLine(const SubmissionResult& result) {
     std::string states;
     for (const TaskReport& task : result.tasks)

@@ -21,6 +21,9 @@ void writeClass(const std::filesystem::path& out, std::vector<SubmissionResult> 
 /// @throws raytracer::InputError where OUT holds none, or one cannot be read.
 [[nodiscard]] std::vector<SubmissionResult> readResults(const std::filesystem::path& out);
 
+/// All results as one JSON array of what result.json holds.
+[[nodiscard]] std::string allResultsJson(const std::vector<SubmissionResult>& results);
+
 /// One line of a table for a person: verdict, task states, findings.
 [[nodiscard]] std::string tableLine(const SubmissionResult& result);
 
