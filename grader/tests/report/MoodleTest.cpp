@@ -78,8 +78,9 @@ TEST(MoodleWorksheet, ChangesNothingButGradeAndFeedback) {
     ASSERT_EQ(old[0], changed[0]);
     for (std::size_t row = 1; row < old.size(); ++row)
         for (std::size_t column = 0; column < old[0].size(); ++column)
-            if (old[0][column] != "Grade" && old[0][column] != "Feedback comments")
+            if (old[0][column] != "Grade" && old[0][column] != "Feedback comments") {
                 EXPECT_EQ(old[row].at(column), changed[row].at(column));
+            }
     EXPECT_EQ(after.substr(0, 3), "\xEF\xBB\xBF");
     EXPECT_NE(after.find("\"<p>I wrote \\\"C:\\tick\\\" myself,\nhonestly</p>\""),
               std::string::npos)
