@@ -30,7 +30,8 @@ package::Parts partsOf(const PackageOptions& options) {
     const Home home = Home::find();
     const build::Kit kit = build::Kit::besideProgram();
     return {.program = home.programs / "ticker",
-            .helper = sandbox::findHelper(),
+            .helper = sandbox::findProgram("ticker-jail"),
+            .decoder = sandbox::findProgram("ticker-decode"),
             .kit = kit.folder(),
             .compiler = kit.compiler(),
             .compileFlags = kit.compileFlags(),

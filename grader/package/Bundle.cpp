@@ -53,6 +53,7 @@ void addProgram(zip::ZipWriter& zip, const Parts& parts) {
         else
             zip.addFile("ticker/lib/shared/" + library.filename().string(), library);
     zip.addFile("ticker/libexec/ticker/ticker-jail", parts.helper);
+    zip.addFile("ticker/libexec/ticker/ticker-decode", parts.decoder);
 }
 
 // The precompiled header stays behind: only the very compiler that made it can read it.

@@ -11,6 +11,7 @@ namespace ticker::package {
 struct Parts {
     std::filesystem::path program;  ///< ticker
     std::filesystem::path helper;   ///< ticker-jail
+    std::filesystem::path decoder;  ///< ticker-decode
     std::filesystem::path kit;      ///< what submissions are compiled and linked with
     std::string compiler;           ///< of the kit, as an absolute path
     std::vector<std::string> compileFlags;

@@ -1,4 +1,4 @@
-#include <grader/build/SharedMemory.h>
+#include <grader/sandbox/SharedMemory.h>
 
 #include <raytracer/base/Error.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-namespace ticker::build {
+namespace ticker::sandbox {
 namespace {
 
 void require(bool done, const char* what) {
@@ -18,8 +18,8 @@ void require(bool done, const char* what) {
                                " a memory file: " + std::generic_category().message(errno));
 }
 
-sandbox::FileDescriptor memoryFile() {
-    sandbox::FileDescriptor file{memfd_create("ticker", MFD_CLOEXEC | MFD_ALLOW_SEALING)};
+FileDescriptor memoryFile() {
+    FileDescriptor file{memfd_create("ticker", MFD_CLOEXEC | MFD_ALLOW_SEALING)};
     require(file.isOpen(), "make");
     return file;
 }
@@ -39,8 +39,8 @@ SharedMemory::~SharedMemory() {
     munmap(bytes_.data(), bytes_.size());
 }
 
-sandbox::FileDescriptor sealedCopy(std::span<const std::byte> bytes) {
-    sandbox::FileDescriptor file = memoryFile();
+FileDescriptor sealedCopy(std::span<const std::byte> bytes) {
+    FileDescriptor file = memoryFile();
     while (!bytes.empty()) {
         const ssize_t written = write(file.get(), bytes.data(), bytes.size());
         require(written > 0, "fill");
@@ -52,4 +52,4 @@ sandbox::FileDescriptor sealedCopy(std::span<const std::byte> bytes) {
     return file;
 }
 
-}  // namespace ticker::build
+}  // namespace ticker::sandbox

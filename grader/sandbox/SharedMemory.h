@@ -1,12 +1,12 @@
-#ifndef TICKER_BUILD_SHAREDMEMORY_H
-#define TICKER_BUILD_SHAREDMEMORY_H
+#ifndef TICKER_SANDBOX_SHAREDMEMORY_H
+#define TICKER_SANDBOX_SHAREDMEMORY_H
 
 #include <grader/sandbox/FileDescriptor.h>
 
 #include <cstddef>
 #include <span>
 
-namespace ticker::build {
+namespace ticker::sandbox {
 
 /// A memory file of fixed size that can be handed to another process. It has no name.
 class SharedMemory {
@@ -22,13 +22,13 @@ public:
     [[nodiscard]] int descriptor() const { return descriptor_.get(); }
 
 private:
-    sandbox::FileDescriptor descriptor_;
+    FileDescriptor descriptor_;
     std::span<std::byte> bytes_;
 };
 
 /// A memory file that nobody can change any more.
-[[nodiscard]] sandbox::FileDescriptor sealedCopy(std::span<const std::byte> bytes);
+[[nodiscard]] FileDescriptor sealedCopy(std::span<const std::byte> bytes);
 
-}  // namespace ticker::build
+}  // namespace ticker::sandbox
 
 #endif
