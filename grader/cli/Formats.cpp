@@ -64,9 +64,8 @@ const std::map<std::string, ClassFormat>& classFormats() {
 }
 
 report::StudentPolicy policyOf(const FormatOptions& options) {
-    return report::readStudentPolicy(
-        options.studentView.empty() ? Home::find().data / "grader" / "report" / "student-view.json"
-                                    : fs::path{options.studentView});
+    return report::readStudentPolicy(options.studentView.empty() ? Home::find().studentView()
+                                                                 : fs::path{options.studentView});
 }
 
 std::string readText(const fs::path& file, const char* expected) {
