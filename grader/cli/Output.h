@@ -9,8 +9,8 @@
 
 namespace ticker::cli {
 
-/// Writes OUT/<submission>/: images/, report.html and, last, result.json, which says that the rest
-/// is there.
+/// Writes OUT/<submission>/: images/, code/ (the sources as handed in), report.html and, last,
+/// result.json, which says that the rest is there. What an earlier grading left goes first.
 /// @throws raytracer::InputError where something cannot be written.
 void writeSubmission(const std::filesystem::path& out, const SubmissionResult& result);
 

@@ -163,6 +163,11 @@ SubmissionResult readResultJson(const std::filesystem::path& file) {
     result.seed = readSeed(top.at("seed"));
     result.sandboxLevel = top.at("sandboxLevel").text();
     result.toolVersion = top.at("toolVersion").text();
+    if (top.has("inputs")) {
+        const Place inputs = top.at("inputs");
+        result.inputs = {inputs.at("files").text(), inputs.at("tool").text(),
+                         inputs.at("how").text()};
+    }
     for (const Place& task : top.at("tasks").items())
         result.tasks.push_back(readTask(task));
     for (const Place& render : top.at("renders").items())

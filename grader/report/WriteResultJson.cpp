@@ -110,6 +110,10 @@ std::string resultJson(const SubmissionResult& result) {
     json["seed"] = std::to_string(result.seed);
     json["sandboxLevel"] = result.sandboxLevel;
     json["toolVersion"] = result.toolVersion;
+    if (result.inputs.areKnown())
+        json["inputs"] = {{"files", result.inputs.files},
+                          {"tool", result.inputs.tool},
+                          {"how", result.inputs.how}};
     json["tasks"] = tasks;
     json["renders"] = renders;
     json["notices"] = notices;
