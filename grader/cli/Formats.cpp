@@ -76,9 +76,26 @@ std::string readText(const fs::path& file, const char* expected) {
     return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
+/// The result as it counts: as a person decided, or as the tool proposes.
+SubmissionResult decided(const store::ClassEntry& entry) {
+    SubmissionResult result = entry.result;
+    if (!entry.decision || entry.decision->ruling == Ruling::undecided) return result;
+    const bool isAwarded = entry.decision->ruling == Ruling::awarded;
+    result.verdict = isAwarded ? Verdict::awarded : Verdict::notAwarded;
+    if (!isAwarded)
+        result.score = 0.0;
+    else if (result.score <= 0.0)
+        result.score = result.maxScore;
+    return result;
+}
+
+StudentView viewOf(SubmissionResult result, const store::ClassEntry& entry,
+                   const report::StudentPolicy& policy) {
+    return {std::move(result), policy, entry.decision ? entry.decision->comment : ""};
+}
+
 /// A result that was read back knows its pictures' files only.
 SubmissionResult withPictures(SubmissionResult result, const fs::path& out) {
-    if (!result.pictures.empty()) return result;
     for (const RenderScore& render : result.renders) {
         if (!render.image.starts_with("images/") || render.image.find("..") != std::string::npos)
             continue;
@@ -90,7 +107,8 @@ SubmissionResult withPictures(SubmissionResult result, const fs::path& out) {
     return result;
 }
 
-std::vector<fs::path> writeMoodle(const fs::path& out, const std::vector<SubmissionResult>& results,
+std::vector<fs::path> writeMoodle(const fs::path& out,
+                                  const std::vector<store::ClassEntry>& entries,
                                   const report::StudentPolicy& policy,
                                   const FormatOptions& options) {
     if (options.worksheet.empty())
@@ -99,9 +117,10 @@ std::vector<fs::path> writeMoodle(const fs::path& out, const std::vector<Submiss
                                     "downloaded");
     std::vector<StudentView> views;
     std::vector<std::string> pages;
-    for (const SubmissionResult& result : results) {
-        views.emplace_back(result, policy);
-        pages.push_back(report::studentPage({withPictures(result, out), policy}));
+    for (const store::ClassEntry& entry : entries) {
+        const SubmissionResult result = decided(entry);
+        views.push_back(viewOf(result, entry, policy));
+        pages.push_back(report::studentPage(viewOf(withPictures(result, out), entry, policy)));
     }
     std::optional<report::ScaleWords> scale;
     if (!options.scale.empty())
@@ -124,13 +143,13 @@ std::vector<fs::path> writeMoodle(const fs::path& out, const std::vector<Submiss
     return {sheet, feedback};
 }
 
-std::vector<fs::path> writeEach(const fs::path& out, const std::vector<SubmissionResult>& results,
+std::vector<fs::path> writeEach(const fs::path& out, const std::vector<store::ClassEntry>& entries,
                                 const report::StudentPolicy& policy, const EachFormat& format) {
     std::vector<fs::path> written;
-    for (const SubmissionResult& result : results) {
-        const fs::path file = out / result.submission / format.file;
+    for (const store::ClassEntry& entry : entries) {
+        const fs::path file = out / entry.result.submission / format.file;
         std::error_code ignored;
-        if (const auto text = format.render(StudentView{result, policy})) {
+        if (const auto text = format.render(viewOf(decided(entry), entry, policy))) {
             report::writeAtomically(*text, file);
             written.push_back(file);
         } else {
@@ -164,18 +183,18 @@ std::vector<std::string> formatNames() {
 }
 
 std::vector<fs::path> writeFormats(const fs::path& out,
-                                   const std::vector<SubmissionResult>& results,
+                                   const std::vector<store::ClassEntry>& entries,
                                    const FormatOptions& options) {
     std::vector<fs::path> written;
     for (const std::string& name : options.names) {
         std::vector<fs::path> files;
         if (const auto whole = classFormats().find(name); whole != classFormats().end()) {
             files = {out / whole->second.file};
-            report::writeAtomically(whole->second.render(results), files.front());
+            report::writeAtomically(whole->second.render(resultsOf(entries)), files.front());
         } else if (name == "moodle") {
-            files = writeMoodle(out, results, policyOf(options), options);
+            files = writeMoodle(out, entries, policyOf(options), options);
         } else {
-            files = writeEach(out, results, policyOf(options), eachFormats().at(name));
+            files = writeEach(out, entries, policyOf(options), eachFormats().at(name));
         }
         std::ranges::move(files, std::back_inserter(written));
     }

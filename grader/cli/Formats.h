@@ -1,7 +1,7 @@
 #ifndef TICKER_CLI_FORMATS_H
 #define TICKER_CLI_FORMATS_H
 
-#include <grader/result/SubmissionResult.h>
+#include <grader/store/ClassFolder.h>
 
 #include <filesystem>
 #include <string>
@@ -27,13 +27,14 @@ void addFormatOptions(CLI::App& verb, FormatOptions& options);
 /// "autolab", "classroom", ...: what `writeFormats` knows.
 [[nodiscard]] std::vector<std::string> formatNames();
 
-/// Writes OUT/<submission>/gradescope.json and the like, one for each result, or one file for the
-/// class in OUT; says on stderr what somebody has to know.
+/// Writes OUT/<submission>/gradescope.json and the like, one for each submission, or one file for
+/// the class in OUT; says on stderr what somebody has to know. Where a person has decided, students
+/// get that decision; staff's files of the class hold what the tool says.
 /// @return What was written, in order. A format without a word for "could not be graded" writes
 ///         nothing for such a result, and removes what an earlier run wrote.
 /// @throws raytracer::InputError where something cannot be read or written.
 std::vector<std::filesystem::path> writeFormats(const std::filesystem::path& out,
-                                                const std::vector<SubmissionResult>& results,
+                                                const std::vector<store::ClassEntry>& entries,
                                                 const FormatOptions& options);
 
 }  // namespace ticker::cli

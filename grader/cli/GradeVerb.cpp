@@ -166,7 +166,7 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
     }
     run.finish();
     if (!options.formats.names.empty())
-        writeFormats(options.out, readResults(options.out), options.formats);
+        writeFormats(options.out, store::readClass(options.out), options.formats);
     report(tally, submissions.size(), options, voice, stop);
     return exitCodeOf(tally, stop);
 }

@@ -2,6 +2,7 @@
 #include <grader/cli/Output.h>
 #include <grader/cli/Verb.h>
 #include <grader/report/SummaryCsv.h>
+#include <grader/store/ClassFolder.h>
 
 #include <CLI/CLI.hpp>
 
@@ -21,28 +22,29 @@ struct ReportOptions {
     FormatOptions formats;
 };
 
-std::vector<SubmissionResult> chosen(const ReportOptions& options) {
-    std::vector<SubmissionResult> results = readResults(options.folder);
-    if (options.submission.empty()) return results;
-    std::erase_if(results, [&](const SubmissionResult& result) {
-        return result.submission != options.submission;
+std::vector<store::ClassEntry> chosen(const ReportOptions& options) {
+    std::vector<store::ClassEntry> entries = store::readClass(options.folder);
+    if (options.submission.empty()) return entries;
+    std::erase_if(entries, [&](const store::ClassEntry& entry) {
+        return entry.result.submission != options.submission;
     });
-    if (results.empty())
+    if (entries.empty())
         throw raytracer::InputError(
             options.folder, 0,
             fmt::format("no result of a submission named \"{}\"", options.submission));
-    return results;
+    return entries;
 }
 
 raytracer::ExitCode report(ReportOptions options) {
-    const std::vector<SubmissionResult> results = chosen(options);
+    const std::vector<store::ClassEntry> entries = chosen(options);
     if (options.format == "csv" || options.format == "json") {
+        const std::vector<SubmissionResult> results = resultsOf(entries);
         fmt::print("{}",
                    options.format == "csv" ? report::summaryCsv(results) : allResultsJson(results));
         return raytracer::ExitCode::success;
     }
     options.formats.names = {options.format};
-    for (const std::filesystem::path& file : writeFormats(options.folder, results, options.formats))
+    for (const std::filesystem::path& file : writeFormats(options.folder, entries, options.formats))
         fmt::print("{}\n", file.string());
     return raytracer::ExitCode::success;
 }

@@ -86,6 +86,24 @@ std::string findingText(const Finding& finding) {
     return text;
 }
 
+std::string_view sentenceFor(const SubmissionResult& result) {
+    switch (result.verdict) {
+        case Verdict::awarded:
+            return "Tick awarded.";
+        case Verdict::notAwarded:
+            return std::ranges::any_of(result.tasks, concernsStudent)
+                       ? "No tick yet. One option is enough: T1, or T2.1 and T2.2 together."
+                       : "No tick yet: no task was worked on. Edit BumpySphere.cpp (T1) or "
+                         "Renderer.cpp (T2).";
+        case Verdict::needsReview:
+            return "A person will look at this before it counts.";
+        case Verdict::notGraded:
+            return "This could not be graded, for reasons that are not yours. Please tell the "
+                   "course staff.";
+    }
+    return "";
+}
+
 std::string withoutNewlinesAtEnd(std::string text) {
     while (text.ends_with('\n'))
         text.pop_back();
@@ -94,8 +112,8 @@ std::string withoutNewlinesAtEnd(std::string text) {
 
 }  // namespace
 
-StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy)
-    : result_(std::move(result)) {
+StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment)
+    : result_(std::move(result)), comment_(std::move(comment)) {
     result_.seed = 0;
     for (TaskReport& task : result_.tasks)
         withhold(task, policy);
@@ -122,22 +140,9 @@ std::string taskText(const StudentView& view, const TaskReport& task) {
 }
 
 std::string verdictText(const StudentView& view) {
-    const SubmissionResult& result = view.result();
-    switch (result.verdict) {
-        case Verdict::awarded:
-            return "Tick awarded.";
-        case Verdict::notAwarded:
-            return std::ranges::any_of(result.tasks, concernsStudent)
-                       ? "No tick yet. One option is enough: T1, or T2.1 and T2.2 together."
-                       : "No tick yet: no task was worked on. Edit BumpySphere.cpp (T1) or "
-                         "Renderer.cpp (T2).";
-        case Verdict::needsReview:
-            return "A person will look at this before it counts.";
-        case Verdict::notGraded:
-            return "This could not be graded, for reasons that are not yours. Please tell the "
-                   "course staff.";
-    }
-    return "";
+    const std::string sentence{sentenceFor(view.result())};
+    if (view.comment().empty()) return sentence;
+    return cleanText(fmt::format("{}\nYour ticker says: {}", sentence, view.comment()));
 }
 
 std::string wholeText(const StudentView& view) {

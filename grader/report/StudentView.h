@@ -28,12 +28,15 @@ struct StudentPolicy {
 /// Whatever students are shown is made from one of these.
 class StudentView {
 public:
-    StudentView(SubmissionResult result, const StudentPolicy& policy);
+    /// @param comment  What the person who decided says; empty: nobody said anything.
+    StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment = {});
 
     [[nodiscard]] const SubmissionResult& result() const { return result_; }
+    [[nodiscard]] const std::string& comment() const { return comment_; }
 
 private:
     SubmissionResult result_;
+    std::string comment_;
 };
 
 /// True where the student worked on this task, or something is to be said about it.
@@ -46,7 +49,8 @@ private:
 /// format but free of control characters. Never empty.
 [[nodiscard]] std::string taskText(const StudentView& view, const TaskReport& task);
 
-/// One or two sentences on the verdict, as plain text.
+/// One or two sentences on the verdict, and the person's comment, as plain text without control
+/// characters.
 [[nodiscard]] std::string verdictText(const StudentView& view);
 
 /// verdictText, then the text of each task that concerns the student, under its name.

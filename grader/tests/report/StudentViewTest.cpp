@@ -83,6 +83,13 @@ TEST(StudentView, ShowsWhatThePolicyAllowsAndNoMore) {
         holds(everythingShown(passedExample(), {.warnings = false, .evidence = {}}), "clustered"));
 }
 
+TEST(StudentView, HoldsWhatThePersonSaidWhoDecided) {
+    const StudentView view{failedBumpExample(), {}, "Come and see me\x1B, <Ada>"};
+    EXPECT_TRUE(holds(*gradescopeJson(view), "Come and see me"));
+    EXPECT_TRUE(holds(studentPage(view), "&lt;Ada&gt;"));
+    EXPECT_FALSE(holds(verdictText(view), "\x1B"));
+}
+
 TEST(StudentView, TextHasNoControlCharacter) {
     for (const char c : wholeText(StudentView{hostileExample(), {}}))
         EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t');
