@@ -206,6 +206,11 @@ SubmissionResult parseResultJson(const std::string& text, const std::string& nam
     result.seed = readSeed(top.at("seed"));
     result.sandboxLevel = top.at("sandboxLevel").text();
     result.toolVersion = top.at("toolVersion").text();
+    if (top.has("inputs")) {
+        const Place inputs = top.at("inputs");
+        result.inputs = {inputs.at("files").text(), inputs.at("tool").text(),
+                         inputs.at("how").text()};
+    }
     for (const Place& task : top.at("tasks").items())
         result.tasks.push_back(readTask(task));
     for (const Place& render : top.at("renders").items())
@@ -218,8 +223,7 @@ SubmissionResult parseResultJson(const std::string& text, const std::string& nam
                 {readImage(picture.at("file")), picture.at("caption").text(), {}});
     if (top.has("diagnostics"))
         for (const Place& said : top.at("diagnostics").items())
-            result.diagnostics.push_back(
-                {said.at("file").text(), said.at("text").text(), said.at("source").text()});
+            result.diagnostics.push_back({said.at("file").text(), said.at("text").text()});
     const Place timing = top.at("timing");
     result.timing = {timing.at("compileMs").number(), timing.at("probeMs").number(),
                      timing.at("totalMs").number()};

@@ -102,6 +102,13 @@ ordered_json taskJson(const TaskReport& task) {
     return json;
 }
 
+ordered_json diagnosticsJson(const SubmissionResult& result) {
+    ordered_json list = ordered_json::array();
+    for (const Diagnostics& said : result.diagnostics)
+        list.push_back({{"file", cleanText(said.file)}, {"text", cleanText(said.text)}});
+    return list;
+}
+
 ordered_json renderJson(const RenderScore& render) {
     ordered_json json;
     json["scene"] = render.scene;
@@ -157,12 +164,6 @@ ordered_json pictureJson(const ResultPicture& picture) {
     return {{"file", picture.file}, {"caption", cleanText(picture.caption)}};
 }
 
-ordered_json diagnosticsJson(const Diagnostics& said) {
-    return {{"file", cleanText(said.file)},
-            {"text", cleanText(said.text)},
-            {"source", cleanText(said.source)}};
-}
-
 }  // namespace
 
 std::string resultJson(const SubmissionResult& result) {
@@ -186,17 +187,21 @@ std::string resultJson(const SubmissionResult& result) {
     json["seed"] = std::to_string(result.seed);
     json["sandboxLevel"] = result.sandboxLevel;
     json["toolVersion"] = result.toolVersion;
+    if (result.inputs.areKnown())
+        json["inputs"] = {{"files", result.inputs.files},
+                          {"tool", result.inputs.tool},
+                          {"how", result.inputs.how}};
     json["tasks"] = tasks;
     json["renders"] = renders;
     json["notices"] = notices;
     for (const ResultPicture& picture : result.pictures)
         json["pictures"].push_back(pictureJson(picture));
-    for (const Diagnostics& said : result.diagnostics)
-        json["diagnostics"].push_back(diagnosticsJson(said));
+    if (!result.diagnostics.empty()) json["diagnostics"] = diagnosticsJson(result);
     json["timing"] = {{"compileMs", number(std::round(result.timing.compileMs))},
                       {"probeMs", number(std::round(result.timing.probeMs))},
                       {"totalMs", number(std::round(result.timing.totalMs))}};
-    return listsOnOneLine(json.dump(2)) + "\n";
+    // What is no UTF-8 is replaced: no text may keep a result from being written.
+    return listsOnOneLine(json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) + "\n";
 }
 
 void writeAtomically(const std::string& text, const std::filesystem::path& file) {

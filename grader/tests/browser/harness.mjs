@@ -51,7 +51,10 @@ export async function openPage(browser, url, options = {}) {
     if (!allowed(request.url())) problems.push(`request: ${request.url()}`);
   });
   page.on("requestfailed", (request) => problems.push(`missing: ${request.url()}`));
-  await page.emulateMedia({ colorScheme: options.colorScheme || "light", media: options.media || "screen" });
+  await page.emulateMedia({
+    colorScheme: options.colorScheme || "light", media: options.media || "screen",
+    reducedMotion: "reduce", // where something is must not depend on how far a scroll has come
+  });
   await page.setViewportSize({ width: options.width || 1280, height: options.height || 900 });
   await page.goto(url, { waitUntil: "load" });
   return { page, problems };

@@ -228,11 +228,12 @@ SubmissionResult blockedExample() {
          "BumpySphere.cpp:4:12: error: 'nromal' was not declared in this scope; did you mean "
          "'normal'?\n    4 |     return nromal.normalised();\n      |            ^~~~~~\n"
          "      |            normal\n"
-         "BumpySphere.cpp:2:1: note: declared here\n",
-         "#include <raytracer/geometry/BumpySphere.h>\n"
-         "Vector3 BumpySphere::getNormalAt(const Vector3& p) const {\n"
-         "    const Vector3 normal = Sphere::getNormalAt(p);\n"
-         "    return nromal.normalised();\n}\n"}};
+         "BumpySphere.cpp:2:1: note: declared here\n"}};
+    result.sources = {{"BumpySphere.cpp",
+                       "#include <raytracer/geometry/BumpySphere.h>\n"
+                       "Vector3 BumpySphere::getNormalAt(const Vector3& p) const {\n"
+                       "    const Vector3 normal = Sphere::getNormalAt(p);\n"
+                       "    return nromal.normalised();\n}\n"}};
     return result;
 }
 
@@ -252,7 +253,8 @@ SubmissionResult hostileExample() {
     finding.rasters = {reliefRaster("https://example.org/" + hostile)};
     finding.rasters[0].title = hostile;
     result.tasks[0].findings = {finding};
-    result.diagnostics = {{hostile, hostile + ":1:1: error: " + hostile, hostile}};
+    result.diagnostics = {{hostile, hostile + ":1:1: error: " + hostile}};
+    result.sources = {{hostile, hostile}};
     result.notices = {hostile};
     addPair(result, "bump-mapping", 1.0, 0.0);
     for (ResultPicture& picture : result.pictures)
