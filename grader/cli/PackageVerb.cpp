@@ -2,6 +2,7 @@
 #include <grader/cli/Home.h>
 #include <grader/cli/Verb.h>
 #include <grader/package/Platforms.h>
+#include <grader/package/StudentPackage.h>
 #include <grader/sandbox/HelperProgram.h>
 
 #include <CLI/CLI.hpp>
@@ -51,6 +52,10 @@ void packPrairieLearn(const PackageOptions& options) {
     package::writePrairieLearn(partsOf(options), options.file);
 }
 
+void packStudent(const PackageOptions& options) {
+    package::writeStudentPackage(Home::find().data, options.file);
+}
+
 /// One kind of package: a line here is all that a new one needs.
 struct Kind {
     const char* name;
@@ -59,6 +64,7 @@ struct Kind {
 };
 
 constexpr std::array kKinds{
+    Kind{"student", "a zip for students: template, public tests, scenes, handout", packStudent},
     Kind{"gradescope", "a zip for Gradescope's autograder page", packGradescope},
     Kind{"prairielearn", "a zip with an image's Dockerfile and a sample question",
          packPrairieLearn},

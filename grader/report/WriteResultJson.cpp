@@ -121,7 +121,8 @@ std::string resultJson(const SubmissionResult& result) {
     json["timing"] = {{"compileMs", number(std::round(result.timing.compileMs))},
                       {"probeMs", number(std::round(result.timing.probeMs))},
                       {"totalMs", number(std::round(result.timing.totalMs))}};
-    return json.dump(2) + "\n";
+    // What is no UTF-8 is replaced: no text may keep a result from being written.
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 void writeAtomically(const std::string& text, const std::filesystem::path& file) {

@@ -1,3 +1,5 @@
+#include "ExampleResults.h"
+
 #include <grader/report/ResultJson.h>
 #include <grader/report/SummaryCsv.h>
 #include <grader/result/Names.h>
@@ -51,6 +53,11 @@ SubmissionResult example() {
 
 fs::path temporary(const std::string& name) {
     return fs::path{testing::TempDir()} / name;
+}
+
+// Whatever text of a result came from a student: the batch goes on.
+TEST(ResultJson, IsValidWhateverTheTextsAre) {
+    EXPECT_TRUE(json::accept(resultJson(hostileExample())));
 }
 
 TEST(ResultJson, FitsItsSchema) {
