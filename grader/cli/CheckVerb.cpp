@@ -1,9 +1,11 @@
 #include <grader/cli/GradeOptions.h>
+#include <grader/cli/Home.h>
 #include <grader/cli/Verb.h>
 #include <grader/intake/Intake.h>
 #include <grader/report/Escape.h>
 #include <grader/report/Words.h>
 #include <grader/result/Names.h>
+#include <grader/rubric/Audience.h>
 
 #include <CLI/CLI.hpp>
 
@@ -17,6 +19,7 @@ namespace {
 
 struct CheckOptions {
     std::string folder;
+    std::string audience = "staff";
     GradeOptions grade;
 };
 
@@ -27,13 +30,18 @@ void print(const Finding& finding) {
     if (!finding.section.empty()) fmt::print("    Handout: {}\n", finding.section);
 }
 
-void print(const SubmissionResult& result) {
+bool isTold(const TaskReport& task) {
+    return task.state != TaskState::failed || !task.findings.empty();
+}
+
+void print(const SubmissionResult& result, const rubric::Audience& audience) {
     for (const TaskReport& task : result.tasks) {
         const std::string name = task.id.starts_with('T') ? task.id + " " + task.title : task.title;
         fmt::print("{}: {}{}\n", name, report::wordsFor(task.state),
                    task.reason.empty() ? "" : ": " + report::escapeLine(task.reason));
         for (const Finding& finding : task.findings)
             print(finding);
+        if (!isTold(task)) fmt::print("  Please ask your ticker about this one.\n");
     }
     for (const Diagnostics& said : result.diagnostics)
         if (!said.text.empty())
@@ -41,11 +49,14 @@ void print(const SubmissionResult& result) {
                        report::cleanText(said.text));
     for (const std::string& notice : result.notices)
         fmt::print("note: {}\n", report::escapeLine(notice));
-    fmt::print("\n{}: {}\n", report::escapeLine(result.submission),
-               report::wordsFor(result.verdict));
+    if (audience.verdict)
+        fmt::print("\n{}: {}\n", report::escapeLine(result.submission),
+                   report::wordsFor(result.verdict));
 }
 
 raytracer::ExitCode check(const CheckOptions& options) {
+    const rubric::Audience audience =
+        rubric::readAudience(Home::find().audiences(), options.audience);
     const auto found = intake::findSubmissions(options.folder);
     if (found.size() != 1)
         throw raytracer::InputError(
@@ -54,7 +65,7 @@ raytracer::ExitCode check(const CheckOptions& options) {
                         found.size()));
     const SubmissionResult result = pipeline::gradeSubmission(
         intake::readSubmission(found.front()), makeGrader(options.grade), seedOf(options.grade));
-    print(result);
+    print(rubric::shownTo(audience, result), audience);
     if (result.verdict == Verdict::notGraded) return raytracer::ExitCode::notGradable;
     const bool allGood =
         std::all_of(result.tasks.begin(), result.tasks.end(), [](const TaskReport& task) {
@@ -69,6 +80,9 @@ Run addCheck(CLI::App& app, const Voice& /*voice*/) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App* verb = app.add_subcommand("check", "The full diagnosis of one submission, as text");
     verb->add_option("folder", options->folder, "Folder or zip with the files")->required();
+    verb->add_option("--audience", options->audience,
+                     "Whose eyes it is for: student leaves out what the policy keeps back")
+        ->check(CLI::IsMember({"staff", "student"}));
     addGradeOptions(*verb, options->grade);
     return [options] { return check(*options); };
 }

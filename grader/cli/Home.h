@@ -21,6 +21,9 @@ struct Home {
     [[nodiscard]] std::filesystem::path rubric() const {
         return data / "grader" / "rubric" / "rubric.json";
     }
+    [[nodiscard]] std::filesystem::path audiences() const {
+        return data / "grader" / "rubric" / "audiences.json";
+    }
 };
 
 }  // namespace ticker::cli
