@@ -24,6 +24,7 @@ struct PackageOptions {
     std::string kind;
     std::string file;
     std::string rubric;
+    std::string studentView;
 };
 
 /// Everything that runs, from wherever this ticker lies.
@@ -38,7 +39,9 @@ package::Parts partsOf(const PackageOptions& options) {
             .compileFlags = kit.compileFlags(),
             .linkFlags = kit.linkFlags(),
             .data = home.data,
-            .rubric = options.rubric.empty() ? home.rubric() : fs::path{options.rubric}};
+            .rubric = options.rubric.empty() ? home.rubric() : fs::path{options.rubric},
+            .studentView =
+                options.studentView.empty() ? home.studentView() : fs::path{options.studentView}};
 }
 
 void packGradescope(const PackageOptions& options) {
@@ -92,6 +95,8 @@ Run addPackage(CLI::App& app, const Voice& voice) {
     verb->add_option("kind", options->kind, help)->required()->check(CLI::IsMember(names));
     verb->add_option("-o,--output", options->file, "The file to write")->required();
     verb->add_option("--rubric", options->rubric, "Carry another rubric than the kit's own");
+    verb->add_option("--student-view", options->studentView,
+                     "Carry another policy of what students may see than the kit's own");
     return [options, &voice] { return pack(*options, voice); };
 }
 

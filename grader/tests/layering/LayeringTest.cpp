@@ -66,7 +66,7 @@ std::optional<std::string> layerOf(const fs::path& file) {
 }
 
 std::optional<std::string> packageOf(const std::string& header) {
-    static const std::array<std::pair<const char*, const char*>, 16> kPackages{{
+    static const std::array<std::pair<const char*, const char*>, 18> kPackages{{
         {"opencv2/", "opencv"},
         {"tinyxml2.h", "tinyxml2"},
         {"stb_", "stb"},
@@ -82,6 +82,8 @@ std::optional<std::string> packageOf(const std::string& header) {
         {"gtest/", "gtest"},
         {"benchmark/", "benchmark"},
         {"zlib.h", "zlib"},
+        {"tiffio.h", "tiff"},
+        {"openssl/", "openssl"},
         {"png.h", "png"},
     }};
     for (const auto& [prefix, name] : kPackages)
