@@ -3,9 +3,9 @@
 #include <grader/cli/Verb.h>
 #include <grader/intake/Intake.h>
 #include <grader/report/Escape.h>
+#include <grader/report/StudentView.h>
 #include <grader/report/Words.h>
 #include <grader/result/Names.h>
-#include <grader/rubric/Audience.h>
 
 #include <CLI/CLI.hpp>
 
@@ -30,18 +30,13 @@ void print(const Finding& finding) {
     if (!finding.section.empty()) fmt::print("    Handout: {}\n", finding.section);
 }
 
-bool isTold(const TaskReport& task) {
-    return task.state != TaskState::failed || !task.findings.empty();
-}
-
-void print(const SubmissionResult& result, const rubric::Audience& audience) {
+void print(const SubmissionResult& result) {
     for (const TaskReport& task : result.tasks) {
         const std::string name = task.id.starts_with('T') ? task.id + " " + task.title : task.title;
         fmt::print("{}: {}{}\n", name, report::wordsFor(task.state),
                    task.reason.empty() ? "" : ": " + report::escapeLine(task.reason));
         for (const Finding& finding : task.findings)
             print(finding);
-        if (!isTold(task)) fmt::print("  Please ask your ticker about this one.\n");
     }
     for (const Diagnostics& said : result.diagnostics)
         if (!said.text.empty())
@@ -49,14 +44,17 @@ void print(const SubmissionResult& result, const rubric::Audience& audience) {
                        report::cleanText(said.text));
     for (const std::string& notice : result.notices)
         fmt::print("note: {}\n", report::escapeLine(notice));
-    if (audience.verdict)
-        fmt::print("\n{}: {}\n", report::escapeLine(result.submission),
-                   report::wordsFor(result.verdict));
+    fmt::print("\n{}: {}\n", report::escapeLine(result.submission),
+               report::wordsFor(result.verdict));
+}
+
+/// What the course's policy lets a student see.
+void printForStudent(const SubmissionResult& result) {
+    const report::StudentPolicy policy = report::readStudentPolicy(Home::find().studentView());
+    fmt::print("{}\n", report::wholeText(report::StudentView{result, policy}));
 }
 
 raytracer::ExitCode check(const CheckOptions& options) {
-    const rubric::Audience audience =
-        rubric::readAudience(Home::find().audiences(), options.audience);
     const auto found = intake::findSubmissions(options.folder);
     if (found.size() != 1)
         throw raytracer::InputError(
@@ -65,7 +63,10 @@ raytracer::ExitCode check(const CheckOptions& options) {
                         found.size()));
     const SubmissionResult result = pipeline::gradeSubmission(
         intake::readSubmission(found.front()), makeGrader(options.grade), seedOf(options.grade));
-    print(rubric::shownTo(audience, result), audience);
+    if (options.audience == "student")
+        printForStudent(result);
+    else
+        print(result);
     if (result.verdict == Verdict::notGraded) return raytracer::ExitCode::notGradable;
     const bool allGood =
         std::all_of(result.tasks.begin(), result.tasks.end(), [](const TaskReport& task) {
@@ -81,7 +82,7 @@ Run addCheck(CLI::App& app, const Voice& /*voice*/) {
     CLI::App* verb = app.add_subcommand("check", "The full diagnosis of one submission, as text");
     verb->add_option("folder", options->folder, "Folder or zip with the files")->required();
     verb->add_option("--audience", options->audience,
-                     "Whose eyes it is for: student leaves out what the policy keeps back")
+                     "Who reads it; student: what the policy in student-view.json allows")
         ->check(CLI::IsMember({"staff", "student"}));
     addGradeOptions(*verb, options->grade);
     return [options] { return check(*options); };

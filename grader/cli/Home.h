@@ -21,13 +21,8 @@ struct Home {
     [[nodiscard]] std::filesystem::path rubric() const {
         return data / "grader" / "rubric" / "rubric.json";
     }
-<<<<<<< HEAD
-    [[nodiscard]] std::filesystem::path audiences() const {
-        return data / "grader" / "rubric" / "audiences.json";
-=======
     [[nodiscard]] std::filesystem::path studentView() const {
         return data / "grader" / "report" / "student-view.json";
->>>>>>> main
     }
 };
 
