@@ -10,8 +10,11 @@
 namespace ticker::decision {
 
 /// A question whose pictures alone are judged, for code whose rays cannot be seen: a scene without
-/// a light, at the handout's settings, several repetitions, no log.
-[[nodiscard]] probe::RenderQuestion drawPictureQuestion(std::uint64_t seed);
+/// a light, at the handout's settings, no log.
+/// @param onePicture  One large picture in place of several small ones: for code that repeats
+/// itself.
+[[nodiscard]] probe::RenderQuestion drawPictureQuestion(std::uint64_t seed,
+                                                        bool onePicture = false);
 
 /// What pictures say about T2.2, as z-scores: standard normal for a correct submission, but for the
 /// approximation of sums of some hundred pixels by a normal law.
@@ -22,6 +25,8 @@ struct PictureVerdict {
         0.0;                 ///< z of the pixels' spread over the repetitions; high: too few rays
     bool identical = false;  ///< all repetitions are one picture: a fixed seed
     std::optional<Finding> finding;  ///< what fits best, where `largestZ` is beyond the limit
+    /// It does not fit, but lens points that all pixels share may look so: a person should see it.
+    bool ambiguous = false;
 };
 
 /// Compares with the oracle's mean and variance under each accepted aperture, by one matched filter
