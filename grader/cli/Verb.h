@@ -29,6 +29,7 @@ Run addRefs(CLI::App& app, const Voice& voice);
 Run addReport(CLI::App& app, const Voice& voice);
 Run addDoctor(CLI::App& app, const Voice& voice);
 Run addSelftest(CLI::App& app, const Voice& voice);
+Run addCalibrate(CLI::App& app, const Voice& voice);
 
 }  // namespace ticker::cli
 

@@ -37,10 +37,10 @@ int main(int argc, char** argv) {
     app.add_flag("--quiet", voice.quiet, "Say nothing but errors");
     app.add_flag("--verbose", voice.verbose, "Say more");
 
-    const std::vector<Run> verbs{addGrade(app, voice),  addCheck(app, voice),
-                                 addRender(app, voice), addReport(app, voice),
-                                 addDoctor(app, voice), addCompare(app, voice),
-                                 addRefs(app, voice),   addSelftest(app, voice)};
+    const std::vector<Run> verbs{
+        addGrade(app, voice),  addCheck(app, voice),    addRender(app, voice),
+        addReport(app, voice), addDoctor(app, voice),   addCompare(app, voice),
+        addRefs(app, voice),   addSelftest(app, voice), addCalibrate(app, voice)};
     try {
         app.parse(argc, argv);
         const std::vector<CLI::App*> known = app.get_subcommands(nullptr);

@@ -62,10 +62,7 @@ Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t
 
 // Code that gives one picture again and again leaves a single sample of its noise: a larger picture
 // is asked for, to have as many pixels as all repetitions together.
-// The largest of some 30 z-scores is judged: 6.5 is exceeded with a chance below 1e-8 where they
-// are normal; a failure has to come twice all the same, on fresh scenes and seeds.
 Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
-    constexpr double kLimit = 6.5;
     const std::uint64_t own = seed * 4 + stage;
     PictureVerdict verdict;
     for (const bool onePicture : {false, true}) {
@@ -75,7 +72,7 @@ Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t 
         if (answer == nullptr || answer->wrongSize || answer->images.empty())
             return {std::nullopt, true};
         if (!onePicture && sameEachTime(*answer)) continue;
-        verdict = judgePictures(asked, *answer, own, kLimit);
+        verdict = judgePictures(asked, *answer, own);
         break;
     }
     return {std::move(verdict.finding), verdict.ambiguous};

@@ -167,7 +167,12 @@ ApertureVerdict checkAperture(const LensLog& log) {
     const ShapeVerdict shape = judgeShape(lens);
     const double depth = std::max(std::abs(lens.low.z), std::abs(lens.high.z));
     const double factor = acceptedFactor(lens, amount, shortfall);
-    if (std::max(std::abs(centre.x), std::abs(centre.y)) > 2.0 * shortfall * half + 1e-7) {
+    if (usesPartOfLens(log, lens)) {
+        verdict.finding = distributedFinding(
+            "dof.disc", Severity::fail,
+            "The rays of each pixel were expected to start all over the aperture; those of one "
+            "pixel start in a part of it, on a line perhaps.");
+    } else if (std::max(std::abs(centre.x), std::abs(centre.y)) > 2.0 * shortfall * half + 1e-7) {
         verdict.finding = distributedFinding(
             "dof.off-centre", Severity::fail,
             fmt::format("An aperture centred on the eye was expected; its centre is at ({:.3f}, "
@@ -179,11 +184,6 @@ ApertureVerdict checkAperture(const LensLog& log) {
             fmt::format("A square in the plane z = 0 was expected; rays start up to {:.3g} in "
                         "front of it or behind it.",
                         depth));
-    } else if (usesPartOfLens(log, lens)) {
-        verdict.finding = distributedFinding(
-            "dof.disc", Severity::fail,
-            "The rays of each pixel were expected to start all over the aperture; those of one "
-            "pixel start in a part of it, on a line perhaps.");
     } else if (!shape.square) {
         verdict.finding = distributedFinding(
             "dof.disc", Severity::fail,

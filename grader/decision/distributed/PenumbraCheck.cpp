@@ -160,15 +160,17 @@ double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfa
 }
 
 // The fewest rays of which all shares are fractions; 0 where they are none of up to nine.
+// @param open      Share of the light in sight: there has to be a point where fractions are
+// expected.
 // @param fromLens  Of the points that are seen so: some treat camera rays in another way.
-int fewRays(const std::vector<Samples>& seen, bool fromLens) {
+int fewRays(const std::vector<Samples>& seen, const std::vector<double>& open, bool fromLens) {
     for (int rays = 1; rays < raytracer::RenderSettings{}.shadowRayCount; ++rays) {
         bool all = true;
         bool any = false;
-        for (const Samples& samples : seen) {
-            if (samples.place.fromLens != fromLens) continue;
-            any = any || (samples.mean > 0.1 && samples.mean < 0.9);
-            for (const double share : samples.shares) {
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            if (seen[i].place.fromLens != fromLens) continue;
+            any = any || (open[i] > 0.1 && open[i] < 0.9);
+            for (const double share : seen[i].shares) {
                 const double hits = share * rays;
                 all = all && std::abs(hits - std::round(hits)) < 0.01;
             }
@@ -180,8 +182,8 @@ int fewRays(const std::vector<Samples>& seen, bool fromLens) {
 
 std::optional<Finding> checkFractions(const std::vector<Samples>& seen,
                                       const std::vector<double>& open) {
-    const int through = fewRays(seen, true);
-    const int otherwise = fewRays(seen, false);
+    const int through = fewRays(seen, open, true);
+    const int otherwise = fewRays(seen, open, false);
     const int rays =
         through > 0 && otherwise > 0 ? std::min(through, otherwise) : std::max(through, otherwise);
     if (rays == 0) return std::nullopt;
