@@ -55,9 +55,10 @@ RampKind kindWithoutLanding(const std::vector<RampTilts>& tilts, const RampJudge
 
 }  // namespace
 
-RampJudgement judgeRamps(const std::vector<RampTilts>& tilts) {
+RampJudgement judgeRamps(const RampShape& shape, const std::vector<RampTilts>& tilts) {
     constexpr double kIgnoredShare = 1e-4;
     RampJudgement judgement;
+    judgement.shape = shape;
     judgement.strength = strength(tilts);
     const auto [alongU, alongV] = judgement.strength;
     const double strongest = std::max(alongU, alongV);

@@ -2,6 +2,7 @@
 
 #include <grader/decision/bump/Numbers.h>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -10,13 +11,19 @@ namespace {
 
 using probe::HeightMapDescription;
 
-/// `rise` times x, or x (1 - x), with x from 0 to 1 over `count` texels.
-std::vector<double> profile(int count, double rise, bool bow) {
+/// The height at x, from 0 to 1 over `count` texels: in proportion to x, or to x (1 - x).
+std::vector<double> profile(int count, const RampShape& shape, bool bow) {
     std::vector<double> heights;
     heights.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         const double x = i / static_cast<double>(count - 1);
-        heights.push_back(bow ? rise * x * (1.0 - x) : rise * x);
+        const double share = bow ? x * (1.0 - x) : x;
+        if (shape.bytesPerTexel == 0) {
+            heights.push_back(shape.base + shape.rise * share);
+        } else {
+            const long bytes = std::lround(shape.bytesPerTexel * (count - 1) * share);
+            heights.push_back(kByte * static_cast<double>(bytes % 256));
+        }
     }
     return heights;
 }
@@ -27,12 +34,18 @@ std::vector<double> level(int count) {
 
 HeightMapDescription alongU(const RampShape& shape, bool bow) {
     return {
-        shape.along, shape.across, {}, profile(shape.along, shape.rise, bow), level(shape.across)};
+        shape.columns, shape.across, {}, profile(shape.columns, shape, bow), level(shape.across)};
 }
 
 HeightMapDescription alongV(const RampShape& shape, bool bow) {
-    return {
-        shape.across, shape.along, {}, level(shape.across), profile(shape.along, shape.rise, bow)};
+    return {shape.across, shape.rows, {}, level(shape.across), profile(shape.rows, shape, bow)};
+}
+
+void addSlopes(Questionnaire& questionnaire, const Ball& ball, RampPlan& plan) {
+    plan.uRamp = questionnaire.add(ball, alongU(plan.shape, false), plan.directions);
+    plan.uBow = questionnaire.add(ball, alongU(plan.shape, true), plan.directions);
+    plan.vRamp = questionnaire.add(ball, alongV(plan.shape, false), plan.directions);
+    plan.vBow = questionnaire.add(ball, alongV(plan.shape, true), plan.directions);
 }
 
 /// Position along a map from the tilts on its ramp and its bow.
@@ -50,15 +63,21 @@ RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball, const RampSha
     plan.shape = shape;
     plan.directions = std::move(directions);
     // As high as the middle of the ramps.
-    const double middle = 0.5 * shape.rise;
+    const double middle = shape.base + 0.5 * shape.rise;
     plan.uFlat =
-        questionnaire.add(ball, flatMap(shape.along, shape.across, middle), plan.directions);
-    plan.uRamp = questionnaire.add(ball, alongU(shape, false), plan.directions);
-    plan.uBow = questionnaire.add(ball, alongU(shape, true), plan.directions);
+        questionnaire.add(ball, flatMap(shape.columns, shape.across, middle), plan.directions);
     plan.vFlat =
-        questionnaire.add(ball, flatMap(shape.across, shape.along, middle), plan.directions);
-    plan.vRamp = questionnaire.add(ball, alongV(shape, false), plan.directions);
-    plan.vBow = questionnaire.add(ball, alongV(shape, true), plan.directions);
+        questionnaire.add(ball, flatMap(shape.across, shape.rows, middle), plan.directions);
+    addSlopes(questionnaire, ball, plan);
+    return plan;
+}
+
+RampPlan planMoreRamps(Questionnaire& questionnaire, const Ball& ball, const RampPlan& first,
+                       double rise) {
+    RampPlan plan = first;
+    plan.shape.base = 0.0;
+    plan.shape.rise = rise;
+    addSlopes(questionnaire, ball, plan);
     return plan;
 }
 

@@ -62,7 +62,7 @@ Words flatWords() {
 }
 
 Words longitudeWords(const Examination& examination) {
-    const double turn = examination.ramps.response->tangentTurn;
+    const double turn = examination.ramps().response->tangentTurn;
     Words words;
     words.message =
         turn == 0.0 ? "The same slope tilts the normal differently at different longitudes: the "
@@ -81,7 +81,7 @@ Words longitudeWords(const Examination& examination) {
 }
 
 Words swappedWords(const Examination& examination, const std::optional<Hints>& hints) {
-    const bool transposed = examination.ramps.transposed || (hints && hints->square.transposed);
+    const bool transposed = examination.ramps().transposed || (hints && hints->square.transposed);
     if (transposed)
         return {
             "Columns and rows are exchanged: moving round the sphere reads other rows of the "
@@ -173,8 +173,7 @@ Finding note(const std::string& id, Severity severity, Words words) {
 Finding mirroredNote() {
     return note(
         "bump.mirrored", Severity::note,
-        {"The map is mirrored: text on it reads from right to left. The bumps are right, so "
-         "this is accepted.",
+        {"The map is mirrored: text on it reads from right to left. That alone is accepted.",
          "Let u grow to the right as seen from outside.", "1, Implementation, step 1"});
 }
 
@@ -198,7 +197,7 @@ std::vector<Finding> sideNotes(const Examination& examination) {
             note("bump.not-finite", Severity::warn, notFiniteWords(conduct.notFiniteHidden)));
     if (conduct.notUnitHidden)
         notes.push_back(note("bump.not-unit", Severity::warn, notUnitWords(conduct.notUnitHidden)));
-    if (examination.ramps.response && examination.ramps.fit->landing.mirrored())
+    if (examination.ramps().response && examination.ramps().fit->landing.mirrored())
         notes.push_back(mirroredNote());
     for (Finding& finding : notes)
         if (finding.severity == Severity::warn)
