@@ -14,55 +14,51 @@ constexpr std::size_t kPointsPerPlace = 16;
 // Of 6 bytes for each texel the mean of 16 rounded slopes knows a bow's place to a hundredth.
 constexpr int kBytesPerTexel = 6;
 
-/// A point within about ten texels.
+/// A point within some thirty texels, most of a tooth.
 Vector3 beside(const Vector3& place, Draws& draws) {
-    constexpr double kReach = 0.04;  // radians
-    return (place + draws.direction() * draws.uniform(0.0, kReach)).normalised();
+    constexpr double kReach = 0.08;  // radians
+    return (place + draws.direction() * kReach).normalised();
 }
 
-/// Mean of the tilts that are no longer than `longest`.
-class ShortMean {
-public:
-    explicit ShortMean(double longest) : longest_(longest) {}
-
-    void add(const Vector3& tilt) {
-        if (!(tilt.magnitude() <= longest_)) return;
-        sum_ += tilt;
-        count_ += 1.0;
-    }
-    [[nodiscard]] Vector3 value() const { return sum_ / count_; }
-
-private:
-    double longest_;
-    Vector3 sum_;
-    double count_ = 0.0;
-};
-
 using Points = std::vector<RampTilts>;
+using Which = Vector3 RampTilts::*;
 
-/// The longest tilt that is no step, from the middle one on the ramp.
-double longestOf(const Points& points, Vector3 RampTilts::*ramp) {
-    constexpr double kStep = 3.0;
-    std::vector<double> lengths;
-    std::transform(points.begin(), points.end(), std::back_inserter(lengths),
-                   [ramp](const RampTilts& tilt) { return (tilt.*ramp).magnitude(); });
-    return kStep * median(lengths);
+template <typename Part>
+double medianOf(const Points& points, Part part) {
+    std::vector<double> values;
+    values.reserve(points.size());
+    std::transform(points.begin(), points.end(), std::back_inserter(values), part);
+    return median(values);
+}
+
+/// The mean of the tilts that are within `reach` of the middle one: all but those at a step.
+Vector3 steadyMean(const Points& points, Which which, double reach) {
+    const Vector3 middle{medianOf(points, [which](const RampTilts& t) { return (t.*which).x; }),
+                         medianOf(points, [which](const RampTilts& t) { return (t.*which).y; }),
+                         medianOf(points, [which](const RampTilts& t) { return (t.*which).z; })};
+    Vector3 sum;
+    double count = 0.0;
+    for (const RampTilts& tilt : points) {
+        if (!((tilt.*which - middle).magnitude() <= reach)) continue;
+        sum += tilt.*which;
+        count += 1.0;
+    }
+    return sum / count;
+}
+
+/// Two bytes, as the ramp shows them: rounding makes one, the sphere's curvature less than another.
+double reachOf(const Points& points, Which ramp) {
+    return 2.0 / kBytesPerTexel *
+           medianOf(points, [ramp](const RampTilts& t) { return (t.*ramp).magnitude(); });
 }
 
 RampTilts meanOf(const Points& points, const Vector3& place) {
-    const double longestU = longestOf(points, &RampTilts::onURamp);
-    const double longestV = longestOf(points, &RampTilts::onVRamp);
-    ShortMean uRamp(longestU);
-    ShortMean uBow(longestU);
-    ShortMean vRamp(longestV);
-    ShortMean vBow(longestV);
-    for (const RampTilts& tilt : points) {
-        uRamp.add(tilt.onURamp);
-        uBow.add(tilt.onUBow);
-        vRamp.add(tilt.onVRamp);
-        vBow.add(tilt.onVBow);
-    }
-    return {place, uRamp.value(), uBow.value(), vRamp.value(), vBow.value()};
+    const double reachU = reachOf(points, &RampTilts::onURamp);
+    const double reachV = reachOf(points, &RampTilts::onVRamp);
+    return {place, steadyMean(points, &RampTilts::onURamp, reachU),
+            steadyMean(points, &RampTilts::onUBow, reachU),
+            steadyMean(points, &RampTilts::onVRamp, reachV),
+            steadyMean(points, &RampTilts::onVBow, reachV)};
 }
 
 }  // namespace
