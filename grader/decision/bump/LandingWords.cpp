@@ -12,16 +12,6 @@ constexpr const char* kCheckAngles =
     "Check u and v: with the smooth unit normal n, the polar angle is acos(n.y) and the longitude "
     "an atan2 of n.x and n.z; u is the longitude over 2 pi, v the polar angle over pi.";
 
-Words sizeWords() {
-    return {
-        "On square maps of about 400 texels the tilt is right, on maps that are much larger along "
-        "one side it is not: there the map does not lie on the sphere as it should.",
-        "Columns go with width() and rows with height(): look for one in the place of the other "
-        "(in the scaling of u and v, in a clamp, in a modulo), for a size that is written in as a "
-        "number, and for one that is remembered from an earlier map (a static variable).",
-        kSection};
-}
-
 Words endWords(const std::string& axis, const std::string& what, const std::string& hint) {
     return {fmt::format("The last {} of the map lie nowhere on the sphere: {} does not go from 0 "
                         "to 1 over the whole of it.",
@@ -59,6 +49,17 @@ std::string hintFromSpheres(const Hints& hints) {
 }
 
 }  // namespace
+
+Words sizeWords() {
+    return {
+        "On square maps of about 400 texels a side the tilt is right, on maps that are much larger "
+        "along "
+        "one side it is not: there texels are not read where they lie.",
+        "Columns go with width() and rows with height(): look for one in the place of the other "
+        "(in the scaling of u and v, in a clamp, in a modulo), for a size that is written in as a "
+        "number, and for one that is remembered from an earlier map (a static variable).",
+        kSection};
+}
 
 Words landingWords(const Examination& examination, const std::optional<Hints>& hints) {
     const RampJudgement& ramps = examination.ramps();

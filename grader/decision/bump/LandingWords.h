@@ -12,6 +12,9 @@ namespace ticker::decision::bump {
 /// does better tells why.
 [[nodiscard]] Words landingWords(const Examination& examination, const std::optional<Hints>& hints);
 
+/// What bump.wrong says where all is well on square maps of one size.
+[[nodiscard]] Words sizeWords();
+
 }  // namespace ticker::decision::bump
 
 #endif

@@ -102,14 +102,14 @@ std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts) {
     return seen;
 }
 
-RampStrength strength(const std::vector<RampTilts>& tilts) {
+RampStrength strength(const std::vector<RampTilts>& tilts, double share) {
     std::vector<double> alongU;
     std::vector<double> alongV;
     for (const RampTilts& tilt : tilts) {
         alongU.push_back(tilt.onURamp.magnitude());
         alongV.push_back(tilt.onVRamp.magnitude());
     }
-    return {median(alongU), median(alongV)};
+    return {quantile(std::move(alongU), share), quantile(std::move(alongV), share)};
 }
 
 }  // namespace ticker::decision::bump

@@ -60,12 +60,12 @@ struct RampTilts {
 /// of the two tilts tells x whatever their sign, their direction and their strength.
 [[nodiscard]] std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts);
 
-/// The middle tilt of each ramp.
+/// The length of the tilt on each ramp that this share of the points does not exceed.
 struct RampStrength {
     double alongU = 0.0;
     double alongV = 0.0;
 };
-[[nodiscard]] RampStrength strength(const std::vector<RampTilts>& tilts);
+[[nodiscard]] RampStrength strength(const std::vector<RampTilts>& tilts, double share = 0.5);
 
 }  // namespace ticker::decision::bump
 

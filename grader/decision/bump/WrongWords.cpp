@@ -193,6 +193,7 @@ Words wrongWords(WrongReason reason, const Examination& examination,
         case WrongReason::smallSlopesLost:
             return smallSlopesWords();
         case WrongReason::patchy:
+            if (hints && hints->square.kind == RampKind::right) return sizeWords();
             return patchyWords(*examination.ramps().response);
         case WrongReason::strangeDirection:
             return directionWords(*examination.ramps().response);
