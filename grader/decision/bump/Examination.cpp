@@ -36,6 +36,19 @@ bool seesSlope(const Answers& answers, std::size_t flat, std::size_t question, d
     return seen > kSomePoints * static_cast<double>(tilts.size());
 }
 
+/// Whether the order of the points makes a difference to more than a few.
+bool differs(const Answers& answers, std::size_t forwards, std::size_t backwards) {
+    constexpr double kRounding = 1e-9;
+    constexpr double kSomePoints = 0.02;
+    const std::vector<Vector3> one = answers.tilts(forwards);
+    std::vector<Vector3> two = answers.tilts(backwards);
+    std::reverse(two.begin(), two.end());
+    double differing = 0.0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        if ((one[i] - two[i]).magnitude() > kRounding) differing += 1.0;
+    return differing > kSomePoints * static_cast<double>(one.size());
+}
+
 }  // namespace
 
 MainPlan planMain(std::uint64_t seed) {
@@ -77,6 +90,9 @@ HintPlan planHints(std::uint64_t seed) {
     const std::vector<double> level(static_cast<std::size_t>(side), 0.0);
     plan.lastColumns = plan.questionnaire.add(ball, {side, side, {}, late, level}, directions);
     plan.lastRows = plan.questionnaire.add(ball, {side, side, {}, level, late}, directions);
+    plan.forwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, directions);
+    const std::vector<Vector3> reversed(directions.rbegin(), directions.rend());
+    plan.backwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, reversed);
     return plan;
 }
 
@@ -108,9 +124,12 @@ Hints readHints(const HintPlan& plan, const Answers& answers) {
     };
     RampJudgement square = judge(plan.square);
     const RampStrength usual = square.strength;
-    return {std::move(square), judge(plan.unitSphere), judge(plan.sceneSphere),
+    return {std::move(square),
+            judge(plan.unitSphere),
+            judge(plan.sceneSphere),
             seesSlope(answers, plan.square.uFlat, plan.lastColumns, usual.alongU),
-            seesSlope(answers, plan.square.vFlat, plan.lastRows, usual.alongV)};
+            seesSlope(answers, plan.square.vFlat, plan.lastRows, usual.alongV),
+            differs(answers, plan.forwards, plan.backwards)};
 }
 
 }  // namespace ticker::decision::bump

@@ -38,6 +38,8 @@ struct HintPlan {
     RampPlan sceneSphere;         ///< the exercise's own sphere
     std::size_t lastColumns = 0;  ///< a map that slopes in its last columns only
     std::size_t lastRows = 0;
+    std::size_t forwards = 0;   ///< one map at the same points,
+    std::size_t backwards = 0;  ///< in the opposite order
 };
 
 [[nodiscard]] HintPlan planHints(std::uint64_t seed);
@@ -67,6 +69,7 @@ struct Hints {
     RampJudgement sceneSphere;
     bool lastColumnsSeen = true;  ///< the map's last columns lie somewhere on the sphere
     bool lastRowsSeen = true;
+    bool dependsOnOrder = false;  ///< the normal at a point depends on what was asked before
 };
 
 [[nodiscard]] Hints readHints(const HintPlan& plan, const Answers& answers);

@@ -1,10 +1,10 @@
 #include <grader/decision/bump/WrongWords.h>
 
+#include <grader/decision/bump/DirectionWords.h>
 #include <grader/decision/bump/LandingWords.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -69,6 +69,16 @@ Words mapIgnoredWords() {
         "1, Implementation, step 3"};
 }
 
+Words orderWords() {
+    return {
+        "The same point of the same map gets another normal when the points are asked for in "
+        "another order.",
+        "getNormalAt must know its own point alone, since pixels come in any order: look for a "
+        "static or thread_local variable that keeps a height, a texel or a normal of the call "
+        "before, and for chance.",
+        "1, Implementation, step 3"};
+}
+
 /// ", mostly in columns 0 to 310", or nothing where they are all over the map.
 std::string rangeInWords(const char* what, const std::optional<TexelRange>& range) {
     if (!range) return {};
@@ -106,50 +116,6 @@ Words ignoredWords(const std::string& axis, const std::string& what) {
             "1, Implementation, step 3"};
 }
 
-std::string directionInWords(const AxisResponse& axis) {
-    return fmt::format("{} right, {} inverted, {} along the other axis, {} not at all",
-                       percent(axis.shares.right), percent(axis.shares.inverted),
-                       percent(axis.shares.across), percent(axis.shares.dead));
-}
-
-/// ", everywhere 30 degrees off", where every band of an axis agrees on that.
-std::string commonTurn(const AxisResponse& axis) {
-    constexpr double kAgree = 10.0;
-    const auto [least, most] =
-        std::minmax_element(axis.bandDirection.begin(), axis.bandDirection.end());
-    const double middle = std::abs(0.5 * (*least + *most));
-    if (*most - *least > kAgree || middle < kAgree) return {};
-    return fmt::format(", everywhere {:.0f} degrees off", middle);
-}
-
-Words directionWords(const Response& response) {
-    const AxisResponse& farthest =
-        std::abs(response.u.worstDirection) > std::abs(response.v.worstDirection) ? response.u
-                                                                                  : response.v;
-    return {
-        fmt::format("The tilt fits no reading of Equation (1). A slope along u tilts the normal: "
-                    "{}{}. A slope along v: {}{}.",
-                    directionInWords(response.u), commonTurn(response.u),
-                    directionInWords(response.v), commonTurn(response.v)),
-        fmt::format("The farthest off is {}. Work out Pu, Pv, Bu and Bv there by hand and "
-                    "compare.",
-                    placeInWords(farthest.worst)),
-        "1, Implementation, steps 2 and 3"};
-}
-
-Words patchyWords(const Response& response) {
-    const AxisResponse& axis =
-        response.u.shares.dead > response.v.shares.dead ? response.u : response.v;
-    return {
-        fmt::format("On an even slope many points are not tilted at all: {} of them along u, {} "
-                    "along v. Elsewhere the direction is right.",
-                    percent(response.u.shares.dead), percent(response.v.shares.dead)),
-        fmt::format("One of them lies {}. A step in u or v that is smaller than a texel often "
-                    "reads the same texel twice; a tangent may have no length there.",
-                    placeInWords(axis.deadAt)),
-        "1, Implementation, steps 2 and 3"};
-}
-
 Words slopesWords(const SlopeAgreement& slopes) {
     return {
         fmt::format("On pictures the tilt is not what it is on even ramps: on a smooth random map "
@@ -176,6 +142,7 @@ Words lettersWords(const LetterReading& letters) {
 
 Words wrongWords(WrongReason reason, const Examination& examination,
                  const std::optional<Hints>& hints) {
+    if (hints && hints->dependsOnOrder) return orderWords();
     switch (reason) {
         case WrongReason::mapIgnored:
             return mapIgnoredWords();

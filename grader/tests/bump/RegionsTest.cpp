@@ -110,5 +110,23 @@ TEST(BumpHints, TellTheRowsThatAreNeverRead) {
     EXPECT_TRUE(contains(judgement.reason, "last rows")) << judgement.reason;
 }
 
+TEST(BumpHints, SayThatAPointGetsItsNormalFromTheOneBefore) {
+    Vector3 before{1.0, 0.0, 0.0};
+    const TaskJudgement judgement = judge([&](const Point& point) {
+        const Vector3 normal = modelNormal({}, Slip::none, point);
+        const Vector3 mean = (normal + 0.5 * before).normalised();
+        before = normal;
+        return mean;
+    });
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.reason, "another order")) << judgement.reason;
+}
+
+TEST(BumpHints, TellTheHalfOnWhichASignIsWrong) {
+    const TaskJudgement judgement = judge({}, Slip::uHemisphere);
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.reason, "inverted from 50 % to 100 %")) << judgement.reason;
+}
+
 }  // namespace
 }  // namespace ticker::tests

@@ -53,7 +53,7 @@ const Slopes& slopesOf(const HeightMap& map, int column, int row) {
 
 Vector3 BumpySphere::getNormalAt(const Vector3& position) const {
     const Vector3 n = Sphere::getNormalAt(position);
-    double turn = std::atan2(n.z, n.x);  // from the right to the back: leftwards in front
+    double turn = std::atan2(n.z, n.x);  // from the left to the right in front
     if (turn < 0.0) turn += 2.0 * std::numbers::pi;
     const double fall = std::atan2(std::hypot(n.x, n.z), n.y);
     const HeightMap& map = heightMap();
