@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,23 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
     return report(std::string{error.what()} + " (ticker --help tells all)", ExitCode::badInput);
 }
 
+std::string quoted(const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word)
+        text += c == '\'' ? "'\\''" : std::string{c};
+    return text + "'";
+}
+
+std::string commandLine(int argc, char** argv) {
+    std::string line;
+    for (int i = 0; i < argc; ++i)
+        line += (i == 0 ? "" : " ") + quoted(argv[i]);
+    return line;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -34,13 +52,15 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.fallthrough();
     Voice voice;
+    voice.commandLine = commandLine(argc, argv);
     app.add_flag("--quiet", voice.quiet, "Say nothing but errors");
     app.add_flag("--verbose", voice.verbose, "Say more");
 
-    const std::vector<Run> verbs{addGrade(app, voice),  addCheck(app, voice),
-                                 addRender(app, voice), addReport(app, voice),
-                                 addDoctor(app, voice), addCompare(app, voice),
-                                 addRefs(app, voice),   addSelftest(app, voice)};
+    const std::vector<Run> verbs{
+        addGrade(app, voice),  addCheck(app, voice),    addRender(app, voice),
+        addReport(app, voice), addDoctor(app, voice),   addCompare(app, voice),
+        addRefs(app, voice),   addSelftest(app, voice), addPackage(app, voice),
+        addCollect(app, voice)};
     try {
         app.parse(argc, argv);
         const std::vector<CLI::App*> known = app.get_subcommands(nullptr);

@@ -87,7 +87,7 @@ HintPlan planHints(std::uint64_t seed) {
     plan.unitSphere = ask({{}, 1.0}, 0.2 * kRise);
     plan.sceneSphere = ask({{0.0, 0.0, 3.5}, 0.7}, 0.1 * kRise);
     const std::vector<double> late = lateRamp(side, kRise);
-    const std::vector<double> level(static_cast<std::size_t>(side), 0.0);
+    const std::vector<double> level = raytracer::questions::level(side);
     plan.lastColumns = plan.questionnaire.add(ball, {side, side, {}, late, level}, directions);
     plan.lastRows = plan.questionnaire.add(ball, {side, side, {}, level, late}, directions);
     plan.forwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, directions);

@@ -1,44 +1,44 @@
 #include <grader/decision/bump/Ramps.h>
 
 #include <grader/decision/bump/Numbers.h>
+#include <questions/BumpQuestions.h>
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace ticker::decision::bump {
 namespace {
 
+namespace questions = raytracer::questions;
 using probe::HeightMapDescription;
 
-/// The height at x, from 0 to 1 over `count` texels: in proportion to x, or to x (1 - x).
+/// Rounded, and from 0 again after 255.
+double inWholeBytes(double height) {
+    return kByte * static_cast<double>(std::lround(height / kByte) % 256);
+}
+
 std::vector<double> profile(int count, const RampShape& shape, bool bow) {
-    std::vector<double> heights;
-    heights.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) {
-        const double x = i / static_cast<double>(count - 1);
-        const double share = bow ? x * (1.0 - x) : x;
-        if (shape.bytesPerTexel == 0) {
-            heights.push_back(shape.base + shape.rise * share);
-        } else {
-            const long bytes = std::lround(shape.bytesPerTexel * (count - 1) * share);
-            heights.push_back(kByte * static_cast<double>(bytes % 256));
-        }
-    }
+    const double rise = shape.slope(count) * (count - 1);
+    std::vector<double> heights = bow ? questions::bow(count, rise) : questions::ramp(count, rise);
+    for (double& height : heights)
+        height = shape.bytesPerTexel == 0 ? shape.base + height : inWholeBytes(height);
     return heights;
 }
 
-std::vector<double> level(int count) {
-    return std::vector<double>(static_cast<std::size_t>(count), 0.0);
-}
-
 HeightMapDescription alongU(const RampShape& shape, bool bow) {
-    return {
-        shape.columns, shape.across, {}, profile(shape.columns, shape, bow), level(shape.across)};
+    return {shape.columns,
+            shape.across,
+            {},
+            profile(shape.columns, shape, bow),
+            questions::level(shape.across)};
 }
 
 HeightMapDescription alongV(const RampShape& shape, bool bow) {
-    return {shape.across, shape.rows, {}, level(shape.across), profile(shape.rows, shape, bow)};
+    return {shape.across,
+            shape.rows,
+            {},
+            questions::level(shape.across),
+            profile(shape.rows, shape, bow)};
 }
 
 void addSlopes(Questionnaire& questionnaire, const Ball& ball, RampPlan& plan) {
@@ -46,13 +46,6 @@ void addSlopes(Questionnaire& questionnaire, const Ball& ball, RampPlan& plan) {
     plan.uBow = questionnaire.add(ball, alongU(plan.shape, true), plan.directions);
     plan.vRamp = questionnaire.add(ball, alongV(plan.shape, false), plan.directions);
     plan.vBow = questionnaire.add(ball, alongV(plan.shape, true), plan.directions);
-}
-
-/// Position along a map from the tilts on its ramp and its bow.
-double positionFrom(const Vector3& ramp, const Vector3& bow) {
-    const double length = ramp.dot(ramp);
-    if (!(length > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-    return 0.5 * (1.0 - bow.dot(ramp) / length);
 }
 
 }  // namespace
@@ -97,8 +90,8 @@ std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts) {
     std::vector<Sighting> seen;
     seen.reserve(tilts.size());
     for (const RampTilts& tilt : tilts)
-        seen.push_back({tilt.direction, positionFrom(tilt.onURamp, tilt.onUBow),
-                        positionFrom(tilt.onVRamp, tilt.onVBow)});
+        seen.push_back({tilt.direction, questions::placeFromTilts(tilt.onURamp, tilt.onUBow),
+                        questions::placeFromTilts(tilt.onVRamp, tilt.onVBow)});
     return seen;
 }
 

@@ -22,10 +22,6 @@ std::vector<double> sawtooth(int count) {
     return heights;
 }
 
-std::vector<double> level(int count) {
-    return std::vector<double>(static_cast<std::size_t>(count), 0.0);
-}
-
 /// cos and sin of a phase that grows evenly over `count` texels.
 struct Phases {
     std::vector<double> cosines;
@@ -152,10 +148,12 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     plan.directions = draws.directions(kPoints);
     plan.fieldDirections = draws.directions(kFieldPoints);
     plan.sawtoothU =
-        addPair(questionnaire, ball, {kAlong, kAcross, {}, sawtooth(kAlong), level(kAcross)},
+        addPair(questionnaire, ball,
+                {kAlong, kAcross, {}, sawtooth(kAlong), raytracer::questions::level(kAcross)},
                 plan.directions);
     plan.sawtoothV =
-        addPair(questionnaire, ball, {kAcross, kAlong, {}, level(kAcross), sawtooth(kAlong)},
+        addPair(questionnaire, ball,
+                {kAcross, kAlong, {}, raytracer::questions::level(kAcross), sawtooth(kAlong)},
                 plan.directions);
     plan.field = addPair(questionnaire, ball, randomField(draws), plan.fieldDirections);
     return plan;
