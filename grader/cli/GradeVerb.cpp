@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
+#include <sys/resource.h>
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -114,6 +115,13 @@ void take(const intake::Located& located, const SubmissionResult& result, bool i
     if (isKept) ++tally.kept;
 }
 
+// Of this process alone, without those that it started.
+long peakMegabytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
+}
+
 int workersOf(const BatchOptions& options) {
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     return options.workers > 0 ? options.workers : std::max(1, cores);
@@ -155,6 +163,7 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
     }
     run.finish();
     report(tally, submissions.size(), options, voice, stop);
+    if (voice.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
     return exitCodeOf(tally, stop);
 }
 
