@@ -1,5 +1,6 @@
 #include <grader/cli/Batch.h>
 #include <grader/cli/ClassRun.h>
+#include <grader/cli/Formats.h>
 #include <grader/cli/GradeOptions.h>
 #include <grader/cli/Interrupt.h>
 #include <grader/cli/Output.h>
@@ -30,24 +31,34 @@ struct BatchOptions {
     bool expectFolders = false;
     bool resume = false;
     bool resultsOnly = false;
+    bool single = false;
     std::vector<std::string> regrade;
     GradeOptions grade;
+    FormatOptions formats;
 
     [[nodiscard]] bool keepsResults() const { return resume || !regrade.empty(); }
 };
 
+/// A path that is one submission, whatever is in it: a platform says so.
+std::vector<intake::Located> wholePath(const std::string& path) {
+    const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
+    const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename();
+    return {{name.empty() ? "submission" : name, whole}};
+}
+
 /// The submissions below all paths; a name that comes twice gets a number.
-std::vector<intake::Located> locate(const std::vector<std::string>& paths) {
+std::vector<intake::Located> locate(const BatchOptions& options) {
     std::vector<intake::Located> all;
     std::map<std::string, int> seen;
-    for (const std::string& path : paths)
-        for (intake::Located located : intake::findSubmissions(path)) {
+    for (const std::string& path : options.paths)
+        for (intake::Located located :
+             options.single ? wholePath(path) : intake::findSubmissions(path)) {
             const int before = seen[located.name]++;
             if (before > 0) located.name += fmt::format("-{}", before + 1);
             all.push_back(std::move(located));
         }
     if (all.empty())
-        throw raytracer::InputError(paths.front(), 0,
+        throw raytracer::InputError(options.paths.front(), 0,
                                     "no submission here; expected BumpySphere.cpp or Renderer.cpp "
                                     "in a folder, a zip, or a folder of such");
     return all;
@@ -138,7 +149,7 @@ void warnOfStore(const ClassRun& run, const BatchOptions& options, const Voice& 
 }
 
 raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
-    const std::vector<intake::Located> submissions = locate(options.paths);
+    const std::vector<intake::Located> submissions = locate(options);
     const pipeline::Grader grader = makeGrader(options.grade);
     ClassRun run{options.out, {options.regrade, grader.build}, !options.resultsOnly};
     run.checkRegrade(submissions);
@@ -162,6 +173,8 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
                  }});
     }
     run.finish();
+    if (!options.formats.names.empty())
+        writeFormats(options.out, store::readClass(options.out), options.formats);
     report(tally, submissions.size(), options, voice, stop);
     if (voice.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
     return exitCodeOf(tally, stop);
@@ -188,6 +201,13 @@ Run addGrade(CLI::App& app, const Voice& voice) {
     verb->add_flag("--results-only", options->resultsOnly,
                    "Write the submissions' folders alone, for a node of a cluster; ticker collect "
                    "takes them in");
+    verb->add_flag("--single", options->single,
+                   "The path is one submission, whatever folders it holds");
+    verb->add_option("--format", options->formats.names,
+                     "Write these formats, too, as ticker report does")
+        ->delimiter(',')
+        ->check(CLI::IsMember(formatNames()));
+    addFormatOptions(*verb, options->formats);
     addGradeOptions(*verb, options->grade);
     return [options, &voice] { return grade(*options, voice); };
 }

@@ -70,11 +70,22 @@ void writeClass(const fs::path& out, std::vector<SubmissionResult> results) {
     report::writeAtomically(report::classPage(results), out / "index.html");
 }
 
-std::vector<SubmissionResult> readResults(const fs::path& out) {
+std::vector<SubmissionResult> resultsOf(std::vector<store::ClassEntry> entries) {
     std::vector<SubmissionResult> results;
-    for (store::ClassEntry& entry : store::readClass(out))
+    for (store::ClassEntry& entry : entries)
         results.push_back(std::move(entry.result));
     return results;
+}
+
+std::vector<SubmissionResult> readResults(const fs::path& out) {
+    return resultsOf(store::readClass(out));
+}
+
+std::string allResultsJson(const std::vector<SubmissionResult>& results) {
+    std::string text = "[\n";
+    for (std::size_t i = 0; i < results.size(); ++i)
+        text += report::resultJson(results[i]) + (i + 1 < results.size() ? "," : "");
+    return text + "]\n";
 }
 
 std::string tableLine(const SubmissionResult& result) {

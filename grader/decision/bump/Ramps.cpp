@@ -1,45 +1,26 @@
 #include <grader/decision/bump/Ramps.h>
 
 #include <grader/decision/bump/Numbers.h>
+#include <questions/BumpQuestions.h>
 
-#include <limits>
 #include <utility>
 
 namespace ticker::decision::bump {
 namespace {
 
+namespace questions = raytracer::questions;
 using probe::HeightMapDescription;
 
-/// `rise` times x, or x (1 - x), with x from 0 to 1 over `count` texels.
-std::vector<double> profile(int count, double rise, bool bow) {
-    std::vector<double> heights;
-    heights.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) {
-        const double x = i / static_cast<double>(count - 1);
-        heights.push_back(bow ? rise * x * (1.0 - x) : rise * x);
-    }
-    return heights;
-}
-
-std::vector<double> level(int count) {
-    return std::vector<double>(static_cast<std::size_t>(count), 0.0);
+std::vector<double> profile(const RampShape& shape, bool bow) {
+    return bow ? questions::bow(shape.along, shape.rise) : questions::ramp(shape.along, shape.rise);
 }
 
 HeightMapDescription alongU(const RampShape& shape, bool bow) {
-    return {
-        shape.along, shape.across, {}, profile(shape.along, shape.rise, bow), level(shape.across)};
+    return {shape.along, shape.across, {}, profile(shape, bow), questions::level(shape.across)};
 }
 
 HeightMapDescription alongV(const RampShape& shape, bool bow) {
-    return {
-        shape.across, shape.along, {}, level(shape.across), profile(shape.along, shape.rise, bow)};
-}
-
-/// Position along a map from the tilts on its ramp and its bow.
-double positionFrom(const Vector3& ramp, const Vector3& bow) {
-    const double length = ramp.dot(ramp);
-    if (!(length > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-    return 0.5 * (1.0 - bow.dot(ramp) / length);
+    return {shape.across, shape.along, {}, questions::level(shape.across), profile(shape, bow)};
 }
 
 }  // namespace
@@ -78,8 +59,8 @@ std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts) {
     std::vector<Sighting> seen;
     seen.reserve(tilts.size());
     for (const RampTilts& tilt : tilts)
-        seen.push_back({tilt.direction, positionFrom(tilt.onURamp, tilt.onUBow),
-                        positionFrom(tilt.onVRamp, tilt.onVBow)});
+        seen.push_back({tilt.direction, questions::placeFromTilts(tilt.onURamp, tilt.onUBow),
+                        questions::placeFromTilts(tilt.onVRamp, tilt.onVBow)});
     return seen;
 }
 
