@@ -102,7 +102,8 @@ void report(const Tally& tally, std::size_t total, const BatchOptions& options, 
             bool stopped) {
     if (!voice.quiet) fmt::print(stderr, "{}\n", closingLine(tally));
     if (!voice.quiet && !options.resultsOnly)
-        fmt::print(stderr, "open {}/index.html\n", options.out);
+        fmt::print(stderr, "open {0}/index.html, or decide in a browser: {1} session {0}\n",
+                   options.out, voice.command);
     if (tally.unexpected > 0)
         fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
                    tally.unexpected, tally.all());

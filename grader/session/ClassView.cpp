@@ -25,12 +25,9 @@ constexpr std::size_t kLongestComment = 20'000;
 constexpr std::size_t kLongestName = 100;
 
 json jsonOf(const Decision& decision) {
-    return {{"version", decision.version},
-            {"ruling", nameIn(kRulingNames, decision.ruling)},
-            {"comment", decision.comment},
-            {"who", decision.who},
-            {"when", decision.when},
-            {"proposed", toString(decision.proposed)}};
+    return {{"version", decision.version}, {"ruling", nameIn(kRulingNames, decision.ruling)},
+            {"comment", decision.comment}, {"who", decision.who},
+            {"when", decision.when},       {"proposed", toString(decision.proposed)}};
 }
 
 json jsonOf(const store::ResultRow& row) {

@@ -11,19 +11,19 @@ namespace ticker::session {
 namespace {
 
 constexpr std::array<std::string_view, 76> kKeywords{
-    "alignas",      "alignof",   "auto",          "bool",        "break",      "case",
-    "catch",        "char",      "class",         "co_await",    "co_return",  "co_yield",
-    "concept",      "const",     "const_cast",    "consteval",   "constexpr",  "constinit",
-    "continue",     "decltype",  "default",       "delete",      "do",         "double",
-    "dynamic_cast", "else",      "enum",          "explicit",    "export",     "extern",
-    "false",        "final",     "float",         "for",         "friend",     "goto",
-    "if",           "inline",    "int",           "long",        "mutable",    "namespace",
-    "new",          "noexcept",  "nullptr",       "operator",    "override",   "private",
-    "protected",    "public",    "register",      "requires",    "return",     "short",
-    "signed",       "sizeof",    "static",        "static_cast", "struct",     "switch",
-    "template",     "this",      "thread_local",  "throw",       "true",       "try",
-    "typedef",      "typename",  "union",         "unsigned",    "using",      "virtual",
-    "void",         "volatile",  "wchar_t",       "while"};
+    "alignas",      "alignof",  "auto",         "bool",        "break",     "case",
+    "catch",        "char",     "class",        "co_await",    "co_return", "co_yield",
+    "concept",      "const",    "const_cast",   "consteval",   "constexpr", "constinit",
+    "continue",     "decltype", "default",      "delete",      "do",        "double",
+    "dynamic_cast", "else",     "enum",         "explicit",    "export",    "extern",
+    "false",        "final",    "float",        "for",         "friend",    "goto",
+    "if",           "inline",   "int",          "long",        "mutable",   "namespace",
+    "new",          "noexcept", "nullptr",      "operator",    "override",  "private",
+    "protected",    "public",   "register",     "requires",    "return",    "short",
+    "signed",       "sizeof",   "static",       "static_cast", "struct",    "switch",
+    "template",     "this",     "thread_local", "throw",       "true",      "try",
+    "typedef",      "typename", "union",        "unsigned",    "using",     "virtual",
+    "void",         "volatile", "wchar_t",      "while"};
 
 bool isWord(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
@@ -54,8 +54,8 @@ public:
         if (rest_.front() == '"' || rest_.front() == '\'') return take(quoted(rest_.front()), 's');
         if (isDigit(rest_.front())) return take(number(), 'n');
         if (isWord(rest_.front())) return word();
-        atLineStart_ = rest_.front() == '\n' || (first && (rest_.front() == ' ' ||
-                                                           rest_.front() == '\t'));
+        atLineStart_ =
+            rest_.front() == '\n' || (first && (rest_.front() == ' ' || rest_.front() == '\t'));
         return take(1, ' ');
     }
 
@@ -101,8 +101,8 @@ private:
     [[nodiscard]] std::size_t number() const {
         std::size_t i = 1;
         for (; i < rest_.size(); ++i) {
-            const bool afterExponent = std::string_view{"eEpP"}.find(rest_[i - 1]) !=
-                                       std::string_view::npos;
+            const bool afterExponent =
+                std::string_view{"eEpP"}.find(rest_[i - 1]) != std::string_view::npos;
             const bool isSign = (rest_[i] == '+' || rest_[i] == '-') && afterExponent;
             const bool isSeparator =
                 rest_[i] == '\'' && i + 1 < rest_.size() && isWord(rest_[i + 1]);

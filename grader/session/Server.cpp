@@ -6,6 +6,8 @@
 #include <fmt/core.h>
 #include <httplib.h>
 
+#include <sys/socket.h>
+
 #include <string_view>
 #include <utility>
 
@@ -17,7 +19,8 @@ constexpr std::size_t kLargestRequest = 256U << 10U;
 
 // The page's own script and style, its own pictures and requests; nothing else, and no frames.
 constexpr const char* kPagePolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; "
+    "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' "
+    "data:; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 // A report is a page by itself: its script runs, but may ask this server for nothing.
@@ -42,6 +45,11 @@ public:
         http_.set_payload_max_length(kLargestRequest);
         http_.set_keep_alive_max_count(1000);
         http_.set_tcp_nodelay(true);
+        // The library's own choice would let two sessions share a port.
+        http_.set_socket_options([](int socket) {
+            const int yes = 1;
+            setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+        });
         http_.set_pre_routing_handler(
             [this](const httplib::Request& request, httplib::Response& response) {
                 if (mayEnter(request)) return httplib::Server::HandlerResponse::Unhandled;
@@ -54,7 +62,7 @@ public:
         bind(port);
     }
 
-    [[nodiscard]] int port() const { return access_.port; }
+    [[nodiscard]] const Access& access() const { return access_; }
     [[nodiscard]] std::string address() const {
         return fmt::format("http://{}:{}/{}/", kHost, access_.port, access_.token);
     }
@@ -80,7 +88,8 @@ private:
     [[nodiscard]] bool mayEnter(const httplib::Request& request) const {
         if (!namesThisServer(request.get_header_value("Host"), access_.port)) return false;
         const std::string_view path{request.path};
-        const std::string_view token = path.substr(0, path.find('/', 1)).substr(path.empty() ? 0 : 1);
+        const std::string_view token =
+            path.substr(0, path.find('/', 1)).substr(path.empty() ? 0 : 1);
         if (!isSameSecret(token, access_.token)) return false;
         if (request.method == "GET" || request.method == "HEAD") return true;
         return request.method == "POST" && request.get_header_value("X-Ticker") == access_.token &&
@@ -148,8 +157,8 @@ Server::Server(ClassView& view, Access access, int port)
     : routes_(std::make_unique<Routes>(view, std::move(access), port)) {}
 Server::~Server() = default;
 
-int Server::port() const {
-    return routes_->port();
+const Access& Server::access() const {
+    return routes_->access();
 }
 std::string Server::address() const {
     return routes_->address();

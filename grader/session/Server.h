@@ -20,7 +20,8 @@ public:
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;
 
-    [[nodiscard]] int port() const;
+    /// With the port that it got: to be kept for the next session.
+    [[nodiscard]] const Access& access() const;
     /// "http://127.0.0.1:8123/<token>/"
     [[nodiscard]] std::string address() const;
 

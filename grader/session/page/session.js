@@ -124,7 +124,7 @@ function showRow(name) {
   const { ruling } = standing(name);
   const pending = pendingOf(name).length > 0;
   const sign = { awarded: "✓", notYet: "✗", undecided: "" }[ruling];
-  entry.row.className = `${entry.verdict} ${ruling}${pending ? " pending" : ""}`;
+  Object.assign(entry.row.dataset, { verdict: entry.verdict, ruling });
   entry.mark.textContent = pending ? `${sign}…` : sign;
   entry.button.setAttribute("aria-label",
     `${entry.shown}, proposed ${words[entry.verdict]}, ${words[ruling]}${pending ? ", not saved yet" : ""}`);

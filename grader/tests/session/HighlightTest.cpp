@@ -11,7 +11,8 @@ bool has(const std::string& html, const std::string& part) {
 
 TEST(Highlight, ColoursWhatCppConsistsOf) {
     const std::string html = highlightCpp(
-        "#include <cmath>\n// TASK T1 begin\nconst double x = 2.5e-7; // why\n\"a\\\"b\"; '\\''; x1");
+        "#include <cmath>\n// TASK T1 begin\nconst double x = 2.5e-7; // why\n\"a\\\"b\"; '\\''; "
+        "x1");
     EXPECT_TRUE(has(html, "<i class=\"p\">#include &lt;cmath&gt;</i>")) << html;
     EXPECT_TRUE(has(html, "<i class=\"m\">// TASK T1 begin</i>")) << html;
     EXPECT_TRUE(has(html, "<i class=\"k\">const</i> <i class=\"k\">double</i> x")) << html;
@@ -25,8 +26,9 @@ TEST(Highlight, KeepsLinesWholeAcrossLongTokens) {
     EXPECT_EQ(highlightCpp("/*a\nb*/c\n"),
               "<span class=\"line\"><i class=\"c\">/*a</i></span>\n"
               "<span class=\"line\"><i class=\"c\">b*/</i>c</span>");
-    EXPECT_TRUE(has(highlightCpp("R\"x(1\n)\" 2)x\" int"), "<i class=\"s\">)&quot; 2)x&quot;</i> "
-                                                           "<i class=\"k\">int</i>"));
+    EXPECT_TRUE(has(highlightCpp("R\"x(1\n)\" 2)x\" int"),
+                    "<i class=\"s\">)&quot; 2)x&quot;</i> "
+                    "<i class=\"k\">int</i>"));
 }
 
 TEST(Highlight, EscapesEverythingWhereverItStands) {
