@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -32,6 +33,7 @@ struct BatchOptions {
     bool resume = false;
     bool resultsOnly = false;
     bool single = false;
+    std::string share;
     std::vector<std::string> regrade;
     GradeOptions grade;
     FormatOptions formats;
@@ -62,6 +64,22 @@ std::vector<intake::Located> locate(const BatchOptions& options) {
                                     "no submission here; expected BumpySphere.cpp or Renderer.cpp "
                                     "in a folder, a zip, or a folder of such");
     return all;
+}
+
+/// "2/5": the second, the seventh, the twelfth, ... of all, by name. Every machine of a cluster
+/// finds the same.
+std::vector<intake::Located> shareOf(std::vector<intake::Located> all, const std::string& share) {
+    std::istringstream words{share};
+    std::size_t part = 0;
+    std::size_t parts = 0;
+    char slash = ' ';
+    if (!(words >> part >> slash >> parts) || slash != '/' || part < 1 || part > parts ||
+        !words.eof())
+        throw raytracer::InputError("--share " + share, 0, "expected I/N with 1 <= I <= N");
+    std::vector<intake::Located> mine;
+    for (std::size_t i = part - 1; i < all.size(); i += parts)
+        mine.push_back(std::move(all[i]));
+    return mine;
 }
 
 /// For the sample class, whose folders are named after the verdicts they must get.
@@ -150,7 +168,8 @@ void warnOfStore(const ClassRun& run, const BatchOptions& options, const Voice& 
 }
 
 raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
-    const std::vector<intake::Located> submissions = locate(options);
+    std::vector<intake::Located> submissions = locate(options);
+    if (!options.share.empty()) submissions = shareOf(std::move(submissions), options.share);
     const pipeline::Grader grader = makeGrader(options.grade);
     ClassRun run{options.out, {options.regrade, grader.build}, !options.resultsOnly};
     run.checkRegrade(submissions);
@@ -202,6 +221,9 @@ Run addGrade(CLI::App& app, const Voice& voice) {
     verb->add_flag("--results-only", options->resultsOnly,
                    "Write the submissions' folders alone, for a node of a cluster; ticker collect "
                    "takes them in");
+    verb->add_option("--share", options->share,
+                     "I/N: every N-th submission alone, beginning with the I-th, for a task of a "
+                     "cluster");
     verb->add_flag("--single", options->single,
                    "The path is one submission, whatever folders it holds");
     verb->add_option("--format", options->formats.names,
