@@ -51,7 +51,7 @@ pipeline::Grader makeGrader(const GradeOptions& options) {
                             .toolVersion = TICKER_VERSION,
                             .option = choices().at(options.option),
                             .scenes = pipeline::readSpecScenes(home.scenes(), home.assets())};
-    grader.build = pipeline::toolBuild(grader.kit, grader.scenes);
+    grader.build = pipeline::toolBuild(grader.kit, {home.scenes(), home.assets()});
     std::ifstream stream{rubric};
     grader.rubricText.assign(std::istreambuf_iterator<char>{stream}, {});
     return grader;
