@@ -3,6 +3,7 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/decision/bump/JudgeBump.h>
 #include <grader/decision/distributed/JudgeDistributed.h>
+#include <grader/pipeline/DrawRasters.h>
 #include <grader/pipeline/FileWork.h>
 #include <grader/pipeline/Inputs.h>
 #include <grader/pipeline/Screenshot.h>
@@ -30,6 +31,8 @@ void settle(TaskReport& task, TaskJudgement judgement) {
     task.reason = std::move(judgement.reason);
     task.findings = std::move(judgement.findings);
     task.needsReview = judgement.needsReview;
+    task.plots = std::move(judgement.plots);
+    task.rasters = std::move(judgement.rasters);
 }
 
 void judge(FileWork& work, SourceFile file, probe::Examinee& examinee, std::uint64_t seed) {
@@ -138,6 +141,7 @@ SubmissionResult gradeSubmission(const intake::Submission& submission, const Gra
     grading.screenshot(result);
     grading.sources(result);
     grading.notices(result);
+    drawRasters(result);
     result = rubric::applyRubric(grader.rubric, std::move(result));
     result.inputs = inputsOf(submission, grader, seed);
     result.timing.totalMs = millisecondsSince(start);

@@ -1,5 +1,6 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/LensChecks.h>
+#include <grader/decision/distributed/Plots.h>
 
 #include <fmt/core.h>
 
@@ -277,6 +278,7 @@ std::optional<Finding> checkFocus(const LensLog& log) {
     if (farthest <= kFocusSlack) return std::nullopt;
     Finding finding = explainFocus(log);
     finding.evidence.emplace_back("farthestFromFocalPoint", farthest);
+    finding.plots.push_back(plotFocus(log));
     return finding;
 }
 

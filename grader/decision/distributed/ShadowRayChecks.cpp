@@ -1,5 +1,6 @@
 #include <grader/decision/distributed/Draw.h>
 #include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/Plots.h>
 #include <grader/decision/distributed/ShadowChecks.h>
 
 #include <fmt/core.h>
@@ -109,26 +110,6 @@ double widestMiss(const std::vector<const ShadowLog*>& logs) {
                 for (const AimLine& line : lines)
                     widest = std::max(widest, line.miss);
     return widest;
-}
-
-ScatterPlot plotAims(const std::vector<const ShadowLog*>& far) {
-    constexpr std::size_t kMostPoints = 400;
-    ScatterPlot plot;
-    plot.title = "Where the shadow rays pass the light's centre";
-    plot.unit = "world units";
-    plot.expectedShape = ScatterPlot::Shape::disc;
-    if (far.empty()) return plot;
-    const ShadowLog& log = *far.front();
-    plot.expectedHalfWidth = log.settings().lightSize;
-    for (const PointLog& point : log.points)
-        for (const AimLine& line : point.lines[0]) {
-            if (plot.points.size() >= kMostPoints) break;
-            const Vector3 view =
-                (log.scene().pointLights[0].position() - point.point.position).normalised();
-            const Perpendiculars sides = perpendicularsOf(view);
-            plot.points.push_back({line.foot.dot(sides.first), line.foot.dot(sides.second)});
-        }
-    return plot;
 }
 
 }  // namespace
