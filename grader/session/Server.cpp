@@ -15,6 +15,8 @@ namespace ticker::session {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
+constexpr std::size_t kThreads = 32;
+constexpr time_t kKeepAliveSeconds = 2;
 constexpr std::size_t kLargestRequest = 256U << 10U;
 
 // The page's own script and style, its own pictures and requests; nothing else, and no frames.
@@ -43,7 +45,10 @@ class Server::Routes {
 public:
     Routes(ClassView& view, Access access, int port) : view_(view), access_(std::move(access)) {
         http_.set_payload_max_length(kLargestRequest);
+        // A browser keeps several connections open for each tab, and each takes a thread.
+        http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
         http_.set_keep_alive_max_count(1000);
+        http_.set_keep_alive_timeout(kKeepAliveSeconds);
         http_.set_tcp_nodelay(true);
         // The library's own choice would let two sessions share a port.
         http_.set_socket_options([](int socket) {
