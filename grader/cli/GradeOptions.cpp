@@ -21,14 +21,14 @@ const std::map<std::string, pipeline::OptionChoice>& choices() {
     return kChoices;
 }
 
+}  // namespace
+
 sandbox::Sandbox openSandbox(const std::string& level) {
     for (const sandbox::Level known : {sandbox::Level::namespaces, sandbox::Level::ownUser,
                                        sandbox::Level::sameUser, sandbox::Level::none})
         if (sandbox::toString(known) == level) return sandbox::Sandbox::at(known);
     return sandbox::Sandbox::best();
 }
-
-}  // namespace
 
 void addGradeOptions(CLI::App& verb, GradeOptions& options) {
     verb.add_option("--seed", options.seed,

@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
         addGrade(app, voice),   addCheck(app, voice),    addRender(app, voice),
         addReport(app, voice),  addDoctor(app, voice),   addCompare(app, voice),
         addRefs(app, voice),    addSelftest(app, voice), addPackage(app, voice),
-        addCollect(app, voice), addSession(app, voice)};
+        addCollect(app, voice), addSession(app, voice),  addCalibrate(app, voice)};
     try {
         app.parse(argc, argv);
         const std::vector<CLI::App*> known = app.get_subcommands(nullptr);
