@@ -39,6 +39,18 @@ void answerText(httplib::Response& response, std::string_view text, const char* 
     response.set_content(text.data(), text.size(), type);
 }
 
+void refuse(httplib::Response& response) {
+    response.status = 403;
+    response.set_content("not here\n", "text/plain");
+}
+
+// Refused only after its body was read: what is left of one in the connection would be taken for
+// the next request.
+bool mayCarryBody(const httplib::Request& request) {
+    return request.method == "POST" || request.method == "PUT" || request.method == "PATCH" ||
+           request.method == "DELETE";
+}
+
 }  // namespace
 
 class Server::Routes {
@@ -57,9 +69,9 @@ public:
         });
         http_.set_pre_routing_handler(
             [this](const httplib::Request& request, httplib::Response& response) {
-                if (mayEnter(request)) return httplib::Server::HandlerResponse::Unhandled;
-                response.status = 403;
-                response.set_content("not here\n", "text/plain");
+                if (mayCarryBody(request) || mayEnter(request))
+                    return httplib::Server::HandlerResponse::Unhandled;
+                refuse(response);
                 return httplib::Server::HandlerResponse::Handled;
             });
         addPage();
@@ -147,10 +159,16 @@ private:
             [this](const httplib::Request& request, httplib::Response& response) {
                 answer(response, view_.image(request.matches[1], request.matches[2]));
             });
-        http_.Post(at("decide"),
-                   [this](const httplib::Request& request, httplib::Response& response) {
-                       answer(response, view_.decide(request.body));
-                   });
+        http_.Post(".*", [this](const httplib::Request& request, httplib::Response& response) {
+            if (!mayEnter(request) || request.path != at("decide")) return refuse(response);
+            answer(response, view_.decide(request.body));
+        });
+        const auto never = [](const httplib::Request& /*request*/, httplib::Response& response) {
+            refuse(response);
+        };
+        http_.Put(".*", never);
+        http_.Patch(".*", never);
+        http_.Delete(".*", never);
     }
 
     ClassView& view_;
