@@ -1,9 +1,9 @@
 #include <grader/build/SandboxedExaminee.h>
 
-#include <grader/build/SharedMemory.h>
 #include <grader/intake/Utf8.h>
 #include <grader/probe/AnswerMemory.h>
 #include <grader/probe/Wire.h>
+#include <grader/sandbox/SharedMemory.h>
 
 #include <fmt/core.h>
 
@@ -80,8 +80,8 @@ ProcessEnd endOf(const Outcome& outcome, bool finished, const sandbox::Limits& l
 
 probe::Sitting SandboxedExaminee::ask(const std::vector<probe::Question>& questions) {
     const probe::AnswerLayout layout = probe::layoutFor(questions);
-    const sandbox::FileDescriptor message = sealedCopy(probe::encodeQuestions(questions));
-    const SharedMemory memory{layout.totalBytes};
+    const sandbox::FileDescriptor message = sandbox::sealedCopy(probe::encodeQuestions(questions));
+    const sandbox::SharedMemory memory{layout.totalBytes};
     probe::fillUnanswered(memory.bytes(), layout);
 
     sandbox::Command command;

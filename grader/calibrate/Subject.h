@@ -45,6 +45,7 @@ public:
     /// @throws raytracer::Error where the subject does not compile.
     [[nodiscard]] const build::Program& of(const Subject& subject);
 
+    [[nodiscard]] const build::Kit& kit() const { return kit_; }
     [[nodiscard]] const sandbox::Sandbox& sandbox() const { return sandbox_; }
 
 private:

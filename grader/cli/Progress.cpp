@@ -32,9 +32,10 @@ Progress::~Progress() {
     if (draw_) std::fputs("\r\x1B[K", stderr);
 }
 
-void Progress::finished(Verdict verdict) {
+void Progress::finished(Verdict verdict, bool isKept) {
     const std::lock_guard lock{mutex_};
     ++done_;
+    if (isKept) ++kept_;
     ++counts_[verdict];
     if (draw_) drawLine();
 }
@@ -52,8 +53,8 @@ void Progress::drawLine() const {
     const std::size_t filled = total_ == 0 ? kBarWidth : done_ * kBarWidth / total_;
     std::string line = fmt::format("\r\x1B[K[{}{}] {}/{}", std::string(filled, '#'),
                                    std::string(kBarWidth - filled, '.'), done_, total_);
-    if (done_ > 0) {
-        const double each = passed.count() / static_cast<double>(done_);
+    if (done_ > kept_) {
+        const double each = passed.count() / static_cast<double>(done_ - kept_);
         line += fmt::format("  {:.1f}/s  {} left", 1.0 / each,
                             clock(each * static_cast<double>(total_ - done_)));
     }

@@ -24,7 +24,8 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     /// One more submission is finished.
-    void finished(Verdict verdict);
+    /// @param isKept  It had a result before: that took no time and says nothing about the rate.
+    void finished(Verdict verdict, bool isKept = false);
 
     /// Prints one line on stdout, above the bar.
     void print(const std::string& line);
@@ -37,6 +38,7 @@ private:
     std::chrono::steady_clock::time_point start_;
     mutable std::mutex mutex_;
     std::size_t done_ = 0;
+    std::size_t kept_ = 0;
     std::map<Verdict, std::size_t> counts_;
 };
 

@@ -24,6 +24,7 @@ struct SelftestOptions {
     std::string task;
     bool hostile = false;
     double fraction = 1.0;
+    int rounds = 1;
     GradeOptions grade;
 };
 
@@ -69,6 +70,7 @@ bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool d
     grader.policy = sandbox::readPolicy(home.data / "grader/hostile/limits.json");
     selftest::HostileRun run;
     run.fraction = options.fraction;
+    run.rounds = options.rounds;
     run.seed = seedOf(options.grade);
     run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
     const selftest::HostileTables tables = selftest::runHostileTables(
@@ -103,6 +105,8 @@ Run addSelftest(CLI::App& app, const Voice& voice) {
     verb->add_flag("--hostile", options->hostile, "Only the hostile submissions");
     verb->add_option("--fraction", options->fraction, "Share of each table to run")
         ->check(CLI::Range(0.0, 1.0));
+    verb->add_option("--repeat", options->rounds, "How often to run the hostile submissions")
+        ->check(CLI::Range(1, 1000));
     verb->add_option("--sandbox", options->grade.sandbox, "Level A, B or C; auto: the best")
         ->check(CLI::IsMember({"auto", "A", "B", "C"}));
     verb->add_option("--seed", options->grade.seed,

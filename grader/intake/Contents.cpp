@@ -60,6 +60,12 @@ std::optional<Part> partOf(std::string_view path) {
     return std::nullopt;
 }
 
+bool isArchive(std::string_view path) {
+    const std::string name = lowered(lastComponent(path));
+    return name.ends_with(".zip") || name.ends_with(".tar") || name.ends_with(".tar.gz") ||
+           name.ends_with(".tgz");
+}
+
 bool isLitter(std::string_view path) {
     std::size_t begin = 0;
     while (begin <= path.size()) {

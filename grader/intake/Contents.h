@@ -33,9 +33,16 @@ struct Candidate {
     std::optional<Finding> refusal;  ///< why it was not read
 };
 
+/// An archive among what was handed in.
+struct Packed {
+    std::string path;
+    std::string bytes;
+};
+
 /// What is in a folder or an archive.
 struct Contents {
     std::vector<Candidate> candidates;
+    std::vector<Packed> archives;
     std::vector<std::string> others;  ///< paths of everything else
     std::vector<Finding> refusals;    ///< of the submission as a whole
 };
@@ -55,13 +62,25 @@ struct Contents {
 /// intake.too-large, about one part.
 [[nodiscard]] Finding tooLarge(std::string_view path, std::uint64_t limit);
 
+/// True for the name of a zip or tar archive.
+[[nodiscard]] bool isArchive(std::string_view path);
+
 /// Reads a folder and what is below it. Links, pipes and devices are never opened.
+/// @param owner  Whose part of a Moodle export to read; empty: all that is there.
 /// @throws raytracer::InputError where the folder itself cannot be read.
-[[nodiscard]] Contents readFolder(const std::filesystem::path& folder, const IntakeLimits& limits);
+[[nodiscard]] Contents readFolder(const std::filesystem::path& folder, const IntakeLimits& limits,
+                                  const std::string& owner = {});
 
 /// Reads a zip or tar archive in memory; nothing is unpacked to disk.
+/// @param owner  As for readFolder.
 /// @throws raytracer::InputError where the file cannot be read at all.
-[[nodiscard]] Contents readArchive(const std::filesystem::path& file, const IntakeLimits& limits);
+[[nodiscard]] Contents readArchive(const std::filesystem::path& file, const IntakeLimits& limits,
+                                   const std::string& owner = {});
+/// Likewise, of an archive that lay inside another or in a folder.
+[[nodiscard]] Contents readArchive(const Packed& packed, const IntakeLimits& limits);
+
+/// The paths of an archive's members; empty where it cannot be read.
+[[nodiscard]] std::vector<std::string> listArchive(const std::filesystem::path& file);
 
 }  // namespace ticker::intake
 

@@ -1,4 +1,5 @@
 #include <grader/intake/Intake.h>
+#include <grader/intake/MoodleExport.h>
 #include <grader/intake/Utf8.h>
 
 #include <raytracer/base/Error.h>
@@ -6,23 +7,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <system_error>
+#include <tuple>
 
 namespace ticker::intake {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr int kDeepest = 8;
-
-bool isArchive(const fs::path& path) {
-    std::string name = path.filename().string();
-    for (char& c : name)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return name.ends_with(".zip") || name.ends_with(".tar") || name.ends_with(".tar.gz") ||
-           name.ends_with(".tgz");
-}
 
 bool isHidden(const fs::path& path) {
     const std::string name = path.filename().string();
@@ -46,7 +39,7 @@ Entries entriesOf(const fs::path& folder) {
             entries.folders.push_back(entry.path());
         } else if (const auto part = partOf(entry.path().filename().string())) {
             entries.parts.insert(*part);
-        } else if (isArchive(entry.path()) && entry.is_regular_file(error)) {
+        } else if (isArchive(entry.path().filename().string()) && entry.is_regular_file(error)) {
             entries.archives.push_back(entry.path());
         }
     }
@@ -55,11 +48,32 @@ Entries entriesOf(const fs::path& folder) {
     return entries;
 }
 
-/// A submission, and the folder or archive that it is named after.
+/// A submission, and the folder, archive or owner that it is named after.
 struct Place {
     fs::path content;
-    fs::path namedAfter;
+    std::string namedAfter;
+    std::string owner = {};  ///< see Located
 };
+
+std::string withoutArchiveEnding(std::string name) {
+    for (const char* ending : {".gz", ".tar", ".tgz", ".zip"}) {
+        const std::string_view end{ending};
+        if (name.size() > end.size() && name.ends_with(end)) name.resize(name.size() - end.size());
+    }
+    return name;
+}
+
+Place placeAt(const fs::path& path) {
+    const std::string name = path.filename().string();
+    return {path, isArchive(name) ? withoutArchiveEnding(name) : name};
+}
+
+std::vector<Place> placesInExport(const fs::path& exported) {
+    std::vector<Place> places;
+    for (const std::string& owner : moodleOwners(exported))
+        places.push_back({exported, owner, owner});
+    return places;
+}
 
 /// What lies below a folder.
 struct Below {
@@ -77,7 +91,7 @@ void nameAfterChildren(std::vector<Below>& children, const std::vector<fs::path>
     if (one < 2 || more > 0) return;
     for (std::size_t i = 0; i < children.size(); ++i)
         for (Place& place : children[i].submissions)
-            place.namedAfter = folders[i];
+            if (place.owner.empty()) place.namedAfter = folders[i].filename().string();
 }
 
 void add(Below& below, const Below& child) {
@@ -97,6 +111,11 @@ bool isOneInPieces(const Below& below, const std::vector<Below>& children) {
 }
 
 Below look(const fs::path& folder, int depth) {
+    // Not deeper: there a student could make one up.
+    constexpr int kDeepestExport = 1;
+    if (depth <= kDeepestExport)
+        if (std::vector<Place> places = placesInExport(folder); !places.empty())
+            return {std::move(places), {}, true, false};
     const Entries entries = entriesOf(folder);
     std::vector<Below> children;
     if (depth < kDeepest)
@@ -113,41 +132,39 @@ Below look(const fs::path& folder, int depth) {
     }
     below.parts.insert(entries.parts.begin(), entries.parts.end());
     if (!entries.parts.empty() || (entries.archives.empty() && isOneInPieces(below, children)))
-        return {{{folder, folder}}, below.parts, true, false};
+        return {{placeAt(folder)}, below.parts, true, false};
     for (const fs::path& archive : entries.archives)
-        below.submissions.push_back({archive, archive});
+        below.submissions.push_back(placeAt(archive));
     for (std::size_t i = 0; isClass && i < children.size(); ++i)
         if (children[i].submissions.empty() && !children[i].isEmpty)
-            below.submissions.push_back({entries.folders[i], entries.folders[i]});
+            below.submissions.push_back(placeAt(entries.folders[i]));
     return below;
 }
 
-std::string withoutArchiveEnding(std::string name) {
-    for (const char* ending : {".gz", ".tar", ".tgz", ".zip"}) {
-        const std::string_view end{ending};
-        if (name.size() > end.size() && name.ends_with(end)) name.resize(name.size() - end.size());
-    }
-    return name;
+// At most so many bytes, not cut in the middle of a character; an export's "_123" at the end stays.
+std::string shortened(std::string name, std::size_t longest) {
+    if (name.size() <= longest) return name;
+    const std::size_t mark = name.find_last_not_of("0123456789");
+    std::string id = mark != std::string::npos && name[mark] == '_' ? name.substr(mark) : "";
+    if (id.size() > longest / 2) id.clear();
+    name.resize(longest - id.size());
+    while (!name.empty() && (static_cast<unsigned char>(name.back()) & 0xC0U) == 0x80U)
+        name.pop_back();
+    if (!name.empty() && static_cast<unsigned char>(name.back()) >= 0xC0U) name.pop_back();
+    return name + id;
 }
 
 // A folder of this name can be made on any system, and a shell or a page shows it without surprise.
-std::string safeName(const fs::path& path) {
+std::string safeName(const std::string& wanted) {
     constexpr std::size_t kLongest = 100;
-    const std::string stem =
-        isArchive(path) ? withoutArchiveEnding(path.filename().string()) : path.filename().string();
     std::string name;
-    for (const char c : asUtf8(stem)) {
+    for (const char c : asUtf8(wanted)) {
         const auto byte = static_cast<unsigned char>(c);
         const bool harmful = byte < 0x20 || byte == 0x7F ||
                              std::string_view{"/\\:*?\"<>|"}.find(c) != std::string_view::npos;
         name += harmful ? '_' : c;
     }
-    if (name.size() > kLongest) {
-        name.resize(kLongest);
-        while (!name.empty() && (static_cast<unsigned char>(name.back()) & 0xC0U) == 0x80U)
-            name.pop_back();  // not in the middle of a character
-        if (!name.empty() && static_cast<unsigned char>(name.back()) >= 0xC0U) name.pop_back();
-    }
+    name = shortened(std::move(name), kLongest);
     while (name.starts_with('.') || name.starts_with('-') || name.starts_with(' '))
         name.erase(0, 1);
     return name.empty() ? "submission" : name;
@@ -169,17 +186,20 @@ std::vector<Located> findSubmissions(const fs::path& path) {
     std::vector<Place> found;
     if (fs::is_directory(whole)) {
         found = look(whole, 0).submissions;
-        if (found.empty()) found = {{whole, whole}};
-    } else if (fs::is_regular_file(whole) && isArchive(whole)) {
-        found = {{whole, whole}};
+        if (found.empty()) found = {placeAt(whole)};
+    } else if (fs::is_regular_file(whole) && isArchive(whole.filename().string())) {
+        found = placesInExport(whole);
+        if (found.empty()) found = {placeAt(whole)};
     } else {
         throw raytracer::InputError(path.string(), 0, "neither a folder nor a zip or tar archive");
     }
-    std::ranges::sort(found, {}, &Place::content);
+    std::ranges::sort(found, {},
+                      [](const Place& place) { return std::tie(place.content, place.owner); });
     std::vector<Located> located;
     std::set<std::string> taken;
     for (const Place& place : found)
-        located.push_back({uniqueName(safeName(place.namedAfter), taken), place.content});
+        located.push_back(
+            {uniqueName(safeName(place.namedAfter), taken), place.content, place.owner});
     return located;
 }
 

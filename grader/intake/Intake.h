@@ -14,11 +14,13 @@ namespace ticker::intake {
 struct Located {
     std::string name;            ///< unique among those found together; fit to name a folder
     std::filesystem::path path;  ///< a folder or an archive
+    std::string owner = {};      ///< whose part of `path` it is, where that is a Moodle export
 };
 
 /// All submissions below a path: the folder itself where it holds one of the three files, an
 /// archive, or a folder of such, also over several levels. A folder that holds something else
 /// stands for a submission too, where its neighbours are submissions: somebody misnamed his files.
+/// A Moodle export, as downloaded or unpacked, gives everybody in it, by "<name>_<id>".
 /// @throws raytracer::InputError where the path does not exist or cannot be read.
 [[nodiscard]] std::vector<Located> findSubmissions(const std::filesystem::path& path);
 

@@ -1,4 +1,5 @@
 #include <grader/intake/Contents.h>
+#include <grader/intake/MoodleExport.h>
 #include <grader/intake/Utf8.h>
 
 #include <raytracer/base/Error.h>
@@ -8,7 +9,7 @@
 
 #include <archive.h>
 #include <archive_entry.h>
-#include <fcntl.h>
+#include <locale.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -23,6 +24,36 @@ struct FreeArchive {
     void operator()(archive* handle) const { archive_read_free(handle); }
 };
 using Archive = std::unique_ptr<archive, FreeArchive>;
+
+/// Makes this thread's character set UTF-8: libarchive gives no name of a zip that says that its
+/// names are UTF-8 to a thread of another character set.
+class Utf8Names {
+public:
+    Utf8Names() : before_(uselocale(utf8_)) {}
+    ~Utf8Names() {
+        uselocale(before_);
+        if (utf8_ != nullptr) freelocale(utf8_);
+    }
+    Utf8Names(const Utf8Names&) = delete;
+    Utf8Names& operator=(const Utf8Names&) = delete;
+
+private:
+    locale_t utf8_ = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+    locale_t before_;
+};
+
+Archive newArchive() {
+    Archive made{archive_read_new()};
+    archive_read_support_format_zip(made.get());
+    archive_read_support_format_tar(made.get());
+    archive_read_support_filter_gzip(made.get());
+    return made;
+}
+
+bool openFile(const Archive& reader, const std::filesystem::path& file) {
+    constexpr std::size_t kBlock = 64U << 10U;
+    return archive_read_open_filename(reader.get(), file.c_str(), kBlock) == ARCHIVE_OK;
+}
 
 std::string pathOf(archive_entry* entry) {
     if (const char* name = archive_entry_pathname(entry)) return name;
@@ -49,19 +80,23 @@ int depthOf(std::string_view path) {
 /// Reads an archive from its beginning to its end, or to the first member that must not be.
 class ArchiveReader {
 public:
-    ArchiveReader(const std::filesystem::path& file, const IntakeLimits& limits)
-        : limits_(limits), archive_(archive_read_new()) {
-        archive_read_support_format_zip(archive_.get());
-        archive_read_support_format_tar(archive_.get());
-        archive_read_support_filter_gzip(archive_.get());
-        constexpr std::size_t kBlock = 64U << 10U;
+    ArchiveReader(const std::filesystem::path& file, const IntakeLimits& limits,
+                  const std::string& owner)
+        : limits_(limits), owner_(owner), archive_(newArchive()) {
         packed_ = std::filesystem::file_size(file);
-        isOpen_ = archive_read_open_filename(archive_.get(), file.c_str(), kBlock) == ARCHIVE_OK;
+        isOpen_ = openFile(archive_, file);
+    }
+
+    ArchiveReader(const Packed& packed, const IntakeLimits& limits, const std::string& owner)
+        : limits_(limits), owner_(owner), archive_(newArchive()), packed_(packed.bytes.size()) {
+        isOpen_ = archive_read_open_memory(archive_.get(), packed.bytes.data(),
+                                           packed.bytes.size()) == ARCHIVE_OK;
     }
 
     [[nodiscard]] Contents read() {
+        const Utf8Names utf8;
         if (!isOpen_) return broken();
-        if (packed_ > limits_.archiveBytes) {
+        if (packed_ > limits_.archiveBytes && owner_.empty()) {
             refuse("intake.too-large", "The archive is too large.");
             return std::move(contents_);
         }
@@ -93,7 +128,12 @@ private:
     }
 
     void readMember(archive_entry* entry) {
-        const std::string path = pathOf(entry);
+        std::string path = pathOf(entry);
+        if (!owner_.empty()) {
+            auto file = readMoodlePath(path);
+            if (!file || file->owner != owner_) return;
+            path = std::move(file->path);
+        }
         const auto type = archive_entry_filetype(entry);
         if (++members_ > limits_.members)
             return refuse("intake.too-large",
@@ -104,6 +144,9 @@ private:
         if (archive_entry_hardlink(entry) != nullptr || archive_entry_symlink(entry) != nullptr ||
             type == AE_IFLNK)
             return refuseMember(path, "is a link");
+        // GNU tar's folders may have contents, which would be unpacked only to be skipped.
+        if (type == AE_IFDIR && archive_entry_size(entry) > 0)
+            return refuseMember(path, "is a folder with contents");
         if (type == AE_IFDIR) return;
         if (type != AE_IFREG && type != 0) return refuseMember(path, "is a device or a pipe");
         if (archive_entry_is_encrypted(entry) != 0) return refuseMember(path, "is encrypted");
@@ -114,8 +157,10 @@ private:
     // they are; only candidates are kept.
     void readFile(const std::string& path) {
         const std::optional<Part> part = isLitter(path) ? std::nullopt : partOf(path);
+        const bool isPacked = !part && !isLitter(path) && isArchive(path);
         Candidate candidate{part.value_or(Part::renderer), path, {}, {}};
-        const std::uint64_t limit = byteLimitOf(candidate.part, limits_);
+        const std::uint64_t limit =
+            isPacked ? limits_.archiveBytes : byteLimitOf(candidate.part, limits_);
         std::string buffer(64U << 10U, '\0');
         for (;;) {
             const la_ssize_t size = archive_read_data(archive_.get(), buffer.data(), buffer.size());
@@ -123,8 +168,12 @@ private:
             if (size == 0) break;
             unpacked_ += static_cast<std::uint64_t>(size);
             if (isBomb()) return refuseMember(path, "unpacks to far more than the archive holds");
-            if (part && candidate.bytes.size() <= limit)
+            if ((part || isPacked) && candidate.bytes.size() <= limit)
                 candidate.bytes.append(buffer, 0, static_cast<std::size_t>(size));
+        }
+        if (isPacked && candidate.bytes.size() <= limit) {
+            contents_.archives.push_back({path, std::move(candidate.bytes)});
+            return;
         }
         if (!part) {
             contents_.others.push_back(asUtf8(path));
@@ -145,6 +194,7 @@ private:
     }
 
     const IntakeLimits& limits_;
+    const std::string& owner_;
     Archive archive_;
     bool isOpen_ = false;
     Contents contents_;
@@ -155,11 +205,31 @@ private:
 
 }  // namespace
 
-Contents readArchive(const std::filesystem::path& file, const IntakeLimits& limits) {
+Contents readArchive(const std::filesystem::path& file, const IntakeLimits& limits,
+                     const std::string& owner) {
     struct stat status {};
     if (stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
         throw raytracer::InputError(file.string(), 0, "no archive that can be read");
-    return ArchiveReader{file, limits}.read();
+    return ArchiveReader{file, limits, owner}.read();
+}
+
+Contents readArchive(const Packed& packed, const IntakeLimits& limits) {
+    return ArchiveReader{packed, limits, {}}.read();
+}
+
+std::vector<std::string> listArchive(const std::filesystem::path& file) {
+    constexpr std::size_t kMost = 1'000'000;  // a class of thousands; a bomb of names ends here
+    std::vector<std::string> paths;
+    const Archive reader = newArchive();
+    if (!openFile(reader, file)) return paths;
+    const Utf8Names utf8;
+    archive_entry* entry = nullptr;
+    while (paths.size() < kMost) {
+        const int status = archive_read_next_header(reader.get(), &entry);
+        if (status == ARCHIVE_EOF || status < ARCHIVE_WARN) break;
+        paths.push_back(pathOf(entry));
+    }
+    return paths;
 }
 
 }  // namespace ticker::intake

@@ -1,4 +1,5 @@
 #include <grader/intake/Contents.h>
+#include <grader/intake/MoodleExport.h>
 #include <grader/intake/Utf8.h>
 
 #include <raytracer/base/Error.h>
@@ -53,7 +54,8 @@ std::optional<std::string> readUpTo(int descriptor, std::uint64_t limit) {
 /// Walks through a folder by descriptors: nobody can put a link in the way meanwhile.
 class FolderReader {
 public:
-    explicit FolderReader(const IntakeLimits& limits) : limits_(limits) {}
+    FolderReader(const IntakeLimits& limits, const std::string& owner)
+        : limits_(limits), owner_(owner) {}
 
     void read(int descriptor, const std::string& prefix, int depth) {
         const Folder folder{fdopendir(descriptor)};
@@ -65,7 +67,8 @@ public:
         // NOLINTNEXTLINE(concurrency-mt-unsafe): each stream is read by one thread
         while (const dirent* entry = readdir(folder.get())) {
             const std::string name{entry->d_name};
-            if (name != "." && name != "..") names.push_back(name);
+            if (name == "." || name == ".." || !isHis(prefix + name)) continue;
+            names.push_back(name);
             if (++members_ > limits_.members) return refuseCount();
         }
         std::ranges::sort(names);
@@ -76,6 +79,12 @@ public:
     [[nodiscard]] Contents take() { return std::move(contents_); }
 
 private:
+    [[nodiscard]] bool isHis(const std::string& path) const {
+        if (owner_.empty()) return true;
+        const auto file = readMoodlePath(path);
+        return file && file->owner == owner_;
+    }
+
     void refuseCount() {
         contents_.refusals.push_back(
             refusal("intake.too-large", fmt::format("More than {} files.", limits_.members),
@@ -90,23 +99,47 @@ private:
                 openat(parent, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
             if (child >= 0) return read(child, path + "/", depth + 1);
         }
+        take(parent, name, owner_.empty() ? path : readMoodlePath(path)->path,
+             known && S_ISREG(status.st_mode), known && S_ISDIR(status.st_mode));
+    }
+
+    void take(int parent, const std::string& name, const std::string& path, bool isFile,
+              bool isFolder) {
         const std::optional<Part> part = isLitter(path) ? std::nullopt : partOf(path);
-        if (part && !(known && S_ISDIR(status.st_mode)))
+        if (part && !isFolder)
             contents_.candidates.push_back(candidate(parent, name, path, *part));
+        else if (auto packed = isFile ? archiveAt(parent, name, path) : std::nullopt)
+            contents_.archives.push_back({path, std::move(*packed)});
         else
             contents_.others.push_back(asUtf8(path));
     }
 
-    [[nodiscard]] Candidate candidate(int parent, const std::string& name, const std::string& path,
-                                      Part part) const {
-        Candidate result{part, path, {}, {}};
+    /// The bytes of an archive; empty: it is none, or all of them together are too large.
+    [[nodiscard]] std::optional<std::string> archiveAt(int parent, const std::string& name,
+                                                       const std::string& path) {
+        if (isLitter(path) || !isArchive(path)) return std::nullopt;
+        auto bytes = bytesAt(parent, name, limits_.archiveBytes - packedBytes_);
+        if (!bytes || packedBytes_ + bytes->size() > limits_.archiveBytes) return std::nullopt;
+        packedBytes_ += bytes->size();
+        return bytes;
+    }
+
+    /// At most limit + 1 bytes of an ordinary file; empty: it is none.
+    [[nodiscard]] static std::optional<std::string> bytesAt(int parent, const std::string& name,
+                                                            std::uint64_t limit) {
         const OpenFile file{openat(parent, name.c_str(),
                                    O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)};
         struct stat status {};
         const bool isFile =
             file.get() >= 0 && fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode);
+        return isFile ? readUpTo(file.get(), limit) : std::nullopt;
+    }
+
+    [[nodiscard]] Candidate candidate(int parent, const std::string& name, const std::string& path,
+                                      Part part) const {
+        Candidate result{part, path, {}, {}};
         const std::uint64_t limit = byteLimitOf(part, limits_);
-        auto bytes = isFile ? readUpTo(file.get(), limit) : std::nullopt;
+        auto bytes = bytesAt(parent, name, limit);
         if (!bytes)
             result.refusal = refusal(
                 "intake.unsafe-archive",
@@ -121,18 +154,21 @@ private:
     }
 
     const IntakeLimits& limits_;
+    const std::string& owner_;
     Contents contents_;
     std::uint64_t members_ = 0;
+    std::uint64_t packedBytes_ = 0;
 };
 
 }  // namespace
 
-Contents readFolder(const std::filesystem::path& folder, const IntakeLimits& limits) {
+Contents readFolder(const std::filesystem::path& folder, const IntakeLimits& limits,
+                    const std::string& owner) {
     const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
         throw raytracer::InputError(folder.string(), 0,
                                     "cannot be read: " + std::generic_category().message(errno));
-    FolderReader reader{limits};
+    FolderReader reader{limits, owner};
     reader.read(descriptor, "", 0);
     return reader.take();
 }

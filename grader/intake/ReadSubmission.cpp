@@ -6,7 +6,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace ticker::intake {
 namespace {
@@ -45,6 +47,32 @@ std::optional<std::string> nearMiss(Part part, const Contents& contents) {
         if (raytracer::nearestName(name, known)) return path;
     }
     return std::nullopt;
+}
+
+bool isSource(const Candidate& candidate) {
+    return candidate.part != Part::screenshot;
+}
+
+// Somebody handed in a zip, beside his picture or alone. Where his code lies open, a zip is
+// ignored: it is an older state, or a copy.
+void openArchives(Contents& contents, const IntakeLimits& limits) {
+    const bool hasSource = std::ranges::any_of(contents.candidates, isSource);
+    for (const Packed& packed : std::exchange(contents.archives, {})) {
+        if (hasSource) {
+            contents.others.push_back(asUtf8(packed.path));
+            continue;
+        }
+        Contents inner = readArchive(packed, limits);
+        for (Candidate& candidate : inner.candidates) {
+            candidate.path.insert(0, packed.path + "/");
+            contents.candidates.push_back(std::move(candidate));
+        }
+        for (const Packed& deeper : inner.archives)
+            inner.others.push_back(asUtf8(deeper.path));
+        for (const std::string& other : inner.others)
+            contents.others.push_back(asUtf8(packed.path) + "/" + other);
+        std::ranges::move(inner.refusals, std::back_inserter(contents.refusals));
+    }
 }
 
 /// Turns what was found into a submission.
@@ -127,8 +155,9 @@ private:
 
 Submission readSubmission(const Located& located, const IntakeLimits& limits) {
     Contents contents = std::filesystem::is_directory(located.path)
-                            ? readFolder(located.path, limits)
-                            : readArchive(located.path, limits);
+                            ? readFolder(located.path, limits, located.owner)
+                            : readArchive(located.path, limits, located.owner);
+    openArchives(contents, limits);
     return Assembly{located.name, std::move(contents)}.take();
 }
 

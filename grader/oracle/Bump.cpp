@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ticker::oracle {
 namespace {
@@ -80,9 +81,10 @@ std::array<double, 3> bumpedNormal(const raytracer::HeightMap& map, const BumpRe
     const double column = (u - std::floor(u)) * map.width();
     const double row = std::min(std::acos(y) / std::numbers::pi, 1.0 - 1e-12) * map.height();
 
-    const double tiltU = direction * reading.gainU * slope(map, reading, column, row, 1.0, 0.0) *
-                         latitudeGain(reading.longitudeGain, ring);
-    const double tiltV = reading.gainV * slope(map, reading, column, row, 0.0, 1.0);
+    double tiltU = direction * reading.gainU * slope(map, reading, column, row, 1.0, 0.0) *
+                   latitudeGain(reading.longitudeGain, ring);
+    double tiltV = reading.gainV * slope(map, reading, column, row, 0.0, 1.0);
+    if (reading.swapped) std::swap(tiltU, tiltV);
     std::array<double, 3> normal{x - tiltU * right[0] - tiltV * down[0],
                                  y - tiltU * right[1] - tiltV * down[1],
                                  z - tiltU * right[2] - tiltV * down[2]};

@@ -43,6 +43,7 @@ struct BumpReading {
     bool mirrored = false;  ///< u runs to the left
     double gainU = 1.0;     ///< scales the slope along u; negative: inverted (a mistake)
     double gainV = 1.0;     ///< likewise along v
+    bool swapped = false;   ///< each slope tilts along the other's tangent (a mistake)
 };
 
 /// One way to read the handout. The defaults are the reference solution's; the fields up to `bump`

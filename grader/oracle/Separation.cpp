@@ -70,6 +70,7 @@ std::vector<KnownMistake> knownMistakes(HiddenTask task) {
         case HiddenTask::bump:
             add("bump.flat",
                 [](KnownMistake& k) { k.reading.bump.gainU = k.reading.bump.gainV = 0.0; });
+            add("bump.swapped-axes", [](KnownMistake& k) { k.reading.bump.swapped = true; });
             add("bump.inverted",
                 [](KnownMistake& k) { k.reading.bump.gainU = k.reading.bump.gainV = -1.0; });
             add("bump.inverted-u", [](KnownMistake& k) { k.reading.bump.gainU = -1.0; });

@@ -4,6 +4,7 @@
 #include <grader/decision/bump/JudgeBump.h>
 #include <grader/decision/distributed/JudgeDistributed.h>
 #include <grader/pipeline/FileWork.h>
+#include <grader/pipeline/Inputs.h>
 #include <grader/pipeline/Screenshot.h>
 
 #include <algorithm>
@@ -85,6 +86,12 @@ public:
         result.tasks.push_back(std::move(report));
     }
 
+    void sources(SubmissionResult& result) const {
+        for (const intake::Part part : {intake::Part::bumpySphere, intake::Part::renderer})
+            if (const auto& bytes = submission_.part(part))
+                result.sources.push_back({nameOf(part), *bytes});
+    }
+
     void notices(SubmissionResult& result) const {
         if (!submission_.ignored.empty()) {
             std::string text = "Ignored:";
@@ -129,8 +136,10 @@ SubmissionResult gradeSubmission(const intake::Submission& submission, const Gra
     grading.file(SourceFile::bumpySphere, result);
     grading.file(SourceFile::renderer, result);
     grading.screenshot(result);
+    grading.sources(result);
     grading.notices(result);
     result = rubric::applyRubric(grader.rubric, std::move(result));
+    result.inputs = inputsOf(submission, grader, seed);
     result.timing.totalMs = millisecondsSince(start);
     return result;
 }

@@ -49,6 +49,10 @@ struct Place {
         if (!value->is_string()) fail("a string");
         return value->get<std::string>();
     }
+    [[nodiscard]] bool flag() const {
+        if (!value->is_boolean()) fail("true or false");
+        return value->get<bool>();
+    }
     [[nodiscard]] double number() const {
         if (value->is_null()) return std::numeric_limits<double>::quiet_NaN();
         if (!value->is_number()) fail("a number");
@@ -100,6 +104,7 @@ TaskReport readTask(const Place& place) {
     task.reason = place.at("reason").text();
     for (const Place& finding : place.at("findings").items())
         task.findings.push_back(readFinding(finding));
+    if (place.has("needsReview")) task.needsReview = place.at("needsReview").flag();
     return task;
 }
 
@@ -158,12 +163,20 @@ SubmissionResult readResultJson(const std::filesystem::path& file) {
     result.seed = readSeed(top.at("seed"));
     result.sandboxLevel = top.at("sandboxLevel").text();
     result.toolVersion = top.at("toolVersion").text();
+    if (top.has("inputs")) {
+        const Place inputs = top.at("inputs");
+        result.inputs = {inputs.at("files").text(), inputs.at("tool").text(),
+                         inputs.at("how").text()};
+    }
     for (const Place& task : top.at("tasks").items())
         result.tasks.push_back(readTask(task));
     for (const Place& render : top.at("renders").items())
         result.renders.push_back(readRender(render));
     for (const Place& notice : top.at("notices").items())
         result.notices.push_back(notice.text());
+    if (top.has("diagnostics"))
+        for (const Place& said : top.at("diagnostics").items())
+            result.diagnostics.push_back({said.at("file").text(), said.at("text").text(), ""});
     const Place timing = top.at("timing");
     result.timing = {timing.at("compileMs").number(), timing.at("probeMs").number(),
                      timing.at("totalMs").number()};

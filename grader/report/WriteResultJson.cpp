@@ -60,7 +60,15 @@ ordered_json taskJson(const TaskReport& task) {
     json["state"] = toString(task.state);
     json["reason"] = cleanText(task.reason);
     json["findings"] = findings;
+    if (task.needsReview) json["needsReview"] = true;
     return json;
+}
+
+ordered_json diagnosticsJson(const SubmissionResult& result) {
+    ordered_json list = ordered_json::array();
+    for (const Diagnostics& said : result.diagnostics)
+        list.push_back({{"file", cleanText(said.file)}, {"text", cleanText(said.text)}});
+    return list;
 }
 
 ordered_json renderJson(const RenderScore& render) {
@@ -102,13 +110,19 @@ std::string resultJson(const SubmissionResult& result) {
     json["seed"] = std::to_string(result.seed);
     json["sandboxLevel"] = result.sandboxLevel;
     json["toolVersion"] = result.toolVersion;
+    if (result.inputs.areKnown())
+        json["inputs"] = {{"files", result.inputs.files},
+                          {"tool", result.inputs.tool},
+                          {"how", result.inputs.how}};
     json["tasks"] = tasks;
     json["renders"] = renders;
     json["notices"] = notices;
+    if (!result.diagnostics.empty()) json["diagnostics"] = diagnosticsJson(result);
     json["timing"] = {{"compileMs", number(std::round(result.timing.compileMs))},
                       {"probeMs", number(std::round(result.timing.probeMs))},
                       {"totalMs", number(std::round(result.timing.totalMs))}};
-    return json.dump(2) + "\n";
+    // What is no UTF-8 is replaced: no text may keep a result from being written.
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 void writeAtomically(const std::string& text, const std::filesystem::path& file) {

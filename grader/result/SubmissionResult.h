@@ -2,6 +2,7 @@
 #define TICKER_RESULT_SUBMISSIONRESULT_H
 
 #include <grader/result/Finding.h>
+#include <grader/result/Inputs.h>
 
 #include <cstdint>
 #include <string>
@@ -60,6 +61,12 @@ struct Diagnostics {
     std::string source;  ///< the student's file, for the lines that the text names; may be empty
 };
 
+/// A source as it was handed in, for people to read: a file below OUT/<submission>/code/.
+struct SourceText {
+    std::string file;   ///< "Renderer.cpp"
+    std::string bytes;  ///< untrusted; may not be valid UTF-8; empty in a result that was read back
+};
+
 struct Timing {
     double compileMs = 0.0;
     double probeMs = 0.0;
@@ -78,10 +85,12 @@ struct SubmissionResult {
     std::uint64_t seed = 0;
     std::string sandboxLevel = "none";
     std::string toolVersion;
+    Inputs inputs;
     std::vector<TaskReport> tasks;
     std::vector<RenderScore> renders;
     std::vector<ResultPicture> pictures;
     std::vector<Diagnostics> diagnostics;
+    std::vector<SourceText> sources;
     std::vector<std::string> notices;
     Timing timing;
 };

@@ -15,17 +15,17 @@
 namespace ticker::sandbox {
 namespace fs = std::filesystem;
 
-fs::path findHelper() {
+fs::path findProgram(const std::string& name) {
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-    const fs::path beside = folder / "ticker-jail";
-    const fs::path installed = folder.parent_path() / "libexec" / "ticker" / "ticker-jail";
+    const fs::path beside = folder / name;
+    const fs::path installed = folder.parent_path() / "libexec" / "ticker" / name;
     for (const fs::path& candidate : {beside, installed})
         if (access(candidate.c_str(), X_OK) == 0) return candidate;
     throw raytracer::Error(
-        fmt::format("sandbox: the helper ticker-jail is missing: neither {} nor "
-                    "{} is there; build the target ticker-jail",
-                    beside.string(), installed.string()));
+        fmt::format("sandbox: the helper {0} is missing: neither {1} nor {2} is there; build the "
+                    "target {0}",
+                    name, beside.string(), installed.string()));
 }
 
 fs::path findBubblewrap() {

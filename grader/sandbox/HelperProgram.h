@@ -2,12 +2,14 @@
 #define TICKER_SANDBOX_HELPERPROGRAM_H
 
 #include <filesystem>
+#include <string>
 
 namespace ticker::sandbox {
 
-/// `ticker-jail` beside the running program, or in ../libexec/ticker from there.
+/// One of our static programs, such as `ticker-jail`: beside the running program, or in
+/// ../libexec/ticker from there.
 /// @throws raytracer::Error where it is in neither place.
-[[nodiscard]] std::filesystem::path findHelper();
+[[nodiscard]] std::filesystem::path findProgram(const std::string& name);
 
 /// bubblewrap: /usr/bin/bwrap, /usr/local/bin/bwrap or on the PATH; empty where there is none.
 [[nodiscard]] std::filesystem::path findBubblewrap();

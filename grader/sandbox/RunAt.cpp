@@ -30,7 +30,7 @@ struct Workshop {
 
     static fs::path copyHelper(const StagingFolder& staging) {
         const fs::path copy = staging.path() / "ticker-jail";
-        fs::copy_file(findHelper(), copy);
+        fs::copy_file(findProgram("ticker-jail"), copy);
         fs::permissions(copy, fs::perms{0755});
         return copy;
     }

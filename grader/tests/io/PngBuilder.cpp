@@ -36,11 +36,6 @@ std::uint32_t adlerOf(const std::string& bytes) {
     return b << 16U | a;
 }
 
-std::string chunk(const std::string& type, const std::string& data) {
-    return bigEndian(static_cast<std::uint32_t>(data.size())) + type + data +
-           bigEndian(crcOf(type + data));
-}
-
 // RFC 1951, stored blocks: nothing is packed.
 std::string stored(const std::string& bytes) {
     constexpr std::size_t kLargestBlock = 65535;
@@ -61,6 +56,11 @@ std::string stored(const std::string& bytes) {
 
 }  // namespace
 
+std::string pngChunk(const std::string& type, const std::string& data) {
+    return bigEndian(static_cast<std::uint32_t>(data.size())) + type + data +
+           bigEndian(crcOf(type + data));
+}
+
 std::string makePng(const PngHeader& header, const std::string& rows) {
     return makePngAround(header, stored(rows));
 }
@@ -71,8 +71,8 @@ std::string makePngAround(const PngHeader& header, const std::string& packed) {
     description += static_cast<char>(header.colour);
     description += std::string(2, '\0');
     description += static_cast<char>(header.interlaced ? 1 : 0);
-    return "\x89PNG\r\n\x1A\n" + chunk("IHDR", description) + chunk("IDAT", packed) +
-           chunk("IEND", "");
+    return "\x89PNG\r\n\x1A\n" + pngChunk("IHDR", description) + pngChunk("IDAT", packed) +
+           pngChunk("IEND", "");
 }
 
 std::string equalRows(const PngHeader& header, const std::string& row) {

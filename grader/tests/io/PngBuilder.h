@@ -26,6 +26,9 @@ struct PngHeader {
 /// A PNG file around data that is packed already (or claims to be).
 [[nodiscard]] std::string makePngAround(const PngHeader& header, const std::string& packed);
 
+/// One chunk of a PNG file, with its right check sum.
+[[nodiscard]] std::string pngChunk(const std::string& type, const std::string& data);
+
 /// Rows of `header.height` times the same bytes, each with filter 0.
 [[nodiscard]] std::string equalRows(const PngHeader& header, const std::string& row);
 

@@ -1,5 +1,5 @@
 #include <grader/oracle/Oracle.h>
-#include <grader/tests/oracle/Agreement.h>
+#include <grader/calibrate/Agreement.h>
 #include <grader/tests/oracle/PlainRenderer.h>
 #include <grader/tests/oracle/TestScenes.h>
 
@@ -39,7 +39,7 @@ Precision fine() {
     return precision;
 }
 
-void expectAgreement(const Agreement& agreement) {
+void expectAgreement(const calibrate::Agreement& agreement) {
     EXPECT_LT(agreement.largestZ, kLargestZ);
     EXPECT_LT(agreement.varianceZ, kLargestZ) << "variance ratio " << agreement.varianceRatio;
 }
@@ -48,7 +48,7 @@ void expectReferenceAgrees(const raytracer::SceneDescription& description,
                            const RenderSettings& settings, int renders) {
     const Moments moments = Oracle{description, settings}.moments(11, fine());
     const raytracer::Scene scene{description};
-    expectAgreement(compare(moments, renders, [&](int number) {
+    expectAgreement(calibrate::compare(moments, renders, [&](int number) {
         RenderSettings own = settings;
         own.seed = static_cast<std::uint64_t>(number);
         return raytracer::Renderer{own}.render(scene);
@@ -78,7 +78,7 @@ TEST(OracleMoments, AgreeWithTheOraclesOwnStudents) {
     const Oracle oracle{variedScene(), smallSettings()};
     const Moments moments = oracle.moments(12, fine());
     // Two hundred renders: the pool of aim points must not show.
-    expectAgreement(compare(moments, 200, [&](int number) {
+    expectAgreement(calibrate::compare(moments, 200, [&](int number) {
         return oracle.studentRender(static_cast<std::uint64_t>(number));
     }));
 }
@@ -102,12 +102,12 @@ TEST_P(EveryReading, AgreesWithAPlainRenderer) {
     const Oracle oracle{description, settings, param.reading, param.mistake};
     const Moments moments = oracle.moments(13, fine());
     const raytracer::Scene scene{description};
-    expectAgreement(compare(moments, kRenders, [&](int number) {
+    expectAgreement(calibrate::compare(moments, kRenders, [&](int number) {
         return PlainRenderer{scene, settings, param.reading, param.mistake,
                              static_cast<std::uint64_t>(number)}
             .render();
     }));
-    expectAgreement(compare(moments, kRenders, [&](int number) {
+    expectAgreement(calibrate::compare(moments, kRenders, [&](int number) {
         return oracle.studentRender(static_cast<std::uint64_t>(number));
     }));
 }

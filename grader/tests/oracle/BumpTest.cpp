@@ -54,5 +54,18 @@ TEST(OracleBump, EveryReadingLeansBackAgainstASlope) {
         }
 }
 
+TEST(OracleBump, SwappedAxesTiltAlongTheOtherTangent) {
+    std::vector<double> right;
+    for (int row = 0; row < 32; ++row)
+        for (int column = 0; column < 32; ++column)
+            right.push_back(5.0 * column / 31.0);
+    const raytracer::HeightMap rightwards{32, 32, right};
+    const double point[3] = {0.1, 0.15, -std::sqrt(1.0 - 0.1 * 0.1 - 0.15 * 0.15)};
+    BumpReading swapped;
+    swapped.swapped = true;
+    EXPECT_NEAR(bumpedNormal(rightwards, swapped, point)[0], point[0], 0.02);
+    EXPECT_GT(bumpedNormal(rightwards, swapped, point)[1], point[1] + 0.05);
+}
+
 }  // namespace
 }  // namespace ticker::oracle::test

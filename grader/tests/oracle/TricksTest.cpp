@@ -1,6 +1,6 @@
 #include <grader/oracle/BallPool.h>
 #include <grader/oracle/Oracle.h>
-#include <grader/tests/oracle/Agreement.h>
+#include <grader/calibrate/Agreement.h>
 #include <grader/tests/oracle/TestScenes.h>
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(OracleTricks, ChangeNoExpectedValue) {
             without.*trick = false;
             const Moments plain =
                 Oracle{scene, smallSettings(), {}, {}, without}.moments(22, good());
-            EXPECT_LT(largestTileZ(all, plain), 6.0);
+            EXPECT_LT(calibrate::largestTileZ(all, plain), 6.0);
             EXPECT_NEAR(varianceSum(plain) / varianceSum(all), 1.0, 0.05);
         }
     }

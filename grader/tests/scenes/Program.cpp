@@ -3,13 +3,16 @@
 #include <grader/tests/io/TemporaryFolder.h>
 
 #include <fcntl.h>
+#include <pty.h>
 #include <spawn.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <array>
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 extern char** environ;
 
@@ -35,6 +38,13 @@ private:
     posix_spawn_file_actions_t actions_{};
 };
 
+/// Ours without NO_COLOR, after `before`: of two values the first one counts.
+std::vector<std::string> environmentAfter(std::vector<std::string> before) {
+    for (char** variable = environ; *variable != nullptr; ++variable)
+        if (!std::string(*variable).starts_with("NO_COLOR=")) before.emplace_back(*variable);
+    return before;
+}
+
 std::vector<char*> pointersTo(std::vector<std::string>& texts) {
     std::vector<char*> pointers;
     for (std::string& text : texts)
@@ -43,11 +53,9 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
     return pointers;
 }
 
-pid_t start(std::vector<std::string> arguments, std::vector<std::string> environment,
-            const FileActions& actions) {
+pid_t start(std::vector<std::string> arguments, const FileActions& actions) {
     arguments.insert(arguments.begin(), kProgram);
-    for (char** variable = environ; *variable != nullptr; ++variable)
-        if (!std::string(*variable).starts_with("NO_COLOR=")) environment.emplace_back(*variable);
+    std::vector<std::string> environment = environmentAfter({});
     pid_t process = 0;
     if (posix_spawn(&process, kProgram.c_str(), actions.get(), nullptr,
                     pointersTo(arguments).data(), pointersTo(environment).data()) != 0)
@@ -70,18 +78,25 @@ ProgramResult runTick1Star(const std::vector<std::string>& arguments,
     FileActions actions;
     actions.open(STDOUT_FILENO, out, O_WRONLY | O_CREAT | O_TRUNC);
     actions.open(STDERR_FILENO, err, O_WRONLY | O_CREAT | O_TRUNC);
-    const int exitCode = waitFor(start(arguments, {}, actions));
+    const int exitCode = waitFor(start(arguments, actions));
     return {exitCode, bytesOf(out), bytesOf(err)};
 }
 
-Tick1StarOnTerminal::Tick1StarOnTerminal(const std::vector<std::string>& arguments,
-                                         const std::vector<std::string>& extraEnvironment)
-    : terminal_(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)), process_(-1) {
-    if (terminal_ < 0 || grantpt(terminal_) != 0 || unlockpt(terminal_) != 0)
-        throw std::runtime_error("no terminal can be made");
-    FileActions actions;
-    actions.open(STDERR_FILENO, ptsname(terminal_), O_RDWR | O_NOCTTY);
-    process_ = start(arguments, extraEnvironment, actions);
+Tick1StarOnTerminal::Tick1StarOnTerminal(std::vector<std::string> arguments,
+                                         std::vector<std::string> environment, int columns,
+                                         int lines) {
+    arguments.insert(arguments.begin(), kProgram);
+    environment = environmentAfter(std::move(environment));
+    const std::vector<char*> argumentPointers = pointersTo(arguments);
+    const std::vector<char*> environmentPointers = pointersTo(environment);
+    const winsize size{static_cast<unsigned short>(lines), static_cast<unsigned short>(columns), 0,
+                       0};
+    process_ = forkpty(&terminal_, nullptr, nullptr, &size);
+    if (process_ < 0) throw std::runtime_error("no terminal can be made");
+    if (process_ == 0) {
+        execve(kProgram.c_str(), argumentPointers.data(), environmentPointers.data());
+        _exit(127);
+    }
 }
 
 Tick1StarOnTerminal::~Tick1StarOnTerminal() {
@@ -99,8 +114,16 @@ std::string Tick1StarOnTerminal::read() const {
     return count > 0 ? std::string(block.data(), static_cast<std::size_t>(count)) : std::string();
 }
 
+std::string Tick1StarOnTerminal::readAll() const {
+    std::string all;
+    for (std::string more = read(); !more.empty(); more = read())
+        all += more;
+    return all;
+}
+
 void Tick1StarOnTerminal::interrupt() const {
-    kill(process_, SIGINT);
+    constexpr char kCtrlC = '\003';
+    if (write(terminal_, &kCtrlC, 1) != 1) throw std::runtime_error("the terminal is gone");
 }
 
 int Tick1StarOnTerminal::wait() {

@@ -19,25 +19,28 @@ struct ProgramResult {
 [[nodiscard]] ProgramResult runTick1Star(const std::vector<std::string>& arguments,
                                          const std::filesystem::path& scratch);
 
-/// tick1star with the reference solution, its stderr on a terminal of its own.
+/// tick1star with the reference solution in a terminal of its own: Ctrl-C typed there reaches it.
 class Tick1StarOnTerminal {
 public:
-    Tick1StarOnTerminal(const std::vector<std::string>& arguments,
-                        const std::vector<std::string>& extraEnvironment);
+    /// @param environment  "NAME=value", before what is set already; "NAME=" as good as unsets it.
+    Tick1StarOnTerminal(std::vector<std::string> arguments, std::vector<std::string> environment,
+                        int columns = 80, int lines = 24);
     ~Tick1StarOnTerminal();
     Tick1StarOnTerminal(const Tick1StarOnTerminal&) = delete;
     Tick1StarOnTerminal& operator=(const Tick1StarOnTerminal&) = delete;
 
     /// Waits for what the program writes next; empty at its end.
     [[nodiscard]] std::string read() const;
-    /// As Ctrl-C does.
+    /// Everything up to the program's end.
+    [[nodiscard]] std::string readAll() const;
+    /// Types Ctrl-C.
     void interrupt() const;
     /// The exit code; -1 where a signal ended it.
     [[nodiscard]] int wait();
 
 private:
-    int terminal_;
-    pid_t process_;
+    int terminal_ = -1;
+    pid_t process_ = -1;
 };
 
 }  // namespace ticker::testing

@@ -92,6 +92,12 @@ void setRegion(Options& options, const Value& value) {
         smallCount(parts[2], 1, kLargestSide), smallCount(parts[3], 1, kLargestSide)};
 }
 
+void setTrace(Options& options, const Value& value) {
+    const std::vector<Value> parts = split(value, ',');
+    if (parts.size() != 2) fail(value, "X,Y as in 320,240");
+    options.trace = {smallCount(parts[0], 0, kLargestSide), smallCount(parts[1], 0, kLargestSide)};
+}
+
 constexpr auto kOptions = std::to_array<Option>({
     {"--input", "-i", "SCENE", "the scene file (XML)",
      [](Options& o, const Value& value) { o.scene = value.text; }},
@@ -108,6 +114,13 @@ constexpr auto kOptions = std::to_array<Option>({
     {"--threads", "", "N", "threads to work on, one for each core if not given",
      [](Options& o, const Value& value) { o.threads = smallCount(value, 1, kMostThreads); }},
     {"--region", "", "X,Y,W,H", "render only these pixels of the full frame", setRegion},
+    {"--preview", "-p", "", "draw the picture in the terminal while it comes",
+     [](Options& o, const Value&) { o.preview = true; }},
+    {"--trace", "", "X,Y", "render no picture, but tell what happens at this pixel", setTrace},
+    {"--normals", "", "", "show normals as colours: red right, green up, blue towards the eye",
+     [](Options& o, const Value&) { o.normals = true; }},
+    {"--compare", "", "IMAGE", "say how far the picture is from this one; also as a picture",
+     [](Options& o, const Value& value) { o.compare = value.text; }},
     {"--shadow-rays", "", "N", "shadow rays for each point and light, 10 if not given",
      [](Options& o, const Value& value) {
          o.settings.shadowRayCount = smallCount(value, 1, kMostRays);
@@ -159,14 +172,20 @@ bool endsInPng(const std::filesystem::path& file) {
 void checkTogether(const Options& options) {
     if (options.showHelp || options.showVersion) return;
     if (options.scene.empty()) fail("no scene given; add -i SCENE");
-    if (options.image.empty()) fail("no picture to write given; add -o IMAGE");
-    if (!endsInPng(options.image))
+    if (options.image.empty() && !options.trace) fail("no picture to write given; add -o IMAGE");
+    if (!options.image.empty() && !endsInPng(options.image))
         fail("-o " + inQuotes(options.image.string()) + ": expected a name that ends in .png");
     const RenderSettings& settings = options.settings;
     const Region& region = settings.region;
+    const std::string frame = "the full frame of " + std::to_string(settings.width) + "x" +
+                              std::to_string(settings.height) + " pixels";
     if (region.x + region.width > settings.width || region.y + region.height > settings.height)
-        fail("--region reaches beyond the full frame of " + std::to_string(settings.width) + "x" +
-             std::to_string(settings.height) + " pixels");
+        fail("--region reaches beyond " + frame);
+    if (options.trace &&
+        (options.trace->x >= settings.width || options.trace->y >= settings.height))
+        fail("--trace asks for a pixel beyond " + frame);
+    if (options.normals && !options.linear.empty())
+        fail("--normals gives no linear colours; leave --linear out");
 }
 
 }  // namespace

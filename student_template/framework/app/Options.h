@@ -11,6 +11,12 @@
 
 namespace raytracer {
 
+/// A pixel of the full frame; (0, 0) is top left.
+struct Pixel {
+    int x = 0;
+    int y = 0;
+};
+
 /// What the user asked tick1star for.
 struct Options {
     std::filesystem::path scene;   ///< -i
@@ -20,6 +26,10 @@ struct Options {
     RenderSettings settings;       ///< `seed` and `threads` only where they were given
     std::optional<std::uint64_t> seed;
     std::optional<int> threads;
+    std::optional<Pixel> trace;     ///< --trace: tell of this pixel instead of rendering
+    std::filesystem::path compare;  ///< --compare; empty: with nothing
+    bool normals = false;           ///< --normals: colours stand for normals
+    bool preview = false;           ///< --preview
     bool quiet = false;
     bool verbose = false;
     bool showHelp = false;

@@ -1,12 +1,11 @@
 #include "Progress.h"
 
-#include <unistd.h>
 #include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
+#include <utility>
 
 namespace raytracer {
 namespace {
@@ -43,24 +42,25 @@ Progress::~Progress() {
     if (drawn_) std::fputs("\r\033[K", stderr);
 }
 
+void Progress::drawAbove(std::function<std::string()> text) {
+    above_ = std::move(text);
+}
+
 void Progress::rowFinished(int /*row*/, int done, int rows) {
     ++done_;
-    if (!drawn_) return;
+    if (!drawn_ && !above_) return;
     const std::lock_guard lock{mutex_};
     const Clock::time_point now = Clock::now();
     if (now - lastDrawn_ < kRedrawEvery) return;
     lastDrawn_ = now;
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    std::fprintf(stderr, "\r%s\033[K", progressText(done, rows, seconds).c_str());
+    std::string text = above_ ? above_() : std::string();
+    if (drawn_) text += "\r" + progressText(done, rows, seconds) + "\033[K";
+    std::fputs(text.c_str(), stderr);
 }
 
 bool Progress::interrupted() const {
     return interruptAsked;
-}
-
-bool terminalWantsProgress() {
-    const char* noColour = std::getenv("NO_COLOR");
-    return isatty(STDERR_FILENO) == 1 && (noColour == nullptr || *noColour == '\0');
 }
 
 std::string progressText(int done, int rows, double seconds) {

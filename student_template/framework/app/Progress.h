@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <string>
 
@@ -16,6 +17,9 @@ public:
     /// @param drawn  Whether to draw the bar at all; Ctrl-C is heeded in any case.
     /// From here on the first Ctrl-C only asks the render to stop; a second one ends the program.
     explicit Progress(bool drawn);
+
+    /// Something to write above the bar at every drawing, even where there is no bar.
+    void drawAbove(std::function<std::string()> text);
     /// Wipes the bar away.
     ~Progress() override;
     Progress(const Progress&) = delete;
@@ -35,10 +39,8 @@ private:
     std::atomic<int> done_{0};
     std::mutex mutex_;
     Clock::time_point lastDrawn_;
+    std::function<std::string()> above_;
 };
-
-/// True where a progress bar is welcome: stderr is a terminal and NO_COLOR is not set.
-[[nodiscard]] bool terminalWantsProgress();
 
 /// The text of a bar: `[#####-----]  50 %, 12 s left`.
 /// @param seconds  Time since the start.

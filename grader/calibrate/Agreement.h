@@ -1,0 +1,31 @@
+#ifndef TICKER_CALIBRATE_AGREEMENT_H
+#define TICKER_CALIBRATE_AGREEMENT_H
+
+#include <grader/oracle/Oracle.h>
+
+#include <raytracer/image/Image.h>
+
+#include <functional>
+
+namespace ticker::calibrate {
+
+/// How independent renders agree with moments.
+struct Agreement {
+    double largestZ = 0.0;       ///< of a mean, over tiles of 6 x 6 pixels and channels
+    double meanZ2 = 0.0;         ///< mean of the squares of the tiles' z: about 1
+    int tiles = 0;               ///< times channels: how many z there are
+    double varianceZ = 0.0;      ///< of the summed squared deviations of the whole picture
+    double varianceRatio = 0.0;  ///< seen / expected; 1 where both are zero
+};
+
+/// @param render  Called with 1, 2, ..., `renders`, which are at least 2; linear colours, of the
+///                moments' size.
+[[nodiscard]] Agreement compare(const oracle::Moments& moments, int renders,
+                                const std::function<raytracer::Image(int)>& render);
+
+/// Likewise for two estimates of the same moments.
+[[nodiscard]] double largestTileZ(const oracle::Moments& a, const oracle::Moments& b);
+
+}  // namespace ticker::calibrate
+
+#endif

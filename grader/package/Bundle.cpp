@@ -1,0 +1,122 @@
+#include <grader/package/Bundle.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <link.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace ticker::package {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string readText(const fs::path& file) {
+    std::ifstream stream{file, std::ios::binary};
+    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
+    return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+/// The shared libraries that this process runs with, its loader among them: what the program needs
+/// wherever it goes.
+std::vector<fs::path> sharedLibraries() {
+    std::vector<fs::path> files;
+    dl_iterate_phdr(
+        [](dl_phdr_info* object, std::size_t /*size*/, void* list) {
+            const fs::path file{object->dlpi_name};
+            // The program itself has no name, and the kernel's own library no file.
+            if (file.is_absolute()) static_cast<std::vector<fs::path>*>(list)->push_back(file);
+            return 0;
+        },
+        &files);
+    return files;
+}
+
+bool isLoader(const fs::path& library) {
+    return library.filename().string().starts_with("ld-linux");
+}
+
+// The loader lies beside the program: then both are in the same folder whichever of them the kernel
+// takes for the running program, and ticker finds its kit and data from there.
+void addProgram(zip::ZipWriter& zip, const Parts& parts) {
+    zip.add("ticker/bin/ticker", integration(parts, "bundle/ticker"), true);
+    zip.addFile("ticker/bin/ticker.program", parts.program);
+    for (const fs::path& library : sharedLibraries())
+        if (isLoader(library))
+            zip.addFile("ticker/bin/loader", library);
+        else
+            zip.addFile("ticker/lib/shared/" + library.filename().string(), library);
+    zip.addFile("ticker/libexec/ticker/ticker-jail", parts.helper);
+    zip.addFile("ticker/libexec/ticker/ticker-decode", parts.decoder);
+}
+
+// The precompiled header stays behind: only the very compiler that made it can read it.
+void addKit(zip::ZipWriter& zip, const Parts& parts) {
+    const std::string kit = "ticker/lib/ticker/kit/";
+    for (const char* folder : {"include", "lib", "template"})
+        zip.addFolder(kit + folder, parts.kit / folder);
+    zip.addFile(kit + "kit.json", parts.kit / "kit.json");
+    zip.addFile(kit + "pch/Framework.h", parts.kit / "pch" / "Framework.h");
+}
+
+void addData(zip::ZipWriter& zip, const Parts& parts) {
+    const std::string share = "ticker/share/ticker/";
+    zip.addFolder(share + "scenes", parts.data / "scenes");
+    for (const char* map : {"bumpmap.png", "bumpmap-test.png"})
+        zip.addFile(share + "assets/" + map, parts.data / "assets" / map);
+    zip.addFile(share + "grader/rubric/rubric.json", parts.rubric);
+    zip.addFile(share + "grader/report/student-view.json", parts.studentView);
+}
+
+std::string quoted(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words)
+        text += fmt::format("{}'{}'", text.empty() ? "" : " ", word);
+    return text;
+}
+
+/// "12" of "/usr/bin/x86_64-linux-gnu-g++-12": packages are named after it.
+std::string majorVersion(const std::string& compiler) {
+    const std::string real = fs::canonical(compiler).filename().string();
+    const std::size_t dash = real.rfind('-');
+    const std::string version = dash == std::string::npos ? "" : real.substr(dash + 1);
+    if (version.empty() || version.find_first_not_of("0123456789") != std::string::npos)
+        throw raytracer::Error("no version in the compiler's name: " + real);
+    return version;
+}
+
+std::string replaced(std::string text, std::string_view mark, std::string_view value) {
+    for (std::size_t at = text.find(mark); at != std::string::npos;
+         at = text.find(mark, at + value.size()))
+        text.replace(at, mark.size(), value);
+    return text;
+}
+
+std::string prepareScript(const Parts& parts) {
+    std::string text = integration(parts, "bundle/prepare.sh");
+    text = replaced(std::move(text), "@COMPILER@", parts.compiler);
+    text = replaced(std::move(text), "@MAJOR@", majorVersion(parts.compiler));
+    text = replaced(std::move(text), "@COMPILE@", quoted(parts.compileFlags));
+    return replaced(std::move(text), "@LINK@", quoted(parts.linkFlags));
+}
+
+}  // namespace
+
+std::string integration(const Parts& parts, const std::string& name) {
+    return readText(parts.data / "grader" / "integrations" / name);
+}
+
+void addBundle(zip::ZipWriter& zip, const Parts& parts) {
+    addProgram(zip, parts);
+    addKit(zip, parts);
+    addData(zip, parts);
+    zip.add("ticker/prepare.sh", prepareScript(parts), true);
+}
+
+}  // namespace ticker::package

@@ -1,0 +1,36 @@
+#ifndef TICKER_PACKAGE_PLATFORMS_H
+#define TICKER_PACKAGE_PLATFORMS_H
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ticker::package {
+
+/// Where the parts of this ticker lie: in a build tree or an installation.
+struct Parts {
+    std::filesystem::path program;  ///< ticker
+    std::filesystem::path helper;   ///< ticker-jail
+    std::filesystem::path decoder;  ///< ticker-decode
+    std::filesystem::path kit;      ///< what submissions are compiled and linked with
+    std::string compiler;           ///< of the kit, as an absolute path
+    std::vector<std::string> compileFlags;
+    std::vector<std::string> linkFlags;
+    std::filesystem::path data;         ///< holds scenes/, assets/ and grader/integrations/
+    std::filesystem::path rubric;       ///< the course's
+    std::filesystem::path studentView;  ///< the course's: what students may see
+};
+
+/// A zip for Gradescope's autograder page: setup.sh, run_autograder, ticker. No solution, no
+/// reference picture and no seed is in it.
+/// @throws raytracer::InputError where a part cannot be read or `file` not be written.
+void writeGradescope(const Parts& parts, const std::filesystem::path& file);
+
+/// A zip for PrairieLearn: the Dockerfile of an external grader's image, its entry point, ticker,
+/// and a question that uses it. Nothing secret, likewise.
+/// @throws raytracer::InputError likewise.
+void writePrairieLearn(const Parts& parts, const std::filesystem::path& file);
+
+}  // namespace ticker::package
+
+#endif

@@ -1,0 +1,31 @@
+#ifndef TICKER_PICTURE_DECODER_REPLY_H
+#define TICKER_PICTURE_DECODER_REPLY_H
+
+#include <cstdint>
+
+namespace ticker::picture {
+
+/// The decoder's descriptors: the file, and a memory for the reply.
+inline constexpr int kFileDescriptor = 3;
+inline constexpr int kReplyDescriptor = 4;
+
+/// How far the decoder came.
+enum class DecodeState : std::uint32_t {
+    unfinished = 0,
+    decoded = 0x706E672B,
+    animated,
+    truncated,
+    damaged,
+    noMemory
+};
+
+/// What stands at the beginning of the reply; the pixels follow: rows from the top, red, green,
+/// blue. Both ends are on one machine, so it travels as it lies in memory.
+struct Reply {
+    DecodeState state = DecodeState::unfinished;
+    std::uint32_t reserved[3] = {};
+};
+
+}  // namespace ticker::picture
+
+#endif

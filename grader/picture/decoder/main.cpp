@@ -1,0 +1,43 @@
+// ticker-decode: the pixels of the PNG file that it holds, into the memory that it holds. Runs in
+// the sandbox, since the file is a stranger's.
+#include <grader/picture/decoder/DecodePng.h>
+
+#include <sys/mman.h>
+#include <sys/stat.h>
+
+#include <cstddef>
+#include <new>
+
+namespace {
+
+using ticker::picture::DecodeState;
+using ticker::picture::Reply;
+
+std::span<std::uint8_t> mapped(int descriptor, int protection) {
+    struct stat status {};
+    if (fstat(descriptor, &status) != 0 || status.st_size <= 0) return {};
+    const auto size = static_cast<std::size_t>(status.st_size);
+    void* const memory = mmap(nullptr, size, protection, MAP_SHARED, descriptor, 0);
+    if (memory == MAP_FAILED) return {};
+    return {static_cast<std::uint8_t*>(memory), size};
+}
+
+DecodeState decode(std::span<const std::uint8_t> file, std::span<std::uint8_t> pixels) {
+    try {
+        return ticker::picture::decodePng(file, pixels);
+    } catch (const std::bad_alloc&) {
+        return DecodeState::noMemory;
+    }
+}
+
+}  // namespace
+
+int main() {
+    const std::span<const std::uint8_t> file = mapped(ticker::picture::kFileDescriptor, PROT_READ);
+    const std::span<std::uint8_t> reply =
+        mapped(ticker::picture::kReplyDescriptor, PROT_READ | PROT_WRITE);
+    if (file.empty() || reply.size() < sizeof(Reply)) return 2;
+    const DecodeState state = decode(file, reply.subspan(sizeof(Reply)));
+    new (reply.data()) Reply{state};
+    return 0;
+}

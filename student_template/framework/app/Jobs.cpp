@@ -1,0 +1,151 @@
+#include "Jobs.h"
+
+#include "Canvas.h"
+#include "NormalPicture.h"
+#include "PictureDifference.h"
+#include "PixelStory.h"
+#include "Preview.h"
+#include "Progress.h"
+
+#include <raytracer/io/ImageWriter.h>
+#include <raytracer/io/SceneReader.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <random>
+#include <system_error>
+#include <thread>
+
+namespace raytracer {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint64_t freshSeed() {
+    std::random_device device;
+    return std::uint64_t{device()} << 32U | device();
+}
+
+/// The folder `assets` beside the program or above it, else the one in the working folder.
+fs::path findAssets() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    for (fs::path folder = program.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+        if (fs::is_directory(folder / "assets", error)) return folder / "assets";
+        if (folder == folder.root_path()) break;
+    }
+    return fs::is_directory("assets", error) ? fs::path("assets") : fs::path();
+}
+
+fs::path assetsOf(const Options& options) {
+    if (options.assets.empty()) return findAssets();
+    std::error_code error;
+    if (!fs::is_directory(options.assets, error))
+        throw InputError(options.assets.string(), 0, "--assets: there is no such folder");
+    return options.assets;
+}
+
+RenderSettings settingsOf(const Options& options) {
+    RenderSettings settings = options.settings;
+    settings.seed = options.seed ? *options.seed : freshSeed();
+    settings.threads = options.threads
+                           ? *options.threads
+                           : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return settings;
+}
+
+/// What a render gave, for the file and for whoever compares.
+struct Rendered {
+    Image linear;
+    ByteImage bytes;
+    bool whole = true;
+};
+
+Rendered renderWatched(const Scene& scene, RenderSettings settings, Progress& progress,
+                       const std::function<void(const Canvas&)>& watch) {
+    Canvas canvas{settings, [&progress] { return progress.interrupted(); }};
+    settings.observer = &canvas;
+    settings.monitor = &progress;
+    watch(canvas);
+    seedRandom(settings.seed);  // for solutions that loop over the pixels by themselves
+    try {
+        Image image = Renderer{settings}.render(scene);
+        const bool whole = !progress.interrupted() || progress.done() == image.height();
+        ByteImage bytes = toBytes(image);
+        return {std::move(image), std::move(bytes), whole};
+    } catch (const RenderStopped&) {
+        return {canvas.picture(), canvas.bytes(), false};
+    }
+}
+
+Rendered render(const Options& options, const Scene& scene, const RenderSettings& settings) {
+    Progress progress{!options.quiet && terminalWantsProgress()};
+    Preview preview{terminalOnStderr()};
+    Rendered rendered =
+        options.normals ? Rendered{Image{settings}, normalPicture(scene, settings)}
+                        : renderWatched(scene, settings, progress, [&](const Canvas& canvas) {
+                              if (options.preview && preview.redraws())
+                                  progress.drawAbove([&] { return preview.frame(canvas.bytes()); });
+                          });
+    progress.drawAbove(nullptr);
+    if (options.preview) std::fputs(preview.frame(rendered.bytes).c_str(), stderr);
+    return rendered;
+}
+
+/// "out.png" -> "out-difference.png"
+fs::path differenceFileOf(const fs::path& image) {
+    return image.parent_path() / (image.stem().string() + "-difference.png");
+}
+
+void compare(const ByteImage& picture, const ByteImage& other, const Options& options) {
+    const PictureDifference difference = differenceOf(picture, other, options.compare.string());
+    const fs::path file = differenceFileOf(options.image);
+    writePng(difference.picture, file);
+    std::cout << difference.inWords() << '\n'
+              << "drawn four times as strong in " << file.string() << '\n';
+}
+
+}  // namespace
+
+ExitCode renderPicture(const Options& options) {
+    checkWritable(options.image);
+    if (!options.linear.empty()) checkWritable(options.linear);
+    const ByteImage other = options.compare.empty() ? ByteImage{} : readImage(options.compare);
+    const Scene scene{readScene(options.scene, assetsOf(options))};
+
+    const auto start = std::chrono::steady_clock::now();
+    const RenderSettings settings = settingsOf(options);
+    if (options.verbose)
+        std::cerr << "seed " << settings.seed << ", " << settings.threads << " threads\n";
+    const Rendered rendered = render(options, scene, settings);
+    writePng(rendered.bytes, options.image);
+    if (!options.linear.empty()) writePfm(rendered.linear, options.linear);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (options.verbose) std::cerr << "rendered in " << seconds.count() << " s\n";
+    if (!options.compare.empty()) compare(rendered.bytes, other, options);
+
+    if (rendered.whole) return ExitCode::success;
+    std::cerr << "\ninterrupted: " << options.image.string() << " holds the rows that were done\n";
+    return ExitCode::interrupted;
+}
+
+ExitCode tellOfPixel(const Options& options) {
+    PixelLog log;
+    const Scene scene{readScene(options.scene, assetsOf(options)), &log};
+    RenderSettings settings = settingsOf(options);
+    settings.threads = 1;
+    settings.region = {options.trace->x, options.trace->y, 1, 1};
+    settings.observer = &log;
+    seedRandom(settings.seed);
+    static_cast<void>(Renderer{settings}.render(scene));
+    std::cout << "pixel (" << options.trace->x << ", " << options.trace->y << ") of "
+              << settings.width << "x" << settings.height << ", seed " << settings.seed << '\n'
+              << storyOf(log, scene, options.verbose);
+    return ExitCode::success;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,66 @@
+#ifndef RAYTRACER_APP_PIXELLOG_H
+#define RAYTRACER_APP_PIXELLOG_H
+
+#include <raytracer/base/RenderObserver.h>
+#include <raytracer/geometry/RaycastHit.h>
+#include <raytracer/image/ColourRGB.h>
+#include <raytracer/math/Ray.h>
+
+#include <optional>
+#include <vector>
+
+namespace raytracer {
+
+/// A ray and what it met; empty for nothing.
+struct SeenRay {
+    Ray ray;
+    std::optional<RaycastHit> hit;
+};
+
+/// One call of `Renderer::trace`, and what happened in it.
+struct TracedRay {
+    Ray ray;
+    int bouncesLeft = 0;
+    std::optional<RaycastHit> hit;
+    std::vector<SeenRay> shadowRays;   ///< cast within `illuminate`
+    std::optional<ColourRGB> direct;   ///< what `illuminate` gave; empty where it was not called
+    std::vector<TracedRay> reflected;  ///< none or one
+    ColourRGB colour;                  ///< what `trace` gave
+};
+
+/// Keeps all that happens while one pixel is rendered on one thread.
+class PixelLog final : public RenderObserver {
+public:
+    [[nodiscard]] const std::vector<TracedRay>& traced() const { return traced_; }
+    /// Rays cast outside of `trace`.
+    [[nodiscard]] const std::vector<SeenRay>& loose() const { return loose_; }
+    /// The pinhole camera's ray, where the solution asked for it.
+    [[nodiscard]] const std::optional<Ray>& cameraRay() const { return cameraRay_; }
+    /// The pixel's colour, where the solution set it.
+    [[nodiscard]] const std::optional<ColourRGB>& pixel() const { return pixel_; }
+
+    void cameraRayAsked(int x, int y, const Ray& ray) override;
+    void traceBegan(const Ray& ray, int bouncesLeft) override;
+    void traceEnded(const ColourRGB& colour) override;
+    void illuminateBegan(const SceneObject& object, const Vector3& position, const Vector3& normal,
+                         const Vector3& viewer) override;
+    void illuminateEnded(const ColourRGB& colour) override;
+    void rayCast(const Ray& ray, const RaycastHit* hit) override;
+    void pixelSet(int x, int y, const ColourRGB& colour) override;
+
+private:
+    struct OpenCall {
+        TracedRay traced;
+        bool hasCast = false;
+        bool illuminates = false;
+    };
+    std::vector<OpenCall> open_;
+    std::vector<TracedRay> traced_;
+    std::vector<SeenRay> loose_;
+    std::optional<Ray> cameraRay_;
+    std::optional<ColourRGB> pixel_;
+};
+
+}  // namespace raytracer
+
+#endif
