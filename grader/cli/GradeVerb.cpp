@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
+#include <sys/resource.h>
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -119,7 +120,8 @@ void report(const Tally& tally, std::size_t total, const BatchOptions& options, 
             bool stopped) {
     if (!voice.quiet) fmt::print(stderr, "{}\n", closingLine(tally));
     if (!voice.quiet && !options.resultsOnly)
-        fmt::print(stderr, "open {}/index.html\n", options.out);
+        fmt::print(stderr, "open {0}/index.html, or decide in a browser: {1} session {0}\n",
+                   options.out, voice.command);
     if (tally.unexpected > 0)
         fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
                    tally.unexpected, tally.all());
@@ -141,6 +143,13 @@ void take(const intake::Located& located, const SubmissionResult& result, bool i
     progress.finished(result.verdict, isKept);
     ++tally.verdicts[result.verdict];
     if (isKept) ++tally.kept;
+}
+
+// Of this process alone, without those that it started.
+long peakMegabytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
 }
 
 int workersOf(const BatchOptions& options) {
@@ -187,6 +196,7 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
     if (!options.formats.names.empty())
         writeFormats(options.out, store::readClass(options.out), options.formats);
     report(tally, submissions.size(), options, voice, stop);
+    if (voice.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
     return exitCodeOf(tally, stop);
 }
 
