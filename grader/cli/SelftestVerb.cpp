@@ -28,32 +28,13 @@ struct SelftestOptions {
     GradeOptions grade;
 };
 
-// One line on stderr that is drawn over and over.
-class Counter {
-public:
-    Counter(std::string what, bool draw) : what_(std::move(what)), draw_(draw) {}
-    ~Counter() {
-        if (draw_) std::fputs("\r\x1b[K", stderr);
-    }
-    Counter(const Counter&) = delete;
-    Counter& operator=(const Counter&) = delete;
-
-    void show(std::size_t done, std::size_t of) const {
-        if (draw_) fmt::print(stderr, "\r\x1b[K{}: {} of {}", what_, done, of);
-    }
-
-private:
-    std::string what_;
-    bool draw_;
-};
-
 void printTable(const std::string& title, const std::string& table) {
     fmt::print("{}\n{}\n", title, report::cleanText(table));
     std::fflush(stdout);
 }
 
 bool testBump(const SelftestOptions& options, bool draw) {
-    const Counter counter{"T1", draw};
+    const Countdown counter{"T1", 0, draw};
     const selftest::BumpSelfTest result =
         selftest::runBumpSelfTest(options.fraction, {1}, [&](int done, int total) {
             counter.show(static_cast<std::size_t>(done), static_cast<std::size_t>(total));
@@ -71,7 +52,7 @@ std::string referenceRenderer(const Home& home) {
 
 bool testDistributed(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
     const Home home = Home::find();
-    const Counter counter{"T2", draw};
+    const Countdown counter{"T2", 0, draw};
     selftest::CatalogueRun run;
     run.fraction = options.fraction;
     run.seed = seedOf(options.grade);
@@ -85,7 +66,7 @@ bool testDistributed(const SelftestOptions& options, const pipeline::Grader& gra
 
 bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool draw) {
     const Home home = Home::find();
-    const Counter counter{"hostile", draw};
+    const Countdown counter{"hostile", 0, draw};
     grader.policy = sandbox::readPolicy(home.data / "grader/hostile/limits.json");
     selftest::HostileRun run;
     run.fraction = options.fraction;

@@ -4,7 +4,6 @@
 #include <grader/decision/distributed/PenumbraCheck.h>
 #include <grader/decision/distributed/Phong.h>
 #include <grader/decision/distributed/ShadowAims.h>
-#include <grader/decision/distributed/ShadowQuestions.h>
 #include <grader/decision/distributed/ShadowReplay.h>
 #include <grader/decision/distributed/Surfaces.h>
 
@@ -22,8 +21,8 @@ namespace {
 
 using Phong = ShadowReading::Phong;
 
-constexpr std::size_t kPoints = 12;
-constexpr std::size_t kCalls = 2000;
+using Place = PenumbraQuestion::Place;
+
 constexpr int kAims = 8192;
 
 // Shares counted on so many lattice points are off by less than this (measured against 65536).
@@ -35,6 +34,8 @@ double total(const ColourRGB& colour) {
 
 /// The light that got through at one point, call by call, as a share of all light.
 struct Samples {
+    Place place;
+    probe::LitPoint point;
     std::vector<double> shares;
     double mean = 0.0;
     double variance = 0.0;
@@ -48,18 +49,22 @@ PointLog bare(const probe::LitPoint& point) {
     return log;
 }
 
-Samples readSamples(const probe::IlluminateQuestion& asked, const probe::IlluminateAnswer& answer,
-                    std::size_t point) {
+Samples readSamples(const PenumbraQuestion& asked, const probe::IlluminateAnswer& answer,
+                    const Place& place) {
     Samples samples;
-    const PointLog log = bare(asked.points[point * kCalls]);
-    const double ambient = total(ambientPart(log, asked.scene));
-    const double full = total(unshadowed(log, asked.scene, 0, false));
-    for (std::size_t i = 0; i < kCalls; ++i)
-        samples.shares.push_back((total(answer.colours[point * kCalls + i]) - ambient) / full);
+    samples.place = place;
+    samples.point = asked.question.points[place.first];
+    const raytracer::SceneDescription& scene = asked.question.scene;
+    const PointLog log = bare(samples.point);
+    const double ambient = total(ambientPart(log, scene));
+    const double full = total(unshadowed(log, scene, 0, false));
+    const auto calls = static_cast<double>(place.calls);
+    for (std::size_t i = place.first; i < place.first + place.calls; ++i)
+        samples.shares.push_back((total(answer.colours[i]) - ambient) / full);
     for (const double share : samples.shares)
-        samples.mean += share / kCalls;
+        samples.mean += share / calls;
     for (const double share : samples.shares)
-        samples.variance += (share - samples.mean) * (share - samples.mean) / (kCalls - 1);
+        samples.variance += (share - samples.mean) * (share - samples.mean) / (calls - 1.0);
     return samples;
 }
 
@@ -110,10 +115,11 @@ double excess(const std::vector<Samples>& seen, const std::vector<double>& expec
     double most = 0.0;
     double slack = 0.0;
     for (std::size_t i = 0; i < seen.size(); ++i) {
+        const auto calls = static_cast<double>(seen[i].shares.size());
         sum += weights[i] * (seen[i].mean - expected[i]);
         // The variance is estimated from the calls; a half more, and the floor, cover its error.
-        variance += weights[i] * weights[i] * (1.5 * seen[i].variance + 0.002) / kCalls;
-        most = std::max(most, std::abs(weights[i]) / kCalls);
+        variance += weights[i] * weights[i] * (1.5 * seen[i].variance + 0.002) / calls;
+        most = std::max(most, std::abs(weights[i]) / calls);
         slack += std::abs(weights[i]) * kShareError;
     }
     const double bound = std::sqrt(2.0 * variance * logRisk) + most * logRisk / 3.0 + slack;
@@ -144,8 +150,7 @@ double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfa
     for (const double size : {0.25, 0.5, 0.6, 0.75, 0.9, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5}) {
         std::vector<double> open;
         for (std::size_t i = 0; i < seen.size(); ++i)
-            open.push_back(
-                expectedAt(asked, surfaces, asked.points[i * kCalls], AimShape::ball, size).open);
+            open.push_back(expectedAt(asked, surfaces, seen[i].point, AimShape::ball, size).open);
         const double worst = worstExcess(seen, open, open);
         if (worst >= best) continue;
         best = worst;
@@ -155,22 +160,32 @@ double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfa
 }
 
 // The fewest rays of which all shares are fractions; 0 where they are none of up to nine.
-int fewRays(const std::vector<Samples>& seen) {
+// @param open      Share of the light in sight: there has to be a point where fractions are
+// expected.
+// @param fromLens  Of the points that are seen so: some treat camera rays in another way.
+int fewRays(const std::vector<Samples>& seen, const std::vector<double>& open, bool fromLens) {
     for (int rays = 1; rays < raytracer::RenderSettings{}.shadowRayCount; ++rays) {
         bool all = true;
-        for (const Samples& samples : seen)
-            for (const double share : samples.shares) {
+        bool any = false;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            if (seen[i].place.fromLens != fromLens) continue;
+            any = any || (open[i] > 0.1 && open[i] < 0.9);
+            for (const double share : seen[i].shares) {
                 const double hits = share * rays;
                 all = all && std::abs(hits - std::round(hits)) < 0.01;
             }
-        if (all) return rays;
+        }
+        if (all && any) return rays;
     }
     return 0;
 }
 
 std::optional<Finding> checkFractions(const std::vector<Samples>& seen,
                                       const std::vector<double>& open) {
-    const int rays = fewRays(seen);
+    const int through = fewRays(seen, open, true);
+    const int otherwise = fewRays(seen, open, false);
+    const int rays =
+        through > 0 && otherwise > 0 ? std::min(through, otherwise) : std::max(through, otherwise);
     if (rays == 0) return std::nullopt;
     double spread = 0.0;
     double away = 0.0;
@@ -193,12 +208,41 @@ std::optional<Finding> checkFractions(const std::vector<Samples>& seen,
                               "is all of it or none, as from one shadow ray.");
 }
 
+// Calls that differ in nothing but the next random numbers give one value: the samples are the same
+// every time, and their mean says nothing.
+bool sameEveryCall(const std::vector<Samples>& seen) {
+    std::size_t fractions = 0;
+    std::size_t still = 0;
+    for (const Samples& samples : seen) {
+        if (samples.mean < 0.05 || samples.mean > 0.95) continue;
+        ++fractions;
+        if (samples.variance < 1e-6) ++still;
+    }
+    return fractions >= 4 && 4 * still >= 3 * fractions;
+}
+
+// Exact, but that no call of 30000 rays hits the outermost part of the light, which every accepted
+// shape does with a chance above 0.002 for each ray.
+bool seesTooMuch(const std::vector<Samples>& rim) {
+    return std::any_of(rim.begin(), rim.end(), [](const Samples& samples) {
+        return samples.place.kind == Place::Kind::beyondRim &&
+               *std::max_element(samples.shares.begin(), samples.shares.end()) > 0.02;
+    });
+}
+
+bool seesTooLittle(const std::vector<Samples>& rim) {
+    return std::all_of(rim.begin(), rim.end(), [](const Samples& samples) {
+        return samples.place.kind == Place::Kind::beyondRim ||
+               *std::max_element(samples.shares.begin(), samples.shares.end()) < 0.02;
+    });
+}
+
 /// The best of all readings of Phong for one shape; gives the shares of aims in sight, too.
 double excessOfShape(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
                      const std::vector<Samples>& seen, AimShape shape, std::vector<double>& open) {
     std::vector<Expected> expected;
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        expected.push_back(expectedAt(asked, surfaces, asked.points[i * kCalls], shape, 1.0));
+        expected.push_back(expectedAt(asked, surfaces, seen[i].point, shape, 1.0));
         open.push_back(expected.back().open);
     }
     double best = 1e9;
@@ -235,53 +279,39 @@ Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces
 
 }  // namespace
 
-probe::IlluminateQuestion drawPenumbraQuestion(std::uint64_t seed) {
-    // Two questions of the exact layer's kind; only their points at edges of shadows are asked.
-    probe::IlluminateQuestion question;
-    std::size_t points = 0;
-    for (const ShadowQuestion& drawn : drawShadowQuestions(seed ^ 0x50454E554D425241U)) {
-        if (drawn.purpose != ShadowQuestion::Purpose::oneLight) continue;
-        question.scene = drawn.question.scene;
-        question.settings = drawn.question.settings;
-        question.points.clear();
-        points = 0;
-        for (std::size_t i = 0; i < drawn.zones.size() && points < kPoints; ++i) {
-            if (drawn.zones[i][0] != Zone::penumbra) continue;
-            question.points.insert(question.points.end(), kCalls, drawn.question.points[i]);
-            ++points;
-        }
-    }
-    return question;
-}
-
-PenumbraVerdict checkPenumbra(const probe::IlluminateQuestion& asked,
+PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
                               const probe::IlluminateAnswer& answer) {
-    const Surfaces surfaces{asked.scene};
+    const Surfaces surfaces{asked.question.scene};
     std::vector<Samples> seen;
-    for (std::size_t i = 0; i < asked.points.size() / kCalls; ++i)
-        seen.push_back(readSamples(asked, answer, i));
+    std::vector<Samples> rim;
+    for (const Place& place : asked.places)
+        (place.kind == Place::Kind::penumbra ? seen : rim)
+            .push_back(readSamples(asked, answer, place));
 
-    if (!std::all_of(seen.begin(), seen.end(),
-                     [](const Samples& samples) { return std::isfinite(samples.mean); }))
+    const auto isFinite = [](const Samples& samples) { return std::isfinite(samples.mean); };
+    if (!std::all_of(seen.begin(), seen.end(), isFinite) ||
+        !std::all_of(rim.begin(), rim.end(), isFinite))
         return {distributedFinding("shadow.wrong", Severity::fail,
                                    "A colour was expected from illuminate; at the edge of a shadow "
                                    "it gave a value that is no number."),
-                false};
-    double best = 1e9;
-    double bestOfBall = 1e9;
+                0.0, false};
+    PenumbraVerdict verdict;
+    verdict.timesTheBound = 1e9;
     std::vector<double> openInBall;
     for (const AimShape shape :
          {AimShape::ball, AimShape::surface, AimShape::uniformRadius, AimShape::polarHelper}) {
         std::vector<double> open;
-        best = std::min(best, excessOfShape(asked, surfaces, seen, shape, open));
-        if (shape != AimShape::ball) continue;
-        bestOfBall = best;
-        openInBall = open;
+        verdict.timesTheBound = std::min(
+            verdict.timesTheBound, excessOfShape(asked.question, surfaces, seen, shape, open));
+        if (shape == AimShape::ball) openInBall = open;
     }
-    if (std::optional<Finding> fractions = checkFractions(seen, openInBall))
-        return {std::move(fractions), false};
-    if (best <= 1.0) return {std::nullopt, bestOfBall > 1.0};
-    return {explain(asked, surfaces, seen, best), false};
+    verdict.finding = checkFractions(seen, openInBall);
+    if (verdict.finding) return verdict;
+    verdict.ambiguous = sameEveryCall(seen);
+    if (verdict.ambiguous) return verdict;
+    if (verdict.timesTheBound > 1.0 || seesTooMuch(rim) || seesTooLittle(rim))
+        verdict.finding = explain(asked.question, surfaces, seen, verdict.timesTheBound);
+    return verdict;
 }
 
 }  // namespace ticker::decision

@@ -181,6 +181,55 @@ double leanBound(std::size_t distinct) {
     return std::sqrt(3.0) * (std::sqrt(2.0 / 3.0 * share) + 2.0 / 3.0 * share);
 }
 
+/// How far the feet of one point agree, from 0 to 1: in their direction, and in the line that they
+/// lie along.
+struct Agreement {
+    double direction = 0.0;
+    double line = 0.0;
+};
+
+Agreement agreementOf(const std::vector<AimLine>& lines, const Perpendiculars& sides) {
+    double x = 0.0;
+    double y = 0.0;
+    double cosine = 0.0;  // of twice the angle, so that opposite feet lie along the same line
+    double sine = 0.0;
+    double squares = 0.0;
+    for (const AimLine& line : lines) {
+        const double first = line.foot.dot(sides.first);
+        const double second = line.foot.dot(sides.second);
+        x += first;
+        y += second;
+        cosine += first * first - second * second;
+        sine += 2.0 * first * second;
+        squares += first * first + second * second;
+    }
+    if (!(squares > 0.0)) return {};
+    const auto count = static_cast<double>(lines.size());
+    return {(x * x + y * y) / (count * squares),
+            (cosine * cosine + sine * sine) / (squares * squares)};
+}
+
+// Ten independent aims agree by 0.1 in direction and by less than 0.3 in line, in the mean of all
+// accepted shapes; stratified ones by less. The mean over points that are independent is higher
+// than that by the bound with a chance of at most kStatementRisk (Hoeffding 1963), while aims along
+// one line agree by 1 in the one or the other.
+bool goTogether(const std::vector<const ShadowLog*>& far, const std::vector<Vector3>& directions) {
+    Agreement sum;
+    double points = 0.0;
+    for (std::size_t i = 0; i < far.size(); ++i)
+        for (const PointLog& point : far[i]->points) {
+            const std::vector<AimLine> lines = samplesOf(point, far[i]->settings());
+            if (lines.size() < 8) continue;
+            const Agreement agreement = agreementOf(lines, perpendicularsOf(directions[i]));
+            sum.direction += agreement.direction;
+            sum.line += agreement.line;
+            points += 1.0;
+        }
+    if (points < 100.0) return false;
+    const double bound = std::sqrt(std::log(1.0 / kStatementRisk) / (2.0 * points));
+    return sum.direction / points > 0.125 + bound || sum.line / points > 0.4 + bound;
+}
+
 void compareShapes(const Views& seen, const std::vector<Vector3>& directions, AimVerdict& verdict) {
     const bool repeated = verdict.distinct < verdict.lines;
     double best = std::numeric_limits<double>::infinity();
@@ -238,6 +287,7 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     verdict.lean = sum.magnitude() / static_cast<double>(verdict.lines);
     verdict.tooWide = verdict.widest > 1.0 + 1e-6 + kBiasAllowance / radius;
     verdict.offCentre = verdict.lean > leanBound(verdict.distinct) * std::max(1.0, verdict.widest);
+    verdict.together = verdict.distinct == verdict.lines && goTogether(far, directions);
     compareShapes(seen, directions, verdict);
     verdict.tooNarrow = !verdict.tooWide && !verdict.shape && verdict.widest < 0.97;
     return verdict;

@@ -21,6 +21,7 @@ using raytracer::SceneDescription;
 constexpr int kPointsForEachZone = 12;
 constexpr int kPointsOnSphere = 6;
 constexpr int kPointsSeveral = 24;
+constexpr int kPointsInBothShadows = 6;
 constexpr int kPointsBeyond = 8;
 constexpr int kPointsFar = 67;
 
@@ -58,6 +59,13 @@ Vector3 drawViewer(Draw& draw, const Vector3& point, const Vector3& normal, cons
     while (towards.dot(normal) < 0.1)
         towards = draw.directionAround(mirrored, 0.6);
     return point + towards * draw.between(3.0, 5.0);
+}
+
+// A point of the lens, seen as by a camera ray: whoever treats those apart from reflections has to
+// be found out, too.
+Vector3 drawLensPoint(Draw& draw, const raytracer::RenderSettings& settings) {
+    const double x = draw.between(-settings.dofAmount, settings.dofAmount);
+    return {x, draw.between(-settings.dofAmount, settings.dofAmount), 0.0};
 }
 
 // Aim points all over the light decide; the ball is taken a third larger, so that no accepted
@@ -111,8 +119,9 @@ void addPointsOnSphere(Draw& draw, ShadowQuestion& drawn) {
 /// A floor, a sphere `height` above it and a light above that, in a random orientation.
 ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& settings, Purpose purpose,
                             double height) {
-    const Vector3 up = draw.direction();
+    // The floor can be seen from the lens.
     const Vector3 foot = drawPlace(draw);
+    const Vector3 up = draw.directionAround((-foot).normalised(), 1.1);
     const double radius = draw.between(0.55, 0.75);
     const Vector3 ball = foot + up * (height * draw.between(0.8, 1.2));
     const Vector3 light = ball + draw.directionAround(up, 0.5) * draw.between(3.0, 4.0);
@@ -140,7 +149,9 @@ ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& setting
         int& left = wanted[static_cast<std::size_t>(zones[0])];
         if (left == 0) continue;
         --left;
-        drawn.question.points.push_back({1, point, up, drawViewer(draw, point, up, light)});
+        const Vector3 viewer =
+            left % 2 == 0 ? drawLensPoint(draw, settings) : drawViewer(draw, point, up, light);
+        drawn.question.points.push_back({1, point, up, viewer});
         drawn.zones.push_back(zones);
         if (std::all_of(wanted.begin(), wanted.end(), [](int count) { return count == 0; })) break;
     }
@@ -176,8 +187,10 @@ ShadowQuestion drawSeveralLights(Draw& draw) {
     const Surfaces surfaces{scene};
     const double radius = drawn.question.settings.lightSize;
     for (int i = 0; i < kPointsSeveral; ++i) {
-        const double x = draw.between(-0.7, 0.7);
-        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-0.7, 0.7);
+        // The first ones lie in the shadow of both spheres, the others anywhere.
+        const double reach = i < kPointsInBothShadows ? 0.06 : 0.7;
+        const double x = draw.between(-reach, reach);
+        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-reach, reach);
         const auto facing = static_cast<std::size_t>(draw.whole(0, 2));
         const Vector3 light = scene.pointLights[facing].position();
         drawn.question.points.push_back({2, point, up, drawViewer(draw, point, up, light)});

@@ -302,7 +302,12 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
     const double radius = raytracer::RenderSettings{}.lightSize;
     const double widest = aims.widest * radius;
     std::optional<Finding> finding;
-    if (aims.offCentre || (!aims.shape && !aims.scaledShape)) {
+    if (aims.together) {
+        finding = distributedFinding(
+            "shadow.not-a-ball", Severity::fail,
+            "A new random point of the light was expected for each shadow ray; the rays of one "
+            "point all go to one side of the light, or lie along one line.");
+    } else if (aims.offCentre || (!aims.shape && !aims.scaledShape)) {
         finding = distributedFinding(
             "shadow.not-a-ball", Severity::fail,
             fmt::format("Shadow rays were expected to fill a ball of radius {} around the light; "

@@ -226,6 +226,14 @@ bool shadowHolds(const Logs& logs, double ambient, bool diffuse, bool specular) 
     return true;
 }
 
+// Whether points in full light are lit.
+bool litWhereItShould(const Logs& logs) {
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points)
+            if (point.zones[0] == Zone::lit && !isNearKnown(point, *log, false)) return false;
+    return true;
+}
+
 // Without rays, mistakes are known by what they leave in full shadow.
 std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
     const auto named = [](ShadowArithmetic arithmetic) -> std::optional<Finding> {
@@ -251,8 +259,11 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
         return named(ShadowArithmetic::specularUnshadowed);
     if (shadowHolds(logs.oneLight, 1.0, true, false))
         return named(ShadowArithmetic::diffuseUnshadowed);
-    if (shadowHolds(logs.oneLight, 1.0, true, true)) return named(ShadowArithmetic::inverted);
-    return std::nullopt;
+    if (!shadowHolds(logs.oneLight, 1.0, true, true)) return std::nullopt;
+    if (!litWhereItShould(logs.oneLight)) return named(ShadowArithmetic::inverted);
+    return distributedFinding("shadow.wrong", Severity::fail,
+                              "Points in full shadow were expected to have ambient light alone; "
+                              "nothing ever casts a shadow.");
 }
 
 }  // namespace
