@@ -46,7 +46,9 @@ std::string nameOf(SourceFile file) {
 }
 
 Kit Kit::besideProgram() {
-    return at(fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "kit");
+    const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
+    const fs::path installed = prefix / "lib" / "ticker" / "kit";
+    return at(fs::is_directory(installed) ? installed : prefix / "kit");
 }
 
 Kit Kit::at(const fs::path& folder) {

@@ -16,7 +16,8 @@ enum class SourceFile { bumpySphere, renderer };
 /// What every submission is compiled and linked with, prebuilt in one folder (grader/build/kit).
 class Kit {
 public:
-    /// The kit of the build tree that the running program belongs to: ../kit from its folder.
+    /// The kit of the installation or build tree that the running program belongs to:
+    /// ../lib/ticker/kit or ../kit from its folder.
     /// @throws raytracer::Error (notGradable) where it is not there or not whole.
     [[nodiscard]] static Kit besideProgram();
     /// @throws raytracer::Error (notGradable) where `folder` holds no kit.

@@ -1,47 +1,82 @@
 #include <grader/cli/Batch.h>
 
+#include <grader/pipeline/Inputs.h>
+
 #include <exception>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace ticker::cli {
 namespace {
 
-SubmissionResult gradeOne(const intake::Located& located, const pipeline::Grader& grader,
-                          std::uint64_t seed) {
-    constexpr int kTries = 2;
-    std::string reason;
-    for (int attempt = 0; attempt < kTries; ++attempt) {
-        try {
-            SubmissionResult result =
-                pipeline::gradeSubmission(intake::readSubmission(located), grader, seed);
-            if (result.verdict != Verdict::notGraded || attempt + 1 == kTries) return result;
-        } catch (const std::exception& error) {
-            reason = error.what();
+constexpr int kTries = 2;
+
+/// What one submission came to.
+struct Graded {
+    SubmissionResult result;
+    bool isKept = false;
+};
+
+/// Grades one submission; workers share it.
+class Batch {
+public:
+    Batch(const pipeline::Grader& grader, std::uint64_t seed, const BatchHooks& hooks)
+        : grader_(grader), seed_(seed), hooks_(hooks) {}
+
+    [[nodiscard]] Graded grade(const intake::Located& located) const {
+        std::string reason;
+        for (int attempt = 1; attempt <= kTries; ++attempt) {
+            try {
+                const intake::Submission submission = intake::readSubmission(located);
+                if (auto known = knownResult(located, submission)) return {std::move(*known), true};
+                SubmissionResult result = pipeline::gradeSubmission(submission, grader_, seed_);
+                if (result.verdict != Verdict::notGraded || attempt == kTries)
+                    return {std::move(result), false};
+            } catch (const std::exception& error) {
+                reason = error.what();
+            }
         }
+        return {pipeline::notGradedResult(located.name, reason, grader_, seed_), false};
     }
-    return pipeline::notGradedResult(located.name, reason, grader, seed);
-}
+
+private:
+    [[nodiscard]] std::optional<SubmissionResult> knownResult(
+        const intake::Located& located, const intake::Submission& submission) const {
+        if (!hooks_.known) return std::nullopt;
+        return hooks_.known(located, pipeline::inputsOf(submission, grader_, seed_));
+    }
+
+    const pipeline::Grader& grader_;
+    std::uint64_t seed_;
+    const BatchHooks& hooks_;
+};
 
 }  // namespace
 
 void gradeAll(const std::vector<intake::Located>& submissions, const pipeline::Grader& grader,
               std::uint64_t seed, int workers, const std::atomic<bool>& stop,
-              const std::function<void(const intake::Located&, const SubmissionResult&)>& take) {
+              const BatchHooks& hooks) {
+    const Batch batch{grader, seed, hooks};
     std::atomic<std::size_t> next{0};
     std::mutex taking;
     std::exception_ptr failure;
+    const auto fail = [&] {
+        const std::lock_guard lock{taking};
+        if (!failure) failure = std::current_exception();
+        next = submissions.size();
+    };
     const auto work = [&] {
         for (std::size_t i = next++; i < submissions.size() && !stop; i = next++) {
-            const SubmissionResult result = gradeOne(submissions[i], grader, seed);
-            const std::lock_guard lock{taking};
-            if (failure) return;
+            const Graded graded = batch.grade(submissions[i]);
             try {
-                take(submissions[i], result);
+                if (!graded.isKept && hooks.write) hooks.write(graded.result);
+                const std::lock_guard lock{taking};
+                if (failure) return;
+                hooks.take(submissions[i], graded.result, graded.isKept);
             } catch (...) {
-                failure = std::current_exception();  // such as a full disk: no sense in going on
-                next = submissions.size();
+                return fail();  // such as a full disk: no sense in going on
             }
         }
     };

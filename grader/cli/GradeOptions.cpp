@@ -1,9 +1,12 @@
 #include <grader/build/Kit.h>
 #include <grader/cli/GradeOptions.h>
 #include <grader/cli/Home.h>
+#include <grader/pipeline/Inputs.h>
 
 #include <CLI/CLI.hpp>
 
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <random>
 
@@ -18,14 +21,14 @@ const std::map<std::string, pipeline::OptionChoice>& choices() {
     return kChoices;
 }
 
+}  // namespace
+
 sandbox::Sandbox openSandbox(const std::string& level) {
     for (const sandbox::Level known : {sandbox::Level::namespaces, sandbox::Level::ownUser,
                                        sandbox::Level::sameUser, sandbox::Level::none})
         if (sandbox::toString(known) == level) return sandbox::Sandbox::at(known);
     return sandbox::Sandbox::best();
 }
-
-}  // namespace
 
 void addGradeOptions(CLI::App& verb, GradeOptions& options) {
     verb.add_option("--seed", options.seed,
@@ -39,14 +42,19 @@ void addGradeOptions(CLI::App& verb, GradeOptions& options) {
 
 pipeline::Grader makeGrader(const GradeOptions& options) {
     const Home home = Home::find();
-    return {.kit = build::Kit::besideProgram(),
-            .sandbox = openSandbox(options.sandbox),
-            .policy = sandbox::defaultPolicy(),
-            .rubric = rubric::readRubric(
-                options.rubric.empty() ? home.rubric() : std::filesystem::path{options.rubric}),
-            .toolVersion = TICKER_VERSION,
-            .option = choices().at(options.option),
-            .scenes = pipeline::readSpecScenes(home.scenes(), home.assets())};
+    const std::filesystem::path rubric =
+        options.rubric.empty() ? home.rubric() : std::filesystem::path{options.rubric};
+    pipeline::Grader grader{.kit = build::Kit::besideProgram(),
+                            .sandbox = openSandbox(options.sandbox),
+                            .policy = sandbox::defaultPolicy(),
+                            .rubric = rubric::readRubric(rubric),
+                            .toolVersion = TICKER_VERSION,
+                            .option = choices().at(options.option),
+                            .scenes = pipeline::readSpecScenes(home.scenes(), home.assets())};
+    grader.build = pipeline::toolBuild(grader.kit, {home.scenes(), home.assets()});
+    std::ifstream stream{rubric};
+    grader.rubricText.assign(std::istreambuf_iterator<char>{stream}, {});
+    return grader;
 }
 
 std::uint64_t seedOf(const GradeOptions& options) {

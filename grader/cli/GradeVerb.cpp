@@ -1,20 +1,23 @@
 #include <grader/cli/Batch.h>
+#include <grader/cli/ClassRun.h>
+#include <grader/cli/Formats.h>
 #include <grader/cli/GradeOptions.h>
+#include <grader/cli/Interrupt.h>
 #include <grader/cli/Output.h>
 #include <grader/cli/Progress.h>
 #include <grader/cli/Verb.h>
-#include <grader/report/Escape.h>
 #include <grader/result/Names.h>
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
+#include <sys/resource.h>
 #include <algorithm>
 #include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,36 +25,61 @@
 namespace ticker::cli {
 namespace {
 
-// The one thing that a signal handler may touch.
-std::atomic<bool> stopAsked{false};
-
-extern "C" void askToStop(int /*signal*/) {
-    stopAsked = true;
-}
-
 struct BatchOptions {
     std::vector<std::string> paths;
     std::string out;
     int workers = 0;
     bool expectFolders = false;
+    bool resume = false;
+    bool resultsOnly = false;
+    bool single = false;
+    std::string share;
+    std::vector<std::string> regrade;
     GradeOptions grade;
+    FormatOptions formats;
+
+    [[nodiscard]] bool keepsResults() const { return resume || !regrade.empty(); }
 };
 
+/// A path that is one submission, whatever is in it: a platform says so.
+std::vector<intake::Located> wholePath(const std::string& path) {
+    const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
+    const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename();
+    return {{name.empty() ? "submission" : name, whole}};
+}
+
 /// The submissions below all paths; a name that comes twice gets a number.
-std::vector<intake::Located> locate(const std::vector<std::string>& paths) {
+std::vector<intake::Located> locate(const BatchOptions& options) {
     std::vector<intake::Located> all;
     std::map<std::string, int> seen;
-    for (const std::string& path : paths)
-        for (intake::Located located : intake::findSubmissions(path)) {
+    for (const std::string& path : options.paths)
+        for (intake::Located located :
+             options.single ? wholePath(path) : intake::findSubmissions(path)) {
             const int before = seen[located.name]++;
             if (before > 0) located.name += fmt::format("-{}", before + 1);
             all.push_back(std::move(located));
         }
     if (all.empty())
-        throw raytracer::InputError(paths.front(), 0,
+        throw raytracer::InputError(options.paths.front(), 0,
                                     "no submission here; expected BumpySphere.cpp or Renderer.cpp "
                                     "in a folder, a zip, or a folder of such");
     return all;
+}
+
+/// "2/5": the second, the seventh, the twelfth, ... of all, by name. Every machine of a cluster
+/// finds the same.
+std::vector<intake::Located> shareOf(std::vector<intake::Located> all, const std::string& share) {
+    std::istringstream words{share};
+    std::size_t part = 0;
+    std::size_t parts = 0;
+    char slash = ' ';
+    if (!(words >> part >> slash >> parts) || slash != '/' || part < 1 || part > parts ||
+        !words.eof())
+        throw raytracer::InputError("--share " + share, 0, "expected I/N with 1 <= I <= N");
+    std::vector<intake::Located> mine;
+    for (std::size_t i = part - 1; i < all.size(); i += parts)
+        mine.push_back(std::move(all[i]));
+    return mine;
 }
 
 /// For the sample class, whose folders are named after the verdicts they must get.
@@ -59,58 +87,117 @@ bool asItsFolderSays(const intake::Located& located, const SubmissionResult& res
     return located.path.parent_path().filename() == toString(result.verdict);
 }
 
-std::string closingLine(const std::vector<SubmissionResult>& results, const std::string& out) {
-    std::map<Verdict, int> counts;
-    for (const SubmissionResult& result : results)
-        ++counts[result.verdict];
-    std::string line = fmt::format("{} submissions:", results.size());
-    for (const auto& [verdict, count] : counts)
+/// What has come of the submissions so far.
+struct Tally {
+    std::map<Verdict, std::size_t> verdicts;
+    std::size_t kept = 0;
+    std::size_t unexpected = 0;
+
+    [[nodiscard]] std::size_t all() const {
+        std::size_t sum = 0;
+        for (const auto& [verdict, count] : verdicts)
+            sum += count;
+        return sum;
+    }
+};
+
+std::string closingLine(const Tally& tally) {
+    std::string line = fmt::format("{} submissions:", tally.all());
+    for (const auto& [verdict, count] : tally.verdicts)
         line += fmt::format(" {} {}", count, toString(verdict));
-    return line + fmt::format("\nopen {}/index.html", out);
+    if (tally.kept > 0)
+        line += fmt::format("\n{} kept from before: their inputs have not changed", tally.kept);
+    return line;
 }
 
-raytracer::ExitCode exitCodeOf(const std::vector<SubmissionResult>& results,
-                               std::size_t unexpected) {
-    if (stopAsked) return raytracer::ExitCode::interrupted;
-    const bool ours = std::any_of(
-        results.begin(), results.end(),
-        [](const SubmissionResult& result) { return result.verdict == Verdict::notGraded; });
-    if (ours) return raytracer::ExitCode::notGradable;
-    return unexpected > 0 ? raytracer::ExitCode::checkFailed : raytracer::ExitCode::success;
+raytracer::ExitCode exitCodeOf(const Tally& tally, bool stopped) {
+    if (stopped) return raytracer::ExitCode::interrupted;
+    if (tally.verdicts.contains(Verdict::notGraded)) return raytracer::ExitCode::notGradable;
+    return tally.unexpected > 0 ? raytracer::ExitCode::checkFailed : raytracer::ExitCode::success;
+}
+
+void report(const Tally& tally, std::size_t total, const BatchOptions& options, const Voice& voice,
+            bool stopped) {
+    if (!voice.quiet) fmt::print(stderr, "{}\n", closingLine(tally));
+    if (!voice.quiet && !options.resultsOnly)
+        fmt::print(stderr, "open {0}/index.html, or decide in a browser: {1} session {0}\n",
+                   options.out, voice.command);
+    if (tally.unexpected > 0)
+        fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
+                   tally.unexpected, tally.all());
+    if (stopped)
+        fmt::print(stderr, "ticker: stopped after {} of {}; they are kept. Go on with\n  {}{}\n",
+                   tally.all(), total, voice.commandLine, options.resume ? "" : " --resume");
+}
+
+/// Prints and counts one result.
+void take(const intake::Located& located, const SubmissionResult& result, bool isKept,
+          const BatchOptions& options, Progress& progress, Tally& tally) {
+    std::string line = tableLine(result);
+    if (isKept) line += "  [kept]";
+    if (options.expectFolders && !asItsFolderSays(located, result)) {
+        ++tally.unexpected;
+        line += fmt::format("  [expected {}]", located.path.parent_path().filename().string());
+    }
+    progress.print(line);
+    progress.finished(result.verdict, isKept);
+    ++tally.verdicts[result.verdict];
+    if (isKept) ++tally.kept;
+}
+
+// Of this process alone, without those that it started.
+long peakMegabytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
+}
+
+int workersOf(const BatchOptions& options) {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    return options.workers > 0 ? options.workers : std::max(1, cores);
+}
+
+void warnOfStore(const ClassRun& run, const BatchOptions& options, const Voice& voice) {
+    if (!run.notice().empty()) fmt::print(stderr, "ticker: {}\n", run.notice());
+    const std::size_t earlier = run.size();
+    if (!voice.quiet && earlier > 0 && !options.keepsResults() && !options.grade.seed)
+        fmt::print(stderr,
+                   "ticker: {} holds {} results; all are made anew with a fresh seed (--resume "
+                   "keeps them)\n",
+                   options.out, earlier);
 }
 
 raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
-    const std::vector<intake::Located> submissions = locate(options.paths);
+    std::vector<intake::Located> submissions = locate(options);
+    if (!options.share.empty()) submissions = shareOf(std::move(submissions), options.share);
     const pipeline::Grader grader = makeGrader(options.grade);
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    const int workers = options.workers > 0 ? options.workers : std::max(1, cores);
-    std::signal(SIGINT, askToStop);
-    std::signal(SIGTERM, askToStop);
+    ClassRun run{options.out, {options.regrade, grader.build}, !options.resultsOnly};
+    run.checkRegrade(submissions);
+    warnOfStore(run, options, voice);
+    const std::uint64_t seed =
+        run.settleSeed(options.grade.seed, options.keepsResults(), seedOf(options.grade));
+    const std::atomic<bool>& stop = catchInterrupts();
 
-    std::vector<SubmissionResult> results;
-    std::size_t unexpected = 0;
+    Tally tally;
     {
         Progress progress{submissions.size(), mayDraw(voice.quiet)};
-        gradeAll(submissions, grader, seedOf(options.grade), workers, stopAsked,
-                 [&](const intake::Located& located, const SubmissionResult& result) {
-                     writeSubmission(options.out, result);
-                     std::string line = tableLine(result);
-                     if (options.expectFolders && !asItsFolderSays(located, result)) {
-                         ++unexpected;
-                         line += fmt::format("  [expected {}]",
-                                             located.path.parent_path().filename().string());
-                     }
-                     progress.print(line);
-                     progress.finished(result.verdict);
-                     results.push_back(result);
-                 });
+        gradeAll(
+            submissions, grader, seed, workersOf(options), stop,
+            {.known = [&](const intake::Located& located,
+                          const Inputs& inputs) { return run.known(located.name, inputs); },
+             .write = [&](const SubmissionResult& result) { run.write(result); },
+             .take =
+                 [&](const intake::Located& located, const SubmissionResult& result, bool isKept) {
+                     run.index(result, isKept);
+                     take(located, result, isKept, options, progress, tally);
+                 }});
     }
-    writeClass(options.out, results);
-    if (!voice.quiet) fmt::print(stderr, "{}\n", closingLine(results, options.out));
-    if (unexpected > 0)
-        fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
-                   unexpected, results.size());
-    return exitCodeOf(results, unexpected);
+    run.finish();
+    if (!options.formats.names.empty())
+        writeFormats(options.out, store::readClass(options.out), options.formats);
+    report(tally, submissions.size(), options, voice, stop);
+    if (voice.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
+    return exitCodeOf(tally, stop);
 }
 
 }  // namespace
@@ -118,13 +205,32 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
 Run addGrade(CLI::App& app, const Voice& voice) {
     auto options = std::make_shared<BatchOptions>();
     CLI::App* verb = app.add_subcommand("grade", "Judge submissions and write results and pages");
-    verb->add_option("path", options->paths, "Folders with the files, zips, or folders of such")
+    verb->add_option("path", options->paths,
+                     "Folders with the files, zips, folders of such, or a Moodle export")
         ->required();
     verb->add_option("-o,--output", options->out, "Folder for the results")->required();
     verb->add_option("--jobs", options->workers, "Submissions at a time; all cores if not given")
         ->check(CLI::PositiveNumber);
     verb->add_flag("--expect-folders", options->expectFolders,
                    "Exit 1 unless each verdict is the name of the folder that it lies in");
+    verb->add_flag("--resume", options->resume,
+                   "Keep the results in OUT whose inputs have not changed; grade the rest");
+    verb->add_option("--regrade", options->regrade,
+                     "Keep what is in OUT, but grade again: all, older (graded by another ticker "
+                     "than this), a submission, or all with a finding");
+    verb->add_flag("--results-only", options->resultsOnly,
+                   "Write the submissions' folders alone, for a node of a cluster; ticker collect "
+                   "takes them in");
+    verb->add_option("--share", options->share,
+                     "I/N: every N-th submission alone, beginning with the I-th, for a task of a "
+                     "cluster");
+    verb->add_flag("--single", options->single,
+                   "The path is one submission, whatever folders it holds");
+    verb->add_option("--format", options->formats.names,
+                     "Write these formats, too, as ticker report does")
+        ->delimiter(',')
+        ->check(CLI::IsMember(formatNames()));
+    addFormatOptions(*verb, options->formats);
     addGradeOptions(*verb, options->grade);
     return [options, &voice] { return grade(*options, voice); };
 }

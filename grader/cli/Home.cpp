@@ -24,9 +24,9 @@ Home Home::find() {
     const fs::path programs = fs::read_symlink("/proc/self/exe", ignored).parent_path();
     std::vector<fs::path> candidates;
     if (const char* told = std::getenv("TICKER_HOME")) candidates.emplace_back(told);
+    candidates.push_back(programs.parent_path() / "share" / "ticker");
     for (fs::path folder = programs; folder.has_relative_path(); folder = folder.parent_path())
         candidates.push_back(folder);
-    candidates.push_back(programs.parent_path() / "share" / "ticker");
     for (const fs::path& candidate : candidates)
         if (isHome(candidate)) return {programs, candidate};
     throw raytracer::Error(

@@ -21,6 +21,9 @@ struct Home {
     [[nodiscard]] std::filesystem::path rubric() const {
         return data / "grader" / "rubric" / "rubric.json";
     }
+    [[nodiscard]] std::filesystem::path studentView() const {
+        return data / "grader" / "report" / "student-view.json";
+    }
 };
 
 }  // namespace ticker::cli

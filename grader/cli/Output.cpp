@@ -5,12 +5,16 @@
 #include <grader/report/ResultJson.h>
 #include <grader/report/SummaryCsv.h>
 #include <grader/result/Names.h>
+#include <grader/store/ClassFolder.h>
 
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace ticker::cli {
 namespace {
@@ -24,6 +28,16 @@ void makeFolder(const fs::path& folder) {
         throw raytracer::InputError(folder.string(), 0, "cannot be made: " + error.message());
 }
 
+// What an earlier grading left, result.json first: without it nobody takes the rest for a result.
+void clear(const fs::path& folder) {
+    std::error_code ignored;
+    fs::remove(folder / "result.json", ignored);
+    fs::remove_all(folder / "images", ignored);
+    fs::remove_all(folder / "code", ignored);
+    for (const fs::directory_entry& entry : fs::directory_iterator{folder, ignored})
+        if (entry.path().extension() == ".part") fs::remove(entry.path(), ignored);
+}
+
 std::string findingsText(const SubmissionResult& result) {
     std::string text;
     for (const TaskReport& task : result.tasks)
@@ -32,15 +46,31 @@ std::string findingsText(const SubmissionResult& result) {
     return text;
 }
 
+/// Empty where there is no such file: a page does without.
+std::string bytesOf(const fs::path& file) {
+    std::ifstream stream{file, std::ios::binary};
+    return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
 }  // namespace
 
 void writeSubmission(const fs::path& out, const SubmissionResult& result) {
     const fs::path folder = out / result.submission;
+    makeFolder(folder);
+    clear(folder);
     makeFolder(folder / "images");
+    makeFolder(folder / "code");
     for (const ResultPicture& picture : result.pictures)
         report::writeAtomically(picture.png, folder / picture.file);
-    report::writeAtomically(report::reportPage(result), folder / "report.html");
-    report::writeAtomically(report::resultJson(result), folder / "result.json");
+    for (const SourceText& source : result.sources)
+        report::writeAtomically(source.bytes, folder / "code" / source.file);
+    // The page shows what result.json says, so that it can be made again from there.
+    const std::string json = report::resultJson(result);
+    SubmissionResult told = report::parseResultJson(json, "result.json");
+    told.pictures = result.pictures;
+    told.sources = result.sources;
+    report::writeAtomically(report::reportPage(told), folder / "report.html");
+    report::writeAtomically(json, folder / "result.json");
 }
 
 void writeClass(const fs::path& out, std::vector<SubmissionResult> results) {
@@ -53,20 +83,38 @@ void writeClass(const fs::path& out, std::vector<SubmissionResult> results) {
     report::writeAtomically(report::classPage(results), out / "index.html");
 }
 
-std::vector<SubmissionResult> readResults(const fs::path& out) {
-    std::error_code error;
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator{out, error})
-        if (fs::is_regular_file(entry.path() / "result.json", error))
-            files.push_back(entry.path() / "result.json");
-    if (files.empty())
-        throw raytracer::InputError(out.string(), 0,
-                                    "holds no results; expected the OUT of ticker grade");
-    std::sort(files.begin(), files.end());
+std::vector<SubmissionResult> resultsOf(std::vector<store::ClassEntry> entries) {
     std::vector<SubmissionResult> results;
-    for (const fs::path& file : files)
-        results.push_back(report::readResultJson(file));
+    for (store::ClassEntry& entry : entries)
+        results.push_back(std::move(entry.result));
     return results;
+}
+
+std::vector<SubmissionResult> readResults(const fs::path& out) {
+    return resultsOf(store::readClass(out));
+}
+
+void fetchFiles(const fs::path& out, SubmissionResult& result) {
+    const fs::path folder = out / result.submission;
+    for (ResultPicture& picture : result.pictures)
+        picture.png = bytesOf(folder / picture.file);
+    for (const Diagnostics& said : result.diagnostics)
+        result.sources.push_back(
+            {said.file, bytesOf(folder / "code" / fs::path{said.file}.filename())});
+}
+
+fs::path rewriteReport(const fs::path& out, SubmissionResult result) {
+    fetchFiles(out, result);
+    const fs::path file = out / result.submission / "report.html";
+    report::writeAtomically(report::reportPage(result), file);
+    return file;
+}
+
+std::string allResultsJson(const std::vector<SubmissionResult>& results) {
+    std::string text = "[\n";
+    for (std::size_t i = 0; i < results.size(); ++i)
+        text += report::resultJson(results[i]) + (i + 1 < results.size() ? "," : "");
+    return text + "]\n";
 }
 
 std::string tableLine(const SubmissionResult& result) {

@@ -2,6 +2,7 @@
 #include <grader/cli/Home.h>
 #include <grader/cli/Verb.h>
 #include <grader/package/Platforms.h>
+#include <grader/package/StudentPackage.h>
 #include <grader/sandbox/HelperProgram.h>
 
 #include <CLI/CLI.hpp>
@@ -23,6 +24,7 @@ struct PackageOptions {
     std::string kind;
     std::string file;
     std::string rubric;
+    std::string studentView;
 };
 
 /// Everything that runs, from wherever this ticker lies.
@@ -37,7 +39,9 @@ package::Parts partsOf(const PackageOptions& options) {
             .compileFlags = kit.compileFlags(),
             .linkFlags = kit.linkFlags(),
             .data = home.data,
-            .rubric = options.rubric.empty() ? home.rubric() : fs::path{options.rubric}};
+            .rubric = options.rubric.empty() ? home.rubric() : fs::path{options.rubric},
+            .studentView =
+                options.studentView.empty() ? home.studentView() : fs::path{options.studentView}};
 }
 
 void packGradescope(const PackageOptions& options) {
@@ -48,6 +52,10 @@ void packPrairieLearn(const PackageOptions& options) {
     package::writePrairieLearn(partsOf(options), options.file);
 }
 
+void packStudent(const PackageOptions& options) {
+    package::writeStudentPackage(Home::find().data, options.file);
+}
+
 /// One kind of package: a line here is all that a new one needs.
 struct Kind {
     const char* name;
@@ -56,6 +64,7 @@ struct Kind {
 };
 
 constexpr std::array kKinds{
+    Kind{"student", "a zip for students: template, public tests, scenes, handout", packStudent},
     Kind{"gradescope", "a zip for Gradescope's autograder page", packGradescope},
     Kind{"prairielearn", "a zip with an image's Dockerfile and a sample question",
          packPrairieLearn},
@@ -86,6 +95,8 @@ Run addPackage(CLI::App& app, const Voice& voice) {
     verb->add_option("kind", options->kind, help)->required()->check(CLI::IsMember(names));
     verb->add_option("-o,--output", options->file, "The file to write")->required();
     verb->add_option("--rubric", options->rubric, "Carry another rubric than the kit's own");
+    verb->add_option("--student-view", options->studentView,
+                     "Carry another policy of what students may see than the kit's own");
     return [options, &voice] { return pack(*options, voice); };
 }
 

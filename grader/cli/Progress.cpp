@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace ticker::cli {
 namespace {
@@ -31,9 +32,10 @@ Progress::~Progress() {
     if (draw_) std::fputs("\r\x1B[K", stderr);
 }
 
-void Progress::finished(Verdict verdict) {
+void Progress::finished(Verdict verdict, bool isKept) {
     const std::lock_guard lock{mutex_};
     ++done_;
+    if (isKept) ++kept_;
     ++counts_[verdict];
     if (draw_) drawLine();
 }
@@ -51,14 +53,33 @@ void Progress::drawLine() const {
     const std::size_t filled = total_ == 0 ? kBarWidth : done_ * kBarWidth / total_;
     std::string line = fmt::format("\r\x1B[K[{}{}] {}/{}", std::string(filled, '#'),
                                    std::string(kBarWidth - filled, '.'), done_, total_);
-    if (done_ > 0) {
-        const double each = passed.count() / static_cast<double>(done_);
+    if (done_ > kept_) {
+        const double each = passed.count() / static_cast<double>(done_ - kept_);
         line += fmt::format("  {:.1f}/s  {} left", 1.0 / each,
                             clock(each * static_cast<double>(total_ - done_)));
     }
     for (const auto& [verdict, count] : counts_)
         line += fmt::format("  {} {}", count, toString(verdict));
     std::fputs(line.c_str(), stderr);
+    std::fflush(stderr);
+}
+
+Countdown::Countdown(std::string what, std::size_t already, bool draw)
+    : what_(std::move(what)),
+      already_(already),
+      draw_(draw),
+      start_(std::chrono::steady_clock::now()) {}
+
+Countdown::~Countdown() {
+    if (draw_) std::fputs("\r\x1B[K", stderr);
+}
+
+void Countdown::show(std::size_t done, std::size_t of) const {
+    if (!draw_ || done <= already_) return;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    const double each = passed.count() / static_cast<double>(done - already_);
+    fmt::print(stderr, "\r\x1B[K{}: {} of {}  {} left", what_, done, of,
+               clock(each * static_cast<double>(of - done)));
     std::fflush(stderr);
 }
 

@@ -1,15 +1,13 @@
+#include <grader/cli/Formats.h>
 #include <grader/cli/Output.h>
 #include <grader/cli/Verb.h>
-#include <grader/report/ResultJson.h>
 #include <grader/report/SummaryCsv.h>
+#include <grader/store/ClassFolder.h>
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
-#include <algorithm>
 #include <filesystem>
-#include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,63 +15,53 @@
 namespace ticker::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A format of the whole class: all results in, text on stdout.
-using Renderer = std::function<std::string(const std::vector<SubmissionResult>&)>;
-
-const std::map<std::string, Renderer>& formats() {
-    static const std::map<std::string, Renderer> kFormats{
-        {"csv", report::summaryCsv},
-        {"json",
-         [](const std::vector<SubmissionResult>& results) {
-             std::string text = "[\n";
-             for (std::size_t i = 0; i < results.size(); ++i)
-                 text += report::resultJson(results[i]) + (i + 1 < results.size() ? "," : "");
-             return text + "]\n";
-         }},
-    };
-    return kFormats;
-}
-
 struct ReportOptions {
     std::string folder;
     std::string format = "csv";
     std::string submission;
+    FormatOptions formats;
 };
 
-raytracer::ExitCode print(const ReportOptions& options) {
-    std::vector<SubmissionResult> results = readResults(options.folder);
-    if (!options.submission.empty()) {
-        std::erase_if(results, [&](const SubmissionResult& result) {
-            return result.submission != options.submission;
-        });
-        if (results.empty())
-            throw raytracer::InputError(
-                options.folder, 0,
-                fmt::format("no result of a submission named \"{}\"", options.submission));
-    }
-    fmt::print("{}", formats().at(options.format)(results));
-    return raytracer::ExitCode::success;
+std::vector<store::ClassEntry> chosen(const ReportOptions& options) {
+    std::vector<store::ClassEntry> entries = store::readClass(options.folder);
+    if (options.submission.empty()) return entries;
+    std::erase_if(entries, [&](const store::ClassEntry& entry) {
+        return entry.result.submission != options.submission;
+    });
+    if (entries.empty())
+        throw raytracer::InputError(
+            options.folder, 0,
+            fmt::format("no result of a submission named \"{}\"", options.submission));
+    return entries;
 }
 
-std::vector<std::string> formatNames() {
-    std::vector<std::string> names;
-    for (const auto& [name, unused] : formats())
-        names.push_back(name);
-    return names;
+raytracer::ExitCode report(ReportOptions options) {
+    const std::vector<store::ClassEntry> entries = chosen(options);
+    if (options.format == "csv" || options.format == "json") {
+        const std::vector<SubmissionResult> results = resultsOf(entries);
+        fmt::print("{}",
+                   options.format == "csv" ? report::summaryCsv(results) : allResultsJson(results));
+        return raytracer::ExitCode::success;
+    }
+    options.formats.names = {options.format};
+    for (const std::filesystem::path& file : writeFormats(options.folder, entries, options.formats))
+        fmt::print("{}\n", file.string());
+    return raytracer::ExitCode::success;
 }
 
 }  // namespace
 
 Run addReport(CLI::App& app, const Voice& /*voice*/) {
     auto options = std::make_shared<ReportOptions>();
-    CLI::App* verb = app.add_subcommand("report", "Print the results in OUT in another format");
+    CLI::App* verb = app.add_subcommand("report", "The results in OUT in another format");
     verb->add_option("out", options->folder, "Folder that ticker grade wrote")->required();
-    verb->add_option("--format", options->format, "csv or json")
+    verb->add_option("--format", options->format,
+                     "csv and json go to stdout; the others become files in OUT, whose names are "
+                     "printed")
         ->check(CLI::IsMember(formatNames()));
     verb->add_option("--submission", options->submission, "Only this one");
-    return [options] { return print(*options); };
+    addFormatOptions(*verb, options->formats);
+    return [options] { return report(*options); };
 }
 
 }  // namespace ticker::cli

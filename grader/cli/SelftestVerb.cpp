@@ -26,26 +26,8 @@ struct SelftestOptions {
     bool hostile = false;
     bool screenshots = false;
     double fraction = 1.0;
+    int rounds = 1;
     GradeOptions grade;
-};
-
-// One line on stderr that is drawn over and over.
-class Counter {
-public:
-    Counter(std::string what, bool draw) : what_(std::move(what)), draw_(draw) {}
-    ~Counter() {
-        if (draw_) std::fputs("\r\x1b[K", stderr);
-    }
-    Counter(const Counter&) = delete;
-    Counter& operator=(const Counter&) = delete;
-
-    void show(std::size_t done, std::size_t of) const {
-        if (draw_) fmt::print(stderr, "\r\x1b[K{}: {} of {}", what_, done, of);
-    }
-
-private:
-    std::string what_;
-    bool draw_;
 };
 
 void printTable(const std::string& title, const std::string& table) {
@@ -54,7 +36,7 @@ void printTable(const std::string& title, const std::string& table) {
 }
 
 bool testBump(const SelftestOptions& options, bool draw) {
-    const Counter counter{"T1", draw};
+    const Countdown counter{"T1", 0, draw};
     const selftest::BumpSelfTest result =
         selftest::runBumpSelfTest(options.fraction, {1}, [&](int done, int total) {
             counter.show(static_cast<std::size_t>(done), static_cast<std::size_t>(total));
@@ -90,7 +72,7 @@ std::vector<selftest::RightSource> rightSources(const Home& home) {
 
 bool testDistributed(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
     const Home home = Home::find();
-    const Counter counter{"T2", draw};
+    const Countdown counter{"T2", 0, draw};
     selftest::CatalogueRun run;
     run.fraction = options.fraction;
     run.seed = seedOf(options.grade);
@@ -104,10 +86,11 @@ bool testDistributed(const SelftestOptions& options, const pipeline::Grader& gra
 
 bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool draw) {
     const Home home = Home::find();
-    const Counter counter{"hostile", draw};
+    const Countdown counter{"hostile", 0, draw};
     grader.policy = sandbox::readPolicy(home.data / "grader/hostile/limits.json");
     selftest::HostileRun run;
     run.fraction = options.fraction;
+    run.rounds = options.rounds;
     run.seed = seedOf(options.grade);
     run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
     const selftest::HostileTables tables = selftest::runHostileTables(
@@ -159,6 +142,8 @@ Run addSelftest(CLI::App& app, const Voice& voice) {
     verb->add_flag("--screenshots", options->screenshots, "Only the screenshots");
     verb->add_option("--fraction", options->fraction, "Share of each table to run")
         ->check(CLI::Range(0.0, 1.0));
+    verb->add_option("--repeat", options->rounds, "How often to run the hostile submissions")
+        ->check(CLI::Range(1, 1000));
     verb->add_option("--sandbox", options->grade.sandbox, "Level A, B or C; auto: the best")
         ->check(CLI::IsMember({"auto", "A", "B", "C"}));
     verb->add_option("--seed", options->grade.seed,

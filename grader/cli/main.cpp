@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,6 +26,23 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
     return report(std::string{error.what()} + " (ticker --help tells all)", ExitCode::badInput);
 }
 
+std::string quoted(const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word)
+        text += c == '\'' ? "'\\''" : std::string{c};
+    return text + "'";
+}
+
+std::string commandLine(const ticker::cli::Voice& voice, int argc, char** argv) {
+    std::string line = voice.command;
+    for (int i = 1; i < argc; ++i)
+        line += " " + quoted(argv[i]);
+    return line;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -34,13 +53,18 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.fallthrough();
     Voice voice;
+    // The script tick hands over to this program under another name.
+    const char* command = std::getenv("TICKER_COMMAND");
+    voice.command = quoted(command != nullptr ? command : argv[0]);
+    voice.commandLine = commandLine(voice, argc, argv);
     app.add_flag("--quiet", voice.quiet, "Say nothing but errors");
     app.add_flag("--verbose", voice.verbose, "Say more");
 
     const std::vector<Run> verbs{
-        addGrade(app, voice),  addCheck(app, voice),    addRender(app, voice),
-        addReport(app, voice), addDoctor(app, voice),   addCompare(app, voice),
-        addRefs(app, voice),   addSelftest(app, voice), addPackage(app, voice)};
+        addGrade(app, voice),   addCheck(app, voice),    addRender(app, voice),
+        addReport(app, voice),  addDoctor(app, voice),   addCompare(app, voice),
+        addRefs(app, voice),    addSelftest(app, voice), addPackage(app, voice),
+        addCollect(app, voice), addSession(app, voice),  addCalibrate(app, voice)};
     try {
         app.parse(argc, argv);
         const std::vector<CLI::App*> known = app.get_subcommands(nullptr);

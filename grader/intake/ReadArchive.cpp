@@ -144,6 +144,9 @@ private:
         if (archive_entry_hardlink(entry) != nullptr || archive_entry_symlink(entry) != nullptr ||
             type == AE_IFLNK)
             return refuseMember(path, "is a link");
+        // GNU tar's folders may have contents, which would be unpacked only to be skipped.
+        if (type == AE_IFDIR && archive_entry_size(entry) > 0)
+            return refuseMember(path, "is a folder with contents");
         if (type == AE_IFDIR) return;
         if (type != AE_IFREG && type != 0) return refuseMember(path, "is a device or a pipe");
         if (archive_entry_is_encrypted(entry) != 0) return refuseMember(path, "is encrypted");

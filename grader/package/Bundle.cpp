@@ -71,6 +71,7 @@ void addData(zip::ZipWriter& zip, const Parts& parts) {
     for (const char* map : {"bumpmap.png", "bumpmap-test.png"})
         zip.addFile(share + "assets/" + map, parts.data / "assets" / map);
     zip.addFile(share + "grader/rubric/rubric.json", parts.rubric);
+    zip.addFile(share + "grader/report/student-view.json", parts.studentView);
 }
 
 std::string quoted(const std::vector<std::string>& words) {

@@ -16,8 +16,9 @@ struct Parts {
     std::string compiler;           ///< of the kit, as an absolute path
     std::vector<std::string> compileFlags;
     std::vector<std::string> linkFlags;
-    std::filesystem::path data;    ///< holds scenes/, assets/ and grader/integrations/
-    std::filesystem::path rubric;  ///< the course's
+    std::filesystem::path data;         ///< holds scenes/, assets/ and grader/integrations/
+    std::filesystem::path rubric;       ///< the course's
+    std::filesystem::path studentView;  ///< the course's: what students may see
 };
 
 /// A zip for Gradescope's autograder page: setup.sh, run_autograder, ticker. No solution, no

@@ -3,7 +3,9 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/decision/bump/JudgeBump.h>
 #include <grader/decision/distributed/JudgeDistributed.h>
+#include <grader/pipeline/DrawRasters.h>
 #include <grader/pipeline/FileWork.h>
+#include <grader/pipeline/Inputs.h>
 #include <grader/pipeline/Screenshot.h>
 
 #include <algorithm>
@@ -29,6 +31,8 @@ void settle(TaskReport& task, TaskJudgement judgement) {
     task.reason = std::move(judgement.reason);
     task.findings = std::move(judgement.findings);
     task.needsReview = judgement.needsReview;
+    task.plots = std::move(judgement.plots);
+    task.rasters = std::move(judgement.rasters);
 }
 
 void judge(FileWork& work, SourceFile file, probe::Examinee& examinee, std::uint64_t seed) {
@@ -98,6 +102,12 @@ public:
         result.tasks.push_back(std::move(report));
     }
 
+    void sources(SubmissionResult& result) const {
+        for (const intake::Part part : {intake::Part::bumpySphere, intake::Part::renderer})
+            if (const auto& bytes = submission_.part(part))
+                result.sources.push_back({nameOf(part), *bytes});
+    }
+
     void notices(SubmissionResult& result) const {
         if (!submission_.ignored.empty()) {
             std::string text = "Ignored:";
@@ -138,8 +148,11 @@ SubmissionResult gradeSubmission(const intake::Submission& submission, const Gra
     grading.file(SourceFile::bumpySphere, result);
     grading.file(SourceFile::renderer, result);
     grading.screenshot(result);
+    grading.sources(result);
     grading.notices(result);
+    drawRasters(result);
     result = rubric::applyRubric(grader.rubric, std::move(result));
+    result.inputs = inputsOf(submission, grader, seed);
     result.timing.totalMs = millisecondsSince(start);
     return result;
 }

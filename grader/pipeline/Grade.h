@@ -27,6 +27,8 @@ struct Grader {
     std::string toolVersion;
     OptionChoice option = OptionChoice::automatic;
     std::vector<SpecScene> scenes = {};  ///< rendered for people to look at; may be empty
+    std::string build = {};       ///< digest of the tool itself, see Inputs.h; empty: unknown
+    std::string rubricText = {};  ///< the file that `rubric` was read from
 };
 
 /// Judges one submission: builds each file that was worked on, asks it, applies the rubric.

@@ -3,6 +3,7 @@
 
 #include <grader/hostile/HostileCase.h>
 #include <grader/pipeline/Grade.h>
+#include <grader/selftest/Traces.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +18,7 @@ struct HostileRun {
     double fraction = 1.0;   ///< share of the cases, evenly picked; at least one
     std::uint64_t seed = 1;  ///< of the decisions
     int jobs = 2;            ///< submissions at a time
+    int rounds = 1;          ///< how often to run all that
     std::function<void(std::size_t done, std::size_t of)>
         progress;  ///< one call at a time; or null
 };
@@ -24,6 +26,7 @@ struct HostileRun {
 /// What became of one hostile submission.
 struct HostileRow {
     std::string name;
+    int round = 0;
     std::string expected;             ///< states, findings and verdicts that are right
     std::string got;                  ///< state, findings and verdict
     std::vector<std::string> faults;  ///< what must not be, in a few words each
@@ -31,11 +34,15 @@ struct HostileRow {
 
 struct HostileTables {
     std::vector<HostileRow> rows;
+    Footprint before;  ///< once one submission has been graded
+    Footprint after;
 
     /// How many rows have no fault.
     [[nodiscard]] std::size_t right() const;
-    [[nodiscard]] bool passed() const { return !rows.empty() && right() == rows.size(); }
-    /// One line for each row, those with faults told in full, and a summary.
+    /// All rows are right and nothing is left behind.
+    [[nodiscard]] bool passed() const;
+    /// One line for each row of the first round and each with faults, the latter told in full, and
+    /// a summary.
     [[nodiscard]] std::string table() const;
 };
 

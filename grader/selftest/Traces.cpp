@@ -1,5 +1,7 @@
 #include <grader/selftest/Traces.h>
 
+#include <grader/sandbox/RunAt.h>
+
 #include <raytracer/base/Error.h>
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <system_error>
 
@@ -57,6 +60,27 @@ bool isFree(long user) {
     }
 }
 
+// "Shmem:   1234 kB" in megabytes; 0 where there is no such line.
+double megabytesOf(const fs::path& file, const std::string& key) {
+    std::ifstream stream{file};
+    for (std::string word; stream >> word;) {
+        double kilobytes = 0.0;
+        if (word == key && stream >> kilobytes) return kilobytes / 1024.0;
+    }
+    return 0.0;
+}
+
+std::size_t linesOf(const fs::path& file) {
+    std::ifstream stream{file};
+    return static_cast<std::size_t>(std::count(std::istreambuf_iterator<char>{stream}, {}, '\n'));
+}
+
+std::size_t filesBelow(const fs::path& folder) {
+    std::error_code gone;
+    const fs::recursive_directory_iterator all{folder, gone};
+    return static_cast<std::size_t>(std::distance(fs::begin(all), fs::end(all)));
+}
+
 }  // namespace
 
 Traces::Traces() {
@@ -96,6 +120,32 @@ std::vector<std::string> processesLeft(const sandbox::UserRange& users) {
 bool hasChildLeft() {
     siginfo_t child{};
     return waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0;
+}
+
+Footprint footprint(const sandbox::UserRange& users) {
+    Footprint now;
+    now.processes = processesLeft(users).size() + (hasChildLeft() ? 1 : 0);
+    now.files = filesBelow(sandbox::staging().path());
+    now.mounts = linesOf("/proc/self/mountinfo");
+    now.residentMb = megabytesOf("/proc/self/status", "VmRSS:");
+    now.sharedMb = megabytesOf("/proc/meminfo", "Shmem:");
+    now.availableMb = megabytesOf("/proc/meminfo", "MemAvailable:");
+    return now;
+}
+
+std::vector<std::string> leftBehind(const Footprint& before, const Footprint& after) {
+    constexpr double kMostMb = 100.0;
+    std::vector<std::string> left;
+    const auto count = [&](const char* what, std::size_t then, std::size_t now) {
+        if (now > then) left.push_back(fmt::format("{} {} more than before", now - then, what));
+    };
+    count("processes", before.processes, after.processes);
+    count("files", before.files, after.files);
+    count("mounts", before.mounts, after.mounts);
+    const double more =
+        after.residentMb - before.residentMb + std::max(0.0, after.sharedMb - before.sharedMb);
+    if (more > kMostMb) left.push_back(fmt::format("{:.0f} MB more memory than before", more));
+    return left;
 }
 
 }  // namespace ticker::selftest

@@ -3,6 +3,7 @@
 
 #include <grader/sandbox/UserSlots.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -38,6 +39,21 @@ private:
 
 /// True where this process has a child.
 [[nodiscard]] bool hasChildLeft();
+
+/// What grading could leave behind, as it is now.
+struct Footprint {
+    std::size_t processes = 0;  ///< of jails that are over, and children of ours
+    std::size_t files = 0;      ///< in the folder that is staged for jails
+    std::size_t mounts = 0;     ///< that this process sees
+    double residentMb = 0.0;    ///< memory of this process
+    double sharedMb = 0.0;      ///< the machine's memory files and file systems in memory
+    double availableMb = 0.0;   ///< the machine's; others use it, too: for people to read
+};
+[[nodiscard]] Footprint footprint(const sandbox::UserRange& users);
+
+/// What there is more of afterwards, in a few words each: any process, file or mount, and memory
+/// beyond 100 MB.
+[[nodiscard]] std::vector<std::string> leftBehind(const Footprint& before, const Footprint& after);
 
 }  // namespace ticker::selftest
 

@@ -1,45 +1,51 @@
 #include <grader/decision/bump/Ramps.h>
 
 #include <grader/decision/bump/Numbers.h>
+#include <questions/BumpQuestions.h>
 
-#include <limits>
+#include <cmath>
 #include <utility>
 
 namespace ticker::decision::bump {
 namespace {
 
+namespace questions = raytracer::questions;
 using probe::HeightMapDescription;
 
-/// `rise` times x, or x (1 - x), with x from 0 to 1 over `count` texels.
-std::vector<double> profile(int count, double rise, bool bow) {
-    std::vector<double> heights;
-    heights.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) {
-        const double x = i / static_cast<double>(count - 1);
-        heights.push_back(bow ? rise * x * (1.0 - x) : rise * x);
-    }
+/// Rounded, and from 0 again after 255.
+double inWholeBytes(double height) {
+    return kByte * static_cast<double>(std::lround(height / kByte) % 256);
+}
+
+std::vector<double> profile(int count, const RampShape& shape, bool bow) {
+    const double rise = shape.slope(count) * (count - 1);
+    std::vector<double> heights = bow ? questions::bow(count, rise) : questions::ramp(count, rise);
+    for (double& height : heights)
+        height = shape.bytesPerTexel == 0 ? shape.base + height : inWholeBytes(height);
     return heights;
 }
 
-std::vector<double> level(int count) {
-    return std::vector<double>(static_cast<std::size_t>(count), 0.0);
-}
-
 HeightMapDescription alongU(const RampShape& shape, bool bow) {
-    return {
-        shape.along, shape.across, {}, profile(shape.along, shape.rise, bow), level(shape.across)};
+    return {shape.columns,
+            shape.across,
+            {},
+            profile(shape.columns, shape, bow),
+            questions::level(shape.across)};
 }
 
 HeightMapDescription alongV(const RampShape& shape, bool bow) {
-    return {
-        shape.across, shape.along, {}, level(shape.across), profile(shape.along, shape.rise, bow)};
+    return {shape.across,
+            shape.rows,
+            {},
+            questions::level(shape.across),
+            profile(shape.rows, shape, bow)};
 }
 
-/// Position along a map from the tilts on its ramp and its bow.
-double positionFrom(const Vector3& ramp, const Vector3& bow) {
-    const double length = ramp.dot(ramp);
-    if (!(length > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-    return 0.5 * (1.0 - bow.dot(ramp) / length);
+void addSlopes(Questionnaire& questionnaire, const Ball& ball, RampPlan& plan) {
+    plan.uRamp = questionnaire.add(ball, alongU(plan.shape, false), plan.directions);
+    plan.uBow = questionnaire.add(ball, alongU(plan.shape, true), plan.directions);
+    plan.vRamp = questionnaire.add(ball, alongV(plan.shape, false), plan.directions);
+    plan.vBow = questionnaire.add(ball, alongV(plan.shape, true), plan.directions);
 }
 
 }  // namespace
@@ -50,15 +56,21 @@ RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball, const RampSha
     plan.shape = shape;
     plan.directions = std::move(directions);
     // As high as the middle of the ramps.
-    const double middle = 0.5 * shape.rise;
+    const double middle = shape.base + 0.5 * shape.rise;
     plan.uFlat =
-        questionnaire.add(ball, flatMap(shape.along, shape.across, middle), plan.directions);
-    plan.uRamp = questionnaire.add(ball, alongU(shape, false), plan.directions);
-    plan.uBow = questionnaire.add(ball, alongU(shape, true), plan.directions);
+        questionnaire.add(ball, flatMap(shape.columns, shape.across, middle), plan.directions);
     plan.vFlat =
-        questionnaire.add(ball, flatMap(shape.across, shape.along, middle), plan.directions);
-    plan.vRamp = questionnaire.add(ball, alongV(shape, false), plan.directions);
-    plan.vBow = questionnaire.add(ball, alongV(shape, true), plan.directions);
+        questionnaire.add(ball, flatMap(shape.across, shape.rows, middle), plan.directions);
+    addSlopes(questionnaire, ball, plan);
+    return plan;
+}
+
+RampPlan planMoreRamps(Questionnaire& questionnaire, const Ball& ball, const RampPlan& first,
+                       double rise) {
+    RampPlan plan = first;
+    plan.shape.base = 0.0;
+    plan.shape.rise = rise;
+    addSlopes(questionnaire, ball, plan);
     return plan;
 }
 
@@ -78,19 +90,19 @@ std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts) {
     std::vector<Sighting> seen;
     seen.reserve(tilts.size());
     for (const RampTilts& tilt : tilts)
-        seen.push_back({tilt.direction, positionFrom(tilt.onURamp, tilt.onUBow),
-                        positionFrom(tilt.onVRamp, tilt.onVBow)});
+        seen.push_back({tilt.direction, questions::placeFromTilts(tilt.onURamp, tilt.onUBow),
+                        questions::placeFromTilts(tilt.onVRamp, tilt.onVBow)});
     return seen;
 }
 
-RampStrength strength(const std::vector<RampTilts>& tilts) {
+RampStrength strength(const std::vector<RampTilts>& tilts, double share) {
     std::vector<double> alongU;
     std::vector<double> alongV;
     for (const RampTilts& tilt : tilts) {
         alongU.push_back(tilt.onURamp.magnitude());
         alongV.push_back(tilt.onVRamp.magnitude());
     }
-    return {median(alongU), median(alongV)};
+    return {quantile(std::move(alongU), share), quantile(std::move(alongV), share)};
 }
 
 }  // namespace ticker::decision::bump

@@ -2,6 +2,7 @@
 #define TICKER_DECISION_BUMP_TILT_H
 
 #include <grader/probe/Examinee.h>
+#include <questions/BumpQuestions.h>
 
 #include <raytracer/math/Vector3.h>
 
@@ -12,6 +13,9 @@
 namespace ticker::decision::bump {
 
 using raytracer::Vector3;
+
+/// One grey step of a picture, as a height.
+inline constexpr double kByte = raytracer::kBumpFactor / 255.0;
 
 /// The sphere of a question.
 struct Ball {
@@ -25,12 +29,7 @@ struct Ball {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// What was added to the smooth normal before normalising, but for its part along it:
-/// n' / (n'.n) - n. It inverts the normalisation exactly, so that it grows in proportion to the
-/// slope however steep the bumps are. Not finite where n' is not, or lies in the tangent plane.
-[[nodiscard]] inline Vector3 tiltOf(const Vector3& normal, const Vector3& smoothNormal) {
-    return normal / normal.dot(smoothNormal) - smoothNormal;
-}
+using raytracer::questions::tiltOf;
 
 /// A map without slope, of half the greatest height unless another is given.
 [[nodiscard]] probe::HeightMapDescription flatMap(int width, int height, double level = 2.5);

@@ -160,8 +160,7 @@ private:
         const bool windowsAgree = verification.kind == Verification::Kind::same;
         if (std::optional<Finding> edit = findEdit(windowsAgree ? nullptr : own))
             return failed(*std::move(edit));
-        if (windowsAgree || (own != nullptr && isPaintedOver(*own, whole)))
-            return failed(paintedOver(whole));
+        if (isPaintedOver(verification, whole)) return failed(paintedOver(whole));
         if (own != nullptr)
             if (std::optional<TaskJudgement> slight = judgeSlightColours(verification))
                 return *slight;
@@ -187,13 +186,16 @@ private:
         return std::nullopt;
     }
 
-    // Other code differs in most windows; a note covers one or two.
-    [[nodiscard]] bool isPaintedOver(const OwnWindows& own, const TileDifference& whole) const {
+    // Other code differs a little in most windows; a note differs much and covers one or two.
+    [[nodiscard]] bool isPaintedOver(const Verification& verification,
+                                     const TileDifference& whole) const {
         constexpr int kMostCovered = 2;
         constexpr double kAnotherColour = 30.0;  // steps of a byte
-        const int count = static_cast<int>(own.windows.boxes.size());
-        return whole.worst > kAnotherColour && count > 2 * kMostCovered &&
-               count - agreeingWindows(picture_, own) <= kMostCovered;
+        if (whole.worst < kAnotherColour || !verification.own) return false;
+        if (verification.kind == Verification::Kind::same) return true;
+        const int count = static_cast<int>(verification.own->windows.boxes.size());
+        return count > 2 * kMostCovered &&
+               count - agreeingWindows(picture_, *verification.own) <= kMostCovered;
     }
 
     // "Colours may differ slightly": the windows must agree once the colours do.

@@ -49,11 +49,12 @@ std::map<std::string, std::string> gradedTexts(const std::vector<intake::Located
                                                int workers) {
     std::map<std::string, std::string> texts;
     const std::atomic<bool> stop{false};
-    gradeAll(located, tests::testGrader(), kSeed, workers, stop,
-             [&](const intake::Located& each, SubmissionResult result) {
-                 result.timing = {};
-                 texts[each.name] = report::resultJson(result);
-             });
+    BatchHooks hooks;
+    hooks.take = [&](const intake::Located& each, SubmissionResult result, bool /*isKept*/) {
+        result.timing = {};
+        texts[each.name] = report::resultJson(result);
+    };
+    gradeAll(located, tests::testGrader(), kSeed, workers, stop, hooks);
     return texts;
 }
 

@@ -32,7 +32,8 @@ std::vector<hostile::HostileCase> casesNamed(const std::vector<std::string>& nam
 
 TEST(HostileTables, APartOfTheCorpusComesOutAsExpected) {
     HostileRun run;
-    run.fraction = 0.06;
+    run.fraction = 0.03;
+    run.rounds = 2;
     const HostileTables tables =
         runHostileTables(hostile::listHostileCases(kRoot / "grader/hostile/cases"),
                          graderOf(sandbox::Sandbox::best()), run);
@@ -67,6 +68,15 @@ TEST(HostileTables, SeeASecretThatIsOut) {
     ASSERT_EQ(tables.rows.size(), 1U);
     EXPECT_EQ(tables.rows[0].faults, std::vector<std::string>{"the secret is out"})
         << tables.table();
+}
+
+TEST(LeftBehind, TellsEachThingThatThereIsMoreOf) {
+    const Footprint before{0, 10, 20, 50.0, 10.0, 1000.0};
+    EXPECT_EQ(leftBehind(before, {0, 10, 20, 140.0, 15.0, 100.0}), std::vector<std::string>{});
+    EXPECT_EQ(leftBehind(before, {1, 12, 21, 140.0, 60.0, 1000.0}),
+              (std::vector<std::string>{"1 processes more than before", "2 files more than before",
+                                        "1 mounts more than before",
+                                        "140 MB more memory than before"}));
 }
 
 TEST(ProcessesLeft, SeesAProcessWithAUidThatNoJailHolds) {

@@ -8,6 +8,9 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <array>
+#include <cstdio>
+#include <fstream>
 #include <random>
 
 namespace ticker::intake {
@@ -110,6 +113,36 @@ TEST(ReadArchive, RefusesABombByItsRatioWhereverItLies) {
         limits);
     EXPECT_EQ(refusalOf(submission).id, "intake.unsafe-archive");
     EXPECT_NE(refusalOf(submission).message.find("big.bin"), std::string::npos);
+}
+
+// Turns a tar's first member into another kind: its header's sum of bytes has to fit.
+void setTypeOfFirst(const std::filesystem::path& file, char type) {
+    constexpr std::size_t kSumAt = 148;
+    constexpr std::size_t kTypeAt = 156;
+    std::fstream stream{file, std::ios::in | std::ios::out | std::ios::binary};
+    std::string header(512, '\0');
+    stream.read(header.data(), 512);
+    header[kTypeAt] = type;
+    header.replace(kSumAt, 8, 8, ' ');
+    unsigned sum = 0;
+    for (const char c : header)
+        sum += static_cast<unsigned char>(c);
+    std::array<char, 8> octal{};
+    std::snprintf(octal.data(), octal.size(), "%06o", sum);
+    header.replace(kSumAt, 8, octal.data(), 8);
+    stream.seekp(0);
+    stream.write(header.data(), 512);
+}
+
+// GNU tar's folders may have contents, which libarchive unpacks only to skip them: without bounds.
+TEST(ReadArchive, RefusesAFolderWithContents) {
+    const tests::TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "work.tar";
+    writeArchive(file,
+                 {{"work", "contents", AE_IFREG, ""}, {"Renderer.cpp", "render", AE_IFREG, ""}});
+    setTypeOfFirst(file, 'D');
+    const Submission submission = readSubmission({"somebody", file});
+    EXPECT_EQ(refusalOf(submission).id, "intake.unsafe-archive");
 }
 
 TEST(ReadArchive, RefusesTooManyMembers) {

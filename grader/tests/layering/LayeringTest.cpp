@@ -57,6 +57,7 @@ std::optional<std::string> layerOf(const fs::path& file) {
         if (at(2) == "app") return "app";
         return "raytracer/" + (at(2) == "include" ? at(4) : at(3));
     }
+    if (at(0) == "student_template" && at(1) == "tests" && at(2) == "questions") return "questions";
     if (at(1) == "exercise") return "exercise";
     if (at(0) == "grader" && at(1) != "tests" && at(1) != "bench" && at(1) != "samples" &&
         at(1) != "hostile" && at(1) != "integrations")
@@ -65,7 +66,7 @@ std::optional<std::string> layerOf(const fs::path& file) {
 }
 
 std::optional<std::string> packageOf(const std::string& header) {
-    static const std::array<std::pair<const char*, const char*>, 16> kPackages{{
+    static const std::array<std::pair<const char*, const char*>, 18> kPackages{{
         {"opencv2/", "opencv"},
         {"tinyxml2.h", "tinyxml2"},
         {"stb_", "stb"},
@@ -81,6 +82,8 @@ std::optional<std::string> packageOf(const std::string& header) {
         {"gtest/", "gtest"},
         {"benchmark/", "benchmark"},
         {"zlib.h", "zlib"},
+        {"tiffio.h", "tiff"},
+        {"openssl/", "openssl"},
         {"png.h", "png"},
     }};
     for (const auto& [prefix, name] : kPackages)
@@ -93,6 +96,7 @@ std::optional<std::string> folderOf(const std::string& header) {
     static const std::regex kOurs{R"(^((raytracer|grader)/[a-z]+)/.*)"};
     std::smatch match;
     if (std::regex_match(header, match, kOurs)) return match[1];
+    if (header.starts_with("questions/")) return "questions";
     return std::nullopt;
 }
 

@@ -1,0 +1,113 @@
+#include <grader/cli/ClassRun.h>
+#include <grader/cli/Output.h>
+#include <grader/store/ClassFolder.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace ticker::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSeedKey = "seed";
+
+void make(const fs::path& out) {
+    std::error_code error;
+    fs::create_directories(out, error);
+    if (error) throw raytracer::InputError(out.string(), 0, "cannot be made: " + error.message());
+}
+
+bool hasFinding(const SubmissionResult& result, const std::string& id) {
+    return std::ranges::any_of(result.tasks, [&](const TaskReport& task) {
+        return std::ranges::any_of(task.findings,
+                                   [&](const Finding& finding) { return finding.id == id; });
+    });
+}
+
+std::optional<std::uint64_t> wholeNumber(const std::string& text) {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+}  // namespace
+
+bool Regrade::concerns(const SubmissionResult& result) const {
+    return std::ranges::any_of(words, [&](const std::string& word) {
+        if (word == "all") return true;
+        if (word == "older") return result.inputs.tool != build;
+        return word == result.submission || hasFinding(result, word);
+    });
+}
+
+ClassRun::ClassRun(fs::path out, Regrade regrade, bool hasStore)
+    : out_(std::move(out)), regrade_(std::move(regrade)) {
+    make(out_);
+    if (hasStore) store_.emplace(out_);
+}
+
+std::uint64_t ClassRun::settleSeed(std::optional<std::uint64_t> given, bool keepsResults,
+                                   std::uint64_t fresh) {
+    if (!store_) return given.value_or(fresh);
+    const std::optional<std::uint64_t> earlier = wholeNumber(store_->remembered(kSeedKey));
+    const std::uint64_t seed = given ? *given : keepsResults && earlier ? *earlier : fresh;
+    store_->remember(kSeedKey, std::to_string(seed));
+    return seed;
+}
+
+void ClassRun::checkRegrade(const std::vector<intake::Located>& submissions) const {
+    if (regrade_.words.empty()) return;
+    const std::vector<store::ResultRow> rows =
+        store_ ? store_->results() : std::vector<store::ResultRow>{};
+    for (const std::string& word : regrade_.words) {
+        const bool isMeant =
+            word == "all" || word == "older" ||
+            std::ranges::find(submissions, word, &intake::Located::name) != submissions.end() ||
+            std::ranges::any_of(rows, [&](const store::ResultRow& row) {
+                return std::ranges::find(row.findings, word) != row.findings.end();
+            });
+        if (!isMeant)
+            throw raytracer::InputError(
+                "", 0,
+                fmt::format("--regrade {}: no submission here has this name, and none in {} this "
+                            "finding; expected one, or all, or older",
+                            word, out_.string()));
+    }
+}
+
+std::optional<SubmissionResult> ClassRun::known(const std::string& submission,
+                                                const Inputs& inputs) const {
+    std::optional<SubmissionResult> result = store::readWholeResult(out_, submission);
+    if (!result || result->verdict == Verdict::notGraded || !result->inputs.areKnown())
+        return std::nullopt;
+    const bool holds = regrade_.words.empty()
+                           ? result->inputs == inputs
+                           : result->inputs.files == inputs.files && !regrade_.concerns(*result);
+    return holds ? std::move(result) : std::nullopt;
+}
+
+void ClassRun::write(const SubmissionResult& result) const {
+    writeSubmission(out_, result);
+}
+
+void ClassRun::index(const SubmissionResult& result, bool isKept) {
+    if (!store_) return;
+    // A run that was killed between the two leaves a result.json that the store does not know.
+    if (isKept) {
+        const std::optional<store::ResultRow> row = store_->find(result.submission);
+        if (row && row->inputs == result.inputs && row->verdict == result.verdict) return;
+    }
+    store_->put(result, store::utcNow());
+}
+
+void ClassRun::finish() const {
+    if (size() > 0) writeClass(out_, readResults(out_));
+}
+
+}  // namespace ticker::cli

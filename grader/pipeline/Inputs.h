@@ -1,0 +1,26 @@
+#ifndef TICKER_PIPELINE_INPUTS_H
+#define TICKER_PIPELINE_INPUTS_H
+
+#include <grader/intake/Submission.h>
+#include <grader/pipeline/Grade.h>
+#include <grader/result/Inputs.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ticker::pipeline {
+
+/// Digest of the running program, the kit that it compiles submissions with, and the files that lie
+/// in folders of data.
+[[nodiscard]] std::string toolBuild(const build::Kit& kit,
+                                    const std::vector<std::filesystem::path>& data);
+
+/// What the result of this submission will depend on.
+[[nodiscard]] Inputs inputsOf(const intake::Submission& submission, const Grader& grader,
+                              std::uint64_t seed);
+
+}  // namespace ticker::pipeline
+
+#endif

@@ -1,0 +1,51 @@
+#include <grader/report/StudentPage.h>
+
+#include <grader/report/Escape.h>
+#include <grader/report/PageParts.h>
+#include <grader/report/PageSources.h>
+#include <grader/report/Words.h>
+#include <grader/result/Names.h>
+
+#include <fmt/core.h>
+
+namespace ticker::report {
+namespace {
+
+std::string section(const TaskReport& task, const Album& album) {
+    std::string html = fmt::format("<section><h2>{} {}</h2>", escapeHtml(taskName(task)),
+                                   badge(toString(task.state), wordsFor(task.state)));
+    if (task.findings.empty() && !task.reason.empty())
+        html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
+    for (const Finding& finding : task.findings)
+        html += findingCard(finding, album, "");
+    return html + "</section>";
+}
+
+std::string pictures(const SubmissionResult& result, const Album& album) {
+    std::string html;
+    for (const RenderScore& render : result.renders)
+        html += fmt::format(
+            R"(<figure class="submitted"><div class="frame"><img src="{}" alt="{}, from your code">)"
+            "</div><figcaption>{}, from your code</figcaption></figure>",
+            album.addressOf(render.image), escapeHtml(render.scene), escapeHtml(render.scene));
+    return html.empty() ? "" : "<section class=\"alone\"><h2>Pictures</h2>" + html + "</section>";
+}
+
+}  // namespace
+
+std::string studentPage(const StudentView& view) {
+    const SubmissionResult& result = view.result();
+    const Album album{result};
+    std::string body = fmt::format(
+        "<header><p class=\"soft crumbs\">Tick 1*</p><div class=\"hero {0}\"><h1>{1}</h1>"
+        "<p class=\"verdict\">{2}</p><p class=\"lead\">{3}</p></div></header><main id=\"main\">",
+        toString(result.verdict), escapeHtml(result.submission),
+        badge(toString(result.verdict), wordsFor(result.verdict)), escapeHtml(verdictText(view)));
+    for (const TaskReport& task : result.tasks)
+        if (concernsStudent(task)) body += section(task, album);
+    body += diagnosticsSection(result) + pictures(result, album) + "</main>";
+    return page(fmt::format("Tick 1*: {}", wordsFor(result.verdict)), reportCss(), reportJs(),
+                body);
+}
+
+}  // namespace ticker::report

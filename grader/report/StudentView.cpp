@@ -1,0 +1,160 @@
+#include <grader/report/StudentView.h>
+
+#include <grader/report/Escape.h>
+#include <grader/report/Words.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace ticker::report {
+namespace {
+
+bool isShown(const Finding& finding, const StudentPolicy& policy) {
+    switch (finding.severity) {
+        case Severity::fail:
+            return true;
+        case Severity::warn:
+            return policy.warnings;
+        case Severity::note:
+            return policy.notes;
+    }
+    return false;
+}
+
+void withhold(Finding& finding, const StudentPolicy& policy) {
+    finding.plots.clear();
+    finding.rasters.clear();
+    if (!policy.hints) finding.hint.clear();
+    std::erase_if(finding.evidence, [&](const auto& entry) {
+        return std::ranges::find(policy.evidence, entry.first) == policy.evidence.end();
+    });
+}
+
+void withhold(TaskReport& task, const StudentPolicy& policy) {
+    // A failure of ours speaks of this machine.
+    if (task.state == TaskState::notGraded)
+        task.reason = "could not be graded, for reasons that are not yours";
+    std::erase_if(task.findings, [&](const Finding& finding) { return !isShown(finding, policy); });
+    for (Finding& finding : task.findings)
+        withhold(finding, policy);
+    task.plots.clear();
+    task.rasters.clear();
+}
+
+bool hasBytes(const SubmissionResult& result, const std::string& file) {
+    return std::ranges::any_of(result.pictures, [&](const ResultPicture& picture) {
+        return picture.file == file && !picture.png.empty();
+    });
+}
+
+void withholdPictures(SubmissionResult& result, const StudentPolicy& policy) {
+    // What students get lies nowhere near our files: a picture comes along or not at all.
+    std::erase_if(result.renders, [&](const RenderScore& render) {
+        return !policy.ownPictures || !hasBytes(result, render.image);
+    });
+    for (RenderScore& render : result.renders) {
+        render.reference.clear();
+        render.errorMap.clear();
+        render.zMap.clear();
+    }
+    std::erase_if(result.pictures, [&](const ResultPicture& picture) {
+        return std::ranges::none_of(result.renders, [&](const RenderScore& render) {
+            return render.image == picture.file;
+        });
+    });
+}
+
+/// Which file a task is solved in.
+std::string_view fileOf(const TaskReport& task) {
+    if (task.id == "T1") return "BumpySphere.cpp";
+    return task.id.starts_with("T2") ? "Renderer.cpp" : "";
+}
+
+std::string compilerText(const SubmissionResult& result, const TaskReport& task) {
+    if (task.state != TaskState::blocked) return "";
+    for (const Diagnostics& said : result.diagnostics)
+        if (said.file == fileOf(task) && !said.text.empty())
+            return fmt::format("What the compiler said about {}:\n{}\n", said.file, said.text);
+    return "";
+}
+
+std::string findingText(const Finding& finding) {
+    std::string text =
+        fmt::format("{} ({}): {}\n", wordsFor(finding.severity), finding.id, finding.message);
+    if (!finding.hint.empty()) text += fmt::format("Hint: {}\n", finding.hint);
+    if (!finding.section.empty()) text += fmt::format("Handout: {}\n", finding.section);
+    return text;
+}
+
+std::string_view sentenceFor(const SubmissionResult& result) {
+    switch (result.verdict) {
+        case Verdict::awarded:
+            return "Tick awarded.";
+        case Verdict::notAwarded:
+            return std::ranges::any_of(result.tasks, concernsStudent)
+                       ? "No tick yet. One option is enough: T1, or T2.1 and T2.2 together."
+                       : "No tick yet: no task was worked on. Edit BumpySphere.cpp (T1) or "
+                         "Renderer.cpp (T2).";
+        case Verdict::needsReview:
+            return "A person will look at this before it counts.";
+        case Verdict::notGraded:
+            return "This could not be graded, for reasons that are not yours. Please tell the "
+                   "course staff.";
+    }
+    return "";
+}
+
+std::string withoutNewlinesAtEnd(std::string text) {
+    while (text.ends_with('\n'))
+        text.pop_back();
+    return text;
+}
+
+}  // namespace
+
+StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment)
+    : result_(std::move(result)), comment_(std::move(comment)) {
+    result_.seed = 0;
+    for (TaskReport& task : result_.tasks)
+        withhold(task, policy);
+    withholdPictures(result_, policy);
+    if (!policy.compilerOutput) result_.diagnostics.clear();
+}
+
+bool concernsStudent(const TaskReport& task) {
+    return task.state != TaskState::notAttempted || !task.findings.empty();
+}
+
+std::string taskName(const TaskReport& task) {
+    return task.id == "screenshot" ? "Screenshot" : task.id + " " + task.title;
+}
+
+std::string taskText(const StudentView& view, const TaskReport& task) {
+    std::string text;
+    if (task.findings.empty() && !task.reason.empty()) text += task.reason + "\n";
+    for (const Finding& finding : task.findings)
+        text += (text.empty() ? "" : "\n") + findingText(finding);
+    text += compilerText(view.result(), task);
+    if (text.empty()) text = fmt::format("{}\n", wordsFor(task.state));
+    return withoutNewlinesAtEnd(cleanText(text));
+}
+
+std::string verdictText(const StudentView& view) {
+    const std::string sentence{sentenceFor(view.result())};
+    if (view.comment().empty()) return sentence;
+    return cleanText(fmt::format("{}\nYour ticker says: {}", sentence, view.comment()));
+}
+
+std::string wholeText(const StudentView& view) {
+    std::string text = verdictText(view) + "\n";
+    for (const TaskReport& task : view.result().tasks)
+        if (concernsStudent(task))
+            text += fmt::format("\n{}, {}\n{}\n", taskName(task), wordsFor(task.state),
+                                taskText(view, task));
+    return withoutNewlinesAtEnd(cleanText(text));
+}
+
+}  // namespace ticker::report

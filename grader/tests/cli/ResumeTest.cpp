@@ -1,0 +1,97 @@
+#include "GradedClass.h"
+
+#include <grader/store/Store.h>
+
+#include <csignal>
+
+namespace ticker::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kSize = 5;
+
+class Resume : public GradedClass {
+protected:
+    [[nodiscard]] std::int64_t timesGraded(const std::string& out, const std::string& name) const {
+        const auto row = store::Store{at(out)}.find(name);
+        return row ? row->timesGraded : 0;
+    }
+};
+
+TEST_F(Resume, KeepsWhatHasNotChangedAndGradesWhatHas) {
+    EXPECT_EQ(countKept(run(gradeCommand("out"))), 0U);
+    std::ofstream{at("class") / "ann" / "BumpySphere.cpp", std::ios::app} << "// later\n";
+    fs::create_directory(at("class") / "late");
+    fs::copy(at("class") / "ann" / "Renderer.cpp", at("class") / "late");
+
+    const auto lines = run(gradeCommand("out", {"--resume"}));
+    EXPECT_EQ(lines.size(), kSize + 1);
+    EXPECT_EQ(countKept(lines), kSize - 1);
+    EXPECT_NE(errors().find("4 kept from before"), std::string::npos) << errors();
+    EXPECT_EQ(timesGraded("out", "ann"), 2);
+    EXPECT_EQ(timesGraded("out", "late"), 1);
+    EXPECT_EQ(timesGraded("out", "bob, jr"), 1);
+    EXPECT_EQ(countKept(run(gradeCommand("out", {"--resume"}))), kSize + 1);
+}
+
+TEST_F(Resume, RegradesWhatItIsToldAndKeepsTheRest) {
+    run(gradeCommand("out", {"--seed", "5"}));
+    const nlohmann::json before = untimed(at("out") / "=1+1" / "result.json");
+
+    EXPECT_EQ(countKept(run(gradeCommand("out", {"--regrade", "bump.inverted-u"}))), kSize - 1);
+    EXPECT_EQ(timesGraded("out", "=1+1"), 2);
+    EXPECT_EQ(untimed(at("out") / "=1+1" / "result.json"), before) << "the seed is remembered";
+
+    EXPECT_EQ(countKept(run(gradeCommand("out", {"--regrade", "ann"}))), kSize - 1);
+    EXPECT_EQ(timesGraded("out", "ann"), 2);
+    EXPECT_EQ(countKept(run(gradeCommand("out", {"--regrade", "older"}))), kSize);
+    EXPECT_EQ(run(gradeCommand("out", {"--regrade", "nobody"}), 2).size(), 0U);
+    EXPECT_NE(errors().find("--regrade nobody"), std::string::npos) << errors();
+}
+
+TEST_F(Resume, TakesResultsOfAnotherSeedForOthers) {
+    run(gradeCommand("out", {"--seed", "5"}));
+    EXPECT_EQ(countKept(run(gradeCommand("out", {"--seed", "5"}))), kSize);
+    EXPECT_EQ(countKept(run(gradeCommand("out", {"--seed", "6"}))), 0U);
+}
+
+TEST_F(Resume, GoesOnAfterCtrlC) {
+    {
+        RunningTicker ticker{gradeCommand("out", {"--seed", "5"}), at("errors").string()};
+        ASSERT_TRUE(ticker.readLine());
+        ticker.send(SIGINT);
+        EXPECT_EQ(ticker.wait(), 130);
+    }
+    EXPECT_NE(errors().find("Go on with"), std::string::npos) << errors();
+    EXPECT_NE(errors().find("--seed 5 --resume"), std::string::npos) << errors();
+    EXPECT_TRUE(fs::exists(at("out") / "summary.csv"));
+    const auto lines = run(gradeCommand("out", {"--seed", "5", "--resume"}));
+    EXPECT_EQ(lines.size(), kSize);
+    EXPECT_GE(countKept(lines), 1U);
+    for (const store::ResultRow& row : store::Store{at("out")}.results())
+        EXPECT_EQ(row.timesGraded, 1) << row.submission;
+}
+
+TEST_F(Resume, CollectsWhatNodesWroteIntoTheSameSummary) {
+    run(gradeCommand("local", {"--seed", "5"}));
+    run(gradeCommand("nodes", {"--seed", "5", "--results-only"}));
+    EXPECT_FALSE(fs::exists(at("nodes") / "results.sqlite"));
+    EXPECT_FALSE(fs::exists(at("nodes") / "summary.csv"));
+    run({"collect", at("nodes").string()});
+    EXPECT_EQ(textOf(at("nodes") / "summary.csv"), textOf(at("local") / "summary.csv"));
+    EXPECT_EQ(countKept(run(gradeCommand("nodes", {"--seed", "5"}))), kSize);
+}
+
+TEST_F(Resume, GradesAgainWhatWasNotGradedForOurReasons) {
+    run(gradeCommand("out", {"--seed", "5"}));
+    const fs::path file = at("out") / "ann" / "result.json";
+    nlohmann::json result = nlohmann::json::parse(textOf(file));
+    result["verdict"] = "notGraded";
+    std::ofstream{file} << result;
+    EXPECT_EQ(countKept(run(gradeCommand("out", {"--resume"}))), kSize - 1);
+    EXPECT_EQ(untimed(file).at("verdict"), "notAwarded");
+}
+
+}  // namespace
+}  // namespace ticker::cli

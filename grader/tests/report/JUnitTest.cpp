@@ -1,0 +1,105 @@
+#include <grader/report/PlatformFormats.h>
+
+#include "ExampleResults.h"
+
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace ticker::report {
+namespace {
+
+/// One case as Artemis and Jenkins read it.
+struct ReadCase {
+    std::string kind = "passed";
+    std::string message;
+    std::string body;
+};
+
+struct ReadSuite {
+    std::map<std::string, int> counts;
+    std::map<std::string, ReadCase> cases;
+};
+
+ReadSuite readBack(const std::string& xml) {
+    tinyxml2::XMLDocument document;
+    EXPECT_EQ(document.Parse(xml.c_str(), xml.size()), tinyxml2::XML_SUCCESS) << xml;
+    ReadSuite read;
+    const auto* suite = document.FirstChildElement("testsuites")->FirstChildElement("testsuite");
+    EXPECT_EQ(suite->NextSiblingElement(), nullptr) << "a second suite would prefix all names";
+    for (const char* name : {"tests", "failures", "errors", "skipped"})
+        read.counts[name] = suite->IntAttribute(name, -1);
+    for (const auto* test = suite->FirstChildElement("testcase"); test != nullptr;
+         test = test->NextSiblingElement("testcase")) {
+        EXPECT_NE(test->Attribute("classname"), nullptr);
+        ReadCase& known = read.cases[test->Attribute("name")];
+        const auto* child = test->FirstChildElement();
+        if (child == nullptr || std::string{child->Name()} == "system-out") continue;
+        known.kind = child->Name();
+        known.message = child->Attribute("message");
+        known.body = child->GetText() == nullptr ? "" : child->GetText();
+    }
+    return read;
+}
+
+ReadSuite readBack(const SubmissionResult& result) {
+    return readBack(junitXml(StudentView{result, {}}));
+}
+
+TEST(JUnitXml, AlwaysHasTheSameCases) {
+    std::set<std::string> names;
+    for (const SubmissionResult& result :
+         {passedExample(), failedBumpExample(), failedLensExample()}) {
+        const ReadSuite read = readBack(result);
+        EXPECT_EQ(read.cases.size(), 5U);
+        for (const auto& [name, unused] : read.cases)
+            names.insert(name);
+    }
+    EXPECT_EQ(names, (std::set<std::string>{"Tick", "T1 Bump mapping", "T2.1 Soft shadows",
+                                            "T2.2 Depth of field", "Screenshot"}));
+}
+
+TEST(JUnitXml, CountsAndKindsAreThoseOfTheResult) {
+    ReadSuite read = readBack(failedBumpExample());
+    EXPECT_EQ(read.counts["tests"], 5);
+    EXPECT_EQ(read.counts["failures"], 2);
+    EXPECT_EQ(read.counts["skipped"], 2);
+    EXPECT_EQ(read.cases["Tick"].kind, "failure");
+    EXPECT_EQ(read.cases["T1 Bump mapping"].kind, "failure");
+    EXPECT_EQ(read.cases["T2.1 Soft shadows"].kind, "skipped");
+    EXPECT_EQ(read.cases["Screenshot"].kind, "passed");
+    EXPECT_EQ(readBack(passedExample()).counts["failures"], 0);
+}
+
+TEST(JUnitXml, WhatWeFailedIsAnErrorAndWhatAPersonDecidesIsSkipped) {
+    SubmissionResult result = failedBumpExample();
+    result.verdict = Verdict::notGraded;
+    result.tasks[0].state = TaskState::notGraded;
+    EXPECT_EQ(readBack(result).cases["Tick"].kind, "error");
+    EXPECT_EQ(readBack(result).cases["T1 Bump mapping"].kind, "error");
+    result.verdict = Verdict::needsReview;
+    EXPECT_EQ(readBack(result).cases["Tick"].kind, "skipped");
+}
+
+TEST(JUnitXml, MessageAndBodyBothHoldTheWholeFeedback) {
+    ReadSuite read = readBack(failedBumpExample());
+    const ReadCase& failed = read.cases["T1 Bump mapping"];
+    EXPECT_NE(failed.message.find("bump.inverted-u"), std::string::npos);
+    EXPECT_NE(failed.message.find("\nHint: "), std::string::npos) << "lines survive an attribute";
+    EXPECT_EQ(failed.message, failed.body);
+}
+
+TEST(JUnitXml, IsWellFormedWhateverAStudentWrote) {
+    const std::string xml = junitXml(StudentView{hostileExample(), {}});
+    const ReadSuite read = readBack(xml);
+    EXPECT_NE(read.cases.at("T1 Bump mapping").message.find("<script>"), std::string::npos)
+        << "kept, as text";
+    EXPECT_EQ(xml.find("]]>"), std::string::npos);
+    EXPECT_EQ(xml.find('\x1B'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ticker::report

@@ -1,0 +1,198 @@
+#include <grader/report/MoodleWorksheet.h>
+#include <grader/tests/support/MoodleImport.h>
+
+#include <raytracer/base/Error.h>
+
+#include "ExampleResults.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace ticker::report {
+namespace {
+
+using tests::MoodleAssignment;
+using tests::MoodleStudent;
+using Row = MoodleAssignment::Row;
+
+constexpr std::time_t kNow = 1'760'000'000;
+
+const std::vector<MoodleStudent> kStudents{
+    {"Ada \"Countess\" Lovelace, jr",
+     7,
+     {},
+     {},
+     "<p>I wrote \\\"C:\\tick\\\" myself,\nhonestly</p>"},
+    {"=cmd|' /C calc'!A0 O'Neill", 12, {}, {}, {}},
+    {"Zo\xC3\xAB", 123, {}, {}, {}},
+    {"Nobody", 9, {}, {}, {}},
+};
+
+StudentView viewOf(SubmissionResult result, const std::string& submission) {
+    result.submission = submission;
+    return {result, {}};
+}
+
+/// Ada passed, O'Neill failed, Zoe's code is hostile and needs a look; the fourth handed in
+/// nothing.
+std::vector<StudentView> someViews() {
+    return {viewOf(passedExample(), "Ada Countess Lovelace, jr_7"),
+            viewOf(failedBumpExample(), "=cmd_ _C calc'!A0 ONeill_12"),
+            viewOf(hostileExample(), "Zo\xC3\xAB_123")};
+}
+
+MoodleAssignment assignment() {
+    MoodleAssignment moodle;
+    moodle.maximum = 20.0;
+    moodle.records = {{7, {}}, {12, {}}, {123, {}}, {9, {}}};
+    return moodle;
+}
+
+MoodleGrades filled(const std::string& worksheet, const std::vector<StudentView>& views,
+                    const std::optional<ScaleWords>& scale = {}) {
+    return fillMoodleWorksheet(worksheet, "sheet.csv", views, scale);
+}
+
+TEST(MoodleWorksheet, MoodleTakesEveryRowThatWasGraded) {
+    MoodleAssignment moodle = assignment();
+    const MoodleGrades grades = filled(moodle.worksheet(kStudents), someViews());
+    EXPECT_EQ(grades.graded.size(), 2U);
+    auto fared = moodle.upload(grades.worksheet, kNow);
+    EXPECT_EQ(fared["Participant 7"], Row::taken);
+    EXPECT_EQ(fared["Participant 12"], Row::taken);
+    EXPECT_EQ(fared["Participant 123"], Row::noGrade) << "a person decides";
+    EXPECT_EQ(fared["Participant 9"], Row::noGrade) << "handed nothing in";
+    EXPECT_EQ(moodle.records[7].grade, "20.00");
+    EXPECT_EQ(moodle.records[12].grade, "0.00");
+    EXPECT_NE(moodle.records[12].feedback.find("bump.inverted-u"), std::string::npos);
+    EXPECT_EQ(moodle.records[123].feedback, "");
+}
+
+TEST(MoodleWorksheet, ChangesNothingButGradeAndFeedback) {
+    const std::string before = assignment().worksheet(kStudents);
+    const std::string after = filled(before, someViews()).worksheet;
+    const auto old = tests::readLikePhp(before);
+    const auto changed = tests::readLikePhp(after);
+    ASSERT_EQ(old.size(), changed.size());
+    ASSERT_EQ(old[0], changed[0]);
+    for (std::size_t row = 1; row < old.size(); ++row)
+        for (std::size_t column = 0; column < old[0].size(); ++column)
+            if (old[0][column] != "Grade" && old[0][column] != "Feedback comments") {
+                EXPECT_EQ(old[row].at(column), changed[row].at(column));
+            }
+    EXPECT_EQ(after.substr(0, 3), "\xEF\xBB\xBF");
+    EXPECT_NE(after.find("\"<p>I wrote \\\"C:\\tick\\\" myself,\nhonestly</p>\""),
+              std::string::npos)
+        << "quoting as it was";
+    EXPECT_EQ(filled(before, {}).worksheet, before);
+}
+
+TEST(MoodleWorksheet, ASecondUploadOfAStaleWorksheetIsSkippedAndAFreshOneTaken) {
+    MoodleAssignment moodle = assignment();
+    const std::string stale = moodle.worksheet(kStudents);
+    moodle.upload(filled(stale, someViews()).worksheet, kNow);
+    const std::vector<StudentView> regraded{viewOf(passedExample(), "ONeill_12")};
+    EXPECT_EQ(moodle.upload(filled(stale, regraded).worksheet, kNow + 600)["Participant 12"],
+              Row::stale);
+    const std::string fresh = moodle.worksheet(kStudents);
+    EXPECT_EQ(moodle.upload(filled(fresh, regraded).worksheet, kNow + 600)["Participant 12"],
+              Row::taken);
+}
+
+TEST(MoodleWorksheet, AScaleNeedsItsExactWords) {
+    MoodleAssignment moodle = assignment();
+    moodle.scale = {"Not yet", "Tick, awarded"};
+    const std::string sheet = moodle.worksheet(kStudents);
+    EXPECT_THROW(static_cast<void>(filled(sheet, someViews())), raytracer::InputError);
+    auto fared = moodle.upload(
+        filled(sheet, someViews(), ScaleWords{"Not yet", "Tick, awarded"}).worksheet, kNow);
+    EXPECT_EQ(fared["Participant 7"], Row::taken);
+    EXPECT_EQ(moodle.records[7].grade, "Tick, awarded");
+    EXPECT_EQ(moodle.records[12].grade, "Not yet");
+}
+
+TEST(MoodleWorksheet, BlindMarkingHasNoNamesButIds) {
+    MoodleAssignment moodle = assignment();
+    moodle.blind = true;
+    const std::vector<StudentView> views{viewOf(passedExample(), "Participant_7"),
+                                         viewOf(failedLensExample(), "Participant_12")};
+    auto fared = moodle.upload(filled(moodle.worksheet(kStudents), views).worksheet, kNow);
+    EXPECT_EQ(fared["Participant 7"], Row::taken);
+    EXPECT_EQ(fared["Participant 12"], Row::taken);
+}
+
+TEST(MoodleWorksheet, EverybodyInATeamGetsItsGradeAndNobodyElseByItsNumber) {
+    MoodleAssignment moodle = assignment();
+    moodle.teams = true;
+    std::vector<MoodleStudent> people = kStudents;
+    people[0].group = people[1].group = "Team: Red";
+    people[2].group = people[3].group = "Default group";
+    // The team's number is that of a participant of another team.
+    const std::vector<StudentView> views{viewOf(passedExample(), "Team Red_123"),
+                                         viewOf(failedBumpExample(), "Default group")};
+    const MoodleGrades grades = filled(moodle.worksheet(people), views);
+    moodle.upload(grades.worksheet, kNow);
+    EXPECT_EQ(moodle.records[7].grade, "20.00");
+    EXPECT_EQ(moodle.records[12].grade, "20.00");
+    EXPECT_EQ(moodle.records[123].grade, "0.00");
+    for (const NamedText& file : moodleFeedbackFiles(grades.graded, views, {"red", "default"}))
+        EXPECT_TRUE(moodle.uploadFeedback(file.path)) << file.path;
+    for (const auto& [id, record] : moodle.records)
+        EXPECT_EQ(record.files, std::vector<std::string>{"report.html"}) << id;
+}
+
+TEST(MoodleWorksheet, LeavesLockedRowsAloneAndSaysWhoIsMissing) {
+    MoodleAssignment moodle = assignment();
+    moodle.records[7].locked = true;
+    std::vector<StudentView> views = someViews();
+    views.push_back(viewOf(passedExample(), "Stranger_77"));
+    const MoodleGrades grades = filled(moodle.worksheet(kStudents), views);
+    const auto remarked = [&](const std::string& name, const std::string& why) {
+        return std::ranges::any_of(grades.remarks, [&](const std::string& remark) {
+            return remark.starts_with(name) && remark.find(why) != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(remarked("Ada", "locked"));
+    EXPECT_TRUE(remarked("Zo\xC3\xAB", "person"));
+    EXPECT_TRUE(remarked("Stranger_77", "no row"));
+    EXPECT_EQ(grades.graded.size(), 1U);
+}
+
+TEST(MoodleWorksheet, FeedbackIsSafeAsHtmlAndAsCsv) {
+    SubmissionResult hostile = hostileExample();
+    hostile.verdict = Verdict::notAwarded;
+    hostile.tasks[0].findings[0].hint += "C:\\";
+    MoodleAssignment moodle = assignment();
+    const std::vector<StudentView> views{viewOf(hostile, "Zo\xC3\xAB_123")};
+    auto fared = moodle.upload(filled(moodle.worksheet(kStudents), views).worksheet, kNow);
+    EXPECT_EQ(fared["Participant 123"], Row::taken);
+    const std::string& feedback = moodle.records[123].feedback;
+    EXPECT_EQ(feedback.find("<script"), std::string::npos);
+    EXPECT_NE(feedback.find("&lt;script"), std::string::npos);
+    EXPECT_EQ(feedback.find_first_of("=+-@"), feedback.find_first_of("=+-@", 1))
+        << "begins like no formula";
+}
+
+TEST(MoodleWorksheet, AnotherFileIsRefusedWithTheColumnThatItLacks) {
+    try {
+        static_cast<void>(filled("Name,Grade\nx,1\n", {}));
+        FAIL();
+    } catch (const raytracer::InputError& error) {
+        EXPECT_NE(std::string{error.what()}.find("Identifier"), std::string::npos);
+    }
+}
+
+TEST(MoodleFeedbackFiles, MoodleFindsEverybodyWhateverTheName) {
+    MoodleAssignment moodle = assignment();
+    const std::vector<StudentView> views = someViews();
+    const auto files =
+        moodleFeedbackFiles({{"7", 0}, {"12", 1}, {"123", 2}}, views, {"a", "b", "c"});
+    ASSERT_EQ(files.size(), 3U);
+    for (const NamedText& file : files)
+        EXPECT_TRUE(moodle.uploadFeedback(file.path)) << file.path;
+    EXPECT_EQ(moodle.records[12].files, std::vector<std::string>{"report.html"});
+}
+
+}  // namespace
+}  // namespace ticker::report

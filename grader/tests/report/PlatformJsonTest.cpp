@@ -1,0 +1,123 @@
+#include <grader/report/PlatformFormats.h>
+
+#include "ExampleResults.h"
+#include "FitsSchema.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cctype>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace ticker::report {
+namespace {
+
+using nlohmann::json;
+
+StudentView viewOf(const SubmissionResult& result) {
+    return {result, {}};
+}
+
+SubmissionResult notGradedExample() {
+    SubmissionResult result = failedBumpExample();
+    result.verdict = Verdict::notGraded;
+    result.tasks[0].state = TaskState::notGraded;
+    return result;
+}
+
+TEST(GradescopeJson, FitsItsSchemaWhateverIsInTheResult) {
+    for (const SubmissionResult& result : exampleClass(5)) {
+        const auto text = gradescopeJson(viewOf(result));
+        ASSERT_TRUE(text) << result.submission;
+        EXPECT_TRUE(fitsSchema(*text, "gradescope")) << *text;
+    }
+    json wrong = json::parse(*gradescopeJson(viewOf(passedExample())));
+    wrong["tests"][0]["status"] = "fine";
+    EXPECT_FALSE(fitsSchema(wrong.dump(), "gradescope"));
+}
+
+TEST(GradescopeJson, HasTheScoreAndOneVisibleTestForEachTaskWorkedOn) {
+    const json passed = json::parse(*gradescopeJson(viewOf(passedExample())));
+    EXPECT_EQ(passed["score"], 1.0);
+    EXPECT_EQ(passed["tests"].size(), 4U);
+    const json failed = json::parse(*gradescopeJson(viewOf(failedBumpExample())));
+    EXPECT_EQ(failed["score"], 0.0);
+    ASSERT_EQ(failed["tests"].size(), 2U) << "T2 was not attempted";
+    EXPECT_EQ(failed["tests"][0]["name"], "T1 Bump mapping");
+    EXPECT_EQ(failed["tests"][0]["status"], "failed");
+    for (const json& test : failed["tests"]) {
+        EXPECT_EQ(test["visibility"], "visible") << "a hidden test hides the score";
+        EXPECT_FALSE(test.contains("score")) << "the rubric's score is no sum";
+    }
+}
+
+TEST(GradescopeJson, IsMissingRatherThanAScoreWhereWeFailed) {
+    EXPECT_FALSE(gradescopeJson(viewOf(notGradedExample())));
+    EXPECT_FALSE(autolabLines(viewOf(notGradedExample())));
+}
+
+TEST(PrairieLearnJson, FitsItsSchemaWhateverIsInTheResult) {
+    for (const SubmissionResult& result : exampleClass(5))
+        EXPECT_TRUE(fitsSchema(prairieLearnJson(viewOf(result)), "prairielearn"));
+    EXPECT_TRUE(fitsSchema(prairieLearnJson(viewOf(notGradedExample())), "prairielearn"));
+    EXPECT_FALSE(fitsSchema(R"({"gradable": true})", "prairielearn"));
+    EXPECT_FALSE(fitsSchema(R"({"gradable": false, "score": 1})", "prairielearn"));
+}
+
+TEST(PrairieLearnJson, IsNotGradableWhereWeFailed) {
+    EXPECT_EQ(json::parse(prairieLearnJson(viewOf(notGradedExample())))["gradable"], false);
+    const json passed = json::parse(prairieLearnJson(viewOf(passedExample())));
+    EXPECT_EQ(passed["gradable"], true);
+    EXPECT_EQ(passed["score"], 1.0);
+}
+
+TEST(PrairieLearnJson, ScoreIsAShareWhateverTheRubricsPoints) {
+    SubmissionResult result = passedExample();
+    result.score = 15.0;
+    result.maxScore = 20.0;
+    EXPECT_DOUBLE_EQ(json::parse(prairieLearnJson(viewOf(result)))["score"].get<double>(), 0.75);
+}
+
+TEST(ClassroomJson, BothWaysOfAddingUpPointsAgree) {
+    for (SubmissionResult result : exampleClass(5)) {
+        const std::string text = classroomJson(viewOf(result));
+        EXPECT_TRUE(fitsSchema(text, "classroom"));
+        const json document = json::parse(text);
+        double sum = 0.0;
+        double passed = 0.0;
+        for (const json& test : document["tests"]) {
+            sum += test["score"].get<double>();
+            passed += test["status"] == "pass" ? 1.0 : 0.0;
+        }
+        EXPECT_DOUBLE_EQ(sum, passed / static_cast<double>(document["tests"].size()) *
+                                  document["max_score"].get<double>());
+    }
+    EXPECT_EQ(json::parse(classroomJson(viewOf(notGradedExample())))["status"], "error");
+}
+
+TEST(AutolabLines, TheLastLineIsTheScore) {
+    std::istringstream stream{*autolabLines(viewOf(passedExample()))};
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[1], R"({"scores":{"Tick":1.0}})");
+    const json feedback = json::parse(lines[0]);
+    EXPECT_EQ(feedback["_presentation"], "semantic");
+    EXPECT_EQ(feedback["Tick"]["T1 Bump mapping"]["passed"], true);
+    EXPECT_TRUE(feedback["Tick"]["T2.1 Soft shadows"].contains("hint"));
+}
+
+TEST(AutolabLines, NoWordStandsBeforeAColon) {
+    for (const SubmissionResult& result : exampleClass(5)) {
+        const std::string text = *autolabLines(viewOf(result));
+        for (std::size_t i = 1; i < text.size(); ++i)
+            EXPECT_FALSE(text[i] == ':' && std::isalnum(static_cast<unsigned char>(text[i - 1])))
+                << text.substr(i - 20 < i ? i - 20 : 0, 30);
+    }
+}
+
+}  // namespace
+}  // namespace ticker::report

@@ -1,0 +1,119 @@
+#include <grader/report/PlatformFormats.h>
+#include <grader/report/StudentPage.h>
+#include <grader/report/StudentView.h>
+
+#include <raytracer/base/Error.h>
+
+#include "ExampleResults.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace ticker::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kPolicy{TICKER_SOURCE_DIR "/grader/report/student-view.json"};
+
+/// Everything that students are shown of a result.
+std::string everythingShown(const SubmissionResult& result, const StudentPolicy& policy) {
+    const StudentView view{result, policy};
+    return gradescopeJson(view).value_or("") + prairieLearnJson(view) + classroomJson(view) +
+           autolabLines(view).value_or("") + junitXml(view) + wholeText(view) + studentPage(view);
+}
+
+bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::string errorOf(const std::string& text) {
+    const fs::path file = fs::path{testing::TempDir()} / "view.json";
+    std::ofstream{file} << text;
+    try {
+        static_cast<void>(readStudentPolicy(file));
+        return "";
+    } catch (const raytracer::InputError& error) {
+        return error.what();
+    }
+}
+
+TEST(StudentView, HoldsNoSeedNoExpectedPictureAndNoMeasuredValue) {
+    SubmissionResult result = failedBumpExample();
+    result.seed = 987654321;
+    result.tasks[0].findings[0].evidence = {{"hiddenQuestion", std::string{"latitude 12.5"}}};
+    const std::string shown = everythingShown(result, readStudentPolicy(kPolicy));
+    EXPECT_TRUE(holds(shown, "bump.inverted-u")) << "the test must look at something";
+    EXPECT_FALSE(holds(shown, "987654321"));
+    EXPECT_FALSE(holds(shown, "latitude 12.5"));
+    EXPECT_FALSE(holds(shown, "Signed tilt")) << "a map of what was asked";
+    EXPECT_FALSE(holds(shown, "expected-bump-mapping"));
+    EXPECT_FALSE(holds(shown, "bump-mapping, expected"));
+    EXPECT_TRUE(holds(shown, "bump-mapping, from your code"));
+}
+
+TEST(StudentView, KeepsToItselfWhyWeFailed) {
+    SubmissionResult result = failedBumpExample();
+    result.verdict = Verdict::notGraded;
+    result.tasks[0].state = TaskState::notGraded;
+    result.tasks[0].reason = "cannot write /root/secret/probe";
+    result.tasks[0].findings.clear();
+    EXPECT_FALSE(holds(everythingShown(result, {}), "/root/secret"));
+}
+
+TEST(StudentView, ShowsWhatThePolicyAllowsAndNoMore) {
+    StudentPolicy policy;
+    policy.evidence = {"uInverted"};
+    const SubmissionResult failed = failedBumpExample();
+    const std::string hint = failed.tasks[0].findings[0].hint.substr(0, 20);
+    EXPECT_TRUE(holds(everythingShown(failed, policy), hint));
+    EXPECT_TRUE(holds(everythingShown(failed, policy), "0.98"));
+    policy = {.hints = false, .ownPictures = false, .evidence = {}};
+    EXPECT_FALSE(holds(everythingShown(failed, policy), hint));
+    EXPECT_FALSE(holds(everythingShown(failed, policy), "<figure"));
+
+    EXPECT_TRUE(holds(everythingShown(blockedExample(), {}), "nromal"));
+    EXPECT_FALSE(holds(everythingShown(blockedExample(), {.compilerOutput = false, .evidence = {}}),
+                       "nromal"));
+    EXPECT_TRUE(holds(everythingShown(passedExample(), {}), "shadow.clustered"));
+    EXPECT_FALSE(
+        holds(everythingShown(passedExample(), {.warnings = false, .evidence = {}}), "clustered"));
+}
+
+TEST(StudentView, HoldsWhatThePersonSaidWhoDecided) {
+    const StudentView view{failedBumpExample(), {}, "Come and see me\x1B, <Ada>"};
+    EXPECT_TRUE(holds(*gradescopeJson(view), "Come and see me"));
+    EXPECT_TRUE(holds(studentPage(view), "&lt;Ada&gt;"));
+    EXPECT_FALSE(holds(verdictText(view), "\x1B"));
+}
+
+TEST(StudentView, TextHasNoControlCharacter) {
+    for (const char c : wholeText(StudentView{hostileExample(), {}}))
+        EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t');
+}
+
+TEST(StudentPage, LetsNoMarkupOfAStudentThrough) {
+    const std::string page = studentPage(StudentView{hostileExample(), {}});
+    EXPECT_FALSE(holds(page, "<script>alert"));
+    EXPECT_FALSE(holds(page, "<img src=x"));
+}
+
+TEST(StudentPolicy, AFileThatForgetsAMemberOrInventsOneIsRefused) {
+    EXPECT_NE(errorOf("{}").find("expected a member"), std::string::npos);
+    EXPECT_NE(errorOf("[]").find("object"), std::string::npos);
+    EXPECT_NE(errorOf("{").find("not JSON"), std::string::npos);
+    std::ifstream stream{kPolicy};
+    std::string text{std::istreambuf_iterator<char>{stream}, {}};
+    EXPECT_EQ(errorOf(text), "");
+    const std::size_t brace = text.find('{') + 1;
+    EXPECT_NE(errorOf(std::string{text}.insert(brace, "\"seed\": true,")).find("/seed"),
+              std::string::npos);
+    EXPECT_NE(errorOf(text.replace(text.find("true"), 4, "1")).find("true or false"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace ticker::report

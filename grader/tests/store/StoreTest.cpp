@@ -1,0 +1,175 @@
+#include <grader/store/Store.h>
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <raytracer/base/Error.h>
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace ticker::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kNow = "2026-11-21T16:05:36Z";
+const std::string kOddName = "J\xC3\xBCrgen \"<b>\" O'Neill, =1+1_12";
+
+SubmissionResult resultOf(const std::string& name, Verdict verdict = Verdict::notAwarded) {
+    SubmissionResult result;
+    result.submission = name;
+    result.verdict = verdict;
+    result.score = verdict == Verdict::awarded ? 1.0 : 0.0;
+    result.option = "T1";
+    result.toolVersion = "0.1.0";
+    result.inputs = {"aa", "bb", "cc"};
+    TaskReport task;
+    task.id = "T1";
+    for (const auto& [id, severity] :
+         {std::pair{"bump.inverted-u", Severity::fail}, std::pair{"bump.mirrored", Severity::note}})
+        task.findings.push_back({id, severity, "message", "", "", {}, {}, {}});
+    result.tasks.push_back(task);
+    return result;
+}
+
+Decision decisionOn(const std::string& name, Ruling ruling, std::int64_t version,
+                    const std::string& who = "ann") {
+    return {name, version, ruling, "see line 7, \"there\"", who, kNow, Verdict::needsReview};
+}
+
+TEST(Store, KeepsResultsForTheNextWhoOpensIt) {
+    const tests::TemporaryFolder out;
+    Store{out.path()}.put(resultOf(kOddName), kNow);
+    const Store store{out.path()};
+    ASSERT_EQ(store.results().size(), 1U);
+    const auto row = store.find(kOddName);
+    ASSERT_TRUE(row);
+    EXPECT_EQ(row->verdict, Verdict::notAwarded);
+    EXPECT_EQ(row->option, "T1");
+    EXPECT_EQ(row->findings, std::vector<std::string>{"bump.inverted-u"}) << "notes do not count";
+    EXPECT_EQ(row->inputs, (Inputs{"aa", "bb", "cc"}));
+    EXPECT_EQ(row->gradedAt, kNow);
+    EXPECT_EQ(row->timesGraded, 1);
+    EXPECT_FALSE(store.find("nobody"));
+}
+
+TEST(Store, CountsHowOftenASubmissionWasGradedAndKeepsTheLast) {
+    const tests::TemporaryFolder out;
+    Store store{out.path()};
+    store.put(resultOf("ann"), kNow);
+    store.put(resultOf("ann", Verdict::awarded), kNow);
+    EXPECT_EQ(store.find("ann")->verdict, Verdict::awarded);
+    EXPECT_EQ(store.find("ann")->timesGraded, 2);
+}
+
+TEST(Store, ListsResultsByName) {
+    const tests::TemporaryFolder out;
+    Store store{out.path()};
+    for (const char* name : {"cy", "ann", "bob"})
+        store.put(resultOf(name), kNow);
+    std::vector<std::string> names;
+    for (const ResultRow& row : store.results())
+        names.push_back(row.submission);
+    EXPECT_EQ(names, (std::vector<std::string>{"ann", "bob", "cy"}));
+}
+
+TEST(Store, RemembersWhatItIsTold) {
+    const tests::TemporaryFolder out;
+    Store{out.path()}.remember("seed", "7");
+    Store store{out.path()};
+    EXPECT_EQ(store.remembered("seed"), "7");
+    EXPECT_EQ(store.remembered("other"), "");
+    store.remember("seed", "8");
+    EXPECT_EQ(store.remembered("seed"), "8");
+}
+
+TEST(Store, KeepsEveryDecisionBesideWhatWasProposed) {
+    const tests::TemporaryFolder out;
+    {
+        Store store{out.path()};
+        EXPECT_TRUE(store.decide(decisionOn(kOddName, Ruling::awarded, 0)).isKept);
+        EXPECT_TRUE(store.decide(decisionOn(kOddName, Ruling::undecided, 1, "bob")).isKept);
+        EXPECT_TRUE(store.decide(decisionOn("ann", Ruling::notYet, 0)).isKept);
+    }
+    const Store store{out.path()};
+    const std::vector<Decision> history = store.history(kOddName);
+    ASSERT_EQ(history.size(), 2U);
+    EXPECT_EQ(history[0].ruling, Ruling::awarded);
+    EXPECT_EQ(history[0].who, "ann");
+    EXPECT_EQ(history[0].when, kNow);
+    EXPECT_EQ(history[0].comment, "see line 7, \"there\"");
+    EXPECT_EQ(history[0].proposed, Verdict::needsReview);
+    EXPECT_EQ(history[1].version, 2);
+    const std::vector<Decision> newest = store.decisions();
+    ASSERT_EQ(newest.size(), 2U);
+    EXPECT_EQ(newest[1].submission, "ann");
+    EXPECT_EQ(newest[0].who, "bob");
+}
+
+TEST(Store, LosesNoDecisionOfTwoWhoDecideAtOnce) {
+    const tests::TemporaryFolder out;
+    Store first{out.path()};
+    Store second{out.path()};
+    EXPECT_TRUE(first.decide(decisionOn("ann", Ruling::awarded, 0, "one")).isKept);
+    const DecideOutcome late = second.decide(decisionOn("ann", Ruling::notYet, 0, "two"));
+    EXPECT_FALSE(late.isKept);
+    EXPECT_EQ(late.current.who, "one");
+    EXPECT_EQ(late.current.ruling, Ruling::awarded);
+    EXPECT_TRUE(second.decide(decisionOn("ann", Ruling::notYet, 1, "two")).isKept);
+    EXPECT_EQ(first.history("ann").size(), 2U);
+}
+
+TEST(Store, LosesNoDecisionOfManyThreadsOverTwoConnections) {
+    const tests::TemporaryFolder out;
+    std::array<Store, 2> stores{Store{out.path()}, Store{out.path()}};
+    constexpr int kThreads = 4;
+    constexpr int kEach = 25;
+    const auto insist = [&](int thread) {
+        Store& store = stores.at(static_cast<std::size_t>(thread) % 2);
+        for (int i = 0; i < kEach; ++i) {
+            Decision decision = decisionOn("ann", Ruling::awarded, 0, std::to_string(thread));
+            for (DecideOutcome outcome = store.decide(decision); !outcome.isKept;
+                 outcome = store.decide(decision))
+                decision.version = outcome.current.version;
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (int i = 0; i < kThreads; ++i)
+            threads.emplace_back(insist, i);
+    }
+    const std::vector<Decision> history = stores[0].history("ann");
+    ASSERT_EQ(history.size(), static_cast<std::size_t>(kThreads * kEach));
+    for (std::size_t i = 0; i < history.size(); ++i)
+        EXPECT_EQ(history[i].version, static_cast<std::int64_t>(i) + 1);
+}
+
+TEST(Store, SaysSoWhereItUsesARollbackJournal) {
+    const tests::TemporaryFolder out;
+    EXPECT_EQ(Store{out.path()}.notice(), "");
+    EXPECT_TRUE(fs::exists(out.path() / "results.sqlite"));
+    const tests::TemporaryFolder shared;
+    Store store{shared.path(), Journal::rollback};
+    EXPECT_NE(store.notice().find("rollback journal"), std::string::npos);
+    store.put(resultOf("ann"), kNow);
+    EXPECT_FALSE(fs::exists(shared.path() / "results.sqlite-wal"));
+    EXPECT_EQ((Store{shared.path(), Journal::rollback}.results().size()), 1U);
+}
+
+TEST(Store, RefusesWhatIsNoStoreInOneLine) {
+    const tests::TemporaryFolder out;
+    out.write("results.sqlite", "this is a text, and long enough to look like something at all. " +
+                                    std::string(2000, 'x'));
+    EXPECT_THROW(Store{out.path()}, raytracer::InputError);
+    EXPECT_THROW(Store{out.path() / "nowhere"}, raytracer::InputError);
+}
+
+TEST(Store, RefusesANewerTickersStore) {
+    const tests::TemporaryFolder out;
+    { const Store store{out.path()}; }
+    Database{out.path() / "results.sqlite"}.run("PRAGMA user_version = 99");
+    EXPECT_THROW(Store{out.path()}, raytracer::InputError);
+}
+
+}  // namespace
+}  // namespace ticker::store

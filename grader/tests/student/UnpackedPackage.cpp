@@ -1,0 +1,54 @@
+#include <grader/package/StudentPackage.h>
+#include <grader/tests/student/UnpackedPackage.h>
+
+#include <sys/wait.h>
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+
+namespace ticker::tests {
+
+namespace fs = std::filesystem;
+
+CommandResult runCommand(const std::string& command) {
+    std::FILE* const pipe = ::popen(("{ " + command + "\n} 2>&1").c_str(), "r");
+    if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
+    CommandResult result;
+    std::array<char, 4096> buffer{};
+    for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+        result.output.append(buffer.data(), got);
+    const int status = ::pclose(pipe);
+    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+    return result;
+}
+
+UnpackedPackage::UnpackedPackage() {
+    package::writeStudentPackage(TICKER_SOURCE_DIR, work_.path() / "package.zip");
+    const CommandResult unpacked =
+        runCommand("cd '" + work_.path().string() + "' && cmake -E tar xf package.zip");
+    if (unpacked.status != 0) throw std::runtime_error("cannot unpack: " + unpacked.output);
+}
+
+fs::path UnpackedPackage::folder() const {
+    return work_.path() / "tick1star";
+}
+
+std::vector<fs::path> UnpackedPackage::files() const {
+    std::vector<fs::path> found;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder()})
+        if (entry.is_regular_file()) found.push_back(entry.path());
+    return found;
+}
+
+CommandResult UnpackedPackage::runAlone(const std::string& command) const {
+    return runCommand(
+        "bwrap --unshare-all --die-with-parent --clearenv --setenv PATH /usr/bin:/bin --setenv "
+        "HOME "
+        "/tmp --ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 --symlink "
+        "usr/bin /bin --ro-bind /etc/alternatives /etc/alternatives --proc /proc --dev /dev "
+        "--tmpfs "
+        "/tmp --bind '" +
+        folder().string() + "' /student --chdir /student bash -c '" + command + "'");
+}
+
+}  // namespace ticker::tests

@@ -1,0 +1,41 @@
+#ifndef TICKER_TESTS_STUDENT_UNPACKEDPACKAGE_H
+#define TICKER_TESTS_STUDENT_UNPACKEDPACKAGE_H
+
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ticker::tests {
+
+/// What a command wrote, stdout and stderr together, and how it ended.
+struct CommandResult {
+    int status = -1;  ///< 128 and more where a signal ended it
+    std::string output;
+};
+
+/// Runs a shell command.
+[[nodiscard]] CommandResult runCommand(const std::string& command);
+
+/// The students' package, made and unpacked in a folder of its own.
+class UnpackedPackage {
+public:
+    UnpackedPackage();
+
+    /// The folder in which ./check stands.
+    [[nodiscard]] std::filesystem::path folder() const;
+    /// All files in it.
+    [[nodiscard]] std::vector<std::filesystem::path> files() const;
+
+    /// Runs a command in the folder, in a jail where there is nothing but the system's programs and
+    /// this folder: no network, no home, no variable of ours.
+    [[nodiscard]] CommandResult runAlone(const std::string& command) const;
+
+private:
+    TemporaryFolder work_;
+};
+
+}  // namespace ticker::tests
+
+#endif

@@ -1,0 +1,58 @@
+#ifndef TICKER_TESTS_SUPPORT_MOODLEIMPORT_H
+#define TICKER_TESTS_SUPPORT_MOODLEIMPORT_H
+
+#include <grader/tests/support/MoodleExport.h>
+
+#include <ctime>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ticker::tests {
+
+/// What Moodle knows of one participant of an assignment.
+struct MoodleRecord {
+    std::string grade = {};               ///< empty: none yet; a number, or a word of the scale
+    std::time_t gradedAt = 0;             ///< of the grade
+    std::string feedback = {};            ///< comments, HTML
+    bool locked = false;                  ///< in the gradebook
+    std::vector<std::string> files = {};  ///< feedback files, by path
+};
+
+/// An assignment as Moodle keeps it, which writes worksheets and takes them back: after
+/// mod/assign/feedback/offline (importgradeslib.php, locallib.php) and feedback/file
+/// (importziplib.php) of Moodle 4.
+class MoodleAssignment {
+public:
+    double maximum = 100.0;
+    std::vector<std::string> scale = {};  ///< not empty: grades are these words
+    bool blind = false;
+    bool teams = false;
+    bool byteOrderMark = true;
+    std::map<int, MoodleRecord> records = {};  ///< by participant
+
+    /// The worksheet as downloaded. In a team assignment everybody of `students` is a person and
+    /// `group` his team.
+    [[nodiscard]] std::string worksheet(const std::vector<MoodleStudent>& students) const;
+
+    /// How a row of an uploaded worksheet fared.
+    enum class Row { taken, sameGrade, noGrade, stale, locked, outOfRange, unknownPerson };
+
+    /// Takes a worksheet. @return One entry for each row, by what stands under Identifier.
+    /// @throws std::runtime_error where Moodle would refuse the whole file.
+    std::map<std::string, Row> upload(std::string_view csv, std::time_t now);
+
+    /// Takes one file of a feedback zip. @return False where Moodle finds nobody whose it is.
+    bool uploadFeedback(const std::string& path);
+};
+
+/// The records of a CSV file, read as PHP's fgetcsv does.
+[[nodiscard]] std::vector<std::vector<std::string>> readLikePhp(std::string_view csv);
+
+/// Some moment of the past, as worksheets spell it.
+[[nodiscard]] std::string moodleDate(std::time_t when);
+
+}  // namespace ticker::tests
+
+#endif

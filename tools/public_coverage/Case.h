@@ -1,0 +1,28 @@
+#ifndef TICKER_TOOLS_PUBLICCOVERAGE_CASE_H
+#define TICKER_TOOLS_PUBLICCOVERAGE_CASE_H
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ticker::coverage {
+
+/// A solution whose merits are known: does a public test fail on it?
+struct Case {
+    std::string task;                          ///< "T1", "T2.1", "T2.2", or "T2" for a whole file
+    std::string name;                          ///< "inverted-u", "sample bump-inverted"
+    std::string title;                         ///< what is wrong with it, in a few words
+    bool right = false;                        ///< no public test may fail
+    std::map<std::string, std::string> files;  ///< name -> text; the reference's where missing
+};
+
+/// The catalogue of mistakes and accepted readings, the sample class, and the unseen solutions.
+/// @param root  The project's.
+[[nodiscard]] std::vector<Case> listCases(const std::filesystem::path& root);
+
+[[nodiscard]] std::string readText(const std::filesystem::path& file);
+
+}  // namespace ticker::coverage
+
+#endif
