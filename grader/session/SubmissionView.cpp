@@ -60,8 +60,10 @@ std::string task(const TaskReport& task) {
                     escapeHtml(task.id.starts_with('T') ? task.id + " " + task.title : task.title),
                     report::badge(toString(task.state), report::wordsFor(task.state)));
     if (!task.reason.empty()) html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
+    // Pictures of a finding are in the full report; here are those of the scenes.
+    const report::Album noPictures{SubmissionResult{}};
     for (const Finding& finding : task.findings)
-        html += report::findingCard(finding);
+        html += report::findingCard(finding, noPictures, "");
     return html + "</section>";
 }
 
