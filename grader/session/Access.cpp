@@ -53,10 +53,11 @@ Access readAccess(const fs::path& out) {
     if (!isOurs(out / kFile)) return access;
     std::ifstream stream{out / kFile};
     const auto kept = nlohmann::json::parse(stream, nullptr, false);
-    if (!kept.is_object()) return access;
-    const std::string token = kept.value("token", "");
-    if (isToken(token)) access = {token, kept.value("port", 0)};
-    return access;
+    if (!kept.is_object() || !kept.contains("token") || !kept["token"].is_string()) return access;
+    const std::string token = kept["token"];
+    if (!isToken(token)) return access;
+    const bool hasPort = kept.contains("port") && kept["port"].is_number_unsigned();
+    return {token, hasPort ? kept["port"].get<int>() : 0};
 }
 
 void writeAccess(const Access& access, const fs::path& out) {

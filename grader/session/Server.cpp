@@ -15,6 +15,8 @@ namespace ticker::session {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
+constexpr std::size_t kThreads = 32;
+constexpr time_t kKeepAliveSeconds = 2;
 constexpr std::size_t kLargestRequest = 256U << 10U;
 
 // The page's own script and style, its own pictures and requests; nothing else, and no frames.
@@ -37,13 +39,28 @@ void answerText(httplib::Response& response, std::string_view text, const char* 
     response.set_content(text.data(), text.size(), type);
 }
 
+void refuse(httplib::Response& response) {
+    response.status = 403;
+    response.set_content("not here\n", "text/plain");
+}
+
+// Refused only after its body was read: what is left of one in the connection would be taken for
+// the next request.
+bool mayCarryBody(const httplib::Request& request) {
+    return request.method == "POST" || request.method == "PUT" || request.method == "PATCH" ||
+           request.method == "DELETE";
+}
+
 }  // namespace
 
 class Server::Routes {
 public:
     Routes(ClassView& view, Access access, int port) : view_(view), access_(std::move(access)) {
         http_.set_payload_max_length(kLargestRequest);
+        // A browser keeps several connections open for each tab, and each takes a thread.
+        http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
         http_.set_keep_alive_max_count(1000);
+        http_.set_keep_alive_timeout(kKeepAliveSeconds);
         http_.set_tcp_nodelay(true);
         // The library's own choice would let two sessions share a port.
         http_.set_socket_options([](int socket) {
@@ -52,9 +69,9 @@ public:
         });
         http_.set_pre_routing_handler(
             [this](const httplib::Request& request, httplib::Response& response) {
-                if (mayEnter(request)) return httplib::Server::HandlerResponse::Unhandled;
-                response.status = 403;
-                response.set_content("not here\n", "text/plain");
+                if (mayCarryBody(request) || mayEnter(request))
+                    return httplib::Server::HandlerResponse::Unhandled;
+                refuse(response);
                 return httplib::Server::HandlerResponse::Handled;
             });
         addPage();
@@ -142,10 +159,16 @@ private:
             [this](const httplib::Request& request, httplib::Response& response) {
                 answer(response, view_.image(request.matches[1], request.matches[2]));
             });
-        http_.Post(at("decide"),
-                   [this](const httplib::Request& request, httplib::Response& response) {
-                       answer(response, view_.decide(request.body));
-                   });
+        http_.Post(".*", [this](const httplib::Request& request, httplib::Response& response) {
+            if (!mayEnter(request) || request.path != at("decide")) return refuse(response);
+            answer(response, view_.decide(request.body));
+        });
+        const auto never = [](const httplib::Request& /*request*/, httplib::Response& response) {
+            refuse(response);
+        };
+        http_.Put(".*", never);
+        http_.Patch(".*", never);
+        http_.Delete(".*", never);
     }
 
     ClassView& view_;

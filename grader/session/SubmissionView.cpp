@@ -46,7 +46,7 @@ std::string pictures(const SubmissionResult& result) {
     std::string html;
     for (const RenderScore& render : result.renders)
         html += fmt::format(
-            "<div class=\"scene\"><h3>{}</h3><div class=\"pictures\">{}{}{}</div></div>",
+            "<div class=\"scene\"><h3>{}</h3><div class=\"shots\">{}{}{}</div></div>",
             escapeHtml(render.scene), figure(result, render.image, "As this code renders it"),
             figure(result, render.reference, "As it should be"),
             figure(result, render.errorMap, "Where the two look different"));
@@ -82,7 +82,8 @@ std::string code(const fs::path& folder) {
         std::ifstream stream{folder / name, std::ios::binary};
         const std::string source{std::istreambuf_iterator<char>{stream}, {}};
         html += fmt::format(
-            "<section><h2>{0}</h2><pre class=\"code\" tabindex=\"0\" aria-label=\"{0}\"><code>{1}"
+            "<section><h2>{0}</h2><pre class=\"code\" tabindex=\"0\" role=\"region\" "
+            "aria-label=\"{0}\"><code>{1}"
             "</code></pre></section>",
             name, highlightCpp(source));
     }

@@ -112,7 +112,7 @@ function buildList() {
     entry.findingWords = make("span", { class: "found soft" }, entry.findings.join(" "));
     entry.button = make("button", { type: "button" }, entry.mark,
       make("span", { class: "name" }, entry.shown), entry.findingWords);
-    entry.button.addEventListener("click", () => open(name));
+    entry.button.addEventListener("click", () => showSubmission(name));
     entry.row = make("li", {}, entry.button);
     return entry.row;
   }));
@@ -192,7 +192,7 @@ function fetched(name) {
   return cache.get(name);
 }
 
-async function open(name, options = {}) {
+async function showSubmission(name, options = {}) {
   if (current !== null && current !== name && !options.isBack) trail.push(current);
   const before = current;
   current = name;
@@ -243,7 +243,7 @@ function nextUndecided() {
 function goOn() {
   const name = nextUndecided();
   if (name === null && (current === null || standing(current).ruling !== "undecided")) showSummary();
-  else if (name !== null) open(name);
+  else if (name !== null) showSubmission(name);
 }
 
 // --- deciding ----------------------------------------------------------------------------------
@@ -272,7 +272,7 @@ function undo() {
   const last = undos.pop();
   if (!last) return;
   enqueue(last.submission, last.ruling, last.comment);
-  open(last.submission);
+  showSubmission(last.submission);
 }
 
 let flushing = false;
@@ -340,7 +340,7 @@ function table(caption, head, rows) {
 
 function linkTo(name) {
   const link = make("button", { type: "button", class: "link" }, entries.get(name).shown);
-  link.addEventListener("click", () => open(name));
+  link.addEventListener("click", () => showSubmission(name));
   return link;
 }
 
@@ -352,12 +352,12 @@ function showSummary() {
   showStanding();
   const all = order.map((name) => entries.get(name));
   const ruling = (entry) => standing(entry.name).ruling;
-  const open = all.filter((entry) => ruling(entry) === "undecided");
+  const undecided = all.filter((entry) => ruling(entry) === "undecided");
   const overruled = all.filter(isOverruled);
   const main = $("main");
   main.classList.remove("loading");
   delete main.dataset.name;
-  main.replaceChildren(make("h1", {}, open.length ? "How far you are" : "All are decided"),
+  main.replaceChildren(make("h1", {}, undecided.length ? "How far you are" : "All are decided"),
     make("p", {}, ["awarded", "notYet", "undecided"]
       .map((word) => `${all.filter((entry) => ruling(entry) === word).length} ${words[word]}`).join(", "),
       ` of ${all.length}.`),
@@ -369,7 +369,7 @@ function showSummary() {
     table("Most frequent findings", ["Finding", "Submissions"],
       countBy(all, (entry) => [...new Set(entry.findings)]).slice(0, 12).map(([id, count]) => [id, String(count)])),
     table("Still open", ["Submission", "Proposed"],
-      open.slice(0, 50).map((entry) => [linkTo(entry.name), words[entry.verdict]])));
+      undecided.slice(0, 50).map((entry) => [linkTo(entry.name), words[entry.verdict]])));
   window.scrollTo(0, 0);
 }
 
@@ -404,7 +404,7 @@ const acts = {
   quote: quoteFindings,
   undo,
   next: goOn,
-  back: () => { const name = trail.pop(); if (name !== undefined) open(name, { isBack: true }); },
+  back: () => { const name = trail.pop(); if (name !== undefined) showSubmission(name, { isBack: true }); },
   summary: showSummary,
   help: () => $("#help").showModal(),
   find: () => { $("#find").focus(); $("#find").select(); },
@@ -447,7 +447,7 @@ async function begin() {
   await loadClass();
   flush();
   const wanted = decodeURIComponent(location.hash.slice(1));
-  if (entries.has(wanted)) open(wanted);
+  if (entries.has(wanted)) showSubmission(wanted);
   else goOn();
   for (;;) {
     await wait(refreshMs);
