@@ -101,7 +101,7 @@ bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool d
 }
 
 bool testScreenshots(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
-    const Counter counter{"screenshots", draw};
+    const Countdown counter{"screenshots", 0, draw};
     selftest::ScreenshotRun run;
     run.fraction = options.fraction;
     run.seed = seedOf(options.grade);
