@@ -88,7 +88,7 @@ TEST(JudgeScreenshot, NamesTheReliefThatAStrangersPictureShows) {
 TEST(JudgeScreenshot, NotesASmallChangeOfColoursAndPasses) {
     const Honest student{true};
     const TaskJudgement judgement = student.handIn(
-        recoloured(student->render(640, kSeed).view(), [](double v, int) { return 0.97 * v; }));
+        recoloured(student->render(640, kSeed).view(), [](double v, int) { return 0.93 * v; }));
     EXPECT_EQ(judgement.state, TaskState::passed);
     EXPECT_EQ(firstId(judgement), "screenshot.colours");
     EXPECT_EQ(judgement.findings[0].severity, Severity::note);
