@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <utility>
 
 namespace ticker::report {
 namespace {
@@ -47,7 +48,7 @@ std::string page(std::string_view title, std::string_view css, std::string_view 
         scriptHash(js), escapeHtml(title), commonCss(), css, body, js);
 }
 
-Album::Album(const SubmissionResult& result) {
+Album::Album(const SubmissionResult& result, std::string folder) : folder_(std::move(folder)) {
     std::vector<const ResultPicture*> bySize;
     for (const ResultPicture& picture : result.pictures)
         bySize.push_back(&picture);
@@ -59,14 +60,15 @@ Album::Album(const SubmissionResult& result) {
     for (const ResultPicture* picture : bySize) {
         const bool carried = !picture->png.empty() && picture->png.size() <= room;
         if (carried) room -= picture->png.size();
-        pictures_[picture->file] = carried ? pngAddress(picture->png) : address(picture->file);
+        pictures_[picture->file] =
+            carried ? pngAddress(picture->png) : address(folder_ + picture->file);
     }
 }
 
 std::string Album::addressOf(const std::string& file) const {
     if (!file.starts_with("images/")) return {};  // nowhere else, and no other host
     const auto found = pictures_.find(file);
-    return found != pictures_.end() ? found->second : address(file);
+    return found != pictures_.end() ? found->second : address(folder_ + file);
 }
 
 }  // namespace ticker::report

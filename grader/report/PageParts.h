@@ -27,13 +27,16 @@ namespace ticker::report {
 /// and those of a result that was read back without them, lie beside the page.
 class Album {
 public:
-    explicit Album(const SubmissionResult& result);
+    /// @param folder  Where the result lies, as seen from the page: empty, or with a slash at its
+    /// end.
+    explicit Album(const SubmissionResult& result, std::string folder = {});
 
     /// For the attribute src; empty for what is no file of ours.
     [[nodiscard]] std::string addressOf(const std::string& file) const;
     [[nodiscard]] bool has(const std::string& file) const { return pictures_.contains(file); }
 
 private:
+    std::string folder_;
     std::map<std::string, std::string> pictures_;  // addresses by file
 };
 

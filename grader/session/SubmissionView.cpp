@@ -53,17 +53,17 @@ std::string pictures(const SubmissionResult& result) {
     return html.empty() ? "" : "<section><h2>Pictures</h2>" + html + "</section>";
 }
 
-std::string task(const TaskReport& task) {
+std::string task(const TaskReport& task, const report::Album& album) {
     if (task.state == TaskState::notAttempted && task.findings.empty()) return "";
     std::string html =
         fmt::format("<section><h2>{} {}</h2>",
                     escapeHtml(task.id.starts_with('T') ? task.id + " " + task.title : task.title),
                     report::badge(toString(task.state), report::wordsFor(task.state)));
     if (!task.reason.empty()) html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
-    // Pictures of a finding are in the full report; here are those of the scenes.
-    const report::Album noPictures{SubmissionResult{}};
     for (const Finding& finding : task.findings)
-        html += report::findingCard(finding, noPictures, "");
+        html += report::findingCard(finding, album, "");
+    if (const std::string seen = report::figures(task.plots, task.rasters, album); !seen.empty())
+        html += "<div class=\"card\"><div class=\"figures\">" + seen + "</div></div>";
     return html + "</section>";
 }
 
@@ -94,8 +94,9 @@ std::string code(const fs::path& folder) {
 
 std::string submissionHtml(const SubmissionResult& result, const fs::path& codeFolder) {
     std::string html = head(result) + pictures(result);
-    for (const TaskReport& report : result.tasks)
-        html += task(report);
+    const report::Album album{result, "of/" + result.submission + "/"};
+    for (const TaskReport& each : result.tasks)
+        html += task(each, album);
     return html + report::diagnosticsSection(result) + code(codeFolder) + notices(result);
 }
 
