@@ -70,10 +70,12 @@ TEST(ScreenshotFile, SaysWhyItCannotBeRead) {
 
 TEST(ScreenshotFile, IsShownDecodedAndPackedAnew) {
     SubmissionResult result;
-    EXPECT_EQ(judge(goodPicture(), result).state, TaskState::passed);
+    std::string withText = goodPicture();
+    withText.insert(kAfterHeader, pngChunk("tEXt", "Comment: <script>"));
+    EXPECT_EQ(judge(withText, result).state, TaskState::passed);
     ASSERT_EQ(result.pictures.size(), 1U);
     EXPECT_EQ(result.pictures[0].file, "images/screenshot.png");
-    EXPECT_NE(result.pictures[0].png, goodPicture());
+    EXPECT_EQ(result.pictures[0].png.find("<script>"), std::string::npos);
 }
 
 TEST(ScreenshotFile, MayBeGreyAndLargeAndIsThenShownSmaller) {
