@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <limits>
 
 namespace ticker::calibrate {
 namespace {
@@ -70,7 +71,7 @@ Method atItsBest(Method method) {
 
 // The limit that fails no right one.
 Method atNoFalseFail(Method method) {
-    method.limit = 0.0;
+    method.limit = std::numeric_limits<double>::lowest();
     for (const Judged& each : method.judged)
         if (each.right) method.limit = std::max(method.limit, each.badness);
     return method;

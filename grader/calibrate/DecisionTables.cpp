@@ -192,6 +192,7 @@ Summary tablesOf(const std::vector<Subject>& subjects, const std::vector<std::st
         (subject.isUnseen() ? sums.unseen : sums.seen).add(tally);
         (subject.isStatistical() ? sums.statistical : sums.exact).add(tally);
         right = subject.isRight();
+        if (tally.decisions == 0) continue;
         rows += right ? rightRow(subject, tally) : wrongRow(subject, tally);
     }
     return right ? rightTables(sums, rows) : wrongTables(sums, rows);

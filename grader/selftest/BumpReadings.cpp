@@ -86,6 +86,8 @@ Reading fittingFor(Slip slip, Reading reading) {
     if (slip == Slip::upsideDown) reading.top = Reading::Top::y;
     // A sixth of a difference is never a whole number: that sphere is flat.
     if (slip == Slip::wholeNumbers) reading.difference = Reading::Difference::forward;
+    // Three times as far, it would reach over the seam from a tenth of the map.
+    if (slip == Slip::farNeighbour) reading.difference = Reading::Difference::forward;
     // Turned tangents have no area at the equator, which Blinn's form divides by.
     if (slip == Slip::otherOrigin && reading.gain == Reading::Gain::blinn)
         reading.gain = Reading::Gain::equation;

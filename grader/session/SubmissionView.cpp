@@ -53,7 +53,7 @@ std::string pictures(const SubmissionResult& result) {
     return html.empty() ? "" : "<section><h2>Pictures</h2>" + html + "</section>";
 }
 
-std::string task(const TaskReport& task) {
+std::string task(const TaskReport& task, const report::Album& album) {
     if (task.state == TaskState::notAttempted && task.findings.empty()) return "";
     std::string html =
         fmt::format("<section><h2>{} {}</h2>",
@@ -61,7 +61,9 @@ std::string task(const TaskReport& task) {
                     report::badge(toString(task.state), report::wordsFor(task.state)));
     if (!task.reason.empty()) html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
     for (const Finding& finding : task.findings)
-        html += report::findingCard(finding);
+        html += report::findingCard(finding, album, "");
+    if (const std::string seen = report::figures(task.plots, task.rasters, album); !seen.empty())
+        html += "<div class=\"card\"><div class=\"figures\">" + seen + "</div></div>";
     return html + "</section>";
 }
 
@@ -92,8 +94,9 @@ std::string code(const fs::path& folder) {
 
 std::string submissionHtml(const SubmissionResult& result, const fs::path& codeFolder) {
     std::string html = head(result) + pictures(result);
-    for (const TaskReport& report : result.tasks)
-        html += task(report);
+    const report::Album album{result, "of/" + result.submission + "/"};
+    for (const TaskReport& each : result.tasks)
+        html += task(each, album);
     return html + report::diagnosticsSection(result) + code(codeFolder) + notices(result);
 }
 

@@ -119,12 +119,14 @@ public:
         for (int i = 0; i < calls; ++i) {
             seedRandom(1000U + static_cast<unsigned>(i));
             log_.clear();
-            const ColourRGB colour = renderer.illuminate(scene_, hit, point, normal, kEye);
+            // Never quite the same point: a solution may seed a generator from it.
+            const Vector3 moved = point + Vector3{1e-7 * i, 0.0, 3e-7 * i};
+            const ColourRGB colour = renderer.illuminate(scene_, hit, moved, normal, kEye);
             colours_.push_back(colour);
             mean_ += colour / calls;
             fewestRays_ = std::min(fewestRays_, log_.rays().size());
             for (const Ray& ray : log_.rays())
-                rays_.push_back(questions::seenFrom(point, normal, ray));
+                rays_.push_back(questions::seenFrom(moved, normal, ray));
         }
     }
 

@@ -15,25 +15,33 @@ Ball drawBall(Draws& draws, double side) {
             distance * draws.uniform(0.55, 0.65)};
 }
 
-constexpr double kFlatShare = 0.6;
-
-/// Flat, but for a ramp at the end.
-std::vector<double> lateRamp(int count, double rise) {
-    std::vector<double> heights;
-    for (int i = 0; i < count; ++i)
-        heights.push_back(rise * std::max(0.0, i / static_cast<double>(count - 1) - kFlatShare));
+/// Flat, but for its last two fifths: teeth of so many bytes for each texel that even code which
+/// rounds heights or tilts little shows them.
+std::vector<double> lateTeeth(int count) {
+    constexpr int kBytesPerTexel = 8;
+    std::vector<double> heights(static_cast<std::size_t>(count), 0.0);
+    for (int i = count * 3 / 5; i < count; ++i)
+        heights[static_cast<std::size_t>(i)] = kByte * (i * kBytesPerTexel % 256);
     return heights;
 }
 
-/// Whether a slope at the map's end tilts at any place.
-bool seesSlope(const Answers& answers, std::size_t flat, std::size_t question, double usual) {
-    constexpr double kSomeTilt = 0.1;
+/// Whether slopes at the map's end tilt at any place.
+bool seesSlope(const Answers& answers, std::size_t flat, std::size_t question) {
+    constexpr double kSomeTilt = 2e-5;  // single precision leaves half of it
     constexpr double kSomePoints = 0.02;
     double seen = 0.0;
     const std::vector<Vector3> tilts = answers.tiltsBeyond(flat, question);
     for (const Vector3& tilt : tilts)
-        if (tilt.magnitude() > kSomeTilt * usual) seen += 1.0;
+        if (tilt.magnitude() > kSomeTilt) seen += 1.0;
     return seen > kSomePoints * static_cast<double>(tilts.size());
+}
+
+/// Ramps of whole bytes tell where the map lies, or anything at all where most points of the others
+/// are not tilted.
+bool tellsMore(const RampJudgement& coarse, const RampJudgement& ramps) {
+    constexpr double kNothing = 1e-13;
+    const bool mostlyLevel = !(std::max(ramps.strength.alongU, ramps.strength.alongV) > kNothing);
+    return coarse.response || (mostlyLevel && coarse.kind != RampKind::silent);
 }
 
 /// Whether the order of the points makes a difference to more than a few.
@@ -73,12 +81,13 @@ CoarsePlan planCoarse(std::uint64_t seed) {
 HintPlan planHints(std::uint64_t seed) {
     constexpr int kPoints = 500;
     constexpr double kRise = 0.1;
+    constexpr double kBase = 2.0;
     Draws draws(seed + 0x5151U);
     HintPlan plan;
     const int side = draws.integer(380, 430);
     const std::vector<Vector3> directions = draws.directions(kPoints);
     const auto ask = [&](const Ball& ball, double rise) {
-        return planRamps(plan.questionnaire, ball, {side, side, side, rise}, directions);
+        return planRamps(plan.questionnaire, ball, {side, side, side, rise, kBase}, directions);
     };
     // All maps of one size, so that code which remembers a size does well; lower ramps on smaller
     // spheres.
@@ -86,7 +95,7 @@ HintPlan planHints(std::uint64_t seed) {
     plan.square = ask(ball, kRise);
     plan.unitSphere = ask({{}, 1.0}, 0.2 * kRise);
     plan.sceneSphere = ask({{0.0, 0.0, 3.5}, 0.7}, 0.1 * kRise);
-    const std::vector<double> late = lateRamp(side, kRise);
+    const std::vector<double> late = lateTeeth(side);
     const std::vector<double> level = raytracer::questions::level(side);
     plan.lastColumns = plan.questionnaire.add(ball, {side, side, {}, late, level}, directions);
     plan.lastRows = plan.questionnaire.add(ball, {side, side, {}, level, late}, directions);
@@ -108,7 +117,9 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.conduct = readConduct(plan.conduct, answers);
     examination.mapIgnored = areTheSame(answers, plan.regions.question, plan.ladder.gentle.uFlat);
     examination.ladder = judgeLadder(plan.ladder, answers);
-    if (coarse && coarse->response) examination.ladder.ramps = *std::move(coarse);
+    // What ramps of fractions showed is rounding then.
+    if (coarse && tellsMore(*coarse, examination.ramps()))
+        examination.ladder = {*std::move(coarse), examination.ladder.flatTilt};
     const RampJudgement& ramps = examination.ramps();
     if (!ramps.response) return examination;
     const Landing& landing = ramps.fit->landing;
@@ -122,13 +133,11 @@ Hints readHints(const HintPlan& plan, const Answers& answers) {
     const auto judge = [&](const RampPlan& ramps) {
         return judgeRamps(ramps.shape, readRamps(ramps, answers));
     };
-    RampJudgement square = judge(plan.square);
-    const RampStrength usual = square.strength;
-    return {std::move(square),
+    return {judge(plan.square),
             judge(plan.unitSphere),
             judge(plan.sceneSphere),
-            seesSlope(answers, plan.square.uFlat, plan.lastColumns, usual.alongU),
-            seesSlope(answers, plan.square.vFlat, plan.lastRows, usual.alongV),
+            seesSlope(answers, plan.square.uFlat, plan.lastColumns),
+            seesSlope(answers, plan.square.vFlat, plan.lastRows),
             differs(answers, plan.forwards, plan.backwards)};
 }
 

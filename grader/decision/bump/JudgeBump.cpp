@@ -111,6 +111,9 @@ TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed) {
     if (!diagnose(examination, std::nullopt).empty()) {
         const std::optional<Hints> hints = askForHints(examinee, seed);
         judgement = failed(diagnose(examination, hints), examination, hints, plan, answers);
+    } else if (examination.ramps().response) {
+        judgement.rasters = drawRelief(plan.letters, answers, examination.ramps().fit->landing,
+                                       *examination.ramps().response);
     }
     addNotes(judgement, sideNotes(examination));
     return judgement;

@@ -114,7 +114,9 @@ TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
             return judgePenumbra(examinee, seed, stage);
         });
     }
-    return judgementOf(std::move(outcome.findings), needsReview);
+    TaskJudgement judgement = judgementOf(std::move(outcome.findings), needsReview);
+    judgement.plots = std::move(outcome.plots);
+    return judgement;
 }
 
 TaskJudgement judgeLensTask(probe::Examinee& examinee, std::uint64_t seed) {
@@ -139,7 +141,9 @@ TaskJudgement judgeLensTask(probe::Examinee& examinee, std::uint64_t seed) {
             return judgePicture(examinee, seed, stage);
         });
     }
-    return judgementOf(std::move(outcome.findings), needsReview);
+    TaskJudgement judgement = judgementOf(std::move(outcome.findings), needsReview);
+    judgement.plots = std::move(outcome.plots);
+    return judgement;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <grader/decision/distributed/Bounds.h>
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/LensChecks.h>
+#include <grader/decision/distributed/Plots.h>
 
 #include <fmt/core.h>
 
@@ -132,18 +133,6 @@ bool usesPartOfLens(const LensLog& log, const Lens& lens) {
     return false;
 }
 
-ScatterPlot plotLens(const Lens& lens, double expected) {
-    constexpr std::size_t kMostPoints = 600;
-    ScatterPlot plot;
-    plot.title = "Where the camera rays start";
-    plot.unit = "world units";
-    plot.expectedShape = ScatterPlot::Shape::square;
-    plot.expectedHalfWidth = expected;
-    for (const Vector3& point : lens.points)
-        if (plot.points.size() < kMostPoints) plot.points.push_back({point.x, point.y});
-    return plot;
-}
-
 // The accepted half-width that the points fill; 0 where there is none.
 double acceptedFactor(const Lens& lens, double amount, double shortfall) {
     for (const double factor : {1.0, 0.5}) {
@@ -204,7 +193,7 @@ ApertureVerdict checkAperture(const LensLog& log) {
         verdict.finding->evidence.emplace_back("shareInCorners", shape.cornerShare);
         verdict.finding->evidence.emplace_back("largestGap", shape.gap);
         verdict.finding->evidence.emplace_back("points", static_cast<double>(lens.points.size()));
-        verdict.finding->plots.push_back(plotLens(lens, amount));
+        verdict.finding->plots.push_back(plotLens(log));
     }
     return verdict;
 }

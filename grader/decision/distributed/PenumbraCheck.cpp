@@ -1,149 +1,22 @@
-#include <grader/decision/distributed/Bounds.h>
-#include <grader/decision/distributed/Draw.h>
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/PenumbraCheck.h>
-#include <grader/decision/distributed/Phong.h>
-#include <grader/decision/distributed/ShadowAims.h>
-#include <grader/decision/distributed/ShadowReplay.h>
-#include <grader/decision/distributed/Surfaces.h>
+#include <grader/decision/distributed/PenumbraShares.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace ticker::decision {
 namespace {
 
-using Phong = ShadowReading::Phong;
-
 using Place = PenumbraQuestion::Place;
-
-constexpr int kAims = 8192;
-
-// Shares counted on so many lattice points are off by less than this (measured against 65536).
-constexpr double kShareError = 0.0025;
-
-double total(const ColourRGB& colour) {
-    return colour.r + colour.g + colour.b;
-}
-
-/// The light that got through at one point, call by call, as a share of all light.
-struct Samples {
-    Place place;
-    probe::LitPoint point;
-    std::vector<double> shares;
-    double mean = 0.0;
-    double variance = 0.0;
-};
-
-PointLog bare(const probe::LitPoint& point) {
-    PointLog log;
-    log.point = point;
-    log.lines.resize(1);
-    log.zones = {Zone::penumbra};
-    return log;
-}
-
-Samples readSamples(const PenumbraQuestion& asked, const probe::IlluminateAnswer& answer,
-                    const Place& place) {
-    Samples samples;
-    samples.place = place;
-    samples.point = asked.question.points[place.first];
-    const raytracer::SceneDescription& scene = asked.question.scene;
-    const PointLog log = bare(samples.point);
-    const double ambient = total(ambientPart(log, scene));
-    const double full = total(unshadowed(log, scene, 0, false));
-    const auto calls = static_cast<double>(place.calls);
-    for (std::size_t i = place.first; i < place.first + place.calls; ++i)
-        samples.shares.push_back((total(answer.colours[i]) - ambient) / full);
-    for (const double share : samples.shares)
-        samples.mean += share / calls;
-    for (const double share : samples.shares)
-        samples.variance += (share - samples.mean) * (share - samples.mean) / (calls - 1.0);
-    return samples;
-}
-
-/// Expected shares of one point under every reading of Phong, for one shape of the light.
-struct Expected {
-    double open = 0.0;                             // share of aims in sight
-    std::array<std::array<double, 3>, 2> share{};  // [viewer is the eye][Phong]
-};
-
-Expected expectedAt(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                    const probe::LitPoint& point, AimShape shape, double size) {
-    const raytracer::PointLight& light = asked.scene.pointLights[0];
-    const raytracer::Material& material = materialOf(asked.scene, point.object);
-    const PointLog log = bare(point);
-    const double full = total(unshadowed(log, asked.scene, 0, false));
-    const double centre = (light.position() - point.position).magnitude();
-    const Vector3 start = point.position + point.normal * 1e-4;
-    Expected expected;
-    for (int i = 0; i < kAims; ++i) {
-        const Vector3 aim = light.position() + aimOf(shape, i) * (size * asked.settings.lightSize);
-        const Vector3 towards = aim - start;
-        const double distance = towards.magnitude();
-        if (surfaces.sightAlong(start, towards / distance, distance) == Sight::blocked) continue;
-        expected.open += 1.0 / kAims;
-        for (const std::size_t eye : {0U, 1U}) {
-            const Vector3 viewer = eye == 1 ? Vector3{} : point.viewer;
-            const double terms =
-                total(phongTerms(material, light, point.normal,
-                                 (viewer - point.position).normalised(), towards / distance, centre)
-                          .sum()) /
-                full / kAims;
-            expected.share[eye][1] += terms;
-            expected.share[eye][2] += terms * centre * centre / (distance * distance);
-        }
-    }
-    for (const std::size_t eye : {0U, 1U})
-        expected.share[eye][0] =
-            expected.open * total(unshadowed(log, asked.scene, 0, eye == 1)) / full;
-    return expected;
-}
-
-/// Sums over points of weight * (seen - expected), in units of what Bernstein's bound allows.
-double excess(const std::vector<Samples>& seen, const std::vector<double>& expected,
-              const std::vector<double>& weights) {
-    const double logRisk = std::log(2.0 / kStatementRisk);
-    double sum = 0.0;
-    double variance = 0.0;
-    double most = 0.0;
-    double slack = 0.0;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        const auto calls = static_cast<double>(seen[i].shares.size());
-        sum += weights[i] * (seen[i].mean - expected[i]);
-        // The variance is estimated from the calls; a half more, and the floor, cover its error.
-        variance += weights[i] * weights[i] * (1.5 * seen[i].variance + 0.002) / calls;
-        most = std::max(most, std::abs(weights[i]) / calls);
-        slack += std::abs(weights[i]) * kShareError;
-    }
-    const double bound = std::sqrt(2.0 * variance * logRisk) + most * logRisk / 3.0 + slack;
-    return std::abs(sum) / bound;
-}
-
-double worstExcess(const std::vector<Samples>& seen, const std::vector<double>& expected,
-                   const std::vector<double>& open) {
-    std::vector<double> even(seen.size(), 1.0);
-    std::vector<double> wider;
-    for (const double share : open)
-        wider.push_back(0.5 - share);  // a larger light moves every share towards one half
-    double worst = std::max(excess(seen, expected, even), excess(seen, expected, wider));
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        std::vector<double> single(seen.size(), 0.0);
-        single[i] = 1.0;
-        worst = std::max(worst, excess(seen, expected, single));
-    }
-    return worst;
-}
 
 // The size of the ball that explains the means, in units of lightSize; 0 where none does.
 double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                   const std::vector<Samples>& seen) {
+                   const std::vector<PenumbraSamples>& seen) {
     // Sizes in between fit not quite.
     double best = 2.0;
     double bestSize = 0.0;
@@ -163,7 +36,8 @@ double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfa
 // @param open      Share of the light in sight: there has to be a point where fractions are
 // expected.
 // @param fromLens  Of the points that are seen so: some treat camera rays in another way.
-int fewRays(const std::vector<Samples>& seen, const std::vector<double>& open, bool fromLens) {
+int fewRays(const std::vector<PenumbraSamples>& seen, const std::vector<double>& open,
+            bool fromLens) {
     for (int rays = 1; rays < raytracer::RenderSettings{}.shadowRayCount; ++rays) {
         bool all = true;
         bool any = false;
@@ -180,7 +54,7 @@ int fewRays(const std::vector<Samples>& seen, const std::vector<double>& open, b
     return 0;
 }
 
-std::optional<Finding> checkFractions(const std::vector<Samples>& seen,
+std::optional<Finding> checkFractions(const std::vector<PenumbraSamples>& seen,
                                       const std::vector<double>& open) {
     const int through = fewRays(seen, open, true);
     const int otherwise = fewRays(seen, open, false);
@@ -210,10 +84,10 @@ std::optional<Finding> checkFractions(const std::vector<Samples>& seen,
 
 // Calls that differ in nothing but the next random numbers give one value: the samples are the same
 // every time, and their mean says nothing.
-bool sameEveryCall(const std::vector<Samples>& seen) {
+bool sameEveryCall(const std::vector<PenumbraSamples>& seen) {
     std::size_t fractions = 0;
     std::size_t still = 0;
-    for (const Samples& samples : seen) {
+    for (const PenumbraSamples& samples : seen) {
         if (samples.mean < 0.05 || samples.mean > 0.95) continue;
         ++fractions;
         if (samples.variance < 1e-6) ++still;
@@ -223,15 +97,15 @@ bool sameEveryCall(const std::vector<Samples>& seen) {
 
 // Exact, but that no call of 30000 rays hits the outermost part of the light, which every accepted
 // shape does with a chance above 0.002 for each ray.
-bool seesTooMuch(const std::vector<Samples>& rim) {
-    return std::any_of(rim.begin(), rim.end(), [](const Samples& samples) {
+bool seesTooMuch(const std::vector<PenumbraSamples>& rim) {
+    return std::any_of(rim.begin(), rim.end(), [](const PenumbraSamples& samples) {
         return samples.place.kind == Place::Kind::beyondRim &&
                *std::max_element(samples.shares.begin(), samples.shares.end()) > 0.02;
     });
 }
 
-bool seesTooLittle(const std::vector<Samples>& rim) {
-    return std::all_of(rim.begin(), rim.end(), [](const Samples& samples) {
+bool seesTooLittle(const std::vector<PenumbraSamples>& rim) {
+    return std::all_of(rim.begin(), rim.end(), [](const PenumbraSamples& samples) {
         return samples.place.kind == Place::Kind::beyondRim ||
                *std::max_element(samples.shares.begin(), samples.shares.end()) < 0.02;
     });
@@ -239,8 +113,9 @@ bool seesTooLittle(const std::vector<Samples>& rim) {
 
 /// The best of all readings of Phong for one shape; gives the shares of aims in sight, too.
 double excessOfShape(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                     const std::vector<Samples>& seen, AimShape shape, std::vector<double>& open) {
-    std::vector<Expected> expected;
+                     const std::vector<PenumbraSamples>& seen, AimShape shape,
+                     std::vector<double>& open) {
+    std::vector<ExpectedShares> expected;
     for (std::size_t i = 0; i < seen.size(); ++i) {
         expected.push_back(expectedAt(asked, surfaces, seen[i].point, shape, 1.0));
         open.push_back(expected.back().open);
@@ -249,7 +124,7 @@ double excessOfShape(const probe::IlluminateQuestion& asked, const Surfaces& sur
     for (const std::size_t eye : {0U, 1U})
         for (const std::size_t phong : {0U, 1U, 2U}) {
             std::vector<double> shares;
-            for (const Expected& at : expected)
+            for (const ExpectedShares& at : expected)
                 shares.push_back(at.share[eye][phong]);
             best = std::min(best, worstExcess(seen, shares, open));
         }
@@ -257,7 +132,7 @@ double excessOfShape(const probe::IlluminateQuestion& asked, const Surfaces& sur
 }
 
 Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                const std::vector<Samples>& seen, double timesTheBound) {
+                const std::vector<PenumbraSamples>& seen, double timesTheBound) {
     const double size = fittingSize(asked, surfaces, seen);
     const double radius = size * asked.settings.lightSize;
     Finding finding =
@@ -282,13 +157,15 @@ Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces
 PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
                               const probe::IlluminateAnswer& answer) {
     const Surfaces surfaces{asked.question.scene};
-    std::vector<Samples> seen;
-    std::vector<Samples> rim;
+    std::vector<PenumbraSamples> seen;
+    std::vector<PenumbraSamples> rim;
     for (const Place& place : asked.places)
         (place.kind == Place::Kind::penumbra ? seen : rim)
             .push_back(readSamples(asked, answer, place));
 
-    const auto isFinite = [](const Samples& samples) { return std::isfinite(samples.mean); };
+    const auto isFinite = [](const PenumbraSamples& samples) {
+        return std::isfinite(samples.mean);
+    };
     if (!std::all_of(seen.begin(), seen.end(), isFinite) ||
         !std::all_of(rim.begin(), rim.end(), isFinite))
         return {distributedFinding("shadow.wrong", Severity::fail,

@@ -1,3 +1,4 @@
+#include <grader/decision/distributed/AimAgreement.h>
 #include <grader/decision/distributed/Bounds.h>
 #include <grader/decision/distributed/Draw.h>
 #include <grader/decision/distributed/ShadowAims.h>
@@ -6,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -140,18 +140,6 @@ double shareBeyond(const std::vector<double>& values, double limit) {
            static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
-// An extra ray to the very centre, beside those to random points, is no sample.
-std::vector<AimLine> samplesOf(const PointLog& point, const raytracer::RenderSettings& settings) {
-    const std::vector<AimLine>& lines = point.lines[0];
-    if (lines.size() <= static_cast<std::size_t>(settings.shadowRayCount)) return lines;
-    std::vector<AimLine> samples;
-    std::copy_if(lines.begin(), lines.end(), std::back_inserter(samples), [&](const AimLine& line) {
-        const double bias = (line.origin - point.point.position).magnitude();
-        return line.miss > 1e-7 + 1.01 * std::min(bias, kBiasAllowance);
-    });
-    return samples;
-}
-
 // Aims that come again, out of a small pool or from a generator that is started again for every
 // point, are no new samples. The points of one far-light question stand so close together that
 // equal aims give equal feet; the chance that 670 independent ones meet by accident is below 1e-4,
@@ -179,55 +167,6 @@ std::size_t independentLines(const std::vector<const ShadowLog*>& far, std::size
 double leanBound(std::size_t distinct) {
     const double share = std::log(6.0 / kStatementRisk) / static_cast<double>(distinct);
     return std::sqrt(3.0) * (std::sqrt(2.0 / 3.0 * share) + 2.0 / 3.0 * share);
-}
-
-/// How far the feet of one point agree, from 0 to 1: in their direction, and in the line that they
-/// lie along.
-struct Agreement {
-    double direction = 0.0;
-    double line = 0.0;
-};
-
-Agreement agreementOf(const std::vector<AimLine>& lines, const Perpendiculars& sides) {
-    double x = 0.0;
-    double y = 0.0;
-    double cosine = 0.0;  // of twice the angle, so that opposite feet lie along the same line
-    double sine = 0.0;
-    double squares = 0.0;
-    for (const AimLine& line : lines) {
-        const double first = line.foot.dot(sides.first);
-        const double second = line.foot.dot(sides.second);
-        x += first;
-        y += second;
-        cosine += first * first - second * second;
-        sine += 2.0 * first * second;
-        squares += first * first + second * second;
-    }
-    if (!(squares > 0.0)) return {};
-    const auto count = static_cast<double>(lines.size());
-    return {(x * x + y * y) / (count * squares),
-            (cosine * cosine + sine * sine) / (squares * squares)};
-}
-
-// Ten independent aims agree by 0.1 in direction and by less than 0.3 in line, in the mean of all
-// accepted shapes; stratified ones by less. The mean over points that are independent is higher
-// than that by the bound with a chance of at most kStatementRisk (Hoeffding 1963), while aims along
-// one line agree by 1 in the one or the other.
-bool goTogether(const std::vector<const ShadowLog*>& far, const std::vector<Vector3>& directions) {
-    Agreement sum;
-    double points = 0.0;
-    for (std::size_t i = 0; i < far.size(); ++i)
-        for (const PointLog& point : far[i]->points) {
-            const std::vector<AimLine> lines = samplesOf(point, far[i]->settings());
-            if (lines.size() < 8) continue;
-            const Agreement agreement = agreementOf(lines, perpendicularsOf(directions[i]));
-            sum.direction += agreement.direction;
-            sum.line += agreement.line;
-            points += 1.0;
-        }
-    if (points < 100.0) return false;
-    const double bound = std::sqrt(std::log(1.0 / kStatementRisk) / (2.0 * points));
-    return sum.direction / points > 0.125 + bound || sum.line / points > 0.4 + bound;
 }
 
 void compareShapes(const Views& seen, const std::vector<Vector3>& directions, AimVerdict& verdict) {

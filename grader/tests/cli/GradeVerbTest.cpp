@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 
 namespace ticker::cli {
@@ -44,6 +45,26 @@ TEST_F(Verbs, GradeWritesEverythingThatTheContractNames) {
     for (const char* file : {"index.html", "summary.csv", "bump-inverted-u/result.json",
                              "bump-inverted-u/report.html", "bump-inverted-u/images"})
         EXPECT_TRUE(fs::exists(fs::path{out} / file)) << file;
+}
+
+TEST_F(Verbs, ReportWritesTheSamePagesAgainFromTheResultAlone) {
+    const fs::path out = at("out");
+    ASSERT_EQ(run("grade " + repository("grader/samples/notAwarded/distributed-off-centre") +
+                  " -o '" + out.string() + "'")
+                  .status,
+              0);
+    std::map<fs::path, std::string> pages;
+    for (const char* name : {"index.html", "distributed-off-centre/report.html"}) {
+        pages[out / name] = readBytes(out / name);
+        fs::remove(out / name);
+    }
+    const Ran ran = run("report '" + out.string() + "' --format html --quiet");
+    EXPECT_EQ(ran.status, 0) << ran.errors;
+    for (const auto& [file, text] : pages) {
+        EXPECT_TRUE(readBytes(file) == text) << file;
+        EXPECT_NE(ran.output.find(file.string()), std::string::npos) << ran.output;
+    }
+    EXPECT_EQ(run("report '" + out.string() + "' --format html --submission nobody").status, 2);
 }
 
 TEST_F(Verbs, GradeGivesTheSameResultForTheSameSeedButForTiming) {

@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
     AllLayouts, MoodleRoundTrip,
     testing::Values(Case{"folders", {}}, Case{"before41", {.trailingUnderscore = true}},
                     Case{"flat", {.folders = false}}, Case{"blind", {.blind = true}}),
-    [](const testing::TestParamInfo<Case>& info) { return std::string{info.param.name}; });
+    [](const testing::TestParamInfo<Case>& chosen) { return std::string{chosen.param.name}; });
 
 }  // namespace
 }  // namespace ticker::cli
