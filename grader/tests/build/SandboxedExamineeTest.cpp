@@ -28,7 +28,7 @@ Sitting ask(SourceFile file, const std::string& source,
     EXPECT_EQ(built.kind, BuildResult::Kind::built) << built.diagnostics;
     if (!built.program) return {};
     sandbox::Limits limits = sandbox::defaultPolicy().run;
-    limits.cpuSeconds = 1.0;
+    limits.cpuSeconds = 4.0;  // enough to fill its memory on a slow machine
     limits.wallSeconds = 20.0;
     limits.addressSpaceBytes = 400'000'000;
     SandboxedExaminee examinee{*built.program, theSandbox, limits};
