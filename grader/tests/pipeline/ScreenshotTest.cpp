@@ -12,7 +12,9 @@ namespace ticker::pipeline {
 namespace {
 
 using tests::readFile;
+using ticker::testing::equalRows;
 using ticker::testing::makePng;
+using ticker::testing::makePngAround;
 using ticker::testing::pngChunk;
 using ticker::testing::PngColour;
 
@@ -68,20 +70,12 @@ TEST(ScreenshotFile, SaysWhyItCannotBeRead) {
 
 TEST(ScreenshotFile, IsShownDecodedAndPackedAnew) {
     SubmissionResult result;
-<<<<<<< HEAD
-    const std::string unpacked = makePng({640, 480, 8, PngColour::grey}, std::string(480 * 641, 0));
-    EXPECT_EQ(judge(unpacked, result).state, TaskState::passed);
-    ASSERT_EQ(result.pictures.size(), 1U);
-    EXPECT_EQ(result.pictures[0].file, "images/screenshot.png");
-    EXPECT_LT(result.pictures[0].png.size(), unpacked.size() / 10);
-=======
     std::string withText = goodPicture();
     withText.insert(kAfterHeader, pngChunk("tEXt", "Comment: <script>"));
     EXPECT_EQ(judge(withText, result).state, TaskState::passed);
     ASSERT_EQ(result.pictures.size(), 1U);
     EXPECT_EQ(result.pictures[0].file, "images/screenshot.png");
     EXPECT_EQ(result.pictures[0].png.find("<script>"), std::string::npos);
->>>>>>> main
 }
 
 TEST(ScreenshotFile, MayBeGreyAndLargeAndIsThenShownSmaller) {
