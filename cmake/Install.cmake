@@ -8,7 +8,7 @@ install(TARGETS ticker-jail ticker-decode RUNTIME DESTINATION "${CMAKE_INSTALL_L
 install(DIRECTORY "${CMAKE_BINARY_DIR}/kit" DESTINATION "${CMAKE_INSTALL_LIBDIR}/ticker")
 
 set(share "${CMAKE_INSTALL_DATADIR}/ticker")
-install(DIRECTORY scenes assets student_template DESTINATION "${share}")
+install(DIRECTORY scenes assets student_template DESTINATION "${share}" USE_SOURCE_PERMISSIONS)
 install(DIRECTORY reference_solution/exercise DESTINATION "${share}/reference_solution")
 install(DIRECTORY grader/integrations grader/mistakes grader/samples DESTINATION "${share}/grader"
   USE_SOURCE_PERMISSIONS
@@ -18,5 +18,5 @@ install(DIRECTORY grader/hostile/cases DESTINATION "${share}/grader/hostile")
 install(FILES grader/hostile/limits.json DESTINATION "${share}/grader/hostile")
 install(FILES grader/report/student-view.json DESTINATION "${share}/grader/report")
 install(FILES grader/rubric/rubric.json DESTINATION "${share}/grader/rubric")
-install(DIRECTORY docs/schema DESTINATION "${share}/docs")
-install(FILES README.md LICENSE CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY docs DESTINATION "${share}")
+install(FILES README.md LICENSE CHANGELOG.md DESTINATION "${share}")

@@ -1,7 +1,9 @@
 #include <grader/cli/GradeOptions.h>
+#include <grader/cli/Home.h>
 #include <grader/cli/Verb.h>
 #include <grader/intake/Intake.h>
 #include <grader/report/Escape.h>
+#include <grader/report/StudentView.h>
 #include <grader/report/Words.h>
 #include <grader/result/Names.h>
 
@@ -17,6 +19,7 @@ namespace {
 
 struct CheckOptions {
     std::string folder;
+    std::string audience = "staff";
     GradeOptions grade;
 };
 
@@ -45,6 +48,12 @@ void print(const SubmissionResult& result) {
                report::wordsFor(result.verdict));
 }
 
+/// What the course's policy lets a student see.
+void printForStudent(const SubmissionResult& result) {
+    const report::StudentPolicy policy = report::readStudentPolicy(Home::find().studentView());
+    fmt::print("{}\n", report::wholeText(report::StudentView{result, policy}));
+}
+
 raytracer::ExitCode check(const CheckOptions& options) {
     const auto found = intake::findSubmissions(options.folder);
     if (found.size() != 1)
@@ -54,7 +63,10 @@ raytracer::ExitCode check(const CheckOptions& options) {
                         found.size()));
     const SubmissionResult result = pipeline::gradeSubmission(
         intake::readSubmission(found.front()), makeGrader(options.grade), seedOf(options.grade));
-    print(result);
+    if (options.audience == "student")
+        printForStudent(result);
+    else
+        print(result);
     if (result.verdict == Verdict::notGraded) return raytracer::ExitCode::notGradable;
     const bool allGood =
         std::all_of(result.tasks.begin(), result.tasks.end(), [](const TaskReport& task) {
@@ -69,6 +81,9 @@ Run addCheck(CLI::App& app, const Voice& /*voice*/) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App* verb = app.add_subcommand("check", "The full diagnosis of one submission, as text");
     verb->add_option("folder", options->folder, "Folder or zip with the files")->required();
+    verb->add_option("--audience", options->audience,
+                     "Who reads it; student: what the policy in student-view.json allows")
+        ->check(CLI::IsMember({"staff", "student"}));
     addGradeOptions(*verb, options->grade);
     return [options] { return check(*options); };
 }

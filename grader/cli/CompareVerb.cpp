@@ -44,16 +44,29 @@ nlohmann::ordered_json number(double value) {
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
+nlohmann::ordered_json patchJson(const metrics::Patch& patch) {
+    return {{"left", patch.left},
+            {"top", patch.top},
+            {"right", patch.right},
+            {"bottom", patch.bottom},
+            {"meanDifference", number(patch.meanDifference)},
+            {"rmse", number(patch.rmse)}};
+}
+
 std::string jsonText(const Comparison& comparison) {
     nlohmann::ordered_json json;
     json["width"] = comparison.width;
     json["height"] = comparison.height;
+    json["outcome"] = metrics::toString(comparison.outcome);
     for (const metrics::Row& row : comparison.rows)
         json["metrics"][row.name] = number(row.value);
     json["noise"] = {{"tileSize", comparison.noise.tileSize},
                      {"tiles", comparison.noise.score.values.size()},
                      {"differing", comparison.noise.differing},
                      {"smallestProbability", number(comparison.noise.smallest)}};
+    if (comparison.where)
+        json["where"] = {{"box", patchJson(comparison.where->box)},
+                         {"worstTile", patchJson(comparison.where->worst)}};
     json["summary"] = comparison.summary;
     return json.dump(2) + "\n";
 }

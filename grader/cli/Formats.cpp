@@ -57,7 +57,6 @@ struct ClassFormat {
 const std::map<std::string, ClassFormat>& classFormats() {
     static const std::map<std::string, ClassFormat> kFormats{
         {"csv", {"summary.csv", report::summaryCsv}},
-        {"html", {"index.html", report::classPage}},
         {"json", {"results.json", allResultsJson}},
     };
     return kFormats;
@@ -94,19 +93,6 @@ StudentView viewOf(SubmissionResult result, const store::ClassEntry& entry,
     return {std::move(result), policy, entry.decision ? entry.decision->comment : ""};
 }
 
-/// A result that was read back knows its pictures' files only.
-SubmissionResult withPictures(SubmissionResult result, const fs::path& out) {
-    for (const RenderScore& render : result.renders) {
-        if (!render.image.starts_with("images/") || render.image.find("..") != std::string::npos)
-            continue;
-        std::ifstream stream{out / result.submission / render.image, std::ios::binary};
-        result.pictures.push_back({render.image,
-                                   render.scene + ", from this code",
-                                   {std::istreambuf_iterator<char>{stream}, {}}});
-    }
-    return result;
-}
-
 std::vector<fs::path> writeMoodle(const fs::path& out,
                                   const std::vector<store::ClassEntry>& entries,
                                   const report::StudentPolicy& policy,
@@ -118,9 +104,10 @@ std::vector<fs::path> writeMoodle(const fs::path& out,
     std::vector<StudentView> views;
     std::vector<std::string> pages;
     for (const store::ClassEntry& entry : entries) {
-        const SubmissionResult result = decided(entry);
+        SubmissionResult result = decided(entry);
         views.push_back(viewOf(result, entry, policy));
-        pages.push_back(report::studentPage(viewOf(withPictures(result, out), entry, policy)));
+        fetchFiles(out, result);
+        pages.push_back(report::studentPage(viewOf(std::move(result), entry, policy)));
     }
     std::optional<report::ScaleWords> scale;
     if (!options.scale.empty())
@@ -141,6 +128,17 @@ std::vector<fs::path> writeMoodle(const fs::path& out,
                "download a fresh worksheet, or Moodle silently skips rows.\n",
                grades.graded.size());
     return {sheet, feedback};
+}
+
+/// The page of each submission, and that of the whole class.
+std::vector<fs::path> writePages(const fs::path& out,
+                                 const std::vector<store::ClassEntry>& entries) {
+    std::vector<fs::path> written;
+    for (const store::ClassEntry& entry : entries)
+        written.push_back(rewriteReport(out, entry.result));
+    written.push_back(out / "index.html");
+    report::writeAtomically(report::classPage(readResults(out)), written.back());
+    return written;
 }
 
 std::vector<fs::path> writeEach(const fs::path& out, const std::vector<store::ClassEntry>& entries,
@@ -173,7 +171,7 @@ void addFormatOptions(CLI::App& verb, FormatOptions& options) {
 }
 
 std::vector<std::string> formatNames() {
-    std::vector<std::string> names{"moodle"};
+    std::vector<std::string> names{"html", "moodle"};
     for (const auto& [name, unused] : eachFormats())
         names.push_back(name);
     for (const auto& [name, unused] : classFormats())
@@ -191,6 +189,8 @@ std::vector<fs::path> writeFormats(const fs::path& out,
         if (const auto whole = classFormats().find(name); whole != classFormats().end()) {
             files = {out / whole->second.file};
             report::writeAtomically(whole->second.render(resultsOf(entries)), files.front());
+        } else if (name == "html") {
+            files = writePages(out, entries);
         } else if (name == "moodle") {
             files = writeMoodle(out, entries, policyOf(options), options);
         } else {

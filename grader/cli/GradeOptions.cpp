@@ -21,14 +21,14 @@ const std::map<std::string, pipeline::OptionChoice>& choices() {
     return kChoices;
 }
 
+}  // namespace
+
 sandbox::Sandbox openSandbox(const std::string& level) {
     for (const sandbox::Level known : {sandbox::Level::namespaces, sandbox::Level::ownUser,
                                        sandbox::Level::sameUser, sandbox::Level::none})
         if (sandbox::toString(known) == level) return sandbox::Sandbox::at(known);
     return sandbox::Sandbox::best();
 }
-
-}  // namespace
 
 void addGradeOptions(CLI::App& verb, GradeOptions& options) {
     verb.add_option("--seed", options.seed,
@@ -51,7 +51,7 @@ pipeline::Grader makeGrader(const GradeOptions& options) {
                             .toolVersion = TICKER_VERSION,
                             .option = choices().at(options.option),
                             .scenes = pipeline::readSpecScenes(home.scenes(), home.assets())};
-    grader.build = pipeline::toolBuild(grader.kit, grader.scenes);
+    grader.build = pipeline::toolBuild(grader.kit, {home.scenes(), home.assets()});
     std::ifstream stream{rubric};
     grader.rubricText.assign(std::istreambuf_iterator<char>{stream}, {});
     return grader;

@@ -24,6 +24,10 @@ struct GradeOptions {
 /// Adds --seed, --option, --sandbox and --rubric to a verb.
 void addGradeOptions(CLI::App& verb, GradeOptions& options);
 
+/// @param level  "A", "B", "C", "none", or "auto": the best that there is.
+/// @throws raytracer::Error where this machine does not offer it.
+[[nodiscard]] sandbox::Sandbox openSandbox(const std::string& level);
+
 /// Everything that judging needs, as the options say.
 /// @throws raytracer::Error where the kit, the rubric or the sandbox level is not to be had.
 [[nodiscard]] pipeline::Grader makeGrader(const GradeOptions& options);

@@ -11,11 +11,13 @@
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
+#include <sys/resource.h>
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -31,6 +33,7 @@ struct BatchOptions {
     bool resume = false;
     bool resultsOnly = false;
     bool single = false;
+    std::string share;
     std::vector<std::string> regrade;
     GradeOptions grade;
     FormatOptions formats;
@@ -61,6 +64,22 @@ std::vector<intake::Located> locate(const BatchOptions& options) {
                                     "no submission here; expected BumpySphere.cpp or Renderer.cpp "
                                     "in a folder, a zip, or a folder of such");
     return all;
+}
+
+/// "2/5": the second, the seventh, the twelfth, ... of all, by name. Every machine of a cluster
+/// finds the same.
+std::vector<intake::Located> shareOf(std::vector<intake::Located> all, const std::string& share) {
+    std::istringstream words{share};
+    std::size_t part = 0;
+    std::size_t parts = 0;
+    char slash = ' ';
+    if (!(words >> part >> slash >> parts) || slash != '/' || part < 1 || part > parts ||
+        !words.eof())
+        throw raytracer::InputError("--share " + share, 0, "expected I/N with 1 <= I <= N");
+    std::vector<intake::Located> mine;
+    for (std::size_t i = part - 1; i < all.size(); i += parts)
+        mine.push_back(std::move(all[i]));
+    return mine;
 }
 
 /// For the sample class, whose folders are named after the verdicts they must get.
@@ -101,7 +120,8 @@ void report(const Tally& tally, std::size_t total, const BatchOptions& options, 
             bool stopped) {
     if (!voice.quiet) fmt::print(stderr, "{}\n", closingLine(tally));
     if (!voice.quiet && !options.resultsOnly)
-        fmt::print(stderr, "open {}/index.html\n", options.out);
+        fmt::print(stderr, "open {0}/index.html, or decide in a browser: {1} session {0}\n",
+                   options.out, voice.command);
     if (tally.unexpected > 0)
         fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
                    tally.unexpected, tally.all());
@@ -125,6 +145,13 @@ void take(const intake::Located& located, const SubmissionResult& result, bool i
     if (isKept) ++tally.kept;
 }
 
+// Of this process alone, without those that it started.
+long peakMegabytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
+}
+
 int workersOf(const BatchOptions& options) {
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     return options.workers > 0 ? options.workers : std::max(1, cores);
@@ -141,7 +168,8 @@ void warnOfStore(const ClassRun& run, const BatchOptions& options, const Voice& 
 }
 
 raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
-    const std::vector<intake::Located> submissions = locate(options);
+    std::vector<intake::Located> submissions = locate(options);
+    if (!options.share.empty()) submissions = shareOf(std::move(submissions), options.share);
     const pipeline::Grader grader = makeGrader(options.grade);
     ClassRun run{options.out, {options.regrade, grader.build}, !options.resultsOnly};
     run.checkRegrade(submissions);
@@ -168,6 +196,7 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
     if (!options.formats.names.empty())
         writeFormats(options.out, store::readClass(options.out), options.formats);
     report(tally, submissions.size(), options, voice, stop);
+    if (voice.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
     return exitCodeOf(tally, stop);
 }
 
@@ -192,6 +221,9 @@ Run addGrade(CLI::App& app, const Voice& voice) {
     verb->add_flag("--results-only", options->resultsOnly,
                    "Write the submissions' folders alone, for a node of a cluster; ticker collect "
                    "takes them in");
+    verb->add_option("--share", options->share,
+                     "I/N: every N-th submission alone, beginning with the I-th, for a task of a "
+                     "cluster");
     verb->add_flag("--single", options->single,
                    "The path is one submission, whatever folders it holds");
     verb->add_option("--format", options->formats.names,

@@ -11,6 +11,8 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -44,6 +46,12 @@ std::string findingsText(const SubmissionResult& result) {
     return text;
 }
 
+/// Empty where there is no such file: a page does without.
+std::string bytesOf(const fs::path& file) {
+    std::ifstream stream{file, std::ios::binary};
+    return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
 }  // namespace
 
 void writeSubmission(const fs::path& out, const SubmissionResult& result) {
@@ -56,8 +64,13 @@ void writeSubmission(const fs::path& out, const SubmissionResult& result) {
         report::writeAtomically(picture.png, folder / picture.file);
     for (const SourceText& source : result.sources)
         report::writeAtomically(source.bytes, folder / "code" / source.file);
-    report::writeAtomically(report::reportPage(result), folder / "report.html");
-    report::writeAtomically(report::resultJson(result), folder / "result.json");
+    // The page shows what result.json says, so that it can be made again from there.
+    const std::string json = report::resultJson(result);
+    SubmissionResult told = report::parseResultJson(json, "result.json");
+    told.pictures = result.pictures;
+    told.sources = result.sources;
+    report::writeAtomically(report::reportPage(told), folder / "report.html");
+    report::writeAtomically(json, folder / "result.json");
 }
 
 void writeClass(const fs::path& out, std::vector<SubmissionResult> results) {
@@ -79,6 +92,22 @@ std::vector<SubmissionResult> resultsOf(std::vector<store::ClassEntry> entries) 
 
 std::vector<SubmissionResult> readResults(const fs::path& out) {
     return resultsOf(store::readClass(out));
+}
+
+void fetchFiles(const fs::path& out, SubmissionResult& result) {
+    const fs::path folder = out / result.submission;
+    for (ResultPicture& picture : result.pictures)
+        picture.png = bytesOf(folder / picture.file);
+    for (const Diagnostics& said : result.diagnostics)
+        result.sources.push_back(
+            {said.file, bytesOf(folder / "code" / fs::path{said.file}.filename())});
+}
+
+fs::path rewriteReport(const fs::path& out, SubmissionResult result) {
+    fetchFiles(out, result);
+    const fs::path file = out / result.submission / "report.html";
+    report::writeAtomically(report::reportPage(result), file);
+    return file;
 }
 
 std::string allResultsJson(const std::vector<SubmissionResult>& results) {

@@ -28,6 +28,16 @@ void writeClass(const std::filesystem::path& out, std::vector<SubmissionResult> 
 /// All results as one JSON array of what result.json holds.
 [[nodiscard]] std::string allResultsJson(const std::vector<SubmissionResult>& results);
 
+/// Brings back what lies beside a result.json: the bytes of pictures, the sources that the compiler
+/// spoke of. What cannot be read stays empty.
+void fetchFiles(const std::filesystem::path& out, SubmissionResult& result);
+
+/// Writes the submission's report.html anew, from a result that was read back and the files beside
+/// it.
+/// @return The file.
+/// @throws raytracer::InputError where it cannot be written.
+std::filesystem::path rewriteReport(const std::filesystem::path& out, SubmissionResult result);
+
 /// One line of a table for a person: verdict, task states, findings.
 [[nodiscard]] std::string tableLine(const SubmissionResult& result);
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace ticker::cli {
 namespace {
@@ -60,6 +61,25 @@ void Progress::drawLine() const {
     for (const auto& [verdict, count] : counts_)
         line += fmt::format("  {} {}", count, toString(verdict));
     std::fputs(line.c_str(), stderr);
+    std::fflush(stderr);
+}
+
+Countdown::Countdown(std::string what, std::size_t already, bool draw)
+    : what_(std::move(what)),
+      already_(already),
+      draw_(draw),
+      start_(std::chrono::steady_clock::now()) {}
+
+Countdown::~Countdown() {
+    if (draw_) std::fputs("\r\x1B[K", stderr);
+}
+
+void Countdown::show(std::size_t done, std::size_t of) const {
+    if (!draw_ || done <= already_) return;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    const double each = passed.count() / static_cast<double>(done - already_);
+    fmt::print(stderr, "\r\x1B[K{}: {} of {}  {} left", what_, done, of,
+               clock(each * static_cast<double>(of - done)));
     std::fflush(stderr);
 }
 

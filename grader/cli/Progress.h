@@ -42,6 +42,24 @@ private:
     std::map<Verdict, std::size_t> counts_;
 };
 
+/// One line on stderr for work of another kind: how much is done and how long the rest will take.
+class Countdown {
+public:
+    /// @param already  What was done before and says nothing about the speed.
+    Countdown(std::string what, std::size_t already, bool draw);
+    ~Countdown();
+    Countdown(const Countdown&) = delete;
+    Countdown& operator=(const Countdown&) = delete;
+
+    void show(std::size_t done, std::size_t of) const;
+
+private:
+    std::string what_;
+    std::size_t already_;
+    bool draw_;
+    std::chrono::steady_clock::time_point start_;
+};
+
 }  // namespace ticker::cli
 
 #endif

@@ -6,6 +6,7 @@
 #include <grader/selftest/BumpTables.h>
 #include <grader/selftest/DistributedCatalogue.h>
 #include <grader/selftest/HostileTables.h>
+#include <grader/selftest/ScreenshotTables.h>
 
 #include <CLI/CLI.hpp>
 
@@ -23,28 +24,10 @@ namespace {
 struct SelftestOptions {
     std::string task;
     bool hostile = false;
+    bool screenshots = false;
     double fraction = 1.0;
     int rounds = 1;
     GradeOptions grade;
-};
-
-// One line on stderr that is drawn over and over.
-class Counter {
-public:
-    Counter(std::string what, bool draw) : what_(std::move(what)), draw_(draw) {}
-    ~Counter() {
-        if (draw_) std::fputs("\r\x1b[K", stderr);
-    }
-    Counter(const Counter&) = delete;
-    Counter& operator=(const Counter&) = delete;
-
-    void show(std::size_t done, std::size_t of) const {
-        if (draw_) fmt::print(stderr, "\r\x1b[K{}: {} of {}", what_, done, of);
-    }
-
-private:
-    std::string what_;
-    bool draw_;
 };
 
 void printTable(const std::string& title, const std::string& table) {
@@ -53,7 +36,7 @@ void printTable(const std::string& title, const std::string& table) {
 }
 
 bool testBump(const SelftestOptions& options, bool draw) {
-    const Counter counter{"T1", draw};
+    const Countdown counter{"T1", 0, draw};
     const selftest::BumpSelfTest result =
         selftest::runBumpSelfTest(options.fraction, {1}, [&](int done, int total) {
             counter.show(static_cast<std::size_t>(done), static_cast<std::size_t>(total));
@@ -62,16 +45,34 @@ bool testBump(const SelftestOptions& options, bool draw) {
     return result.passed();
 }
 
-std::string referenceRenderer(const Home& home) {
-    const std::filesystem::path file = home.data / "reference_solution/exercise/Renderer.cpp";
+std::string read(const std::filesystem::path& file) {
     std::ifstream stream{file, std::ios::binary};
     if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
     return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
+std::string referenceRenderer(const Home& home) {
+    return read(home.data / "reference_solution/exercise/Renderer.cpp");
+}
+
+/// Both reference solutions and the samples that are right.
+std::vector<selftest::RightSource> rightSources(const Home& home) {
+    std::vector<selftest::RightSource> sources;
+    for (const char* folder :
+         {"reference_solution/exercise", "grader/samples/awarded/bump-bilinear",
+          "grader/samples/awarded/bump-z-up", "grader/samples/awarded/distributed-half-width",
+          "grader/samples/awarded/distributed-phong-per-sample"})
+        for (const build::SourceFile file :
+             {build::SourceFile::bumpySphere, build::SourceFile::renderer})
+            if (const auto path = home.data / folder / build::nameOf(file);
+                std::filesystem::exists(path))
+                sources.push_back({folder, file, read(path)});
+    return sources;
+}
+
 bool testDistributed(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
     const Home home = Home::find();
-    const Counter counter{"T2", draw};
+    const Countdown counter{"T2", 0, draw};
     selftest::CatalogueRun run;
     run.fraction = options.fraction;
     run.seed = seedOf(options.grade);
@@ -85,7 +86,7 @@ bool testDistributed(const SelftestOptions& options, const pipeline::Grader& gra
 
 bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool draw) {
     const Home home = Home::find();
-    const Counter counter{"hostile", draw};
+    const Countdown counter{"hostile", 0, draw};
     grader.policy = sandbox::readPolicy(home.data / "grader/hostile/limits.json");
     selftest::HostileRun run;
     run.fraction = options.fraction;
@@ -99,16 +100,32 @@ bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool d
     return tables.passed();
 }
 
+bool testScreenshots(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
+    const Countdown counter{"screenshots", 0, draw};
+    selftest::ScreenshotRun run;
+    run.fraction = options.fraction;
+    run.seed = seedOf(options.grade);
+    run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
+    const selftest::ScreenshotSelfTest result = selftest::runScreenshotTables(
+        {grader.scenes, grader.kit, grader.sandbox, rightSources(Home::find())}, run);
+    printTable("Screenshots: honest ones, and others of every kind", result.table());
+    return result.passed();
+}
+
 raytracer::ExitCode selftest(const SelftestOptions& options, const Voice& voice) {
-    const bool all = options.task.empty() && !options.hostile;
+    const bool all = options.task.empty() && !options.hostile && !options.screenshots;
     const bool draw = mayDraw(voice.quiet);
+    const bool distributed = all || options.task == "T2";
+    const bool hostile = all || options.hostile;
+    const bool screenshots = all || options.screenshots;
     bool good = true;
-    if (all || options.task == "T1") good = testBump(options, draw) && good;
-    if (!all && options.task != "T2" && !options.hostile)
-        return good ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
-    const pipeline::Grader grader = makeGrader(options.grade);
-    if (all || options.task == "T2") good = testDistributed(options, grader, draw) && good;
-    if (all || options.hostile) good = testHostile(options, grader, draw) && good;
+    if (all || options.task == "T1") good = testBump(options, draw);
+    if (distributed || hostile || screenshots) {
+        const pipeline::Grader grader = makeGrader(options.grade);
+        if (distributed) good = testDistributed(options, grader, draw) && good;
+        if (hostile) good = testHostile(options, grader, draw) && good;
+        if (screenshots) good = testScreenshots(options, grader, draw) && good;
+    }
     return good ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
 }
 
@@ -116,12 +133,13 @@ raytracer::ExitCode selftest(const SelftestOptions& options, const Voice& voice)
 
 Run addSelftest(CLI::App& app, const Voice& voice) {
     auto options = std::make_shared<SelftestOptions>();
-    CLI::App* verb = app.add_subcommand(
-        "selftest",
-        "Mistakes, accepted readings and hostile submissions, against what is expected");
+    CLI::App* verb = app.add_subcommand("selftest",
+                                        "Mistakes, accepted readings, hostile submissions and "
+                                        "screenshots, against what is expected");
     verb->add_option("--task", options->task, "Only the tables of T1, or of T2")
         ->check(CLI::IsMember({"T1", "T2"}));
     verb->add_flag("--hostile", options->hostile, "Only the hostile submissions");
+    verb->add_flag("--screenshots", options->screenshots, "Only the screenshots");
     verb->add_option("--fraction", options->fraction, "Share of each table to run")
         ->check(CLI::Range(0.0, 1.0));
     verb->add_option("--repeat", options->rounds, "How often to run the hostile submissions")

@@ -14,9 +14,10 @@ namespace ticker::cli {
 
 /// What every verb understands.
 struct Voice {
-    bool quiet = false;            ///< nothing on stderr but errors
-    bool verbose = false;          ///< more on stderr
-    std::string commandLine = {};  ///< as typed, for a shell
+    bool quiet = false;              ///< nothing on stderr but errors
+    bool verbose = false;            ///< more on stderr
+    std::string command = "ticker";  ///< how this program was called, for a shell
+    std::string commandLine = {};    ///< likewise, with all its words
 };
 
 /// Runs a verb after its command line was read.
@@ -29,10 +30,12 @@ Run addRender(CLI::App& app, const Voice& voice);
 Run addCompare(CLI::App& app, const Voice& voice);
 Run addRefs(CLI::App& app, const Voice& voice);
 Run addCollect(CLI::App& app, const Voice& voice);
+Run addSession(CLI::App& app, const Voice& voice);
 Run addReport(CLI::App& app, const Voice& voice);
 Run addDoctor(CLI::App& app, const Voice& voice);
 Run addSelftest(CLI::App& app, const Voice& voice);
 Run addPackage(CLI::App& app, const Voice& voice);
+Run addCalibrate(CLI::App& app, const Voice& voice);
 
 }  // namespace ticker::cli
 

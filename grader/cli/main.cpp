@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -35,10 +36,10 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-std::string commandLine(int argc, char** argv) {
-    std::string line;
-    for (int i = 0; i < argc; ++i)
-        line += (i == 0 ? "" : " ") + quoted(argv[i]);
+std::string commandLine(const ticker::cli::Voice& voice, int argc, char** argv) {
+    std::string line = voice.command;
+    for (int i = 1; i < argc; ++i)
+        line += " " + quoted(argv[i]);
     return line;
 }
 
@@ -52,15 +53,18 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.fallthrough();
     Voice voice;
-    voice.commandLine = commandLine(argc, argv);
+    // The script tick hands over to this program under another name.
+    const char* command = std::getenv("TICKER_COMMAND");
+    voice.command = quoted(command != nullptr ? command : argv[0]);
+    voice.commandLine = commandLine(voice, argc, argv);
     app.add_flag("--quiet", voice.quiet, "Say nothing but errors");
     app.add_flag("--verbose", voice.verbose, "Say more");
 
     const std::vector<Run> verbs{
-        addGrade(app, voice),  addCheck(app, voice),    addRender(app, voice),
-        addReport(app, voice), addDoctor(app, voice),   addCompare(app, voice),
-        addRefs(app, voice),   addSelftest(app, voice), addPackage(app, voice),
-        addCollect(app, voice)};
+        addGrade(app, voice),   addCheck(app, voice),    addRender(app, voice),
+        addReport(app, voice),  addDoctor(app, voice),   addCompare(app, voice),
+        addRefs(app, voice),    addSelftest(app, voice), addPackage(app, voice),
+        addCollect(app, voice), addSession(app, voice),  addCalibrate(app, voice)};
     try {
         app.parse(argc, argv);
         const std::vector<CLI::App*> known = app.get_subcommands(nullptr);

@@ -16,6 +16,8 @@ struct TaskJudgement {
     std::string reason;
     std::vector<Finding> findings;
     bool needsReview = false;  ///< a person should look: the reason is among the findings
+    std::vector<ScatterPlot> plots = {};  ///< what was seen, where no finding shows it
+    std::vector<Raster> rasters = {};     ///< likewise
 };
 
 }  // namespace ticker::decision

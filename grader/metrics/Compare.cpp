@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
-#include <string_view>
 #include <utility>
 
 namespace ticker::metrics {
@@ -62,48 +62,68 @@ std::vector<Row> pixelRows(const ByteView& reference, const ByteView& test) {
     return rows;
 }
 
-/// "top left", "centre", "right": where in a picture the tiles that differ have their middle.
-std::string whereabouts(const TileTest& noise, double threshold) {
-    double x = 0.0;
-    double y = 0.0;
-    double weight = 0.0;
-    for (int ty = 0; ty < noise.score.height; ++ty)
-        for (int tx = 0; tx < noise.score.width; ++tx) {
-            const auto i = static_cast<std::size_t>(ty * noise.score.width + tx);
-            if (static_cast<double>(noise.probability.values[i]) > threshold) continue;
-            x += (tx + 0.5) / noise.score.width;
-            y += (ty + 0.5) / noise.score.height;
-            weight += 1.0;
-        }
-    if (weight == 0.0) return {};
-    const auto third = [&](double sum, std::string_view low, std::string_view high) {
-        const double middle = sum / weight;
-        return std::string{middle < 1.0 / 3.0 ? low : middle > 2.0 / 3.0 ? high : ""};
-    };
-    const std::string vertical = third(y, "top", "bottom");
-    const std::string horizontal = third(x, "left", "right");
-    if (vertical.empty() && horizontal.empty()) return "around the centre";
-    return "towards the " + vertical + (vertical.empty() || horizontal.empty() ? "" : " ") +
-           horizontal;
+// Of pixels that differ: below, nothing can be said for noise.
+constexpr double kFewPixels = 0.01;
+// What differences are, in units of the noise that the pictures show; renders have 1 or less, some
+// lonely pixels up to 2.25 (see `excessOverNoise`).
+constexpr double kMuchMoreThanNoise = 10.0;
+
+struct Evidence {
+    double differing = 0.0;  // pixels
+    double largest = 0.0;    // difference of two bytes
+    double excess = 0.0;
+};
+
+Outcome outcomeOf(const Comparison& comparison, const Evidence& evidence) {
+    if (evidence.differing == 0.0) return Outcome::equal;
+    if (comparison.noise.differing > 0 || evidence.excess > kMuchMoreThanNoise)
+        return Outcome::different;
+    const double pixels = static_cast<double>(comparison.width) * comparison.height;
+    return evidence.differing < kFewPixels * pixels ? Outcome::nearlyEqual
+                                                    : Outcome::equalUpToNoise;
 }
 
-std::string summarise(const Comparison& comparison, double differing) {
-    if (differing == 0.0) return "equal: every pixel is the same";
+std::string brightness(double difference) {
+    if (std::abs(difference) < 0.05) return "as bright on average";
+    return fmt::format("{:.1f} of 255 {} on average", std::abs(difference),
+                       difference < 0.0 ? "darker" : "brighter");
+}
+
+std::string differences(const Comparison& comparison) {
     const TileTest& noise = comparison.noise;
-    if (noise.differing == 0)
-        return fmt::format(
-            "equal up to noise: no tile of {0} x {0} pixels differs by more than chance",
-            noise.tileSize);
-    const auto tiles = noise.score.values.size();
-    std::vector<float> ordered = noise.probability.values;
-    std::nth_element(ordered.begin(), ordered.begin() + (noise.differing - 1), ordered.end());
-    const double threshold =
-        static_cast<double>(ordered[static_cast<std::size_t>(noise.differing - 1)]);
+    const Whereabouts& where = *comparison.where;
+    const double share = 100.0 * noise.differing / static_cast<double>(noise.score.values.size());
     return fmt::format(
-        "different beyond noise in {} of {} tiles of {}x{} pixels ({:.0f} %), {}; FLIP {:.4f}",
-        noise.differing, tiles, noise.tileSize, noise.tileSize,
-        100.0 * noise.differing / static_cast<double>(tiles), whereabouts(noise, threshold),
-        comparison.rows.front().value);
+        "different beyond noise in {} of {} tiles of {}x{} pixels ({:.3g} %), {}: mostly x {} to "
+        "{}, "
+        "y {} to {}, where the test picture is {} (RMSE {:.1f}); most at x {} to {}, y {} to {}: "
+        "{} "
+        "(RMSE {:.1f})",
+        noise.differing, noise.score.values.size(), noise.tileSize, noise.tileSize, share,
+        where.words, where.box.left, where.box.right - 1, where.box.top, where.box.bottom - 1,
+        brightness(where.box.meanDifference), where.box.rmse, where.worst.left,
+        where.worst.right - 1, where.worst.top, where.worst.bottom - 1,
+        brightness(where.worst.meanDifference), where.worst.rmse);
+}
+
+std::string summarise(const Comparison& comparison, const Evidence& evidence) {
+    const std::string few =
+        fmt::format("{:.0f} of {} pixels differ, by up to {:.0f} of 255", evidence.differing,
+                    comparison.width * comparison.height, evidence.largest);
+    switch (comparison.outcome) {
+        case Outcome::equal:
+            return "equal: every pixel is the same";
+        case Outcome::nearlyEqual:
+            return "nearly equal: " + few + "; so few may be noise, rounding or an edit";
+        case Outcome::equalUpToNoise:
+            return fmt::format(
+                "equal up to noise: no tile of {0}x{0} pixels differs by more than chance",
+                comparison.noise.tileSize);
+        case Outcome::different:
+            break;
+    }
+    if (comparison.where) return differences(comparison);
+    return "different: " + few + ", where neither picture is noisy";
 }
 
 }  // namespace
@@ -123,18 +143,42 @@ Comparison compare(const ByteView& reference, const ByteView& test, double pixel
     comparison.height = reference.height;
     comparison.rows = perceptualRows(reference, test, pixelsPerDegree);
     std::vector<Row> pixels = pixelRows(reference, test);
-    const double differing = pixels.back().value;
+    const Evidence evidence{pixels.back().value, pixels[pixels.size() - 2].value,
+                            excessOverNoise(reference, test)};
     std::move(pixels.begin(), pixels.end(), std::back_inserter(comparison.rows));
     comparison.noise = noiseTiles(reference, test);
-    comparison.summary = summarise(comparison, differing);
+    comparison.outcome = outcomeOf(comparison, evidence);
+    if (comparison.noise.differing > 0) {
+        comparison.where = whereabouts(reference, test, comparison.noise);
+        comparison.sketch = sketch(reference, test, comparison.noise);
+    }
+    comparison.summary = summarise(comparison, evidence);
     return comparison;
+}
+
+std::string_view toString(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::equal:
+            return "equal";
+        case Outcome::nearlyEqual:
+            return "nearlyEqual";
+        case Outcome::equalUpToNoise:
+            return "equalUpToNoise";
+        case Outcome::different:
+            return "different";
+    }
+    return "";
 }
 
 std::string table(const Comparison& comparison) {
     std::string text = fmt::format("{} x {} pixels\n", comparison.width, comparison.height);
     for (const Row& each : comparison.rows)
         text += fmt::format("  {:<24}{:>12.6g}   {}\n", each.title, each.value, each.meaning);
-    return text + comparison.summary + "\n";
+    text += comparison.summary + "\n";
+    if (!comparison.sketch.empty())
+        text +=
+            "where: . equal up to noise, + brighter, - darker, ~ in detail\n" + comparison.sketch;
+    return text;
 }
 
 }  // namespace ticker::metrics

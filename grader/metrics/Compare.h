@@ -3,8 +3,11 @@
 
 #include <grader/metrics/Noise.h>
 #include <grader/metrics/View.h>
+#include <grader/metrics/Whereabouts.h>
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ticker::metrics {
@@ -32,13 +35,27 @@ struct Row {
     bool inverted = false;  ///< the map is 1 where the pictures are equal
 };
 
+/// What a comparison comes to.
+enum class Outcome {
+    equal,           ///< every pixel
+    nearlyEqual,     ///< so few pixels differ that noise and an edit cannot be told apart
+    equalUpToNoise,  ///< no tile differs by more than chance
+    different        ///< beyond noise
+};
+
+/// The words of `ticker compare --json`: "equal", "nearlyEqual", ...
+[[nodiscard]] std::string_view toString(Outcome outcome);
+
 /// Everything that can be said of two pictures.
 struct Comparison {
     int width = 0;
     int height = 0;
     std::vector<Row> rows;
     TileTest noise;
-    std::string summary;  ///< one sentence: equal, equal up to noise, or where they differ
+    Outcome outcome = Outcome::equal;
+    std::optional<Whereabouts> where;  ///< for tiles that differ beyond noise
+    std::string sketch;                ///< likewise; some lines for a terminal
+    std::string summary;  ///< a sentence or two: the outcome, and where and how much they differ
 };
 
 /// @throws raytracer::InputError as `requireSameSize`.

@@ -5,6 +5,7 @@
 #include <raytracer/base/Error.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -51,9 +52,10 @@ TileTest testTiles(int width, int height, int tileSize, const std::function<Scor
 /// Corrects for `tests` tests in all (Bonferroni) and counts what stands out.
 void correct(TileTest& test, double tests, double alpha) {
     test.smallest = std::min(1.0, test.smallest * tests);
+    test.threshold = alpha / tests;
     test.differing = static_cast<int>(
         std::count_if(test.probability.values.begin(), test.probability.values.end(),
-                      [&](float p) { return static_cast<double>(p) * tests < alpha; }));
+                      [&](float p) { return static_cast<double>(p) < test.threshold; }));
 }
 
 void requireTiles(int tileSize) {
@@ -83,25 +85,68 @@ Score welch(const Moments& a, const Moments& b, const Tile& tile) {
     return {t, twoSidedTail(t, variance * variance / spread)};
 }
 
+/// A sum of terms whose signs are random where pictures are equal but for noise.
+struct SignTest {
+    double sum = 0.0;
+    double squares = 0.0;
+
+    void add(double term) {
+        sum += term;
+        squares += term * term;
+    }
+    [[nodiscard]] double score() const { return squares > 0.0 ? sum / std::sqrt(squares) : 0.0; }
+};
+
+constexpr double kTestsOfEachChannel = 3.0;
+
+/// The tests of one channel: of the differences, and of the products of neighbours.
+double worstScore(const ByteView& reference, const ByteView& test, const Tile& tile,
+                  std::size_t channel) {
+    const auto difference = [&](int x, int y) {
+        const std::size_t i = indexOf(x, y, reference.width) * kChannels + channel;
+        return static_cast<double>(int{test.rgb[i]} - int{reference.rgb[i]});
+    };
+    SignTest mean;
+    SignTest across;
+    SignTest down;
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            const double here = difference(x, y);
+            mean.add(here);
+            if (x + 1 < tile.x1) across.add(here * difference(x + 1, y));
+            if (y + 1 < tile.y1) down.add(here * difference(x, y + 1));
+        }
+    double worst = std::abs(mean.score());
+    for (const SignTest& each : {across, down})
+        worst = std::max(worst, std::abs(each.score()));
+    return std::copysign(worst, mean.sum);
+}
+
 Score signs(const ByteView& reference, const ByteView& test, const Tile& tile) {
     Score worst;
     for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        double sum = 0.0;
-        double squares = 0.0;
-        for (int y = tile.y0; y < tile.y1; ++y)
-            for (int x = tile.x0; x < tile.x1; ++x) {
-                const std::size_t i = indexOf(x, y, reference.width) * kChannels + channel;
-                const double difference = int{test.rgb[i]} - int{reference.rgb[i]};
-                sum += difference;
-                squares += difference * difference;
-            }
-        if (squares == 0.0) continue;
-        const double score = sum / std::sqrt(squares);
+        const double score = worstScore(reference, test, tile, channel);
         if (std::abs(score) > std::abs(worst.score)) worst.score = score;
     }
     const double bound = 2.0 * std::exp(-worst.score * worst.score / 2.0);
-    worst.probability = std::min(1.0, static_cast<double>(kChannels) * bound);
+    worst.probability = std::min(1.0, kTestsOfEachChannel * static_cast<double>(kChannels) * bound);
     return worst;
+}
+
+/// How far a byte stands out from a plane through its neighbours, squared and scaled so that its
+/// mean over independent pixels is their variance.
+double squaredDetail(const ByteView& picture, int x, int y, std::size_t channel) {
+    constexpr std::array<int, 3> kStencil{1, -2, 1};
+    constexpr double kSquares = 36.0;  // of the nine weights
+    int sum = 0;
+    for (int dy = 0; dy < 3; ++dy)
+        for (int dx = 0; dx < 3; ++dx) {
+            const int column = std::clamp(x + dx - 1, 0, picture.width - 1);
+            const int row = std::clamp(y + dy - 1, 0, picture.height - 1);
+            sum += kStencil[static_cast<std::size_t>(dx)] * kStencil[static_cast<std::size_t>(dy)] *
+                   picture.rgb[indexOf(column, row, picture.width) * kChannels + channel];
+        }
+    return sum * sum / kSquares;
 }
 
 /// The fine tiles that lie in a coarse one.
@@ -162,6 +207,24 @@ TileTest noiseTiles(const ByteView& reference, const ByteView& test, int tileSiz
     fine.smallest = std::min(fine.smallest, coarse.smallest);
     correct(fine, tests, alpha);
     return fine;
+}
+
+double excessOverNoise(const ByteView& reference, const ByteView& test) {
+    requireSameSize(reference, test);
+    double differences = 0.0;
+    double details = 0.0;
+    for (int y = 0; y < test.height; ++y)
+        for (int x = 0; x < test.width; ++x)
+            for (std::size_t channel = 0; channel < kChannels; ++channel) {
+                const std::size_t i = indexOf(x, y, test.width) * kChannels + channel;
+                const double difference = int{test.rgb[i]} - int{reference.rgb[i]};
+                if (difference == 0.0) continue;
+                differences += difference * difference;
+                details +=
+                    squaredDetail(reference, x, y, channel) + squaredDetail(test, x, y, channel);
+            }
+    if (differences == 0.0) return 0.0;
+    return differences / std::max(details, std::numeric_limits<double>::min());
 }
 
 Measured zMap(const Moments& reference, const Map& test, double testRenders, double floor) {

@@ -18,7 +18,8 @@ struct TileTest {
     int tileSize = 0;  ///< pixels on a side; tiles at the right and lower border may be smaller
     Map score;         ///< one for each tile: signed, in standard errors, test minus reference
     Map probability;   ///< one for each tile: of such a score or a larger one by chance
-    double smallest = 1.0;  ///< the smallest probability, corrected for the number of tiles
+    double smallest = 1.0;   ///< the smallest probability, corrected for the number of tiles
+    double threshold = 0.0;  ///< a tile differs where its probability is below this
     int differing = 0;  ///< tiles that differ at the given false-alarm rate for the whole picture
 };
 
@@ -37,12 +38,25 @@ struct TileTest {
 /// of the same thing and pixels are independent, the difference of each pixel is as likely positive
 /// as negative, so the sum over a tile, divided by the root of the sum of squares, exceeds x in
 /// absolute value with a probability of at most 2 exp(-x^2 / 2), whatever the noise is like
-/// (Hoeffding's inequality for random signs). Channels are tested one by one, over tiles of two
-/// sizes; the score of a tile is that of its worst channel.
+/// (Hoeffding's inequality for random signs). The same holds for the products of neighbours in a
+/// row or in a column, whose signs are random and independent, too: they find what is too bright
+/// here and too dark beside it, such as an edge that moved. Channels are tested one by one, over
+/// tiles of two sizes; the score of a tile is that of its worst test, with the sign of the
+/// difference.
 ///
 /// @param tileSize  Side of the tiles of the answer; the other size is four times that.
 [[nodiscard]] TileTest noiseTiles(const ByteView& reference, const ByteView& test,
                                   int tileSize = 16, double alpha = 1e-6);
+
+/// How much of what two pictures differ by cannot be noise of their own pixels: the sum of squared
+/// differences, over what the pixels of both stand out from their neighbours (Immerkaer's operator,
+/// which sees noise and fine detail, but no slopes and no straight edges). At most about 1 for two
+/// renders with independent pixels; many times more where smooth pictures differ. 0 for equal ones.
+/// @see  Immerkaer, "Fast Noise Variance Estimation", Computer Vision and Image Understanding
+/// 64(2),
+///       1996.
+/// @throws raytracer::InputError as `requireSameSize`.
+[[nodiscard]] double excessOverNoise(const ByteView& reference, const ByteView& test);
 
 /// z-scores of each pixel, where a reference with its variance is known: (test - mean) / sqrt(
 /// variance (1 / testRenders + 1 / reference.renders)). The number is the largest |z|.

@@ -15,6 +15,15 @@ struct ByteView {
     std::span<const std::uint8_t> rgb;  ///< width * height * 3
 };
 
+/// The same, with bytes of its own.
+struct Picture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb;
+
+    [[nodiscard]] ByteView view() const { return {width, height, rgb}; }
+};
+
 /// One number for each pixel (or tile), rows from the top.
 struct Map {
     int width = 0;

@@ -102,7 +102,7 @@ void buildFile(FileWork& work, const std::string& source, SourceFile file, const
         return closeAll(work, TaskState::notGraded,
                         "the compiler could not be run: " + result.diagnostics);
     blockAll(work, buildFinding(result, nameOf(file)), false);
-    work.diagnostics = Diagnostics{nameOf(file), result.diagnostics, source};
+    work.diagnostics = Diagnostics{nameOf(file), result.diagnostics};
 }
 
 }  // namespace

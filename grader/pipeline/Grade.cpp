@@ -3,6 +3,7 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/decision/bump/JudgeBump.h>
 #include <grader/decision/distributed/JudgeDistributed.h>
+#include <grader/pipeline/DrawRasters.h>
 #include <grader/pipeline/FileWork.h>
 #include <grader/pipeline/Inputs.h>
 #include <grader/pipeline/Screenshot.h>
@@ -30,6 +31,8 @@ void settle(TaskReport& task, TaskJudgement judgement) {
     task.reason = std::move(judgement.reason);
     task.findings = std::move(judgement.findings);
     task.needsReview = judgement.needsReview;
+    task.plots = std::move(judgement.plots);
+    task.rasters = std::move(judgement.rasters);
 }
 
 void judge(FileWork& work, SourceFile file, probe::Examinee& examinee, std::uint64_t seed) {
@@ -45,44 +48,57 @@ bool isBlocked(const TaskReport& task) {
     return task.state == TaskState::blocked;
 }
 
-/// Grades one file after the other into one result.
+bool isNotAttempted(const TaskReport& task) {
+    return task.state == TaskState::notAttempted;
+}
+
+TaskReport refused(const Finding& refusal) {
+    TaskReport report = blankReport("screenshot");
+    report.state = TaskState::blocked;
+    report.reason = refusal.message;
+    report.findings = {refusal};
+    report.needsReview = true;
+    return report;
+}
+
+/// Grades one file after the other, then the picture, into one result.
 class Grading {
 public:
     Grading(const intake::Submission& submission, const Grader& grader, std::uint64_t seed)
         : submission_(submission), grader_(grader), seed_(seed) {}
 
-    void file(SourceFile file, SubmissionResult& result) const {
+    void file(SourceFile file, SubmissionResult& result) {
         FileWork work = prepareFile(submission_, file, grader_);
+        JudgedFile judged{file, false, std::nullopt, {}};
         result.timing.compileMs += work.compileMs;
         if (work.program) {
             build::SandboxedExaminee examinee{*work.program, grader_.sandbox, grader_.policy.run};
             judge(work, file, examinee, seed_);
             // Code that crashed or loops would do so again.
-            if (std::ranges::none_of(work.tasks, isBlocked))
-                addRenders(result, grader_.scenes, file == SourceFile::bumpySphere, examinee);
+            if (std::ranges::none_of(work.tasks, isBlocked)) {
+                judged.renders =
+                    addRenders(result, grader_.scenes, file == SourceFile::bumpySphere, examinee);
+                judged.program = std::move(work.program);
+            }
             result.timing.probeMs += examinee.wallMs();
         }
+        judged.isAttempted = !std::ranges::all_of(work.tasks, isNotAttempted);
+        files_.push_back(std::move(judged));
         std::move(work.tasks.begin(), work.tasks.end(), std::back_inserter(result.tasks));
         if (work.diagnostics) result.diagnostics.push_back(std::move(*work.diagnostics));
     }
 
     void screenshot(SubmissionResult& result) const {
-        const bool nothingToShow = std::ranges::all_of(result.tasks, [](const TaskReport& task) {
-            return task.state == TaskState::notAttempted;
-        });
-        const Finding* refusal = submission_.refusalOf(intake::Part::screenshot);
-        TaskReport report = judgeScreenshotFile(submission_.part(intake::Part::screenshot));
-        if (refusal != nullptr) {
-            report.state = TaskState::blocked;
-            report.reason = refusal->message;
-            report.findings = {*refusal};
-            report.needsReview = true;
-        } else if (nothingToShow && report.state == TaskState::failed) {
+        if (const Finding* refusal = submission_.refusalOf(intake::Part::screenshot))
+            return result.tasks.push_back(refused(*refusal));
+        TaskReport report = judgeScreenshotFile(submission_.part(intake::Part::screenshot), files_,
+                                                grader_, seed_, result);
+        if (report.state == TaskState::failed &&
+            std::ranges::all_of(result.tasks, isNotAttempted)) {
+            report = blankReport("screenshot");
             report.state = TaskState::notAttempted;
             report.reason = "no task was attempted";
-            report.findings.clear();
         }
-        if (report.state == TaskState::passed) showScreenshot(result);
         result.tasks.push_back(std::move(report));
     }
 
@@ -107,14 +123,10 @@ public:
     }
 
 private:
-    void showScreenshot(SubmissionResult& result) const {
-        result.pictures.push_back({"images/screenshot.png", "screenshot.png as handed in",
-                                   *submission_.part(intake::Part::screenshot)});
-    }
-
     const intake::Submission& submission_;
     const Grader& grader_;
     std::uint64_t seed_;
+    std::vector<JudgedFile> files_;
 };
 
 SubmissionResult blankResult(const std::string& name, const Grader& grader, std::uint64_t seed) {
@@ -131,13 +143,14 @@ SubmissionResult blankResult(const std::string& name, const Grader& grader, std:
 SubmissionResult gradeSubmission(const intake::Submission& submission, const Grader& grader,
                                  std::uint64_t seed) {
     const Clock::time_point start = Clock::now();
-    const Grading grading{submission, grader, seed};
+    Grading grading{submission, grader, seed};
     SubmissionResult result = blankResult(submission.name, grader, seed);
     grading.file(SourceFile::bumpySphere, result);
     grading.file(SourceFile::renderer, result);
     grading.screenshot(result);
     grading.sources(result);
     grading.notices(result);
+    drawRasters(result);
     result = rubric::applyRubric(grader.rubric, std::move(result));
     result.inputs = inputsOf(submission, grader, seed);
     result.timing.totalMs = millisecondsSince(start);

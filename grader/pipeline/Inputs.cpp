@@ -5,13 +5,14 @@
 #include <fmt/core.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string_view>
 
 namespace ticker::pipeline {
+namespace fs = std::filesystem;
 namespace {
 
 /// SHA-256 over a list of texts, each with its length, so that no two lists give the same bytes.
@@ -25,7 +26,7 @@ public:
         return *this;
     }
 
-    Digest& addFile(const std::filesystem::path& file) {
+    Digest& addFile(const fs::path& file) {
         std::ifstream stream{file, std::ios::binary};
         std::string block(1U << 20U, '\0');
         while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) ||
@@ -73,16 +74,19 @@ std::string filesOf(const intake::Submission& submission) {
 
 }  // namespace
 
-std::string toolBuild(const build::Kit& kit, const std::vector<SpecScene>& scenes) {
+std::string toolBuild(const build::Kit& kit, const std::vector<fs::path>& data) {
     Digest digest;
     digest.addFile("/proc/self/exe")
         .addFile(kit.folder() / "kit.json")
         .addFile(kit.folder() / "lib" / "libkit.a")
         .addFile(kit.folder() / "lib" / "probe.o");
-    for (const SpecScene& scene : scenes) {
-        const std::vector<std::uint8_t>& bytes = scene.expected.rgb;
-        digest.add({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    }
+    std::vector<fs::path> files;
+    for (const fs::path& folder : data)
+        for (const fs::directory_entry& entry : fs::directory_iterator{folder})
+            if (entry.is_regular_file()) files.push_back(entry.path());
+    std::ranges::sort(files);
+    for (const fs::path& file : files)
+        digest.add(file.filename().string()).addFile(file);
     return digest.text();
 }
 

@@ -6,13 +6,16 @@
 #include <grader/result/Inputs.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace ticker::pipeline {
 
-/// Digest of the running program, the kit that it compiles submissions with and the pictures that
-/// it compares theirs with.
-[[nodiscard]] std::string toolBuild(const build::Kit& kit, const std::vector<SpecScene>& scenes);
+/// Digest of the running program, the kit that it compiles submissions with, and the files that lie
+/// in folders of data.
+[[nodiscard]] std::string toolBuild(const build::Kit& kit,
+                                    const std::vector<std::filesystem::path>& data);
 
 /// What the result of this submission will depend on.
 [[nodiscard]] Inputs inputsOf(const intake::Submission& submission, const Grader& grader,

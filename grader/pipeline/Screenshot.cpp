@@ -1,94 +1,30 @@
 #include <grader/pipeline/Screenshot.h>
 
-#include <grader/pipeline/Unpack.h>
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/decision/screenshot/JudgeScreenshot.h>
+#include <grader/metrics/Alignment.h>
+#include <grader/picture/DecodePicture.h>
+
+#include <raytracer/io/ImageReader.h>
+#include <raytracer/io/ImageWriter.h>
 
 #include <fmt/core.h>
 
-#include <array>
-#include <cstdint>
-#include <span>
+#include <algorithm>
+#include <cmath>
+#include <memory>
 #include <utility>
+#include <variant>
 
 namespace ticker::pipeline {
 namespace {
 
-constexpr std::string_view kSignature{"\x89PNG\r\n\x1A\n", 8};
-constexpr int kLargestSide = 16384;  // as the picture reader: raytracer/io/ImageReader.h
+using decision::TaskJudgement;
+using decision::screenshot::Scene;
+using raytracer::ByteImage;
 
-std::uint32_t bigEndian(std::string_view bytes) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        value = (value << 8U) | static_cast<unsigned char>(bytes[i]);
-    return value;
-}
-
-// CRC-32 as PNG uses it (ISO 3309), half a byte at a time.
-std::uint32_t checkSum(std::string_view bytes) {
-    constexpr std::array<std::uint32_t, 16> kTable{0x00000000, 0x1DB71064, 0x3B6E20C8, 0x26D930AC,
-                                                   0x76DC4190, 0x6B6B51F4, 0x4DB26158, 0x5005713C,
-                                                   0xEDB88320, 0xF00F9344, 0xD6D6A3E8, 0xCB61B38C,
-                                                   0x9B64C2B0, 0x86D3D2D4, 0xA00AE278, 0xBDBDF21C};
-    std::uint32_t sum = 0xFFFFFFFF;
-    for (const char c : bytes) {
-        sum ^= static_cast<unsigned char>(c);
-        sum = (sum >> 4U) ^ kTable[sum & 15U];
-        sum = (sum >> 4U) ^ kTable[sum & 15U];
-    }
-    return ~sum;
-}
-
-struct Chunk {
-    std::string_view type;
-    std::string_view data;
-};
-
-// Takes one whole chunk with a right check sum off the front.
-std::optional<Chunk> takeChunk(std::string_view& rest) {
-    constexpr std::size_t kAround = 12;  // length, type, check sum
-    if (rest.size() < kAround) return std::nullopt;
-    const std::size_t size = bigEndian(rest);
-    if (size > rest.size() - kAround) return std::nullopt;
-    const std::string_view summed = rest.substr(4, size + 4);
-    if (bigEndian(rest.substr(size + 8)) != checkSum(summed)) return std::nullopt;
-    rest.remove_prefix(size + kAround);
-    return Chunk{summed.substr(0, 4), summed.substr(4)};
-}
-
-// Samples of a pixel, by colour type; none: no such type (PNG specification, 11.2.1).
-std::uint64_t samplesOf(int colourType) {
-    constexpr std::array<std::uint64_t, 7> kSamples{1, 0, 3, 1, 2, 0, 4};
-    return colourType < 7 ? kSamples.at(static_cast<std::size_t>(colourType)) : 0;
-}
-
-struct Pass {
-    std::uint64_t x, y, stepX, stepY;
-};
-constexpr std::array<Pass, 1> kAtOnce{{{0, 0, 1, 1}}};
-// Adam7: PNG specification, 8.2.
-constexpr std::array<Pass, 7> kInterlaced{{{0, 0, 8, 8},
-                                           {4, 0, 8, 8},
-                                           {0, 4, 4, 8},
-                                           {2, 0, 4, 4},
-                                           {0, 2, 2, 4},
-                                           {1, 0, 2, 2},
-                                           {0, 1, 1, 2}}};
-
-// What the pixels take, unpacked, as IHDR tells; 0: it tells nonsense.
-std::uint64_t pixelBytesOf(std::string_view header) {
-    const std::uint64_t width = bigEndian(header);
-    const std::uint64_t height = bigEndian(header.substr(4));
-    const auto bits = static_cast<unsigned char>(header[8]);
-    const std::uint64_t bitsOfPixel = bits * samplesOf(static_cast<unsigned char>(header[9]));
-    const std::span<const Pass> passes =
-        header[12] == 0 ? std::span<const Pass>{kAtOnce} : std::span<const Pass>{kInterlaced};
-    std::uint64_t bytes = 0;
-    for (const Pass& pass : passes) {
-        if (bitsOfPixel == 0 || width <= pass.x || height <= pass.y) continue;
-        const std::uint64_t columns = (width - pass.x + pass.stepX - 1) / pass.stepX;
-        const std::uint64_t rows = (height - pass.y + pass.stepY - 1) / pass.stepY;
-        bytes += rows * (1 + (columns * bitsOfPixel + 7) / 8);
-    }
-    return bytes;
+metrics::ByteView viewOf(const ByteImage& image) {
+    return {image.width, image.height, image.rgb};
 }
 
 Finding finding(const char* id, std::string message, std::string hint) {
@@ -101,62 +37,104 @@ Finding finding(const char* id, std::string message, std::string hint) {
     return result;
 }
 
-Finding unreadable() {
-    return finding("screenshot.unreadable", "screenshot.png is no PNG picture, or it is damaged.",
+void settle(TaskReport& report, TaskJudgement judgement) {
+    report.state = judgement.state;
+    report.reason = std::move(judgement.reason);
+    report.findings = std::move(judgement.findings);
+    report.needsReview = judgement.needsReview;
+}
+
+void fail(TaskReport& report, Finding finding) {
+    settle(report, {TaskState::failed, "", {std::move(finding)}, false});
+}
+
+Finding unreadable(const picture::DecodeFailure& failure) {
+    return finding("screenshot.unreadable",
+                   fmt::format("screenshot.png cannot be read: {}.", failure.message),
                    "Hand in the file that tick1star -o screenshot.png writes.");
 }
 
-std::optional<Finding> problemOf(const std::optional<std::string>& bytes) {
-    if (!bytes)
-        return finding("screenshot.missing", "There is no screenshot.png.",
-                       "Render your option's scene with tick1star and hand the picture in.");
-    const std::optional<PngHeader> header = readPngHeader(*bytes);
-    if (!header) return unreadable();
-    if (header->width == kScreenshotWidth && header->height == kScreenshotHeight)
-        return unpacksTo(header->pixelBytes, header->packed) ? std::nullopt
-                                                             : std::optional{unreadable()};
-    Finding wrong =
-        finding("screenshot.wrong-size",
-                fmt::format("The picture has {} x {} pixels; the handout's has 640 x "
-                            "480.",
-                            header->width, header->height),
-                "Render the scene at tick1star's own size, and hand in that file, not a "
-                "picture of the screen.");
-    wrong.evidence = {{"width", static_cast<double>(header->width)},
-                      {"height", static_cast<double>(header->height)}};
-    return wrong;
+// A page needs no more.
+void show(const ByteImage& image, SubmissionResult& result) {
+    constexpr int kWidest = 1280;
+    ByteImage shown = image;
+    if (image.width > kWidest) {
+        const double scale = 1.0 * kWidest / image.width;
+        const int height = std::max(1, static_cast<int>(std::lround(scale * image.height)));
+        metrics::Picture smaller = metrics::resized(viewOf(image), kWidest, height);
+        shown = {smaller.width, smaller.height, std::move(smaller.rgb)};
+    }
+    result.pictures.push_back(
+        {"images/screenshot.png", "screenshot.png as handed in", raytracer::encodePng(shown)});
 }
+
+/// The scenes that a picture may show, with whatever the submission's files add to each.
+class Scenes {
+public:
+    Scenes(const std::vector<JudgedFile>& files, const Grader& grader) {
+        const bool any = std::ranges::any_of(files, &JudgedFile::isAttempted);
+        const bool both = std::ranges::all_of(files, &JudgedFile::isAttempted);
+        for (const SpecScene& spec : grader.scenes) {
+            const build::SourceFile wanted =
+                spec.isForT1 ? build::SourceFile::bumpySphere : build::SourceFile::renderer;
+            const auto file = std::ranges::find(files, wanted, &JudgedFile::file);
+            Scene scene;
+            scene.name = spec.name;
+            scene.isForT1 = spec.isForT1;
+            scene.isWanted =
+                spec.isHandedIn && (!any || (file != files.end() && file->isAttempted));
+            scene.mayMixBoth = both && spec.isForT1;
+            scene.description = &spec.scene;
+            scene.expected = [&spec] { return viewOf(spec.expected().picture); };
+            if (file != files.end()) addOwn(*file, grader, scene);
+            scenes_.push_back(std::move(scene));
+        }
+    }
+
+    [[nodiscard]] const std::vector<Scene>& all() const { return scenes_; }
+    [[nodiscard]] double wallMs() const {
+        double sum = 0.0;
+        for (const auto& examinee : examinees_)
+            sum += examinee->wallMs();
+        return sum;
+    }
+
+private:
+    void addOwn(const JudgedFile& file, const Grader& grader, Scene& scene) {
+        const auto render = std::ranges::find(file.renders, scene.name, &Rendered::scene);
+        if (render != file.renders.end()) scene.own = viewOf(render->picture);
+        if (!file.program) return;
+        examinees_.push_back(std::make_unique<build::SandboxedExaminee>(
+            *file.program, grader.sandbox, grader.policy.run));
+        scene.examinee = examinees_.back().get();
+    }
+
+    std::vector<Scene> scenes_;
+    std::vector<std::unique_ptr<build::SandboxedExaminee>> examinees_;
+};
 
 }  // namespace
 
-std::optional<PngHeader> readPngHeader(std::string_view bytes) {
-    if (!bytes.starts_with(kSignature)) return std::nullopt;
-    bytes.remove_prefix(kSignature.size());
-    const std::optional<Chunk> first = takeChunk(bytes);
-    constexpr std::size_t kHeaderSize = 13;
-    if (!first || first->type != "IHDR" || first->data.size() != kHeaderSize) return std::nullopt;
-    const std::uint32_t width = bigEndian(first->data);
-    const std::uint32_t height = bigEndian(first->data.substr(4));
-    if (width == 0 || height == 0 || width > kLargestSide || height > kLargestSide)
-        return std::nullopt;
-    PngHeader header{
-        static_cast<int>(width), static_cast<int>(height), pixelBytesOf(first->data), {}};
-    while (const std::optional<Chunk> chunk = takeChunk(bytes)) {
-        if (chunk->type == "IDAT") header.packed += chunk->data;
-        if (chunk->type == "IEND" && !header.packed.empty()) return header;
+TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
+                               const std::vector<JudgedFile>& files, const Grader& grader,
+                               std::uint64_t seed, SubmissionResult& result) {
+    TaskReport report = blankReport("screenshot");
+    if (!bytes) {
+        fail(report, finding("screenshot.missing", "There is no screenshot.png.",
+                             "Render your option's scene with tick1star and hand the picture in."));
+        return report;
     }
-    return std::nullopt;
-}
-
-TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes) {
-    TaskReport report;
-    report.id = "screenshot";
-    report.title = "Screenshot";
-    report.state = TaskState::passed;
-    if (std::optional<Finding> problem = problemOf(bytes)) {
-        report.state = TaskState::failed;
-        report.findings.push_back(std::move(*problem));
+    const picture::Decoded decoded =
+        picture::decodePicture(*bytes, grader.sandbox, grader.policy.decode);
+    if (const auto* failure = std::get_if<picture::DecodeFailure>(&decoded)) {
+        fail(report, unreadable(*failure));
+        return report;
     }
+    const ByteImage& image = std::get<ByteImage>(decoded);
+    show(image, result);
+    const Scenes scenes{files, grader};
+    settle(report, decision::judgeScreenshot(viewOf(image), scenes.all(), seed));
+    result.timing.probeMs += scenes.wallMs();
     return report;
 }
 

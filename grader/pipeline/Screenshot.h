@@ -1,34 +1,36 @@
 #ifndef TICKER_PIPELINE_SCREENSHOT_H
 #define TICKER_PIPELINE_SCREENSHOT_H
 
+#include <grader/build/Program.h>
+#include <grader/pipeline/FileWork.h>
+#include <grader/pipeline/Grade.h>
+#include <grader/pipeline/SpecScenes.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace ticker::pipeline {
 
-/// Size of the handout's pictures, pixels.
-inline constexpr int kScreenshotWidth = 640;
-inline constexpr int kScreenshotHeight = 480;
-
-/// What a PNG file says of itself.
-struct PngHeader {
-    int width = 0;
-    int height = 0;
-    std::uint64_t pixelBytes = 0;  ///< unpacked, with a filter byte for each row
-    std::string packed;            ///< the zlib stream that holds them
+/// One of the two files after its tasks were judged: what a screenshot is compared with.
+struct JudgedFile {
+    build::SourceFile file = build::SourceFile::bumpySphere;
+    bool isAttempted = false;
+    std::optional<build::Program> program;  ///< there, where it renders
+    std::vector<Rendered> renders;
 };
 
-/// The header of a whole PNG file; empty where the bytes are none: another format, cut short, or
-/// damaged. Walks over the chunks and their check sums; nothing is unpacked.
-[[nodiscard]] std::optional<PngHeader> readPngHeader(std::string_view bytes);
-
-/// Judges the picture as a file: there, a PNG, of the handout's size, with pixels for this size.
+/// Judges screenshot.png: the file (missing, not to be decoded), then what it shows and whether the
+/// submission's own code made it. The picture goes into the result, decoded and packed anew.
+///
 /// @param bytes  Empty optional: none was handed in.
-[[nodiscard]] TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes);
+/// @param files  Every attempted option's scene may be shown; where nothing was attempted, each.
+[[nodiscard]] TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
+                                             const std::vector<JudgedFile>& files,
+                                             const Grader& grader, std::uint64_t seed,
+                                             SubmissionResult& result);
 
 }  // namespace ticker::pipeline
 

@@ -1,6 +1,7 @@
 #ifndef TICKER_PIPELINE_SPECSCENES_H
 #define TICKER_PIPELINE_SPECSCENES_H
 
+#include <grader/metrics/Noise.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <grader/probe/Examinee.h>
@@ -9,25 +10,48 @@
 #include <raytracer/io/ImageReader.h>
 #include <raytracer/scene/SceneDescription.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace ticker::pipeline {
 
+/// What a scene should look like.
+struct Expectation {
+    raytracer::ByteImage picture;
+    /// Of the brightness of one student render, linear; without values where nothing is random.
+    metrics::Moments brightness;
+};
+
 /// One of the handout's scenes as every submission renders it for people to look at, and what it
-/// should look like. Never changes, so threads may share it.
+/// should look like. Never changes but for expectations that are worked out when somebody first
+/// asks, so threads may share it.
 struct SpecScene {
     std::string name;  ///< "bump-mapping"
     bool isForT1 = true;
+    bool isHandedIn = true;  ///< a screenshot of it is what the handout asks for
     raytracer::SceneDescription scene;
     raytracer::RenderSettings settings;
-    raytracer::ByteImage expected;
+    /// One for each accepted aperture, the handout's first.
+    std::vector<std::shared_future<Expectation>> expectations;
+
+    [[nodiscard]] const Expectation& expected(std::size_t reading = 0) const {
+        // A future of its own for each thread, as the library asks for.
+        return std::shared_future{expectations.at(reading)}.get();
+    }
+};
+
+/// A submission's picture of a scene.
+struct Rendered {
+    std::string scene;
+    raytracer::ByteImage picture;
 };
 
 /// The handout's two scenes and bumpmap-test. Option 2's is small: its many rays cost more than the
-/// rest of the grading.
+/// rest of the grading. Reading them takes some 20 ms, what each should look like 50 to 300 more.
 /// @throws raytracer::InputError where a scene or a map cannot be read.
 [[nodiscard]] std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
                                                     const std::filesystem::path& assets);
@@ -36,9 +60,10 @@ struct SpecScene {
 [[nodiscard]] std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer);
 
 /// Asks the submission for the pictures of its option and puts them into the result, with scores
-/// against what was expected. A picture that did not come is left out; nothing is decided by it.
-void addRenders(SubmissionResult& result, const std::vector<SpecScene>& scenes, bool isT1,
-                probe::Examinee& examinee);
+/// against the expectation that fits best. A picture that did not come is left out; nothing is
+/// decided by it.
+std::vector<Rendered> addRenders(SubmissionResult& result, const std::vector<SpecScene>& scenes,
+                                 bool isT1, probe::Examinee& examinee);
 
 }  // namespace ticker::pipeline
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -76,16 +77,35 @@ private:
     AnswerHeader& header_;
 };
 
+/// A question's sphere. Its address is not used again within a sitting, just as in a render, so
+/// that what a submission keeps for each object or map stays true; the heights are freed.
+struct Stand {
+    std::optional<raytracer::HeightMap> map;
+    std::optional<raytracer::BumpySphere> sphere;
+
+    explicit Stand(const NormalQuestion& question) : map(question.map.build()) {
+        const std::shared_ptr<const raytracer::HeightMap> unowned{std::shared_ptr<void>{}, &*map};
+        sphere.emplace(question.centre, question.radius, raytracer::Material{}, unowned);
+    }
+    void clear() {
+        sphere.reset();
+        map.reset();
+    }
+};
+using Stands = std::deque<Stand>;
+
 struct Reply {
     AnswerSheet& sheet;
+    Stands& stands;
 
     void operator()(const NormalQuestion& question) const {
-        const auto map = std::make_shared<const raytracer::HeightMap>(question.map.build());
-        const raytracer::BumpySphere sphere{question.centre, question.radius, {}, map};
+        Stand& stand = stands.emplace_back(question);
         for (std::size_t i = 0; i < question.positions.size(); ++i) {
             raytracer::seedRandom(i);
-            sheet.attempt([&] { sheet.write(i, sphere.getNormalAt(question.positions[i])); });
+            sheet.attempt(
+                [&] { sheet.write(i, stand.sphere->getNormalAt(question.positions[i])); });
         }
+        stand.clear();
     }
 
     void operator()(const IlluminateQuestion& question) const {
@@ -153,9 +173,10 @@ void respond(const std::vector<Question>& questions, std::span<std::byte> memory
     const AnswerLayout layout = layoutFor(questions);
     if (memory.size() < layout.totalBytes)
         throw raytracer::Error("the answer memory is smaller than the answers");
+    Stands stands;
     for (std::size_t i = 0; i < questions.size(); ++i) {
         AnswerSheet sheet{memory, layout.places[i]};
-        std::visit(Reply{sheet}, questions[i]);
+        std::visit(Reply{sheet, stands}, questions[i]);
     }
     const SheetHeader finished{kSheetFinished};
     std::memcpy(memory.data(), &finished, sizeof finished);

@@ -75,8 +75,14 @@ std::string excerpt(const std::vector<std::string_view>& source, int line) {
     return html + "</code></pre>";
 }
 
-std::string ofFile(const Diagnostics& said) {
-    const std::vector<std::string_view> source = linesOf(said.source);
+std::string_view sourceOf(const SubmissionResult& result, std::string_view file) {
+    for (const SourceText& source : result.sources)
+        if (source.file == file) return source.bytes;
+    return {};
+}
+
+std::string ofFile(const Diagnostics& said, std::string_view text) {
+    const std::vector<std::string_view> source = linesOf(text);
     std::string html = fmt::format("<h3>{}</h3>", escapeHtml(said.file));
     const std::vector<Remark> remarks = remarksOf(said);
     const std::size_t shown = std::min(remarks.size(), kMostErrors);
@@ -99,7 +105,7 @@ std::string ofFile(const Diagnostics& said) {
 std::string diagnosticsSection(const SubmissionResult& result) {
     std::string html;
     for (const Diagnostics& said : result.diagnostics)
-        if (!said.text.empty()) html += ofFile(said);
+        if (!said.text.empty()) html += ofFile(said, sourceOf(result, said.file));
     if (html.empty()) return "";
     return "<section id=\"compiler\"><h2>What the compiler said</h2>" + html + "</section>";
 }

@@ -1,5 +1,4 @@
 #include <grader/report/Escape.h>
-#include <grader/report/Graphics.h>
 #include <grader/report/PageParts.h>
 #include <grader/report/Words.h>
 #include <grader/result/Names.h>
@@ -33,30 +32,9 @@ std::string evidenceTable(const Evidence& evidence) {
     return html + "</table></details>";
 }
 
-std::string plotFigure(const ScatterPlot& plot) {
-    const char* shape = plot.expectedShape == ScatterPlot::Shape::disc ? "disc" : "square";
-    return fmt::format(
-        "<figure>{}<figcaption>{}. Red: the {} that was expected, {:.4g} {} from the middle to "
-        "its edge.</figcaption></figure>",
-        scatterSvg(plot), escapeHtml(plot.title), shape, plot.expectedHalfWidth,
-        escapeHtml(plot.unit));
-}
-
-std::string pictures(const Finding& finding) {
-    if (finding.plots.empty() && finding.rasters.empty()) return "";
-    std::string html = "<div class=\"pictures\">";
-    for (const ScatterPlot& plot : finding.plots)
-        html += plotFigure(plot);
-    for (const Raster& raster : finding.rasters)
-        html += fmt::format(
-            R"(<figure><img src="{}" alt="{}"><figcaption>{}</figcaption></figure>)",
-            pngAddress(rasterPng(raster)), escapeHtml(raster.title), escapeHtml(raster.title));
-    return html + "</div>";
-}
-
 }  // namespace
 
-std::string findingCard(const Finding& finding) {
+std::string findingCard(const Finding& finding, const Album& album, const std::string& seen) {
     const std::string_view severity = toString(finding.severity);
     std::string html =
         fmt::format("<article class=\"card {0}\"><div class=\"finding-head\">{1}<h3>{2}</h3>",
@@ -68,7 +46,10 @@ std::string findingCard(const Finding& finding) {
     if (!finding.hint.empty())
         html += fmt::format("<p class=\"hint\"><strong>Hint.</strong> {}</p>",
                             escapeHtml(finding.hint));
-    return html + pictures(finding) + evidenceTable(finding.evidence) + "</article>";
+    if (const std::string shown = figures(finding.plots, finding.rasters, album) + seen;
+        !shown.empty())
+        html += "<div class=\"figures\">" + shown + "</div>";
+    return html + evidenceTable(finding.evidence) + "</article>";
 }
 
 }  // namespace ticker::report

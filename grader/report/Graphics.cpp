@@ -1,19 +1,89 @@
 #include <grader/report/Escape.h>
 #include <grader/report/Graphics.h>
 
-#include <raytracer/io/ImageWriter.h>
-
 #include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace ticker::report {
 namespace {
 
-constexpr double kPlotSide = 200.0;        // user units of the SVG
-constexpr std::size_t kMostPoints = 2000;  // more only make the page heavy
+constexpr double kReach = 100.0;          // from the middle to the edge, user units of the SVG
+constexpr std::size_t kMostPoints = 600;  // more only make the page heavy
+
+/// Half the width of the plot, in the plot's own units: everything that matters fits in.
+double reachOf(const ScatterPlot& plot) {
+    double reach = std::max(plot.expectedHalfWidth, 0.0);
+    for (const PlotPoint& point : plot.points)
+        if (std::isfinite(point.x) && std::isfinite(point.y))
+            reach = std::max({reach, std::abs(point.x), std::abs(point.y)});
+    return reach > 0.0 ? reach * 1.12 : 1.0;
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is at most `reach`.
+double tickFor(double reach) {
+    const double power = std::pow(10.0, std::floor(std::log10(reach)));
+    for (const double factor : {5.0, 2.0})
+        if (factor * power <= reach) return factor * power;
+    return power;
+}
+
+/// In words what the picture shows, for those who cannot see it.
+std::string description(const ScatterPlot& plot) {
+    PlotPoint low{1e300, 1e300};
+    PlotPoint high{-1e300, -1e300};
+    for (const PlotPoint& point : plot.points) {
+        low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+        high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    }
+    if (plot.points.empty()) return "No points.";
+    return fmt::format(
+        "{} points, across from {:.3g} to {:.3g}, upwards from {:.3g} to {:.3g} {}. Expected: {} "
+        "around the middle, {:.3g} from there to its edge.",
+        plot.points.size(), low.x, high.x, low.y, high.y, plot.unit,
+        plot.expectedShape == ScatterPlot::Shape::disc ? "a disc" : "a square",
+        plot.expectedHalfWidth);
+}
+
+/// A frame with its scale below and on the left, and a cross through the middle.
+std::string axes(double scale, double reach) {
+    const double tick = tickFor(reach);
+    std::string svg = R"(<path class="axes" d="M-100-100H100V100H-100ZM-100 0H100M0-100V100)";
+    std::string labels;
+    for (const double value : {-tick, 0.0, tick}) {
+        const double at = value * scale;
+        svg += fmt::format("M{0:.1f} 100v4M-100 {0:.1f}h-4", at);
+        labels += fmt::format(
+            R"(<text x="{0:.1f}" y="114">{1:.3g}</text><text class="up" x="-106" y="{2:.1f}">{1:.3g}</text>)",
+            at, value, 3.0 - at);
+    }
+    return svg + "\"/>" + labels;
+}
+
+std::string outline(ScatterPlot::Shape shape, double half, std::string_view kind) {
+    if (shape == ScatterPlot::Shape::disc)
+        return fmt::format(R"(<circle class="{}" r="{:.1f}"/>)", kind, half);
+    return fmt::format(
+        R"(<rect class="{0}" x="{1:.1f}" y="{1:.1f}" width="{2:.1f}" height="{2:.1f}"/>)", kind,
+        -half, 2.0 * half);
+}
+
+/// All points as one path of round-capped strokes without length: a page of thousands of elements
+/// is slow.
+std::string dots(const ScatterPlot& plot, double scale) {
+    std::string path;
+    const std::size_t stride = plot.points.size() / (kMostPoints + 1) + 1;
+    for (std::size_t i = 0; i < plot.points.size(); i += stride) {
+        const PlotPoint& point = plot.points[i];
+        if (std::isfinite(point.x) && std::isfinite(point.y))
+            path += fmt::format("M{:.1f} {:.1f}h0", point.x * scale, -point.y * scale);
+    }
+    return fmt::format(R"(<path class="dots" d="{}"/>)", path);
+}
+
+}  // namespace
 
 std::string base64(std::string_view bytes) {
     static constexpr std::string_view kDigits =
@@ -31,70 +101,20 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-/// Half the width of the plot, in the plot's own units: everything that matters fits in.
-double reachOf(const ScatterPlot& plot) {
-    double reach = plot.expectedHalfWidth;
-    for (const PlotPoint& point : plot.points)
-        if (std::isfinite(point.x) && std::isfinite(point.y))
-            reach = std::max({reach, std::abs(point.x), std::abs(point.y)});
-    return reach > 0.0 ? reach * 1.1 : 1.0;
-}
-
-std::array<std::uint8_t, 3> grey(float value) {
-    const auto byte = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F);
-    return {byte, byte, byte};
-}
-
-/// Blue below 0, red above, paper white at 0.
-std::array<std::uint8_t, 3> diverging(float value) {
-    const float v = std::clamp(value, -1.0F, 1.0F);
-    const float fade = 1.0F - std::abs(v);
-    const auto mix = [&](float full) {
-        return static_cast<std::uint8_t>(245.0F * fade + full * (1.0F - fade));
-    };
-    return v < 0.0F ? std::array{mix(33), mix(102), mix(172)}
-                    : std::array{mix(178), mix(24), mix(43)};
-}
-
-}  // namespace
-
 std::string pngAddress(std::string_view png) {
     return "data:image/png;base64," + base64(png);
 }
 
 std::string scatterSvg(const ScatterPlot& plot) {
-    const double scale = kPlotSide / 2.0 / reachOf(plot);
-    const double half = plot.expectedHalfWidth * scale;
-    std::string svg =
-        fmt::format(R"(<svg class="plot" role="img" aria-label="{}" viewBox="{} {} {} {}">)",
-                    escapeHtml(plot.title), -kPlotSide / 2, -kPlotSide / 2, kPlotSide, kPlotSide);
-    svg += R"(<path d="M-100 0H100M0-100V100" stroke="currentColor" stroke-opacity=".2"/>)";
-    svg += R"svg(<g fill="var(--accent)" fill-opacity=".55">)svg";
-    const std::size_t stride = plot.points.size() / kMostPoints + 1;
-    for (std::size_t i = 0; i < plot.points.size(); i += stride) {
-        const PlotPoint& point = plot.points[i];
-        if (std::isfinite(point.x) && std::isfinite(point.y))
-            svg += fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="1.3"/>)", point.x * scale,
-                               -point.y * scale);
-    }
-    svg += "</g>";
-    const std::string style = R"svg(fill="none" stroke="var(--bad)" stroke-width="1.5")svg";
-    if (plot.expectedShape == ScatterPlot::Shape::disc)
-        svg += fmt::format(R"(<circle r="{:.1f}" {}/>)", half, style);
-    else
-        svg += fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" {}/>)",
-                           -half, -half, 2 * half, 2 * half, style);
-    return svg + "</svg>";
-}
-
-std::string rasterPng(const Raster& raster) {
-    raytracer::ByteImage image{raster.width, raster.height, {}};
-    image.rgb.reserve(raster.values.size() * 3);
-    for (const float value : raster.values)
-        for (const std::uint8_t byte :
-             raster.colours == Raster::Colours::grey ? grey(value) : diverging(value))
-            image.rgb.push_back(byte);
-    return raytracer::encodePng(image);
+    const double reach = reachOf(plot);
+    const double scale = kReach / reach;
+    std::string svg = fmt::format(
+        R"(<svg class="plot" role="img" aria-label="{}. {}" viewBox="-142 -104 248 222">)",
+        escapeHtml(plot.title), escapeHtml(description(plot)));
+    svg += outline(plot.expectedShape, plot.expectedHalfWidth * scale, "expected");
+    if (plot.otherHalfWidth > 0.0)
+        svg += outline(plot.expectedShape, plot.otherHalfWidth * scale, "expected other");
+    return svg + dots(plot, scale) + axes(scale, reach) + "</svg>";
 }
 
 }  // namespace ticker::report

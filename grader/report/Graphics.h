@@ -8,14 +8,15 @@
 
 namespace ticker::report {
 
+/// RFC 4648, with padding.
+[[nodiscard]] std::string base64(std::string_view bytes);
+
 /// "data:image/png;base64,..." of a PNG file's bytes.
 [[nodiscard]] std::string pngAddress(std::string_view png);
 
-/// An SVG element: the points, and the outline of the shape that was expected.
+/// An SVG element with its description: the points, axes with their scale, and the outline of the
+/// shape that was expected.
 [[nodiscard]] std::string scatterSvg(const ScatterPlot& plot);
-
-/// The PNG file of a raster, in its colours.
-[[nodiscard]] std::string rasterPng(const Raster& raster);
 
 }  // namespace ticker::report
 

@@ -3,8 +3,10 @@
 
 #include <grader/result/SubmissionResult.h>
 
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ticker::report {
 
@@ -16,14 +18,39 @@ namespace ticker::report {
 /// A path of our own naming, for an attribute: everything unusual percent-encoded.
 [[nodiscard]] std::string address(std::string_view path);
 
-/// The head of a page up to and with the opening of its body.
-[[nodiscard]] std::string pageHead(std::string_view title, std::string_view css);
+/// A page from its doctype to its end. It may load nothing but pictures in itself and below its
+/// folder, and run no script but this one.
+[[nodiscard]] std::string page(std::string_view title, std::string_view css, std::string_view js,
+                               std::string_view body);
+
+/// The pictures of a result. A page carries as many as fit into it, the small ones first; the rest,
+/// and those of a result that was read back without them, lie beside the page.
+class Album {
+public:
+    /// @param folder  Where the result lies, as seen from the page: empty, or with a slash at its
+    /// end.
+    explicit Album(const SubmissionResult& result, std::string folder = {});
+
+    /// For the attribute src; empty for what is no file of ours.
+    [[nodiscard]] std::string addressOf(const std::string& file) const;
+    [[nodiscard]] bool has(const std::string& file) const { return pictures_.contains(file); }
+
+private:
+    std::string folder_;
+    std::map<std::string, std::string> pictures_;  // addresses by file
+};
 
 /// One finding with its message, hint, pictures and measured values.
-[[nodiscard]] std::string findingCard(const Finding& finding);
+/// @param seen  HTML of what else was seen of its task.
+[[nodiscard]] std::string findingCard(const Finding& finding, const Album& album,
+                                      const std::string& seen);
+
+/// Plots and pictures of what was seen, as figures; empty where there are none.
+[[nodiscard]] std::string figures(const std::vector<ScatterPlot>& plots,
+                                  const std::vector<Raster>& rasters, const Album& album);
 
 /// Expected and submitted pictures; empty where there are none.
-[[nodiscard]] std::string picturesSection(const SubmissionResult& result);
+[[nodiscard]] std::string picturesSection(const SubmissionResult& result, const Album& album);
 
 /// What the compiler said, beside the student's lines; empty where it said nothing.
 [[nodiscard]] std::string diagnosticsSection(const SubmissionResult& result);

@@ -1,6 +1,7 @@
 #ifndef TICKER_REPORT_PAGESOURCES_H
 #define TICKER_REPORT_PAGESOURCES_H
 
+#include <string>
 #include <string_view>
 
 namespace ticker::report {
@@ -11,6 +12,9 @@ namespace ticker::report {
 [[nodiscard]] std::string_view reportJs();
 [[nodiscard]] std::string_view classCss();
 [[nodiscard]] std::string_view classJs();
+
+/// "sha256-..." of one of these scripts, for a page's security policy.
+[[nodiscard]] std::string scriptHash(std::string_view script);
 
 }  // namespace ticker::report
 

@@ -1,104 +1,154 @@
 #include <grader/report/Escape.h>
-#include <grader/report/Graphics.h>
 #include <grader/report/PageParts.h>
 #include <grader/report/Words.h>
 
 #include <fmt/core.h>
 
+#include <cmath>
+#include <vector>
+
 namespace ticker::report {
 namespace {
 
-/// A picture of a result, by its file; empty where the result has no such file.
-struct Found {
+/// One picture of a comparison.
+struct Shown {
     std::string source;   ///< for the attribute src
-    std::string caption;  ///< for the attribute alt, escaped
+    std::string kind;     ///< its class: expected, submitted, flip, z
+    std::string alt;      ///< plain text
+    std::string caption;  ///< HTML
 };
 
-Found find(const SubmissionResult& result, const std::string& file, const std::string& otherwise) {
-    if (file.rfind("images/", 0) != 0) return {};  // nowhere else, and no other host
-    for (const ResultPicture& picture : result.pictures)
-        if (picture.file == file && !picture.png.empty())
-            return {pngAddress(picture.png), escapeHtml(picture.caption)};
-    // A result that was read back does not hold its pictures; they lie beside the page.
-    return {address(file), escapeHtml(otherwise)};
+std::string scale(std::string_view kind, std::string_view low, std::string_view high) {
+    return fmt::format(
+        "<span class=\"scale\" aria-hidden=\"true\">{}<span class=\"ramp {}\"></span>{}</span>",
+        low, kind, high);
 }
 
-std::string framed(const Found& picture, std::string_view kind, std::string_view caption) {
+std::string figure(const Shown& shown) {
+    const bool upper = shown.kind == "submitted";
     return fmt::format(
-        "<figure class=\"{}\"><div class=\"frame\"><img src=\"{}\" alt=\"{}\"></div>"
-        "<figcaption>{}</figcaption></figure>",
-        kind, picture.source, picture.caption, caption);
+        "<figure class=\"{}\"><div class=\"box\"><div class=\"frame\">"
+        "<img src=\"{}\" alt=\"{}\" "
+        "draggable=\"false\"></div>{}</div><figcaption>{}</figcaption></figure>",
+        shown.kind, shown.source, escapeHtml(shown.alt),
+        upper ? "<div class=\"divider screen-only\"></div>" : "", shown.caption);
+}
+
+std::string score(std::string_view name, double value, int digits, std::string_view meaning) {
+    return fmt::format("<div><dt>{}</dt><dd>{:.{}f} <small>{}</small></dd></div>", name, value,
+                       digits, meaning);
 }
 
 std::string scores(const RenderScore& render) {
+    std::string html = "<dl class=\"scores\">" + score("FLIP", render.flip, 3, "0: looks equal") +
+                       score("SSIM", render.ssim, 3, "1: equal") +
+                       score("GMSD", render.gmsd, 3, "0: equal edges") +
+                       score("RMSE", render.rmse, 1, "of 255");
+    if (render.zMax > 0.0 && std::isfinite(render.zMax))
+        html += score("largest |z|", render.zMax, 1, "standard errors");
+    return html + "</dl>";
+}
+
+std::string controls(std::string_view name) {
     return fmt::format(
-        "<dl class=\"scores\"><div><dt>FLIP</dt><dd>{:.3f} <small>0: looks equal</small></dd></div>"
-        "<div><dt>SSIM</dt><dd>{:.3f} <small>1: equal</small></dd></div>"
-        "<div><dt>GMSD</dt><dd>{:.3f} <small>0: equal edges</small></dd></div>"
-        "<div><dt>RMSE</dt><dd>{:.2f} <small>of 255</small></dd></div></dl>",
-        render.flip, render.ssim, render.gmsd, render.rmse);
+        "<div class=\"controls screen-only\" role=\"group\" aria-label=\"View of {}\">"
+        "<span class=\"segments\">"
+        "<button type=\"button\" data-act=\"side\" aria-pressed=\"true\" aria-keyshortcuts=\"s\">"
+        "Side by side <kbd>S</kbd></button>"
+        "<button type=\"button\" data-act=\"over\" aria-pressed=\"false\" aria-keyshortcuts=\"o\">"
+        "Slider <kbd>O</kbd></button>"
+        "<button type=\"button\" data-act=\"blink\" aria-pressed=\"false\" "
+        "aria-keyshortcuts=\"b\">Blink <kbd>B</kbd></button></span>"
+        "<span class=\"segments\">"
+        "<button type=\"button\" data-act=\"out\" aria-label=\"Zoom out\" aria-keyshortcuts=\"-\">"
+        "&minus;</button><output>1&times;</output>"
+        "<button type=\"button\" data-act=\"in\" aria-label=\"Zoom in\" aria-keyshortcuts=\"+\">+"
+        "</button></span>"
+        "<label class=\"wipe\">Expected <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" "
+        "aria-label=\"Share of the submitted picture, percent\"> Submitted</label>"
+        "<span class=\"showing\" role=\"status\"></span>"
+        "<span class=\"readout\" aria-hidden=\"true\"></span></div>",
+        escapeHtml(name));
 }
 
-constexpr std::string_view kControls =
-    "<div class=\"controls screen-only\">"
-    "<button type=\"button\" data-act=\"over\" aria-pressed=\"false\" aria-keyshortcuts=\"o\">"
-    "One over the other <kbd>O</kbd></button>"
-    "<button type=\"button\" data-act=\"blink\" aria-pressed=\"false\" aria-keyshortcuts=\"b\">"
-    "Blink <kbd>B</kbd></button>"
-    "<label class=\"wipe\">Expected <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" "
-    "aria-label=\"How much of the submitted picture lies over the expected one\"> Submitted"
-    "</label>"
-    "<span class=\"zoom\"><button type=\"button\" data-act=\"out\" aria-label=\"Zoom out\" "
-    "aria-keyshortcuts=\"-\">&minus;</button><output aria-live=\"polite\">1&times;</output>"
-    "<button type=\"button\" data-act=\"in\" aria-label=\"Zoom in\" aria-keyshortcuts=\"+\">+"
-    "</button></span><span class=\"showing\" role=\"status\"></span></div>";
-
-std::string comparison(const SubmissionResult& result, const RenderScore& render) {
-    const Found expected =
-        find(result, render.reference, render.scene + " as the model answer renders it");
-    const Found submitted =
-        find(result, render.image, render.scene + " as this submission renders it");
-    if (submitted.source.empty()) return "";
-    const bool pair = !expected.source.empty();
+/// The pictures of one scene under one heading; the first two can lie over each other.
+std::string viewer(const std::string& heading, const std::string& intro,
+                   const std::vector<Shown>& pictures, std::string_view name) {
     std::string html = fmt::format(
-        "<section class=\"{}\"><h3>{} <span class=\"soft\">{} &times; {}</span></h3>{}"
-        "<div class=\"pair\" tabindex=\"{}\" role=\"group\" aria-label=\"{}: expected and "
-        "submitted picture\">",
-        pair ? "compare" : "alone", escapeHtml(render.scene), render.width, render.height,
-        pair ? scores(render) : "", pair ? 0 : -1, escapeHtml(render.scene));
-    if (pair) html += framed(expected, "expected", "Expected: the model answer");
-    html += framed(submitted, "submitted", "From this submission&#39;s code") + "</div>";
-    if (pair) html += kControls;
-    const Found map = find(result, render.errorMap, render.scene + ", FLIP error map");
-    if (!map.source.empty())
-        html += "<details><summary>Where they look different</summary>" +
-                framed(map, "map", "FLIP error: black is equal, bright is different") +
-                "</details>";
-    return html + "</section>";
+        "<section class=\"viewer\"><h3>{}</h3>{}{}<div class=\"stage of-{}\" tabindex=\"0\" "
+        "role=\"group\" aria-label=\"{}: when zoomed, the arrow keys move all pictures\">",
+        heading, intro, controls(name), pictures.size(), escapeHtml(name));
+    for (const Shown& shown : pictures)
+        html += figure(shown);
+    return html + "</div></section>";
 }
 
-std::string screenshot(const SubmissionResult& result) {
-    for (const ResultPicture& picture : result.pictures)
-        if (picture.file == kScreenshotFile && !picture.png.empty())
-            return "<section class=\"alone\"><h3>screenshot.png as handed in</h3>" +
-                   framed({pngAddress(picture.png), escapeHtml(picture.caption)}, "screenshot",
-                          escapeHtml(picture.caption)) +
-                   "</section>";
-    return "";
+/// One picture that has nothing beside it.
+std::string alone(const std::string& heading, const Shown& shown) {
+    return fmt::format("<section class=\"alone\"><h3>{}</h3>{}</section>", heading, figure(shown));
+}
+
+Shown expectedPicture(const RenderScore& render, const Album& album) {
+    return {album.addressOf(render.reference), "expected",
+            render.scene + " as the model answer renders it", "Expected: the model answer"};
+}
+
+std::string ofRender(const RenderScore& render, const Album& album) {
+    const std::string heading = fmt::format("{} <span class=\"soft\">{} &times; {}</span>",
+                                            escapeHtml(render.scene), render.width, render.height);
+    const Shown submitted{album.addressOf(render.image), "submitted",
+                          render.scene + " as this submission's code renders it",
+                          "Submitted: rendered by this code"};
+    if (submitted.source.empty()) return "";
+    std::vector<Shown> pictures{expectedPicture(render, album), submitted};
+    if (pictures.front().source.empty()) return alone(heading, submitted);
+    if (const std::string flip = album.addressOf(render.errorMap); !flip.empty())
+        pictures.push_back({flip, "flip",
+                            render.scene + ": FLIP error map, bright where the two look different",
+                            "FLIP: where they look different " + scale("magma", "0", "1")});
+    if (const std::string z = album.addressOf(render.zMap); !z.empty())
+        pictures.push_back(
+            {z, "z", render.scene + ": signed z-map, blue where too dark, red where too bright",
+             "z: too dark or too bright for noise " + scale("signed", "&minus;", "+")});
+    return viewer(heading, scores(render), pictures, render.scene);
+}
+
+/// The scene that a screenshot should show: the handout's own of the option that was worked on.
+const RenderScore* screenshotScene(const SubmissionResult& result) {
+    for (const RenderScore& render : result.renders)
+        if (render.scene == (result.option == "T1" ? "bump-mapping" : "distributed"))
+            return &render;
+    return nullptr;
+}
+
+std::string ofScreenshot(const SubmissionResult& result, const Album& album) {
+    const std::string file{kScreenshotFile};
+    if (!album.has(file)) return "";
+    const Shown submitted{album.addressOf(file), "submitted", "screenshot.png as handed in",
+                          "Submitted: screenshot.png as handed in"};
+    const RenderScore* scene = result.option == "both" ? nullptr : screenshotScene(result);
+    if (scene == nullptr) return alone("screenshot.png", submitted);
+    const Shown expected = expectedPicture(*scene, album);
+    if (expected.source.empty()) return alone("screenshot.png", submitted);
+    return viewer("screenshot.png", "", {expected, submitted}, "screenshot.png");
 }
 
 }  // namespace
 
-std::string picturesSection(const SubmissionResult& result) {
+std::string picturesSection(const SubmissionResult& result, const Album& album) {
     std::string html;
     for (const RenderScore& render : result.renders)
-        html += comparison(result, render);
-    html += screenshot(result);
+        html += ofRender(render, album);
+    html += ofScreenshot(result, album);
     if (html.empty()) return "";
-    return "<section id=\"pictures\"><h2>Pictures</h2><p class=\"soft\">They explain; they do not "
-           "decide. <span class=\"screen-only\">Keys: <kbd>B</kbd> blinks between expected and "
-           "submitted, <kbd>O</kbd> lays one over the other, <kbd>+</kbd> <kbd>&minus;</kbd> zoom "
-           "both, the pointer or the arrow keys move them.</span></p>" +
+    return "<section id=\"pictures\" aria-labelledby=\"pictures-head\">"
+           "<h2 id=\"pictures-head\">Pictures</h2><p class=\"soft\">They explain; they do not "
+           "decide: accepted readings of the handout differ in many pixels, and a mistake may "
+           "differ "
+           "in few. <span class=\"screen-only\"><kbd>B</kbd> blinks between expected and "
+           "submitted, <kbd>O</kbd> lays one over the other with a slider, <kbd>S</kbd> puts them "
+           "side by side; <kbd>+</kbd> <kbd>&minus;</kbd> or a double click zoom all pictures of a "
+           "scene, dragging or the arrow keys move them.</span></p>" +
            html + "</section>";
 }
 

@@ -9,7 +9,9 @@
 #include <charconv>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace ticker::report {
 namespace {
@@ -49,10 +51,6 @@ struct Place {
         if (!value->is_string()) fail("a string");
         return value->get<std::string>();
     }
-    [[nodiscard]] bool flag() const {
-        if (!value->is_boolean()) fail("true or false");
-        return value->get<bool>();
-    }
     [[nodiscard]] double number() const {
         if (value->is_null()) return std::numeric_limits<double>::quiet_NaN();
         if (!value->is_number()) fail("a number");
@@ -62,6 +60,10 @@ struct Place {
         const double real = number();
         if (!(real >= -2147483648.0 && real <= 2147483647.0)) fail("an integer");
         return static_cast<int>(real);
+    }
+    [[nodiscard]] bool flag() const {
+        if (!value->is_boolean()) fail("true or false");
+        return value->get<bool>();
     }
     template <typename Names>
     [[nodiscard]] auto oneOf(const Names& names) const {
@@ -81,6 +83,43 @@ EvidenceValue readEvidence(const Place& place) {
     return list;
 }
 
+ScatterPlot readPlot(const Place& place) {
+    ScatterPlot plot;
+    plot.title = place.at("title").text();
+    plot.unit = place.at("unit").text();
+    plot.expectedShape = place.at("expectedShape").oneOf(kShapeNames);
+    plot.expectedHalfWidth = place.at("expectedHalfWidth").number();
+    if (place.has("otherHalfWidth")) plot.otherHalfWidth = place.at("otherHalfWidth").number();
+    for (const Place& point : place.at("points").items()) {
+        const std::vector<Place> pair = point.items();
+        if (pair.size() != 2) point.fail("two numbers");
+        plot.points.push_back({pair[0].number(), pair[1].number()});
+    }
+    return plot;
+}
+
+/// A picture of the result: below its folder, and nowhere else.
+std::string readImage(const Place& place) {
+    const std::string file = place.text();
+    if (!file.starts_with("images/") || file.find("..") != std::string::npos)
+        place.fail("the path of a file in images/");
+    return file;
+}
+
+void readFigures(const Place& place, std::vector<ScatterPlot>& plots,
+                 std::vector<Raster>& rasters) {
+    if (place.has("plots"))
+        for (const Place& plot : place.at("plots").items())
+            plots.push_back(readPlot(plot));
+    if (!place.has("pictures")) return;
+    for (const Place& picture : place.at("pictures").items()) {
+        Raster raster;
+        raster.title = picture.at("title").text();
+        raster.image = readImage(picture.at("image"));
+        rasters.push_back(std::move(raster));
+    }
+}
+
 Finding readFinding(const Place& place) {
     Finding finding;
     finding.id = place.at("id").text();
@@ -93,6 +132,7 @@ Finding readFinding(const Place& place) {
     for (const auto& [key, value] : evidence.value->items())
         finding.evidence.emplace_back(
             key, readEvidence({place.file, evidence.path + "/" + key, &value}));
+    readFigures(place, finding.plots, finding.rasters);
     return finding;
 }
 
@@ -105,6 +145,7 @@ TaskReport readTask(const Place& place) {
     for (const Place& finding : place.at("findings").items())
         task.findings.push_back(readFinding(finding));
     if (place.has("needsReview")) task.needsReview = place.at("needsReview").flag();
+    readFigures(place, task.plots, task.rasters);
     return task;
 }
 
@@ -121,6 +162,7 @@ RenderScore readRender(const Place& place) {
     render.image = place.at("image").text();
     if (place.has("reference")) render.reference = place.at("reference").text();
     if (place.has("errorMap")) render.errorMap = place.at("errorMap").text();
+    if (place.has("zMap")) render.zMap = place.at("zMap").text();
     return render;
 }
 
@@ -133,25 +175,26 @@ std::uint64_t readSeed(const Place& place) {
     return seed;
 }
 
-json parse(const std::filesystem::path& file) {
+}  // namespace
+
+SubmissionResult readResultJson(const std::filesystem::path& file) {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error) throw InputError(file.string(), 0, "cannot be read; expected a result.json");
     if (size > kLargestFile)
         throw InputError(file.string(), 0, fmt::format("{} bytes: too large for a result", size));
-    std::ifstream stream{file};
-    try {
-        return json::parse(stream);
-    } catch (const json::exception& problem) {
-        throw InputError(file.string(), 0, fmt::format("not JSON: {}", problem.what()));
-    }
+    std::ifstream stream{file, std::ios::binary};
+    return parseResultJson({std::istreambuf_iterator<char>{stream}, {}}, file.string());
 }
 
-}  // namespace
-
-SubmissionResult readResultJson(const std::filesystem::path& file) {
-    const json document = parse(file);
-    const Place top{file.string(), "", &document};
+SubmissionResult parseResultJson(const std::string& text, const std::string& name) {
+    json document;
+    try {
+        document = json::parse(text);
+    } catch (const json::exception& problem) {
+        throw InputError(name, 0, fmt::format("not JSON: {}", problem.what()));
+    }
+    const Place top{name, "", &document};
     if (top.at("schemaVersion").integer() != SubmissionResult::kSchemaVersion)
         top.at("schemaVersion").fail(fmt::format("{}", SubmissionResult::kSchemaVersion));
     SubmissionResult result;
@@ -174,9 +217,13 @@ SubmissionResult readResultJson(const std::filesystem::path& file) {
         result.renders.push_back(readRender(render));
     for (const Place& notice : top.at("notices").items())
         result.notices.push_back(notice.text());
+    if (top.has("pictures"))
+        for (const Place& picture : top.at("pictures").items())
+            result.pictures.push_back(
+                {readImage(picture.at("file")), picture.at("caption").text(), {}});
     if (top.has("diagnostics"))
         for (const Place& said : top.at("diagnostics").items())
-            result.diagnostics.push_back({said.at("file").text(), said.at("text").text(), ""});
+            result.diagnostics.push_back({said.at("file").text(), said.at("text").text()});
     const Place timing = top.at("timing");
     result.timing = {timing.at("compileMs").number(), timing.at("probeMs").number(),
                      timing.at("totalMs").number()};

@@ -7,6 +7,8 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace ticker::report {
 namespace {
@@ -17,8 +19,8 @@ std::string anchor(const std::string& task) {
     return escapeHtml(id);
 }
 
-std::string headingOf(const TaskReport& task) {
-    return escapeHtml(task.id == "screenshot" ? task.title : task.id + " " + task.title);
+std::string nameOf(const TaskReport& task) {
+    return task.id == "screenshot" ? task.title : task.id + " " + task.title;
 }
 
 /// A task that nobody attempted needs no section of its own.
@@ -32,66 +34,141 @@ const Finding* firstFail(const TaskReport& task) {
     return nullptr;
 }
 
+/// Why a task did not pass, in a few words.
+std::string shortReason(const TaskReport& task) {
+    if (const Finding* finding = firstFail(task)) return std::string{wordsForFinding(finding->id)};
+    return task.reason;
+}
+
+/// What is the same for several tasks is said once.
+class Grouped {
+public:
+    void add(const std::string& task, const std::string& what) {
+        for (auto& [tasks, said] : groups_)
+            if (said == what) {
+                tasks += " and " + task;
+                return;
+            }
+        groups_.emplace_back(task, what);
+    }
+    /// Pairs of tasks and what is said of them.
+    [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& groups() const {
+        return groups_;
+    }
+
+private:
+    std::vector<std::pair<std::string, std::string>> groups_;
+};
+
+/// The verdict as a sentence.
+std::string lead(const SubmissionResult& result) {
+    if (result.verdict == Verdict::notGraded)
+        return "Could not be graded, for reasons that are ours, not the student's.";
+    std::string right;
+    Grouped wrong;
+    for (const TaskReport& task : result.tasks) {
+        if (task.state == TaskState::notAttempted || task.id == "screenshot") continue;
+        if (task.state == TaskState::passed)
+            right += (right.empty() ? "Right: " : ", ") + nameOf(task);
+        else
+            wrong.add(nameOf(task), shortReason(task));
+    }
+    std::string text;
+    for (const auto& [tasks, what] : wrong.groups())
+        text += fmt::format("{}: {}{}", tasks, what, what.ends_with('.') ? " " : ". ");
+    if (!right.empty()) text += right + ".";
+    return text.empty() ? "No task was attempted." : text;
+}
+
 std::string overviewItem(const TaskReport& task) {
-    std::string html = "<li>";
-    html += hasSection(task)
-                ? fmt::format("<a href=\"#{}\">{}</a>", anchor(task.id), headingOf(task))
-                : fmt::format("<strong>{}</strong>", headingOf(task));
+    const std::string name = escapeHtml(nameOf(task));
+    std::string html = fmt::format("<li class=\"{}\">", toString(task.state));
+    html += hasSection(task) ? fmt::format("<a href=\"#{}\">{}</a>", anchor(task.id), name)
+                             : fmt::format("<strong>{}</strong>", name);
     html += badge(toString(task.state), wordsFor(task.state));
-    if (const Finding* finding = firstFail(task))
-        html += fmt::format("<span class=\"reason mono\">{}</span>", escapeHtml(finding->id));
-    else if (!task.reason.empty())
-        html += fmt::format("<span class=\"reason\">{}</span>", escapeHtml(task.reason));
+    if (const std::string reason = shortReason(task); !reason.empty())
+        html += fmt::format("<span class=\"reason\">{}</span>", escapeHtml(sentence(reason)));
     return html + "</li>";
+}
+
+std::string reviewReason(const TaskReport& task) {
+    if (!task.reason.empty()) return task.reason;
+    if (const Finding* finding = firstFail(task)) return finding->message;
+    return task.findings.empty() ? std::string{wordsFor(task.state)}
+                                 : task.findings.front().message;
 }
 
 /// Why a person should look, where one should.
 std::string reviewReasons(const SubmissionResult& result) {
     if (result.verdict != Verdict::needsReview) return "";
-    std::string reasons;
-    for (const TaskReport& task : result.tasks) {
-        if (!task.needsReview && task.id != "screenshot") continue;
-        if (task.state == TaskState::passed && !task.needsReview) continue;
-        const Finding* finding = firstFail(task);
-        const std::string reason = !task.reason.empty()    ? task.reason
-                                   : finding != nullptr    ? finding->message
-                                   : task.findings.empty() ? std::string{wordsFor(task.state)}
-                                                           : task.findings.front().message;
-        reasons += fmt::format("<li>{}: {}</li>", headingOf(task), escapeHtml(reason));
-    }
-    if (reasons.empty()) return "";
-    return "<div class=\"why\"><p>Somebody should look at this before it counts:</p><ul>" +
-           reasons + "</ul></div>";
+    Grouped reasons;
+    for (const TaskReport& task : result.tasks)
+        if (task.needsReview || (task.id == "screenshot" && task.state != TaskState::passed))
+            reasons.add(nameOf(task), reviewReason(task));
+    if (reasons.groups().empty()) return "";
+    std::string html =
+        "<section class=\"why\" aria-labelledby=\"why\"><h2 id=\"why\">A person should look "
+        "before this counts</h2><ul>";
+    for (const auto& [tasks, reason] : reasons.groups())
+        html += fmt::format("<li><strong>{}:</strong> {}</li>", escapeHtml(tasks),
+                            escapeHtml(sentence(reason)));
+    return html + "</ul></section>";
 }
 
 std::string header(const SubmissionResult& result) {
     std::string html = fmt::format(
-        "<header><p class=\"soft\">Tick 1*</p>"
-        "<div class=\"verdict\"><h1>{}</h1>{}<span class=\"soft\">{:g} of {:g}</span></div>{}"
-        "<ul class=\"tasks\">",
-        escapeHtml(result.submission), badge(toString(result.verdict), wordsFor(result.verdict)),
-        result.score, result.maxScore, reviewReasons(result));
-    for (const TaskReport& task : result.tasks)
-        html += overviewItem(task);
-    return html + "</ul></header>";
+        "<header><p class=\"soft crumbs\">Tick 1* report "
+        "<a id=\"class\" href=\"../index.html\">All submissions</a></p>"
+        "<div class=\"hero {0}\"><h1>{1}</h1><p class=\"verdict\">{2} <span>{3:g} of {4:g} "
+        "point{6}</span>"
+        "</p><p class=\"lead\">{5}</p></div></header>",
+        toString(result.verdict), escapeHtml(result.submission),
+        badge(toString(result.verdict), wordsFor(result.verdict)), result.score, result.maxScore,
+        escapeHtml(lead(result)), result.maxScore == 1.0 ? "" : "s");
+    return html;
 }
 
-std::string taskSections(const SubmissionResult& result) {
+std::string overview(const SubmissionResult& result) {
+    std::string html = "<nav aria-label=\"Tasks\"><ul class=\"tasks\">";
+    for (const TaskReport& task : result.tasks)
+        html += overviewItem(task);
+    return html + "</ul></nav>";
+}
+
+/// What was seen of a task stands in the card of its first mistake, else in a card of its own. A
+/// mistake without a picture of its own has a link to those of the scenes.
+std::string findingCards(const SubmissionResult& result, const TaskReport& task,
+                         const Album& album) {
+    std::string seen = figures(task.plots, task.rasters, album);
     std::string html;
-    for (const TaskReport& task : result.tasks) {
-        if (!hasSection(task)) continue;
-        html += fmt::format("<section id=\"{}\"><h2>{} {}</h2>", anchor(task.id), headingOf(task),
-                            badge(toString(task.state), wordsFor(task.state)));
-        // Findings say it better.
-        if (task.findings.empty() && !task.reason.empty())
-            html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
-        for (const Finding& finding : task.findings)
-            html += findingCard(finding);
-        if (task.findings.empty() && task.state == TaskState::passed)
-            html += "<p class=\"soft\">Nothing to remark.</p>";
-        html += "</section>";
+    for (const Finding& finding : task.findings) {
+        const bool first = &finding == firstFail(task);
+        html += findingCard(finding, album, first ? seen : "");
+        if (!first) continue;
+        if (seen.empty() && finding.plots.empty() && finding.rasters.empty() &&
+            !result.renders.empty())
+            html += "<p><a href=\"#pictures\">See where the pictures differ</a></p>";
+        seen.clear();
     }
+    if (!seen.empty())
+        html += "<div class=\"card\"><h3>What was seen</h3><div class=\"figures\">" + seen +
+                "</div></div>";
+    if (html.empty() && task.state == TaskState::passed)
+        html = "<p class=\"soft\">Nothing to remark.</p>";
     return html;
+}
+
+std::string taskSection(const SubmissionResult& result, const TaskReport& task,
+                        const Album& album) {
+    std::string html = fmt::format(
+        "<section id=\"{0}\" aria-labelledby=\"{0}-head\"><h2 id=\"{0}-head\">{1} {2}"
+        "</h2>",
+        anchor(task.id), escapeHtml(nameOf(task)),
+        badge(toString(task.state), wordsFor(task.state)));
+    // Findings say it better.
+    if (task.findings.empty() && !task.reason.empty())
+        html += fmt::format("<p>{}</p>", escapeHtml(sentence(task.reason)));
+    return html + findingCards(result, task, album) + "</section>";
 }
 
 std::string seconds(double milliseconds) {
@@ -99,17 +176,24 @@ std::string seconds(double milliseconds) {
 }
 
 std::string facts(const SubmissionResult& result) {
-    std::string html = "<section id=\"facts\"><h2>How this was found</h2><dl class=\"facts\">";
+    std::string html =
+        "<section id=\"facts\" aria-labelledby=\"facts-head\"><h2 id=\"facts-head\">How this was "
+        "found</h2><dl class=\"facts\">";
     const auto fact = [&](const char* what, const std::string& value) {
         html += fmt::format("<dt>{}</dt><dd>{}</dd>", what, escapeHtml(value));
     };
+    std::string scenes;
+    for (const RenderScore& render : result.renders)
+        scenes += fmt::format("{}{} at {} x {}", scenes.empty() ? "" : ", ", render.scene,
+                              render.width, render.height);
     fact("Option", result.option);
+    if (!scenes.empty()) fact("Scenes rendered", scenes);
     fact("Seed", std::to_string(result.seed));
     fact("Sandbox level", result.sandboxLevel);
     fact("Tool version", result.toolVersion);
-    fact("Compiling", seconds(result.timing.compileMs));
-    fact("Asking the program", seconds(result.timing.probeMs));
-    fact("In all", seconds(result.timing.totalMs));
+    fact("Time", fmt::format("{} in all: {} to compile, {} in the submission's program",
+                             seconds(result.timing.totalMs), seconds(result.timing.compileMs),
+                             seconds(result.timing.probeMs)));
     for (const std::string& notice : result.notices)
         fact("Notice", notice);
     return html + "</dl></section>";
@@ -118,12 +202,15 @@ std::string facts(const SubmissionResult& result) {
 }  // namespace
 
 std::string reportPage(const SubmissionResult& result) {
-    return pageHead(fmt::format("{}: {}", result.submission, wordsFor(result.verdict)),
-                    reportCss()) +
-           header(result) + "<main id=\"main\">" + taskSections(result) +
-           diagnosticsSection(result) + picturesSection(result) + facts(result) +
-           "</main><footer><p>Proposed by ticker; a person decides.</p></footer><script>" +
-           std::string{reportJs()} + "</script></body></html>\n";
+    const Album album{result};
+    std::string body =
+        header(result) + "<main id=\"main\">" + reviewReasons(result) + overview(result);
+    for (const TaskReport& task : result.tasks)
+        if (hasSection(task)) body += taskSection(result, task, album);
+    body += diagnosticsSection(result) + picturesSection(result, album) + facts(result) +
+            "</main><footer><p>Proposed by ticker; a person decides.</p></footer>";
+    return page(fmt::format("{}: {}", result.submission, wordsFor(result.verdict)), reportCss(),
+                reportJs(), body);
 }
 
 }  // namespace ticker::report

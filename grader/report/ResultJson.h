@@ -12,11 +12,14 @@ namespace ticker::report {
 /// not finite become null.
 [[nodiscard]] std::string resultJson(const SubmissionResult& result);
 
-/// Reads a result.json back. What the file does not hold (the bytes of pictures, plots) stays
-/// empty.
+/// Reads a result.json back. What the file does not hold (the bytes of pictures, the values of
+/// rasters) stays empty.
 /// @throws raytracer::InputError naming the file, the member and what was expected; the file may be
 ///         anything.
 [[nodiscard]] SubmissionResult readResultJson(const std::filesystem::path& file);
+
+/// The same from the file's text; `name` is for messages.
+[[nodiscard]] SubmissionResult parseResultJson(const std::string& text, const std::string& name);
 
 /// Writes text whole or not at all: a temporary file beside it is renamed into place.
 /// @throws raytracer::InputError where the file cannot be written.

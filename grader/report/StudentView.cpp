@@ -40,6 +40,8 @@ void withhold(TaskReport& task, const StudentPolicy& policy) {
     std::erase_if(task.findings, [&](const Finding& finding) { return !isShown(finding, policy); });
     for (Finding& finding : task.findings)
         withhold(finding, policy);
+    task.plots.clear();
+    task.rasters.clear();
 }
 
 bool hasBytes(const SubmissionResult& result, const std::string& file) {
@@ -56,6 +58,7 @@ void withholdPictures(SubmissionResult& result, const StudentPolicy& policy) {
     for (RenderScore& render : result.renders) {
         render.reference.clear();
         render.errorMap.clear();
+        render.zMap.clear();
     }
     std::erase_if(result.pictures, [&](const ResultPicture& picture) {
         return std::ranges::none_of(result.renders, [&](const RenderScore& render) {

@@ -46,6 +46,13 @@ std::string_view wordsFor(Severity severity) {
     return "";
 }
 
+std::string sentence(std::string_view text) {
+    std::string result{text};
+    if (!result.empty())
+        result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
+    return result;
+}
+
 std::string spelledOut(std::string_view key) {
     std::string words;
     for (const char c : key) {

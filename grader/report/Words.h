@@ -19,6 +19,13 @@ inline constexpr std::string_view kScreenshotFile = "images/screenshot.png";
 /// For people: "mistake", "warning", "note".
 [[nodiscard]] std::string_view wordsFor(Severity severity);
 
+/// What somebody did to get a finding, to go on "14 of 60 ...": "inverted the bumps along u". The
+/// id itself where there are no words for it.
+[[nodiscard]] std::string_view wordsForFinding(std::string_view id);
+
+/// The first letter as a capital.
+[[nodiscard]] std::string sentence(std::string_view text);
+
 /// "worstLatitude" as "worst latitude".
 [[nodiscard]] std::string spelledOut(std::string_view key);
 

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <unistd.h>
+#include <cctype>
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <system_error>
 
@@ -36,6 +38,40 @@ ordered_json evidenceValue(const EvidenceValue& value) {
     return std::visit(Visitor{}, value);
 }
 
+/// Four digits: a plot shows no more.
+ordered_json shortNumber(double value) {
+    if (!std::isfinite(value)) return nullptr;
+    const double scale =
+        value == 0.0 ? 1.0 : std::pow(10.0, 3.0 - std::floor(std::log10(std::abs(value))));
+    const double rounded = std::round(value * scale) / scale;
+    return std::isfinite(rounded) ? ordered_json(rounded) : ordered_json(value);
+}
+
+ordered_json plotJson(const ScatterPlot& plot) {
+    ordered_json points = ordered_json::array();
+    for (const PlotPoint& point : plot.points)
+        points.push_back({shortNumber(point.x), shortNumber(point.y)});
+    ordered_json json;
+    json["title"] = cleanText(plot.title);
+    json["unit"] = cleanText(plot.unit);
+    json["expectedShape"] = toString(plot.expectedShape);
+    json["expectedHalfWidth"] = number(plot.expectedHalfWidth);
+    if (plot.otherHalfWidth > 0.0) json["otherHalfWidth"] = number(plot.otherHalfWidth);
+    json["points"] = points;
+    return json;
+}
+
+/// What was seen, of a finding or a task; members come only where there is something.
+void addFigures(ordered_json& json, const std::vector<ScatterPlot>& plots,
+                const std::vector<Raster>& rasters) {
+    for (const ScatterPlot& plot : plots)
+        json["plots"].push_back(plotJson(plot));
+    for (const Raster& raster : rasters)
+        if (!raster.image.empty())
+            json["pictures"].push_back(
+                {{"title", cleanText(raster.title)}, {"image", raster.image}});
+}
+
 ordered_json findingJson(const Finding& finding) {
     ordered_json evidence = ordered_json::object();
     for (const auto& [key, value] : finding.evidence)
@@ -47,6 +83,7 @@ ordered_json findingJson(const Finding& finding) {
     json["hint"] = cleanText(finding.hint);
     if (!finding.section.empty()) json["section"] = cleanText(finding.section);
     json["evidence"] = evidence;
+    addFigures(json, finding.plots, finding.rasters);
     return json;
 }
 
@@ -61,6 +98,7 @@ ordered_json taskJson(const TaskReport& task) {
     json["reason"] = cleanText(task.reason);
     json["findings"] = findings;
     if (task.needsReview) json["needsReview"] = true;
+    addFigures(json, task.plots, task.rasters);
     return json;
 }
 
@@ -84,7 +122,46 @@ ordered_json renderJson(const RenderScore& render) {
     json["image"] = render.image;
     json["reference"] = render.reference;
     if (!render.errorMap.empty()) json["errorMap"] = render.errorMap;
+    if (!render.zMap.empty()) json["zMap"] = render.zMap;
     return json;
+}
+
+/// Where the array that begins at `begin` ends, if it holds nothing but numbers (or such arrays).
+std::size_t endOfNumbers(const std::string& text, std::size_t begin) {
+    int depth = 0;
+    for (std::size_t i = begin; i < text.size(); ++i) {
+        if (text[i] == '"' || text[i] == '{') return std::string::npos;
+        if (text[i] == '[') ++depth;
+        if (text[i] == ']' && --depth == 0) return i;
+    }
+    return std::string::npos;
+}
+
+/// Lists of numbers are read as a line; hundreds of lines of them hide all the rest.
+std::string listsOnOneLine(const std::string& text) {
+    std::string result;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\\')
+            result += text[i++];  // what it escapes ends no string
+        else if (text[i] == '"')
+            quoted = !quoted;
+        const std::size_t end =
+            text[i] == '[' && !quoted ? endOfNumbers(text, i) : std::string::npos;
+        if (end == std::string::npos) {
+            result += text[i];
+            continue;
+        }
+        for (; i <= end; ++i)
+            if (std::isspace(static_cast<unsigned char>(text[i])) == 0)
+                result += text[i] == ',' ? std::string{", "} : std::string(1, text[i]);
+        --i;
+    }
+    return result;
+}
+
+ordered_json pictureJson(const ResultPicture& picture) {
+    return {{"file", picture.file}, {"caption", cleanText(picture.caption)}};
 }
 
 }  // namespace
@@ -117,12 +194,14 @@ std::string resultJson(const SubmissionResult& result) {
     json["tasks"] = tasks;
     json["renders"] = renders;
     json["notices"] = notices;
+    for (const ResultPicture& picture : result.pictures)
+        json["pictures"].push_back(pictureJson(picture));
     if (!result.diagnostics.empty()) json["diagnostics"] = diagnosticsJson(result);
     json["timing"] = {{"compileMs", number(std::round(result.timing.compileMs))},
                       {"probeMs", number(std::round(result.timing.probeMs))},
                       {"totalMs", number(std::round(result.timing.totalMs))}};
     // What is no UTF-8 is replaced: no text may keep a result from being written.
-    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return listsOnOneLine(json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) + "\n";
 }
 
 void writeAtomically(const std::string& text, const std::filesystem::path& file) {

@@ -31,6 +31,7 @@ struct ScatterPlot {
     std::vector<PlotPoint> points;
     enum class Shape { square, disc } expectedShape = Shape::square;
     double expectedHalfWidth = 0.0;  ///< half the square's side, or the disc's radius; centred on 0
+    double otherHalfWidth = 0.0;     ///< of another accepted size; 0 where there is none
 };
 
 /// A picture made by the judgement itself: a relief, a map of z-scores.
@@ -38,9 +39,10 @@ struct Raster {
     std::string title;
     int width = 0;
     int height = 0;
-    std::vector<float> values;  ///< width * height, rows from the top
+    std::vector<float> values;  ///< width * height, rows from the top; empty in a result read back
     /// grey: 0 is black and 1 is white; diverging: blue below 0, red above, full at -1 and 1.
     enum class Colours { grey, diverging } colours = Colours::grey;
+    std::string image = {};  ///< its file under the result's folder; empty before it is drawn
 };
 
 /// Something that was observed about a submission, in the student's terms.

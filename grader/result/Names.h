@@ -27,6 +27,9 @@ inline constexpr std::array<std::pair<Verdict, std::string_view>, 4> kVerdictNam
      {Verdict::needsReview, "needsReview"},
      {Verdict::notGraded, "notGraded"}}};
 
+inline constexpr std::array<std::pair<ScatterPlot::Shape, std::string_view>, 2> kShapeNames{
+    {{ScatterPlot::Shape::square, "square"}, {ScatterPlot::Shape::disc, "disc"}}};
+
 template <typename Value, std::size_t size>
 [[nodiscard]] constexpr std::string_view nameIn(
     const std::array<std::pair<Value, std::string_view>, size>& names, Value value) {
@@ -52,6 +55,9 @@ template <typename Value, std::size_t size>
 }
 [[nodiscard]] constexpr std::string_view toString(Verdict value) {
     return nameIn(kVerdictNames, value);
+}
+[[nodiscard]] constexpr std::string_view toString(ScatterPlot::Shape value) {
+    return nameIn(kShapeNames, value);
 }
 
 }  // namespace ticker

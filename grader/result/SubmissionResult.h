@@ -26,7 +26,9 @@ struct TaskReport {
     TaskState state = TaskState::notGraded;
     std::string reason;  ///< one sentence; empty where the findings say it all
     std::vector<Finding> findings;
-    bool needsReview = false;  ///< the state is the best guess, but a person should look
+    bool needsReview = false;             ///< the state is the best guess, but a person should look
+    std::vector<ScatterPlot> plots = {};  ///< what was seen, where no finding shows it
+    std::vector<Raster> rasters = {};     ///< likewise
 };
 
 enum class Verdict { awarded, notAwarded, needsReview, notGraded };
@@ -44,6 +46,7 @@ struct RenderScore {
     std::string image;      ///< path under the result's folder; empty where there is none
     std::string reference;  ///< likewise: what was expected
     std::string errorMap;   ///< likewise: where the two look different
+    std::string zMap = {};  ///< likewise: where it is too dark or too bright for noise
 };
 
 /// A picture that belongs to a result, as a file below OUT/<submission>/.
@@ -56,9 +59,8 @@ struct ResultPicture {
 /// What the compiler said about one of the student's files, made safe to read but not to embed:
 /// it still has to be escaped.
 struct Diagnostics {
-    std::string file;    ///< "Renderer.cpp"
-    std::string text;    ///< capped; paths relative
-    std::string source;  ///< the student's file, for the lines that the text names; may be empty
+    std::string file;  ///< "Renderer.cpp"; its lines are among SubmissionResult::sources
+    std::string text;  ///< capped; paths relative
 };
 
 /// A source as it was handed in, for people to read: a file below OUT/<submission>/code/.

@@ -50,6 +50,20 @@ constexpr std::array kNames{
     SlipNames{Slip::inward, "points-inwards", kWrong},
     SlipNames{Slip::hemisphere, "v-inverted-below-equator", kWrong},
     SlipNames{Slip::firstRow, "slope-of-the-first-row", kWrong},
+    SlipNames{Slip::firstColumn, "slope-of-the-first-column", kWrong},
+    SlipNames{Slip::uHemisphere, "u-inverted-below-equator", kWrong},
+    SlipNames{Slip::lowRows, "u-inverted-below-row-300", kWrong},
+    SlipNames{Slip::farColumns, "v-inverted-right-of-column-300", kWrong},
+    SlipNames{Slip::rowsEnd, "rows-end-at-511", kWrong},
+    SlipNames{Slip::longerSide, "longer-side-for-both", kWrong},
+    SlipNames{Slip::halfRows, "half-the-rows", kWrong},
+    SlipNames{Slip::farNeighbour, "neighbour-fifty-texels-away", kWrong},
+    SlipNames{Slip::darkHalf, "dark-half-inverted", kWrong},
+    SlipNames{Slip::falling, "falling-slopes-ignored", kWrong},
+    SlipNames{Slip::signedBytes, "signed-bytes", kWrong},
+    SlipNames{Slip::byteDifference, "difference-in-a-byte", kWrong},
+    SlipNames{Slip::behind, "smooth-behind", kWrong},
+    SlipNames{Slip::cameraFacing, "turned-to-the-camera", kWrong},
 };
 
 const SlipNames& namesOf(Slip slip) {
@@ -69,7 +83,7 @@ Vector3 modelNormal(const Reading& reading, Slip slip, const Point& point) {
 
 std::string describe(const Reading& reading) {
     return fmt::format(
-        "{}-up, u {:.2f}{}, {}{}, {}, {}, {}, strength {}{}{}{}",
+        "{}-up, u {:.2f}{}, {}{}, {}, {}, {}, strength {}{}{}{}{}",
         name<3>({"y", "z", "x"}, reading.top), reading.uOrigin, reading.mirrored ? " mirrored" : "",
         name<4>({"floor", "round", "bilinear", "bicubic"}, reading.sampling),
         reading.lessOne ? " W-1" : "", name<3>({"wrap", "clamp", "mirror"}, reading.edge),
@@ -78,7 +92,9 @@ std::string describe(const Reading& reading) {
                  "displaced unit sphere"},
                 reading.gain),
         reading.strength, name<2>({"", ", numeric tangents"}, reading.tangents),
-        name<2>({"", ", atan2"}, reading.angle), reading.singlePrecision ? ", float" : "");
+        name<2>({"", ", atan2"}, reading.angle),
+        name<3>({"", ", rounded heights", ", gamma"}, reading.heights),
+        reading.singlePrecision ? ", float" : "");
 }
 
 std::string idOf(Slip slip) {

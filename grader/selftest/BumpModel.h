@@ -25,6 +25,11 @@ struct Reading {
     };
     enum class Tangents { formula, numeric };      ///< how P_u and P_v are made
     enum class PolarAngle { cosine, arcTangent };  ///< by acos, or by atan2
+    enum class Heights {
+        given,
+        rounded,  ///< to whole bytes: no picture shows it
+        gamma     ///< another curve through the greys, which rises as well
+    };
 
     Top top = Top::y;
     double uOrigin = 0.5;  ///< u of the meridian that faces the camera
@@ -37,6 +42,7 @@ struct Reading {
     double strength = 1.0;
     Tangents tangents = Tangents::formula;
     PolarAngle angle = PolarAngle::cosine;
+    Heights heights = Heights::given;
     bool singlePrecision = false;
 };
 
@@ -76,8 +82,24 @@ enum class Slip {
     noQuadrant,      ///< atan instead of atan2
     inward,          ///< the normal points inwards
     hemisphere,      ///< sign of P_v wrong below the equator
-    firstRow         ///< B_u always from the map's top row
+    firstRow,        ///< B_u always from the map's top row
+    firstColumn,     ///< B_v always from the map's first column
+    uHemisphere,     ///< sign of P_u wrong below the equator
+    lowRows,         ///< B_u negated in rows beyond 300
+    farColumns,      ///< B_v negated in columns beyond 300
+    rowsEnd,         ///< rows clamped to 511
+    longerSide,      ///< the longer side for both width and height
+    halfRows,        ///< v is the polar angle over 2 pi
+    farNeighbour,    ///< the texel fifty away
+    darkHalf,        ///< heights as the distance from mid-grey
+    falling,         ///< falling slopes ignored
+    signedBytes,     ///< heights as signed bytes
+    byteDifference,  ///< differences as unsigned bytes
+    behind,          ///< the far side left smooth
+    cameraFacing     ///< the normal turned towards the eye
 };
+
+inline constexpr Slip kLastSlip = Slip::cameraFacing;
 
 /// The normal that this reading gives at a point, with a mistake made in it.
 [[nodiscard]] Vector3 modelNormal(const Reading& reading, Slip slip, const Point& point);

@@ -1,7 +1,7 @@
 #ifndef TICKER_SELFTEST_BUMPTABLES_H
 #define TICKER_SELFTEST_BUMPTABLES_H
 
-#include <grader/selftest/BumpModel.h>
+#include <grader/selftest/BumpReadings.h>
 
 #include <cstdint>
 #include <functional>
@@ -9,16 +9,6 @@
 #include <vector>
 
 namespace ticker::selftest {
-
-/// The cross product of readings that must pass: u origin x sampling x edge rule x difference x
-/// gain x strength x mirrored, each with its neighbours' choices of precision, axis and tangents.
-[[nodiscard]] std::vector<Reading> acceptedReadings();
-
-/// Readings that mistakes are crossed with.
-[[nodiscard]] std::vector<Reading> readingsForMistakes();
-
-/// Every mistake that the model knows.
-[[nodiscard]] std::vector<Slip> allSlips();
 
 /// One line of a table that did not come out as it must.
 struct Surprise {

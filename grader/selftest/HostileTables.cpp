@@ -77,7 +77,9 @@ void compare(const HostileCase& hostileCase, const SubmissionResult& result, Hos
 bool tells(const SubmissionResult& result, const std::string& secret) {
     if (report::resultJson(result).find(secret) != std::string::npos) return true;
     for (const Diagnostics& said : result.diagnostics)
-        if ((said.text + said.source).find(secret) != std::string::npos) return true;
+        if (said.text.find(secret) != std::string::npos) return true;
+    for (const SourceText& source : result.sources)
+        if (source.bytes.find(secret) != std::string::npos) return true;
     return std::ranges::any_of(result.pictures, [&](const ResultPicture& picture) {
         return picture.png.find(secret) != std::string::npos;
     });

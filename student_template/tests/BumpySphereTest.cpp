@@ -86,7 +86,7 @@ protected:
             complain("normals on maps of 1500 x 90 and 90 x 1500 texels", "an answer everywhere",
                      "an error that your code threw",
                      "see the test that answers come at every point of maps of any size",
-                     "1, Implementation, step 1");
+                     "Option 1: What to do, step 1");
         return survey().has_value();
     }
 };
@@ -106,12 +106,12 @@ TEST_F(BumpMapping, AnswersAtEveryPointOfMapsOfAnySize) {
                 complain(asked, "a normal of numbers", words(normal),
                          "a division by zero, or acos of something beyond 1: rounding makes that "
                          "happen at a pole or straight ahead",
-                         "1, Implementation, step 1");
+                         "Option 1: What to do, step 1");
             } catch (const std::exception& error) {
                 complain(asked, "a normal", "the error: " + std::string(error.what()),
                          "columns go from 0 to width() - 1 and rows from 0 to height() - 1; the "
                          "neighbour of the last one needs care",
-                         "1, Implementation, steps 1 and 3");
+                         "Option 1: What to do, steps 1 and 3");
             }
             return;
         }
@@ -131,7 +131,7 @@ TEST_F(BumpMapping, GivesNormalsOfUnitLength) {
         if (std::abs(length - 1.0) < 1e-4 || !std::isfinite(length)) continue;
         complain("the point " + words(direction) + " * radius + centre", "length 1",
                  "length " + inWords(length), "normalise the sum at the end",
-                 "1, Implementation, step 4");
+                 "Option 1: What to do, step 4");
         return;
     }
 }
@@ -143,7 +143,7 @@ TEST_F(BumpMapping, KeepsTheSmoothNormalWhereTheMapIsFlat) {
     complain("a map of one height", "the smooth normal", "a tilt of " + inWords(tilt) + " radians",
              "take differences of heights, not heights, and make sure that the smooth normal is "
              "the one from the centre to the point",
-             "1, Implementation, step 3");
+             "Option 1: What to do, step 3");
 }
 
 TEST_F(BumpMapping, TiltsTheNormalWhereTheMapSlopes) {
@@ -157,7 +157,7 @@ TEST_F(BumpMapping, TiltsTheNormalWhereTheMapSlopes) {
                      " over 1500 texels",
                  "normals that are tilted", "a tilt of " + inWords(strength) + " radians",
                  "B_" + axis + " is always 0 (whole numbers in place of double?) or never added",
-                 "1, Implementation, steps 3 and 4");
+                 "Option 1: What to do, steps 3 and 4");
     }
 }
 
@@ -205,7 +205,7 @@ void expectLeaningBack(const BumpSurvey& survey, AxisAtPoint SurveyPoint::*axis,
              "normals that lean back from where it is higher, as a raised bump's do",
              percent(leaning.back) + " of the points lean back, " + percent(leaning.into) +
                  " lean forward, " + percent(leaning.across) + " lean sideways",
-             causeOf(leaning, name), "1, Theory, Equation (1); 1, Implementation, step 3");
+             causeOf(leaning, name), "Option 1: The sign trap; What to do, step 3");
 }
 
 TEST_F(BumpMapping, LeansBackFromWhatIsHigherAlongU) {
@@ -243,7 +243,7 @@ TEST_F(BumpMapping, LaysTheMapOnceRoundTheSphere) {
                      "taken relative to the sphere's centre, and the map's own width used"
                    : "v must be the polar angle over pi, of the position relative to the sphere's "
                      "centre and divided by the radius, and the map's own height used",
-                 "1, Implementation, step 1");
+                 "Option 1: What to do, step 1");
     }
 }
 
@@ -253,7 +253,7 @@ TEST_F(BumpMapping, HasTheMapsTopAtTheTop) {
     if (!(top.y < -0.7)) return;
     complain("where row 0 of the map lands", "at the top of the sphere", "at " + words(top),
              "row 0 is the picture's top: letters stand on their heads; turn v round",
-             "1, Implementation, step 1");
+             "Option 1: What to do, step 1");
 }
 
 TEST_F(BumpMapping, TiltsMoreWhereTheMapIsSteeper) {
@@ -271,7 +271,7 @@ TEST_F(BumpMapping, TiltsMoreWhereTheMapIsSteeper) {
                  std::string("B_") + axis +
                      " must be the difference of heights itself, neither its "
                      "sign nor a unit vector",
-                 "1, Implementation, step 3");
+                 "Option 1: What to do, step 3");
     }
 }
 
@@ -332,7 +332,7 @@ TEST_F(BumpMapping, FollowsHillsAndValleysAlongBothAxes) {
                  std::string("along ") + axis + " " + percent(share) + " of the tilt does",
                  "each difference is taken between neighbours along one axis only, at this row and "
                  "this column; falling slopes tilt the other way than rising ones",
-                 "1, Implementation, step 3");
+                 "Option 1: What to do, step 3");
     }
 }
 
@@ -353,7 +353,7 @@ TEST_F(BumpMapping, PointsOutwards) {
                  " point to the other side",
              "the smooth normal leads from the centre to the point, not back; it is the largest "
              "part of the sum",
-             "1, Implementation, steps 1 and 4");
+             "Option 1: What to do, steps 1 and 4");
 }
 
 }  // namespace

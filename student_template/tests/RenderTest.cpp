@@ -153,7 +153,7 @@ TEST_F(DepthOfField, KeepsTheColourOfAWallThatIsAlikeEverywhere) {
                      inWords(factor) + " times that colour",
                      "the pixel gets the mean: the sum of all contributions, divided by their "
                      "number, once",
-                     "2.2, Implementation, step 3");
+                     "Depth of field (T2.2), step 3");
             return;
         }
 }
@@ -164,7 +164,7 @@ TEST_F(DepthOfField, CastsEnoughRaysThroughEachPixel) {
     if (trial().fewestRays() >= wanted) return;
     complain(kAsked, "at least " + std::to_string(wanted) + " camera rays for each pixel",
              std::to_string(trial().fewestRays()), "the loop runs settings().dofRayCount times",
-             "2.2, Implementation, step 2");
+             "Depth of field (T2.2), step 2");
 }
 
 /// Where the camera rays start, of both pixels together.
@@ -203,7 +203,7 @@ TEST_F(DepthOfField, StartsItsRaysAllOverALens) {
              std::to_string(lens.distinct) + " in all",
              lens.distinct == 1 ? "every ray starts at the eye: give each one an origin of its own"
                                 : "draw a new lens point for each ray, not for each frame",
-             "2.2, Implementation, step 2");
+             "Depth of field (T2.2), step 2");
 }
 
 TEST_F(DepthOfField, DrawsNewLensPointsForEachRayOfAPixel) {
@@ -216,7 +216,7 @@ TEST_F(DepthOfField, DrawsNewLensPointsForEachRayOfAPixel) {
              "many different points of the lens for each pixel",
              std::to_string(lens.distinct) + " in all",
              "the lens point must be drawn inside the innermost loop",
-             "2.2, Implementation, step 2");
+             "Depth of field (T2.2), step 2");
 }
 
 TEST_F(DepthOfField, HasASquareLensAroundTheEye) {
@@ -226,7 +226,7 @@ TEST_F(DepthOfField, HasASquareLensAroundTheEye) {
     // Cells' middles of a regular grid reach less far than random points.
     const double least = lens.distinct > 500 ? 0.96 : 0.75;
     const std::string expected = "a square in the plane z = 0, centred on the eye";
-    const std::string section = "2.2, Implementation, step 2";
+    const std::string section = "Depth of field (T2.2), step 2";
     const double off =
         std::max(std::abs(lens.low.x + lens.high.x), std::abs(lens.low.y + lens.high.y));
     const auto fits = [&](double half) {
@@ -284,7 +284,7 @@ TEST_F(DepthOfField, FillsTheSquareEvenly) {
     }
     if (!got.empty())
         complain(kAsked + ": where the rays start", "points evenly all over a square", got, cause,
-                 "2.2, Implementation, step 2");
+                 "Depth of field (T2.2), step 2");
 }
 
 /// Where the rays of one pixel come together: the point with the least sum of squared distances
@@ -336,7 +336,7 @@ TEST_F(DepthOfField, BringsThePixelsRaysTogetherInTheFocalPlane) {
         const std::string asked = std::string("the rays of the ") +
                                   (pixel == 0 ? "left" : "right") +
                                   " of two pixels, from all renders";
-        const std::string section = "2.2, Implementation, steps 1 and 2";
+        const std::string section = "Depth of field (T2.2), steps 1 and 2";
         if (!meeting.clear() || meeting.farthest() > 2e-3) {
             complain(asked, "rays that come together in one point",
                      meeting.clear()
@@ -385,7 +385,7 @@ TEST_F(DepthOfField, AveragesWhatItsRaysSee) {
                  "(" + inWords(mean.r) + ", " + inWords(mean.g) + ", " + inWords(mean.b) + ")",
                  "sum the linear colours of all rays, divide by their number, and set that very "
                  "pixel",
-                 "2.2, Implementation, step 3");
+                 "Depth of field (T2.2), step 3");
         return;
     }
 }
@@ -405,7 +405,7 @@ TEST_F(DepthOfField, MixesColoursInEveryFrame) {
              "one of the two in " + std::to_string(pure) + " of " + std::to_string(2 * kRenders) +
                  " pixels",
              "the pixel must get the mean of all rays, not the last one or the median",
-             "2.2, Implementation, step 3");
+             "Depth of field (T2.2), step 3");
 }
 
 TEST_F(DepthOfField, FollowsAsManyReflectionsAsAsked) {
@@ -417,7 +417,7 @@ TEST_F(DepthOfField, FollowsAsManyReflectionsAsAsked) {
              std::to_string(trial().mostBounces()),
              "each camera ray may be reflected as often as "
              "before",
-             "2.2, Implementation, step 3");
+             "Depth of field (T2.2), step 3");
 }
 
 }  // namespace

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// Message, hint and section of one finding.
-
 std::vector<double> toVector(const std::array<double, kBands>& values) {
     return {values.begin(), values.end()};
 }
@@ -51,6 +49,11 @@ void addLanding(Evidence& evidence, const LandingFit& fit) {
     evidence.emplace_back("strayShare", fit.strayShare);
 }
 
+void addRegions(Evidence& evidence, const std::string& name, const RegionShares& shares) {
+    evidence.emplace_back(name + "AsOnRamps", shares.asOnRamps);
+    evidence.emplace_back(name + "AsOnRampsInTheWorstRegion", shares.worst);
+}
+
 void addOffence(Evidence& evidence, const std::string& name, const Offence& offence) {
     if (!offence) return;
     evidence.emplace_back(name + "Points", offence.count);
@@ -67,14 +70,18 @@ Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examina
         also += (also.empty() ? "" : ", ") + idOf(faults[i]);
     if (!also.empty()) evidence.emplace_back("also", also);
     if (examination.letters) addLetters(evidence, *examination.letters);
-    if (examination.ramps.response) {
-        const ResponseMatrix& m = examination.ramps.response->matrix;
+    if (examination.ramps().response) {
+        const ResponseMatrix& m = examination.ramps().response->matrix;
         evidence.emplace_back("responseMatrix",
                               std::vector<double>{m[0][0], m[0][1], m[1][0], m[1][1]});
-        addAxis(evidence, "u", examination.ramps.response->u);
-        addAxis(evidence, "v", examination.ramps.response->v);
+        addAxis(evidence, "u", examination.ramps().response->u);
+        addAxis(evidence, "v", examination.ramps().response->v);
     }
-    if (examination.ramps.fit) addLanding(evidence, *examination.ramps.fit);
+    if (examination.regions) {
+        addRegions(evidence, "largeMapU", examination.regions->u);
+        addRegions(evidence, "largeMapV", examination.regions->v);
+    }
+    if (examination.ramps().fit) addLanding(evidence, *examination.ramps().fit);
     addOffence(evidence, "exception", examination.conduct.threw);
     addOffence(evidence, "notFinite", examination.conduct.notFinite);
     addOffence(evidence, "notUnit", examination.conduct.notUnit);

@@ -11,18 +11,21 @@ constexpr double kVisibleTilt = 1e-3;
 // Downwards within 45 degrees of straight down.
 constexpr double kDownwards = -0.7;
 
-std::optional<Fault> faultOf(RampKind kind) {
-    switch (kind) {
+/// A sign is named only where every map agrees: what is inverted in some rows or greys alone is no
+/// matter of one sign.
+std::optional<Fault> faultOf(const Examination& examination) {
+    const bool agrees = examination.agreesWithRamps();
+    switch (examination.ramps().kind) {
         case RampKind::longitudeDependent:
             return Fault::longitudeDependent;
         case RampKind::swapped:
             return Fault::swapped;
         case RampKind::inverted:
-            return Fault::inverted;
+            return agrees ? std::optional(Fault::inverted) : std::nullopt;
         case RampKind::invertedU:
-            return Fault::invertedU;
+            return agrees ? std::optional(Fault::invertedU) : std::nullopt;
         case RampKind::invertedV:
-            return Fault::invertedV;
+            return agrees ? std::optional(Fault::invertedV) : std::nullopt;
         default:
             return std::nullopt;
     }
@@ -38,7 +41,7 @@ bool isFlat(const Examination& examination) {
 bool tiltsWithoutSlope(const Examination& examination) {
     // Normals of chords over a hundredth of the map lean by 0.03; what leans less is made up for.
     constexpr double kFlatTilt = 0.1;
-    return examination.flatTilt > kFlatTilt;
+    return examination.ladder.flatTilt > kFlatTilt;
 }
 
 std::optional<WrongReason> reasonOf(RampKind kind) {
@@ -62,10 +65,26 @@ std::optional<WrongReason> reasonOf(RampKind kind) {
     }
 }
 
+/// Each axis has one sense on the ramps, right or inverted.
+bool hasSenses(RampKind kind) {
+    return kind == RampKind::right || kind == RampKind::inverted || kind == RampKind::invertedU ||
+           kind == RampKind::invertedV;
+}
+
+/// Where other maps do not say what the ramps say.
+std::optional<WrongReason> findDisagreement(const Examination& examination) {
+    if (examination.agreesWithRamps()) return std::nullopt;
+    const bool regionsDiffer = examination.regions && !examination.regions->good();
+    // Which rows and columns, where it is a matter of these.
+    if (regionsDiffer && examination.regions->isLocal()) return WrongReason::regionsDiffer;
+    if (!examination.slopes || !examination.slopes->good()) return WrongReason::slopesDiffer;
+    return regionsDiffer ? WrongReason::regionsDiffer : WrongReason::steepDiffers;
+}
+
 /// A look-up with columns and rows exchanged leaves maps that are not square: the square ones tell.
 bool isTransposed(const Examination& examination, const std::optional<Hints>& hints) {
-    const bool unclear = !examination.ramps.response;
-    return unclear && (examination.ramps.transposed || (hints && hints->square.transposed));
+    const bool unclear = !examination.ramps().response;
+    return unclear && (examination.ramps().transposed || (hints && hints->square.transposed));
 }
 
 }  // namespace
@@ -99,21 +118,23 @@ std::string idOf(Fault fault) {
 }
 
 std::optional<WrongReason> findWrong(const Examination& examination) {
+    if (examination.mapIgnored) return WrongReason::mapIgnored;
     const Offence& inward = examination.conduct.inward;
+    const RampKind kind = examination.ramps().kind;
     // Wrong tangents tip a normal over here and there; then they are what is wrong.
     if (inward.count > 0.5 * inward.asked) return WrongReason::inward;
     if (tiltsWithoutSlope(examination)) return WrongReason::flatTilted;
-    if (examination.ramps.kind == RampKind::strangeLanding && !examination.growsWithSlope)
+    if (kind == RampKind::strangeLanding && !examination.ladder.growsWithSlope)
         return WrongReason::doesNotGrow;
-    if (const auto reason = reasonOf(examination.ramps.kind)) return reason;
+    if (const auto reason = reasonOf(kind)) return reason;
+    if (!hasSenses(kind)) return std::nullopt;
+    if (const auto reason = findDisagreement(examination)) return reason;
     // What follows asks whether a submission that is right on ramps is right elsewhere, too.
-    if (examination.ramps.kind != RampKind::right) return std::nullopt;
+    if (kind != RampKind::right) return std::nullopt;
     // Tangents of the texel's corner tip a very strong tilt over at the seam's step.
     constexpr double kSomeInward = 0.01;
     if (inward.count > kSomeInward * inward.asked) return WrongReason::inward;
-    if (!examination.growsWithSlope) return WrongReason::doesNotGrow;
-    if (!examination.steepAgrees) return WrongReason::steepDiffers;
-    if (!examination.slopes || !examination.slopes->good()) return WrongReason::slopesDiffer;
+    if (!examination.ladder.growsWithSlope) return WrongReason::doesNotGrow;
     if (!examination.letters || !examination.letters->good()) return WrongReason::lettersDiffer;
     return std::nullopt;
 }
@@ -130,10 +151,9 @@ std::vector<Fault> diagnose(const Examination& examination, const std::optional<
         return faults;
     }
     const bool telling = !tiltsWithoutSlope(examination);
-    if (const auto fault = faultOf(examination.ramps.kind); fault && telling)
-        faults.push_back(*fault);
-    const bool placed = telling && examination.ramps.response.has_value();
-    if (placed && examination.ramps.fit->landing.axis().y < kDownwards)
+    if (const auto fault = faultOf(examination); fault && telling) faults.push_back(*fault);
+    const bool placed = telling && examination.ramps().response.has_value();
+    if (placed && examination.ramps().fit->landing.axis().y < kDownwards)
         faults.push_back(Fault::upsideDown);
     // Answers that are missing or not finite explain anything odd.
     const bool incomplete = conduct.threw || conduct.notFinite;

@@ -33,6 +33,7 @@ enum class Fault {
 
 /// Why a submission is wrong that fits no name: the first that applies.
 enum class WrongReason {
+    mapIgnored,  ///< another map gives the same normals
     inward,
     flatTilted,
     slopeUIgnored,
@@ -43,7 +44,8 @@ enum class WrongReason {
     patchy,
     strangeDirection,
     doesNotGrow,
-    steepDiffers,
+    steepDiffers,   ///< on a ramp from black to white
+    regionsDiffer,  ///< in some rows or columns of a large map
     slopesDiffer,
     lettersDiffer
 };

@@ -1,148 +1,144 @@
 #include <grader/decision/bump/Examination.h>
 
-#include <grader/decision/bump/Numbers.h>
-
 #include <algorithm>
-#include <cstddef>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace ticker::decision::bump {
 namespace {
 
-// Gentle ramps are so low beside the sphere's radius that the exact normal of the displaced surface
-// is as good as in proportion to the slope.
-constexpr double kGentleRise = 0.1;
-constexpr double kModerateRise = 1.0;
-constexpr double kSteepRise = 5.0;
-
-/// Sides that no submission can know.
-RampShape drawShape(Draws& draws, double rise) {
-    return {draws.integer(1510, 1590), draws.integer(88, 112), rise};
+/// Spheres on either side of every plane through the eye: `side` is 1 in front, -1 behind.
+/// So large that their far side is about four times as far away as their near side.
+Ball drawBall(Draws& draws, double side) {
+    const double distance = draws.uniform(20.0, 30.0);
+    return {{-side * draws.uniform(0.7, 2.0), side * draws.uniform(0.3, 1.5), side * distance},
+            distance * draws.uniform(0.55, 0.65)};
 }
 
-Ball drawBall(Draws& draws) {
-    const double side = draws.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0;
-    return {{side * draws.uniform(0.7, 2.0), draws.uniform(-1.5, 1.5), draws.uniform(20.0, 30.0)},
-            draws.uniform(8.0, 16.0)};
+/// Flat, but for its last two fifths: teeth of so many bytes for each texel that even code which
+/// rounds heights or tilts little shows them.
+std::vector<double> lateTeeth(int count) {
+    constexpr int kBytesPerTexel = 8;
+    std::vector<double> heights(static_cast<std::size_t>(count), 0.0);
+    for (int i = count * 3 / 5; i < count; ++i)
+        heights[static_cast<std::size_t>(i)] = kByte * (i * kBytesPerTexel % 256);
+    return heights;
 }
 
-double strongest(const std::vector<RampTilts>& tilts) {
-    const RampStrength middle = strength(tilts);
-    return std::max(middle.alongU, middle.alongV);
-}
-
-/// Both ramps, the steep one against the gentle one: do tilts grow, and keep their direction?
-void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTilts>& steep,
-                  Examination& examination) {
-    // The displaced surface's exact normal: 30; in proportion: 50, and 5 beyond a moderate ramp.
-    constexpr double kGrows = 2.0;
-    constexpr double kAgree = 0.95;
-    std::vector<double> growth;
-    double agreeing = 0.0;
-    const RampStrength least = strength(gentle);
-    const std::size_t count = std::min(gentle.size(), steep.size());
-    for (std::size_t i = 0; i < count; ++i)
-        for (const auto& [a, b, usual] :
-             {std::tuple(gentle[i].onURamp, steep[i].onURamp, least.alongU),
-              std::tuple(gentle[i].onVRamp, steep[i].onVRamp, least.alongV)}) {
-            const double product = a.dot(b);
-            if (a.magnitude() > 0.1 * usual) growth.push_back(product / a.dot(a));
-            if (product >= 0.7 * a.magnitude() * b.magnitude()) agreeing += 1.0;
-        }
-    examination.growsWithSlope = median(growth) >= kGrows;
-    examination.steepAgrees = agreeing >= kAgree * 2.0 * static_cast<double>(count);
-}
-
-/// Takes the ramps that tell most: gentle ones unless they tilt so little that rounding shows.
-void judgeAllRamps(const MainPlan& plan, const Answers& answers, Examination& examination) {
-    // Single precision leaves 1e-7 in a normal, and 1e-5 where the normal is that of chords over a
-    // texel: far below either limit.
-    constexpr double kClear = 5e-6;
-    constexpr double kClearOfChords = 2e-3;
-    const std::vector<RampTilts> steep = readRamps(plan.steep, answers);
-    std::vector<RampTilts> low = readRamps(plan.gentle, answers);
-    examination.ramps = judgeRamps(low);
-    if (!(strongest(low) > kClearOfChords)) {
-        std::vector<RampTilts> moderate = readRamps(plan.moderate, answers);
-        const bool tells = strongest(low) > kClear && examination.ramps.response;
-        RampJudgement judgement = judgeRamps(moderate);
-        // Axes exchanged on these long maps tilt a displaced surface little, however high it is:
-        // then only gentle ramps are in proportion.
-        if (judgement.response || !tells) {
-            examination.ramps = std::move(judgement);
-            low = std::move(moderate);
-        }
-    }
-    if (strongest(low) > kClear)
-        compareRamps(low, steep, examination);
-    else
-        examination.ramps = judgeRamps(steep);
-}
-
-double middleTilt(const std::vector<Vector3>& tilts) {
-    std::vector<double> lengths;
-    lengths.reserve(tilts.size());
+/// Whether slopes at the map's end tilt at any place.
+bool seesSlope(const Answers& answers, std::size_t flat, std::size_t question) {
+    constexpr double kSomeTilt = 2e-5;  // single precision leaves half of it
+    constexpr double kSomePoints = 0.02;
+    double seen = 0.0;
+    const std::vector<Vector3> tilts = answers.tiltsBeyond(flat, question);
     for (const Vector3& tilt : tilts)
-        lengths.push_back(tilt.magnitude());
-    return median(lengths);
+        if (tilt.magnitude() > kSomeTilt) seen += 1.0;
+    return seen > kSomePoints * static_cast<double>(tilts.size());
+}
+
+/// Ramps of whole bytes tell where the map lies, or anything at all where most points of the others
+/// are not tilted.
+bool tellsMore(const RampJudgement& coarse, const RampJudgement& ramps) {
+    constexpr double kNothing = 1e-13;
+    const bool mostlyLevel = !(std::max(ramps.strength.alongU, ramps.strength.alongV) > kNothing);
+    return coarse.response || (mostlyLevel && coarse.kind != RampKind::silent);
+}
+
+/// Whether the order of the points makes a difference to more than a few.
+bool differs(const Answers& answers, std::size_t forwards, std::size_t backwards) {
+    constexpr double kRounding = 1e-9;
+    constexpr double kSomePoints = 0.02;
+    const std::vector<Vector3> one = answers.tilts(forwards);
+    std::vector<Vector3> two = answers.tilts(backwards);
+    std::reverse(two.begin(), two.end());
+    double differing = 0.0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        if ((one[i] - two[i]).magnitude() > kRounding) differing += 1.0;
+    return differing > kSomePoints * static_cast<double>(one.size());
 }
 
 }  // namespace
 
 MainPlan planMain(std::uint64_t seed) {
-    constexpr int kGentlePoints = 1000;
-    constexpr int kSteepPoints = 500;
+    constexpr int kPoints = 1000;
     Draws draws(seed);
     MainPlan plan;
-    const Ball ball = drawBall(draws);
-    std::vector<Vector3> directions = draws.directions(kGentlePoints);
-    plan.gentle = planRamps(plan.questionnaire, ball, drawShape(draws, kGentleRise), directions);
-    const RampShape moderate{plan.gentle.shape.along, plan.gentle.shape.across, kModerateRise};
-    plan.moderate = planRamps(plan.questionnaire, ball, moderate, directions);
-    directions.resize(kSteepPoints);
-    plan.steep = planRamps(plan.questionnaire, ball, drawShape(draws, kSteepRise), directions);
-    plan.slopes = planSlopes(plan.questionnaire, draws, drawBall(draws));
+    const Ball ball = drawBall(draws, 1.0);
+    const std::vector<Vector3> directions = draws.directions(kPoints);
+    plan.regions = planRegions(plan.questionnaire, draws, ball, directions);
+    plan.ladder = planLadder(plan.questionnaire, draws, ball, directions);
+    plan.slopes = planSlopes(plan.questionnaire, draws, drawBall(draws, -1.0));
     plan.letters = planLetters(plan.questionnaire, draws);
     plan.conduct = planConduct(plan.questionnaire, draws);
     return plan;
 }
 
+CoarsePlan planCoarse(std::uint64_t seed) {
+    Draws draws(seed + 0xC0A5EU);
+    return planCoarse(draws, drawBall(draws, 1.0));
+}
+
 HintPlan planHints(std::uint64_t seed) {
     constexpr int kPoints = 500;
+    constexpr double kRise = 0.1;
+    constexpr double kBase = 2.0;
     Draws draws(seed + 0x5151U);
     HintPlan plan;
     const int side = draws.integer(380, 430);
     const std::vector<Vector3> directions = draws.directions(kPoints);
+    const auto ask = [&](const Ball& ball, double rise) {
+        return planRamps(plan.questionnaire, ball, {side, side, side, rise, kBase}, directions);
+    };
     // All maps of one size, so that code which remembers a size does well; lower ramps on smaller
     // spheres.
-    plan.square =
-        planRamps(plan.questionnaire, drawBall(draws), {side, side, kGentleRise}, directions);
-    plan.unitSphere =
-        planRamps(plan.questionnaire, {{}, 1.0}, {side, side, 0.2 * kGentleRise}, directions);
-    plan.sceneSphere = planRamps(plan.questionnaire, {{0.0, 0.0, 3.5}, 0.7},
-                                 {side, side, 0.1 * kGentleRise}, directions);
+    const Ball ball = drawBall(draws, 1.0);
+    plan.square = ask(ball, kRise);
+    plan.unitSphere = ask({{}, 1.0}, 0.2 * kRise);
+    plan.sceneSphere = ask({{0.0, 0.0, 3.5}, 0.7}, 0.1 * kRise);
+    const std::vector<double> late = lateTeeth(side);
+    const std::vector<double> level = raytracer::questions::level(side);
+    plan.lastColumns = plan.questionnaire.add(ball, {side, side, {}, late, level}, directions);
+    plan.lastRows = plan.questionnaire.add(ball, {side, side, {}, level, late}, directions);
+    plan.forwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, directions);
+    const std::vector<Vector3> reversed(directions.rbegin(), directions.rend());
+    plan.backwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, reversed);
     return plan;
 }
 
-Examination examine(const MainPlan& plan, const Answers& answers) {
+bool Examination::agreesWithRamps() const {
+    constexpr double kAlmostAll = 0.95;
+    return ladder.steepAgrees >= kAlmostAll && regions && regions->good() && slopes &&
+           slopes->good();
+}
+
+Examination examine(const MainPlan& plan, const Answers& answers,
+                    std::optional<RampJudgement> coarse) {
     Examination examination;
     examination.conduct = readConduct(plan.conduct, answers);
-    judgeAllRamps(plan, answers, examination);
-    for (const std::size_t flat :
-         {plan.gentle.uFlat, plan.gentle.vFlat, plan.steep.uFlat, plan.steep.vFlat})
-        examination.flatTilt = std::max(examination.flatTilt, middleTilt(answers.tilts(flat)));
-    if (!examination.ramps.response) return examination;
-    const Landing& landing = examination.ramps.fit->landing;
-    examination.slopes = readSlopes(plan.slopes, answers, landing, *examination.ramps.response);
-    examination.letters = readLetters(plan.letters, answers, landing, *examination.ramps.response);
+    examination.mapIgnored = areTheSame(answers, plan.regions.question, plan.ladder.gentle.uFlat);
+    examination.ladder = judgeLadder(plan.ladder, answers);
+    // What ramps of fractions showed is rounding then.
+    if (coarse && tellsMore(*coarse, examination.ramps()))
+        examination.ladder = {*std::move(coarse), examination.ladder.flatTilt};
+    const RampJudgement& ramps = examination.ramps();
+    if (!ramps.response) return examination;
+    const Landing& landing = ramps.fit->landing;
+    examination.regions = readRegions(plan.regions, answers, ramps);
+    examination.slopes = readSlopes(plan.slopes, answers, landing, *ramps.response);
+    examination.letters = readLetters(plan.letters, answers, landing, *ramps.response);
     return examination;
 }
 
 Hints readHints(const HintPlan& plan, const Answers& answers) {
-    return {judgeRamps(readRamps(plan.square, answers)),
-            judgeRamps(readRamps(plan.unitSphere, answers)),
-            judgeRamps(readRamps(plan.sceneSphere, answers))};
+    const auto judge = [&](const RampPlan& ramps) {
+        return judgeRamps(ramps.shape, readRamps(ramps, answers));
+    };
+    return {judge(plan.square),
+            judge(plan.unitSphere),
+            judge(plan.sceneSphere),
+            seesSlope(answers, plan.square.uFlat, plan.lastColumns),
+            seesSlope(answers, plan.square.vFlat, plan.lastRows),
+            differs(answers, plan.forwards, plan.backwards)};
 }
 
 }  // namespace ticker::decision::bump

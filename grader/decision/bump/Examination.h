@@ -1,25 +1,25 @@
 #ifndef TICKER_DECISION_BUMP_EXAMINATION_H
 #define TICKER_DECISION_BUMP_EXAMINATION_H
 
+#include <grader/decision/bump/CoarseRamps.h>
 #include <grader/decision/bump/Conduct.h>
 #include <grader/decision/bump/Letters.h>
-#include <grader/decision/bump/RampJudgement.h>
-#include <grader/decision/bump/Ramps.h>
+#include <grader/decision/bump/RampLadder.h>
+#include <grader/decision/bump/Regions.h>
 #include <grader/decision/bump/Slopes.h>
 #include <grader/decision/bump/Tilt.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace ticker::decision::bump {
 
 /// The first sitting: everything that a right submission is asked.
 struct MainPlan {
     Questionnaire questionnaire;
-    RampPlan gentle;    ///< heights of 0 to 0.1: tilts are in proportion to slopes
-    RampPlan moderate;  ///< heights of 0 to 1: ten times that, where the gentle ones tilt little
-    RampPlan steep;     ///< heights of 0 to 5, as maps have them
+    RegionPlan regions;  ///< first, at the ladder's points, so that what remembers a map shows
+    RampLadder ladder;
     SlopePlan slopes;
     LetterPlan letters;
     ConductPlan conduct;
@@ -27,34 +27,49 @@ struct MainPlan {
 
 [[nodiscard]] MainPlan planMain(std::uint64_t seed);
 
-/// The second sitting, which only a failing submission sees: where does it do better?
+/// The second sitting, for a submission whose ramps do not tell where the map lies.
+[[nodiscard]] CoarsePlan planCoarse(std::uint64_t seed);
+
+/// The last sitting, which only a failing submission sees: where does it do better?
 struct HintPlan {
     Questionnaire questionnaire;
-    RampPlan square;       ///< columns and rows may be exchanged without harm
-    RampPlan unitSphere;   ///< centre at the origin, radius 1
-    RampPlan sceneSphere;  ///< the exercise's own sphere
+    RampPlan square;              ///< columns and rows may be exchanged without harm
+    RampPlan unitSphere;          ///< centre at the origin, radius 1
+    RampPlan sceneSphere;         ///< the exercise's own sphere
+    std::size_t lastColumns = 0;  ///< a map that slopes in its last columns only
+    std::size_t lastRows = 0;
+    std::size_t forwards = 0;   ///< one map at the same points,
+    std::size_t backwards = 0;  ///< in the opposite order
 };
 
 [[nodiscard]] HintPlan planHints(std::uint64_t seed);
 
-/// What the first sitting showed.
+/// What the sittings before the last showed.
 struct Examination {
     Conduct conduct;
-    RampJudgement ramps;         ///< on the gentlest ramps that tilt clearly
-    double flatTilt = 0.0;       ///< largest middle tilt on maps without slope
-    bool growsWithSlope = true;  ///< 50 times the slope tilts at least twice as much
-    bool steepAgrees = true;     ///< steep ramps tilt in the same directions as gentle ones
-    std::optional<SlopeAgreement> slopes;  ///< where the map's place is known
-    std::optional<LetterReading> letters;  ///< likewise
+    bool mapIgnored = false;  ///< two maps on the same sphere gave the same tilts
+    LadderJudgement ladder;
+    std::optional<RegionAgreement> regions;  ///< where the map's place is known, as are the next
+    std::optional<SlopeAgreement> slopes;
+    std::optional<LetterReading> letters;
+
+    [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }
+    /// Every map says what the ramps said.
+    [[nodiscard]] bool agreesWithRamps() const;
 };
 
-[[nodiscard]] Examination examine(const MainPlan& plan, const Answers& answers);
+/// @param coarse  From a sitting of its own; counts where other ramps do not tell the map's place.
+[[nodiscard]] Examination examine(const MainPlan& plan, const Answers& answers,
+                                  std::optional<RampJudgement> coarse = std::nullopt);
 
-/// What the second sitting showed.
+/// What the last sitting showed.
 struct Hints {
     RampJudgement square;
     RampJudgement unitSphere;
     RampJudgement sceneSphere;
+    bool lastColumnsSeen = true;  ///< the map's last columns lie somewhere on the sphere
+    bool lastRowsSeen = true;
+    bool dependsOnOrder = false;  ///< the normal at a point depends on what was asked before
 };
 
 [[nodiscard]] Hints readHints(const HintPlan& plan, const Answers& answers);

@@ -59,6 +59,14 @@ std::optional<TaskJudgement> judgeEnd(const Answers& answers, const Conduct& con
     return std::nullopt;
 }
 
+/// What ramps of whole bytes say; empty where the process ends badly.
+std::optional<RampJudgement> askForCoarseRamps(probe::Examinee& examinee, std::uint64_t seed) {
+    const CoarsePlan plan = planCoarse(seed);
+    const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));
+    if (answers.end().kind != ProcessEnd::Kind::finished) return std::nullopt;
+    return judgeRamps(plan.ramps.shape, readCoarse(plan, answers));
+}
+
 /// Asks again where that helps to explain a fault. A process that ends badly explains nothing.
 std::optional<Hints> askForHints(probe::Examinee& examinee, std::uint64_t seed) {
     const HintPlan plan = planHints(seed);
@@ -71,9 +79,9 @@ TaskJudgement failed(const std::vector<Fault>& faults, const Examination& examin
                      const std::optional<Hints>& hints, const MainPlan& plan,
                      const Answers& answers) {
     Finding finding = describe(faults, examination, hints);
-    if (examination.ramps.response)
-        finding.rasters = drawRelief(plan.letters, answers, examination.ramps.fit->landing,
-                                     *examination.ramps.response);
+    if (examination.ramps().response)
+        finding.rasters = drawRelief(plan.letters, answers, examination.ramps().fit->landing,
+                                     *examination.ramps().response);
     TaskJudgement judgement;
     judgement.state = faults.front() == Fault::threw ? TaskState::blocked : TaskState::failed;
     judgement.reason = finding.message;
@@ -94,13 +102,18 @@ void addNotes(TaskJudgement& judgement, std::vector<Finding> notes) {
 TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed) {
     const MainPlan plan = planMain(seed);
     const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));
-    const Examination examination = examine(plan, answers);
+    Examination examination = examine(plan, answers);
     if (auto ended = judgeEnd(answers, examination.conduct)) return *std::move(ended);
+    if (!examination.ramps().response)
+        examination = examine(plan, answers, askForCoarseRamps(examinee, seed));
 
     TaskJudgement judgement{TaskState::passed, {}, {}, false};
     if (!diagnose(examination, std::nullopt).empty()) {
         const std::optional<Hints> hints = askForHints(examinee, seed);
         judgement = failed(diagnose(examination, hints), examination, hints, plan, answers);
+    } else if (examination.ramps().response) {
+        judgement.rasters = drawRelief(plan.letters, answers, examination.ramps().fit->landing,
+                                       *examination.ramps().response);
     }
     addNotes(judgement, sideNotes(examination));
     return judgement;

@@ -88,6 +88,7 @@ LandingFit measure(const std::vector<Sighting>& sightings, const Landing& landin
     std::vector<double> vErrors;
     double stray = 0.0;
     for (const Sighting& sighting : sightings) {
+        if (std::isnan(sighting.u) || std::isnan(sighting.v)) continue;
         if (std::abs(sighting.direction.dot(landing.axis())) > kNearAxis) continue;
         const double u = landing.u(sighting.direction);
         if (turnDistance(u, 0.0) < kNearSeam) continue;
@@ -144,6 +145,14 @@ Vector3 Landing::direction(double u, double v) const {
     const double longitude = kTurn * turns;
     return axis_ * std::cos(kPi * v) +
            (meridian_ * std::cos(longitude) + right_ * std::sin(longitude)) * std::sin(kPi * v);
+}
+
+bool isOrdinary(const Landing& landing, const Vector3& direction) {
+    constexpr double kPoleMargin = 0.06;
+    constexpr double kSeamMargin = 0.02;
+    const double v = landing.v(direction);
+    return std::min(v, 1.0 - v) >= kPoleMargin &&
+           turnDistance(landing.u(direction), 0.0) >= kSeamMargin;
 }
 
 bool LandingFit::good() const {

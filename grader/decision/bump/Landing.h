@@ -43,6 +43,9 @@ private:
     bool mirrored_;
 };
 
+/// Far enough from poles and seam for any difference and any interpolation.
+[[nodiscard]] bool isOrdinary(const Landing& landing, const Vector3& direction);
+
 /// What one point told about the map: its place on the sphere and the map coordinates that its
 /// tilts reveal; not a number where they reveal none.
 struct Sighting {

@@ -15,8 +15,6 @@ namespace {
 
 using probe::HeightMapDescription;
 
-constexpr double kByte = 5.0 / 255.0;
-
 /// One point of the grid: where it lies on the map, what the map holds there, what was recovered.
 struct Cell {
     double column = 0.0;  // texels, not rounded

@@ -55,11 +55,14 @@ RampKind kindWithoutLanding(const std::vector<RampTilts>& tilts, const RampJudge
 
 }  // namespace
 
-RampJudgement judgeRamps(const std::vector<RampTilts>& tilts) {
+RampJudgement judgeRamps(const RampShape& shape, const std::vector<RampTilts>& tilts) {
     constexpr double kIgnoredShare = 1e-4;
     RampJudgement judgement;
+    judgement.shape = shape;
     judgement.strength = strength(tilts);
-    const auto [alongU, alongV] = judgement.strength;
+    // An axis counts as ignored only where hardly a point is tilted.
+    constexpr double kHardlyAPoint = 0.95;
+    const auto [alongU, alongV] = strength(tilts, kHardlyAPoint);
     const double strongest = std::max(alongU, alongV);
     // Far below double precision's rounding. Not above, rather than below: not-a-number is no tilt.
     constexpr double kNothing = 1e-13;

@@ -29,13 +29,14 @@ enum class RampKind {
 
 struct RampJudgement {
     RampKind kind = RampKind::silent;
+    RampShape shape;  ///< of the ramps
     RampStrength strength;
     std::optional<LandingFit> fit;     ///< where enough points told their place
     std::optional<Response> response;  ///< where the fit is good
     bool transposed = false;           ///< columns follow the polar angle, rows the longitude
 };
 
-[[nodiscard]] RampJudgement judgeRamps(const std::vector<RampTilts>& tilts);
+[[nodiscard]] RampJudgement judgeRamps(const RampShape& shape, const std::vector<RampTilts>& tilts);
 
 }  // namespace ticker::decision::bump
 

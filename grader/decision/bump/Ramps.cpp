@@ -3,6 +3,7 @@
 #include <grader/decision/bump/Numbers.h>
 #include <questions/BumpQuestions.h>
 
+#include <cmath>
 #include <utility>
 
 namespace ticker::decision::bump {
@@ -11,16 +12,40 @@ namespace {
 namespace questions = raytracer::questions;
 using probe::HeightMapDescription;
 
-std::vector<double> profile(const RampShape& shape, bool bow) {
-    return bow ? questions::bow(shape.along, shape.rise) : questions::ramp(shape.along, shape.rise);
+/// Rounded, and from 0 again after 255.
+double inWholeBytes(double height) {
+    return kByte * static_cast<double>(std::lround(height / kByte) % 256);
+}
+
+std::vector<double> profile(int count, const RampShape& shape, bool bow) {
+    const double rise = shape.slope(count) * (count - 1);
+    std::vector<double> heights = bow ? questions::bow(count, rise) : questions::ramp(count, rise);
+    for (double& height : heights)
+        height = shape.bytesPerTexel == 0 ? shape.base + height : inWholeBytes(height);
+    return heights;
 }
 
 HeightMapDescription alongU(const RampShape& shape, bool bow) {
-    return {shape.along, shape.across, {}, profile(shape, bow), questions::level(shape.across)};
+    return {shape.columns,
+            shape.across,
+            {},
+            profile(shape.columns, shape, bow),
+            questions::level(shape.across)};
 }
 
 HeightMapDescription alongV(const RampShape& shape, bool bow) {
-    return {shape.across, shape.along, {}, questions::level(shape.across), profile(shape, bow)};
+    return {shape.across,
+            shape.rows,
+            {},
+            questions::level(shape.across),
+            profile(shape.rows, shape, bow)};
+}
+
+void addSlopes(Questionnaire& questionnaire, const Ball& ball, RampPlan& plan) {
+    plan.uRamp = questionnaire.add(ball, alongU(plan.shape, false), plan.directions);
+    plan.uBow = questionnaire.add(ball, alongU(plan.shape, true), plan.directions);
+    plan.vRamp = questionnaire.add(ball, alongV(plan.shape, false), plan.directions);
+    plan.vBow = questionnaire.add(ball, alongV(plan.shape, true), plan.directions);
 }
 
 }  // namespace
@@ -31,15 +56,21 @@ RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball, const RampSha
     plan.shape = shape;
     plan.directions = std::move(directions);
     // As high as the middle of the ramps.
-    const double middle = 0.5 * shape.rise;
+    const double middle = shape.base + 0.5 * shape.rise;
     plan.uFlat =
-        questionnaire.add(ball, flatMap(shape.along, shape.across, middle), plan.directions);
-    plan.uRamp = questionnaire.add(ball, alongU(shape, false), plan.directions);
-    plan.uBow = questionnaire.add(ball, alongU(shape, true), plan.directions);
+        questionnaire.add(ball, flatMap(shape.columns, shape.across, middle), plan.directions);
     plan.vFlat =
-        questionnaire.add(ball, flatMap(shape.across, shape.along, middle), plan.directions);
-    plan.vRamp = questionnaire.add(ball, alongV(shape, false), plan.directions);
-    plan.vBow = questionnaire.add(ball, alongV(shape, true), plan.directions);
+        questionnaire.add(ball, flatMap(shape.across, shape.rows, middle), plan.directions);
+    addSlopes(questionnaire, ball, plan);
+    return plan;
+}
+
+RampPlan planMoreRamps(Questionnaire& questionnaire, const Ball& ball, const RampPlan& first,
+                       double rise) {
+    RampPlan plan = first;
+    plan.shape.base = 0.0;
+    plan.shape.rise = rise;
+    addSlopes(questionnaire, ball, plan);
     return plan;
 }
 
@@ -64,14 +95,14 @@ std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts) {
     return seen;
 }
 
-RampStrength strength(const std::vector<RampTilts>& tilts) {
+RampStrength strength(const std::vector<RampTilts>& tilts, double share) {
     std::vector<double> alongU;
     std::vector<double> alongV;
     for (const RampTilts& tilt : tilts) {
         alongU.push_back(tilt.onURamp.magnitude());
         alongV.push_back(tilt.onVRamp.magnitude());
     }
-    return {median(alongU), median(alongV)};
+    return {quantile(std::move(alongU), share), quantile(std::move(alongV), share)};
 }
 
 }  // namespace ticker::decision::bump

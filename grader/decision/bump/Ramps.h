@@ -11,9 +11,17 @@ namespace ticker::decision::bump {
 
 /// Size and steepness of a set of ramps.
 struct RampShape {
-    int along = 1536;   ///< texels in the direction of the slope
-    int across = 96;    ///< texels at a right angle to it
-    double rise = 5.0;  ///< height from end to end
+    int columns = 2080;     ///< of those along u
+    int rows = 1536;        ///< of those along v
+    int across = 96;        ///< texels at a right angle to the slope
+    double rise = 5.0;      ///< height from end to end
+    double base = 0.0;      ///< height of the lowest texel
+    int bytesPerTexel = 0;  ///< if any: the slope in whole bytes, beginning anew after each 255
+
+    /// Height per texel of a ramp that is so long.
+    [[nodiscard]] double slope(int texels) const {
+        return bytesPerTexel == 0 ? rise / (texels - 1) : kByte * bytesPerTexel;
+    }
 };
 
 /// Six questions at the same points of the same sphere: a ramp, a bow (a parabola of the same slope
@@ -32,6 +40,10 @@ struct RampPlan {
 [[nodiscard]] RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball,
                                  const RampShape& shape, std::vector<Vector3> directions);
 
+/// The same sides at the same points, of another steepness: the flat maps serve both.
+[[nodiscard]] RampPlan planMoreRamps(Questionnaire& questionnaire, const Ball& ball,
+                                     const RampPlan& first, double rise);
+
 /// Tilts at one point, less the tilt on the flat map of that size; not finite where an answer is
 /// missing.
 struct RampTilts {
@@ -48,12 +60,12 @@ struct RampTilts {
 /// of the two tilts tells x whatever their sign, their direction and their strength.
 [[nodiscard]] std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts);
 
-/// The middle tilt of each ramp.
+/// The length of the tilt on each ramp that this share of the points does not exceed.
 struct RampStrength {
     double alongU = 0.0;
     double alongV = 0.0;
 };
-[[nodiscard]] RampStrength strength(const std::vector<RampTilts>& tilts);
+[[nodiscard]] RampStrength strength(const std::vector<RampTilts>& tilts, double share = 0.5);
 
 }  // namespace ticker::decision::bump
 

@@ -44,6 +44,9 @@ struct AxisResponse {
     Vector3 deadAt;                              ///< a point that is not tilted
     Vector3 worst;                               ///< where the direction is farthest from right
     double worstDirection = 0.0;                 ///< degrees
+
+    /// -1 where it is inverted, else 1: times this, tilts are as they should be.
+    [[nodiscard]] double sign() const { return sense == Sense::inverted ? -1.0 : 1.0; }
 };
 
 /// The response matrix: mean tilt against the slope, in units of the mean length of the tilt on

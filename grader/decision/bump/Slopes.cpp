@@ -12,7 +12,6 @@ namespace {
 using probe::HeightMapDescription;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kByte = 5.0 / 255.0;
 constexpr int kBytesPerTexel = 4;
 constexpr int kTooth = 64;  // texels: 63 steps of 4 bytes
 
@@ -21,17 +20,6 @@ std::vector<double> sawtooth(int count) {
     for (int i = 0; i < count; ++i)
         heights.push_back(kByte * kBytesPerTexel * (i % kTooth));
     return heights;
-}
-
-std::vector<double> ramp(int count, double rise) {
-    std::vector<double> heights;
-    for (int i = 0; i < count; ++i)
-        heights.push_back(rise * i / (count - 1));
-    return heights;
-}
-
-std::vector<double> level(int count) {
-    return std::vector<double>(static_cast<std::size_t>(count), 0.0);
 }
 
 /// cos and sin of a phase that grows evenly over `count` texels.
@@ -106,15 +94,6 @@ private:
     double size_ = 0.0;
 };
 
-/// Far enough from poles and seam for any difference and any interpolation.
-bool isOrdinary(const Landing& landing, const Vector3& direction) {
-    constexpr double kPoleMargin = 0.06;
-    constexpr double kSeamMargin = 0.02;
-    const double v = landing.v(direction);
-    return std::min(v, 1.0 - v) >= kPoleMargin &&
-           turnDistance(landing.u(direction), 0.0) >= kSeamMargin;
-}
-
 /// The share for which `leans(tilt, direction)` holds, of the ordinary points that are tilted at
 /// all.
 template <typename Leans>
@@ -150,9 +129,9 @@ void readField(const SlopePlan& plan, const Answers& answers, const Landing& lan
         const double u = landing.u(n);
         const double v = landing.v(n);
         alongU.add(slopeAlongU(map, u, v) * strengthAt(response.u, v),
-                   -tilts[i].dot(landing.alongU(n)));
+                   -response.u.sign() * tilts[i].dot(landing.alongU(n)));
         alongV.add(slopeAlongV(map, u, v) * strengthAt(response.v, v),
-                   -tilts[i].dot(landing.alongV(n)));
+                   -response.v.sign() * tilts[i].dot(landing.alongV(n)));
     }
     agreement.fieldU = alongU.value();
     agreement.fieldV = alongV.value();
@@ -165,20 +144,17 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     constexpr int kFieldPoints = 800;
     constexpr int kAlong = 1024;
     constexpr int kAcross = 80;
-    constexpr double kRise = 3.0;
     SlopePlan plan;
     plan.directions = draws.directions(kPoints);
     plan.fieldDirections = draws.directions(kFieldPoints);
     plan.sawtoothU =
-        addPair(questionnaire, ball, {kAlong, kAcross, {}, sawtooth(kAlong), level(kAcross)},
+        addPair(questionnaire, ball,
+                {kAlong, kAcross, {}, sawtooth(kAlong), raytracer::questions::level(kAcross)},
                 plan.directions);
     plan.sawtoothV =
-        addPair(questionnaire, ball, {kAcross, kAlong, {}, level(kAcross), sawtooth(kAlong)},
+        addPair(questionnaire, ball,
+                {kAcross, kAlong, {}, raytracer::questions::level(kAcross), sawtooth(kAlong)},
                 plan.directions);
-    constexpr int kSide = 300;
-    plan.oblique = addPair(questionnaire, ball,
-                           {kSide, kSide, {}, ramp(kSide, 0.3 * kRise), ramp(kSide, 0.2 * kRise)},
-                           plan.directions);
     plan.field = addPair(questionnaire, ball, randomField(draws), plan.fieldDirections);
     return plan;
 }
@@ -186,15 +162,10 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
 SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers, const Landing& landing,
                           const Response& response) {
     const auto leansU = [&](const Vector3& tilt, const Vector3& n) {
-        return -tilt.dot(landing.alongU(n)) > 0.5 * tilt.magnitude();
+        return -response.u.sign() * tilt.dot(landing.alongU(n)) > 0.5 * tilt.magnitude();
     };
     const auto leansV = [&](const Vector3& tilt, const Vector3& n) {
-        return -tilt.dot(landing.alongV(n)) > 0.5 * tilt.magnitude();
-    };
-    // Along neither axis into the slope, but for what the tangents may be off.
-    const auto leansBoth = [&](const Vector3& tilt, const Vector3& n) {
-        const double most = 0.1 * tilt.magnitude();
-        return tilt.dot(landing.alongU(n)) < most && tilt.dot(landing.alongV(n)) < most;
+        return -response.v.sign() * tilt.dot(landing.alongV(n)) > 0.5 * tilt.magnitude();
     };
     const auto measure = [&](const LevelPair& pair, const auto& leans) {
         return share(plan.directions, answers.tiltsBeyond(pair.flat, pair.map), landing, leans);
@@ -202,7 +173,6 @@ SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers, const L
     SlopeAgreement agreement;
     agreement.sawtoothU = measure(plan.sawtoothU, leansU);
     agreement.sawtoothV = measure(plan.sawtoothV, leansV);
-    agreement.oblique = measure(plan.oblique, leansBoth);
     readField(plan, answers, landing, response, agreement);
     return agreement;
 }

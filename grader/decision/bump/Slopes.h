@@ -17,33 +17,30 @@ struct LevelPair {
     std::size_t map = 0;
 };
 
-/// Slopes as pictures have them: sawtooth ramps of whole bytes along u and along v, a ramp along
-/// both, and a smooth random field of bytes.
+/// Slopes as pictures have them: sawtooth ramps of whole bytes along u and along v, and a smooth
+/// random field of bytes.
 struct SlopePlan {
     std::vector<Vector3> directions;
     std::vector<Vector3> fieldDirections;
     LevelPair sawtoothU;
     LevelPair sawtoothV;
-    LevelPair oblique;
     LevelPair field;  ///< at `fieldDirections`
 };
 
 [[nodiscard]] SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& ball);
 
+/// How well the tilts keep to what they are on ramps, each axis with its sign there.
 struct SlopeAgreement {
-    double sawtoothU = 0.0;  ///< share of the points whose tilt leans the right way
+    double sawtoothU = 0.0;  ///< share of the points whose tilt leans the same way
     double sawtoothV = 0.0;
-    double oblique = 0.0;  ///< share that leans the right way along both axes
-    double fieldU = 0.0;   ///< of the tilt along u: the share that leans against the slope along u,
-                           ///< weighted by both, less the share that leans into it
+    double fieldU = 0.0;  ///< of the tilt along u: the share that leans as the slope along u says,
+                          ///< weighted by both, less the share that leans the other way
     double fieldV = 0.0;
 
     /// Sawtooth: the teeth's edges and what a wide difference smears of them are a third at most.
-    /// Oblique: only the seam strays. Field: an interpolated or widely differenced slope keeps
-    /// 0.97.
+    /// Field: an interpolated or widely differenced slope keeps 0.97.
     [[nodiscard]] bool good() const {
-        return sawtoothU >= 0.6 && sawtoothV >= 0.6 && oblique >= 0.95 && fieldU >= 0.9 &&
-               fieldV >= 0.9;
+        return sawtoothU >= 0.6 && sawtoothV >= 0.6 && fieldU >= 0.9 && fieldV >= 0.9;
     }
 };
 

@@ -14,6 +14,9 @@ namespace ticker::decision::bump {
 
 using raytracer::Vector3;
 
+/// One grey step of a picture, as a height.
+inline constexpr double kByte = raytracer::kBumpFactor / 255.0;
+
 /// The sphere of a question.
 struct Ball {
     Vector3 centre;

@@ -62,7 +62,7 @@ Words flatWords() {
 }
 
 Words longitudeWords(const Examination& examination) {
-    const double turn = examination.ramps.response->tangentTurn;
+    const double turn = examination.ramps().response->tangentTurn;
     Words words;
     words.message =
         turn == 0.0 ? "The same slope tilts the normal differently at different longitudes: the "
@@ -81,7 +81,7 @@ Words longitudeWords(const Examination& examination) {
 }
 
 Words swappedWords(const Examination& examination, const std::optional<Hints>& hints) {
-    const bool transposed = examination.ramps.transposed || (hints && hints->square.transposed);
+    const bool transposed = examination.ramps().transposed || (hints && hints->square.transposed);
     if (transposed)
         return {
             "Columns and rows are exchanged: moving round the sphere reads other rows of the "
@@ -111,15 +111,26 @@ Words invertedWords() {
         "1, Testing"};
 }
 
-Words invertedAxisWords(const std::string& axis, const std::string& other,
-                        const std::string& rise) {
+/// What an inverted axis is called, and which of a letter's edges show it.
+struct AxisNames {
+    const char* axis;
+    const char* other;
+    const char* rise;
+    const char* wrongEdges;
+    const char* rightEdges;
+};
+constexpr AxisNames kAxisU{"u", "v", "to the right", "left and right", "upper and lower"};
+constexpr AxisNames kAxisV{"v", "u", "downwards", "upper and lower", "left and right"};
+
+Words invertedAxisWords(const AxisNames& names) {
     return {
         fmt::format("Along {0} the bumps are inverted: where the map gets brighter {2}, the "
-                    "normal leans that way instead of back against it. Along {1} it is right.",
-                    axis, other, rise),
+                    "normal leans that way instead of back against it. Along {1} it is right. So "
+                    "the {3} edges of an H look lowered, and its {4} edges raised.",
+                    names.axis, names.other, names.rise, names.wrongEdges, names.rightEdges),
         fmt::format("One sign is wrong: either in the difference that makes B{0}, or before the "
                     "term with B{0}. Change one of the two, and leave B{1} alone.{2}",
-                    axis, other, kOneSign),
+                    names.axis, names.other, kOneSign),
         "1, Theory, Equation (1); 1, Implementation, step 3"};
 }
 
@@ -149,9 +160,9 @@ Words wordsFor(Fault fault, const Examination& examination, const std::optional<
         case Fault::inverted:
             return invertedWords();
         case Fault::invertedU:
-            return invertedAxisWords("u", "v", "to the right");
+            return invertedAxisWords(kAxisU);
         case Fault::invertedV:
-            return invertedAxisWords("v", "u", "downwards");
+            return invertedAxisWords(kAxisV);
         case Fault::upsideDown:
             return upsideDownWords();
         case Fault::wrong:
@@ -173,8 +184,7 @@ Finding note(const std::string& id, Severity severity, Words words) {
 Finding mirroredNote() {
     return note(
         "bump.mirrored", Severity::note,
-        {"The map is mirrored: text on it reads from right to left. The bumps are right, so "
-         "this is accepted.",
+        {"The map is mirrored: text on it reads from right to left. That alone is accepted.",
          "Let u grow to the right as seen from outside.", "1, Implementation, step 1"});
 }
 
@@ -198,7 +208,7 @@ std::vector<Finding> sideNotes(const Examination& examination) {
             note("bump.not-finite", Severity::warn, notFiniteWords(conduct.notFiniteHidden)));
     if (conduct.notUnitHidden)
         notes.push_back(note("bump.not-unit", Severity::warn, notUnitWords(conduct.notUnitHidden)));
-    if (examination.ramps.response && examination.ramps.fit->landing.mirrored())
+    if (examination.ramps().response && examination.ramps().fit->landing.mirrored())
         notes.push_back(mirroredNote());
     for (Finding& finding : notes)
         if (finding.severity == Severity::warn)

@@ -1,6 +1,7 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/JudgeDepthOfField.h>
 #include <grader/decision/distributed/LensChecks.h>
+#include <grader/decision/distributed/Plots.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +82,7 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
     outcome.valueless = !handout.pixels.front().rays.front().value.has_value();
     checkRays(handout, outcome);
     if (!hasFailure(outcome.findings)) keep(outcome.findings, checkOtherSettings(other));
+    outcome.plots = unshown({plotLens(handout), plotFocus(handout)}, outcome.findings);
     return outcome;
 }
 

@@ -13,6 +13,7 @@ namespace ticker::decision {
 struct LensOutcome {
     std::vector<Finding> findings;         ///< of T2.2, unsorted
     std::optional<double> apertureFactor;  ///< half-width / dofAmount of the accepted reading
+    std::vector<ScatterPlot> plots;        ///< where rays start and meet, where no finding shows it
     bool rayless = false;    ///< casts no ray that could be seen: only pictures can be judged
     bool valueless = false;  ///< its rays could be seen, but not what colour each of them gave
 };

@@ -46,25 +46,36 @@ const Answer* answeredBy(const probe::Sitting& sitting) {
     return answer != nullptr && answer->state == probe::AnswerState::answered ? answer : nullptr;
 }
 
+bool sameEachTime(const probe::RenderAnswer& answer) {
+    return std::all_of(answer.images.begin(), answer.images.end(),
+                       [&](const auto& image) { return image == answer.images.front(); });
+}
+
 Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
-    const probe::IlluminateQuestion asked = drawPenumbraQuestion(seed * 4 + stage);
-    const probe::Sitting sitting = examinee.ask({asked});
+    const PenumbraQuestion asked = drawPenumbraQuestion(seed * 4 + stage);
+    const probe::Sitting sitting = examinee.ask({asked.question});
     const auto* answer = answeredBy<probe::IlluminateAnswer>(sitting);
     if (answer == nullptr) return {std::nullopt, true};
     PenumbraVerdict verdict = checkPenumbra(asked, *answer);
     return {std::move(verdict.finding), verdict.ambiguous};
 }
 
-// Largest of some 30 z-scores: 6.5 is exceeded with a chance below 1e-8 where they are normal; a
-// failure has to come twice all the same, on fresh scenes and seeds.
+// Code that gives one picture again and again leaves a single sample of its noise: a larger picture
+// is asked for, to have as many pixels as all repetitions together.
 Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
-    constexpr double kLimit = 6.5;
-    const probe::RenderQuestion asked = drawPictureQuestion(seed * 4 + stage);
-    const probe::Sitting sitting = examinee.ask({asked});
-    const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
-    if (answer == nullptr || answer->wrongSize || answer->images.empty())
-        return {std::nullopt, true};
-    return {judgePictures(asked, *answer, seed * 4 + stage, kLimit).finding, false};
+    const std::uint64_t own = seed * 4 + stage;
+    PictureVerdict verdict;
+    for (const bool onePicture : {false, true}) {
+        const probe::RenderQuestion asked = drawPictureQuestion(own, onePicture);
+        const probe::Sitting sitting = examinee.ask({asked});
+        const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
+        if (answer == nullptr || answer->wrongSize || answer->images.empty())
+            return {std::nullopt, true};
+        if (!onePicture && sameEachTime(*answer)) continue;
+        verdict = judgePictures(asked, *answer, own);
+        break;
+    }
+    return {std::move(verdict.finding), verdict.ambiguous};
 }
 
 // A failure that does not come again is no failure, but somebody should look.
@@ -103,7 +114,9 @@ TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
             return judgePenumbra(examinee, seed, stage);
         });
     }
-    return judgementOf(std::move(outcome.findings), needsReview);
+    TaskJudgement judgement = judgementOf(std::move(outcome.findings), needsReview);
+    judgement.plots = std::move(outcome.plots);
+    return judgement;
 }
 
 TaskJudgement judgeLensTask(probe::Examinee& examinee, std::uint64_t seed) {
@@ -128,7 +141,9 @@ TaskJudgement judgeLensTask(probe::Examinee& examinee, std::uint64_t seed) {
             return judgePicture(examinee, seed, stage);
         });
     }
-    return judgementOf(std::move(outcome.findings), needsReview);
+    TaskJudgement judgement = judgementOf(std::move(outcome.findings), needsReview);
+    judgement.plots = std::move(outcome.plots);
+    return judgement;
 }
 
 }  // namespace

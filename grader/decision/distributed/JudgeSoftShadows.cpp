@@ -1,5 +1,6 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/JudgeSoftShadows.h>
+#include <grader/decision/distributed/Plots.h>
 #include <grader/decision/distributed/ShadowChecks.h>
 
 #include <utility>
@@ -75,6 +76,7 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
     if (outcome.reading) warnOfReading(*outcome.reading, outcome.findings);
     if (outcome.reading && !outcome.rayless && !hasFailure(outcome.findings))
         keep(outcome.findings, checkOtherSettings(logs, *outcome.reading));
+    outcome.plots = unshown({plotAims(logs.farLight)}, outcome.findings);
     return outcome;
 }
 

@@ -14,6 +14,7 @@ struct ShadowOutcome {
     std::vector<Finding> findings;         ///< of T2.1, unsorted
     std::optional<ShadowReading> reading;  ///< the accepted one that fits everywhere
     std::optional<AimShape> shape;         ///< likewise
+    std::vector<ScatterPlot> plots;        ///< where rays aim, where no finding shows it
     bool rayless = false;  ///< casts no ray that could be seen: only values can be judged
 };
 

@@ -1,6 +1,7 @@
 #include <grader/decision/distributed/Bounds.h>
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/LensChecks.h>
+#include <grader/decision/distributed/Plots.h>
 
 #include <fmt/core.h>
 
@@ -111,16 +112,25 @@ ShapeVerdict judgeShape(const Lens& lens) {
     return verdict;
 }
 
-ScatterPlot plotLens(const Lens& lens, double expected) {
-    constexpr std::size_t kMostPoints = 600;
-    ScatterPlot plot;
-    plot.title = "Where the camera rays start";
-    plot.unit = "world units";
-    plot.expectedShape = ScatterPlot::Shape::square;
-    plot.expectedHalfWidth = expected;
-    for (const Vector3& point : lens.points)
-        if (plot.points.size() < kMostPoints) plot.points.push_back({point.x, point.y});
-    return plot;
+// The rays of one pixel start on one row or column of the lens, or in a corner of it. The range of
+// fifty independent points is below half of the lens with a chance below 1e-12 (see
+// rangeShortfall).
+bool usesPartOfLens(const LensLog& log, const Lens& lens) {
+    constexpr std::size_t kEnough = 50;
+    for (const LensPixel& pixel : log.pixels) {
+        if (pixel.rays.size() < kEnough) continue;
+        const auto rangeOf = [&](double Vector3::*axis) {
+            const auto [low, high] = std::minmax_element(pixel.rays.begin(), pixel.rays.end(),
+                                                         [&](const LensRay& a, const LensRay& b) {
+                                                             return a.origin.*axis < b.origin.*axis;
+                                                         });
+            return high->origin.*axis - low->origin.*axis;
+        };
+        if (rangeOf(&Vector3::x) < 0.5 * (lens.high.x - lens.low.x) ||
+            rangeOf(&Vector3::y) < 0.5 * (lens.high.y - lens.low.y))
+            return true;
+    }
+    return false;
 }
 
 // The accepted half-width that the points fill; 0 where there is none.
@@ -146,7 +156,12 @@ ApertureVerdict checkAperture(const LensLog& log) {
     const ShapeVerdict shape = judgeShape(lens);
     const double depth = std::max(std::abs(lens.low.z), std::abs(lens.high.z));
     const double factor = acceptedFactor(lens, amount, shortfall);
-    if (std::max(std::abs(centre.x), std::abs(centre.y)) > 2.0 * shortfall * half + 1e-7) {
+    if (usesPartOfLens(log, lens)) {
+        verdict.finding = distributedFinding(
+            "dof.disc", Severity::fail,
+            "The rays of each pixel were expected to start all over the aperture; those of one "
+            "pixel start in a part of it, on a line perhaps.");
+    } else if (std::max(std::abs(centre.x), std::abs(centre.y)) > 2.0 * shortfall * half + 1e-7) {
         verdict.finding = distributedFinding(
             "dof.off-centre", Severity::fail,
             fmt::format("An aperture centred on the eye was expected; its centre is at ({:.3f}, "
@@ -178,7 +193,7 @@ ApertureVerdict checkAperture(const LensLog& log) {
         verdict.finding->evidence.emplace_back("shareInCorners", shape.cornerShare);
         verdict.finding->evidence.emplace_back("largestGap", shape.gap);
         verdict.finding->evidence.emplace_back("points", static_cast<double>(lens.points.size()));
-        verdict.finding->plots.push_back(plotLens(lens, amount));
+        verdict.finding->plots.push_back(plotLens(log));
     }
     return verdict;
 }

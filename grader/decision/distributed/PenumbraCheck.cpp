@@ -1,151 +1,29 @@
-#include <grader/decision/distributed/Bounds.h>
-#include <grader/decision/distributed/Draw.h>
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/PenumbraCheck.h>
-#include <grader/decision/distributed/Phong.h>
-#include <grader/decision/distributed/ShadowAims.h>
-#include <grader/decision/distributed/ShadowQuestions.h>
-#include <grader/decision/distributed/ShadowReplay.h>
-#include <grader/decision/distributed/Surfaces.h>
+#include <grader/decision/distributed/PenumbraShares.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace ticker::decision {
 namespace {
 
-using Phong = ShadowReading::Phong;
-
-constexpr std::size_t kPoints = 12;
-constexpr std::size_t kCalls = 2000;
-constexpr int kAims = 8192;
-
-// Shares counted on so many lattice points are off by less than this (measured against 65536).
-constexpr double kShareError = 0.0025;
-
-double total(const ColourRGB& colour) {
-    return colour.r + colour.g + colour.b;
-}
-
-/// The light that got through at one point, call by call, as a share of all light.
-struct Samples {
-    std::vector<double> shares;
-    double mean = 0.0;
-    double variance = 0.0;
-};
-
-PointLog bare(const probe::LitPoint& point) {
-    PointLog log;
-    log.point = point;
-    log.lines.resize(1);
-    log.zones = {Zone::penumbra};
-    return log;
-}
-
-Samples readSamples(const probe::IlluminateQuestion& asked, const probe::IlluminateAnswer& answer,
-                    std::size_t point) {
-    Samples samples;
-    const PointLog log = bare(asked.points[point * kCalls]);
-    const double ambient = total(ambientPart(log, asked.scene));
-    const double full = total(unshadowed(log, asked.scene, 0, false));
-    for (std::size_t i = 0; i < kCalls; ++i)
-        samples.shares.push_back((total(answer.colours[point * kCalls + i]) - ambient) / full);
-    for (const double share : samples.shares)
-        samples.mean += share / kCalls;
-    for (const double share : samples.shares)
-        samples.variance += (share - samples.mean) * (share - samples.mean) / (kCalls - 1);
-    return samples;
-}
-
-/// Expected shares of one point under every reading of Phong, for one shape of the light.
-struct Expected {
-    double open = 0.0;                             // share of aims in sight
-    std::array<std::array<double, 3>, 2> share{};  // [viewer is the eye][Phong]
-};
-
-Expected expectedAt(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                    const probe::LitPoint& point, AimShape shape, double size) {
-    const raytracer::PointLight& light = asked.scene.pointLights[0];
-    const raytracer::Material& material = materialOf(asked.scene, point.object);
-    const PointLog log = bare(point);
-    const double full = total(unshadowed(log, asked.scene, 0, false));
-    const double centre = (light.position() - point.position).magnitude();
-    const Vector3 start = point.position + point.normal * 1e-4;
-    Expected expected;
-    for (int i = 0; i < kAims; ++i) {
-        const Vector3 aim = light.position() + aimOf(shape, i) * (size * asked.settings.lightSize);
-        const Vector3 towards = aim - start;
-        const double distance = towards.magnitude();
-        if (surfaces.sightAlong(start, towards / distance, distance) == Sight::blocked) continue;
-        expected.open += 1.0 / kAims;
-        for (const std::size_t eye : {0U, 1U}) {
-            const Vector3 viewer = eye == 1 ? Vector3{} : point.viewer;
-            const double terms =
-                total(phongTerms(material, light, point.normal,
-                                 (viewer - point.position).normalised(), towards / distance, centre)
-                          .sum()) /
-                full / kAims;
-            expected.share[eye][1] += terms;
-            expected.share[eye][2] += terms * centre * centre / (distance * distance);
-        }
-    }
-    for (const std::size_t eye : {0U, 1U})
-        expected.share[eye][0] =
-            expected.open * total(unshadowed(log, asked.scene, 0, eye == 1)) / full;
-    return expected;
-}
-
-/// Sums over points of weight * (seen - expected), in units of what Bernstein's bound allows.
-double excess(const std::vector<Samples>& seen, const std::vector<double>& expected,
-              const std::vector<double>& weights) {
-    const double logRisk = std::log(2.0 / kStatementRisk);
-    double sum = 0.0;
-    double variance = 0.0;
-    double most = 0.0;
-    double slack = 0.0;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        sum += weights[i] * (seen[i].mean - expected[i]);
-        // The variance is estimated from the calls; a half more, and the floor, cover its error.
-        variance += weights[i] * weights[i] * (1.5 * seen[i].variance + 0.002) / kCalls;
-        most = std::max(most, std::abs(weights[i]) / kCalls);
-        slack += std::abs(weights[i]) * kShareError;
-    }
-    const double bound = std::sqrt(2.0 * variance * logRisk) + most * logRisk / 3.0 + slack;
-    return std::abs(sum) / bound;
-}
-
-double worstExcess(const std::vector<Samples>& seen, const std::vector<double>& expected,
-                   const std::vector<double>& open) {
-    std::vector<double> even(seen.size(), 1.0);
-    std::vector<double> wider;
-    for (const double share : open)
-        wider.push_back(0.5 - share);  // a larger light moves every share towards one half
-    double worst = std::max(excess(seen, expected, even), excess(seen, expected, wider));
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        std::vector<double> single(seen.size(), 0.0);
-        single[i] = 1.0;
-        worst = std::max(worst, excess(seen, expected, single));
-    }
-    return worst;
-}
+using Place = PenumbraQuestion::Place;
 
 // The size of the ball that explains the means, in units of lightSize; 0 where none does.
 double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                   const std::vector<Samples>& seen) {
+                   const std::vector<PenumbraSamples>& seen) {
     // Sizes in between fit not quite.
     double best = 2.0;
     double bestSize = 0.0;
     for (const double size : {0.25, 0.5, 0.6, 0.75, 0.9, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5}) {
         std::vector<double> open;
         for (std::size_t i = 0; i < seen.size(); ++i)
-            open.push_back(
-                expectedAt(asked, surfaces, asked.points[i * kCalls], AimShape::ball, size).open);
+            open.push_back(expectedAt(asked, surfaces, seen[i].point, AimShape::ball, size).open);
         const double worst = worstExcess(seen, open, open);
         if (worst >= best) continue;
         best = worst;
@@ -155,22 +33,33 @@ double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfa
 }
 
 // The fewest rays of which all shares are fractions; 0 where they are none of up to nine.
-int fewRays(const std::vector<Samples>& seen) {
+// @param open      Share of the light in sight: there has to be a point where fractions are
+// expected.
+// @param fromLens  Of the points that are seen so: some treat camera rays in another way.
+int fewRays(const std::vector<PenumbraSamples>& seen, const std::vector<double>& open,
+            bool fromLens) {
     for (int rays = 1; rays < raytracer::RenderSettings{}.shadowRayCount; ++rays) {
         bool all = true;
-        for (const Samples& samples : seen)
-            for (const double share : samples.shares) {
+        bool any = false;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            if (seen[i].place.fromLens != fromLens) continue;
+            any = any || (open[i] > 0.1 && open[i] < 0.9);
+            for (const double share : seen[i].shares) {
                 const double hits = share * rays;
                 all = all && std::abs(hits - std::round(hits)) < 0.01;
             }
-        if (all) return rays;
+        }
+        if (all && any) return rays;
     }
     return 0;
 }
 
-std::optional<Finding> checkFractions(const std::vector<Samples>& seen,
+std::optional<Finding> checkFractions(const std::vector<PenumbraSamples>& seen,
                                       const std::vector<double>& open) {
-    const int rays = fewRays(seen);
+    const int through = fewRays(seen, open, true);
+    const int otherwise = fewRays(seen, open, false);
+    const int rays =
+        through > 0 && otherwise > 0 ? std::min(through, otherwise) : std::max(through, otherwise);
     if (rays == 0) return std::nullopt;
     double spread = 0.0;
     double away = 0.0;
@@ -193,19 +82,49 @@ std::optional<Finding> checkFractions(const std::vector<Samples>& seen,
                               "is all of it or none, as from one shadow ray.");
 }
 
+// Calls that differ in nothing but the next random numbers give one value: the samples are the same
+// every time, and their mean says nothing.
+bool sameEveryCall(const std::vector<PenumbraSamples>& seen) {
+    std::size_t fractions = 0;
+    std::size_t still = 0;
+    for (const PenumbraSamples& samples : seen) {
+        if (samples.mean < 0.05 || samples.mean > 0.95) continue;
+        ++fractions;
+        if (samples.variance < 1e-6) ++still;
+    }
+    return fractions >= 4 && 4 * still >= 3 * fractions;
+}
+
+// Exact, but that no call of 30000 rays hits the outermost part of the light, which every accepted
+// shape does with a chance above 0.002 for each ray.
+bool seesTooMuch(const std::vector<PenumbraSamples>& rim) {
+    return std::any_of(rim.begin(), rim.end(), [](const PenumbraSamples& samples) {
+        return samples.place.kind == Place::Kind::beyondRim &&
+               *std::max_element(samples.shares.begin(), samples.shares.end()) > 0.02;
+    });
+}
+
+bool seesTooLittle(const std::vector<PenumbraSamples>& rim) {
+    return std::all_of(rim.begin(), rim.end(), [](const PenumbraSamples& samples) {
+        return samples.place.kind == Place::Kind::beyondRim ||
+               *std::max_element(samples.shares.begin(), samples.shares.end()) < 0.02;
+    });
+}
+
 /// The best of all readings of Phong for one shape; gives the shares of aims in sight, too.
 double excessOfShape(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                     const std::vector<Samples>& seen, AimShape shape, std::vector<double>& open) {
-    std::vector<Expected> expected;
+                     const std::vector<PenumbraSamples>& seen, AimShape shape,
+                     std::vector<double>& open) {
+    std::vector<ExpectedShares> expected;
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        expected.push_back(expectedAt(asked, surfaces, asked.points[i * kCalls], shape, 1.0));
+        expected.push_back(expectedAt(asked, surfaces, seen[i].point, shape, 1.0));
         open.push_back(expected.back().open);
     }
     double best = 1e9;
     for (const std::size_t eye : {0U, 1U})
         for (const std::size_t phong : {0U, 1U, 2U}) {
             std::vector<double> shares;
-            for (const Expected& at : expected)
+            for (const ExpectedShares& at : expected)
                 shares.push_back(at.share[eye][phong]);
             best = std::min(best, worstExcess(seen, shares, open));
         }
@@ -213,7 +132,7 @@ double excessOfShape(const probe::IlluminateQuestion& asked, const Surfaces& sur
 }
 
 Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                const std::vector<Samples>& seen, double timesTheBound) {
+                const std::vector<PenumbraSamples>& seen, double timesTheBound) {
     const double size = fittingSize(asked, surfaces, seen);
     const double radius = size * asked.settings.lightSize;
     Finding finding =
@@ -235,53 +154,41 @@ Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces
 
 }  // namespace
 
-probe::IlluminateQuestion drawPenumbraQuestion(std::uint64_t seed) {
-    // Two questions of the exact layer's kind; only their points at edges of shadows are asked.
-    probe::IlluminateQuestion question;
-    std::size_t points = 0;
-    for (const ShadowQuestion& drawn : drawShadowQuestions(seed ^ 0x50454E554D425241U)) {
-        if (drawn.purpose != ShadowQuestion::Purpose::oneLight) continue;
-        question.scene = drawn.question.scene;
-        question.settings = drawn.question.settings;
-        question.points.clear();
-        points = 0;
-        for (std::size_t i = 0; i < drawn.zones.size() && points < kPoints; ++i) {
-            if (drawn.zones[i][0] != Zone::penumbra) continue;
-            question.points.insert(question.points.end(), kCalls, drawn.question.points[i]);
-            ++points;
-        }
-    }
-    return question;
-}
-
-PenumbraVerdict checkPenumbra(const probe::IlluminateQuestion& asked,
+PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
                               const probe::IlluminateAnswer& answer) {
-    const Surfaces surfaces{asked.scene};
-    std::vector<Samples> seen;
-    for (std::size_t i = 0; i < asked.points.size() / kCalls; ++i)
-        seen.push_back(readSamples(asked, answer, i));
+    const Surfaces surfaces{asked.question.scene};
+    std::vector<PenumbraSamples> seen;
+    std::vector<PenumbraSamples> rim;
+    for (const Place& place : asked.places)
+        (place.kind == Place::Kind::penumbra ? seen : rim)
+            .push_back(readSamples(asked, answer, place));
 
-    if (!std::all_of(seen.begin(), seen.end(),
-                     [](const Samples& samples) { return std::isfinite(samples.mean); }))
+    const auto isFinite = [](const PenumbraSamples& samples) {
+        return std::isfinite(samples.mean);
+    };
+    if (!std::all_of(seen.begin(), seen.end(), isFinite) ||
+        !std::all_of(rim.begin(), rim.end(), isFinite))
         return {distributedFinding("shadow.wrong", Severity::fail,
                                    "A colour was expected from illuminate; at the edge of a shadow "
                                    "it gave a value that is no number."),
-                false};
-    double best = 1e9;
-    double bestOfBall = 1e9;
+                0.0, false};
+    PenumbraVerdict verdict;
+    verdict.timesTheBound = 1e9;
     std::vector<double> openInBall;
     for (const AimShape shape :
          {AimShape::ball, AimShape::surface, AimShape::uniformRadius, AimShape::polarHelper}) {
         std::vector<double> open;
-        best = std::min(best, excessOfShape(asked, surfaces, seen, shape, open));
-        if (shape != AimShape::ball) continue;
-        bestOfBall = best;
-        openInBall = open;
+        verdict.timesTheBound = std::min(
+            verdict.timesTheBound, excessOfShape(asked.question, surfaces, seen, shape, open));
+        if (shape == AimShape::ball) openInBall = open;
     }
-    if (std::optional<Finding> fractions = checkFractions(seen, openInBall))
-        return {std::move(fractions), false};
-    if (best <= 1.0) return {std::nullopt, bestOfBall > 1.0};
-    return {explain(asked, surfaces, seen, best), false};
+    verdict.finding = checkFractions(seen, openInBall);
+    if (verdict.finding) return verdict;
+    verdict.ambiguous = sameEveryCall(seen);
+    if (verdict.ambiguous) return verdict;
+    if (verdict.timesTheBound > 1.0 || seesTooMuch(rim) || seesTooLittle(rim))
+        verdict.finding = explain(asked.question, surfaces, seen, verdict.timesTheBound);
+    return verdict;
 }
 
 }  // namespace ticker::decision

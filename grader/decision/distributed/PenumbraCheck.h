@@ -1,30 +1,29 @@
 #ifndef TICKER_DECISION_DISTRIBUTED_PENUMBRACHECK_H
 #define TICKER_DECISION_DISTRIBUTED_PENUMBRACHECK_H
 
-#include <grader/probe/Question.h>
+#include <grader/decision/distributed/PenumbraQuestion.h>
 #include <grader/result/Finding.h>
 
-#include <cstdint>
 #include <optional>
 
 namespace ticker::decision {
 
-/// A question for code whose shadow rays cannot be seen: points at the edge of a shadow, each asked
-/// hundreds of times, without a log.
-[[nodiscard]] probe::IlluminateQuestion drawPenumbraQuestion(std::uint64_t seed);
-
 struct PenumbraVerdict {
     std::optional<Finding> finding;
-    /// The values fit, but only for points on the light's surface or crowded at its centre, which
-    /// look like those of a ball of another size: a person should read the code.
+    /// Of the accepted reading that fits best: the largest deviation of a mean, in units of what
+    /// Bernstein's inequality allows.
+    double timesTheBound = 0.0;
+    /// Every call gives the same value, so that there are no means to judge: a person should read
+    /// the code.
     bool ambiguous = false;
 };
 
-/// Judges the values alone: whether they are fractions of as many rays as were asked for, and
-/// whether their means are those of some accepted reading. Bernstein's inequality bounds the
-/// difference, so that a correct submission whose calls are independent is reported with a chance
-/// below 1e-9.
-[[nodiscard]] PenumbraVerdict checkPenumbra(const probe::IlluminateQuestion& asked,
+/// Judges the values alone: whether they are fractions of as many rays as were asked for, whether
+/// their means are those of some accepted reading, and whether light comes from where the light's
+/// outermost part is, and from nowhere beyond. Bernstein's inequality bounds the difference of
+/// means, so that a correct submission whose calls are independent is reported with a chance below
+/// 1e-9.
+[[nodiscard]] PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
                                             const probe::IlluminateAnswer& answer);
 
 }  // namespace ticker::decision

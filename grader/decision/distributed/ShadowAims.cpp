@@ -1,3 +1,4 @@
+#include <grader/decision/distributed/AimAgreement.h>
 #include <grader/decision/distributed/Bounds.h>
 #include <grader/decision/distributed/Draw.h>
 #include <grader/decision/distributed/ShadowAims.h>
@@ -6,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -140,18 +140,6 @@ double shareBeyond(const std::vector<double>& values, double limit) {
            static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
-// An extra ray to the very centre, beside those to random points, is no sample.
-std::vector<AimLine> samplesOf(const PointLog& point, const raytracer::RenderSettings& settings) {
-    const std::vector<AimLine>& lines = point.lines[0];
-    if (lines.size() <= static_cast<std::size_t>(settings.shadowRayCount)) return lines;
-    std::vector<AimLine> samples;
-    std::copy_if(lines.begin(), lines.end(), std::back_inserter(samples), [&](const AimLine& line) {
-        const double bias = (line.origin - point.point.position).magnitude();
-        return line.miss > 1e-7 + 1.01 * std::min(bias, kBiasAllowance);
-    });
-    return samples;
-}
-
 // Aims that come again, out of a small pool or from a generator that is started again for every
 // point, are no new samples. The points of one far-light question stand so close together that
 // equal aims give equal feet; the chance that 670 independent ones meet by accident is below 1e-4,
@@ -238,6 +226,7 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     verdict.lean = sum.magnitude() / static_cast<double>(verdict.lines);
     verdict.tooWide = verdict.widest > 1.0 + 1e-6 + kBiasAllowance / radius;
     verdict.offCentre = verdict.lean > leanBound(verdict.distinct) * std::max(1.0, verdict.widest);
+    verdict.together = verdict.distinct == verdict.lines && goTogether(far, directions);
     compareShapes(seen, directions, verdict);
     verdict.tooNarrow = !verdict.tooWide && !verdict.shape && verdict.widest < 0.97;
     return verdict;

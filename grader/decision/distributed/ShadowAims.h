@@ -23,6 +23,7 @@ struct AimVerdict {
     double widest = 0.0;    ///< largest distance of a line from a centre, in radii of the light
     double rimShare = 0.0;  ///< share of lines beyond 0.9 of the widest
     double lean = 0.0;      ///< length of the mean foot, in radii
+    bool together = false;  ///< the rays of one point go one way, or along one line
     std::size_t lines = 0;
     std::size_t distinct = 0;  ///< lines that can count as independent
 

@@ -1,4 +1,5 @@
 #include <grader/decision/distributed/Draw.h>
+#include <grader/decision/distributed/ShadowDraws.h>
 #include <grader/decision/distributed/ShadowQuestions.h>
 #include <grader/decision/distributed/Surfaces.h>
 
@@ -12,8 +13,6 @@ namespace ticker::decision {
 namespace {
 
 using Purpose = ShadowQuestion::Purpose;
-using raytracer::Material;
-using raytracer::PointLight;
 using raytracer::SceneDescription;
 
 // Points for each zone of a one-light question; with ten rays each that is enough for every exact
@@ -21,72 +20,12 @@ using raytracer::SceneDescription;
 constexpr int kPointsForEachZone = 12;
 constexpr int kPointsOnSphere = 6;
 constexpr int kPointsSeveral = 24;
+constexpr int kPointsInBothShadows = 6;
 constexpr int kPointsBeyond = 8;
 constexpr int kPointsFar = 67;
 
 // Rays for each call that the log has room for: eight times what is asked for.
 constexpr std::size_t kLogMargin = 8;
-
-// Spectra differ in every channel, so that ambient, diffuse and specular shares cannot be confused.
-Material drawMaterial(Draw& draw) {
-    Material material;
-    material.colour = draw.colour(0.2, 0.9);
-    material.phongKD = draw.between(0.5, 0.95);
-    material.phongKS = draw.between(0.7, 1.4);
-    material.phongAlpha = std::floor(draw.between(6.0, 14.0));
-    material.reflectivity = draw.between(0.1, 0.5);
-    return material;
-}
-
-PointLight drawLight(Draw& draw, const Vector3& position, double distance) {
-    // What arrives at `distance` is about the light's own colour.
-    const double intensity = 4.0 * std::numbers::pi * distance * distance;
-    return {position, draw.colour(0.4, 1.0), intensity * draw.between(0.7, 1.3)};
-}
-
-// Somewhere in front of the camera, so that the eye is no special place either.
-Vector3 drawPlace(Draw& draw) {
-    const double x = draw.between(-1.0, 1.0);
-    const double y = draw.between(-1.0, 1.0);
-    return {x, y, draw.between(5.0, 7.0)};
-}
-
-Vector3 drawViewer(Draw& draw, const Vector3& point, const Vector3& normal, const Vector3& light) {
-    // Near the mirrored direction the specular term is as large as the diffuse one.
-    const Vector3 mirrored = (light - point).normalised().reflectIn(normal);
-    Vector3 towards = draw.directionAround(mirrored, 0.6);
-    while (towards.dot(normal) < 0.1)
-        towards = draw.directionAround(mirrored, 0.6);
-    return point + towards * draw.between(3.0, 5.0);
-}
-
-// Aim points all over the light decide; the ball is taken a third larger, so that no accepted
-// sample and no accepted bias is near a decision.
-Zone zoneOf(const Surfaces& surfaces, const Vector3& start, const Vector3& light, double radius) {
-    constexpr int kAims = 96;
-    int open = 0;
-    for (int i = 0; i < kAims; ++i) {
-        // A spiral of equal areas over the sphere (golden angle).
-        const double z = 1.0 - (2.0 * i + 1.0) / kAims;
-        const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
-        const double ring = std::sqrt(1.0 - z * z);
-        const Vector3 aim = light + Vector3{ring * std::cos(angle), ring * std::sin(angle), z} *
-                                        (radius * 4.0 / 3.0);
-        const Vector3 towards = aim - start;
-        const double distance = towards.magnitude();
-        if (surfaces.sightAlong(start, towards / distance, distance) == Sight::open) ++open;
-    }
-    if (open == kAims) return Zone::lit;
-    return open == 0 ? Zone::umbra : Zone::penumbra;
-}
-
-std::vector<Zone> zonesOf(const SceneDescription& scene, const Surfaces& surfaces,
-                          const Vector3& point, const Vector3& normal, double radius) {
-    std::vector<Zone> zones;
-    for (const PointLight& light : scene.pointLights)
-        zones.push_back(zoneOf(surfaces, point + normal * 1e-4, light.position(), radius));
-    return zones;
-}
 
 void setCapacity(ShadowQuestion& question) {
     const std::size_t rays = question.question.points.size() *
@@ -111,8 +50,9 @@ void addPointsOnSphere(Draw& draw, ShadowQuestion& drawn) {
 /// A floor, a sphere `height` above it and a light above that, in a random orientation.
 ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& settings, Purpose purpose,
                             double height) {
-    const Vector3 up = draw.direction();
+    // The floor can be seen from the lens.
     const Vector3 foot = drawPlace(draw);
+    const Vector3 up = draw.directionAround((-foot).normalised(), 1.1);
     const double radius = draw.between(0.55, 0.75);
     const Vector3 ball = foot + up * (height * draw.between(0.8, 1.2));
     const Vector3 light = ball + draw.directionAround(up, 0.5) * draw.between(3.0, 4.0);
@@ -140,7 +80,9 @@ ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& setting
         int& left = wanted[static_cast<std::size_t>(zones[0])];
         if (left == 0) continue;
         --left;
-        drawn.question.points.push_back({1, point, up, drawViewer(draw, point, up, light)});
+        const Vector3 viewer =
+            left % 2 == 0 ? drawLensPoint(draw, settings) : drawViewer(draw, point, up, light);
+        drawn.question.points.push_back({1, point, up, viewer});
         drawn.zones.push_back(zones);
         if (std::all_of(wanted.begin(), wanted.end(), [](int count) { return count == 0; })) break;
     }
@@ -176,8 +118,10 @@ ShadowQuestion drawSeveralLights(Draw& draw) {
     const Surfaces surfaces{scene};
     const double radius = drawn.question.settings.lightSize;
     for (int i = 0; i < kPointsSeveral; ++i) {
-        const double x = draw.between(-0.7, 0.7);
-        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-0.7, 0.7);
+        // The first ones lie in the shadow of both spheres, the others anywhere.
+        const double reach = i < kPointsInBothShadows ? 0.06 : 0.7;
+        const double x = draw.between(-reach, reach);
+        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-reach, reach);
         const auto facing = static_cast<std::size_t>(draw.whole(0, 2));
         const Vector3 light = scene.pointLights[facing].position();
         drawn.question.points.push_back({2, point, up, drawViewer(draw, point, up, light)});

@@ -1,65 +1,18 @@
 #include <grader/decision/distributed/Draw.h>
 #include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/Plots.h>
 #include <grader/decision/distributed/ShadowChecks.h>
+#include <grader/decision/distributed/ShadowRayCounts.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
 
 namespace ticker::decision {
 namespace {
 
 using Purpose = ShadowQuestion::Purpose;
-
-// Accepted bias 1e-6 to 1e-3, and half as much again for a step along N and L.
-constexpr double kLargestBias = 1.5e-3;
-
-/// Whether the surface looks at the light; others may be spared their rays.
-bool faces(const PointLog& point, const raytracer::PointLight& light) {
-    const Vector3 towards = (light.position() - point.point.position).normalised();
-    return towards.dot(point.point.normal) > 0.05;
-}
-
-double biasOf(const AimLine& line, const PointLog& point) {
-    return (line.origin - point.point.position).magnitude();
-}
-
-std::size_t distinctRays(const std::vector<AimLine>& lines) {
-    std::set<std::array<std::int64_t, 6>> seen;
-    const auto cell = [](double value) { return std::llround(value * 1e12); };
-    for (const AimLine& line : lines)
-        seen.insert({cell(line.direction.x), cell(line.direction.y), cell(line.direction.z),
-                     cell(line.origin.x), cell(line.origin.y), cell(line.origin.z)});
-    return seen.size();
-}
-
-struct Counts {
-    std::size_t fewest = static_cast<std::size_t>(-1);
-    std::size_t fewestDistinct = static_cast<std::size_t>(-1);
-    std::size_t most = 0;
-    bool allCentral = true;
-};
-
-Counts countRays(const std::vector<const ShadowLog*>& logs) {
-    Counts counts;
-    for (const ShadowLog* log : logs)
-        for (const PointLog& point : log->points)
-            for (std::size_t i = 0; i < point.lines.size(); ++i) {
-                if (!faces(point, log->scene().pointLights[i])) continue;
-                const std::vector<AimLine>& lines = point.lines[i];
-                const std::size_t distinct = distinctRays(lines);
-                counts.fewest = std::min(counts.fewest, lines.size());
-                counts.fewestDistinct = std::min(counts.fewestDistinct, distinct);
-                counts.most = std::max(counts.most, lines.size());
-                for (const AimLine& line : lines)
-                    if (line.miss > 1.01 * std::min(biasOf(line, point), kLargestBias) + 1e-7)
-                        counts.allCentral = false;
-            }
-    return counts;
-}
 
 // Distance of two lines, where they pass each other somewhere near the light; else a large number.
 double distanceNear(const AimLine& a, const AimLine& b, const Vector3& light, double radius) {
@@ -99,36 +52,6 @@ bool sameAimsEverywhere(const ShadowLog& log) {
         ++compared;
     }
     return compared >= 8;
-}
-
-double widestMiss(const std::vector<const ShadowLog*>& logs) {
-    double widest = 0.0;
-    for (const ShadowLog* log : logs)
-        for (const PointLog& point : log->points)
-            for (const std::vector<AimLine>& lines : point.lines)
-                for (const AimLine& line : lines)
-                    widest = std::max(widest, line.miss);
-    return widest;
-}
-
-ScatterPlot plotAims(const std::vector<const ShadowLog*>& far) {
-    constexpr std::size_t kMostPoints = 400;
-    ScatterPlot plot;
-    plot.title = "Where the shadow rays pass the light's centre";
-    plot.unit = "world units";
-    plot.expectedShape = ScatterPlot::Shape::disc;
-    if (far.empty()) return plot;
-    const ShadowLog& log = *far.front();
-    plot.expectedHalfWidth = log.settings().lightSize;
-    for (const PointLog& point : log.points)
-        for (const AimLine& line : point.lines[0]) {
-            if (plot.points.size() >= kMostPoints) break;
-            const Vector3 view =
-                (log.scene().pointLights[0].position() - point.point.position).normalised();
-            const Perpendiculars sides = perpendicularsOf(view);
-            plot.points.push_back({line.foot.dot(sides.first), line.foot.dot(sides.second)});
-        }
-    return plot;
 }
 
 }  // namespace
@@ -194,77 +117,6 @@ std::optional<Finding> checkStarts(const ShadowLogs& logs) {
     return finding;
 }
 
-std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed) {
-    std::vector<const ShadowLog*> single = logs.oneLight;
-    single.insert(single.end(), logs.beyondLight.begin(), logs.beyondLight.end());
-    single.insert(single.end(), logs.farLight.begin(), logs.farLight.end());
-    const Counts counts = countRays(single);
-    const std::size_t asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
-    std::optional<Finding> finding;
-    if (counts.allCentral || counts.most <= 1) {
-        finding = distributedFinding(
-            "shadow.hard", Severity::fail,
-            counts.allCentral
-                ? fmt::format("{} shadow rays to random points of the light were expected; every "
-                              "ray goes to the light's centre.",
-                              asked)
-                : fmt::format(
-                      "{} shadow rays for each point and light were expected; there is one.",
-                      asked));
-    } else if (counts.fewest < asked) {
-        finding = distributedFinding(
-            "shadow.too-few-rays", Severity::fail,
-            fmt::format("{} shadow rays for each point and light were expected; at some points "
-                        "there are {}.",
-                        asked, counts.fewest));
-    } else if (counts.fewestDistinct < asked && !fixed) {
-        finding = distributedFinding(
-            "shadow.too-few-rays", Severity::fail,
-            fmt::format("{} different shadow rays for each point and light were expected; at some "
-                        "points only {} of them differ.",
-                        asked, counts.fewestDistinct));
-    }
-    if (finding) {
-        finding->evidence.emplace_back("raysExpected", static_cast<double>(asked));
-        finding->evidence.emplace_back("fewestRays", static_cast<double>(counts.fewest));
-        finding->evidence.emplace_back("fewestDistinctRays",
-                                       static_cast<double>(counts.fewestDistinct));
-    }
-    return finding;
-}
-
-// Lights that get no ray at all are another finding.
-std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs) {
-    const auto asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
-    std::size_t fewest = asked;
-    for (const ShadowLog* log : logs.severalLights)
-        for (const PointLog& point : log->points)
-            for (std::size_t i = 0; i < point.lines.size(); ++i)
-                if (faces(point, log->scene().pointLights[i]) && !point.lines[i].empty())
-                    fewest = std::min(fewest, point.lines[i].size());
-    if (fewest >= asked) return std::nullopt;
-    Finding finding = distributedFinding(
-        "shadow.too-few-rays", Severity::fail,
-        fmt::format("{} shadow rays to each light were expected; with three lights in the scene, "
-                    "some light gets {}.",
-                    asked, fewest));
-    finding.evidence.emplace_back("raysExpected", static_cast<double>(asked));
-    finding.evidence.emplace_back("fewestRays", static_cast<double>(fewest));
-    return finding;
-}
-
-std::optional<Finding> checkEveryLight(const ShadowLogs& logs) {
-    for (const ShadowLog* log : logs.severalLights)
-        for (const PointLog& point : log->points)
-            for (std::size_t i = 0; i < point.lines.size(); ++i)
-                if (faces(point, log->scene().pointLights[i]) && point.lines[i].empty())
-                    return distributedFinding(
-                        "shadow.lights-mixed", Severity::fail,
-                        "Shadow rays to every light were expected; with three lights in the scene, "
-                        "some lights get none.");
-    return std::nullopt;
-}
-
 std::optional<Finding> checkFixedSamples(const ShadowLogs& logs) {
     if (logs.oneLight.empty()) return std::nullopt;
     for (const ShadowLog* log : logs.oneLight)
@@ -302,7 +154,12 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
     const double radius = raytracer::RenderSettings{}.lightSize;
     const double widest = aims.widest * radius;
     std::optional<Finding> finding;
-    if (aims.offCentre || (!aims.shape && !aims.scaledShape)) {
+    if (aims.together) {
+        finding = distributedFinding(
+            "shadow.not-a-ball", Severity::fail,
+            "A new random point of the light was expected for each shadow ray; the rays of one "
+            "point all go to one side of the light, or lie along one line.");
+    } else if (aims.offCentre || (!aims.shape && !aims.scaledShape)) {
         finding = distributedFinding(
             "shadow.not-a-ball", Severity::fail,
             fmt::format("Shadow rays were expected to fill a ball of radius {} around the light; "
@@ -333,7 +190,7 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
 
 std::optional<Finding> checkOtherSettings(const ShadowLogs& logs, const ShadowReading& reading) {
     for (const ShadowLog* log : logs.otherSettings) {
-        const Counts counts = countRays({log});
+        const RayCounts counts = countRays({log});
         const auto asked = static_cast<std::size_t>(log->settings().shadowRayCount);
         const double widest = widestMiss({log});
         const bool tooFew = counts.fewest < asked;

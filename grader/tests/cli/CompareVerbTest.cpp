@@ -55,6 +55,26 @@ TEST_F(CompareVerb, SaysThatTwoNoisyPicturesAreEqualUpToNoise) {
     EXPECT_NE(ran.output.find("equal up to noise"), std::string::npos) << ran.output;
 }
 
+// The false-alarm rate is 1e-6 for the whole picture.
+TEST_F(CompareVerb, TellsOtherSeedsFromAnotherAperture) {
+    const auto render = [&](const std::string& name, const std::string& how) {
+        const std::string file = "'" + (folder_.path() / name).string() + "'";
+        const Ran ran = run("render '" TICKER_SOURCE_DIR "/scenes/distributed.xml' -r 160x120 -o " +
+                            file + " " + how);
+        EXPECT_EQ(ran.status, 0) << ran.errors;
+        return file;
+    };
+    const std::string one = render("one.png", "--seed 1");
+    const std::string other = run("compare " + one + " " + render("two.png", "--seed 2")).output;
+    EXPECT_NE(other.find("equal up to noise"), std::string::npos) << other;
+    const std::string half = render("half.png", "--seed 3 --solution '" TICKER_SOURCE_DIR
+                                                "/grader/samples/awarded/distributed-half-width'");
+    const Ran ran = run("compare --json " + one + " " + half);
+    const nlohmann::json json = nlohmann::json::parse(ran.output);
+    EXPECT_EQ(json.at("outcome"), "different") << ran.output;
+    EXPECT_GT(json.at("where").at("box").at("rmse"), 3.0) << ran.output;
+}
+
 TEST_F(CompareVerb, GivesJsonThatAProgramCanRead) {
     const std::string one = picture("one.png", 64, 48, 0);
     const Ran ran = run("compare --json " + one + " " + one);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 
 namespace ticker::cli {
@@ -44,6 +45,26 @@ TEST_F(Verbs, GradeWritesEverythingThatTheContractNames) {
     for (const char* file : {"index.html", "summary.csv", "bump-inverted-u/result.json",
                              "bump-inverted-u/report.html", "bump-inverted-u/images"})
         EXPECT_TRUE(fs::exists(fs::path{out} / file)) << file;
+}
+
+TEST_F(Verbs, ReportWritesTheSamePagesAgainFromTheResultAlone) {
+    const fs::path out = at("out");
+    ASSERT_EQ(run("grade " + repository("grader/samples/notAwarded/distributed-off-centre") +
+                  " -o '" + out.string() + "'")
+                  .status,
+              0);
+    std::map<fs::path, std::string> pages;
+    for (const char* name : {"index.html", "distributed-off-centre/report.html"}) {
+        pages[out / name] = readBytes(out / name);
+        fs::remove(out / name);
+    }
+    const Ran ran = run("report '" + out.string() + "' --format html --quiet");
+    EXPECT_EQ(ran.status, 0) << ran.errors;
+    for (const auto& [file, text] : pages) {
+        EXPECT_TRUE(readBytes(file) == text) << file;
+        EXPECT_NE(ran.output.find(file.string()), std::string::npos) << ran.output;
+    }
+    EXPECT_EQ(run("report '" + out.string() + "' --format html --submission nobody").status, 2);
 }
 
 TEST_F(Verbs, GradeGivesTheSameResultForTheSameSeedButForTiming) {
@@ -116,6 +137,55 @@ TEST_F(Verbs, ReportReadsBackWhatGradeWrote) {
     EXPECT_EQ(csv.output, readBytes(fs::path{out} / "summary.csv"));
     const Ran json = run("report '" + out + "' --format json");
     EXPECT_EQ(nlohmann::json::parse(json.output).size(), 1U);
+}
+
+class ClassOfStubs : public Verbs {
+protected:
+    ClassOfStubs() {
+        for (const char* name : {"ann", "bob", "cyd"}) {
+            fs::create_directories(at("class"));
+            fs::copy(fs::path{TICKER_SOURCE_DIR} / "grader/samples/notAwarded/template-untouched",
+                     at("class") / name);
+        }
+    }
+    Ran grade(const std::string& more) {
+        return run("grade '" + at("class").string() + "' -o '" + at("out").string() +
+                   "' --seed 7 " + more);
+    }
+    [[nodiscard]] bool isGraded(const std::string& name) const {
+        return fs::exists(at("out") / name / "result.json");
+    }
+};
+
+TEST_F(ClassOfStubs, AShareIsEveryNthSubmissionAlone) {
+    const Ran ran = grade("--share 1/2 --results-only");
+    EXPECT_EQ(ran.status, 0) << ran.errors;
+    EXPECT_TRUE(isGraded("ann") && isGraded("cyd"));
+    EXPECT_FALSE(isGraded("bob"));
+    EXPECT_EQ(grade("--share 4/4 --results-only").status, 0) << "nothing left is no error";
+    EXPECT_FALSE(isGraded("bob"));
+    for (const char* wrong : {"0/2", "3/2", "2", "1/2x", "a/b"})
+        EXPECT_EQ(grade(std::string{"--share "} + wrong).status, 2) << wrong;
+}
+
+TEST_F(ClassOfStubs, SingleTakesAllOfAPathForOneSubmission) {
+    const Ran ran = grade("--single --format gradescope,junit");
+    EXPECT_EQ(ran.status, 0) << ran.errors;
+    EXPECT_TRUE(isGraded("class"));
+    EXPECT_FALSE(isGraded("ann"));
+    EXPECT_TRUE(fs::exists(at("out/class/gradescope.json")));
+    EXPECT_TRUE(fs::exists(at("out/class/junit.xml")));
+}
+
+TEST_F(ClassOfStubs, ReportWritesTheFileOfEachSubmissionAndNamesIt) {
+    ASSERT_EQ(grade("").status, 0);
+    const std::string out = at("out").string();
+    const Ran one = run("report '" + out + "' --format autolab --submission bob");
+    EXPECT_EQ(one.output, out + "/bob/autolab.txt\n") << one.errors;
+    const Ran all = run("report '" + out + "' --format prairielearn");
+    EXPECT_EQ(std::count(all.output.begin(), all.output.end(), '\n'), 3) << all.output;
+    EXPECT_EQ(run("report '" + out + "' --format moodle").status, 2) << "needs a worksheet";
+    EXPECT_EQ(run("report '" + out + "' --format tarot").status, 2);
 }
 
 TEST_F(Verbs, DoctorNamesTheSandboxLevels) {

@@ -11,28 +11,24 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace ticker::cli {
 
-/// A class of a few samples under odd names, and what grading it writes.
+/// A small class under odd names, and what grading it writes.
 class GradedClass : public testing::Test {
 protected:
     GradedClass() {
         namespace fs = std::filesystem;
-        const std::map<std::string, std::string> samples{
-            {"ann", "notAwarded/template-untouched"},
-            {"bob, jr", "notAwarded/does-not-compile"},
-            {"J\xC3\xBCrgen \"<b>\"_7", "awarded/reference-bump"},
-            {"=1+1", "notAwarded/bump-inverted-u"},
-            {"zo\xC3\xAB", "needsReview/no-screenshot"},
-        };
         fs::create_directory(at("class"));
-        for (const auto& [name, sample] : samples)
-            fs::copy(fs::path{TICKER_SOURCE_DIR} / "grader/samples" / sample, at("class") / name,
+        const fs::path samples = fs::path{TICKER_SOURCE_DIR} / "grader/samples";
+        // One that costs something and has a finding; the rest is quick.
+        for (const char* name : {"ann", "bob, jr", "J\xC3\xBCrgen \"<b>\"_7", "zo\xC3\xAB"})
+            fs::copy(samples / "notAwarded/template-untouched", at("class") / name,
                      fs::copy_options::recursive);
+        fs::copy(samples / "notAwarded/bump-inverted-u", at("class") / "=1+1",
+                 fs::copy_options::recursive);
     }
 
     [[nodiscard]] std::filesystem::path at(const std::string& name) const {

@@ -97,6 +97,8 @@ int numberOfKills() {
 }
 
 TEST_F(KilledBatch, GivesWhenResumedWhatAnUninterruptedRunGives) {
+    fs::copy(fs::path{TICKER_SOURCE_DIR} / "grader/samples/awarded/reference-bump",
+             at("class") / "right", fs::copy_options::recursive);
     run(gradeCommand("whole", {"--seed", "5"}));
     std::mt19937 generator{20261121};
     // About what one whole run makes happen there, most of it in the files of the store.
@@ -118,7 +120,7 @@ TEST_F(KilledBatch, GivesWhenResumedWhatAnUninterruptedRunGives) {
     EXPECT_EQ(filesBelow(at("cut")), filesBelow(at("whole"))) << "nothing is missing or left over";
     EXPECT_EQ(textOf(at("cut") / "summary.csv"), textOf(at("whole") / "summary.csv"));
     const auto rows = store::Store{at("cut")}.results();
-    EXPECT_EQ(rows.size(), 5U);
+    EXPECT_EQ(rows.size(), 6U);
     for (const store::ResultRow& row : rows) {
         EXPECT_EQ(row.timesGraded, 1) << row.submission;
         EXPECT_EQ(untimed(at("cut") / row.submission / "result.json"),

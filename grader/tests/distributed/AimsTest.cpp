@@ -119,6 +119,36 @@ TEST(JudgeAims, CatchesACubeADiscAndHalfABall) {
     }
 }
 
+// Ten rays of one point along one line once passed, since over all points they fill the ball.
+TEST(JudgeAims, WantsANewDirectionForEachRay) {
+    for (const double low : {0.0, -1.0}) {
+        int ray = 0;
+        Vector3 side;
+        const Aim line = [&](Draw& draw) {
+            if (ray++ % 10 == 0) side = draw.direction();
+            return side * draw.between(low, 1.0);
+        };
+        EXPECT_TRUE(judge(line, Draw{17, 2}.direction(), 5).together) << low;
+    }
+}
+
+// A false alarm has a chance below 1e-10 each.
+TEST(JudgeAims, AcceptsRaysThatSpread) {
+    int ray = 0;
+    Vector3 last;
+    const Aim antithetic = [&](Draw& draw) {
+        last = ray++ % 2 == 0 ? ball(draw) : -last;
+        return last;
+    };
+    Draw draw{18, 2};
+    for (int i = 0; i < 10; ++i) {
+        const Vector3 axis = draw.direction();
+        EXPECT_FALSE(judge(ball, axis, 6).together);
+        EXPECT_FALSE(judge(polarHelper, axis, 7).together);
+        EXPECT_FALSE(judge(antithetic, axis, 8).together);
+    }
+}
+
 // A pool of ten aims says little about where aims lie: nothing may be concluded.
 TEST(JudgeAims, CountsAimsThatComeAgainOnce) {
     Draw pool{15, 2};

@@ -45,6 +45,7 @@ TEST(AlteredSettings, AreNamedWithAndWithoutRays) {
         {"T2.1", "shadow.light-size", [](RenderSettings& s) { s.lightSize *= 0.9; }, false},
         {"T2.1", "shadow.light-size", [](RenderSettings& s) { s.lightSize *= 1.05; }, false},
         {"T2.1", "shadow.light-size", [](RenderSettings& s) { s.lightSize *= 0.9; }, true},
+        {"T2.1", "shadow.light-size", [](RenderSettings& s) { s.lightSize *= 1.1; }, true},
         {"T2.1", "shadow.too-few-rays", [](RenderSettings& s) { s.shadowRayCount -= 1; }, false},
         {"T2.1", "shadow.too-few-rays", [](RenderSettings& s) { s.shadowRayCount -= 1; }, true},
         {"T2.2", "dof.aperture-size", [](RenderSettings& s) { s.dofAmount *= 1.4; }, false},

@@ -40,6 +40,32 @@ TEST(Compare, SaysWherePicturesDiffer) {
     EXPECT_NE(summary.find("towards the bottom left"), std::string::npos) << summary;
 }
 
+// An inverted relief: as bright on average, and smooth, but not noise.
+TEST(Compare, TakesNoDetailForNoise) {
+    const auto relief = [](int sign) {
+        return makePicture(96, 64, [sign](int x, int y) {
+            const int v = 120 + sign * (((x / 3 + y / 3) % 2) * 16 - 8);
+            return Rgb{v, v, v};
+        });
+    };
+    const Picture raised = relief(1);
+    const Picture sunk = relief(-1);
+    const Comparison comparison = compare(raised.view(), sunk.view(), kUsualPixelsPerDegree);
+    EXPECT_EQ(comparison.outcome, Outcome::different) << comparison.summary;
+    EXPECT_NE(comparison.sketch.find('~'), std::string::npos) << comparison.sketch;
+}
+
+TEST(Compare, CallsAFewPixelsOfSmoothPicturesWhatTheyAre) {
+    Picture edited = gradient();
+    edited.rgb[(30 * 96 + 40) * 3] ^= 64U;
+    EXPECT_EQ(summaryOf(gradient(), edited).rfind("nearly equal: 1 of 6144 pixels differ", 0), 0U);
+    for (std::size_t y = 30; y < 34; ++y)
+        for (std::size_t x = 40; x < 44; ++x)
+            edited.rgb[(y * 96 + x) * 3] = 255;
+    const Comparison comparison = compare(gradient().view(), edited.view(), kUsualPixelsPerDegree);
+    EXPECT_EQ(comparison.outcome, Outcome::different) << comparison.summary;
+}
+
 TEST(Compare, NamesEachRowOnce) {
     const Comparison comparison =
         compare(gradient().view(), gradient().view(), kUsualPixelsPerDegree);

@@ -11,15 +11,6 @@
 
 namespace ticker::metrics {
 
-/// A picture that owns its bytes.
-struct Picture {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> rgb;
-
-    [[nodiscard]] ByteView view() const { return {width, height, rgb}; }
-};
-
 using Rgb = std::array<int, 3>;
 
 inline Picture makePicture(int width, int height, const std::function<Rgb(int, int)>& colourAt) {

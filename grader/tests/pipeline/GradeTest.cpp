@@ -1,5 +1,5 @@
+#include <grader/picture/DecodePicture.h>
 #include <grader/pipeline/Grade.h>
-#include <grader/pipeline/Screenshot.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>
 
@@ -66,7 +66,6 @@ TEST(GradeSubmission, LetsABrokenFileBlockItsOwnTaskOnly) {
     ASSERT_EQ(result.diagnostics.size(), 1U);
     EXPECT_EQ(result.diagnostics[0].file, "BumpySphere.cpp");
     EXPECT_NE(result.diagnostics[0].text.find("BumpySphere.cpp:1:"), std::string::npos);
-    EXPECT_EQ(result.diagnostics[0].source, "this is no C++\n");
     EXPECT_EQ(result.verdict, Verdict::needsReview) << "the picture is missing";
 }
 
@@ -164,17 +163,12 @@ TEST(GradeSubmission, GivesEqualFindingsForEqualSeeds) {
 }
 
 TEST(GradeSubmission, ShowsWhatTheCodeRendersBesideWhatWasExpected) {
-    static const std::vector<SpecScene> scenes =
-        readSpecScenes(std::filesystem::path{TICKER_SOURCE_DIR} / "scenes",
-                       std::filesystem::path{TICKER_SOURCE_DIR} / "assets");
-    Grader grader = tests::testGrader();
-    grader.scenes = scenes;
     intake::Submission work =
         submission(tests::readFile("reference_solution/exercise/BumpySphere.cpp"),
                    tests::readFile("reference_solution/exercise/Renderer.cpp"));
     work.parts[2] = tests::readFile("grader/samples/awarded/reference-bump/screenshot.png");
 
-    const SubmissionResult result = gradeSubmission(work, grader, kSeed);
+    const SubmissionResult result = gradeSubmission(work, tests::testGraderWithScenes(), kSeed);
 
     EXPECT_EQ(result.verdict, Verdict::awarded);
     ASSERT_EQ(result.renders.size(), 3U);
@@ -184,13 +178,14 @@ TEST(GradeSubmission, ShowsWhatTheCodeRendersBesideWhatWasExpected) {
         const bool isNoisy = render.scene == "distributed";
         EXPECT_LT(render.flip, isNoisy ? 0.04 : 0.001) << render.scene;
         EXPECT_GT(render.ssim, isNoisy ? 0.95 : 0.999) << render.scene;
+        EXPECT_EQ(render.zMap.empty(), !isNoisy) << render.scene;
     }
     std::vector<std::string> files;
     for (const ResultPicture& picture : result.pictures) {
         files.push_back(picture.file);
-        EXPECT_TRUE(readPngHeader(picture.png)) << picture.file;
+        EXPECT_TRUE(picture::claimedSize(picture.png)) << picture.file;
     }
-    EXPECT_EQ(files.size(), 10U);
+    EXPECT_EQ(files.size(), 11U);
     EXPECT_EQ(files.back(), "images/screenshot.png");
 }
 

@@ -44,8 +44,8 @@ TEST_P(Sample, GetsTheVerdictOfItsFolderForTheReasonsThatItNames) {
     const auto located = intake::findSubmissions(folder);
     ASSERT_EQ(located.size(), 1U);
 
-    const SubmissionResult result =
-        gradeSubmission(intake::readSubmission(located[0]), tests::testGrader(), 20261121);
+    const SubmissionResult result = gradeSubmission(intake::readSubmission(located[0]),
+                                                    tests::testGraderWithScenes(), 20261121);
 
     EXPECT_EQ(toString(result.verdict), expected.at("verdict"));
     EXPECT_EQ(toString(result.verdict), folder.parent_path().filename().string());

@@ -1,96 +1,97 @@
+#include <grader/picture/DecodePicture.h>
 #include <grader/pipeline/Screenshot.h>
 #include <grader/tests/io/PngBuilder.h>
+#include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include <string>
 
 namespace ticker::pipeline {
 namespace {
 
-// Any whole PNG of the project will do; this one is not of the handout's size.
-std::string somePng() {
-    return tests::readFile("assets/bumpmap-test.png");
+using tests::readFile;
+using ticker::testing::equalRows;
+using ticker::testing::makePng;
+using ticker::testing::makePngAround;
+using ticker::testing::pngChunk;
+using ticker::testing::PngColour;
+
+constexpr std::size_t kAfterHeader = 33;
+
+std::string goodPicture() {
+    return readFile("grader/samples/awarded/reference-bump/screenshot.png");
 }
 
-TEST(PngHeader, KnowsTheSizeOfAWholeFile) {
-    const auto header = readPngHeader(somePng());
-    ASSERT_TRUE(header);
-    EXPECT_GE(header->width, 1024);
-    EXPECT_GE(header->height, 512);
+/// Judged as a file: the grader knows no scenes.
+TaskReport judge(const std::optional<std::string>& bytes, SubmissionResult& result) {
+    return judgeScreenshotFile(bytes, {}, tests::testGrader(), 1, result);
 }
 
-TEST(PngHeader, IsEmptyForAFileThatWasCut) {
-    const std::string bytes = somePng();
-    for (const std::size_t size :
-         {std::size_t{0}, std::size_t{7}, std::size_t{20}, bytes.size() / 2, bytes.size() - 1})
-        EXPECT_FALSE(readPngHeader(std::string_view{bytes}.substr(0, size))) << size;
+TaskReport judge(const std::optional<std::string>& bytes) {
+    SubmissionResult unused;
+    return judge(bytes, unused);
 }
 
-TEST(PngHeader, IsEmptyForAnotherFormatAndForDamage) {
-    EXPECT_FALSE(readPngHeader("\xFF\xD8\xFF\xE0 JFIF"));
-    std::string bytes = somePng();
-    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
-    EXPECT_FALSE(readPngHeader(bytes)) << "a check sum is wrong";
+void expectUnreadable(const std::string& bytes, const std::string& why) {
+    SubmissionResult result;
+    const TaskReport report = judge(bytes, result);
+    EXPECT_EQ(report.state, TaskState::failed) << why;
+    ASSERT_EQ(report.findings.size(), 1U) << why;
+    EXPECT_EQ(report.findings[0].id, "screenshot.unreadable");
+    EXPECT_NE(report.findings[0].message.find(why), std::string::npos)
+        << report.findings[0].message;
+    EXPECT_TRUE(result.pictures.empty()) << why;
 }
 
-TEST(PngHeader, RefusesGiantSizesBeforeAnybodyTakesMemory) {
-    // IHDR of 65535 x 65535 with a right check sum, made by hand.
-    std::string bytes = somePng();
-    bytes[16] = bytes[17] = bytes[20] = bytes[21] = 0;
-    bytes[18] = bytes[19] = bytes[22] = bytes[23] = static_cast<char>(0xFF);
-    EXPECT_FALSE(readPngHeader(bytes));
-}
-
-TEST(PngHeader, SurvivesAnyBytes) {
-    std::mt19937 generator{4};
-    const std::string bytes = somePng().substr(0, 200);
-    for (int round = 0; round < 2000; ++round) {
-        std::string damaged = bytes;
-        for (int i = 0; i < 4; ++i)
-            damaged[8 + generator() % 192] = static_cast<char>(generator() & 0xFFU);
-        static_cast<void>(readPngHeader(damaged));
-    }
-}
-
-TEST(JudgeScreenshotFile, NamesWhatIsWrong) {
-    EXPECT_EQ(judgeScreenshotFile({}).findings.at(0).id, "screenshot.missing");
-    EXPECT_EQ(judgeScreenshotFile("text").findings.at(0).id, "screenshot.unreadable");
-    const TaskReport report = judgeScreenshotFile(somePng());
+TEST(ScreenshotFile, SaysThatThereIsNone) {
+    const TaskReport report = judge(std::nullopt);
     EXPECT_EQ(report.state, TaskState::failed);
-    EXPECT_EQ(report.findings.at(0).id, "screenshot.wrong-size");
+    ASSERT_EQ(report.findings.size(), 1U);
+    EXPECT_EQ(report.findings[0].id, "screenshot.missing");
 }
 
-TEST(JudgeScreenshotFile, TakesAPictureOfTheHandoutsSize) {
-    const TaskReport report = judgeScreenshotFile(
-        tests::readFile("grader/samples/awarded/reference-bump/screenshot.png"));
-    EXPECT_EQ(report.state, TaskState::passed);
-    EXPECT_TRUE(report.findings.empty());
+TEST(ScreenshotFile, SaysWhyItCannotBeRead) {
+    const std::string good = goodPicture();
+    expectUnreadable(good.substr(0, good.size() / 2), "ends too early");
+    expectUnreadable("\xFF\xD8\xFF\xE0 JFIF", "JPEG");
+    expectUnreadable("a text", "no picture");
+    std::string giant = good;
+    giant.replace(16, 8, std::string{"\0\0\xFF\xFF\0\0\xFF\xFF", 8});
+    expectUnreadable(giant, "65535 x 65535");
+    std::string animated = good;
+    animated.insert(kAfterHeader, pngChunk("acTL", std::string("\0\0\0\2\0\0\0\0", 8)));
+    expectUnreadable(animated, "animated");
+    std::string damaged = good;
+    damaged[good.size() / 2] = static_cast<char>(damaged[good.size() / 2] ^ 1);
+    expectUnreadable(damaged, "damaged");
 }
 
-// 640 x 480, three bytes for each pixel, so many bytes in all.
-std::string pictureOf(std::size_t bytes, bool interlaced = false) {
-    return ticker::testing::makePng({640, 480, 8, ticker::testing::PngColour::rgb, interlaced},
-                                    std::string(bytes, '\0'));
+TEST(ScreenshotFile, IsShownDecodedAndPackedAnew) {
+    SubmissionResult result;
+    EXPECT_EQ(judge(goodPicture(), result).state, TaskState::passed);
+    ASSERT_EQ(result.pictures.size(), 1U);
+    EXPECT_EQ(result.pictures[0].file, "images/screenshot.png");
+    EXPECT_NE(result.pictures[0].png, goodPicture());
 }
 
-constexpr std::size_t kAllRows = 480 * (1 + 640 * 3);
+TEST(ScreenshotFile, MayBeGreyAndLargeAndIsThenShownSmaller) {
+    SubmissionResult result;
+    const std::string large =
+        makePng({2000, 1500, 8, PngColour::grey}, std::string(1500 * 2001, '\0'));
+    EXPECT_EQ(judge(large, result).state, TaskState::passed);
+    ASSERT_EQ(result.pictures.size(), 1U);
+    EXPECT_EQ(picture::claimedSize(result.pictures[0].png), (picture::PictureSize{1280, 960}));
+}
 
-TEST(JudgeScreenshotFile, RefusesMoreOrFewerPixelsThanItsSizeTells) {
-    EXPECT_EQ(judgeScreenshotFile(pictureOf(kAllRows)).state, TaskState::passed);
-    for (const std::size_t bytes : {kAllRows - 1, kAllRows + 1, 8 * kAllRows, std::size_t{0}}) {
-        const TaskReport report = judgeScreenshotFile(pictureOf(bytes));
-        ASSERT_EQ(report.findings.size(), 1U) << bytes;
-        EXPECT_EQ(report.findings[0].id, "screenshot.unreadable") << bytes;
+TEST(ScreenshotFile, OfAnotherShapeOrTooSmallHasTheWrongSize) {
+    for (const auto& [width, height] : {std::pair{640U, 400U}, std::pair{160U, 120U}}) {
+        const TaskReport report = judge(
+            makePng({width, height, 8, PngColour::grey}, std::string(height * (width + 1), '\0')));
+        ASSERT_EQ(report.findings.size(), 1U);
+        EXPECT_EQ(report.findings[0].id, "screenshot.wrong-size");
     }
-}
-
-// Adam7: 900 rows in seven passes, each with its filter byte.
-TEST(JudgeScreenshotFile, KnowsInterlacedPictures) {
-    constexpr std::size_t kAllPasses = 640 * 480 * 3 + 900;
-    EXPECT_EQ(judgeScreenshotFile(pictureOf(kAllPasses, true)).state, TaskState::passed);
-    EXPECT_EQ(judgeScreenshotFile(pictureOf(kAllRows, true)).state, TaskState::failed);
 }
 
 }  // namespace

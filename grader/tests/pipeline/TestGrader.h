@@ -26,6 +26,17 @@ inline const pipeline::Grader& testGrader() {
     return grader;
 }
 
+/// The same with the handout's scenes: renders pictures, and judges what a screenshot shows.
+inline const pipeline::Grader& testGraderWithScenes() {
+    static const pipeline::Grader grader = [] {
+        const std::filesystem::path root{TICKER_SOURCE_DIR};
+        pipeline::Grader made = testGrader();
+        made.scenes = pipeline::readSpecScenes(root / "scenes", root / "assets");
+        return made;
+    }();
+    return grader;
+}
+
 inline const TaskReport& taskOf(const SubmissionResult& result, const std::string& id) {
     const auto task = std::ranges::find(result.tasks, id, &TaskReport::id);
     if (task == result.tasks.end()) throw std::runtime_error("no task " + id);

@@ -48,21 +48,27 @@ const std::string& ballPng(double relief, double noise, std::uint64_t seed) {
     return png;
 }
 
-Raster reliefRaster() {
-    Raster raster{"Signed tilt along u: red where it should be and is not",
-                  96,
-                  48,
-                  {},
-                  Raster::Colours::diverging};
-    for (int y = 0; y < raster.height; ++y)
-        for (int x = 0; x < raster.width; ++x)
-            raster.values.push_back(static_cast<float>(std::sin(x / 6.0) * std::cos(y / 7.0)));
+/// As the pipeline leaves it: a title, and a file among the result's pictures.
+Raster reliefRaster(const std::string& file) {
+    Raster raster;
+    raster.title = "relief that your normals show";
+    raster.image = file;
     return raster;
 }
 
+ResultPicture reliefPicture(const std::string& file) {
+    raytracer::ByteImage image{96, 48, {}};
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            image.rgb.insert(
+                image.rgb.end(), 3,
+                static_cast<std::uint8_t>(127.0 + 127.0 * std::sin(x / 6.0) * std::cos(y / 7.0)));
+    return {file, "relief that your normals show", raytracer::encodePng(image)};
+}
+
 ScatterPlot lensPlot() {
-    ScatterPlot plot{
-        "Where 600 lens rays began", "world units", {}, ScatterPlot::Shape::square, 0.2};
+    ScatterPlot plot{"Where 600 lens rays began", "world units", {},
+                     ScatterPlot::Shape::square,  0.2,           0.1};
     std::mt19937_64 generator{7};
     std::uniform_real_distribution<double> along{-0.2, 0.2};
     while (plot.points.size() < 600) {
@@ -81,6 +87,13 @@ void addPair(SubmissionResult& result, const std::string& scene, double relief, 
     render.ssim = relief < 0.0 ? 0.61 : 0.97;
     render.gmsd = 0.04;
     render.rmse = 11.5;
+    if (noise > 0.0) {
+        render.zMax = 3.7;
+        render.zMap = "images/" + scene + ".zmap.png";
+        result.pictures.push_back({render.zMap, scene + ", z-map", ballPng(0.5, noise, 4)});
+    }
+    render.errorMap = "images/flip-" + scene + ".png";
+    result.pictures.push_back({render.errorMap, scene + ", FLIP", ballPng(0.0, noise, 5)});
     render.image = "images/" + scene + ".png";
     render.reference = "images/expected-" + scene + ".png";
     result.pictures.push_back({render.reference, scene + ", expected", ballPng(1.0, noise, 1)});
@@ -121,7 +134,7 @@ Finding invertedU() {
                         {"uInverted", 0.98},
                         {"letterHAlongU", std::string{"3 of 212 right, 208 inverted, 1 lost"}},
                         {"mirrored", false}};
-    finding.rasters = {reliefRaster()};
+    finding.rasters = {reliefRaster("images/T1-1.png")};
     return finding;
 }
 
@@ -156,7 +169,10 @@ SubmissionResult passedExample() {
     result.option = "both";
     result.tasks = {task("T1", TaskState::passed), task("T2.1", TaskState::passed),
                     task("T2.2", TaskState::passed), task("screenshot", TaskState::passed)};
+    result.tasks[0].rasters = {reliefRaster("images/T1-1.png")};
     result.tasks[1].findings = {clustered()};
+    result.tasks[2].plots = {lensPlot()};
+    result.pictures.push_back(reliefPicture("images/T1-1.png"));
     addPair(result, "bump-mapping", 1.0, 0.0);
     addPair(result, "distributed", 1.0, 0.05);
     result.pictures.push_back(
@@ -173,6 +189,9 @@ SubmissionResult failedBumpExample() {
                     task("T2.2", TaskState::notAttempted, "The stub still stands."),
                     task("screenshot", TaskState::passed)};
     result.tasks[0].findings = {invertedU()};
+    result.pictures.push_back(reliefPicture("images/T1-1.png"));
+    result.pictures.push_back(
+        {"images/screenshot.png", "screenshot.png as handed in", ballPng(-1.0, 0.0, 3)});
     addPair(result, "bump-mapping", -1.0, 0.0);
     addPair(result, "bumpmap-test", -1.0, 0.0);
     result.notices = {"notes.txt was not read: only the two source files and the screenshot are."};
@@ -209,11 +228,12 @@ SubmissionResult blockedExample() {
          "BumpySphere.cpp:4:12: error: 'nromal' was not declared in this scope; did you mean "
          "'normal'?\n    4 |     return nromal.normalised();\n      |            ^~~~~~\n"
          "      |            normal\n"
-         "BumpySphere.cpp:2:1: note: declared here\n",
-         "#include <raytracer/geometry/BumpySphere.h>\n"
-         "Vector3 BumpySphere::getNormalAt(const Vector3& p) const {\n"
-         "    const Vector3 normal = Sphere::getNormalAt(p);\n"
-         "    return nromal.normalised();\n}\n"}};
+         "BumpySphere.cpp:2:1: note: declared here\n"}};
+    result.sources = {{"BumpySphere.cpp",
+                       "#include <raytracer/geometry/BumpySphere.h>\n"
+                       "Vector3 BumpySphere::getNormalAt(const Vector3& p) const {\n"
+                       "    const Vector3 normal = Sphere::getNormalAt(p);\n"
+                       "    return nromal.normalised();\n}\n"}};
     return result;
 }
 
@@ -230,14 +250,15 @@ SubmissionResult hostileExample() {
     finding.evidence = {{hostile, hostile}, {"notFinite", std::nan("")}};
     finding.plots[0].title = finding.plots[0].unit = hostile;
     finding.plots[0].points = {{std::nan(""), 0.0}, {1e300, -1e300}, {0.1, 0.1}};
-    finding.rasters = {reliefRaster()};
+    finding.rasters = {reliefRaster("https://example.org/" + hostile)};
     finding.rasters[0].title = hostile;
-    finding.rasters[0].values[0] = std::nanf("");
     result.tasks[0].findings = {finding};
-    result.diagnostics = {{hostile, hostile + ":1:1: error: " + hostile, hostile}};
+    result.diagnostics = {{hostile, hostile + ":1:1: error: " + hostile}};
+    result.sources = {{hostile, hostile}};
     result.notices = {hostile};
     addPair(result, "bump-mapping", 1.0, 0.0);
-    result.pictures[0].caption = result.pictures[1].caption = hostile;
+    for (ResultPicture& picture : result.pictures)
+        picture.caption = hostile;
     result.renders[0].scene = hostile;
     result.toolVersion = hostile;
     return result;

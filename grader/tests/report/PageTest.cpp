@@ -1,5 +1,6 @@
 #include <grader/report/ClassPage.h>
 #include <grader/report/ReportPage.h>
+#include <grader/report/Words.h>
 
 #include "ExampleResults.h"
 
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -128,8 +130,9 @@ TEST(ReportPage, TellsMessageHintSectionAndEvidenceOfEachFinding) {
 TEST(ReportPage, DrawsPlotsWithTheExpectedShape) {
     const std::string html = reportPage(failedLensExample());
     ASSERT_EQ(tagsOf(html, "svg").size(), 1U);
-    EXPECT_EQ(tagsOf(html, "circle").size(), 600U);
-    EXPECT_EQ(tagsOf(html, "rect").size(), 1U);
+    EXPECT_EQ(count(tagsOf(html, "path").front(), "h0"), 600U);
+    EXPECT_EQ(tagsOf(html, "rect").size(), 2U) << "two sizes are accepted";
+    EXPECT_NE(tagsOf(html, "svg").front().find("600 points, across from"), std::string::npos);
 }
 
 TEST(ReportPage, ShowsTheStudentsLineUnderADiagnostic) {
@@ -149,6 +152,51 @@ TEST(ReportPage, LetsNothingHostileThrough) {
     EXPECT_EQ(html.find('\xFF'), std::string::npos);
     for (const Tag& tag : scan(html))
         EXPECT_EQ(tag.bare.find(" on"), std::string::npos) << tag.text.substr(0, 100);
+}
+
+TEST(ReportPage, RunsNoScriptButItsOwnAndLoadsNothing) {
+    for (const std::string& html : {reportPage(failedBumpExample()), classPage(exampleClass(3))}) {
+        const std::string policy = tagsOf(html, "meta").at(1);
+        EXPECT_NE(policy.find("default-src 'none'"), std::string::npos) << policy;
+        EXPECT_NE(policy.find("script-src 'sha256-"), std::string::npos) << policy;
+        EXPECT_EQ(policy.find("http:"), std::string::npos) << policy;
+    }
+}
+
+TEST(ReportPage, ShowsMapsBesideThePicturesAndTheScreenshotBesideWhatIsExpected) {
+    const std::string html = reportPage(failedBumpExample());
+    EXPECT_EQ(count(html, "<section class=\"viewer\">"), 3U) << "two scenes and the screenshot";
+    EXPECT_EQ(count(html, "<figure class=\"flip\">"), 2U);
+    EXPECT_EQ(count(html, "<figure class=\"expected\">"), 3U);
+    EXPECT_EQ(count(reportPage(passedExample()), "<figure class=\"z\">"), 1U);
+}
+
+TEST(ReportPage, ShowsWhatWasSeenOfATaskThatPassed) {
+    const std::string html = reportPage(passedExample());
+    EXPECT_EQ(tagsOf(html, "svg").size(), 1U);
+    EXPECT_NE(html.find("alt=\"relief that your normals show\""), std::string::npos);
+}
+
+TEST(ReportPage, LeavesPicturesThatAreTooLargeBesideThePage) {
+    SubmissionResult result = failedBumpExample();
+    result.pictures[1].png.resize(5'000'000);
+    ASSERT_EQ(result.pictures[1].file, kScreenshotFile);
+    const std::string html = reportPage(result);
+    EXPECT_LT(html.size(), 3'000'000U);
+    EXPECT_NE(html.find("src=\"images/screenshot.png\""), std::string::npos);
+    EXPECT_EQ(html.find("src=\"images/bump-mapping.png\""), std::string::npos);
+}
+
+TEST(ReportPage, SaysFirstWhyAPersonShouldLook) {
+    SubmissionResult result = failedBumpExample();
+    result.verdict = Verdict::needsReview;
+    result.tasks[0].needsReview = true;
+    result.tasks[0].reason = "Two readings fit equally well.";
+    const std::string html = reportPage(result);
+    const std::size_t reason = html.find("Two readings fit equally well.");
+    ASSERT_NE(reason, std::string::npos);
+    EXPECT_LT(html.find("A person should look"), reason);
+    EXPECT_LT(reason, html.find("<nav "));
 }
 
 TEST(ReportPage, OfAResultThatWasReadBackLinksToThePicturesBesideIt) {
@@ -172,7 +220,8 @@ TEST(ClassPage, IsWellFormedAndNeedsNothingButItsFolders) {
 
 TEST(ClassPage, CountsVerdictsAndFindings) {
     const std::string html = classPage(exampleClass(60));
-    EXPECT_NE(html.find("36 not awarded"), std::string::npos);
+    EXPECT_NE(html.find("<strong>36</strong> not awarded"), std::string::npos);
+    EXPECT_NE(html.find("inverted the bumps along u"), std::string::npos);
     EXPECT_NE(html.find("bump.inverted-u"), std::string::npos);
     EXPECT_NE(html.find("12 of 60"), std::string::npos);
 }
@@ -181,6 +230,17 @@ TEST(ClassPage, OfNobodySaysSo) {
     const std::string html = classPage({});
     expectBalanced(html);
     EXPECT_NE(html.find("0 submissions"), std::string::npos);
+}
+
+TEST(ClassPage, HasWordsForEveryFindingInTheDocumentation) {
+    std::ifstream stream{TICKER_SOURCE_DIR "/docs/findings.md"};
+    const std::string text{std::istreambuf_iterator<char>{stream}, {}};
+    const std::regex pattern{
+        "(bump|shadow|dof|screenshot|build|run|settings|intake)\\.[a-z][a-z-]+"};
+    std::size_t ids = 0;
+    for (std::sregex_iterator id{text.begin(), text.end(), pattern}, end; id != end; ++id, ++ids)
+        EXPECT_NE(wordsForFinding(id->str()), id->str());
+    EXPECT_GT(ids, 50U);
 }
 
 // For people, and for the tests in a browser.

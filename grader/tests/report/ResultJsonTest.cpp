@@ -34,6 +34,15 @@ SubmissionResult example() {
                         {"worst", std::numeric_limits<double>::infinity()},
                         {"where", std::string{"latitude 40"}},
                         {"seam", true}};
+    finding.plots = {{"lens",
+                      "world units",
+                      {{0.123456, -1e-9}, {std::nan(""), 2.0}},
+                      ScatterPlot::Shape::disc,
+                      0.4,
+                      0.2}};
+    finding.rasters.resize(1);
+    finding.rasters[0].title = "relief";
+    finding.rasters[0].image = "images/T1-1.png";
     TaskReport t1{"T1", "Bump mapping", TaskState::failed, "", {finding}, false};
     TaskReport shot{"screenshot", "Screenshot", TaskState::notAttempted, "there is none", {}, true};
     SubmissionResult result;
@@ -45,8 +54,11 @@ SubmissionResult example() {
     result.toolVersion = "0.1.0";
     result.tasks = {t1, shot};
     result.renders = {{"bumpmap-test", 160, 120, 0.1, 0.9, 0.05, 3.0, 4.0, "images/a.png", "", ""}};
+    result.renders[0].zMap = "images/a.zmap.png";
+    result.tasks[1].plots = finding.plots;
+    result.pictures = {{"images/T1-1.png", "relief", "bytes"}};
     result.notices = {"notes.txt was ignored"};
-    result.diagnostics = {{"BumpySphere.cpp", "BumpySphere.cpp:1:1: error: no", "the source"}};
+    result.diagnostics = {{"BumpySphere.cpp", "BumpySphere.cpp:1:1: error: \"[1, 2]\"\\"}};
     result.timing = {400.2, 31.0, 500.0};
     return result;
 }
@@ -77,6 +89,37 @@ TEST(ResultJson, ComesBackAsItWentOut) {
     EXPECT_EQ(back.tasks.at(0).findings.at(0).evidence.size(), 5U);
     EXPECT_TRUE(back.tasks.at(1).needsReview);
     EXPECT_EQ(back.diagnostics.at(0).text, example().diagnostics.at(0).text);
+    fs::remove(file);
+}
+
+TEST(ResultJson, KeepsAllThatAPageShows) {
+    const fs::path file = temporary("pages.json");
+    writeAtomically(resultJson(example()), file);
+    const SubmissionResult back = readResultJson(file);
+    const Finding& finding = back.tasks.at(0).findings.at(0);
+    EXPECT_EQ(finding.plots.at(0).points.at(0).x, 0.1235) << "four digits are enough";
+    EXPECT_EQ(finding.plots.at(0).otherHalfWidth, 0.2);
+    EXPECT_EQ(finding.rasters.at(0).image, "images/T1-1.png");
+    EXPECT_TRUE(back.tasks.at(1).needsReview);
+    EXPECT_EQ(back.pictures.at(0).caption, "relief");
+    EXPECT_EQ(back.diagnostics.at(0).text, example().diagnostics.at(0).text);
+    fs::remove(file);
+}
+
+TEST(ResultJson, WritesListsOfNumbersOnOneLine) {
+    const std::string text = resultJson(example());
+    EXPECT_NE(text.find("\"matrix\": [-1.0, 0.0, 0.0, 1.0]"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"points\": [[0.1235, -1e-09], [null, 2.0]]"), std::string::npos) << text;
+}
+
+TEST(ReadResultJson, TakesNoPictureFromElsewhere) {
+    const fs::path file = temporary("elsewhere.json");
+    for (const char* path : {"/etc/passwd", "images/../../x.png", "https://example.org/a.png"}) {
+        json document = json::parse(resultJson(example()));
+        document["pictures"][0]["file"] = path;
+        std::ofstream{file} << document.dump();
+        EXPECT_THROW(static_cast<void>(readResultJson(file)), raytracer::InputError) << path;
+    }
     fs::remove(file);
 }
 

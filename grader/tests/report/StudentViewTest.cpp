@@ -52,7 +52,7 @@ TEST(StudentView, HoldsNoSeedNoExpectedPictureAndNoMeasuredValue) {
     EXPECT_FALSE(holds(shown, "Signed tilt")) << "a map of what was asked";
     EXPECT_FALSE(holds(shown, "expected-bump-mapping"));
     EXPECT_FALSE(holds(shown, "bump-mapping, expected"));
-    EXPECT_TRUE(holds(shown, "bump-mapping, from this code"));
+    EXPECT_TRUE(holds(shown, "bump-mapping, from your code"));
 }
 
 TEST(StudentView, KeepsToItselfWhyWeFailed) {

@@ -112,7 +112,10 @@ HeightMap mapOf(const std::vector<double>& columns, const std::vector<double>& r
 }
 
 std::vector<Vector3> tiltsOn(const HeightMap& map, const std::vector<Vector3>& directions) {
-    const BumpySphere sphere{kCentre, kRadius, {}, std::make_shared<const HeightMap>(map)};
+    // Kept for good: a solution may remember maps by their address.
+    static std::vector<std::shared_ptr<const HeightMap>> kept;
+    kept.push_back(std::make_shared<const HeightMap>(map));
+    const BumpySphere sphere{kCentre, kRadius, {}, kept.back()};
     std::vector<Vector3> tilts;
     for (const Vector3& direction : directions)
         tilts.push_back(

@@ -11,7 +11,7 @@ std::ostream& operator<<(std::ostream& stream, const Complaint& complaint) {
                   << "  expected: " << complaint.expected << '\n'
                   << "  got:      " << complaint.got << '\n'
                   << "  likely:   " << complaint.cause << '\n'
-                  << "  handout:  section " << complaint.section;
+                  << "  handout:  " << complaint.section;
 }
 
 std::string inWords(double value) {

@@ -1,0 +1,295 @@
+// Benchmark of grading a class, as ratios: CPU time of ticker and all that it starts, against a
+// bare compiler that makes a program of the same two files. Medians of interleaved rounds, two
+// workers. usage: ticker_bench_class ROOT [--submissions N] [--rounds N] [--json FILE]
+#include <raytracer/base/Error.h>
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+extern char** environ;  // NOLINT: POSIX
+
+namespace ticker {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+constexpr int kWorkers = 2;
+constexpr int kCopies = 3;  // of each honest submission in a round
+const std::array<std::string, 3> kBump{"reference-bump", "bump-bilinear", "bump-z-up"};
+const std::array<std::string, 3> kDistributed{"reference-distributed", "distributed-half-width",
+                                              "distributed-phong-per-sample"};
+
+struct Options {
+    fs::path root;
+    int submissions = 200;
+    int rounds = 5;
+    std::string json;
+};
+
+struct Figure {
+    std::string name;
+    double value;
+    std::string unit;
+};
+
+/// A folder that goes with its owner.
+class Folder {
+public:
+    Folder() : path_(fs::temp_directory_path() / fmt::format("ticker-bench-{}", getpid())) {
+        fs::create_directories(path_);
+    }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+// Of all processes that were started from here and have ended, and of theirs.
+double childSeconds() {
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+pid_t start(Words words, const fs::path& output) {
+    posix_spawn_file_actions_t actions{};
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_t child = 0;
+    const int error =
+        posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) throw raytracer::Error("cannot run " + words[0]);
+    return child;
+}
+
+void finish(pid_t child, const fs::path& output) {
+    int status = 0;
+    if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        throw raytracer::Error("a program failed; what it said stands in " + output.string());
+}
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+/// Runs the two sides of the comparison.
+class Bench {
+public:
+    explicit Bench(Options options)
+        : options_(std::move(options)),
+          programs_(fs::read_symlink("/proc/self/exe").parent_path()),
+          kit_(programs_.parent_path() / "kit") {}
+
+    [[nodiscard]] std::vector<Figure> run() const {
+        const double startUp = gradedSeconds("start", {"notAwarded/template-untouched"}, 1);
+        std::vector<double> bare;
+        std::vector<double> bump;
+        std::vector<double> distributed;
+        std::vector<double> ratio;
+        for (int round = 0; round < options_.rounds; ++round) {
+            bare.push_back((bareSeconds(kBump) + bareSeconds(kDistributed)) / 2.0);
+            bump.push_back(perSubmission("bump", kBump, startUp));
+            distributed.push_back(perSubmission("distributed", kDistributed, startUp));
+            ratio.push_back((bump.back() + distributed.back()) / 2.0 / bare.back());
+        }
+        std::vector<Figure> figures{
+            {"bare g++ -O2: two files, compiled and linked, CPU", 1e3 * median(bare), "ms"},
+            {"honest T1, CPU", 1e3 * median(bump), "ms"},
+            {"honest T2, CPU", 1e3 * median(distributed), "ms"},
+            {"honest submission / bare compile", median(ratio), "x"},
+            {"start of ticker, once for a class, CPU", 1e3 * startUp, "ms"}};
+        for (Figure& figure : wholeClass())
+            figures.push_back(std::move(figure));
+        return figures;
+    }
+
+private:
+    /// CPU time of grading a class that is made of samples, each `copies` times.
+    [[nodiscard]] double gradedSeconds(const std::string& name, const Words& samples,
+                                       int copies) const {
+        const fs::path folder = folder_.path() / name;
+        fs::remove_all(folder);
+        for (int copy = 0; copy < copies; ++copy)
+            for (const std::string& sample : samples)
+                copySample(sample,
+                           folder / "class" /
+                               fmt::format("{}-{}", fs::path{sample}.filename().string(), copy));
+        const double before = childSeconds();
+        grade(folder);
+        return childSeconds() - before;
+    }
+
+    void copySample(const std::string& sample, const fs::path& target) const {
+        fs::create_directories(target.parent_path());
+        fs::copy(options_.root / "grader/samples" / sample, target, fs::copy_options::recursive);
+    }
+
+    /// @return what ticker said
+    std::string grade(const fs::path& folder) const {
+        const fs::path output = folder / "output.txt";
+        finish(start({programs_ / "ticker", "grade", folder / "class", "-o", folder / "out",
+                      "--jobs", std::to_string(kWorkers), "--seed", "1", "--verbose"},
+                     output),
+               output);
+        std::ifstream stream{output};
+        return {std::istreambuf_iterator<char>{stream}, {}};
+    }
+
+    double perSubmission(const std::string& name, const std::array<std::string, 3>& samples,
+                         double startUp) const {
+        Words awarded;
+        for (const std::string& sample : samples)
+            awarded.push_back("awarded/" + sample);
+        return (gradedSeconds(name, awarded, kCopies) - startUp) /
+               static_cast<double>(samples.size() * kCopies);
+    }
+
+    /// CPU time of the compiler for one submission: its file and the template's other, linked with
+    /// what the framework and the probe consist of, by the default linker.
+    [[nodiscard]] double bareSeconds(const std::array<std::string, 3>& samples) const {
+        const double before = childSeconds();
+        for (std::size_t i = 0; i < samples.size(); i += kWorkers) {
+            std::vector<std::pair<pid_t, fs::path>> running;
+            for (std::size_t k = i; k < std::min(i + kWorkers, samples.size()); ++k) {
+                const fs::path output = folder_.path() / fmt::format("bare-{}.txt", k);
+                running.emplace_back(start(bareCommand(samples.at(k), k), output), output);
+            }
+            for (const auto& [child, output] : running)
+                finish(child, output);
+        }
+        return (childSeconds() - before) / static_cast<double>(samples.size());
+    }
+
+    [[nodiscard]] Words bareCommand(const std::string& sample, std::size_t place) const {
+        Words words{"/usr/bin/g++", "-O2", "-std=c++20", "-I" + (kit_ / "include").string()};
+        for (const char* file : {"BumpySphere.cpp", "Renderer.cpp"}) {
+            const fs::path own = options_.root / "grader/samples/awarded" / sample / file;
+            words.push_back((fs::exists(own) ? own : kit_ / "template" / file).string());
+        }
+        words.push_back((kit_ / "lib/probe.o").string());
+        words.push_back((kit_ / "lib/libkit.a").string());
+        words.push_back("-o");
+        words.push_back((folder_.path() / fmt::format("bare-{}", place)).string());
+        return words;
+    }
+
+    /// A whole class of every sample under names that break careless programs.
+    [[nodiscard]] std::vector<Figure> wholeClass() const {
+        const fs::path folder = folder_.path() / "whole";
+        const std::vector<std::string> samples = mixedSamples();
+        const std::array<const char*, 5> names{"J\xC3\xBCrgen, jr", "<b>Ann</b>", "O'Neill \"x\"",
+                                               "=1+1", "\xE5\xBC\xA0 \xE4\xBC\x9F"};
+        for (int i = 0; i < options_.submissions; ++i) {
+            const auto place = static_cast<std::size_t>(i);
+            copySample(samples.at(place % samples.size()),
+                       folder / "class" / fmt::format("{}_{}", names.at(place % names.size()), i));
+        }
+        const auto begin = std::chrono::steady_clock::now();
+        const double before = childSeconds();
+        const std::string said = grade(folder);
+        const double cpu = childSeconds() - before;
+        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+        return {{fmt::format("class of {}, two workers, wall clock", options_.submissions),
+                 wall.count(), "s"},
+                {fmt::format("class of {}, CPU", options_.submissions), cpu, "s"},
+                {fmt::format("class of {}, memory of ticker itself", options_.submissions),
+                 megabytesIn(said), "MB"}};
+    }
+
+    // All but the one that loops: it measures nothing but the limit of CPU time.
+    [[nodiscard]] std::vector<std::string> mixedSamples() const {
+        std::vector<std::string> samples;
+        for (const char* verdict : {"awarded", "notAwarded", "needsReview"})
+            for (const auto& entry :
+                 fs::directory_iterator{options_.root / "grader/samples" / verdict})
+                if (entry.is_directory() && entry.path().filename() != "loops-for-ever")
+                    samples.push_back(std::string{verdict} + "/" +
+                                      entry.path().filename().string());
+        std::ranges::sort(samples);
+        return samples;
+    }
+
+    // "peak memory 123 MB", as grade --verbose says it.
+    static double megabytesIn(const std::string& said) {
+        const std::string words = "peak memory ";
+        const std::size_t at = said.find(words);
+        return at == std::string::npos ? -1.0 : std::atof(said.c_str() + at + words.size());
+    }
+
+    Options options_;
+    fs::path programs_;
+    fs::path kit_;
+    Folder folder_;
+};
+
+Options parsed(int count, char** words) {
+    if (count < 2)
+        throw raytracer::InputError(
+            "", 0, "usage: ticker_bench_class ROOT [--submissions N] [--rounds N] [--json FILE]");
+    Options options;
+    options.root = words[1];
+    for (int i = 2; i + 1 < count; i += 2) {
+        const std::string name = words[i];
+        if (name == "--submissions") options.submissions = std::max(1, std::atoi(words[i + 1]));
+        if (name == "--rounds") options.rounds = std::max(1, std::atoi(words[i + 1]));
+        if (name == "--json") options.json = words[i + 1];
+    }
+    return options;
+}
+
+void print(const std::vector<Figure>& figures, const std::string& json) {
+    std::string lines;
+    for (const Figure& figure : figures) {
+        fmt::print("{:<52} {:>10.4g} {}\n", figure.name, figure.value, figure.unit);
+        lines += fmt::format("{}  {{\"name\": \"{}\", \"value\": {:.6g}, \"unit\": \"{}\"}}",
+                             lines.empty() ? "" : ",\n", figure.name, figure.value, figure.unit);
+    }
+    if (!json.empty()) std::ofstream{json} << "[\n" << lines << "\n]\n";
+}
+
+}  // namespace
+}  // namespace ticker
+
+int main(int count, char** words) {
+    try {
+        const ticker::Options options = ticker::parsed(count, words);
+        ticker::print(ticker::Bench{options}.run(), options.json);
+        return 0;
+    } catch (const raytracer::Error& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return raytracer::toInt(error.exitCode());
+    }
+}

@@ -1,0 +1,76 @@
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/calibrate/ComparisonCampaign.h>
+#include <grader/calibrate/ComparisonTables.h>
+#include <grader/decision/distributed/JudgeDistributed.h>
+
+#include <raytracer/base/Error.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <utility>
+#include <variant>
+
+namespace ticker::calibrate {
+namespace {
+
+constexpr std::uint64_t kSeed = 20;
+
+raytracer::RenderSettings smallPicture() {
+    raytracer::RenderSettings settings;
+    settings.width = 160;
+    settings.height = 120;
+    settings.seed = kSeed;
+    return settings;
+}
+
+double rounded(double value) {
+    return std::round(value * 1e5) / 1e5;
+}
+
+bool passes(const decision::DistributedJudgement& judgement) {
+    return judgement.softShadows.state == TaskState::passed &&
+           judgement.depthOfField.state == TaskState::passed;
+}
+
+}  // namespace
+
+ComparisonCampaign::ComparisonCampaign(std::vector<Subject> subjects,
+                                       raytracer::SceneDescription scene, Programs& programs)
+    : subjects_(std::move(subjects)), scene_(std::move(scene)), programs_(programs) {}
+
+const PictureMethods& ComparisonCampaign::methods() {
+    std::call_once(once_,
+                   [&] { methods_ = std::make_unique<PictureMethods>(scene_, smallPicture()); });
+    return *methods_;
+}
+
+std::string ComparisonCampaign::run(std::size_t unit) {
+    const Subject& subject = subjects_.at(unit);
+    const sandbox::Limits limits;
+    build::SandboxedExaminee examinee{programs_.of(subject), programs_.sandbox(), limits};
+    probe::RenderQuestion question;
+    question.scene = scene_;
+    question.settings = smallPicture();
+    const probe::Sitting sitting = examinee.ask({question});
+    const auto* answer =
+        sitting.answers.empty() ? nullptr : std::get_if<probe::RenderAnswer>(&sitting.answers[0]);
+    if (answer == nullptr || answer->images.empty())
+        throw raytracer::Error(subject.name + " gave no picture: " + sitting.end.detail);
+    const PictureScores scores = methods().score(answer->images.front());
+    const bool ours = passes(decision::judgeDistributed(examinee, {}, kSeed));
+    return nlohmann::json{{"subject", subject.name},
+                          {"right", subject.isRight()},
+                          {"ours", ours},
+                          {"rmse", rounded(scores.rmse)},
+                          {"ssim", rounded(scores.ssim)},
+                          {"flip", rounded(scores.flip)},
+                          {"zTest", rounded(scores.zTest)}}
+        .dump();
+}
+
+Summary ComparisonCampaign::summarise(const std::vector<std::string>& records) const {
+    return comparisonTables(records);
+}
+
+}  // namespace ticker::calibrate

@@ -1,0 +1,41 @@
+#ifndef TICKER_CALIBRATE_COMPARISONCAMPAIGN_H
+#define TICKER_CALIBRATE_COMPARISONCAMPAIGN_H
+
+#include <grader/calibrate/Campaign.h>
+#include <grader/calibrate/PictureMethods.h>
+#include <grader/calibrate/Subject.h>
+
+#include <memory>
+#include <mutex>
+
+namespace ticker::calibrate {
+
+/// Our decision beside other ways of judging, on the same submissions: each renders the handout's
+/// scene once, at 160 x 120. A unit is one subject.
+class ComparisonCampaign final : public Campaign {
+public:
+    /// @param scene     The scene that is rendered.
+    /// @param programs  Must outlive this object.
+    ComparisonCampaign(std::vector<Subject> subjects, raytracer::SceneDescription scene,
+                       Programs& programs);
+
+    [[nodiscard]] std::string name() const override { return "comparison"; }
+    [[nodiscard]] std::size_t units() const override { return subjects_.size(); }
+    /// None: pictures differ in their last digits between machines.
+    [[nodiscard]] std::vector<std::size_t> checkUnits() const override { return {}; }
+    [[nodiscard]] std::string run(std::size_t unit) override;
+    [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
+
+private:
+    const PictureMethods& methods();
+
+    std::vector<Subject> subjects_;
+    raytracer::SceneDescription scene_;
+    Programs& programs_;
+    std::once_flag once_;
+    std::unique_ptr<PictureMethods> methods_;
+};
+
+}  // namespace ticker::calibrate
+
+#endif

@@ -1,0 +1,146 @@
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/calibrate/Bounds.h>
+#include <grader/calibrate/StageCampaign.h>
+#include <grader/decision/distributed/PenumbraCheck.h>
+#include <grader/decision/distributed/PictureCheck.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <variant>
+
+namespace ticker::calibrate {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kBlock = 10;
+
+// Statistics are counted in hundredths.
+constexpr double kHundred = 100.0;
+
+struct Stage {
+    bool failed = false;
+    double statistic = 0.0;  // in units of the limit
+};
+
+template <class Answer>
+Answer answerOf(probe::Examinee& examinee, const probe::Question& question) {
+    const probe::Sitting sitting = examinee.ask({question});
+    const auto* answer =
+        sitting.answers.empty() ? nullptr : std::get_if<Answer>(&sitting.answers.front());
+    if (answer == nullptr || answer->state != probe::AnswerState::answered)
+        throw raytracer::Error("a right submission did not answer: " + sitting.end.detail);
+    return *answer;
+}
+
+Stage shadowStage(probe::Examinee& examinee, std::uint64_t seed) {
+    const decision::PenumbraQuestion asked = decision::drawPenumbraQuestion(seed);
+    const decision::PenumbraVerdict verdict =
+        decision::checkPenumbra(asked, answerOf<probe::IlluminateAnswer>(examinee, asked.question));
+    return {verdict.finding.has_value() || verdict.ambiguous, verdict.timesTheBound};
+}
+
+Stage pictureStage(probe::Examinee& examinee, std::uint64_t seed) {
+    const probe::RenderQuestion asked = decision::drawPictureQuestion(seed);
+    const decision::PictureVerdict verdict =
+        decision::judgePictures(asked, answerOf<probe::RenderAnswer>(examinee, asked), seed);
+    return {verdict.finding.has_value() || verdict.ambiguous, verdict.timesTheLimit};
+}
+
+/// All stages of one kind.
+struct Tally {
+    std::size_t stages = 0;
+    std::size_t failed = 0;
+    std::map<int, std::size_t> statistics;
+
+    [[nodiscard]] double quantile(double share) const {
+        std::size_t below = 0;
+        for (const auto& [hundredths, times] : statistics) {
+            below += times;
+            if (static_cast<double>(below) >= share * static_cast<double>(stages))
+                return hundredths / kHundred;
+        }
+        return 0.0;
+    }
+    void add(const json& record) {
+        stages += record.at("stages").get<std::size_t>();
+        failed += record.at("failed").get<std::size_t>();
+        for (const auto& [hundredths, times] : record.at("statistics").items())
+            statistics[std::stoi(hundredths)] += times.get<std::size_t>();
+    }
+    [[nodiscard]] std::string line(const char* what) const {
+        if (stages == 0) return "";
+        return fmt::format(
+            "| {} | {} | {} | {:.2g} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", what,
+            stages, failed, upperBound(failed, stages), quantile(0.5), quantile(0.9),
+            quantile(0.99), quantile(0.999), quantile(1.0));
+    }
+};
+
+bool isSuited(const Subject& subject) {
+    // A fixed seed gives one sample of its noise: it is judged in another way.
+    return subject.isRight() && subject.isUnseen() && !subject.task.empty() &&
+           subject.name.find("fixed") == std::string::npos;
+}
+
+}  // namespace
+
+StageCampaign::StageCampaign(const std::vector<Subject>& subjects, std::size_t units,
+                             Programs& programs)
+    : units_(units), programs_(programs) {
+    for (const Subject& subject : subjects)
+        if (isSuited(subject)) (subject.task == "T2.1" ? shadows_ : pictures_).push_back(subject);
+}
+
+std::string StageCampaign::run(std::size_t unit) {
+    const bool picture = unit % 2 == 1;
+    const std::vector<Subject>& subjects = picture ? pictures_ : shadows_;
+    const Subject& subject = subjects.at(unit / 2 % subjects.size());
+    const build::Program& program = programs_.of(subject);
+    const sandbox::Limits limits;
+    build::SandboxedExaminee examinee{program, programs_.sandbox(), limits};
+    std::size_t failed = 0;
+    std::map<std::string, std::size_t> statistics;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+        const std::uint64_t seed = 0x57A6E0000000U + unit * kBlock + i;
+        const Stage stage = picture ? pictureStage(examinee, seed) : shadowStage(examinee, seed);
+        if (stage.failed) ++failed;
+        ++statistics[std::to_string(std::lround(stage.statistic * kHundred))];
+    }
+    return json{{"kind", picture ? "picture" : "shadow"},
+                {"subject", subject.name},
+                {"stages", kBlock},
+                {"failed", failed},
+                {"statistics", statistics}}
+        .dump();
+}
+
+Summary StageCampaign::summarise(const std::vector<std::string>& records) const {
+    std::map<std::string, Tally> kinds;
+    Tally all;
+    for (const std::string& text : records) {
+        const json record = json::parse(text);
+        kinds[record.at("kind")].add(record);
+        all.add(record);
+    }
+    // What the budget of two stages rests on.
+    constexpr double kTail = 5e-4;
+    Summary summary;
+    summary.asExpected = upperBound(all.failed, all.stages) <= kTail;
+    summary.text =
+        "| stage | times | failed | 95 % bound | median | 90 % | 99 % | 99.9 % | most |\n"
+        "|---|---|---|---|---|---|---|---|---|\n" +
+        kinds["shadow"].line("values at shadows' edges") + kinds["picture"].line("pictures") +
+        all.line("both");
+    return summary;
+}
+
+}  // namespace ticker::calibrate

@@ -1,0 +1,65 @@
+#ifndef TICKER_DECISION_BUMP_REGIONS_H
+#define TICKER_DECISION_BUMP_REGIONS_H
+
+#include <grader/decision/bump/Draws.h>
+#include <grader/decision/bump/RampJudgement.h>
+#include <grader/decision/bump/Tilt.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace ticker::decision::bump {
+
+/// One map as large as pictures are, which falls along both axes everywhere, in whole bytes: what
+/// a code does on the ramps it must do at every column and row of this, too.
+struct RegionPlan {
+    std::vector<Vector3> directions;
+    std::size_t question = 0;
+};
+
+/// @param directions  Points to ask for; more are drawn.
+[[nodiscard]] RegionPlan planRegions(Questionnaire& questionnaire, Draws& draws, const Ball& ball,
+                                     std::vector<Vector3> directions);
+
+/// Texels from `first` to `last`.
+struct TexelRange {
+    int first = 0;
+    int last = 0;
+};
+
+/// How one axis does over the whole map.
+struct RegionShares {
+    double asOnRamps = 1.0;  ///< share of the points that tilt along this axis as on the ramps
+    double worst = 1.0;      ///< that share in the worst region of a 48th of the sphere
+    double best = 0.0;       ///< and in the best
+    /// Where most of the others lie, unless that is everywhere; to a 64th of the map.
+    std::optional<TexelRange> columns;
+    std::optional<TexelRange> rows;
+
+    [[nodiscard]] bool good() const;
+    [[nodiscard]] bool isLocal() const { return best - worst > 0.5; }
+};
+
+struct RegionAgreement {
+    RegionShares u;
+    RegionShares v;
+    int width = 0;  ///< of the map
+    int height = 0;
+
+    [[nodiscard]] bool good() const { return u.good() && v.good(); }
+    /// Some regions are right, others not.
+    [[nodiscard]] bool isLocal() const { return u.isLocal() || v.isLocal(); }
+};
+
+/// @param ramps  What the ramps said; they told the map's place.
+[[nodiscard]] RegionAgreement readRegions(const RegionPlan& plan, const Answers& answers,
+                                          const RampJudgement& ramps);
+
+/// True where a map is no other than the one that was asked for before it: something is
+/// remembered. Compares the normals of two questions at the same points.
+[[nodiscard]] bool areTheSame(const Answers& answers, std::size_t question, std::size_t other);
+
+}  // namespace ticker::decision::bump
+
+#endif

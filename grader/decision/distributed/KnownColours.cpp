@@ -1,0 +1,99 @@
+#include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/KnownColours.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+namespace ticker::decision {
+namespace {
+
+struct NamedArithmetic {
+    ShadowArithmetic arithmetic;
+    const char* id;
+    const char* seen;
+};
+
+constexpr std::array kMistakes{
+    NamedArithmetic{ShadowArithmetic::inverted, "shadow.inverted",
+                    "Points that no ray's way is blocked from were expected to be lit; lit and "
+                    "shadowed are exchanged."},
+    NamedArithmetic{ShadowArithmetic::litIfAll, "shadow.all-or-nothing",
+                    "At the edge of a shadow a fraction of the light was expected; there is all of "
+                    "it where every ray arrives and none elsewhere."},
+    NamedArithmetic{ShadowArithmetic::litIfAny, "shadow.all-or-nothing",
+                    "At the edge of a shadow a fraction of the light was expected; there is all of "
+                    "it as soon as one ray arrives."},
+    NamedArithmetic{ShadowArithmetic::litIfHalf, "shadow.all-or-nothing",
+                    "At the edge of a shadow a fraction of the light was expected; there is all of "
+                    "it where more than half of the rays arrive and none elsewhere."},
+    NamedArithmetic{
+        ShadowArithmetic::ambientScaled, "shadow.ambient-scaled",
+        "In shadow the ambient light was expected to stay; it is scaled like the rest."},
+    NamedArithmetic{ShadowArithmetic::specularUnshadowed, "shadow.specular-unshadowed",
+                    "In shadow no highlight was expected; the specular term is there in full."},
+    NamedArithmetic{ShadowArithmetic::diffuseUnshadowed, "shadow.diffuse-unshadowed",
+                    "In shadow no diffuse light was expected; the diffuse term is there in full."}};
+
+// Geometry's word on a point that lies in full light or full shadow of every light.
+std::optional<ColourRGB> knownColour(const PointLog& point,
+                                     const raytracer::SceneDescription& scene, bool viewerIsEye) {
+    ColourRGB expected = ambientPart(point, scene);
+    for (std::size_t i = 0; i < point.zones.size(); ++i) {
+        if (point.zones[i] == Zone::penumbra) return std::nullopt;
+        if (point.zones[i] == Zone::lit) expected += unshadowed(point, scene, i, viewerIsEye);
+    }
+    return expected;
+}
+
+}  // namespace
+
+ColourRGB inFullLight(const PointLog& point, const raytracer::SceneDescription& scene) {
+    ColourRGB colour = ambientPart(point, scene);
+    for (std::size_t i = 0; i < scene.pointLights.size(); ++i)
+        colour += unshadowed(point, scene, i, false);
+    return colour;
+}
+
+bool near(const ColourRGB& a, const ColourRGB& b, const ColourRGB& slack) {
+    return std::abs(a.r - b.r) <= slack.r && std::abs(a.g - b.g) <= slack.g &&
+           std::abs(a.b - b.b) <= slack.b;
+}
+
+bool isNearKnown(const PointLog& point, const ShadowLog& log, bool viewerIsEye) {
+    const std::optional<ColourRGB> expected = knownColour(point, log.scene(), viewerIsEye);
+    if (!expected) return true;
+    double nearest = 1e9;
+    for (const raytracer::PointLight& light : log.scene().pointLights)
+        nearest = std::min(nearest, (light.position() - point.point.position).magnitude());
+    const double share = 0.05 + 2.0 * log.settings().lightSize / nearest;
+    return near(point.colour, *expected, inFullLight(point, log.scene()) * share);
+}
+
+bool allNearKnown(const std::vector<const ShadowLog*>& logs, bool viewerIsEye) {
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points)
+            if (!isNearKnown(point, *log, viewerIsEye)) return false;
+    return true;
+}
+
+Finding findingOf(ShadowArithmetic arithmetic) {
+    const auto* mistake =
+        std::find_if(kMistakes.begin(), kMistakes.end(),
+                     [&](const NamedArithmetic& known) { return known.arithmetic == arithmetic; });
+    return distributedFinding(mistake->id, Severity::fail, mistake->seen);
+}
+
+const std::vector<ShadowArithmetic>& namedMistakes() {
+    static const std::vector<ShadowArithmetic> all = [] {
+        std::vector<ShadowArithmetic> some;
+        std::transform(kMistakes.begin(), kMistakes.end(), std::back_inserter(some),
+                       [](const NamedArithmetic& mistake) { return mistake.arithmetic; });
+        return some;
+    }();
+    return all;
+}
+
+}  // namespace ticker::decision

@@ -1,0 +1,125 @@
+#include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/LensChecks.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace ticker::decision {
+namespace {
+
+// Means of fifty colours in single precision.
+constexpr double kMeanSlack = 3e-5;
+
+bool near(const ColourRGB& a, const ColourRGB& b) {
+    const double slack = kMeanSlack * (std::abs(b.r) + std::abs(b.g) + std::abs(b.b)) + 1e-9;
+    return std::abs(a.r - b.r) <= slack && std::abs(a.g - b.g) <= slack &&
+           std::abs(a.b - b.b) <= slack;
+}
+
+std::vector<ColourRGB> valuesOf(const LensPixel& pixel) {
+    std::vector<ColourRGB> values;
+    for (const LensRay& ray : pixel.rays)
+        if (ray.value) values.push_back(*ray.value);
+    return values;
+}
+
+ColourRGB meanOf(const ColourRGB* first, std::size_t count) {
+    ColourRGB sum;
+    for (std::size_t i = 0; i < count; ++i)
+        sum += first[i];
+    return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+}
+
+// All rays, or all but an extra ray at the beginning or the end that was traced for another reason.
+bool isMean(const LensPixel& pixel, std::size_t asked) {
+    const std::vector<ColourRGB> values = valuesOf(pixel);
+    if (values.empty()) return false;
+    if (near(pixel.colour, meanOf(values.data(), values.size()))) return true;
+    if (values.size() <= asked) return false;
+    for (const std::size_t skipped : {std::size_t{1}, values.size() - asked}) {
+        const std::size_t kept = values.size() - skipped;
+        if (near(pixel.colour, meanOf(values.data(), kept)) ||
+            near(pixel.colour, meanOf(values.data() + skipped, kept)))
+            return true;
+    }
+    return false;
+}
+
+template <class Test>
+bool everyPixel(const LensLog& log, const Test& test) {
+    return std::all_of(log.pixels.begin(), log.pixels.end(), test);
+}
+
+// The factor between what was expected and what came, where it is the same everywhere; else 0.
+double commonFactor(const LensLog& log) {
+    double factor = 0.0;
+    for (const LensPixel& pixel : log.pixels) {
+        const std::vector<ColourRGB> values = valuesOf(pixel);
+        const ColourRGB mean = meanOf(values.data(), values.size());
+        const double whole = mean.r + mean.g + mean.b;
+        if (!(whole > 1e-6)) continue;
+        if (factor == 0.0) factor = (pixel.colour.r + pixel.colour.g + pixel.colour.b) / whole;
+        if (!near(pixel.colour, mean * factor)) return 0.0;
+    }
+    return factor;
+}
+
+enum class Which { first, last };
+
+bool isOneOf(const LensPixel& pixel, Which which) {
+    const std::vector<ColourRGB> values = valuesOf(pixel);
+    return !values.empty() &&
+           near(pixel.colour, which == Which::first ? values.front() : values.back());
+}
+
+bool withinSamples(const LensPixel& pixel) {
+    const std::vector<ColourRGB> values = valuesOf(pixel);
+    if (values.empty()) return false;
+    ColourRGB low = values.front();
+    ColourRGB high = values.front();
+    for (const ColourRGB& value : values) {
+        low = {std::min(low.r, value.r), std::min(low.g, value.g), std::min(low.b, value.b)};
+        high = {std::max(high.r, value.r), std::max(high.g, value.g), std::max(high.b, value.b)};
+    }
+    const ColourRGB& c = pixel.colour;
+    const double slack = 1e-6;
+    return c.r >= low.r - slack && c.r <= high.r + slack && c.g >= low.g - slack &&
+           c.g <= high.g + slack && c.b >= low.b - slack && c.b <= high.b + slack;
+}
+
+}  // namespace
+
+std::optional<Finding> checkAverage(const LensLog& log) {
+    const bool traced = std::any_of(log.pixels.begin(), log.pixels.end(), [](const LensPixel& p) {
+        return !p.rays.empty() && p.rays.front().value.has_value();
+    });
+    if (!traced || log.cut) return std::nullopt;
+    const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
+    if (everyPixel(log, [&](const LensPixel& pixel) { return isMean(pixel, asked); }))
+        return std::nullopt;
+    const double factor = commonFactor(log);
+    std::string seen;
+    if (factor != 0.0)
+        seen = fmt::format("it is {:.4g} times their mean", factor);
+    else if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::last); }))
+        seen = "it is the colour of the last ray alone";
+    else if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::first); }))
+        seen = "it is the colour of the first ray alone";
+    else if (everyPixel(log, withinSamples))
+        seen = "some rays count more than others";
+    if (seen.empty())
+        return distributedFinding("dof.wrong", Severity::fail,
+                                  "The colour of a pixel was expected to be the mean of its rays' "
+                                  "colours; it is none of the things that are known to go wrong.");
+    Finding finding = distributedFinding(
+        "dof.not-averaged", Severity::fail,
+        "The colour of a pixel was expected to be the mean of its rays' colours; " + seen + ".");
+    if (factor != 0.0) finding.evidence.emplace_back("factor", factor);
+    return finding;
+}
+
+}  // namespace ticker::decision

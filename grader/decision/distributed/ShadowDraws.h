@@ -1,0 +1,40 @@
+#ifndef TICKER_DECISION_DISTRIBUTED_SHADOWDRAWS_H
+#define TICKER_DECISION_DISTRIBUTED_SHADOWDRAWS_H
+
+#include <grader/decision/distributed/Draw.h>
+#include <grader/decision/distributed/ShadowQuestions.h>
+#include <grader/decision/distributed/Surfaces.h>
+
+#include <vector>
+
+namespace ticker::decision {
+
+// The pieces of which the questions of T2.1 are made.
+
+/// Spectra differ in every channel, so that ambient, diffuse and specular shares cannot be
+/// confused.
+[[nodiscard]] raytracer::Material drawMaterial(Draw& draw);
+
+/// A light of which about its own colour arrives at `distance`.
+[[nodiscard]] raytracer::PointLight drawLight(Draw& draw, const Vector3& position, double distance);
+
+/// Somewhere in front of the camera.
+[[nodiscard]] Vector3 drawPlace(Draw& draw);
+
+/// A viewer near the mirrored direction, where the specular term is as large as the diffuse one.
+[[nodiscard]] Vector3 drawViewer(Draw& draw, const Vector3& point, const Vector3& normal,
+                                 const Vector3& light);
+
+/// A point of the lens, seen as by a camera ray: whoever treats those apart from reflections has to
+/// be found out, too.
+[[nodiscard]] Vector3 drawLensPoint(Draw& draw, const raytracer::RenderSettings& settings);
+
+/// What of each light a point sees, the lights taken a third larger than `radius`: no accepted
+/// sample and no accepted bias is near a decision.
+[[nodiscard]] std::vector<Zone> zonesOf(const raytracer::SceneDescription& scene,
+                                        const Surfaces& surfaces, const Vector3& point,
+                                        const Vector3& normal, double radius);
+
+}  // namespace ticker::decision
+
+#endif

@@ -1,0 +1,233 @@
+#include <grader/decision/screenshot/JudgeScreenshot.h>
+
+#include <grader/decision/screenshot/Agreement.h>
+#include <grader/decision/screenshot/Edits.h>
+#include <grader/decision/screenshot/Suspects.h>
+#include <grader/decision/screenshot/Whole.h>
+#include <grader/decision/screenshot/Windows.h>
+#include <grader/decision/screenshot/Words.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ticker::decision {
+namespace {
+
+using namespace screenshot;
+
+// Noise of two renders, and edges that fall between pixels: the largest of 120 honest pictures was
+// 4.0 (option 1) and 2.3 (option 2).
+constexpr double kMostTileDifference = 10.0;
+// Beyond a thousand rays where the handout says fifty.
+constexpr double kNoNoise = 1.0 / 25.0;
+
+TaskJudgement passed(std::vector<Finding> notes, std::string reason = "") {
+    return {TaskState::passed, std::move(reason), std::move(notes), false};
+}
+
+TaskJudgement passedInDoubt(Finding doubt) {
+    return {TaskState::passed, "", {std::move(doubt)}, true};
+}
+
+TaskJudgement failed(Finding finding) {
+    return {TaskState::failed, "", {std::move(finding)}, false};
+}
+
+/// What the code's windows say.
+struct Verification {
+    enum class Kind {
+        same,
+        different,
+        unknown  ///< `why`; empty: there is no code to ask
+    };
+    Kind kind = Kind::unknown;
+    std::string why;
+    Agreement agreement;
+    std::optional<OwnWindows> own;
+};
+
+Verification unknown(const char* why) {
+    return {Verification::Kind::unknown, why, {}, {}};
+}
+
+Verification compareOnce(const ByteView& picture, const Scene& scene, std::uint64_t seed,
+                         int stage) {
+    const Windows windows = drawWindows(scene.isForT1, picture.width, picture.height, seed, stage);
+    std::optional<Picture> own =
+        renderWindows(scene, windows, seed + static_cast<std::uint64_t>(stage));
+    if (!own) return unknown("this code renders whole frames only, no part of one");
+    Verification result;
+    result.agreement = agreementOf(cutOut(picture, windows).view(), own->view(), !scene.isForT1);
+    result.kind =
+        result.agreement.agrees ? Verification::Kind::same : Verification::Kind::different;
+    result.own = OwnWindows{windows, *std::move(own), !scene.isForT1};
+    return result;
+}
+
+// Code that draws one pattern of points for all pixels has pictures that differ as wholes.
+bool agreesWithItself(const Scene& scene, const OwnWindows& own, std::uint64_t seed) {
+    const std::optional<Picture> again = renderWindows(scene, own.windows, seed);
+    return again && agreementOf(again->view(), own.pixels.view(), own.isRandom).agrees;
+}
+
+Verification verify(const ByteView& picture, const Scene& scene, std::uint64_t seed) {
+    if (scene.examinee == nullptr) return unknown("");
+    Verification result = compareOnce(picture, scene, seed, 0);
+    if (result.kind != Verification::Kind::different || scene.isForT1) return result;
+    result = compareOnce(picture, scene, seed, 1);
+    if (result.kind == Verification::Kind::different &&
+        !agreesWithItself(scene, *result.own, seed + 2))
+        return unknown("this code's own pictures differ as much from one to the next");
+    return result;
+}
+
+/// One picture against the scene that it is most like.
+class Judge {
+public:
+    Judge(const ByteView& picture, const std::vector<Scene>& scenes, std::uint64_t seed)
+        : picture_(picture), scenes_(scenes), scene_(nearestWanted()), seed_(seed) {}
+
+    [[nodiscard]] TaskJudgement judge() const {
+        if (!isSensibleSize(picture_.width, picture_.height)) return judgeOtherSize();
+        const Verification verification = verify(picture_, scene_, seed_);
+        const TileDifference whole = tileDifference(scene_.likeliest(), picture_);
+        const bool looksRight = scene_.hasOwn()
+                                    ? whole.worst <= kMostTileDifference
+                                    : likeness(scene_.expected(), picture_) >= kSameScene;
+        if (verification.kind == Verification::Kind::different || !looksRight)
+            return explain(verification, whole);
+        return accept(verification);
+    }
+
+private:
+    [[nodiscard]] double likenessTo(const Scene& scene) const {
+        const double expected = likeness(scene.expected(), picture_);
+        return scene.hasOwn() ? std::max(expected, likeness(scene.own, picture_)) : expected;
+    }
+
+    [[nodiscard]] const Scene& nearestWanted() const {
+        std::vector<const Scene*> wanted;
+        for (const Scene& scene : scenes_)
+            if (scene.isWanted) wanted.push_back(&scene);
+        if (wanted.size() == 1) return *wanted.front();
+        if (wanted.empty()) return scenes_.front();
+        return **std::ranges::max_element(
+            wanted, {}, [this](const Scene* scene) { return likenessTo(*scene); });
+    }
+
+    /// Another scene that the picture shows, and clearly not this one.
+    [[nodiscard]] const Scene* otherScene() const {
+        const double here = likenessTo(scene_);
+        for (const Scene& scene : scenes_) {
+            const double there = likenessTo(scene);
+            if (&scene == &scene_ || there <= std::max(here, kSameScene)) continue;
+            // Scenes that differ in their bump map alone are like each other: the code must tell.
+            if (here < kSameScene ||
+                verify(picture_, scene, seed_).kind == Verification::Kind::same)
+                return &scene;
+        }
+        return nullptr;
+    }
+
+    [[nodiscard]] TaskJudgement judgeOtherSize() const {
+        const std::optional<Cut> cut = findCut(picture_, scene_);
+        if (cut && cut->kind != Cut::Kind::otherShape) return failed(cutPicture(picture_, *cut));
+        return failed(wrongSize(picture_, cut));
+    }
+
+    [[nodiscard]] TaskJudgement accept(const Verification& verification) const {
+        if (verification.kind == Verification::Kind::unknown)
+            return verification.why.empty()
+                       ? passed({}, "there is no code that it could be compared with")
+                       : passed({unverified(verification.why)});
+        if (verification.agreement.isLossy) {
+            std::optional<TaskJudgement> slight = judgeSlightColours(verification);
+            return slight ? *std::move(slight) : passed({savedAgain(verification.agreement)});
+        }
+        if (scene_.isForT1) return passed({});
+        const Picture windows = cutOut(picture_, verification.own->windows);
+        const std::optional<double> noise =
+            noiseRatio(windows.view(), verification.own->pixels.view());
+        return noise && *noise < kNoNoise ? passedInDoubt(isTheReference(*noise)) : passed({});
+    }
+
+    [[nodiscard]] TaskJudgement explain(const Verification& verification,
+                                        const TileDifference& whole) const {
+        const OwnWindows* own = verification.own ? &*verification.own : nullptr;
+        const bool windowsAgree = verification.kind == Verification::Kind::same;
+        if (std::optional<Finding> edit = findEdit(windowsAgree ? nullptr : own))
+            return failed(*std::move(edit));
+        if (isPaintedOver(verification, whole)) return failed(paintedOver(whole));
+        if (own != nullptr)
+            if (std::optional<TaskJudgement> slight = judgeSlightColours(verification))
+                return *slight;
+        if (const Scene* other = otherScene())
+            return failed(notThisScene(scene_.name, other->name));
+        if (likenessTo(scene_) < kSameScene) return failed(notThisScene(scene_.name, ""));
+        if (scene_.mayMixBoth)
+            return passed({unverified("it may have been rendered with both of the files")});
+        if (own == nullptr) return passedInDoubt(perhapsNotFromThisCode(picture_, scene_, whole));
+        const Picture windows = cutOut(picture_, own->windows);
+        return failed(notFromThisCode(picture_, scene_, verification.agreement,
+                                      suspect(windows.view(), scene_, own->windows, seed_)));
+    }
+
+    [[nodiscard]] std::optional<Finding> findEdit(const OwnWindows* own) const {
+        if (own != nullptr)
+            if (const auto shift = findShift(picture_, *own)) return moved(*shift);
+        if (const auto mirror = findMirror(picture_, scene_, own)) return mirroredPicture(*mirror);
+        if (const auto change = findRecolouring(picture_, scene_); change && !change->isSlight())
+            return recoloured(*change);
+        if (const auto cut = findCut(picture_, scene_); cut && cut->kind != Cut::Kind::otherShape)
+            return cutPicture(picture_, *cut);
+        return std::nullopt;
+    }
+
+    // Other code differs a little in most windows; a note differs much and covers one or two.
+    [[nodiscard]] bool isPaintedOver(const Verification& verification,
+                                     const TileDifference& whole) const {
+        constexpr int kMostCovered = 2;
+        constexpr double kAnotherColour = 30.0;  // steps of a byte
+        if (whole.worst < kAnotherColour || !verification.own) return false;
+        if (verification.kind == Verification::Kind::same) return true;
+        const int count = static_cast<int>(verification.own->windows.boxes.size());
+        return count > 2 * kMostCovered &&
+               count - agreeingWindows(picture_, *verification.own) <= kMostCovered;
+    }
+
+    // "Colours may differ slightly": the windows must agree once the colours do.
+    [[nodiscard]] std::optional<TaskJudgement> judgeSlightColours(
+        const Verification& verification) const {
+        const std::optional<Recolouring> change = findRecolouring(picture_, scene_);
+        if (!change) return std::nullopt;
+        const OwnWindows& own = *verification.own;
+        const Picture changed =
+            ColourChange{scene_.likeliest(), picture_}.appliedTo(own.pixels.view());
+        const Picture windows = cutOut(picture_, own.windows);
+        const Agreement after = agreementOf(windows.view(), changed.view(), own.isRandom);
+        const bool isBetter = own.isRandom || after.rms < 0.5 * verification.agreement.rms;
+        if (!after.agrees || !isBetter) return std::nullopt;
+        return passed({slightlyOtherColours(*change)});
+    }
+
+    const ByteView& picture_;
+    const std::vector<Scene>& scenes_;
+    const Scene& scene_;
+    std::uint64_t seed_;
+};
+
+}  // namespace
+
+TaskJudgement judgeScreenshot(const metrics::ByteView& picture,
+                              const std::vector<screenshot::Scene>& scenes, std::uint64_t seed) {
+    if (scenes.empty())
+        return isSensibleSize(picture.width, picture.height)
+                   ? passed({}, "there is no scene that it could be compared with")
+                   : failed(wrongSize(picture, std::nullopt));
+    return Judge{picture, scenes, seed}.judge();
+}
+
+}  // namespace ticker::decision

@@ -1,0 +1,125 @@
+#include <grader/decision/screenshot/Windows.h>
+
+#include <grader/probe/AnswerMemory.h>
+
+#include <raytracer/image/ToneCurve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <span>
+
+namespace ticker::decision::screenshot {
+namespace {
+
+/// Where in a frame of 640 x 480 pixels the middle of a window lies.
+struct Middle {
+    int x;
+    int y;
+};
+constexpr double kUsualWidth = 640.0;
+
+/// How the windows of an option lie.
+struct Layout {
+    std::span<const Middle> middles;
+    int width;
+    int height;
+    int jitter;  ///< pixels, to each side
+    int step;    ///< from the first stage's windows to those of the second, pixels
+};
+
+// Found by a greedy search over 34 pairs of an accepted reading and one with a mistake in it: the
+// windows in which two single renders differ most, in standard errors of their sums. In order: the
+// mirrored shadow, three rims of the first ball's shadow and its contact with the floor, the second
+// ball's shadow, the first ball's highlight, the horizon, the farthest balls.
+constexpr Middle kDistributed[] = {{400, 440}, {352, 400}, {576, 384}, {440, 384},
+                                   {288, 312}, {456, 224}, {24, 184},  {190, 180}};
+// Around the highlight, where both lights reach the relief.
+constexpr Middle kBumpMapping[] = {{380, 185}};
+
+// Where no ray is random one window is enough, and each costs a transfer of the map.
+constexpr Layout kLayoutT1{kBumpMapping, 64, 40, 6, 12};
+constexpr Layout kLayoutT2{kDistributed, 16, 16, 4, 25};
+
+int placed(double middle, int size, int frame) {
+    const int start = static_cast<int>(std::lround(middle - 0.5 * size));
+    return std::clamp(start, kFarthestShift, frame - size - kFarthestShift);
+}
+
+raytracer::RenderSettings settingsFor(const Windows& windows, const metrics::Box& box,
+                                      std::uint64_t seed) {
+    raytracer::RenderSettings settings;
+    settings.width = windows.frameWidth;
+    settings.height = windows.frameHeight;
+    settings.region = {box.x, box.y, box.width, box.height};
+    settings.seed = seed;
+    return settings;
+}
+
+bool isWhole(const probe::RenderAnswer& answer) {
+    return answer.state == probe::AnswerState::answered && !answer.wrongSize &&
+           answer.images.size() == 1 &&
+           std::ranges::none_of(answer.images.front(),
+                                [](const auto& pixel) { return probe::isUnanswered(pixel); });
+}
+
+}  // namespace
+
+bool isSensibleSize(int width, int height) {
+    constexpr int kRounding =
+        4;  // 3 x width of a picture that is half a pixel too wide or too high
+    return width >= kSmallestWidth && std::abs(3 * width - 4 * height) <= kRounding;
+}
+
+Windows drawWindows(bool isForT1, int width, int height, std::uint64_t seed, int stage) {
+    const Layout& layout = isForT1 ? kLayoutT1 : kLayoutT2;
+    std::mt19937_64 generator{seed};
+    const auto jitter = [&] {
+        return static_cast<int>(generator() % static_cast<std::uint64_t>(2 * layout.jitter + 1)) -
+               layout.jitter;
+    };
+    Windows windows{width, height, {}};
+    const double scale = width / kUsualWidth;
+    for (const Middle& middle : layout.middles) {
+        const double x = scale * middle.x + jitter() + stage * layout.step;
+        const double y = scale * middle.y + jitter();
+        windows.boxes.push_back({placed(x, layout.width, width), placed(y, layout.height, height),
+                                 layout.width, layout.height});
+    }
+    return windows;
+}
+
+Picture cutOut(const ByteView& picture, const Windows& windows, int right, int down) {
+    Picture strip{windows.boxes.front().width, 0, {}};
+    for (const metrics::Box& box : windows.boxes) {
+        const Picture part =
+            metrics::cropped(picture, {box.x + right, box.y + down, box.width, box.height});
+        strip.height += part.height;
+        strip.rgb.insert(strip.rgb.end(), part.rgb.begin(), part.rgb.end());
+    }
+    return strip;
+}
+
+std::optional<Picture> renderWindows(const Scene& scene, const Windows& windows,
+                                     std::uint64_t seed) {
+    if (scene.examinee == nullptr) return std::nullopt;
+    std::vector<probe::Question> questions;
+    for (const metrics::Box& box : windows.boxes)
+        questions.emplace_back(
+            probe::RenderQuestion{*scene.description, settingsFor(windows, box, seed), 1, 0});
+    const probe::Sitting sitting = scene.examinee->ask(questions);
+
+    Picture strip{windows.boxes.front().width, 0, {}};
+    for (const probe::Answer& any : sitting.answers) {
+        const auto* answer = std::get_if<probe::RenderAnswer>(&any);
+        if (answer == nullptr || !isWhole(*answer)) return std::nullopt;
+        for (const raytracer::ColourRGB& colour : answer->images.front())
+            for (const std::uint8_t byte : raytracer::toneMapped(colour))
+                strip.rgb.push_back(byte);
+        strip.height += answer->height;
+    }
+    return strip;
+}
+
+}  // namespace ticker::decision::screenshot

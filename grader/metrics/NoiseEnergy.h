@@ -1,0 +1,37 @@
+#ifndef TICKER_METRICS_NOISEENERGY_H
+#define TICKER_METRICS_NOISEENERGY_H
+
+#include <grader/metrics/View.h>
+
+namespace ticker::metrics {
+
+/// How much two noisy pictures differ, in all.
+struct NoiseEnergy {
+    double energy =
+        0.0;  ///< sum of squared tile scores; about `tiles` for two pictures of the same
+    int tiles = 0;
+
+    /// A bound on the chance of such an energy, or a larger one, where both pictures are renders of
+    /// the same thing by the same code.
+    [[nodiscard]] double probability() const;
+
+    NoiseEnergy& operator+=(const NoiseEnergy& other);
+};
+
+/// Whether two single renders, of which nothing else is known, show the same thing.
+///
+/// The score of a tile is the sum over its pixels of the difference in brightness, divided by the
+/// root of the sum of squares. Where both pictures are renders of the same thing and pixels are
+/// independent, each difference is as likely positive as negative, whatever the noise is like. For
+/// random signs the score s has E exp(t s^2) <= (1 - 2 t)^(-1/2) (as E exp(x s) <= exp(x^2 / 2),
+/// with x normal), so that Chernoff's bound for a chi-squared variable holds for the sum over
+/// tiles.
+///
+/// @param tileSize  Side of a tile, pixels; tiles at the right and lower border may be smaller.
+/// @throws raytracer::InputError as `requireSameSize`.
+[[nodiscard]] NoiseEnergy noiseEnergy(const ByteView& reference, const ByteView& test,
+                                      int tileSize = 8);
+
+}  // namespace ticker::metrics
+
+#endif

@@ -1,0 +1,32 @@
+#ifndef TICKER_REPORT_TALLY_H
+#define TICKER_REPORT_TALLY_H
+
+#include <grader/result/SubmissionResult.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ticker::report {
+
+/// How many submissions there are of each kind.
+struct Tally {
+    struct Task {
+        int tried = 0;
+        int passed = 0;
+    };
+    std::map<Verdict, int> verdicts;
+    std::map<std::string, Task> tasks;                  ///< by id, the screenshot left out
+    std::vector<std::pair<std::string, int>> findings;  ///< by id, the most frequent first
+};
+
+[[nodiscard]] Tally tallyOf(const std::vector<SubmissionResult>& results);
+
+/// The findings of a submission that are more than a note, each once.
+[[nodiscard]] std::set<std::string> findingIds(const SubmissionResult& result);
+
+}  // namespace ticker::report
+
+#endif

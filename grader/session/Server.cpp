@@ -1,0 +1,196 @@
+#include <grader/session/PageSources.h>
+#include <grader/session/Server.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+#include <httplib.h>
+
+#include <sys/socket.h>
+
+#include <string_view>
+#include <utility>
+
+namespace ticker::session {
+namespace {
+
+constexpr const char* kHost = "127.0.0.1";
+constexpr std::size_t kThreads = 32;
+constexpr time_t kKeepAliveSeconds = 2;
+constexpr std::size_t kLargestRequest = 256U << 10U;
+
+// The page's own script and style, its own pictures and requests; nothing else, and no frames.
+constexpr const char* kPagePolicy =
+    "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' "
+    "data:; "
+    "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+// A report is a page by itself: its script runs, but may ask this server for nothing.
+constexpr const char* kReportPolicy =
+    "sandbox allow-scripts; default-src 'none'; "
+    "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'";
+
+void answer(httplib::Response& response, Reply reply) {
+    response.status = reply.status;
+    response.set_content(std::move(reply.body), reply.type.c_str());
+}
+
+void answerText(httplib::Response& response, std::string_view text, const char* type) {
+    response.set_content(text.data(), text.size(), type);
+}
+
+void refuse(httplib::Response& response) {
+    response.status = 403;
+    response.set_content("not here\n", "text/plain");
+}
+
+// Refused only after its body was read: what is left of one in the connection would be taken for
+// the next request.
+bool mayCarryBody(const httplib::Request& request) {
+    return request.method == "POST" || request.method == "PUT" || request.method == "PATCH" ||
+           request.method == "DELETE";
+}
+
+}  // namespace
+
+class Server::Routes {
+public:
+    Routes(ClassView& view, Access access, int port) : view_(view), access_(std::move(access)) {
+        http_.set_payload_max_length(kLargestRequest);
+        // A browser keeps several connections open for each tab, and each takes a thread.
+        http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+        http_.set_keep_alive_max_count(1000);
+        http_.set_keep_alive_timeout(kKeepAliveSeconds);
+        http_.set_tcp_nodelay(true);
+        // The library's own choice would let two sessions share a port.
+        http_.set_socket_options([](int socket) {
+            const int yes = 1;
+            setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+        });
+        http_.set_pre_routing_handler(
+            [this](const httplib::Request& request, httplib::Response& response) {
+                if (mayCarryBody(request) || mayEnter(request))
+                    return httplib::Server::HandlerResponse::Unhandled;
+                refuse(response);
+                return httplib::Server::HandlerResponse::Handled;
+            });
+        addPage();
+        addClass();
+        bind(port);
+    }
+
+    [[nodiscard]] const Access& access() const { return access_; }
+    [[nodiscard]] std::string address() const {
+        return fmt::format("http://{}:{}/{}/", kHost, access_.port, access_.token);
+    }
+    void serve() { http_.listen_after_bind(); }
+    void stop() { http_.stop(); }
+
+private:
+    void bind(int wanted) {
+        if (wanted > 0 || access_.port > 0) {
+            const int port = wanted > 0 ? wanted : access_.port;
+            if (http_.bind_to_port(kHost, port)) {
+                access_.port = port;
+                return;
+            }
+            if (wanted > 0)
+                throw raytracer::InputError(
+                    "", 0, fmt::format("port {} is taken; try another, or none", wanted));
+        }
+        access_.port = http_.bind_to_any_port(kHost);
+        if (access_.port <= 0) throw raytracer::Error("no port of 127.0.0.1 can be had");
+    }
+
+    [[nodiscard]] bool mayEnter(const httplib::Request& request) const {
+        if (!namesThisServer(request.get_header_value("Host"), access_.port)) return false;
+        const std::string_view path{request.path};
+        const std::string_view token =
+            path.substr(0, path.find('/', 1)).substr(path.empty() ? 0 : 1);
+        if (!isSameSecret(token, access_.token)) return false;
+        if (request.method == "GET" || request.method == "HEAD") return true;
+        return request.method == "POST" && request.get_header_value("X-Ticker") == access_.token &&
+               isOwnOrigin(request.get_header_value("Origin"));
+    }
+
+    [[nodiscard]] bool isOwnOrigin(std::string_view origin) const {
+        constexpr std::string_view kScheme = "http://";
+        return origin.starts_with(kScheme) &&
+               namesThisServer(origin.substr(kScheme.size()), access_.port);
+    }
+
+    [[nodiscard]] std::string at(std::string_view rest) const {
+        return fmt::format("/{}/{}", access_.token, rest);
+    }
+
+    void get(std::string_view rest, httplib::Server::Handler handler) {
+        http_.Get(at(rest), std::move(handler));
+    }
+
+    void addPage() {
+        http_.set_default_headers({{"Cache-Control", "no-store"},
+                                   {"Referrer-Policy", "no-referrer"},
+                                   {"X-Content-Type-Options", "nosniff"},
+                                   {"Cross-Origin-Resource-Policy", "same-origin"}});
+        get("", [](const httplib::Request& /*request*/, httplib::Response& response) {
+            response.set_header("Content-Security-Policy", kPagePolicy);
+            answerText(response, pageHtml(), "text/html; charset=utf-8");
+        });
+        get("session.css", [](const httplib::Request& /*request*/, httplib::Response& response) {
+            answerText(response, pageCss(), "text/css; charset=utf-8");
+        });
+        get("session.js", [](const httplib::Request& /*request*/, httplib::Response& response) {
+            answerText(response, pageJs(), "text/javascript; charset=utf-8");
+        });
+    }
+
+    void addClass() {
+        get("class", [this](const httplib::Request& /*request*/, httplib::Response& response) {
+            answer(response, view_.list());
+        });
+        get("submission", [this](const httplib::Request& request, httplib::Response& response) {
+            answer(response, view_.submission(request.get_param_value("name")));
+        });
+        get("report", [this](const httplib::Request& request, httplib::Response& response) {
+            response.set_header("Content-Security-Policy", kReportPolicy);
+            answer(response, view_.reportPage(request.get_param_value("name")));
+        });
+        get("of/([^/]+)/images/([^/]+)",
+            [this](const httplib::Request& request, httplib::Response& response) {
+                answer(response, view_.image(request.matches[1], request.matches[2]));
+            });
+        http_.Post(".*", [this](const httplib::Request& request, httplib::Response& response) {
+            if (!mayEnter(request) || request.path != at("decide")) return refuse(response);
+            answer(response, view_.decide(request.body));
+        });
+        const auto never = [](const httplib::Request& /*request*/, httplib::Response& response) {
+            refuse(response);
+        };
+        http_.Put(".*", never);
+        http_.Patch(".*", never);
+        http_.Delete(".*", never);
+    }
+
+    ClassView& view_;
+    Access access_;
+    httplib::Server http_;
+};
+
+Server::Server(ClassView& view, Access access, int port)
+    : routes_(std::make_unique<Routes>(view, std::move(access), port)) {}
+Server::~Server() = default;
+
+const Access& Server::access() const {
+    return routes_->access();
+}
+std::string Server::address() const {
+    return routes_->address();
+}
+void Server::serve() {
+    routes_->serve();
+}
+void Server::stop() {
+    routes_->stop();
+}
+
+}  // namespace ticker::session

@@ -1,0 +1,39 @@
+#ifndef TICKER_SESSION_SERVER_H
+#define TICKER_SESSION_SERVER_H
+
+#include <grader/session/Access.h>
+#include <grader/session/ClassView.h>
+
+#include <memory>
+#include <string>
+
+namespace ticker::session {
+
+/// Serves a class on 127.0.0.1 to whoever knows its token. Nothing is changed by a GET; a POST must
+/// carry a header that no other site's page can send.
+class Server {
+public:
+    /// Takes a port; requests wait until `serve`. @param port  0: the last session's, or any.
+    /// @throws raytracer::InputError where the port that was asked for is taken.
+    Server(ClassView& view, Access access, int port);
+    ~Server();
+    Server(const Server&) = delete;
+    Server& operator=(const Server&) = delete;
+
+    /// With the port that it got: to be kept for the next session.
+    [[nodiscard]] const Access& access() const;
+    /// "http://127.0.0.1:8123/<token>/"
+    [[nodiscard]] std::string address() const;
+
+    /// Answers requests until `stop`, which another thread may call.
+    void serve();
+    void stop();
+
+private:
+    class Routes;
+    std::unique_ptr<Routes> routes_;
+};
+
+}  // namespace ticker::session
+
+#endif

@@ -1,0 +1,103 @@
+#include <grader/session/Highlight.h>
+#include <grader/session/SubmissionView.h>
+
+#include <grader/report/Escape.h>
+#include <grader/report/PageParts.h>
+#include <grader/report/Words.h>
+#include <grader/result/Names.h>
+
+#include <fmt/core.h>
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace ticker::session {
+namespace {
+
+namespace fs = std::filesystem;
+using report::escapeHtml;
+
+// Beside the page's own address; see Server's routes.
+std::string addressOf(const SubmissionResult& result, const std::string& file) {
+    return report::address("of/" + result.submission + "/" + file);
+}
+
+std::string figure(const SubmissionResult& result, const std::string& file,
+                   const std::string& caption) {
+    if (file.empty()) return "";
+    return fmt::format("<figure><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>",
+                       addressOf(result, file), escapeHtml(caption), escapeHtml(caption));
+}
+
+std::string head(const SubmissionResult& result) {
+    std::string html =
+        fmt::format("<h1>{}</h1><p class=\"chips\">{}", escapeHtml(result.submission),
+                    report::badge(toString(result.verdict), report::wordsFor(result.verdict)));
+    for (const TaskReport& task : result.tasks)
+        if (task.state != TaskState::notAttempted)
+            html += fmt::format("<span>{} {}</span>", escapeHtml(task.title),
+                                report::badge(toString(task.state), report::wordsFor(task.state)));
+    return html +
+           "<button type=\"button\" data-act=\"report\">Full report <kbd>o</kbd></button></p>";
+}
+
+std::string pictures(const SubmissionResult& result) {
+    std::string html;
+    for (const RenderScore& render : result.renders)
+        html += fmt::format(
+            "<div class=\"scene\"><h3>{}</h3><div class=\"shots\">{}{}{}</div></div>",
+            escapeHtml(render.scene), figure(result, render.image, "As this code renders it"),
+            figure(result, render.reference, "As it should be"),
+            figure(result, render.errorMap, "Where the two look different"));
+    return html.empty() ? "" : "<section><h2>Pictures</h2>" + html + "</section>";
+}
+
+std::string task(const TaskReport& task, const report::Album& album) {
+    if (task.state == TaskState::notAttempted && task.findings.empty()) return "";
+    std::string html =
+        fmt::format("<section><h2>{} {}</h2>",
+                    escapeHtml(task.id.starts_with('T') ? task.id + " " + task.title : task.title),
+                    report::badge(toString(task.state), report::wordsFor(task.state)));
+    if (!task.reason.empty()) html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
+    for (const Finding& finding : task.findings)
+        html += report::findingCard(finding, album, "");
+    if (const std::string seen = report::figures(task.plots, task.rasters, album); !seen.empty())
+        html += "<div class=\"card\"><div class=\"figures\">" + seen + "</div></div>";
+    return html + "</section>";
+}
+
+std::string notices(const SubmissionResult& result) {
+    std::string html;
+    for (const std::string& notice : result.notices)
+        html += fmt::format("<li>{}</li>", escapeHtml(notice));
+    return html.empty() ? "" : "<section><h2>Notes</h2><ul>" + html + "</ul></section>";
+}
+
+std::string code(const fs::path& folder) {
+    std::string html;
+    for (const char* name : {"BumpySphere.cpp", "Renderer.cpp"}) {
+        std::error_code error;
+        if (!fs::is_regular_file(fs::symlink_status(folder / name, error))) continue;
+        std::ifstream stream{folder / name, std::ios::binary};
+        const std::string source{std::istreambuf_iterator<char>{stream}, {}};
+        html += fmt::format(
+            "<section><h2>{0}</h2><pre class=\"code\" tabindex=\"0\" role=\"region\" "
+            "aria-label=\"{0}\"><code>{1}"
+            "</code></pre></section>",
+            name, highlightCpp(source));
+    }
+    return html;
+}
+
+}  // namespace
+
+std::string submissionHtml(const SubmissionResult& result, const fs::path& codeFolder) {
+    std::string html = head(result) + pictures(result);
+    const report::Album album{result, "of/" + result.submission + "/"};
+    for (const TaskReport& each : result.tasks)
+        html += task(each, album);
+    return html + report::diagnosticsSection(result) + code(codeFolder) + notices(result);
+}
+
+}  // namespace ticker::session

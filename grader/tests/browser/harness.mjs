@@ -1,0 +1,88 @@
+// What every test in a browser needs: Debian's Chromium, a page that is watched, axe.
+import { mkdtemp, readFile, rm } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { chromium } from "playwright-core";
+
+const axeFile = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+
+const switches = [
+  "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+  "--disable-component-update", "--disable-sync",
+];
+
+/// Starts Chromium with a profile of its own; `close` ends it and takes the profile away.
+export async function launchBrowser() {
+  const profile = await mkdtemp(join(tmpdir(), "ticker-browser-"));
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: process.env.TICKER_CHROMIUM || "/usr/bin/chromium",
+    headless: true,
+    chromiumSandbox: process.getuid() !== 0, // Chromium refuses its sandbox to root
+    args: switches,
+    viewport: { width: 1280, height: 900 },
+  });
+  context.setDefaultTimeout(60_000);
+  return {
+    context,
+    close: async () => {
+      await context.close();
+      await rm(profile, { recursive: true, force: true });
+    },
+  };
+}
+
+/// Opens a page and notes everything that a good page does not do.
+///
+/// options: colorScheme "light" | "dark", width, height, media "screen" | "print"; `allowed`, which says
+/// of an address whether the page may ask for it (files alone unless given); `expectRefusals` where the
+/// test provokes the page's security policy.
+export async function openPage(browser, url, options = {}) {
+  const allowed = options.allowed || ((address) => /^(file|data|about):/.test(address));
+  const page = await browser.context.newPage();
+  const problems = [];
+  page.on("console", (message) => {
+    const refusal = options.expectRefusals && message.text().includes("Content Security Policy");
+    if (["error", "warning"].includes(message.type()) && !refusal)
+      problems.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => problems.push(`script: ${error.message}`));
+  page.on("request", (request) => {
+    if (!allowed(request.url())) problems.push(`request: ${request.url()}`);
+  });
+  page.on("requestfailed", (request) => problems.push(`missing: ${request.url()}`));
+  await page.emulateMedia({
+    colorScheme: options.colorScheme || "light", media: options.media || "screen",
+    reducedMotion: "reduce", // where something is must not depend on how far a scroll has come
+  });
+  await page.setViewportSize({ width: options.width || 1280, height: options.height || 900 });
+  await page.goto(url, { waitUntil: "load" });
+  return { page, problems };
+}
+
+/// What axe has to say about a page against WCAG 2.2 AA and its own best practices, and about its
+/// contrast in dark mode: one line for each kind of fault with the elements that have it. Leaves the
+/// page in dark mode.
+export async function accessibilityFaults(page) {
+  // Not by a script element: the pages' own policy lets none in.
+  await page.evaluate(await readFile(axeFile, "utf8"));
+  const faults = [];
+  for (const [colorScheme, runOnly] of [
+    ["light", ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]],
+    ["dark", { type: "rule", values: ["color-contrast"] }],
+  ]) {
+    await page.emulateMedia({ colorScheme });
+    const results = await page.evaluate(
+      (rules) => globalThis.axe.run(document, { runOnly: rules, resultTypes: ["violations"] }), runOnly);
+    for (const { id, help, nodes } of results.violations)
+      faults.push(`${colorScheme}: ${id}: ${help}: ` +
+        nodes.slice(0, 3).map(({ html }) => html.slice(0, 120)).join(" | "));
+  }
+  return faults;
+}
+
+/// By how many pixels a page is wider than its window.
+export function overflow(page) {
+  return page.evaluate(() =>
+    document.documentElement.scrollWidth - document.documentElement.clientWidth);
+}

@@ -1,0 +1,183 @@
+// The ticking session as tickers meet it. TICKER is the program, TICKER_CLASS a graded class, whose
+// results are copied under new names into larger classes.
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { accessibilityFaults, launchBrowser, openPage } from "./harness.mjs";
+
+const ticker = process.env.TICKER;
+const samples = ["bump-inverted-u", "distributed-off-centre", "does-not-compile", "reference-bump", "two-versions"];
+const oddNames = ["Jürgen, jr", "O'Neill #1? 100%", "=1+1", "张 伟", "a&b;c"];
+
+let browser;
+const folders = [];
+const sessions = [];
+before(async () => { browser = await launchBrowser(); });
+after(async () => {
+  await browser.close();
+  for (const session of sessions) session.process.kill("SIGKILL");
+  for (const folder of folders) rmSync(folder, { recursive: true, force: true });
+});
+
+/// An OUT with so many submissions, as a cluster's nodes leave it and `ticker collect` takes it in.
+function makeClass(size) {
+  const out = mkdtempSync(join(tmpdir(), "ticker-session-"));
+  folders.push(out);
+  for (let i = 0; i < size; ++i) {
+    const sample = join(process.env.TICKER_CLASS, samples[i % samples.length]);
+    const name = `${oddNames[i % oddNames.length]}_${1000 + i}`;
+    const result = JSON.parse(readFileSync(join(sample, "result.json"), "utf8"));
+    mkdirSync(join(out, name));
+    writeFileSync(join(out, name, "result.json"), JSON.stringify({ ...result, submission: name }));
+    if (size > 200) continue; // pictures are not what many submissions try
+    for (const part of ["images", "code", "report.html"])
+      cpSync(join(sample, part), join(out, name, part), { recursive: true });
+  }
+  execFileSync(ticker, ["collect", out, "--quiet"]);
+  return out;
+}
+
+/// Starts a session and waits for its address.
+async function startSession(out) {
+  const process = spawn(ticker, ["session", out, "--quiet"], { stdio: ["ignore", "pipe", "inherit"] });
+  const lines = createInterface({ input: process.stdout });
+  const address = await new Promise((done) => lines.once("line", done));
+  const session = {
+    process, address,
+    kill: () => new Promise((done) => { process.once("exit", done); process.kill("SIGKILL"); }),
+  };
+  sessions.push(session);
+  return session;
+}
+
+const openSession = (session, options = {}) =>
+  openPage(browser, session.address, { allowed: (address) => address.startsWith(session.address), ...options });
+
+/// Waits until a submission fills the page and can be decided. Gives its name.
+async function shown(page, other) {
+  const main = page.locator("main[data-name]:not(.loading)");
+  await page.waitForFunction((before) => {
+    const main = document.querySelector("main[data-name]:not(.loading)");
+    return main && main.dataset.name !== before;
+  }, other);
+  return main.getAttribute("data-name");
+}
+
+const saved = (page) => page.waitForFunction(() => document.querySelector(".state").textContent === "all saved");
+
+/// What is on disk: the newest ruling by name.
+async function rulings(session) {
+  const { submissions } = await (await fetch(`${session.address}class`)).json();
+  return Object.fromEntries(submissions.filter((one) => one.decision).map((one) => [one.name, one.decision.ruling]));
+}
+
+test("the page is quiet, accessible and shows pictures, findings and code", async () => {
+  const session = await startSession(makeClass(5));
+  const { page, problems } = await openSession(session);
+  assert.equal(await shown(page), "=1+1_1002");
+  await page.locator(".list button", { hasText: "Jürgen, jr_1000" }).click();
+  assert.equal(await shown(page, "=1+1_1002"), "Jürgen, jr_1000");
+  assert.ok(await page.locator("main").getByText("bump.inverted-u").first().isVisible());
+  for (const image of await page.locator("main img").all())
+    await image.evaluate((each) => { each.loading = "eager"; return each.decode(); });
+  assert.ok((await page.locator("main img").count()) >= 2);
+  assert.ok((await page.locator(".code i.k").count()) > 10);
+  assert.deepEqual(await accessibilityFaults(page), []);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("100 decisions by keyboard, the session killed in between, none lost", async (t) => {
+  const out = makeClass(100);
+  let session = await startSession(out);
+  const { page } = await openSession(session);
+  await page.getByLabel("You are").fill("ann");
+  await page.locator("main").focus();
+  const meant = {};
+  let name;
+  for (let i = 0; i < 100; ++i) {
+    name = await shown(page, name);
+    const key = i % 3 === 0 ? "n" : "a";
+    meant[name] = key === "a" ? "awarded" : "notYet";
+    if (i === 30 || i === 70) await session.kill();
+    await page.keyboard.press(key); // this one waits in the browser
+    if (i === 70) await page.reload().catch(() => {}); // there is no page to come back to
+    if (i === 30 || i === 70) session = await startSession(out);
+    if (i === 70) await page.goto(session.address);
+    if (i === 70) name = undefined;
+  }
+  await page.getByRole("heading", { name: "All are decided" }).waitFor();
+  await saved(page);
+  await session.kill();
+  const found = await rulings(await startSession(out));
+  assert.deepEqual(found, meant);
+  t.diagnostic(`${Object.keys(found).length} decisions on disk`);
+  await page.close();
+});
+
+test("1000 submissions load", async (t) => {
+  const session = await startSession(makeClass(1000));
+  const start = performance.now();
+  const { page, problems } = await openSession(session);
+  await shown(page);
+  assert.equal(await page.locator(".list li").count(), 1000);
+  t.diagnostic(`1000 submissions: ${Math.round(performance.now() - start)} ms to the first one on the page`);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("two tickers at once lose nothing and see each other", async () => {
+  const session = await startSession(makeClass(5));
+  const [ann, bob] = [await openSession(session), await openSession(session)];
+  for (const [{ page }, who] of [[ann, "ann"], [bob, "bob"]]) {
+    await page.getByLabel("You are").fill(who);
+    await shown(page);
+    await page.locator("main").focus();
+  }
+  await ann.page.keyboard.press("a");
+  await saved(ann.page);
+  await bob.page.keyboard.press("n");
+  const dialog = bob.page.getByRole("dialog", { name: "Somebody was faster" });
+  assert.match(await dialog.locator(".words").textContent(), /ann decided about =1\+1_1002 meanwhile: awarded.*You said: not yet/);
+  await dialog.getByRole("button", { name: "Put mine over it" }).click();
+  await saved(bob.page);
+  assert.equal((await rulings(session))["=1+1_1002"], "notYet");
+  const reply = await (await fetch(`${session.address}submission?name=${encodeURIComponent("=1+1_1002")}`)).json();
+  assert.deepEqual(reply.history.map(({ who, ruling }) => [who, ruling]), [["ann", "awarded"], ["bob", "notYet"]]);
+  await ann.page.locator(".list li[data-ruling=notYet]").waitFor(); // it is told, without being asked
+  for (const { page } of [ann, bob]) await page.close();
+});
+
+test("comment, undo, search and summary", async () => {
+  const session = await startSession(makeClass(5));
+  const { page, problems } = await openSession(session);
+  const first = await shown(page);
+  await page.keyboard.press("c");
+  await page.getByRole("button", { name: "Insert what was found" }).click();
+  await page.keyboard.type(" See line 7.");
+  await page.keyboard.press("Control+Enter");
+  await page.keyboard.press("a");
+  const second = await shown(page, first);
+  await page.keyboard.press("n");
+  await shown(page, second);
+  await page.keyboard.press("u");
+  await page.waitForFunction((name) => document.querySelector("main").dataset.name === name, second);
+  await saved(page);
+  assert.deepEqual(await rulings(session), { [first]: "awarded", [second]: "undecided" });
+
+  await page.keyboard.press("/");
+  await page.keyboard.type("bump.inverted-u");
+  assert.deepEqual(await page.locator(".list li:visible .name").allTextContents(), ["Jürgen, jr_1000"]);
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.querySelector("main").dataset.name === "Jürgen, jr_1000");
+  await page.locator("main").focus();
+  await page.keyboard.press("s");
+  assert.ok(await page.getByRole("cell", { name: /See line 7\./ }).isVisible(), "against the proposal, and why");
+  assert.deepEqual(await accessibilityFaults(page), []);
+  assert.deepEqual(problems, []);
+  await page.close();
+});

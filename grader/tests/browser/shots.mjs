@@ -1,0 +1,27 @@
+// The pictures of the pages in docs/images, from the sample class:
+//   ./tick demo && grader/tests/browser/install.sh build/shots &&
+//   node build/shots/shots.mjs out/demo docs/images
+import { pathToFileURL } from "node:url";
+import { join, resolve } from "node:path";
+import { launchBrowser, openPage } from "./harness.mjs";
+
+const [out, images] = process.argv.slice(2).map((path) => resolve(path));
+
+// name, page, height in pixels, colours
+const shots = [
+  ["class", "index.html", 1000, "light"],
+  ["report", "bump-inverted-u/report.html", 1300, "light"],
+  ["report-passed", "reference-distributed/report.html", 1500, "light"],
+  ["report-off-centre", "distributed-off-centre/report.html", 1500, "light"],
+  ["report-compiler", "does-not-compile/report.html", 1100, "dark"],
+];
+
+const browser = await launchBrowser();
+for (const [name, file, height, colorScheme] of shots) {
+  const url = pathToFileURL(join(out, file)).href;
+  const { page, problems } = await openPage(browser, url, { width: 1180, height, colorScheme });
+  await page.screenshot({ path: join(images, `${name}.png`) });
+  await page.close();
+  if (problems.length > 0) throw new Error(`${file}: ${problems.join("; ")}`);
+}
+await browser.close();

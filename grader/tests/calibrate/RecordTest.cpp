@@ -1,0 +1,53 @@
+#include <grader/calibrate/Record.h>
+#include <grader/tests/calibrate/CountingCampaign.h>
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <raytracer/base/Error.h>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace ticker::calibrate {
+namespace {
+
+TEST(Record, IsReadAgainInTheOrderOfTheUnits) {
+    const tests::TemporaryFolder folder;
+    const CountingCampaign campaign{5};
+    {
+        Record record{folder.path(), campaign};
+        record.add(3, R"({"a":3})");
+        record.add(1, R"({"a":1})");
+    }
+    const Record again{folder.path(), campaign};
+    EXPECT_EQ(again.all(), (std::vector<std::string>{R"({"a":1})", R"({"a":3})"}));
+    EXPECT_TRUE(again.has(3));
+    EXPECT_FALSE(again.has(0));
+}
+
+// What a kill in the middle of a line leaves.
+TEST(Record, DropsALineThatWasCutShort) {
+    const tests::TemporaryFolder folder;
+    const CountingCampaign campaign{5};
+    {
+        Record record{folder.path(), campaign};
+        record.add(0, R"({"a":0})");
+    }
+    std::ofstream{folder.path() / "counting.jsonl", std::ios::app} << R"({"unit":1,"fou)";
+    {
+        Record record{folder.path(), campaign};
+        EXPECT_EQ(record.size(), 1U);
+        record.add(2, R"({"a":2})");
+    }
+    EXPECT_EQ(Record(folder.path(), campaign).all(),
+              (std::vector<std::string>{R"({"a":0})", R"({"a":2})"}));
+}
+
+TEST(Record, RefusesThatOfAnotherCampaign) {
+    const tests::TemporaryFolder folder;
+    Record{folder.path(), CountingCampaign{5}}.add(0, "{}");
+    EXPECT_THROW(Record(folder.path(), CountingCampaign{6}), raytracer::InputError);
+}
+
+}  // namespace
+}  // namespace ticker::calibrate

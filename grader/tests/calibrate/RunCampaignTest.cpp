@@ -1,0 +1,43 @@
+#include <grader/calibrate/RunCampaign.h>
+#include <grader/tests/calibrate/CountingCampaign.h>
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <gtest/gtest.h>
+
+namespace ticker::calibrate {
+namespace {
+
+TEST(RunCampaign, DoesOnlyWhatTheRecordDoesNotHave) {
+    const tests::TemporaryFolder folder;
+    CountingCampaign campaign{20};
+    Record record{folder.path(), campaign};
+    record.add(7, R"({"square":49})");
+    runCampaign(campaign, record, 3, {});
+    EXPECT_EQ(campaign.runs, 19);
+    EXPECT_EQ(record.size(), 20U);
+}
+
+TEST(CheckCampaign, IsContentWithTheSameResultsAtAnotherCost) {
+    const tests::TemporaryFolder folder;
+    CountingCampaign campaign{4};
+    Record record{folder.path(), campaign};
+    runCampaign(campaign, record, 1, {});
+    EXPECT_TRUE(checkCampaign(campaign, record, 2).empty());
+    EXPECT_EQ(campaign.runs, 6);
+}
+
+TEST(CheckCampaign, TellsWhatCameOutDifferently) {
+    const tests::TemporaryFolder folder;
+    CountingCampaign campaign{4};
+    Record record{folder.path(), campaign};
+    record.add(0, R"({"square":0})");
+    campaign.offset = 1;
+    const std::vector<std::string> differences = checkCampaign(campaign, record, 1);
+    ASSERT_EQ(differences.size(), 2U);
+    EXPECT_EQ(differences[0],
+              R"(counting, unit 0: {"square":0} was recorded, {"square":1} came now)");
+    EXPECT_EQ(differences[1], R"(counting, unit 2: nothing was recorded, {"square":5} came now)");
+}
+
+}  // namespace
+}  // namespace ticker::calibrate

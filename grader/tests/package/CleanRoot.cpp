@@ -1,0 +1,91 @@
+#include "CleanRoot.h"
+
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace ticker::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string quoted(const std::string& word) {
+    std::string text = "'";
+    for (const char c : word)
+        text += c == '\'' ? "'\\''" : std::string{c};
+    return text + "'";
+}
+
+}  // namespace
+
+CleanRoot& CleanRoot::bind(const fs::path& host, const std::string& inside) {
+    words_.insert(words_.end(), {"--bind", host.string(), inside});
+    return *this;
+}
+
+CleanRoot& CleanRoot::bindReadOnly(const fs::path& host, const std::string& inside) {
+    words_.insert(words_.end(), {"--ro-bind", host.string(), inside});
+    return *this;
+}
+
+CleanRoot& CleanRoot::set(const std::string& variable, const std::string& value) {
+    words_.insert(words_.end(), {"--setenv", variable, value});
+    return *this;
+}
+
+CleanRoot& CleanRoot::withSystemLibraries() {
+    for (const char* path : {"/etc/alternatives", "/etc/ld.so.cache"})
+        bindReadOnly(path, path);
+    return *this;
+}
+
+RootRun CleanRoot::runShell(const std::string& inside) const {
+    std::string command =
+        "bwrap --unshare-pid --unshare-net --unshare-ipc --unshare-uts --die-with-parent "
+        "--ro-bind /usr /usr --symlink usr/bin /bin --symlink usr/sbin /sbin "
+        "--symlink usr/lib /lib --symlink usr/lib64 /lib64 --proc /proc --dev /dev --tmpfs /tmp "
+        "--tmpfs /run --tmpfs /var/tmp --chdir / --clearenv --setenv PATH /usr/bin:/bin";
+    for (const std::string& word : words_)
+        command += " " + quoted(word);
+    return runHere(command + " " + inside);
+}
+
+RootRun CleanRoot::run(const std::string& command) const {
+    return runShell("sh -c " + quoted(command));
+}
+
+RootRun CleanRoot::runInContainer(const std::string& command) const {
+    if (geteuid() != 0) return run(command);
+    CleanRoot container = *this;
+    container.bindReadOnly(TICKER_BINARY_DIR "/bin/simulated_container", "/run/container");
+    return container.runShell("/run/container --docker -- /bin/sh -c " + quoted(command));
+}
+
+RootRun runHere(const std::string& command) {
+    const TemporaryFolder folder;
+    const fs::path errors = folder.path() / "errors";
+    std::FILE* const pipe = popen(("(" + command + ") 2>" + errors.string()).c_str(), "r");
+    if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
+    RootRun ran;
+    std::array<char, 4096> buffer{};
+    for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+        ran.output.append(buffer.data(), got);
+    const int status = pclose(pipe);
+    ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+    ran.errors = textOf(errors);
+    return ran;
+}
+
+std::string textOf(const fs::path& file) {
+    std::ifstream stream{file, std::ios::binary};
+    return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+}  // namespace ticker::tests

@@ -1,0 +1,50 @@
+#ifndef TICKER_TESTS_PACKAGE_CLEANROOT_H
+#define TICKER_TESTS_PACKAGE_CLEANROOT_H
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ticker::tests {
+
+/// What a command in a clean root gave.
+struct RootRun {
+    int status = -1;
+    std::string output;  ///< stdout
+    std::string errors;  ///< stderr
+};
+
+/// A root made of this system's /usr and of folders that a test names: no checkout, no home, no
+/// network, no environment.
+class CleanRoot {
+public:
+    /// @param host  A folder or file of this machine. @param inside  Where commands see it.
+    CleanRoot& bind(const std::filesystem::path& host, const std::string& inside);
+    CleanRoot& bindReadOnly(const std::filesystem::path& host, const std::string& inside);
+    CleanRoot& set(const std::string& variable, const std::string& value);
+
+    /// Also what libraries outside /usr/lib need, as an ordinary system has it. Without it OpenCV
+    /// does not find its own libraries.
+    CleanRoot& withSystemLibraries();
+
+    /// Runs a command as root of a container like Docker's would: no namespaces, few capabilities.
+    /// As an ordinary user, runs it as that user.
+    [[nodiscard]] RootRun runInContainer(const std::string& command) const;
+    [[nodiscard]] RootRun run(const std::string& command) const;
+
+private:
+    [[nodiscard]] RootRun runShell(const std::string& inside) const;
+
+    std::vector<std::string> words_;
+};
+
+/// Runs a shell command of this machine.
+[[nodiscard]] RootRun runHere(const std::string& command);
+
+/// The text of a file; empty where there is none.
+[[nodiscard]] std::string textOf(const std::filesystem::path& file);
+
+}  // namespace ticker::tests
+
+#endif

@@ -1,0 +1,187 @@
+#include <grader/tests/report/FitsSchema.h>
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include "CleanRoot.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+namespace ticker {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using tests::CleanRoot;
+using tests::RootRun;
+
+const std::string kTicker = TICKER_BINARY_DIR "/bin/ticker";
+
+fs::path sample(const std::string& name) {
+    return fs::path{TICKER_SOURCE_DIR} / "grader/samples" / name;
+}
+
+/// A package, unpacked, for which the platform has built its image: made once for all tests.
+class Image {
+public:
+    static const Image& get() {
+        static const Image image;
+        return image;
+    }
+    [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
+    [[nodiscard]] const std::string& problem() const { return problem_; }
+
+private:
+    Image() {
+        const RootRun made = tests::runHere("cd " + folder_.path().string() + " && " + kTicker +
+                                            " package gradescope -o gradescope.zip && "
+                                            "unzip -q -d source gradescope.zip");
+        if (made.status != 0) problem_ = made.errors;
+        // There is no network: apt-get must not be needed where all is there.
+        const RootRun setup =
+            CleanRoot{}.bind(at("source"), "/autograder/source").run("/autograder/source/setup.sh");
+        if (setup.status != 0) problem_ += setup.output + setup.errors;
+    }
+
+    tests::TemporaryFolder folder_;
+    std::string problem_;
+};
+
+class Platforms : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_EQ(Image::get().problem(), ""); }
+
+    [[nodiscard]] static fs::path image(const std::string& name) { return Image::get().at(name); }
+    [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
+
+    tests::TemporaryFolder folder_;
+};
+
+class Gradescope : public Platforms {
+protected:
+    Gradescope() {
+        for (const char* folder : {"results", "submission"}) {
+            fs::create_directory(at(folder));
+            root_.bind(at(folder), std::string{"/autograder/"} + folder);
+        }
+        root_.bindReadOnly(image("source"), "/autograder/source");
+    }
+
+    void submit(const std::string& name) const {
+        fs::copy(sample(name), at("submission"), fs::copy_options::recursive);
+    }
+    [[nodiscard]] RootRun grade() const {
+        return root_.runInContainer("cd /autograder && source/run_autograder");
+    }
+    [[nodiscard]] std::string results() const { return tests::textOf(at("results/results.json")); }
+
+    CleanRoot root_;
+};
+
+TEST_F(Gradescope, AwardsARightSubmissionInASandboxOfLevelB) {
+    submit("awarded/reference-bump");
+    const RootRun ran = grade();
+    ASSERT_EQ(ran.status, 0) << ran.output << ran.errors;
+    EXPECT_TRUE(report::fitsSchema(results(), "gradescope")) << results();
+    EXPECT_EQ(json::parse(results()).at("score"), 1.0) << results();
+    // Staff see what students do not.
+    EXPECT_NE(ran.output.find("\"seed\""), std::string::npos) << ran.output;
+    EXPECT_EQ(results().find("seed"), std::string::npos);
+    if (geteuid() == 0) {
+        EXPECT_NE(ran.output.find("\"sandboxLevel\": \"B\""), std::string::npos) << ran.output;
+    }
+}
+
+TEST_F(Gradescope, TellsAStudentWhatTheCompilerSaid) {
+    submit("notAwarded/does-not-compile");
+    ASSERT_EQ(grade().status, 0);
+    EXPECT_TRUE(report::fitsSchema(results(), "gradescope"));
+    EXPECT_EQ(json::parse(results()).at("score"), 0.0);
+    EXPECT_NE(results().find("error:"), std::string::npos) << results();
+}
+
+TEST_F(Gradescope, LeavesNoScoreWhereWeFailed) {
+    submit("awarded/reference-bump");
+    root_.bindReadOnly("/dev/null", "/autograder/source/ticker/lib/ticker/kit/kit.json");
+    EXPECT_NE(grade().status, 0);
+    EXPECT_EQ(results(), "");
+}
+
+TEST_F(Platforms, PrairieLearnGetsAResultOrIsToldThatThereIsNone) {
+    // The parts that differ; the rest is what the other package carries, prepared already.
+    const RootRun made = tests::runHere(
+        "mkdir -p " + at("image/ticker").string() + " && cd " + at("image").string() + " && " +
+        kTicker + " package prairielearn -o pl.zip && unzip -q pl.zip entrypoint.sh Dockerfile " +
+        "'question/*' && unzip -Z1 pl.zip 'ticker/*' | sort >pl.txt && unzip -Z1 " +
+        image("gradescope.zip").string() + " 'ticker/*' | sort | cmp - pl.txt");
+    ASSERT_EQ(made.status, 0) << made.output << made.errors;
+    const json info = json::parse(tests::textOf(at("image/question/info.json")));
+    EXPECT_EQ(info.at("gradingMethod"), "External");
+    EXPECT_LE(info.at("externalGradingOptions").at("timeout"), 600) << "PrairieLearn's most";
+
+    fs::create_directories(at("grade/student"));
+    fs::copy(sample("awarded/reference-bump"), at("grade/student"), fs::copy_options::recursive);
+    CleanRoot root;
+    root.bind(at("grade"), "/grade")
+        .bindReadOnly(at("image"), "/opt/ticker")
+        .bindReadOnly(image("source/ticker"), "/opt/ticker/ticker");
+    const auto results = [&] { return tests::textOf(at("grade/results/results.json")); };
+    RootRun ran = root.runInContainer("/opt/ticker/entrypoint.sh");
+    ASSERT_EQ(ran.status, 0) << ran.output << ran.errors;
+    EXPECT_TRUE(report::fitsSchema(results(), "prairielearn")) << results();
+    EXPECT_EQ(json::parse(results()).at("score"), 1.0);
+
+    root.bindReadOnly("/dev/null", "/opt/ticker/ticker/lib/ticker/kit/kit.json");
+    ran = root.runInContainer("/opt/ticker/entrypoint.sh");
+    EXPECT_EQ(ran.status, 0) << "anything else throws the results away";
+    EXPECT_TRUE(report::fitsSchema(results(), "prairielearn")) << results();
+    EXPECT_EQ(json::parse(results()).at("gradable"), false);
+}
+
+TEST_F(Platforms, ClassroomsStepHandsTheResultOverAndPrintsNothing) {
+    const fs::path box = at("repository");
+    fs::create_directories(box / "exercise");
+    fs::create_directories(box / "framework/src/geometry");
+    fs::copy(sample("awarded/reference-bump/BumpySphere.cpp"), box / "exercise");
+    fs::copy(sample("awarded/reference-bump/screenshot.png"), box);
+    // The skeleton's own file of the same name.
+    fs::copy(TICKER_SOURCE_DIR "/student_template/framework/src/geometry/BumpySphere.cpp",
+             box / "framework/src/geometry");
+    CleanRoot root;
+    root.bind(box, "/work")
+        .bindReadOnly(image("source/ticker"), "/opt/ticker")
+        .bindReadOnly(TICKER_SOURCE_DIR "/grader/integrations/classroom", "/classroom")
+        .set("TICKER", "/opt/ticker/bin/ticker")
+        .set("GITHUB_OUTPUT", "/work/output");
+    const RootRun ran = root.run("cd /work && /classroom/grade");
+    ASSERT_EQ(ran.status, 0) << ran.errors;
+    EXPECT_EQ(ran.output, "") << "GitHub takes lines for commands";
+    const RootRun decoded =
+        tests::runHere("sed -n 's/^result=//p' " + (box / "output").string() + " | base64 -d");
+    EXPECT_TRUE(report::fitsSchema(decoded.output, "classroom")) << decoded.output;
+    EXPECT_EQ(json::parse(decoded.output).at("status"), "pass");
+}
+
+TEST(Docker, TheImageInstallsEveryPackageWhoseLibrariesTickerNeeds) {
+    const RootRun carried = tests::runHere(
+        "sed -n '/apt-get install/,/rm -rf/p' " TICKER_SOURCE_DIR
+        "/grader/integrations/docker/Dockerfile | grep -o '[a-z][a-z0-9.+-]*[0-9][a-z0-9]*' | "
+        "xargs dpkg-query -L 2>/dev/null");
+    const RootRun needed = tests::runHere("objdump -p " + kTicker + " | awk '/NEEDED/ {print $2}'");
+    ASSERT_NE(needed.output.find("libopencv_core"), std::string::npos) << needed.errors;
+    std::istringstream libraries{needed.output};
+    for (std::string library; libraries >> library;)
+        // Every g++ brings these.
+        if (!library.starts_with("libc.") && !library.starts_with("libm.") &&
+            !library.starts_with("libstdc++") && !library.starts_with("libgcc_s")) {
+            EXPECT_NE(carried.output.find("/" + library), std::string::npos) << library;
+        }
+}
+
+}  // namespace
+}  // namespace ticker

@@ -1,0 +1,196 @@
+#include <grader/decision/screenshot/JudgeScreenshot.h>
+#include <grader/selftest/OracleExaminee.h>
+#include <grader/selftest/PictureTricks.h>
+#include <grader/selftest/ScreenshotStudent.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+
+namespace ticker::selftest {
+namespace {
+
+using decision::TaskJudgement;
+using pipeline::SpecScene;
+
+constexpr std::uint64_t kSeed = 11;
+
+const std::vector<SpecScene>& scenes() {
+    static const std::vector<SpecScene> read =
+        pipeline::readSpecScenes(std::filesystem::path{TICKER_SOURCE_DIR} / "scenes",
+                                 std::filesystem::path{TICKER_SOURCE_DIR} / "assets");
+    return read;
+}
+
+/// The oracle with the handout's reading, on either option.
+class Honest {
+public:
+    explicit Honest(bool isForT1) : code_({}, {}, isForT1), student_(scenes(), isForT1, code_) {}
+    const ScreenshotStudent* operator->() const { return &student_; }
+
+    [[nodiscard]] TaskJudgement handIn(const Picture& picture) const {
+        double unused = 0.0;
+        return student_.handIn(picture, kSeed, unused);
+    }
+
+private:
+    OracleExaminee code_;
+    ScreenshotStudent student_;
+};
+
+std::string firstId(const TaskJudgement& judgement) {
+    return judgement.findings.empty() ? "" : judgement.findings.front().id;
+}
+
+std::string evidence(const TaskJudgement& judgement, const std::string& key) {
+    for (const auto& [name, value] : judgement.findings.at(0).evidence)
+        if (name == key) return std::get<std::string>(value);
+    return "";
+}
+
+TEST(JudgeScreenshot, PassesHonestPicturesWithoutAWord) {
+    for (const bool isForT1 : {true, false}) {
+        const Honest student{isForT1};
+        const TaskJudgement judgement = student.handIn(student->render(320, kSeed));
+        EXPECT_EQ(judgement.state, TaskState::passed);
+        EXPECT_TRUE(judgement.findings.empty()) << firstId(judgement);
+        EXPECT_FALSE(judgement.needsReview);
+    }
+}
+
+TEST(JudgeScreenshot, NamesTheMistakeThatAStrangersPictureShows) {
+    oracle::Reading reading;
+    reading.lightShape = oracle::LightShape::centre;
+    OracleExaminee hard{reading, {}, false};
+    const Honest student{false};
+    const TaskJudgement judgement =
+        student.handIn(ScreenshotStudent{scenes(), false, hard}.render(640, kSeed));
+    EXPECT_EQ(judgement.state, TaskState::failed);
+    EXPECT_EQ(firstId(judgement), "screenshot.not-from-this-code");
+    EXPECT_EQ(evidence(judgement, "looksLike"), "shadow.hard");
+    EXPECT_EQ(judgement.findings[0].rasters.size(), 1U);
+}
+
+TEST(JudgeScreenshot, NamesTheReliefThatAStrangersPictureShows) {
+    oracle::Reading reading;
+    reading.bump.uOrigin = 0.25;
+    reading.bump.gainU = -2.0;
+    reading.bump.gainV = 2.0;
+    OracleExaminee inverted{reading, {}, true};
+    const Honest student{true};
+    const TaskJudgement judgement =
+        student.handIn(ScreenshotStudent{scenes(), true, inverted}.render(640, kSeed));
+    EXPECT_EQ(firstId(judgement), "screenshot.not-from-this-code");
+    EXPECT_EQ(evidence(judgement, "looksLike"), "bump.inverted-u");
+}
+
+TEST(JudgeScreenshot, NotesASmallChangeOfColoursAndPasses) {
+    const Honest student{true};
+    const TaskJudgement judgement = student.handIn(
+        recoloured(student->render(640, kSeed).view(), [](double v, int) { return 0.97 * v; }));
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_EQ(firstId(judgement), "screenshot.colours");
+    EXPECT_EQ(judgement.findings[0].severity, Severity::note);
+}
+
+// As JPEG does: small errors in every pixel.
+TEST(JudgeScreenshot, NotesSmallErrorsEverywhereAndPasses) {
+    const Honest student{true};
+    Picture picture = student->render(640, kSeed);
+    std::mt19937 generator{1};
+    for (std::uint8_t& byte : picture.rgb)
+        byte = static_cast<std::uint8_t>(byte < 10 ? byte : byte - 7 + generator() % 15);
+    const TaskJudgement judgement = student.handIn(picture);
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_EQ(firstId(judgement), "screenshot.resaved");
+}
+
+TEST(JudgeScreenshot, SaysThatThePictureIsOneOfTheOldKitsWhereItLiesOnePixelLow) {
+    const Honest student{true};
+    const TaskJudgement judgement = student.handIn(moved(student->render(640, kSeed).view(), 0, 1));
+    EXPECT_EQ(firstId(judgement), "screenshot.edited");
+    EXPECT_NE(judgement.findings[0].message.find("Java"), std::string::npos);
+}
+
+/// Ignores regions, as loops over settings().width do: an exception comes out of `Image::set`.
+class WholeFramesOnly final : public probe::Examinee {
+public:
+    explicit WholeFramesOnly(probe::Examinee& inner) : inner_(inner) {}
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        probe::Sitting sitting = inner_.ask(questions);
+        for (std::size_t i = 0; i < questions.size(); ++i)
+            if (!std::get<probe::RenderQuestion>(questions[i]).settings.region.isWholeFrame())
+                std::get<probe::RenderAnswer>(sitting.answers[i]).state = probe::AnswerState::threw;
+        return sitting;
+    }
+
+private:
+    probe::Examinee& inner_;
+};
+
+TEST(JudgeScreenshot, PassesCodeThatRendersWholeFramesOnlyWithANote) {
+    OracleExaminee inner{{}, {}, false};
+    WholeFramesOnly code{inner};
+    const ScreenshotStudent student{scenes(), false, code};
+    double unused = 0.0;
+    const TaskJudgement judgement = student.handIn(student.render(320, kSeed), kSeed, unused);
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_EQ(firstId(judgement), "screenshot.unverified");
+    EXPECT_FALSE(judgement.needsReview);
+}
+
+/// Every picture as a whole is a little brighter or darker than the last: one pattern of points
+/// for all pixels.
+class OnePattern final : public probe::Examinee {
+public:
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        oracle::Mistake mistake;
+        mistake.lensOffsetX = 0.1 * static_cast<double>(sittings_ % 3) - 0.1;
+        mistake.lensOffsetY = 0.1 * static_cast<double>(sittings_ % 2);
+        ++sittings_;
+        return OracleExaminee{{}, mistake, false}.ask(questions);
+    }
+
+private:
+    int sittings_ = 0;
+};
+
+TEST(JudgeScreenshot, BlamesNobodyWhosePicturesDifferFromOneToTheNext) {
+    OnePattern code;
+    const ScreenshotStudent student{scenes(), false, code};
+    double unused = 0.0;
+    const TaskJudgement judgement = student.handIn(student.render(640, kSeed), kSeed, unused);
+    EXPECT_EQ(judgement.state, TaskState::passed) << judgement.findings.at(0).message;
+    EXPECT_EQ(firstId(judgement), "screenshot.unverified");
+}
+
+TEST(JudgeScreenshot, JudgesTheSceneAloneWhereThereIsNoCode) {
+    const auto judgeAlone = [](const Picture& picture) {
+        std::vector<decision::screenshot::Scene> known(1);
+        known[0].name = "bump-mapping";
+        known[0].expected = [] {
+            const raytracer::ByteImage& image = scenes()[0].expected().picture;
+            return metrics::ByteView{image.width, image.height, image.rgb};
+        };
+        return decision::judgeScreenshot(picture.view(), known, kSeed);
+    };
+    oracle::Reading reading;
+    reading.bump.uOrigin = 0.25;
+    OracleExaminee other{reading, {}, true};
+    const TaskJudgement right =
+        judgeAlone(ScreenshotStudent{scenes(), true, other}.render(640, kSeed));
+    EXPECT_EQ(right.state, TaskState::passed);
+    EXPECT_FALSE(right.reason.empty());
+    EXPECT_EQ(firstId(judgeAlone(photograph(640, 480, kSeed))), "screenshot.not-this-scene");
+}
+
+TEST(JudgeScreenshot, WithoutScenesJudgesTheSizeAlone) {
+    EXPECT_EQ(decision::judgeScreenshot(photograph(640, 480, 1).view(), {}, 1).state,
+              TaskState::passed);
+    EXPECT_EQ(firstId(decision::judgeScreenshot(photograph(640, 400, 1).view(), {}, 1)),
+              "screenshot.wrong-size");
+}
+
+}  // namespace
+}  // namespace ticker::selftest

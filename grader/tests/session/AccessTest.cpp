@@ -1,0 +1,67 @@
+#include <grader/session/Access.h>
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace ticker::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Access, IsAnotherEachTimeUnlessItWasKept) {
+    const tests::TemporaryFolder out;
+    std::set<std::string> tokens;
+    for (int i = 0; i < 20; ++i)
+        tokens.insert(readAccess(out.path()).token);
+    EXPECT_EQ(tokens.size(), 20U);
+    EXPECT_EQ(tokens.begin()->size(), 32U);
+    const Access access{*tokens.begin(), 4711};
+    writeAccess(access, out.path());
+    EXPECT_EQ(readAccess(out.path()).token, access.token);
+    EXPECT_EQ(readAccess(out.path()).port, 4711);
+}
+
+TEST(Access, IsForItsOwnerAlone) {
+    const tests::TemporaryFolder out;
+    const Access access = readAccess(out.path());
+    writeAccess(access, out.path());
+    const fs::path file = out.path() / ".session";
+    EXPECT_EQ(fs::status(file).permissions(), fs::perms{0600});
+    fs::permissions(file, fs::perms{0644});
+    EXPECT_NE(readAccess(out.path()).token, access.token) << "others could have read it";
+    fs::remove(file);
+    out.write("elsewhere", "{\"token\": \"0123456789abcdef0123456789abcdef\", \"port\": 1}");
+    fs::permissions(out.path() / "elsewhere", fs::perms{0600});
+    fs::create_symlink(out.path() / "elsewhere", file);
+    EXPECT_NE(readAccess(out.path()).token, "0123456789abcdef0123456789abcdef");
+}
+
+TEST(Access, SurvivesAnyFile) {
+    const tests::TemporaryFolder out;
+    for (const char* text :
+         {"", "[]", "{\"token\": 7}", "{\"token\": \"../../etc\"}", "nonsense"}) {
+        out.write(".session", text);
+        fs::permissions(out.path() / ".session", fs::perms{0600});
+        EXPECT_EQ(readAccess(out.path()).token.size(), 32U) << text;
+    }
+}
+
+TEST(Access, KnowsItsOwnHostAlone) {
+    EXPECT_TRUE(namesThisServer("127.0.0.1:80", 80));
+    EXPECT_TRUE(namesThisServer("localhost:80", 80));
+    for (const char* host : {"", "127.0.0.1", "127.0.0.1:81", "evil.example:80",
+                             "127.0.0.1:80.evil", "127.0.0.1.evil.example:80"})
+        EXPECT_FALSE(namesThisServer(host, 80)) << host;
+}
+
+TEST(Access, TellsSecretsApart) {
+    EXPECT_TRUE(isSameSecret("abc", "abc"));
+    EXPECT_FALSE(isSameSecret("abc", "abd"));
+    EXPECT_FALSE(isSameSecret("abc", "ab"));
+    EXPECT_FALSE(isSameSecret("", "a"));
+}
+
+}  // namespace
+}  // namespace ticker::session

@@ -1,0 +1,26 @@
+#include "ClassOnDisk.h"
+
+#include <grader/session/SubmissionView.h>
+
+#include <gtest/gtest.h>
+
+namespace ticker::session {
+namespace {
+
+TEST(SubmissionHtml, ShowsFindingsAndCodeAndEscapesThem) {
+    const std::string name = "O'Neill \"<script>name</script>\"";
+    const tests::ClassOnDisk onDisk{{"bob"}};
+    SubmissionResult result = tests::markedResult(name, Verdict::needsReview);
+    result.renders.push_back(
+        {"bump-mapping", 1, 1, 0, 0, 0, 0, 0, "images/a.png", "images/b.png", ""});
+    const std::string html = submissionHtml(result, onDisk.out() / "bob" / "code");
+    EXPECT_EQ(html.find("<script"), std::string::npos) << html;
+    for (const char* part : {"name", "reason", "message", "hint", "evidence", "notice", "code"})
+        EXPECT_NE(html.find(std::string{"&lt;script&gt;"} + part), std::string::npos) << part;
+    EXPECT_NE(html.find("bump.inverted-u"), std::string::npos);
+    EXPECT_NE(html.find("<i class=\"k\">int</i> x;"), std::string::npos);
+    EXPECT_NE(html.find("src=\"of/O%27Neill%20%22%3Cscript%3Ename%3C"), std::string::npos) << html;
+}
+
+}  // namespace
+}  // namespace ticker::session

@@ -1,0 +1,82 @@
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace raytracer {
+
+namespace {
+
+constexpr int kEntries = 5000;
+
+const std::vector<Vector3>& ballTable() {
+    static const std::vector<Vector3> table = [] {
+        std::vector<Vector3> points;
+        for (int i = 0; i < kEntries; ++i)
+            points.push_back(Vector3::randomInsideUnitSphere());
+        return points;
+    }();
+    return table;
+}
+
+const std::vector<Vector3>& lensTable() {
+    static const std::vector<Vector3> table = [] {
+        std::vector<Vector3> points;
+        for (int i = 0; i < kEntries; ++i)
+            points.emplace_back(randomBetween(-1.0, 1.0), randomBetween(-1.0, 1.0), 0.0);
+        return points;
+    }();
+    return table;
+}
+
+const Vector3& anyOf(const std::vector<Vector3>& table) {
+    return table[static_cast<std::size_t>(randomBetween(0.0, static_cast<double>(table.size())))];
+}
+
+}  // namespace
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 eye = (O - P).normalised();
+    ColourRGB out = object.colour() * scene.ambientLighting();
+    for (const PointLight& lamp : scene.pointLights()) {
+        const Vector3 way = lamp.position() - P;
+        const Vector3 L = way.normalised();
+        const ColourRGB power = lamp.illuminationAt(way.magnitude());
+        ColourRGB direct = object.colour() * power * (object.phongKD() * std::max(0.0, N.dot(L)));
+        direct += lamp.colour() * power *
+                  (object.phongKS() *
+                   std::pow(std::max(0.0, L.reflectIn(N).dot(eye)), object.phongAlpha()));
+        int open = 0;
+        for (int i = 0; i < settings().shadowRayCount; ++i) {
+            const Vector3 from = P + N * kShadowBias;
+            const Vector3 aim = lamp.position() + anyOf(ballTable()) * settings().lightSize;
+            const Ray ray{from, (aim - from).normalised()};
+            const auto hit = scene.findClosestIntersection(ray);
+            if (!hit || hit->distance > (aim - from).magnitude()) ++open;
+        }
+        out += direct * (static_cast<double>(open) / settings().shadowRayCount);
+    }
+    return out;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    const double A = settings().dofAmount;
+    forEachPixel(image, [&](int x, int y) {
+        const Ray through = camera.castRay(x, y);
+        const Vector3 sharp = through.direction * (settings().dofFocalPlane / through.direction.z);
+        ColourRGB sum;
+        for (int i = 0; i < settings().dofRayCount; ++i) {
+            const Vector3 lens = anyOf(lensTable()) * A;
+            sum += trace(scene, Ray{lens, (sharp - lens).normalised()}, settings().bounces);
+        }
+        image.set(x, y, sum / settings().dofRayCount);
+    });
+    return image;
+}
+
+}  // namespace raytracer
