@@ -81,7 +81,7 @@ test("the page is quiet, accessible and shows pictures, findings and code", asyn
   assert.equal(await shown(page), "=1+1_1002");
   await page.locator(".list button", { hasText: "Jürgen, jr_1000" }).click();
   assert.equal(await shown(page, "=1+1_1002"), "Jürgen, jr_1000");
-  assert.ok(await page.locator("main").getByText("bump.inverted-u").first().isVisible());
+  await page.locator("main").getByText("bump.inverted-u").first().waitFor();
   for (const image of await page.locator("main img").all())
     await image.evaluate((each) => { each.loading = "eager"; return each.decode(); });
   assert.ok((await page.locator("main img").count()) >= 2);
@@ -176,7 +176,7 @@ test("comment, undo, search and summary", async () => {
   await page.waitForFunction(() => document.querySelector("main").dataset.name === "Jürgen, jr_1000");
   await page.locator("main").focus();
   await page.keyboard.press("s");
-  assert.ok(await page.getByRole("cell", { name: /See line 7\./ }).isVisible(), "against the proposal, and why");
+  await page.getByRole("cell", { name: /See line 7\./ }).waitFor(); // against the proposal, and why
   assert.deepEqual(await accessibilityFaults(page), []);
   assert.deepEqual(problems, []);
   await page.close();
