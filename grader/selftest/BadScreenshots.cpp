@@ -19,6 +19,14 @@ using oracle::Mistake;
 using oracle::Reading;
 using Make = std::function<Picture(const ScreenshotStudent& honest, std::uint64_t seed)>;
 
+/// Option 1's scenes as students see them who have solved option 2 as well.
+Picture throughTheLens(const std::vector<pipeline::SpecScene>& scenes, const char* name,
+                       std::uint64_t seed) {
+    OracleExaminee code{{}, {}, false};
+    const auto scene = std::ranges::find(scenes, name, &pipeline::SpecScene::name);
+    return ScreenshotStudent{scenes, scene->isForT1, code}.render(*scene, 640, 480, seed);
+}
+
 /// Collects pictures that come with honest code of one option but are not what it renders.
 class BadPictures {
 public:
@@ -114,6 +122,11 @@ private:
                                                                                        480, seed);
                 });
         }
+        if (isForT1_)
+            add("screenshot.not-this-scene", "another scene, through the lens",
+                [&bench = bench_](const ScreenshotStudent&, std::uint64_t seed) {
+                    return throughTheLens(bench.scenes, "bumpmap-test", seed);
+                });
         add("screenshot.not-this-scene", "a photograph",
             [](const ScreenshotStudent&, std::uint64_t seed) {
                 return photograph(640, 480, seed);

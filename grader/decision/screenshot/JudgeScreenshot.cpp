@@ -2,6 +2,7 @@
 
 #include <grader/decision/screenshot/Agreement.h>
 #include <grader/decision/screenshot/Edits.h>
+#include <grader/decision/screenshot/Relief.h>
 #include <grader/decision/screenshot/Suspects.h>
 #include <grader/decision/screenshot/Whole.h>
 #include <grader/decision/screenshot/Windows.h>
@@ -120,16 +121,26 @@ private:
 
     /// Another scene that the picture shows, and clearly not this one.
     [[nodiscard]] const Scene* otherScene() const {
+        // Of scenes that are like each other the handout's comes first, and is the likelier one.
+        constexpr double kClearlyMore = 0.04;
         const double here = likenessTo(scene_);
+        const Scene* nearest = nullptr;
+        double most = kSameScene;
         for (const Scene& scene : scenes_) {
+            if (&scene == &scene_) continue;
             const double there = likenessTo(scene);
-            if (&scene == &scene_ || there <= std::max(here, kSameScene)) continue;
-            // Scenes that differ in their bump map alone are like each other: the code must tell.
-            if (here < kSameScene ||
-                verify(picture_, scene, seed_).kind == Verification::Kind::same)
-                return &scene;
+            if (there <= most || (here >= kSameScene && !isRatherThanThis(scene))) continue;
+            nearest = &scene;
+            most = there + kClearlyMore;
         }
-        return nullptr;
+        return nearest;
+    }
+
+    // Scenes that differ in their bump map alone are like each other: the code or the relief tells.
+    [[nodiscard]] bool isRatherThanThis(const Scene& scene) const {
+        if (verify(picture_, scene, seed_).kind == Verification::Kind::same) return true;
+        return scene.isForT1 && scene_.isForT1 && scene.hasOwn() && scene_.hasOwn() &&
+               isRather(reliefOf(picture_, scene), reliefOf(picture_, scene_));
     }
 
     [[nodiscard]] TaskJudgement judgeOtherSize() const {
@@ -169,6 +180,8 @@ private:
         if (likenessTo(scene_) < kSameScene) return failed(notThisScene(scene_.name, ""));
         if (scene_.mayMixBoth)
             return passed({unverified("it may have been rendered with both of the files")});
+        if (scene_.isForT1 && scene_.hasOwn() && isSofter(reliefOf(picture_, scene_)))
+            return passedInDoubt(perhapsThroughTheLens());
         if (own == nullptr) return passedInDoubt(perhapsNotFromThisCode(picture_, scene_, whole));
         const Picture windows = cutOut(picture_, own->windows);
         return failed(notFromThisCode(picture_, scene_, verification.agreement,

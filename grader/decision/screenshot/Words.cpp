@@ -206,6 +206,15 @@ Finding perhapsNotFromThisCode(const ByteView& picture, const Scene& scene,
     return result;
 }
 
+Finding perhapsThroughTheLens() {
+    return finding("screenshot.unverified", Severity::warn,
+                   "The picture is softer than this BumpySphere.cpp makes it with the template's "
+                   "Renderer.cpp: it may have been rendered with a solved Renderer.cpp, which was "
+                   "not handed in.",
+                   "Hand in the Renderer.cpp as well, or render scenes/bump-mapping.xml with the "
+                   "template's.");
+}
+
 Finding isTheReference(double ratio) {
     Finding result = finding(
         "screenshot.is-the-reference", Severity::warn,

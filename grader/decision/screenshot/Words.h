@@ -32,6 +32,8 @@ namespace ticker::decision::screenshot {
 /// As above, where no windows of the code's are known: doubt.
 [[nodiscard]] Finding perhapsNotFromThisCode(const ByteView& picture, const Scene& scene,
                                              const TileDifference& difference);
+/// Option 1's scene with a relief like this code's, but softer: doubt.
+[[nodiscard]] Finding perhapsThroughTheLens();
 /// @param ratio  Of the picture's noise to that of the code.
 [[nodiscard]] Finding isTheReference(double ratio);
 

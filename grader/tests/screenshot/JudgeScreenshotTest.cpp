@@ -85,6 +85,38 @@ TEST(JudgeScreenshot, NamesTheReliefThatAStrangersPictureShows) {
     EXPECT_EQ(evidence(judgement, "looksLike"), "bump.inverted-u");
 }
 
+/// A scene of option 1, rendered by students who have solved option 2 as well.
+Picture throughTheLens(std::size_t scene) {
+    OracleExaminee both{{}, {}, false};
+    return ScreenshotStudent{scenes(), true, both}.render(scenes()[scene], 320, 240, kSeed);
+}
+
+TEST(JudgeScreenshot, KnowsAnotherMapThroughTheLens) {
+    const Honest student{true};
+    const TaskJudgement judgement = student.handIn(throughTheLens(1));
+    EXPECT_EQ(firstId(judgement), "screenshot.not-this-scene");
+    EXPECT_EQ(evidence(judgement, "shown"), "bumpmap-test");
+}
+
+TEST(JudgeScreenshot, BlamesNobodyWhoRenderedTheReliefThroughTheLens) {
+    const Honest student{true};
+    const TaskJudgement judgement = student.handIn(throughTheLens(0));
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_TRUE(judgement.needsReview);
+    EXPECT_EQ(firstId(judgement), "screenshot.unverified");
+}
+
+TEST(JudgeScreenshot, NamesTheNearestOfTwoScenesThatAreLikeEachOther) {
+    OracleExaminee relief{{}, {}, true};
+    const ScreenshotStudent other{scenes(), true, relief};
+    for (const std::size_t scene : {0U, 1U}) {
+        const TaskJudgement judgement =
+            Honest{false}.handIn(other.render(scenes()[scene], 320, 240, kSeed));
+        EXPECT_EQ(firstId(judgement), "screenshot.not-this-scene");
+        EXPECT_EQ(evidence(judgement, "shown"), scenes()[scene].name);
+    }
+}
+
 TEST(JudgeScreenshot, NotesASmallChangeOfColoursAndPasses) {
     const Honest student{true};
     const TaskJudgement judgement = student.handIn(
