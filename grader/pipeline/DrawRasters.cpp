@@ -1,8 +1,7 @@
 #include <grader/pipeline/DrawRasters.h>
 
 #include <grader/metrics/Colours.h>
-
-#include <raytracer/io/ImageWriter.h>
+#include <grader/picture/EncodePicture.h>
 
 #include <fmt/core.h>
 
@@ -24,7 +23,7 @@ std::string pngOf(const Raster& raster) {
                 image.rgb.end(), 3,
                 static_cast<std::uint8_t>(value > 0.0F ? std::min(value, 1.0F) * 255.0F : 0.0F));
     }
-    return raytracer::encodePng(image);
+    return picture::encodePicture(image);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <grader/decision/screenshot/JudgeScreenshot.h>
 #include <grader/metrics/Alignment.h>
 #include <grader/picture/DecodePicture.h>
+#include <grader/picture/EncodePicture.h>
 
 #include <raytracer/io/ImageReader.h>
-#include <raytracer/io/ImageWriter.h>
 
 #include <fmt/core.h>
 
@@ -65,7 +65,7 @@ void show(const ByteImage& image, SubmissionResult& result) {
         shown = {smaller.width, smaller.height, std::move(smaller.rgb)};
     }
     result.pictures.push_back(
-        {"images/screenshot.png", "screenshot.png as handed in", raytracer::encodePng(shown)});
+        {"images/screenshot.png", "screenshot.png as handed in", picture::encodePicture(shown)});
 }
 
 /// The scenes that a picture may show, with whatever the submission's files add to each.

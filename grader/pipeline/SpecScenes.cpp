@@ -4,6 +4,7 @@
 #include <grader/metrics/Compare.h>
 #include <grader/oracle/Oracle.h>
 #include <grader/oracle/References.h>
+#include <grader/picture/EncodePicture.h>
 #include <grader/probe/AnswerMemory.h>
 
 #include <raytracer/image/Image.h>
@@ -108,7 +109,7 @@ public:
 
     std::string add(const std::string& file, const char* caption, raytracer::ByteImage image) {
         result_.pictures.push_back(
-            {"images/" + file + ".png", scene_ + caption, raytracer::encodePng(image)});
+            {"images/" + file + ".png", scene_ + caption, picture::encodePicture(image)});
         return result_.pictures.back().file;
     }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace ticker::probe {
 namespace {
@@ -29,30 +30,39 @@ constexpr int kMostRepetitions = 4096;
     throw raytracer::Error(std::string{"questions: "} + what);
 }
 
-// Heights that came from a picture are sent as its bytes: an eighth of the size.
-std::vector<std::uint8_t> asBytes(const std::vector<double>& heights) {
+// The byte of the picture that a height came from; empty where it came from none.
+std::optional<std::uint8_t> byteOf(double height) {
+    const double level = std::round(height * 255.0 / raytracer::kBumpFactor);
+    if (!(level >= 0.0 && level <= 255.0)) return std::nullopt;
+    const auto byte = static_cast<std::uint8_t>(level);
+    if (raytracer::kBumpFactor * byte / 255.0 != height) return std::nullopt;
+    return byte;
+}
+
+// An eighth of the size of heights; empty where some are no picture's.
+std::vector<std::uint8_t> asBytes(const HeightMap& map) {
     std::vector<std::uint8_t> bytes;
-    bytes.reserve(heights.size());
-    for (const double height : heights) {
-        const double level = std::round(height * 255.0 / raytracer::kBumpFactor);
-        if (!(level >= 0.0 && level <= 255.0)) return {};
-        const auto byte = static_cast<std::uint8_t>(level);
-        if (raytracer::kBumpFactor * byte / 255.0 != height) return {};
-        bytes.push_back(byte);
-    }
+    bytes.reserve(static_cast<std::size_t>(map.width()) * static_cast<std::size_t>(map.height()));
+    for (int row = 0; row < map.height(); ++row)
+        for (int column = 0; column < map.width(); ++column) {
+            const std::optional<std::uint8_t> byte = byteOf(map.at(column, row));
+            if (!byte) return {};
+            bytes.push_back(*byte);
+        }
     return bytes;
 }
 
 void putMap(ByteWriter& writer, const HeightMap& map) {
+    const std::vector<std::uint8_t> bytes = asBytes(map);
     std::vector<double> heights;
-    for (int row = 0; row < map.height(); ++row)
-        for (int column = 0; column < map.width(); ++column)
-            heights.push_back(map.at(column, row));
-    const std::vector<std::uint8_t> bytes = asBytes(heights);
+    if (bytes.empty())
+        for (int row = 0; row < map.height(); ++row)
+            for (int column = 0; column < map.width(); ++column)
+                heights.push_back(map.at(column, row));
     writer.put(map.width());
     writer.put(map.height());
     writer.putAll(bytes);
-    writer.putAll(bytes.empty() ? heights : std::vector<double>{});
+    writer.putAll(heights);
 }
 
 HeightMap getMap(ByteReader& reader) {
