@@ -37,6 +37,7 @@ public:
         isForT1_ ? addOtherReliefs() : addOtherLenses();
         addOtherScenes();
         addEdits();
+        addMishaps();
         addRecolourings();
         addSizes();
         return std::move(cases_);
@@ -150,6 +151,22 @@ private:
         addEdit("cropped, same shape", [](const ByteView& p) {
             return metrics::cropped(p, {120, 60, 480, 360});
         });
+    }
+
+    // What honest people do to honest pictures: doubt at most.
+    void addMishaps() {
+        addEdit(
+            "a pixel cut off all round",
+            [](const ByteView& p) {
+                return metrics::cropped(p, {1, 1, p.width - 2, p.height - 2});
+            },
+            "screenshot.unverified");
+        addEdit(
+            "scaled by a quarter",
+            [](const ByteView& p) {
+                return metrics::resized(p, 5 * p.width / 4, 5 * p.height / 4);
+            },
+            isForT1_ ? "screenshot.unverified" : "");
     }
 
     void addRecolourings() {

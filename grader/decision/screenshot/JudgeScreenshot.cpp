@@ -1,9 +1,9 @@
 #include <grader/decision/screenshot/JudgeScreenshot.h>
 
-#include <grader/decision/screenshot/Agreement.h>
 #include <grader/decision/screenshot/Edits.h>
 #include <grader/decision/screenshot/Relief.h>
 #include <grader/decision/screenshot/Suspects.h>
+#include <grader/decision/screenshot/Verification.h>
 #include <grader/decision/screenshot/Whole.h>
 #include <grader/decision/screenshot/Windows.h>
 #include <grader/decision/screenshot/Words.h>
@@ -35,54 +35,6 @@ TaskJudgement passedInDoubt(Finding doubt) {
 
 TaskJudgement failed(Finding finding) {
     return {TaskState::failed, "", {std::move(finding)}, false};
-}
-
-/// What the code's windows say.
-struct Verification {
-    enum class Kind {
-        same,
-        different,
-        unknown  ///< `why`; empty: there is no code to ask
-    };
-    Kind kind = Kind::unknown;
-    std::string why;
-    Agreement agreement;
-    std::optional<OwnWindows> own;
-};
-
-Verification unknown(const char* why) {
-    return {Verification::Kind::unknown, why, {}, {}};
-}
-
-Verification compareOnce(const ByteView& picture, const Scene& scene, std::uint64_t seed,
-                         int stage) {
-    const Windows windows = drawWindows(scene.isForT1, picture.width, picture.height, seed, stage);
-    std::optional<Picture> own =
-        renderWindows(scene, windows, seed + static_cast<std::uint64_t>(stage));
-    if (!own) return unknown("this code renders whole frames only, no part of one");
-    Verification result;
-    result.agreement = agreementOf(cutOut(picture, windows).view(), own->view(), !scene.isForT1);
-    result.kind =
-        result.agreement.agrees ? Verification::Kind::same : Verification::Kind::different;
-    result.own = OwnWindows{windows, *std::move(own), !scene.isForT1};
-    return result;
-}
-
-// Code that draws one pattern of points for all pixels has pictures that differ as wholes.
-bool agreesWithItself(const Scene& scene, const OwnWindows& own, std::uint64_t seed) {
-    const std::optional<Picture> again = renderWindows(scene, own.windows, seed);
-    return again && agreementOf(again->view(), own.pixels.view(), own.isRandom).agrees;
-}
-
-Verification verify(const ByteView& picture, const Scene& scene, std::uint64_t seed) {
-    if (scene.examinee == nullptr) return unknown("");
-    Verification result = compareOnce(picture, scene, seed, 0);
-    if (result.kind != Verification::Kind::different || scene.isForT1) return result;
-    result = compareOnce(picture, scene, seed, 1);
-    if (result.kind == Verification::Kind::different &&
-        !agreesWithItself(scene, *result.own, seed + 2))
-        return unknown("this code's own pictures differ as much from one to the next");
-    return result;
 }
 
 /// One picture against the scene that it is most like.
@@ -183,9 +135,26 @@ private:
         if (scene_.isForT1 && scene_.hasOwn() && isSofter(reliefOf(picture_, scene_)))
             return passedInDoubt(perhapsThroughTheLens());
         if (own == nullptr) return passedInDoubt(perhapsNotFromThisCode(picture_, scene_, whole));
-        const Picture windows = cutOut(picture_, own->windows);
-        return failed(notFromThisCode(picture_, scene_, verification.agreement,
-                                      suspect(windows.view(), scene_, own->windows, seed_)));
+        return judgeStranger(verification);
+    }
+
+    // Whoever saved the picture as JPEG, scaled it or cut a row off changed every pixel, but not
+    // what it shows.
+    [[nodiscard]] TaskJudgement judgeStranger(const Verification& verification) const {
+        const TaskJudgement doubt = passedInDoubt(likeThisCode(scene_));
+        if (scene_.isForT1 && scene_.hasOwn() && isSame(reliefOf(picture_, scene_))) return doubt;
+        const OwnWindows& own = *verification.own;
+        const Picture windows = cutOut(picture_, own.windows);
+        const std::optional<Suspicion> suspicion =
+            suspect(windows.view(), scene_, own.windows, seed_);
+        if (!scene_.isForT1 && !suspicion && looksRightInOtherColours()) return doubt;
+        return failed(notFromThisCode(picture_, scene_, verification.agreement, suspicion));
+    }
+
+    [[nodiscard]] bool looksRightInOtherColours() const {
+        const ByteView reference = scene_.likeliest();
+        const Picture changed = ColourChange{reference, picture_}.appliedTo(reference);
+        return tileDifference(changed.view(), picture_).worst <= kMostTileDifference;
     }
 
     [[nodiscard]] std::optional<Finding> findEdit(const OwnWindows* own) const {
@@ -204,8 +173,8 @@ private:
                                      const TileDifference& whole) const {
         constexpr int kMostCovered = 2;
         constexpr double kAnotherColour = 30.0;  // steps of a byte
-        if (whole.worst < kAnotherColour || !verification.own) return false;
         if (verification.kind == Verification::Kind::same) return true;
+        if (whole.worst < kAnotherColour || !verification.own) return false;
         const int count = static_cast<int>(verification.own->windows.boxes.size());
         return count > 2 * kMostCovered &&
                count - agreeingWindows(picture_, *verification.own) <= kMostCovered;

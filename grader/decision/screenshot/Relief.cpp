@@ -69,6 +69,12 @@ Relief reliefOf(const ByteView& picture, const Scene& scene) {
     return {both / std::sqrt(ofSeen * ofOwn), std::sqrt(ofSeen / ofOwn)};
 }
 
+bool isSame(const Relief& relief) {
+    // Of the wrong signs, an inverted longitude leaves most: 0.65.
+    constexpr double kSameCode = 0.85;
+    return relief.likeness >= kSameCode;
+}
+
 bool isSofter(const Relief& relief) {
     constexpr double kWeaker = 0.75;
     return relief.likeness >= kSameMap && relief.strength <= kWeaker;

@@ -18,6 +18,9 @@ struct Relief {
 ///               picture's size matter.
 [[nodiscard]] Relief reliefOf(const ByteView& picture, const Scene& scene);
 
+/// As this code makes it, whatever was done to the pixels.
+[[nodiscard]] bool isSame(const Relief& relief);
+
 /// Through the lens and under soft shadows: the map's relief, but weaker.
 [[nodiscard]] bool isSofter(const Relief& relief);
 

@@ -206,6 +206,15 @@ Finding perhapsNotFromThisCode(const ByteView& picture, const Scene& scene,
     return result;
 }
 
+Finding likeThisCode(const Scene& scene) {
+    return finding("screenshot.unverified", Severity::warn,
+                   fmt::format("The picture looks like what this {} renders, but pixel by pixel it "
+                               "differs: it may have been scaled, cut, saved as JPEG or with fewer "
+                               "colours, or rendered by an earlier version.",
+                               optionOf(scene)),
+                   "Hand in the file that tick1star -o screenshot.png writes, as it is.");
+}
+
 Finding perhapsThroughTheLens() {
     return finding("screenshot.unverified", Severity::warn,
                    "The picture is softer than this BumpySphere.cpp makes it with the template's "

@@ -32,6 +32,8 @@ namespace ticker::decision::screenshot {
 /// As above, where no windows of the code's are known: doubt.
 [[nodiscard]] Finding perhapsNotFromThisCode(const ByteView& picture, const Scene& scene,
                                              const TileDifference& difference);
+/// The picture shows what this code renders, but with other pixels: doubt.
+[[nodiscard]] Finding likeThisCode(const Scene& scene);
 /// Option 1's scene with a relief like this code's, but softer: doubt.
 [[nodiscard]] Finding perhapsThroughTheLens();
 /// @param ratio  Of the picture's noise to that of the code.

@@ -1,4 +1,5 @@
 #include <grader/decision/screenshot/JudgeScreenshot.h>
+#include <grader/metrics/Alignment.h>
 #include <grader/selftest/OracleExaminee.h>
 #include <grader/selftest/PictureTricks.h>
 #include <grader/selftest/ScreenshotStudent.h>
@@ -12,6 +13,7 @@ namespace ticker::selftest {
 namespace {
 
 using decision::TaskJudgement;
+using metrics::ByteView;
 using pipeline::SpecScene;
 
 constexpr std::uint64_t kSeed = 11;
@@ -136,6 +138,38 @@ TEST(JudgeScreenshot, NotesSmallErrorsEverywhereAndPasses) {
     const TaskJudgement judgement = student.handIn(picture);
     EXPECT_EQ(judgement.state, TaskState::passed);
     EXPECT_EQ(firstId(judgement), "screenshot.resaved");
+}
+
+// Scaling and JPEG's coarse colours change every pixel of a relief, a lost row moves most.
+TEST(JudgeScreenshot, BlamesNobodyWhosePictureWasScaledOrLostARow) {
+    const auto scaled = [](const ByteView& p) {
+        return metrics::resized(p, 5 * p.width / 4, 5 * p.height / 4);
+    };
+    const auto trimmed = [](const ByteView& p) {
+        return metrics::cropped(p, {1, 1, p.width - 2, p.height - 2});
+    };
+    const Honest bumpy{true};
+    const Honest distributed{false};
+    const Picture relief = bumpy->render(640, kSeed);
+    const Picture balls = distributed->render(640, kSeed);
+    for (const TaskJudgement& judgement :
+         {bumpy.handIn(scaled(relief.view())), bumpy.handIn(trimmed(relief.view())),
+          distributed.handIn(trimmed(balls.view()))}) {
+        EXPECT_EQ(judgement.state, TaskState::passed);
+        EXPECT_TRUE(judgement.needsReview);
+        EXPECT_EQ(firstId(judgement), "screenshot.unverified");
+    }
+    EXPECT_FALSE(distributed.handIn(scaled(balls.view())).needsReview);
+}
+
+// A pointer of the mouse in a picture of the screen, where no window lies.
+TEST(JudgeScreenshot, CallsASmallThingInTheWayAnEdit) {
+    const Honest student{true};
+    Picture picture = student->render(640, kSeed);
+    for (std::size_t y = 150; y < 170; ++y)
+        for (std::size_t x = 0; x < 3 * 16; ++x)
+            picture.rgb[3 * (640 * y + 200) + x] = 255;
+    EXPECT_EQ(firstId(student.handIn(picture)), "screenshot.edited");
 }
 
 TEST(JudgeScreenshot, SaysThatThePictureIsOneOfTheOldKitsWhereItLiesOnePixelLow) {
