@@ -135,18 +135,25 @@ private:
         if (scene_.isForT1 && scene_.hasOwn() && isSofter(reliefOf(picture_, scene_)))
             return passedInDoubt(perhapsThroughTheLens());
         if (own == nullptr) return passedInDoubt(perhapsNotFromThisCode(picture_, scene_, whole));
-        return judgeStranger(verification);
+        return judgeStranger(verification, whole);
     }
 
     // Whoever saved the picture as JPEG, scaled it or cut a row off changed every pixel, but not
-    // what it shows.
-    [[nodiscard]] TaskJudgement judgeStranger(const Verification& verification) const {
+    // what it shows; the mouse's pointer covers little.
+    [[nodiscard]] TaskJudgement judgeStranger(const Verification& verification,
+                                              const TileDifference& whole) const {
+        constexpr int kSmallThing = 4;  // tiles
         const TaskJudgement doubt = passedInDoubt(likeThisCode(scene_));
-        if (scene_.isForT1 && scene_.hasOwn() && isSame(reliefOf(picture_, scene_))) return doubt;
+        const bool windowsAgree = verification.kind == Verification::Kind::same;
+        const bool isSameRelief =
+            scene_.isForT1 && scene_.hasOwn() && isSame(reliefOf(picture_, scene_));
+        if (isSameRelief && !windowsAgree) return doubt;
         const OwnWindows& own = *verification.own;
         const Picture windows = cutOut(picture_, own.windows);
         const std::optional<Suspicion> suspicion =
             suspect(windows.view(), scene_, own.windows, seed_);
+        if (windowsAgree && (!suspicion || suspicion->id.empty()))
+            return whole.tilesOff <= kSmallThing ? failed(paintedOver(whole)) : doubt;
         if (!scene_.isForT1 && !suspicion && looksRightInOtherColours()) return doubt;
         return failed(notFromThisCode(picture_, scene_, verification.agreement, suspicion));
     }
@@ -173,8 +180,8 @@ private:
                                      const TileDifference& whole) const {
         constexpr int kMostCovered = 2;
         constexpr double kAnotherColour = 30.0;  // steps of a byte
-        if (verification.kind == Verification::Kind::same) return true;
         if (whole.worst < kAnotherColour || !verification.own) return false;
+        if (verification.kind == Verification::Kind::same) return true;
         const int count = static_cast<int>(verification.own->windows.boxes.size());
         return count > 2 * kMostCovered &&
                count - agreeingWindows(picture_, *verification.own) <= kMostCovered;

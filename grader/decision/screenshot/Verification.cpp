@@ -35,13 +35,14 @@ bool agreesWithItself(const Scene& scene, const OwnWindows& own, std::uint64_t s
 
 Verification verify(const ByteView& picture, const Scene& scene, std::uint64_t seed) {
     if (scene.examinee == nullptr) return unknown("");
-    Verification result = compareOnce(picture, scene, seed, 0);
-    if (result.kind != Verification::Kind::different || scene.isForT1) return result;
-    result = compareOnce(picture, scene, seed, 1);
-    if (result.kind == Verification::Kind::different &&
-        !agreesWithItself(scene, *result.own, seed + 2))
+    Verification first = compareOnce(picture, scene, seed, 0);
+    if (first.kind != Verification::Kind::different || scene.isForT1) return first;
+    Verification second = compareOnce(picture, scene, seed, 1);
+    if (second.kind == Verification::Kind::same) second.own = std::move(first.own);
+    if (second.kind == Verification::Kind::different &&
+        !agreesWithItself(scene, *second.own, seed + 2))
         return unknown("this code's own pictures differ as much from one to the next");
-    return result;
+    return second;
 }
 
 }  // namespace ticker::decision::screenshot

@@ -21,7 +21,7 @@ struct Verification {
     Kind kind = Kind::unknown;
     std::string why;
     Agreement agreement;
-    std::optional<OwnWindows> own;
+    std::optional<OwnWindows> own;  ///< where the picture differed, if it did anywhere
 };
 
 /// Asks the scene's code for a few windows of the picture, and for others where they differ.

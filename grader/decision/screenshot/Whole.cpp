@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kAcross = 20;
 constexpr int kDown = 15;
+// The largest of 120 honest pictures was 4.0.
+constexpr double kOff = 5.0;
 constexpr std::size_t kTerms = ColourChange::kTerms;
 
 using Terms = std::array<double, kTerms>;
@@ -66,6 +68,7 @@ TileDifference tileDifference(const ByteView& reference, const ByteView& picture
                 sum += std::abs(off);
                 squares += off * off;
             }
+            if (sum / 3.0 > kOff) ++result.tilesOff;
             if (sum / 3.0 <= result.worst) continue;
             result.worst = sum / 3.0;
             result.worstX = (x + 0.5) / kAcross;

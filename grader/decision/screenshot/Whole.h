@@ -28,6 +28,7 @@ struct TileDifference {
     double worst = 0.0;   ///< of one tile, mean over its channels
     double worstX = 0.0;  ///< that tile's middle, as a share of the width
     double worstY = 0.0;
+    int tilesOff = 0;  ///< by more than two renders of one scene by one code ever are
 };
 [[nodiscard]] TileDifference tileDifference(const ByteView& reference, const ByteView& picture);
 
