@@ -49,8 +49,15 @@ private:
 [[nodiscard]] std::string figures(const std::vector<ScatterPlot>& plots,
                                   const std::vector<Raster>& rasters, const Album& album);
 
+/// The keys of a page that act on its pictures.
+enum class PictureKeys {
+    all,
+    blinkAndZoom  ///< others mean something else on this page, which tells its keys itself
+};
+
 /// Expected and submitted pictures; empty where there are none.
-[[nodiscard]] std::string picturesSection(const SubmissionResult& result, const Album& album);
+[[nodiscard]] std::string picturesSection(const SubmissionResult& result, const Album& album,
+                                          PictureKeys keys = PictureKeys::all);
 
 /// What the compiler said, beside the student's lines; empty where it said nothing.
 [[nodiscard]] std::string diagnosticsSection(const SubmissionResult& result);

@@ -49,14 +49,18 @@ std::string scores(const RenderScore& render) {
     return html + "</dl>";
 }
 
-std::string controls(std::string_view name) {
+std::string layButton(std::string_view act, std::string_view words, char key, PictureKeys keys) {
+    const bool hasKey = keys == PictureKeys::all;
+    return fmt::format(
+        "<button type=\"button\" data-act=\"{}\" aria-pressed=\"{}\"{}>{}{}</button>", act,
+        act == "side", hasKey ? fmt::format(" aria-keyshortcuts=\"{}\"", key) : "", words,
+        hasKey ? fmt::format(" <kbd>{}</kbd>", static_cast<char>(key - 'a' + 'A')) : "");
+}
+
+std::string controls(std::string_view name, PictureKeys keys) {
     return fmt::format(
         "<div class=\"controls screen-only\" role=\"group\" aria-label=\"View of {}\">"
-        "<span class=\"segments\">"
-        "<button type=\"button\" data-act=\"side\" aria-pressed=\"true\" aria-keyshortcuts=\"s\">"
-        "Side by side <kbd>S</kbd></button>"
-        "<button type=\"button\" data-act=\"over\" aria-pressed=\"false\" aria-keyshortcuts=\"o\">"
-        "Slider <kbd>O</kbd></button>"
+        "<span class=\"segments\">{}{}"
         "<button type=\"button\" data-act=\"blink\" aria-pressed=\"false\" "
         "aria-keyshortcuts=\"b\">Blink <kbd>B</kbd></button></span>"
         "<span class=\"segments\">"
@@ -68,16 +72,17 @@ std::string controls(std::string_view name) {
         "aria-label=\"Share of the submitted picture, percent\"> Submitted</label>"
         "<span class=\"showing\" role=\"status\"></span>"
         "<span class=\"readout\" aria-hidden=\"true\"></span></div>",
-        escapeHtml(name));
+        escapeHtml(name), layButton("side", "Side by side", 's', keys),
+        layButton("over", "Slider", 'o', keys));
 }
 
 /// The pictures of one scene under one heading; the first two can lie over each other.
 std::string viewer(const std::string& heading, const std::string& intro,
-                   const std::vector<Shown>& pictures, std::string_view name) {
+                   const std::vector<Shown>& pictures, std::string_view name, PictureKeys keys) {
     std::string html = fmt::format(
         "<section class=\"viewer\"><h3>{}</h3>{}{}<div class=\"stage of-{}\" tabindex=\"0\" "
         "role=\"group\" aria-label=\"{}: when zoomed, the arrow keys move all pictures\">",
-        heading, intro, controls(name), pictures.size(), escapeHtml(name));
+        heading, intro, controls(name, keys), pictures.size(), escapeHtml(name));
     for (const Shown& shown : pictures)
         html += figure(shown);
     return html + "</div></section>";
@@ -93,7 +98,7 @@ Shown expectedPicture(const RenderScore& render, const Album& album) {
             render.scene + " as the model answer renders it", "Expected: the model answer"};
 }
 
-std::string ofRender(const RenderScore& render, const Album& album) {
+std::string ofRender(const RenderScore& render, const Album& album, PictureKeys keys) {
     const std::string heading = fmt::format("{} <span class=\"soft\">{} &times; {}</span>",
                                             escapeHtml(render.scene), render.width, render.height);
     const Shown submitted{album.addressOf(render.image), "submitted",
@@ -109,8 +114,9 @@ std::string ofRender(const RenderScore& render, const Album& album) {
     if (const std::string z = album.addressOf(render.zMap); !z.empty())
         pictures.push_back(
             {z, "z", render.scene + ": signed z-map, blue where too dark, red where too bright",
-             "z: too dark or too bright for noise " + scale("signed", "&minus;", "+")});
-    return viewer(heading, scores(render), pictures, render.scene);
+             "z: darker or brighter than noise explains, in standard errors " +
+                 scale("signed", "&minus;6", "+6")});
+    return viewer(heading, scores(render), pictures, render.scene, keys);
 }
 
 /// The scene that a screenshot should show: the handout's own of the option that was worked on.
@@ -121,7 +127,7 @@ const RenderScore* screenshotScene(const SubmissionResult& result) {
     return nullptr;
 }
 
-std::string ofScreenshot(const SubmissionResult& result, const Album& album) {
+std::string ofScreenshot(const SubmissionResult& result, const Album& album, PictureKeys keys) {
     const std::string file{kScreenshotFile};
     if (!album.has(file)) return "";
     const Shown submitted{album.addressOf(file), "submitted", "screenshot.png as handed in",
@@ -130,26 +136,27 @@ std::string ofScreenshot(const SubmissionResult& result, const Album& album) {
     if (scene == nullptr) return alone("screenshot.png", submitted);
     const Shown expected = expectedPicture(*scene, album);
     if (expected.source.empty()) return alone("screenshot.png", submitted);
-    return viewer("screenshot.png", "", {expected, submitted}, "screenshot.png");
+    return viewer("screenshot.png", "", {expected, submitted}, "screenshot.png", keys);
 }
 
 }  // namespace
 
-std::string picturesSection(const SubmissionResult& result, const Album& album) {
+std::string picturesSection(const SubmissionResult& result, const Album& album, PictureKeys keys) {
     std::string html;
     for (const RenderScore& render : result.renders)
-        html += ofRender(render, album);
-    html += ofScreenshot(result, album);
+        html += ofRender(render, album, keys);
+    html += ofScreenshot(result, album, keys);
     if (html.empty()) return "";
+    const std::string intro =
+        "<p class=\"soft\">They explain; they do not decide: accepted readings of the handout "
+        "differ "
+        "in many pixels, and a mistake may differ in few. <span class=\"screen-only\"><kbd>B</kbd> "
+        "blinks between expected and submitted, <kbd>O</kbd> lays one over the other with a "
+        "slider, <kbd>S</kbd> puts them side by side; <kbd>+</kbd> <kbd>&minus;</kbd> or a double "
+        "click zoom all pictures of a scene, dragging or the arrow keys move them.</span></p>";
     return "<section id=\"pictures\" aria-labelledby=\"pictures-head\">"
-           "<h2 id=\"pictures-head\">Pictures</h2><p class=\"soft\">They explain; they do not "
-           "decide: accepted readings of the handout differ in many pixels, and a mistake may "
-           "differ "
-           "in few. <span class=\"screen-only\"><kbd>B</kbd> blinks between expected and "
-           "submitted, <kbd>O</kbd> lays one over the other with a slider, <kbd>S</kbd> puts them "
-           "side by side; <kbd>+</kbd> <kbd>&minus;</kbd> or a double click zoom all pictures of a "
-           "scene, dragging or the arrow keys move them.</span></p>" +
-           html + "</section>";
+           "<h2 id=\"pictures-head\">Pictures</h2>" +
+           (keys == PictureKeys::all ? intro : "") + html + "</section>";
 }
 
 }  // namespace ticker::report

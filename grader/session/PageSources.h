@@ -9,7 +9,7 @@ namespace ticker::session {
 // the report's pages, whose parts the session shows.
 [[nodiscard]] std::string_view pageHtml();
 [[nodiscard]] std::string_view pageCss();
-[[nodiscard]] std::string_view pageJs();
+[[nodiscard]] std::string_view pageJs();  ///< begins with the viewer of the report's pages
 
 }  // namespace ticker::session
 

@@ -18,16 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 using report::escapeHtml;
 
-// Beside the page's own address; see Server's routes.
-std::string addressOf(const SubmissionResult& result, const std::string& file) {
-    return report::address("of/" + result.submission + "/" + file);
-}
-
-std::string figure(const SubmissionResult& result, const std::string& file,
-                   const std::string& caption) {
-    if (file.empty()) return "";
-    return fmt::format("<figure><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>",
-                       addressOf(result, file), escapeHtml(caption), escapeHtml(caption));
+// What was found, in a line each: the ticker need not look for it below the pictures.
+std::string told(const SubmissionResult& result) {
+    std::string html;
+    for (const TaskReport& task : result.tasks)
+        for (const Finding& finding : task.findings)
+            if (finding.severity != Severity::note)
+                html += fmt::format("<li><code>{}</code> {}</li>", escapeHtml(finding.id),
+                                    escapeHtml(finding.message));
+    return html.empty() ? "" : "<ul class=\"told\">" + html + "</ul>";
 }
 
 std::string head(const SubmissionResult& result) {
@@ -39,18 +38,8 @@ std::string head(const SubmissionResult& result) {
             html += fmt::format("<span>{} {}</span>", escapeHtml(task.title),
                                 report::badge(toString(task.state), report::wordsFor(task.state)));
     return html +
-           "<button type=\"button\" data-act=\"report\">Full report <kbd>o</kbd></button></p>";
-}
-
-std::string pictures(const SubmissionResult& result) {
-    std::string html;
-    for (const RenderScore& render : result.renders)
-        html += fmt::format(
-            "<div class=\"scene\"><h3>{}</h3><div class=\"shots\">{}{}{}</div></div>",
-            escapeHtml(render.scene), figure(result, render.image, "As this code renders it"),
-            figure(result, render.reference, "As it should be"),
-            figure(result, render.errorMap, "Where the two look different"));
-    return html.empty() ? "" : "<section><h2>Pictures</h2>" + html + "</section>";
+           "<button type=\"button\" data-act=\"report\">Full report <kbd>o</kbd></button></p>" +
+           told(result);
 }
 
 std::string task(const TaskReport& task, const report::Album& album) {
@@ -93,8 +82,9 @@ std::string code(const fs::path& folder) {
 }  // namespace
 
 std::string submissionHtml(const SubmissionResult& result, const fs::path& codeFolder) {
-    std::string html = head(result) + pictures(result);
     const report::Album album{result, "of/" + result.submission + "/"};
+    std::string html =
+        head(result) + report::picturesSection(result, album, report::PictureKeys::blinkAndZoom);
     for (const TaskReport& each : result.tasks)
         html += task(each, album);
     return html + report::diagnosticsSection(result) + code(codeFolder) + notices(result);

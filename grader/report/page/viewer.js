@@ -1,4 +1,5 @@
 "use strict";
+// Of the report and of the ticking session.
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
 
 /// The pictures of one scene: side by side or one over the other, blinking, all zooming together.
@@ -158,10 +159,8 @@ function pixelOf(image, x, y) {
   }
 }
 
-const viewers = [...document.querySelectorAll(".viewer")].map((section) => new Viewer(section));
-
 /// The one with the focus in it, else the one in the middle of the window.
-function current() {
+function viewerInSight(viewers) {
   const focused = viewers.find(({ section }) => section.contains(document.activeElement));
   const distance = ({ section }) => {
     const box = section.getBoundingClientRect();
@@ -169,12 +168,3 @@ function current() {
   };
   return focused || [...viewers].sort((a, b) => distance(a) - distance(b))[0];
 }
-
-document.addEventListener("keydown", (event) => {
-  if (event.ctrlKey || event.metaKey || event.altKey) return;
-  const act = { s: "side", o: "over", b: "blink", "+": "in", "=": "in", "-": "out" }[event.key.toLowerCase()];
-  const viewer = act && current();
-  if (!viewer) return;
-  event.preventDefault();
-  viewer.act(act);
-});

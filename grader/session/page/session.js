@@ -1,4 +1,3 @@
-"use strict";
 // The page of a ticking session. What is decided goes into a queue that outlives the page; the queue
 // is sent in order, again and again until the session says that it is on disk.
 
@@ -70,6 +69,7 @@ const undos = []; // {submission, ruling, comment} as it was before
 const queueKey = `queue.${Math.random().toString(36).slice(2)}`; // each tab has its own
 let queue = adoptQueues(); // {submission, version, ruling, comment, who}
 let online = true;
+let viewers = []; // of the submission that fills the page
 
 // --- the class ---------------------------------------------------------------------------------
 
@@ -208,7 +208,7 @@ async function showSubmission(name, options = {}) {
   main.classList.remove("loading");
   if (error) main.replaceChildren(make("p", { class: "soft" }, error));
   else main.innerHTML = html; // written by the session itself, everything of the student's escaped
-  for (const viewer of main.querySelectorAll(".viewer")) if (typeof Viewer === "function") new Viewer(viewer);
+  viewers = [...main.querySelectorAll(".viewer")].map((section) => new Viewer(section));
   window.scrollTo(0, 0);
   main.focus({ preventScroll: true });
   main.dataset.name = name;
@@ -423,6 +423,8 @@ document.addEventListener("keydown", (event) => {
   }
   if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
   if (event.target.matches("input, select, textarea")) return;
+  const look = { b: "blink", "+": "in", "=": "in", "-": "out" }[event.key];
+  if (look && viewers.length > 0) viewerInSight(viewers).act(look);
   const act = keys[event.key];
   if (!act) return;
   event.preventDefault();

@@ -86,6 +86,11 @@ test("the page is quiet, accessible and shows pictures, findings and code", asyn
     await image.evaluate((each) => { each.loading = "eager"; return each.decode(); });
   assert.ok((await page.locator("main img").count()) >= 2);
   assert.ok((await page.locator(".code i.k").count()) > 10);
+  await page.keyboard.press("b");
+  await page.keyboard.press("+");
+  assert.equal(await page.locator(".viewer .showing").first().textContent(), "Showing: submitted");
+  assert.equal(await page.locator(".viewer output").first().textContent(), "2×");
+  await page.locator(".viewer [data-act=side]").first().click();
   assert.deepEqual(await accessibilityFaults(page), []);
   assert.deepEqual(problems, []);
   await page.close();
