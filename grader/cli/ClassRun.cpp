@@ -107,7 +107,7 @@ void ClassRun::index(const SubmissionResult& result, bool isKept) {
 }
 
 void ClassRun::finish() const {
-    if (size() > 0) writeClass(out_, readResults(out_));
+    if (size() > 0) writeClass(out_);
 }
 
 }  // namespace ticker::cli

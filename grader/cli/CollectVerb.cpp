@@ -20,7 +20,7 @@ raytracer::ExitCode collect(const std::string& out, const Voice& voice) {
     const store::Collected collected = store::collect(out, store);
     for (const std::string& problem : collected.unreadable)
         fmt::print(stderr, "ticker: {}\n", problem);
-    writeClass(out, readResults(out));
+    writeClass(out);
     if (!voice.quiet)
         fmt::print(stderr, "{} results taken in, {} known already\nopen {}/index.html\n",
                    collected.taken, collected.known, out);

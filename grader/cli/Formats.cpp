@@ -7,7 +7,6 @@
 #include <grader/report/PlatformFormats.h>
 #include <grader/report/ResultJson.h>
 #include <grader/report/StudentPage.h>
-#include <grader/report/SummaryCsv.h>
 #include <grader/zip/ZipWriter.h>
 
 #include <raytracer/base/Error.h>
@@ -51,13 +50,17 @@ const std::map<std::string, EachFormat>& eachFormats() {
 /// A file of the class, for staff.
 struct ClassFormat {
     const char* file;
-    std::function<std::string(const std::vector<SubmissionResult>&)> render;
+    std::function<std::string(const std::vector<store::ClassEntry>&)> render;
 };
 
 const std::map<std::string, ClassFormat>& classFormats() {
     static const std::map<std::string, ClassFormat> kFormats{
-        {"csv", {"summary.csv", report::summaryCsv}},
-        {"json", {"results.json", allResultsJson}},
+        {"csv", {"summary.csv", summaryOf}},
+        {"json",
+         {"results.json",
+          [](const std::vector<store::ClassEntry>& entries) {
+              return allResultsJson(resultsOf(entries));
+          }}},
     };
     return kFormats;
 }
@@ -188,7 +191,7 @@ std::vector<fs::path> writeFormats(const fs::path& out,
         std::vector<fs::path> files;
         if (const auto whole = classFormats().find(name); whole != classFormats().end()) {
             files = {out / whole->second.file};
-            report::writeAtomically(whole->second.render(resultsOf(entries)), files.front());
+            report::writeAtomically(whole->second.render(entries), files.front());
         } else if (name == "html") {
             files = writePages(out, entries);
         } else if (name == "moodle") {

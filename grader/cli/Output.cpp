@@ -73,14 +73,17 @@ void writeSubmission(const fs::path& out, const SubmissionResult& result) {
     report::writeAtomically(json, folder / "result.json");
 }
 
-void writeClass(const fs::path& out, std::vector<SubmissionResult> results) {
-    std::sort(results.begin(), results.end(),
-              [](const SubmissionResult& a, const SubmissionResult& b) {
-                  return a.submission < b.submission;
-              });
-    makeFolder(out);
-    report::writeAtomically(report::summaryCsv(results), out / "summary.csv");
-    report::writeAtomically(report::classPage(results), out / "index.html");
+std::string summaryOf(const std::vector<store::ClassEntry>& entries) {
+    std::vector<Decision> decisions;
+    for (const store::ClassEntry& entry : entries)
+        if (entry.decision) decisions.push_back(*entry.decision);
+    return report::summaryCsv(resultsOf(entries), decisions);
+}
+
+void writeClass(const fs::path& out) {
+    const std::vector<store::ClassEntry> entries = store::readClass(out);
+    report::writeAtomically(summaryOf(entries), out / "summary.csv");
+    report::writeAtomically(report::classPage(resultsOf(entries)), out / "index.html");
 }
 
 std::vector<SubmissionResult> resultsOf(std::vector<store::ClassEntry> entries) {

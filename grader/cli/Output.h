@@ -15,8 +15,13 @@ namespace ticker::cli {
 /// @throws raytracer::InputError where something cannot be written.
 void writeSubmission(const std::filesystem::path& out, const SubmissionResult& result);
 
-/// Writes OUT/summary.csv and OUT/index.html, in the order of the submissions' names.
-void writeClass(const std::filesystem::path& out, std::vector<SubmissionResult> results);
+/// Writes OUT/summary.csv and OUT/index.html from what lies below OUT, in the order of the
+/// submissions' names.
+/// @throws raytracer::InputError as `readResults`, and where a file cannot be written.
+void writeClass(const std::filesystem::path& out);
+
+/// The text of summary.csv: what the tool says, and what people decided.
+[[nodiscard]] std::string summaryOf(const std::vector<store::ClassEntry>& entries);
 
 /// What the tool says of a class.
 [[nodiscard]] std::vector<SubmissionResult> resultsOf(std::vector<store::ClassEntry> entries);

@@ -1,7 +1,6 @@
 #include <grader/cli/Formats.h>
 #include <grader/cli/Output.h>
 #include <grader/cli/Verb.h>
-#include <grader/report/SummaryCsv.h>
 #include <grader/store/ClassFolder.h>
 
 #include <CLI/CLI.hpp>
@@ -38,9 +37,8 @@ std::vector<store::ClassEntry> chosen(const ReportOptions& options) {
 raytracer::ExitCode report(ReportOptions options) {
     const std::vector<store::ClassEntry> entries = chosen(options);
     if (options.format == "csv" || options.format == "json") {
-        const std::vector<SubmissionResult> results = resultsOf(entries);
-        fmt::print("{}",
-                   options.format == "csv" ? report::summaryCsv(results) : allResultsJson(results));
+        fmt::print("{}", options.format == "csv" ? summaryOf(entries)
+                                                 : allResultsJson(resultsOf(entries)));
         return raytracer::ExitCode::success;
     }
     options.formats.names = {options.format};

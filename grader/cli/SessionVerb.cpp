@@ -1,3 +1,4 @@
+#include <grader/cli/Output.h>
 #include <grader/cli/Verb.h>
 #include <grader/session/Server.h>
 
@@ -47,6 +48,8 @@ raytracer::ExitCode run(const SessionOptions& options, const Voice& voice) {
     int signal = 0;
     sigwait(&ending, &signal);
     server.stop();
+    // Decisions are in the store; this is for whoever reads the table.
+    writeClass(options.out);
     return raytracer::ExitCode::success;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 
 namespace ticker::report {
@@ -26,19 +27,30 @@ std::string findingsOf(const SubmissionResult& result) {
     return ids;
 }
 
+std::string decisionOf(const SubmissionResult& result, const std::vector<Decision>& decisions) {
+    const auto decision = std::ranges::find(decisions, result.submission, &Decision::submission);
+    const bool isDecided = decision != decisions.end() && decision->ruling != Ruling::undecided;
+    const bool isTold = isDecided || (decision != decisions.end() && !decision->comment.empty());
+    if (!isTold) return ",,,";
+    return fmt::format("{},{},{},{}",
+                       isDecided ? nameIn(kRulingNames, decision->ruling) : std::string_view{},
+                       escapeCsv(decision->who), decision->when, escapeCsv(decision->comment));
+}
+
 }  // namespace
 
-std::string summaryCsv(const std::vector<SubmissionResult>& results) {
+std::string summaryCsv(const std::vector<SubmissionResult>& results,
+                       const std::vector<Decision>& decisions) {
     std::string text = "submission,verdict,score,option";
     for (const char* task : kTasks)
         text += fmt::format(",{}", task);
-    text += ",findings\r\n";
+    text += ",findings,ruling,decidedBy,decidedAt,comment\r\n";
     for (const SubmissionResult& result : results) {
         text += fmt::format("{},{},{:g},{}", escapeCsv(result.submission), toString(result.verdict),
                             result.score, escapeCsv(result.option));
         for (const char* task : kTasks)
             text += "," + stateOf(result, task);
-        text += "," + escapeCsv(findingsOf(result)) + "\r\n";
+        text += "," + escapeCsv(findingsOf(result)) + "," + decisionOf(result, decisions) + "\r\n";
     }
     return text;
 }

@@ -1,6 +1,7 @@
 #ifndef TICKER_REPORT_SUMMARYCSV_H
 #define TICKER_REPORT_SUMMARYCSV_H
 
+#include <grader/result/Decision.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <string>
@@ -10,8 +11,11 @@ namespace ticker::report {
 
 /// The text of summary.csv: a header, then one line for each submission: submission, verdict,
 /// score, option, the state of each task, and the ids of its findings of severity fail or warn,
-/// separated by spaces. Lines end in CR LF (RFC 4180).
-[[nodiscard]] std::string summaryCsv(const std::vector<SubmissionResult>& results);
+/// separated by spaces; all this as the tool says. Then what a person decided: ruling ("awarded",
+/// "notYet"), by whom, when (UTC) and the comment; empty where nobody did. Lines end in CR LF (RFC
+/// 4180).
+[[nodiscard]] std::string summaryCsv(const std::vector<SubmissionResult>& results,
+                                     const std::vector<Decision>& decisions = {});
 
 }  // namespace ticker::report
 

@@ -31,9 +31,11 @@ function makeClass(size) {
     const sample = join(process.env.TICKER_CLASS, samples[i % samples.length]);
     const name = `${oddNames[i % oddNames.length]}_${1000 + i}`;
     const result = JSON.parse(readFileSync(join(sample, "result.json"), "utf8"));
+    const isSmall = size <= 200; // pictures are not what many submissions try
+    const without = isSmall ? {} : { renders: [], pictures: [] };
     mkdirSync(join(out, name));
-    writeFileSync(join(out, name, "result.json"), JSON.stringify({ ...result, submission: name }));
-    if (size > 200) continue; // pictures are not what many submissions try
+    writeFileSync(join(out, name, "result.json"), JSON.stringify({ ...result, ...without, submission: name }));
+    if (!isSmall) continue;
     for (const part of ["images", "code", "report.html"])
       cpSync(join(sample, part), join(out, name, part), { recursive: true });
   }

@@ -167,9 +167,29 @@ TEST(WriteAtomically, NamesTheFileThatCannotBeWritten) {
 TEST(SummaryCsv, HasOneLineForEachSubmissionWithNamesDefused) {
     const std::string text = summaryCsv({example()});
     EXPECT_EQ(text,
-              "submission,verdict,score,option,T1,T2.1,T2.2,screenshot,findings\r\n"
+              "submission,verdict,score,option,T1,T2.1,T2.2,screenshot,findings,ruling,decidedBy,"
+              "decidedAt,comment\r\n"
               "\"Zo\xC3\xAB, \"\"the\"\" =ray</td>\",notAwarded,0,T1,failed,,,notAttempted,"
-              "bump.inverted-u\r\n");
+              "bump.inverted-u,,,,\r\n");
+}
+
+TEST(SummaryCsv, SaysWhatAPersonDecidedBesideWhatTheToolSays) {
+    const auto lineAfter = [](const Decision& decision) {
+        Decision another;
+        another.submission = "somebody else";
+        const std::string text = summaryCsv({example()}, {another, decision});
+        return text.substr(text.find("bump.inverted-u"));
+    };
+    Decision decision{example().submission, 2,      Ruling::awarded,
+                      "well, explained",    "=Ann", "2026-11-21T16:05:36Z",
+                      Verdict::notAwarded};
+    EXPECT_EQ(lineAfter(decision),
+              "bump.inverted-u,awarded,'=Ann,2026-11-21T16:05:36Z,\"well, explained\"\r\n");
+    decision.ruling = Ruling::undecided;
+    EXPECT_EQ(lineAfter(decision).substr(0, 20), "bump.inverted-u,,'=A")
+        << "undone, the comment stays";
+    decision.comment.clear();
+    EXPECT_EQ(lineAfter(decision), "bump.inverted-u,,,,\r\n");
 }
 
 }  // namespace
