@@ -31,12 +31,13 @@ std::string words(std::string_view name) {
 
 class FriendlyPrinter final : public testing::EmptyTestEventListener {
 public:
+    void OnTestStart(const testing::TestInfo& test) override { running_ = words(test.name()); }
+
+    // GoogleTest holds its lock here: to ask it which test runs would wait for ever.
     void OnTestPartResult(const testing::TestPartResult& part) override {
         if (part.skipped()) skippedBecause_ = part.message();
         if (!part.failed()) return;
-        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        const std::string name = test == nullptr ? "" : words(test->name());
-        std::printf("NOT YET: %s\n%s\n\n", name.c_str(), part.message());
+        std::printf("NOT YET: %s\n%s\n\n", running_.c_str(), part.message());
         std::fflush(stdout);
     }
 
@@ -73,6 +74,7 @@ private:
     std::array<Task, 3> tasks_{{{"BumpMapping", "T1   bump mapping:  "},
                                 {"SoftShadows", "T2.1 soft shadows:  "},
                                 {"DepthOfField", "T2.2 depth of field:"}}};
+    std::string running_;  ///< the test's name in words
     std::string skippedBecause_;
 };
 
