@@ -52,8 +52,8 @@ TEST_F(SoftShadows, LeaveOnlyTheAmbientLightInFullShadow) {
              "Soft shadows (T2.1), step 3");
 }
 
-/// Whether all calls gave the same: one pattern of aim points for all points of the scene is a matter
-/// of taste, and its few points tell a share only roughly.
+/// Whether all calls gave the same: one pattern of aim points for all points of the scene is a
+/// matter of taste, and its few points tell a share only roughly.
 bool hasOnePattern(const Trial& trial, const Vector3& point) {
     const double first = shareOf(trial.colours().front(), point);
     return std::ranges::all_of(trial.colours(), [&](const ColourRGB& colour) {
