@@ -12,7 +12,7 @@ namespace raytracer::tests::bump {
 
 void complain(const std::string& asked, const std::string& expected, const std::string& got,
               const std::string& cause, const std::string& section) {
-    ADD_FAILURE() << Complaint{"T1", asked, expected, got, cause, section};
+    ADD_FAILURE() << Complaint{asked, expected, got, cause, section};
 }
 
 std::string words(const Vector3& v) {
@@ -61,12 +61,18 @@ std::optional<BumpSurvey> BumpMapping::surveyOn(double rise) {
 }
 
 bool BumpMapping::couldSurvey() {
-    if (!survey())
-        complain("normals on maps of 1500 x 90 and 90 x 1500 texels", "an answer everywhere",
-                 "an error that your code threw",
-                 "see the test that answers come at every point of maps of any size",
-                 "Option 1: What to do, step 1");
+    if (!survey()) missTheSurvey();
     return survey().has_value();
+}
+
+void BumpMapping::missTheSurvey() {
+    static bool isSaid = false;
+    if (isSaid) GTEST_SKIP() << "your code throws an error on maps of 1500 x 90 texels";
+    isSaid = true;
+    complain("normals on maps of 1500 x 90 and 90 x 1500 texels", "an answer everywhere",
+             "an error that your code threw; other tests could not be asked therefore",
+             "see the test that answers come at every point of maps of any size",
+             "Option 1: What to do, step 1");
 }
 
 }  // namespace raytracer::tests::bump

@@ -41,8 +41,11 @@ protected:
     static const std::optional<BumpSurvey>& survey();
     static std::optional<BumpSurvey> surveyOn(double rise);
 
-    /// Complains where there is no survey.
+    /// Where there is no survey the first test complains, and others could not be asked.
     static bool couldSurvey();
+
+private:
+    static void missTheSurvey();
 };
 
 }  // namespace raytracer::tests::bump

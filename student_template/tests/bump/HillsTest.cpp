@@ -72,7 +72,9 @@ TEST_F(BumpMapping, FollowsHillsAndValleysAlongBothAxes) {
          {std::pair{"u", agreements[0].share()}, {"v", agreements[1].share()}}) {
         if (share >= kEnough) continue;
         complain("a map of hills and valleys", "tilts that follow the slopes of this very place",
-                 std::string("along ") + axis + " " + percent(share) + " of the tilt does",
+                 std::string("along ") + axis +
+                     (share < 0.0 ? " they lean the other way"
+                                  : " " + percent(share) + " of the tilt does"),
                  share < -kEnough
                      ? std::string("the bumps are inverted along ") + axis
                      : "each difference is taken between neighbours along one axis only, at this "

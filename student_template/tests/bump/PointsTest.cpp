@@ -19,6 +19,17 @@
 namespace raytracer::tests::bump {
 namespace {
 
+/// What likely led to an error of HeightMap::at.
+std::string causeOf(const std::string& error) {
+    if (error.find("column -") != std::string::npos || error.find("row -") != std::string::npos)
+        return "u and v go from 0 to 1: take the position relative to centre(), divide by "
+               "radius(), "
+               "and shift a longitude that may be negative. The acos of more than 1 is no number, "
+               "and becomes the most negative row";
+    return "columns go from 0 to width() - 1 and rows from 0 to height() - 1; the neighbour of the "
+           "last one needs care";
+}
+
 TEST_F(BumpMapping, AnswersAtEveryPointOfMapsOfAnySize) {
     const Vector3 centre{0.4, -0.2, 3.5};
     for (const auto& [width, height] : {std::pair{4, 4}, {7, 5}, {97, 41}, {41, 97}}) {
@@ -36,9 +47,8 @@ TEST_F(BumpMapping, AnswersAtEveryPointOfMapsOfAnySize) {
                          "happen at a pole or straight ahead",
                          "Option 1: What to do, step 1");
             } catch (const std::exception& error) {
-                complain(asked, "a normal", "the error: " + std::string(error.what()),
-                         "columns go from 0 to width() - 1 and rows from 0 to height() - 1; the "
-                         "neighbour of the last one needs care",
+                const std::string what = error.what();
+                complain(asked, "a normal", "the error: " + what, causeOf(what),
                          "Option 1: What to do, steps 1 and 3");
             }
             return;

@@ -22,7 +22,7 @@ Material plain(const ColourRGB& colour) {
 
 void complain(const std::string& asked, const std::string& expected, const std::string& got,
               const std::string& cause, const std::string& section) {
-    ADD_FAILURE() << Complaint{"T2.2", asked, expected, got, cause, section};
+    ADD_FAILURE() << Complaint{asked, expected, got, cause, section};
 }
 
 SceneDescription wall() {

@@ -88,12 +88,13 @@ TEST_F(DepthOfField, FillsTheSquareEvenly) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const LensPoints lens{trial()};
     if (!(lens.narrowest() > 1e-6)) return;  // another test says so
+    const Vector3 middle = (lens.low + lens.high) / 2.0;
     double corners = 0.0;
     double inner = 0.0;
     double diagonal = 0.0;
     for (const Vector3& point : lens.points) {
-        const double x = point.x / lens.widest();
-        const double y = point.y / lens.widest();
+        const double x = (point.x - middle.x) / lens.widest();
+        const double y = (point.y - middle.y) / lens.widest();
         if (x * x + y * y > 1.0) corners += 1.0;
         if (std::max(std::abs(x), std::abs(y)) < 0.5) inner += 1.0;
         diagonal += 3.0 * x * y;

@@ -108,8 +108,9 @@ TEST_F(SoftShadows, AreAsWideAsALightOfTheGivenRadius) {
         complain("a point from where the light's centre stands " +
                      inWords(std::abs(place.clear) / radius) + " radii " +
                      (hidden ? "behind" : "outside") + " the ball's rim",
-                 "a share of the light from " + inWords(place.least) + " to " +
-                     inWords(std::min(1.0, place.most)),
+                 place.most < 1e-6 ? "none of the light"
+                                   : "a share of the light from " + inWords(place.least) + " to " +
+                                         inWords(std::min(1.0, place.most)),
                  inWords(share),
                  tooWide ? "the light is too large: a point in a ball of radius "
                            "settings().lightSize is added to the light's position, not to the unit "
