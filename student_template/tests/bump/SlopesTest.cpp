@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -13,6 +14,9 @@
 
 namespace raytracer::tests::bump {
 namespace {
+
+// Radians.
+constexpr double kSomething = 1e-6;
 
 TEST_F(BumpMapping, KeepsTheSmoothNormalWhereTheMapIsFlat) {
     if (!couldSurvey()) return;
@@ -26,7 +30,6 @@ TEST_F(BumpMapping, KeepsTheSmoothNormalWhereTheMapIsFlat) {
 
 TEST_F(BumpMapping, TiltsTheNormalWhereTheMapSlopes) {
     if (!couldSurvey()) return;
-    constexpr double kSomething = 1e-6;
     for (const bool u : {true, false}) {
         const double strength = u ? survey()->strengthU() : survey()->strengthV();
         if (strength > kSomething) continue;
@@ -76,6 +79,8 @@ std::string causeOf(const Leaning& leaning, const std::string& axis) {
 
 void expectLeaningBack(const BumpSurvey& survey, AxisAtPoint SurveyPoint::*axis,
                        const std::string& name) {
+    // Where one axis is flat nobody knows where the points lie; another test says so.
+    if (!(std::min(survey.strengthU(), survey.strengthV()) > kSomething)) return;
     const Leaning leaning = leaningOf(survey, axis);
     constexpr double kEnough = 0.85;  // the map's edges and its poles are lost
     if (leaning.back >= kEnough) return;
