@@ -387,7 +387,10 @@ async function editComment() {
   await new Promise((done) => dialog.addEventListener("close", done, { once: true }));
   if (dialog.returnValue !== "save") return;
   localStorage.removeItem(`ticker.${token}.draft.${name}`);
-  if (name === current) decide(standing(name).ruling, text.value.trim());
+  // Whoever types fast has gone on before the dialog says that it is closed.
+  const before = standing(name);
+  undos.push({ submission: name, ruling: before.ruling, comment: before.comment });
+  enqueue(name, before.ruling, text.value.trim());
 }
 
 function quoteFindings() {
