@@ -27,6 +27,9 @@ public:
 
     [[nodiscard]] virtual std::size_t units() const = 0;
 
+    /// What the record knows the unit by: unique, and the same when subjects are added or removed.
+    [[nodiscard]] virtual std::string unitName(std::size_t unit) const = 0;
+
     /// The few units that `--check` repeats: some seconds of CPU in all.
     [[nodiscard]] virtual std::vector<std::size_t> checkUnits() const = 0;
 

@@ -21,6 +21,9 @@ public:
 
     [[nodiscard]] std::string name() const override { return "comparison"; }
     [[nodiscard]] std::size_t units() const override { return subjects_.size(); }
+    [[nodiscard]] std::string unitName(std::size_t unit) const override {
+        return subjects_.at(unit).name;
+    }
     /// None: pictures differ in their last digits between machines.
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override { return {}; }
     [[nodiscard]] std::string run(std::size_t unit) override;

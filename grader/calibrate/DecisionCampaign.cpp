@@ -1,7 +1,10 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/calibrate/DecisionCampaign.h>
 #include <grader/calibrate/DecisionTables.h>
+#include <grader/calibrate/Seed.h>
 #include <grader/decision/distributed/JudgeDistributed.h>
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +19,7 @@ namespace {
 using decision::DistributedJudgement;
 using decision::TaskJudgement;
 
-constexpr std::size_t kBlock = 25;
-
-// The seeds of a subject depend on its name alone: a new entry of the catalogue changes no other.
-std::uint64_t seedOf(const Subject& subject, std::size_t number) {
-    std::uint64_t hash = 0xCBF29CE484222325U;  // FNV-1a
-    for (const char c : subject.name)
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
-    return (hash >> 24U << 20U) + number;
-}
+constexpr std::size_t kBlock = 50;
 
 double threadCpuMs() {
     timespec now{};
@@ -74,6 +69,11 @@ DecisionCampaign::DecisionCampaign(std::string name, std::vector<Subject> subjec
             if (round < rounds[i]) blocks_.push_back({i, round});
 }
 
+std::string DecisionCampaign::unitName(std::size_t unit) const {
+    const Block& block = blocks_.at(unit);
+    return fmt::format("{} {}", subjects_[block.subject].name, block.round);
+}
+
 // The quick ones that draw every number from the kit's generator, spread over the first round.
 std::vector<std::size_t> DecisionCampaign::checkUnits() const {
     std::vector<std::size_t> units;
@@ -97,7 +97,7 @@ std::string DecisionCampaign::run(std::size_t unit) {
     const sandbox::Limits limits;
     BlockRecord record;
     record.subject = subject.name;
-    record.seed = seedOf(subject, block.round * kBlock);
+    record.seed = seedOf(subject.name) + block.round * kBlock;
     record.whole = whole;
     for (std::size_t i = 0; i < kBlock; ++i) {
         build::SandboxedExaminee examinee{program, programs_.sandbox(), limits};

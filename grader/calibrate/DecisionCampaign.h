@@ -21,6 +21,7 @@ public:
 
     [[nodiscard]] std::string name() const override { return name_; }
     [[nodiscard]] std::size_t units() const override { return blocks_.size(); }
+    [[nodiscard]] std::string unitName(std::size_t unit) const override;
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override;
     [[nodiscard]] std::string run(std::size_t unit) override;
     [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;

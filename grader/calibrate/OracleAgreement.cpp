@@ -2,6 +2,7 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/calibrate/Agreement.h>
 #include <grader/calibrate/OracleAgreement.h>
+#include <grader/calibrate/Seed.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/io/SceneReader.h>
@@ -104,7 +105,7 @@ OracleAgreement::OracleAgreement(AgreementPlan plan, const build::Kit& kit,
                               spheres, [](const auto& sphere) { return !!sphere.heightMap; }))
                 continue;
             for (int round = 0; round < (isBump ? 1 : plan_.rounds); ++round)
-                units_.push_back({units_.size(), reading, scene});
+                units_.push_back({reading, scene, round});
         }
 }
 
@@ -138,22 +139,29 @@ std::pair<std::string, std::string> OracleAgreement::nameOf(std::size_t unit) co
     return {plan_.cases[units_.at(unit).reading].name, scenes_[units_[unit].scene].name};
 }
 
+std::string OracleAgreement::unitName(std::size_t unit) const {
+    const auto [reading, scene] = nameOf(unit);
+    return fmt::format("{} {} {}", reading, scene, units_.at(unit).round);
+}
+
 std::string OracleAgreement::run(std::size_t unit) {
     const Unit& wanted = units_.at(unit);
     const std::shared_ptr<const build::Program> program = programOf(wanted.reading);
     const bool isBump = plan_.cases[wanted.reading].file == SourceFile::bumpySphere;
-    return isBump ? runBump(wanted, *program) : runNoisy(wanted, *program);
+    return isBump ? runBump(wanted, *program) : runNoisy(unit, *program);
 }
 
-std::string OracleAgreement::runNoisy(const Unit& unit, const build::Program& program) const {
+std::string OracleAgreement::runNoisy(std::size_t number, const build::Program& program) const {
+    const Unit& unit = units_.at(number);
+    const std::uint64_t seed = seedOf(unitName(number));
     const SceneDescription scene = smooth(scenes_[unit.scene].description);
     RenderSettings settings = smallSettings();
-    settings.seed = 1'000'000 + 1'000 * unit.number;
+    settings.seed = seed;
     oracle::Precision precision;
     precision.share = 0.05;
     precision.renders = kRenders;
     const Moments moments =
-        oracle::Oracle{scene, settings, plan_.cases[unit.reading].reading}.moments(unit.number + 1,
+        oracle::Oracle{scene, settings, plan_.cases[unit.reading].reading}.moments(seed + 1,
                                                                                    precision);
     const auto images = rendersOf(program, sandbox_, scene, settings, kRenders);
     const Agreement found = compare(moments, kRenders, [&](int number) {

@@ -41,6 +41,7 @@ public:
 
     [[nodiscard]] std::string name() const override { return "oracle"; }
     [[nodiscard]] std::size_t units() const override { return units_.size(); }
+    [[nodiscard]] std::string unitName(std::size_t unit) const override;
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override;
     [[nodiscard]] std::string run(std::size_t unit) override;
     [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
@@ -54,13 +55,13 @@ private:
         raytracer::SceneDescription description;
     };
     struct Unit {
-        std::size_t number = 0;
         std::size_t reading = 0;
         std::size_t scene = 0;
+        int round = 0;
     };
 
     [[nodiscard]] std::shared_ptr<const build::Program> programOf(std::size_t reading);
-    [[nodiscard]] std::string runNoisy(const Unit& unit, const build::Program& program) const;
+    [[nodiscard]] std::string runNoisy(std::size_t number, const build::Program& program) const;
     [[nodiscard]] std::string runBump(const Unit& unit, const build::Program& program) const;
 
     AgreementPlan plan_;

@@ -14,10 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string lineOf(std::size_t unit, const std::string& found) {
-    return fmt::format("{{\"unit\":{},\"found\":{}}}\n", unit, found);
-}
-
 void write(const std::filesystem::path& file, std::ios::openmode mode, const std::string& text) {
     std::filesystem::create_directories(file.parent_path());
     std::ofstream stream{file, mode | std::ios::binary};
@@ -28,14 +24,18 @@ void write(const std::filesystem::path& file, std::ios::openmode mode, const std
 }  // namespace
 
 Record::Record(const std::filesystem::path& folder, const Campaign& campaign)
-    : file_(folder / (campaign.name() + ".jsonl")),
-      name_(campaign.name()),
-      units_(campaign.units()) {
+    : file_(folder / (campaign.name() + ".jsonl")), name_(campaign.name()) {
+    for (std::size_t unit = 0; unit < campaign.units(); ++unit)
+        unitNames_.push_back(campaign.unitName(unit));
     if (std::filesystem::exists(file_)) read();
 }
 
 std::string Record::header() const {
-    return fmt::format("{{\"campaign\":\"{}\",\"units\":{}}}\n", name_, units_);
+    return fmt::format("{{\"campaign\":\"{}\"}}\n", name_);
+}
+
+std::string Record::lineOf(std::size_t unit, const std::string& found) const {
+    return fmt::format("{{\"unit\":{},\"found\":{}}}\n", json(unitNames_.at(unit)).dump(), found);
 }
 
 void Record::read() {
@@ -46,12 +46,16 @@ void Record::read() {
         throw raytracer::InputError(file_.string(), 1,
                                     "is the record of another campaign, or of an older one: " +
                                         header() + "was expected; delete it to begin anew");
+    std::map<std::string, std::size_t> units;
+    for (std::size_t unit = 0; unit < unitNames_.size(); ++unit)
+        units.emplace(unitNames_[unit], unit);
     std::size_t whole = header().size();
     for (std::size_t end = text.find('\n', whole); end != std::string::npos;
          end = text.find('\n', whole)) {
         const json line = json::parse(text.substr(whole, end - whole), nullptr, false);
         if (line.is_discarded() || !line.contains("unit") || !line.contains("found")) break;
-        found_.insert_or_assign(line["unit"].get<std::size_t>(), line["found"].dump());
+        const auto unit = units.find(line["unit"].get<std::string>());
+        if (unit != units.end()) found_.insert_or_assign(unit->second, line["found"].dump());
         whole = end + 1;
     }
     if (whole < text.size()) std::filesystem::resize_file(file_, whole);

@@ -13,13 +13,12 @@ namespace ticker::calibrate {
 
 /// The finished units of one campaign on disk, FOLDER/<name>.jsonl: a first line that says which
 /// campaign it is, then one line for each unit in the order of finishing. Lines are only ever
-/// added; one that was cut short by a kill is dropped when the file is opened again.
+/// added; one that was cut short by a kill is dropped when the file is opened again. Units go by
+/// their names: one that the campaign no longer has counts for nothing.
 class Record {
 public:
     /// Reads what is there, and makes the folder and the file with the first `add`.
-    /// @throws raytracer::InputError where the file belongs to another campaign or another number
-    /// of
-    ///         units, or cannot be read.
+    /// @throws raytracer::InputError where the file belongs to another campaign, or cannot be read.
     Record(const std::filesystem::path& folder, const Campaign& campaign);
 
     /// Writes one line; threads may call it at once.
@@ -37,11 +36,12 @@ public:
 
 private:
     [[nodiscard]] std::string header() const;
+    [[nodiscard]] std::string lineOf(std::size_t unit, const std::string& found) const;
     void read();
 
     std::filesystem::path file_;
     std::string name_;
-    std::size_t units_;
+    std::vector<std::string> unitNames_;
     std::map<std::size_t, std::string> found_;
     std::mutex mutex_;
 };

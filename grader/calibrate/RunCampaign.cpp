@@ -70,7 +70,7 @@ std::vector<std::string> checkCampaign(Campaign& campaign, const Record& record,
         if (!before.empty() && comparable(before) == comparable(now)) return;
         const std::lock_guard lock{mutex};
         differences.push_back(fmt::format(
-            "{}, unit {}: {} was recorded, {} came now", campaign.name(), unit,
+            "{}, {}: {} was recorded, {} came now", campaign.name(), campaign.unitName(unit),
             before.empty() ? "nothing" : comparable(before).dump(), comparable(now).dump()));
     });
     std::sort(differences.begin(), differences.end());

@@ -1,5 +1,6 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/calibrate/Bounds.h>
+#include <grader/calibrate/Seed.h>
 #include <grader/calibrate/StageCampaign.h>
 #include <grader/decision/distributed/PenumbraCheck.h>
 #include <grader/decision/distributed/PictureCheck.h>
@@ -100,17 +101,26 @@ StageCampaign::StageCampaign(const std::vector<Subject>& subjects, std::size_t u
         if (isSuited(subject)) (subject.task == "T2.1" ? shadows_ : pictures_).push_back(subject);
 }
 
+const Subject& StageCampaign::subjectOf(std::size_t unit) const {
+    const std::vector<Subject>& subjects = unit % 2 == 1 ? pictures_ : shadows_;
+    return subjects.at(unit / 2 % subjects.size());
+}
+
+std::string StageCampaign::unitName(std::size_t unit) const {
+    const std::size_t subjects = unit % 2 == 1 ? pictures_.size() : shadows_.size();
+    return fmt::format("{} {}", subjectOf(unit).name, unit / 2 / subjects);
+}
+
 std::string StageCampaign::run(std::size_t unit) {
     const bool picture = unit % 2 == 1;
-    const std::vector<Subject>& subjects = picture ? pictures_ : shadows_;
-    const Subject& subject = subjects.at(unit / 2 % subjects.size());
+    const Subject& subject = subjectOf(unit);
     const build::Program& program = programs_.of(subject);
     const sandbox::Limits limits;
     build::SandboxedExaminee examinee{program, programs_.sandbox(), limits};
     std::size_t failed = 0;
     std::map<std::string, std::size_t> statistics;
     for (std::size_t i = 0; i < kBlock; ++i) {
-        const std::uint64_t seed = 0x57A6E0000000U + unit * kBlock + i;
+        const std::uint64_t seed = seedOf("stage " + unitName(unit)) + i;
         const Stage stage = picture ? pictureStage(examinee, seed) : shadowStage(examinee, seed);
         if (stage.failed) ++failed;
         ++statistics[std::to_string(std::lround(stage.statistic * kHundred))];

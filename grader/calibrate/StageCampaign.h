@@ -20,11 +20,14 @@ public:
 
     [[nodiscard]] std::string name() const override { return "stages"; }
     [[nodiscard]] std::size_t units() const override { return 2 * units_; }
+    [[nodiscard]] std::string unitName(std::size_t unit) const override;
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override { return {0, 1}; }
     [[nodiscard]] std::string run(std::size_t unit) override;
     [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
 
 private:
+    [[nodiscard]] const Subject& subjectOf(std::size_t unit) const;
+
     std::vector<Subject> shadows_;   // judged by values
     std::vector<Subject> pictures_;  // judged by pictures
     std::size_t units_;

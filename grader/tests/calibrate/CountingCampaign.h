@@ -14,6 +14,9 @@ public:
 
     [[nodiscard]] std::string name() const override { return "counting"; }
     [[nodiscard]] std::size_t units() const override { return units_; }
+    [[nodiscard]] std::string unitName(std::size_t unit) const override {
+        return "number " + std::to_string(firstUnit + unit);
+    }
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override { return {0, 2}; }
     [[nodiscard]] std::string run(std::size_t unit) override {
         ++runs;
@@ -26,6 +29,7 @@ public:
 
     std::atomic<int> runs{0};
     std::size_t offset = 0;
+    std::size_t firstUnit = 0;
 
 private:
     std::size_t units_;

@@ -33,7 +33,7 @@ TEST(Record, DropsALineThatWasCutShort) {
         Record record{folder.path(), campaign};
         record.add(0, R"({"a":0})");
     }
-    std::ofstream{folder.path() / "counting.jsonl", std::ios::app} << R"({"unit":1,"fou)";
+    std::ofstream{folder.path() / "counting.jsonl", std::ios::app} << R"({"unit":"number 1","fou)";
     {
         Record record{folder.path(), campaign};
         EXPECT_EQ(record.size(), 1U);
@@ -45,8 +45,23 @@ TEST(Record, DropsALineThatWasCutShort) {
 
 TEST(Record, RefusesThatOfAnotherCampaign) {
     const tests::TemporaryFolder folder;
-    Record{folder.path(), CountingCampaign{5}}.add(0, "{}");
+    std::ofstream{folder.path() / "counting.jsonl"} << R"({"campaign":"another"})" << '\n';
     EXPECT_THROW(Record(folder.path(), CountingCampaign{6}), raytracer::InputError);
+}
+
+// A new entry of the catalogue must not cost the hours that the others took.
+TEST(Record, KnowsUnitsByNameWhenOthersComeAndGo) {
+    const tests::TemporaryFolder folder;
+    CountingCampaign campaign{3};
+    {
+        Record record{folder.path(), campaign};
+        record.add(0, R"({"a":0})");
+        record.add(2, R"({"a":2})");
+    }
+    campaign.firstUnit = 1;
+    const Record later{folder.path(), campaign};
+    EXPECT_EQ(later.size(), 1U);
+    EXPECT_EQ(later.at(1), R"({"a":2})");
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ TEST(CheckCampaign, TellsWhatCameOutDifferently) {
     const std::vector<std::string> differences = checkCampaign(campaign, record, 1);
     ASSERT_EQ(differences.size(), 2U);
     EXPECT_EQ(differences[0],
-              R"(counting, unit 0: {"square":0} was recorded, {"square":1} came now)");
-    EXPECT_EQ(differences[1], R"(counting, unit 2: nothing was recorded, {"square":5} came now)");
+              R"(counting, number 0: {"square":0} was recorded, {"square":1} came now)");
+    EXPECT_EQ(differences[1], R"(counting, number 2: nothing was recorded, {"square":5} came now)");
 }
 
 }  // namespace
