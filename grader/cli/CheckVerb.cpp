@@ -61,8 +61,10 @@ raytracer::ExitCode check(const CheckOptions& options) {
             options.folder, 0,
             fmt::format("{} submissions here; check takes one (ticker grade takes many)",
                         found.size()));
-    const SubmissionResult result = pipeline::gradeSubmission(
-        intake::readSubmission(found.front()), makeGrader(options.grade), seedOf(options.grade));
+    pipeline::Grader grader = makeGrader(options.grade);
+    grader.isAlone = true;
+    const SubmissionResult result = pipeline::gradeSubmission(intake::readSubmission(found.front()),
+                                                              grader, seedOf(options.grade));
     if (options.audience == "student")
         printForStudent(result);
     else

@@ -170,7 +170,8 @@ void warnOfStore(const ClassRun& run, const BatchOptions& options, const Voice& 
 raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
     std::vector<intake::Located> submissions = locate(options);
     if (!options.share.empty()) submissions = shareOf(std::move(submissions), options.share);
-    const pipeline::Grader grader = makeGrader(options.grade);
+    pipeline::Grader grader = makeGrader(options.grade);
+    grader.isAlone = submissions.size() == 1;
     ClassRun run{options.out, {options.regrade, grader.build}, !options.resultsOnly};
     run.checkRegrade(submissions);
     warnOfStore(run, options, voice);

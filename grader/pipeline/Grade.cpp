@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <iterator>
+#include <mutex>
 #include <utility>
 
 namespace ticker::pipeline {
@@ -35,13 +37,53 @@ void settle(TaskReport& task, TaskJudgement judgement) {
     task.rasters = std::move(judgement.rasters);
 }
 
-void judge(FileWork& work, SourceFile file, probe::Examinee& examinee, std::uint64_t seed) {
+/// Asks one program in several runs, which may be at work side by side.
+class Questioning {
+public:
+    Questioning(const build::Program& program, const Grader& grader)
+        : program_(program), grader_(grader) {}
+
+    /// Begins `work(examinee)`, now where nobody else is graded, or else when its result is wanted.
+    template <class Work>
+    auto begin(Work work) {
+        return std::async(grader_.isAlone ? std::launch::async : std::launch::deferred,
+                          [this, work = std::move(work)] { return run(work); });
+    }
+
+    /// Does `work(examinee)`.
+    template <class Work>
+    auto run(const Work& work) {
+        build::SandboxedExaminee examinee{program_, grader_.sandbox, grader_.policy.run};
+        auto result = work(examinee);
+        const std::lock_guard lock{mutex_};
+        wallMs_ += examinee.wallMs();
+        return result;
+    }
+
+    /// Wall time of all runs that have ended.
+    [[nodiscard]] double wallMs() const { return wallMs_; }
+
+private:
+    const build::Program& program_;
+    const Grader& grader_;
+    std::mutex mutex_;
+    double wallMs_ = 0.0;
+};
+
+void judge(FileWork& work, SourceFile file, Questioning& questioning, std::uint64_t seed) {
     if (file == SourceFile::bumpySphere)
-        return settle(work.tasks.at(0), decision::judgeBump(examinee, seed));
-    const decision::DistributedAttempt attempt{isOpen(work.tasks.at(0)), isOpen(work.tasks.at(1))};
-    decision::DistributedJudgement judgement = decision::judgeDistributed(examinee, attempt, seed);
-    settle(work.tasks.at(0), std::move(judgement.softShadows));
-    settle(work.tasks.at(1), std::move(judgement.depthOfField));
+        return settle(work.tasks.at(0), questioning.run([&](probe::Examinee& examinee) {
+            return decision::judgeBump(examinee, seed);
+        }));
+    const auto attempt = [&](bool shadows, bool lens) {
+        return [=](probe::Examinee& examinee) {
+            return decision::judgeDistributed(examinee, {shadows, lens}, seed);
+        };
+    };
+    auto shadows = questioning.begin(attempt(isOpen(work.tasks.at(0)), false));
+    auto lens = questioning.run(attempt(false, isOpen(work.tasks.at(1))));
+    settle(work.tasks.at(0), shadows.get().softShadows);
+    settle(work.tasks.at(1), std::move(lens.depthOfField));
 }
 
 bool isBlocked(const TaskReport& task) {
@@ -68,19 +110,26 @@ public:
         : submission_(submission), grader_(grader), seed_(seed) {}
 
     void file(SourceFile file, SubmissionResult& result) {
+        const bool isT1 = file == SourceFile::bumpySphere;
+        std::future<void> expectations;
+        if (grader_.isAlone && hasFile(file))
+            expectations =
+                std::async(std::launch::async, [&] { prepareExpectations(grader_.scenes, isT1); });
         FileWork work = prepareFile(submission_, file, grader_);
         JudgedFile judged{file, false, std::nullopt, {}};
         result.timing.compileMs += work.compileMs;
         if (work.program) {
-            build::SandboxedExaminee examinee{*work.program, grader_.sandbox, grader_.policy.run};
-            judge(work, file, examinee, seed_);
+            Questioning questioning{*work.program, grader_};
+            auto gallery = questioning.begin([&](probe::Examinee& examinee) {
+                return renderSpecScenes(grader_.scenes, isT1, examinee);
+            });
+            judge(work, file, questioning, seed_);
             // Code that crashed or loops would do so again.
-            if (std::ranges::none_of(work.tasks, isBlocked)) {
-                judged.renders =
-                    addRenders(result, grader_.scenes, file == SourceFile::bumpySphere, examinee);
-                judged.program = std::move(work.program);
-            }
-            result.timing.probeMs += examinee.wallMs();
+            const bool isUsable = std::ranges::none_of(work.tasks, isBlocked);
+            if (isUsable) judged.renders = gallery.get().moveTo(result);
+            gallery = {};
+            result.timing.probeMs += questioning.wallMs();
+            if (isUsable) judged.program = std::move(work.program);
         }
         judged.isAttempted = !std::ranges::all_of(work.tasks, isNotAttempted);
         files_.push_back(std::move(judged));
@@ -123,6 +172,13 @@ public:
     }
 
 private:
+    [[nodiscard]] bool hasFile(SourceFile file) const {
+        return submission_
+            .part(file == SourceFile::bumpySphere ? intake::Part::bumpySphere
+                                                  : intake::Part::renderer)
+            .has_value();
+    }
+
     const intake::Submission& submission_;
     const Grader& grader_;
     std::uint64_t seed_;

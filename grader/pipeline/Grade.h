@@ -26,6 +26,8 @@ struct Grader {
     rubric::Rubric rubric;
     std::string toolVersion;
     OptionChoice option = OptionChoice::automatic;
+    /// Nobody else is graded meanwhile: what does not depend on each other may run side by side.
+    bool isAlone = false;
     std::vector<SpecScene> scenes = {};  ///< rendered for people to look at; may be empty
     std::string build = {};       ///< digest of the tool itself, see Inputs.h; empty: unknown
     std::string rubricText = {};  ///< the file that `rubric` was read from

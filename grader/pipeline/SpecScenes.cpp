@@ -11,6 +11,7 @@
 #include <raytracer/io/SceneReader.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace ticker::pipeline {
@@ -101,23 +102,13 @@ Comparison bestFitting(const SpecScene& scene, const probe::RenderAnswer& answer
     return best;
 }
 
-/// One picture's share of a result.
-class Gallery {
-public:
-    Gallery(SubmissionResult& result, const std::string& scene) : result_(result), scene_(scene) {}
+std::string add(Gallery& gallery, const std::string& file, const std::string& title,
+                raytracer::ByteImage image) {
+    gallery.pictures.push_back({"images/" + file + ".png", title, raytracer::encodePng(image)});
+    return gallery.pictures.back().file;
+}
 
-    std::string add(const std::string& file, const char* caption, raytracer::ByteImage image) {
-        result_.pictures.push_back(
-            {"images/" + file + ".png", scene_ + caption, raytracer::encodePng(image)});
-        return result_.pictures.back().file;
-    }
-
-private:
-    SubmissionResult& result_;
-    const std::string& scene_;
-};
-
-void addRender(SubmissionResult& result, const SpecScene& scene, const probe::RenderAnswer& answer,
+void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnswer& answer,
                const raytracer::ByteImage& picture) {
     constexpr double kFullZ = 6.0;
     const Comparison compared = bestFitting(scene, answer);
@@ -132,20 +123,22 @@ void addRender(SubmissionResult& result, const SpecScene& scene, const probe::Re
     render.ssim = scores.ssim;
     render.gmsd = scores.gmsd;
     render.rmse = scores.rmse;
-    Gallery gallery{result, scene.name};
-    render.image = gallery.add(scene.name, " as this submission renders it", picture);
-    render.reference = gallery.add("expected-" + scene.name, " as it should be", expected);
-    render.errorMap = gallery.add("flip-" + scene.name, ": where the two look different",
-                                  {errors.width, errors.height, metrics::magma(errors)});
+    render.image = add(gallery, scene.name, scene.name + " as this submission renders it", picture);
+    render.reference =
+        add(gallery, "expected-" + scene.name, scene.name + " as it should be", expected);
+    render.errorMap =
+        add(gallery, "flip-" + scene.name, scene.name + ": where the two look different",
+            {errors.width, errors.height, metrics::magma(errors)});
     if (!compared.z.map.values.empty()) {
         render.zMax = compared.z.value;
-        render.zMap = gallery.add(
-            scene.name + ".zmap",
-            ": where it is too dark (blue) or too bright (red) for noise, full at 6 standard "
-            "errors",
+        render.zMap = add(
+            gallery, scene.name + ".zmap",
+            scene.name +
+                ": where it is too dark (blue) or too bright (red) for noise, full at 6 standard "
+                "errors",
             {errors.width, errors.height, metrics::blueWhiteRed(compared.z.map, kFullZ)});
     }
-    result.renders.push_back(std::move(render));
+    gallery.scores.push_back(std::move(render));
 }
 
 }  // namespace
@@ -189,8 +182,14 @@ std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
     return result;
 }
 
-std::vector<Rendered> addRenders(SubmissionResult& result, const std::vector<SpecScene>& scenes,
-                                 bool isT1, probe::Examinee& examinee) {
+std::vector<Rendered> Gallery::moveTo(SubmissionResult& result) && {
+    std::ranges::move(scores, std::back_inserter(result.renders));
+    std::ranges::move(pictures, std::back_inserter(result.pictures));
+    return std::move(rendered);
+}
+
+Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
+                         probe::Examinee& examinee) {
     std::vector<const SpecScene*> asked;
     std::vector<probe::Question> questions;
     for (const SpecScene& scene : scenes) {
@@ -198,17 +197,22 @@ std::vector<Rendered> addRenders(SubmissionResult& result, const std::vector<Spe
         asked.push_back(&scene);
         questions.emplace_back(probe::RenderQuestion{scene.scene, scene.settings, 1, 0});
     }
-    std::vector<Rendered> rendered;
-    if (questions.empty()) return rendered;
+    Gallery gallery;
+    if (questions.empty()) return gallery;
     const probe::Sitting sitting = examinee.ask(questions);
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const auto& answer = std::get<probe::RenderAnswer>(sitting.answers.at(i));
         std::optional<raytracer::ByteImage> picture = pictureFrom(answer);
         if (!picture) continue;
-        addRender(result, *asked[i], answer, *picture);
-        rendered.push_back({asked[i]->name, *std::move(picture)});
+        addRender(gallery, *asked[i], answer, *picture);
+        gallery.rendered.push_back({asked[i]->name, *std::move(picture)});
     }
-    return rendered;
+    return gallery;
+}
+
+void prepareExpectations(const std::vector<SpecScene>& scenes, bool isT1) {
+    for (const SpecScene& scene : scenes)
+        if (scene.isForT1 == isT1) static_cast<void>(scene.expected());
 }
 
 }  // namespace ticker::pipeline

@@ -59,11 +59,23 @@ struct Rendered {
 /// The picture that came, through the tone curve; empty where some of it is missing.
 [[nodiscard]] std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer);
 
-/// Asks the submission for the pictures of its option and puts them into the result, with scores
-/// against the expectation that fits best. A picture that did not come is left out; nothing is
-/// decided by it.
-std::vector<Rendered> addRenders(SubmissionResult& result, const std::vector<SpecScene>& scenes,
-                                 bool isT1, probe::Examinee& examinee);
+/// What a submission renders, for people to look at.
+struct Gallery {
+    std::vector<Rendered> rendered;
+    std::vector<RenderScore> scores;      ///< against the expectation that fits best
+    std::vector<ResultPicture> pictures;  ///< that the scores name
+
+    /// Puts scores and pictures into the result. @return  What was rendered.
+    std::vector<Rendered> moveTo(SubmissionResult& result) &&;
+};
+
+/// Asks the submission for the pictures of its option. One that did not come is left out; nothing
+/// is decided by it.
+[[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
+                                       probe::Examinee& examinee);
+
+/// Works out what an option's scenes should look like, before somebody waits for it.
+void prepareExpectations(const std::vector<SpecScene>& scenes, bool isT1);
 
 }  // namespace ticker::pipeline
 

@@ -1,6 +1,7 @@
 #include <grader/decision/distributed/Draw.h>
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/PictureCheck.h>
+#include <grader/decision/distributed/PictureSuspects.h>
 #include <grader/decision/distributed/Pictures.h>
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 namespace ticker::decision {
 namespace {
 
-using oracle::Mistake;
 using oracle::Reading;
 
 // Eight pictures of 24 x 18 pixels, or one of as many pixels together.
@@ -25,84 +25,6 @@ constexpr double kMostZ = 6.0;
 constexpr double kMostExcess = 9.0;
 constexpr double kSharedExcess = 120.0;
 
-struct Suspect {
-    const char* id;
-    const char* seen;
-    Reading reading;
-    Mistake mistake;
-    bool withoutBounces = false;
-};
-
-Suspect suspect(const char* id, const char* seen, double factor, const Mistake& mistake) {
-    Reading reading;
-    reading.apertureFactor = factor;
-    return {id, seen, reading, mistake, false};
-}
-
-std::vector<Suspect> suspectsFor(double factor) {
-    std::vector<Suspect> suspects;
-    const auto with = [](auto change) {
-        Mistake mistake;
-        change(mistake);
-        return mistake;
-    };
-    suspects.push_back(suspect("dof.none", "everything is sharp", factor,
-                               with([](Mistake& m) { m.aperture = Mistake::Aperture::none; })));
-    suspects.push_back(suspect("dof.focal-distance",
-                               "the sharp surface is a ball around the eye, not a plane", factor,
-                               with([](Mistake& m) { m.focalByDistance = true; })));
-    for (const double focal : {0.85, 1.2})
-        suspects.push_back(suspect("dof.focal-plane", "another plane is sharp", factor,
-                                   with([&](Mistake& m) { m.focalFactor = focal; })));
-    suspects.push_back(
-        suspect("dof.off-centre", "things out of focus are shifted", factor, with([](Mistake& m) {
-                    m.lensOffsetX = 1.0;
-                    m.lensOffsetY = 1.0;
-                })));
-    suspects.push_back(suspect("dof.off-centre", "things out of focus are shifted", 0.5 * factor,
-                               with([](Mistake& m) {
-                                   m.lensOffsetX = 1.0;
-                                   m.lensOffsetY = 1.0;
-                               })));
-    suspects.push_back(suspect("dof.disc", "the blur has the shape of a disc", factor,
-                               with([](Mistake& m) { m.aperture = Mistake::Aperture::disc; })));
-    for (const double size : {0.7, 1.4})
-        suspects.push_back(suspect("dof.aperture-size", "the blur has another size", size * factor,
-                                   with([](Mistake&) {})));
-    suspects.push_back(suspect("dof.not-averaged", "the picture is too bright or too dark", factor,
-                               with([](Mistake& m) { m.pixelScale = 1.1; })));
-    suspects.push_back(suspect("dof.wrong", "it lacks the reflections", factor, {}));
-    suspects.back().withoutBounces = true;
-    return suspects;
-}
-
-// What the filters of all suspects say.
-struct Bank {
-    const Suspect* best = nullptr;  // null where none fits
-    const Suspect* second = nullptr;
-    Match bestMatch;
-    double largest = 0.0;  // |z|
-    double squares = 0.0;
-    double spread = 0.0;
-};
-
-Bank tryAll(const std::vector<Suspect>& suspects, const probe::RenderQuestion& asked,
-            const SeenPictures& seen, const ExpectedPicture& expected, std::uint64_t seed) {
-    Bank bank;
-    for (const Suspect& suspect : suspects) {
-        const Match match =
-            matchOf(seen, expected, mistakenPicture(asked, suspect.reading, suspect.mistake, seed));
-        bank.largest = std::max(bank.largest, std::abs(match.z));
-        bank.squares += match.z * match.z;
-        bank.spread = std::max(bank.spread, match.spread);
-        if (match.z <= bank.bestMatch.z) continue;
-        bank.second = bank.best;
-        bank.best = &suspect;
-        bank.bestMatch = match;
-    }
-    return bank;
-}
-
 Finding findingOf(const char* id, const std::string& seen, const Suspect* runnerUp, double z) {
     Finding finding = distributedFinding(
         id, Severity::fail,
@@ -114,21 +36,41 @@ Finding findingOf(const char* id, const std::string& seen, const Suspect* runner
     return finding;
 }
 
-Finding nameOf(const Bank& bank, double z, bool scaled) {
-    const bool named = bank.best != nullptr && bank.bestMatch.z > 0.35 * z;
-    return findingOf(scaled  ? "dof.not-averaged"
-                     : named ? bank.best->id
-                             : "dof.wrong",
-                     named ? bank.best->seen : "it differs in a way that is not known", bank.second,
-                     z);
+// Large differences have to have the suspect's shape; small ones have that of their noise.
+bool hasName(const Bank& bank, double z, double meanSquares, std::size_t pixels) {
+    constexpr double kShare = 0.35;
+    constexpr double kSmall = 4.0;
+    if (bank.best == nullptr || bank.bestMatch.z < kShare * z) return false;
+    const double squares = meanSquares * static_cast<double>(pixels);
+    return meanSquares < kSmall || bank.bestMatch.z * bank.bestMatch.z > kShare * squares;
+}
+
+Finding nameOf(const Bank& bank, double z, bool scaled, bool named) {
+    if (scaled)
+        return findingOf("dof.not-averaged", "it is too bright or too dark", bank.second, z);
+    if (named) return findingOf(bank.best->id, bank.best->seen, bank.second, z);
+    return findingOf("dof.wrong", "it differs in a way that is not known", bank.second, z);
+}
+
+// A brightness that explains nearly all, and more than any other suspect.
+bool isScaled(const SeenPictures& seen, const ExpectedPicture& expected, const Bank& bank) {
+    constexpr double kNearlyAll = 0.1;
+    const std::optional<Plane> scaled = rescaled(seen, expected);
+    if (!scaled) return false;
+    return unexplainedBy(*scaled, seen, expected) < std::min(kNearlyAll, bank.bestLeaves);
 }
 
 // Lens points that all pixels share make their noise go together. So they do where one picture is
-// all there is: then fifty points, by chance, look like a fifth of a mistake, never like half.
-bool mayBeSharedNoise(const SeenPictures& seen, const Bank& bank, const Excess& excess) {
+// all there is: then fifty points, by chance, look like a fifth of a mistake, never like half. They
+// leave each pixel as near to its mean as others do: were all pixels one, z^2 exceeded 25 with a
+// chance below 1e-6.
+bool mayBeSharedNoise(const SeenPictures& seen, const Bank& bank, const Excess& excess,
+                      double meanSquares) {
     // The variance of eight numbers exceeds 6 times its mean with a chance below 1e-6.
     constexpr double kMostSpread = 6.0;
     constexpr double kHalf = 0.5;
+    constexpr double kMostSquaredZ = 25.0;
+    if (meanSquares > kMostSquaredZ) return false;
     if (seen.identical) return std::abs(bank.bestMatch.amplitude) < kHalf;
     return excess.ratio < 3.0 && bank.spread > kMostSpread * std::max(1.0, excess.ratio);
 }
@@ -147,7 +89,8 @@ Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen, d
     const Bank bank = tryAll(suspects, asked, seen, expected, seed + 1);
     const double tile = largestTileZ(seen, expected);
     const Excess excess = excessVariance(seen, expected);
-    const bool scaled = commonFactor(seen, expected) != 0.0;
+    const double meanSquares = meanSquaredZ(seen, expected);
+    const bool scaled = isScaled(seen, expected, bank);
     Trial trial;
     trial.total = bank.squares + tile * tile;
     PictureVerdict& verdict = trial.verdict;
@@ -161,12 +104,13 @@ Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen, d
             findingOf("dof.shared-samples", "it changes as a whole from one time to the next",
                       bank.best, excess.z);
     else if (verdict.largestZ > kMostZ)
-        verdict.finding = nameOf(bank, verdict.largestZ, scaled);
+        verdict.finding = nameOf(bank, verdict.largestZ, scaled,
+                                 hasName(bank, verdict.largestZ, meanSquares, seen.mean.size()));
     else if (excess.z > kMostExcess)
         verdict.finding =
             findingOf("dof.too-few-rays", "it is noisier than that many rays for each pixel can be",
                       bank.best, excess.z);
-    if (verdict.finding && mayBeSharedNoise(seen, bank, excess)) {
+    if (verdict.finding && mayBeSharedNoise(seen, bank, excess, meanSquares)) {
         verdict.finding.reset();
         verdict.ambiguous = true;
     }

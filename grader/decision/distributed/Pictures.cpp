@@ -159,7 +159,18 @@ Excess excessVariance(const SeenPictures& seen, const ExpectedPicture& expected)
     return {(sum - count) / std::sqrt(2.0 * count / freedom), sum / count};
 }
 
-double commonFactor(const SeenPictures& seen, const ExpectedPicture& expected) {
+double unexplainedBy(const Plane& other, const SeenPictures& seen,
+                     const ExpectedPicture& expected) {
+    double left = 0.0;
+    double whole = 0.0;
+    for (std::size_t i = 0; i < seen.mean.size(); ++i) {
+        left += std::pow(seen.mean[i] - other[i], 2.0);
+        whole += std::pow(seen.mean[i] - expected.mean[i], 2.0);
+    }
+    return whole > 0.0 ? left / whole : 1.0;
+}
+
+std::optional<Plane> rescaled(const SeenPictures& seen, const ExpectedPicture& expected) {
     double products = 0.0;
     double squares = 0.0;
     for (std::size_t i = 0; i < seen.mean.size(); ++i) {
@@ -167,13 +178,18 @@ double commonFactor(const SeenPictures& seen, const ExpectedPicture& expected) {
         squares += expected.mean[i] * expected.mean[i];
     }
     const double factor = products / squares;
-    double unexplained = 0.0;
-    double difference = 0.0;
-    for (std::size_t i = 0; i < seen.mean.size(); ++i) {
-        unexplained += std::pow(seen.mean[i] - factor * expected.mean[i], 2.0);
-        difference += std::pow(seen.mean[i] - expected.mean[i], 2.0);
-    }
-    return std::abs(factor - 1.0) > 0.01 && unexplained < 0.1 * difference ? factor : 0.0;
+    if (std::abs(factor - 1.0) <= 0.01) return std::nullopt;
+    Plane plane = expected.mean;
+    for (double& value : plane)
+        value *= factor;
+    return plane;
+}
+
+double meanSquaredZ(const SeenPictures& seen, const ExpectedPicture& expected) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < seen.mean.size(); ++i)
+        sum += std::pow(seen.mean[i] - expected.mean[i], 2.0) / varianceAt(seen, expected, i);
+    return sum / static_cast<double>(seen.mean.size());
 }
 
 Raster zMap(const SeenPictures& seen, const ExpectedPicture& expected) {

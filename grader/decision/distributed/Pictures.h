@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace ticker::decision {
@@ -61,8 +62,18 @@ struct Excess {
 };
 [[nodiscard]] Excess excessVariance(const SeenPictures& seen, const ExpectedPicture& expected);
 
-/// What the whole picture is too bright or too dark by, where that explains nearly all; else 0.
-[[nodiscard]] double commonFactor(const SeenPictures& seen, const ExpectedPicture& expected);
+/// The share of the squared difference from the expected picture that is left when another picture
+/// is expected: 0 where that one explains all.
+[[nodiscard]] double unexplainedBy(const Plane& other, const SeenPictures& seen,
+                                   const ExpectedPicture& expected);
+
+/// The expected picture as much brighter or darker as fits best; nothing where it fits as it is.
+[[nodiscard]] std::optional<Plane> rescaled(const SeenPictures& seen,
+                                            const ExpectedPicture& expected);
+
+/// Mean over the pixels of z^2: 1 for a right submission, whether or not its pixels' noise goes
+/// together.
+[[nodiscard]] double meanSquaredZ(const SeenPictures& seen, const ExpectedPicture& expected);
 
 /// For people: where the pictures are too bright or too dark.
 [[nodiscard]] Raster zMap(const SeenPictures& seen, const ExpectedPicture& expected);
