@@ -142,8 +142,8 @@ RegionPlan planRegions(Questionnaire& questionnaire, Draws& draws, const Ball& b
     plan.directions = std::move(directions);
     for (const Vector3& direction : draws.directions(kMore))
         plan.directions.push_back(direction);
-    const int width = draws.integer(1500, 1520);
-    const int height = draws.integer(1525, 1550);
+    const int width = draws.integer(860, 900);
+    const int height = draws.integer(640, 680);
     plan.question =
         questionnaire.add(ball, {width, height, {}, teeth(width), teeth(height)}, plan.directions);
     return plan;

@@ -168,7 +168,7 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
             fmt::format("Shadow rays were expected to fill a ball of radius {} around the light; "
                         "where they aim has another shape{}.",
                         radius, aims.offCentre ? ", off the light's centre" : ""));
-    } else if (aims.tooWide || !aims.shape) {
+    } else if (aims.tooWide || !aims.shape || aims.huddled) {
         finding = distributedFinding(
             "shadow.light-size", Severity::fail,
             fmt::format("Shadow rays were expected to pass within {} of the light's centre; they "

@@ -86,8 +86,11 @@ SampleTerms termsOf(const Setting& at, const AimLine& line) {
     const double along = (at.light.position() - line.origin).dot(line.direction);
     const double radius = std::max(at.settings.lightSize, line.miss);
     const double half = std::sqrt(std::max(0.0, radius * radius - line.miss * line.miss));
-    const PhongTerms near = at.terms(line.direction, std::max(along - half, 0.1 * centre));
-    const PhongTerms far = at.terms(line.direction, std::max(along + half, 0.1 * centre));
+    const Vector3 towards = at.reading.phong == Phong::perSample
+                                ? line.direction
+                                : (at.light.position() - at.point.point.position) / centre;
+    const PhongTerms near = at.terms(towards, std::max(along - half, 0.1 * centre));
+    const PhongTerms far = at.terms(towards, std::max(along + half, 0.1 * centre));
     return {{far.diffuse, near.diffuse}, {far.specular, near.specular}};
 }
 
@@ -245,8 +248,9 @@ FitCount countFits(const ShadowLog& log, const ShadowReading& reading,
 
 std::vector<ShadowReading> acceptedShadowReadings() {
     std::vector<ShadowReading> readings;
-    // The last one leaves most open, so it is tried last.
-    for (const Phong phong : {Phong::central, Phong::perSampleDirection, Phong::perSample})
+    // The last two leave most open, so they are tried last.
+    for (const Phong phong :
+         {Phong::central, Phong::perSampleDirection, Phong::centralFalloff, Phong::perSample})
         for (const bool viewerIsEye : {false, true})
             for (const bool withoutCentral : {false, true})
                 readings.push_back({phong, viewerIsEye, withoutCentral});

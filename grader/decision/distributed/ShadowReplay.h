@@ -13,6 +13,7 @@ namespace ticker::decision {
 struct ShadowReading {
     enum class Phong {
         central,             ///< one L, to the centre, times the share of rays that arrive
+        centralFalloff,      ///< one L, light falling off over the distance of each sample
         perSampleDirection,  ///< a term for each ray that arrives, light as bright as its centre
         perSample            ///< the same, light falling off over the distance of the sample
     };
