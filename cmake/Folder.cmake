@@ -11,13 +11,14 @@ function(ticker_folder)
 endfunction()
 
 # One test program for each folder: ticker_test(NAME metrics SOURCES aTest.cpp LIBRARIES lib...
-# [LABELS unit] [FILTER "-*/C"]). Labels: unit, render, grader, slow. FILTER, as GoogleTest's: tests
-# that ctest should list.
+# [LABELS unit] [FILTER "-*/C"] [TOGETHER]). Labels: unit, render, grader, slow. FILTER, as
+# GoogleTest's: tests that ctest should list. TOGETHER: one entry in ctest, so that all tests share
+# what is dear to make.
 function(ticker_test)
   if(NOT TICKER_BUILD_TESTS)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "NAME;TIMEOUT;FILTER" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER" "NAME;TIMEOUT;FILTER" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()
@@ -29,6 +30,11 @@ function(ticker_test)
     PRIVATE ${ARG_LIBRARIES} raytracer::warnings GTest::gtest GTest::gtest_main)
   target_compile_definitions(test_${ARG_NAME} PRIVATE
     TICKER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" TICKER_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  if(ARG_TOGETHER)
+    add_test(NAME ${ARG_NAME} COMMAND test_${ARG_NAME})
+    set_tests_properties(${ARG_NAME} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+    return()
+  endif()
   gtest_discover_tests(test_${ARG_NAME} TEST_PREFIX "${ARG_NAME}." TEST_FILTER "${ARG_FILTER}"
     DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()

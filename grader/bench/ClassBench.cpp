@@ -1,6 +1,8 @@
 // Benchmark of grading a class, as ratios: CPU time of ticker and all that it starts, against a
 // bare compiler that makes a program of the same two files. Medians of interleaved rounds, two
-// workers. usage: ticker_bench_class ROOT [--submissions N] [--rounds N] [--json FILE]
+// workers.
+#include <grader/bench/Harness.h>
+
 #include <raytracer/base/Error.h>
 
 #include <fmt/format.h>
@@ -23,7 +25,7 @@
 
 extern char** environ;  // NOLINT: POSIX
 
-namespace ticker {
+namespace ticker::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,13 +41,6 @@ struct Options {
     fs::path root;
     int submissions = 200;
     int rounds = 5;
-    std::string json;
-};
-
-struct Figure {
-    std::string name;
-    double value;
-    std::string unit;
 };
 
 /// A folder that goes with its owner.
@@ -98,11 +93,6 @@ void finish(pid_t child, const fs::path& output) {
     int status = 0;
     if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
         throw raytracer::Error("a program failed; what it said stands in " + output.string());
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 /// Runs the two sides of the comparison.
@@ -255,41 +245,16 @@ private:
     Folder folder_;
 };
 
-Options parsed(int count, char** words) {
-    if (count < 2)
-        throw raytracer::InputError(
-            "", 0, "usage: ticker_bench_class ROOT [--submissions N] [--rounds N] [--json FILE]");
-    Options options;
-    options.root = words[1];
-    for (int i = 2; i + 1 < count; i += 2) {
-        const std::string name = words[i];
-        if (name == "--submissions") options.submissions = std::max(1, std::atoi(words[i + 1]));
-        if (name == "--rounds") options.rounds = std::max(1, std::atoi(words[i + 1]));
-        if (name == "--json") options.json = words[i + 1];
-    }
-    return options;
-}
-
-void print(const std::vector<Figure>& figures, const std::string& json) {
-    std::string lines;
-    for (const Figure& figure : figures) {
-        fmt::print("{:<52} {:>10.4g} {}\n", figure.name, figure.value, figure.unit);
-        lines += fmt::format("{}  {{\"name\": \"{}\", \"value\": {:.6g}, \"unit\": \"{}\"}}",
-                             lines.empty() ? "" : ",\n", figure.name, figure.value, figure.unit);
-    }
-    if (!json.empty()) std::ofstream{json} << "[\n" << lines << "\n]\n";
-}
-
 }  // namespace
-}  // namespace ticker
+}  // namespace ticker::bench
 
 int main(int count, char** words) {
-    try {
-        const ticker::Options options = ticker::parsed(count, words);
-        ticker::print(ticker::Bench{options}.run(), options.json);
-        return 0;
-    } catch (const raytracer::Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return raytracer::toInt(error.exitCode());
-    }
+    CLI::App app{"What grading a class costs, against a bare compiler", "ticker_bench_class"};
+    ticker::bench::Options options;
+    app.add_option("project", options.root, "The project's folder")->required();
+    app.add_option("--submissions", options.submissions, "In the whole class")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--rounds", options.rounds, "Rounds")->check(CLI::PositiveNumber);
+    return ticker::bench::runSuite(app, count, words,
+                                   [&] { return ticker::bench::Bench{options}.run(); });
 }

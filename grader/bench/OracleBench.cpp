@@ -1,5 +1,5 @@
-// Benchmarks of the oracle, as ratios in one run: user CPU time, medians of interleaved rounds.
-// usage: ticker_bench_oracle SCENE [--limit PROGRAM] [--rounds N] [--json FILE]
+// Benchmarks of the oracle, as ratios in one run: CPU time, medians of interleaved rounds.
+#include <grader/bench/Harness.h>
 #include <grader/oracle/HiddenScene.h>
 #include <grader/oracle/Oracle.h>
 
@@ -7,24 +7,14 @@
 #include <raytracer/io/SceneReader.h>
 #include <raytracer/render/Renderer.h>
 
-#include <fmt/format.h>
 #include <hwy/highway.h>
 #include <hwy/targets.h>
 
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
-
-extern char** environ;  // NOLINT: POSIX
 
 namespace ticker::oracle {
 namespace {
@@ -36,46 +26,16 @@ struct Options {
     std::string scene;
     std::string limit;  ///< a program to be compared with; empty: none
     int rounds = 7;
-    std::string json;
 };
 
-struct Figure {
-    std::string name;
-    double value;
-    std::string unit;
-};
-
-double userSeconds(int who) {
-    rusage usage{};
-    getrusage(who, &usage);
-    return static_cast<double>(usage.ru_utime.tv_sec) +
-           1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
-}
+using bench::Cost;
+using bench::costOf;
+using bench::Figure;
+using bench::median;
+using bench::runProgram;
 
 double timed(const std::function<void()>& work) {
-    const double before = userSeconds(RUSAGE_SELF);
-    work();
-    return userSeconds(RUSAGE_SELF) - before;
-}
-
-double timedProgram(const std::string& program) {
-    std::vector<std::string> words{program, "640", "480", "50", "10", "2", "1", "0.2"};
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    const double before = userSeconds(RUSAGE_CHILDREN);
-    pid_t child = 0;
-    int status = 0;
-    if (posix_spawn(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0 ||
-        waitpid(child, &status, 0) < 0 || status != 0)
-        throw raytracer::InputError(program, 0, "cannot be run");
-    return userSeconds(RUSAGE_CHILDREN) - before;
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
+    return 1e-3 * bench::cpuOf(work);
 }
 
 void withoutTargets(std::int64_t targets, const std::function<void()>& work) {
@@ -104,7 +64,10 @@ std::vector<Figure> throughput(const SceneDescription& scene, const Options& opt
         withoutTargets(kWide, [&] {
             avx2.push_back(timed([&] { static_cast<void>(oracle.studentRender(seed)); }));
         });
-        if (!options.limit.empty()) limit.push_back(timedProgram(options.limit));
+        if (!options.limit.empty())
+            limit.push_back(timed([&] {
+                runProgram({options.limit, "640", "480", "50", "10", "2", "1", "0.2"});
+            }));
         reference.push_back(
             timed([&] { static_cast<void>(raytracer::Renderer{small}.render(framework)); }));
     }
@@ -174,63 +137,35 @@ std::vector<Figure> hidden(int rounds) {
         HiddenScene scene =
             hiddenScene(HiddenTask::depthOfField, static_cast<std::uint64_t>(round));
         scene.settings.threads = 2;
-        const auto start = std::chrono::steady_clock::now();
-        cpu.push_back(timed([&] {
+        const Cost cost = costOf([&] {
             const Moments moments = Oracle{scene.scene, scene.settings}.moments(1);
             share = std::max(share, moments.shareOfVariance(16));
-        }));
-        wall.push_back(
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        });
+        cpu.push_back(cost.cpu);
+        wall.push_back(cost.wall);
     }
-    return {{"hidden scene 32x24, mean and variance, CPU", 1e3 * median(cpu), "ms"},
-            {"hidden scene 32x24, two threads, wall clock", 1e3 * median(wall), "ms"},
+    return {{"hidden scene 32x24, mean and variance, CPU", median(cpu), "ms"},
+            {"hidden scene 32x24, two threads, wall clock", median(wall), "ms"},
             {"largest share of the statistic's variance", 100.0 * share, "%"}};
 }
 
-Options parsed(int count, char** words) {
-    if (count < 2)
-        throw raytracer::InputError("", 0,
-                                    "usage: ticker_bench_oracle SCENE [--limit "
-                                    "PROGRAM] [--rounds N] [--json FILE]");
-    Options options;
-    options.scene = words[1];
-    for (int i = 2; i + 1 < count; i += 2) {
-        const std::string name = words[i];
-        if (name == "--limit") options.limit = words[i + 1];
-        if (name == "--rounds") options.rounds = std::max(1, std::stoi(words[i + 1]));
-        if (name == "--json") options.json = words[i + 1];
-    }
-    return options;
-}
-
-void print(const std::vector<Figure>& figures, const std::string& json) {
-    std::string lines;
-    for (const Figure& figure : figures) {
-        fmt::print("{:<46} {:>10.4g} {}\n", figure.name, figure.value, figure.unit);
-        lines += fmt::format("{}  {{\"name\": \"{}\", \"value\": {:.6g}, \"unit\": \"{}\"}}",
-                             lines.empty() ? "" : ",\n", figure.name, figure.value, figure.unit);
-    }
-    if (!json.empty()) std::ofstream{json} << "[\n" << lines << "\n]\n";
-}
-
-int run(int count, char** words) {
-    const Options options = parsed(count, words);
+std::vector<Figure> measure(const Options& options) {
     const SceneDescription scene = raytracer::readScene(options.scene, {});
     std::vector<Figure> figures = throughput(scene, options);
     for (const std::vector<Figure>& more : {equalError(scene), hidden(options.rounds)})
         figures.insert(figures.end(), more.begin(), more.end());
-    print(figures, options.json);
-    return raytracer::toInt(raytracer::ExitCode::success);
+    return figures;
 }
 
 }  // namespace
 }  // namespace ticker::oracle
 
 int main(int count, char** words) {
-    try {
-        return ticker::oracle::run(count, words);
-    } catch (const raytracer::Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return raytracer::toInt(error.exitCode());
-    }
+    CLI::App app{"What the oracle costs, as ratios", "ticker_bench_oracle"};
+    ticker::oracle::Options options;
+    app.add_option("scene", options.scene, "A scene without maps")->required();
+    app.add_option("--limit", options.limit, "A program to be compared with");
+    app.add_option("--rounds", options.rounds, "Rounds")->check(CLI::PositiveNumber);
+    return ticker::bench::runSuite(app, count, words,
+                                   [&] { return ticker::oracle::measure(options); });
 }

@@ -34,7 +34,7 @@ bool everybodyReaches(const fs::path& folder) {
 }
 
 fs::path copyForEverybody(const fs::path& folder) {
-    const fs::path copy = sandbox::Sandbox::makeStagingFolder() / "kit";
+    fs::path copy = sandbox::Sandbox::makeStagingFolder() / "kit";
     fs::copy(folder, copy, fs::copy_options::recursive);
     return copy;
 }

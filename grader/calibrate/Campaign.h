@@ -34,10 +34,14 @@ public:
     [[nodiscard]] virtual std::vector<std::size_t> checkUnits() const = 0;
 
     /// Does one unit; several threads call it at once, neighbouring units are asked for together.
-    /// @return  A JSON object as text, without line breaks. Doing a unit again gives the same
-    ///          object, but for its member "cpu", which may hold anything.
+    /// @return  A JSON object as text, without line breaks. Doing a unit again gives one that
+    ///          `agrees`; a member "cpu" may hold anything.
     /// @throws raytracer::Error where the unit could not be done.
     [[nodiscard]] virtual std::string run(std::size_t unit) = 0;
+
+    /// Whether a unit that was done again came out as it was recorded: all but "cpu" is equal.
+    /// Campaigns whose numbers differ between processors in their last digits allow for that.
+    [[nodiscard]] virtual bool agrees(const std::string& before, const std::string& now) const;
 
     /// @param records  What `run` gave, in the order of the units; some may be missing.
     [[nodiscard]] virtual Summary summarise(const std::vector<std::string>& records) const = 0;

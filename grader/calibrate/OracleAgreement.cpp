@@ -83,6 +83,11 @@ raytracer::Image imageOf(const std::vector<raytracer::ColourRGB>& pixels,
     return image;
 }
 
+// A record is read by people, too.
+double inThousandths(double value) {
+    return std::round(1e3 * value) / 1e3;
+}
+
 double distance(const raytracer::ColourRGB& a, const raytracer::ColourRGB& b) {
     return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
@@ -164,16 +169,16 @@ std::string OracleAgreement::runNoisy(std::size_t number, const build::Program& 
         oracle::Oracle{scene, settings, plan_.cases[unit.reading].reading}.moments(seed + 1,
                                                                                    precision);
     const auto images = rendersOf(program, sandbox_, scene, settings, kRenders);
-    const Agreement found = compare(moments, kRenders, [&](int number) {
-        return imageOf(images[static_cast<std::size_t>(number - 1)], settings);
+    const Agreement found = compare(moments, kRenders, [&](int render) {
+        return imageOf(images[static_cast<std::size_t>(render - 1)], settings);
     });
     return nlohmann::json{{"reading", plan_.cases[unit.reading].name},
                           {"scene", scenes_[unit.scene].name},
                           {"tiles", found.tiles},
-                          {"largestZ", found.largestZ},
-                          {"meanZ2", found.meanZ2},
-                          {"varianceZ", found.varianceZ},
-                          {"varianceRatio", found.varianceRatio}}
+                          {"largestZ", inThousandths(found.largestZ)},
+                          {"meanZ2", inThousandths(found.meanZ2)},
+                          {"varianceZ", inThousandths(found.varianceZ)},
+                          {"varianceRatio", inThousandths(found.varianceRatio)}}
         .dump();
 }
 

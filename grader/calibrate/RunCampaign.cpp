@@ -1,8 +1,6 @@
 #include <grader/calibrate/RunCampaign.h>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -11,8 +9,6 @@
 
 namespace ticker::calibrate {
 namespace {
-
-using nlohmann::json;
 
 void onThreads(int jobs, const std::vector<std::size_t>& units,
                const std::function<void(std::size_t)>& work) {
@@ -40,12 +36,6 @@ void onThreads(int jobs, const std::vector<std::size_t>& units,
     if (error) std::rethrow_exception(error);
 }
 
-json comparable(const std::string& found) {
-    json object = json::parse(found);
-    object.erase("cpu");
-    return object;
-}
-
 }  // namespace
 
 void runCampaign(Campaign& campaign, Record& record, int jobs, const OnUnit& onUnit) {
@@ -67,11 +57,11 @@ std::vector<std::string> checkCampaign(Campaign& campaign, const Record& record,
     onThreads(jobs, campaign.checkUnits(), [&](std::size_t unit) {
         const std::string before = record.at(unit);
         const std::string now = campaign.run(unit);
-        if (!before.empty() && comparable(before) == comparable(now)) return;
+        if (!before.empty() && campaign.agrees(before, now)) return;
         const std::lock_guard lock{mutex};
-        differences.push_back(fmt::format(
-            "{}, {}: {} was recorded, {} came now", campaign.name(), campaign.unitName(unit),
-            before.empty() ? "nothing" : comparable(before).dump(), comparable(now).dump()));
+        differences.push_back(fmt::format("{}, {}: {} was recorded, {} came now", campaign.name(),
+                                          campaign.unitName(unit),
+                                          before.empty() ? "nothing" : before, now));
     });
     std::sort(differences.begin(), differences.end());
     return differences;

@@ -23,6 +23,7 @@ public:
     [[nodiscard]] std::string unitName(std::size_t unit) const override;
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override { return {0, 1}; }
     [[nodiscard]] std::string run(std::size_t unit) override;
+    [[nodiscard]] bool agrees(const std::string& before, const std::string& now) const override;
     [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
 
 private:

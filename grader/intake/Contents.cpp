@@ -84,7 +84,7 @@ Finding refusal(std::string id, std::string message, std::string hint) {
     finding.severity = Severity::fail;
     finding.message = std::move(message);
     finding.hint = std::move(hint);
-    finding.section = "3, Submission";
+    finding.section = "Test and submit";
     return finding;
 }
 

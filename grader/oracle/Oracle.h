@@ -73,6 +73,8 @@ public:
     Oracle(const raytracer::SceneDescription& scene, const raytracer::RenderSettings& settings,
            const Reading& reading = {}, const Mistake& mistake = {}, const Tricks& tricks = {});
     ~Oracle();
+    Oracle(const Oracle&) = delete;
+    Oracle& operator=(const Oracle&) = delete;
     Oracle(Oracle&&) noexcept;
     Oracle& operator=(Oracle&&) noexcept;
 

@@ -33,7 +33,7 @@ Finding finding(const char* id, std::string message, std::string hint) {
     result.severity = Severity::fail;
     result.message = std::move(message);
     result.hint = std::move(hint);
-    result.section = "3, Submission";
+    result.section = "Test and submit";
     return result;
 }
 

@@ -40,8 +40,7 @@ std::string findingCard(const Finding& finding, const Album& album, const std::s
         fmt::format("<article class=\"card {0}\"><div class=\"finding-head\">{1}<h3>{2}</h3>",
                     severity, badge(severity, wordsFor(finding.severity)), escapeHtml(finding.id));
     if (!finding.section.empty())
-        html += fmt::format("<span class=\"soft\">Handout, section {}</span>",
-                            escapeHtml(finding.section));
+        html += fmt::format("<span class=\"soft\">Handout: {}</span>", escapeHtml(finding.section));
     html += fmt::format("</div><p class=\"message\">{}</p>", escapeHtml(finding.message));
     if (!finding.hint.empty())
         html += fmt::format("<p class=\"hint\"><strong>Hint.</strong> {}</p>",

@@ -51,7 +51,7 @@ struct Finding {
     Severity severity = Severity::fail;
     std::string message;  ///< what was expected, what was seen; one or two sentences, plain text
     std::string hint;     ///< what to look at: the likely line, the likely step; plain text
-    std::string section;  ///< where the handout says it: "1, Implementation, step 3"
+    std::string section;  ///< where the handout says it: "Option 1: What to do, step 3"
     Evidence evidence;
     std::vector<ScatterPlot> plots;
     std::vector<Raster> rasters;

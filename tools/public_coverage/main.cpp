@@ -1,5 +1,5 @@
-// public_coverage [--fraction F] [--write FILE]: which known mistakes do the public tests notice,
-// and do they let every right solution pass? Exit status 1 where a right one fails.
+// public_coverage [--only TEXT] [--fraction F] [--write FILE]: which known mistakes do the public
+// tests notice, and do they let every right solution pass? Exit status 1 where a right one fails.
 #include "Case.h"
 #include "Examine.h"
 
@@ -7,8 +7,10 @@
 
 #include <fmt/core.h>
 
+#include <unistd.h>
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -20,6 +22,7 @@ namespace ticker::coverage {
 namespace {
 
 struct Arguments {
+    std::string only;  ///< cases whose name has this in it
     double fraction = 1.0;
     std::string write;
 };
@@ -35,20 +38,23 @@ Arguments parse(const std::vector<std::string>& words) {
         const bool last = i + 1 == words.size();
         if (words[i] == "--fraction" && !last)
             arguments.fraction = std::strtod(words[++i].c_str(), nullptr);
+        else if (words[i] == "--only" && !last)
+            arguments.only = words[++i];
         else if (words[i] == "--write" && !last)
             arguments.write = words[++i];
         else
-            throw raytracer::InputError("", 0,
-                                        "usage: public_coverage [--fraction F] [--write FILE]");
+            throw raytracer::InputError(
+                "", 0, "usage: public_coverage [--only TEXT] [--fraction F] [--write FILE]");
     }
     return arguments;
 }
 
-std::vector<Case> pick(std::vector<Case> cases, double fraction) {
+std::vector<Case> pick(std::vector<Case> cases, const Arguments& arguments) {
     std::vector<Case> picked;
     double owed = 0.5;
     for (Case& one : cases) {
-        owed += fraction;
+        if (one.name.find(arguments.only) == std::string::npos) continue;
+        owed += arguments.fraction;
         if (owed < 1.0) continue;
         owed -= 1.0;
         picked.push_back(std::move(one));
@@ -56,16 +62,25 @@ std::vector<Case> pick(std::vector<Case> cases, double fraction) {
     return picked;
 }
 
+/// How far the work is, where somebody looks.
+void showProgress(std::size_t done, std::size_t of) {
+    if (isatty(STDERR_FILENO) == 0) return;
+    fmt::print(stderr, "\r{} of {}{}", done, of, done == of ? "\n" : "");
+    std::fflush(stderr);
+}
+
 std::vector<Row> examineAll(std::vector<Case> cases) {
     const Examiner examiner{TICKER_SOURCE_DIR, TICKER_LINK_FILE};
     std::vector<Row> rows(cases.size());
     std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> done{0};
     std::exception_ptr error;
     std::atomic<bool> failed{false};
     const auto work = [&] {
         for (std::size_t i = next++; i < rows.size() && !failed; i = next++) {
             try {
                 rows[i] = {cases[i], examiner.examine(cases[i])};
+                showProgress(++done, rows.size());
             } catch (...) {
                 if (!failed.exchange(true)) error = std::current_exception();
             }
@@ -145,8 +160,7 @@ void write(const std::string& text, const std::string& file) {
 }
 
 int run(const Arguments& arguments) {
-    const std::vector<Row> rows =
-        examineAll(pick(listCases(TICKER_SOURCE_DIR), arguments.fraction));
+    const std::vector<Row> rows = examineAll(pick(listCases(TICKER_SOURCE_DIR), arguments));
     std::string text = summaryOf(rows) + "\n";
     for (const char* task : {"T1", "T2.1", "T2.2", "T2"})
         text += tableOf(rows, task);

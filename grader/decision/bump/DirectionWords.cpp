@@ -65,7 +65,7 @@ Words directionWords(const Response& response) {
         hint + fmt::format("The farthest off is {}. Work out Pu, Pv, Bu and Bv there by hand and "
                            "compare.",
                            placeInWords(farthest.worst)),
-        "1, Implementation, steps 2 and 3"};
+        "Option 1: What to do, steps 2 and 3"};
 }
 
 Words patchyWords(const Response& response) {
@@ -78,7 +78,7 @@ Words patchyWords(const Response& response) {
         fmt::format("One of them lies {}. A step in u or v that is smaller than a texel often "
                     "reads the same texel twice; a tangent may have no length there.",
                     placeInWords(axis.deadAt)),
-        "1, Implementation, steps 2 and 3"};
+        "Option 1: What to do, steps 2 and 3"};
 }
 
 }  // namespace ticker::decision::bump

@@ -7,7 +7,7 @@
 namespace ticker::decision::bump {
 namespace {
 
-constexpr const char* kSection = "1, Implementation, step 1";
+constexpr const char* kSection = "Option 1: What to do, step 1";
 constexpr const char* kCheckAngles =
     "Check u and v: with the smooth unit normal n, the polar angle is acos(n.y) and the longitude "
     "an atan2 of n.x and n.z; u is the longitude over 2 pi, v the polar angle over pi.";
@@ -24,7 +24,7 @@ Words lostSignWords() {
             "Look for an abs, a max or an unsigned type in the differences. If there is none, the "
             "texel is not the point's: the column must be u times width(), the row v times "
             "height() of this very map, both of type int.",
-            "1, Implementation, step 3"};
+            "Option 1: What to do, step 3"};
 }
 
 std::string strayMessage(const RampJudgement& ramps) {

@@ -19,7 +19,7 @@ Words threwWords(const Offence& offence) {
     Words words;
     words.message = fmt::format("The program stops at {}: \"{}\". The first is {}.",
                                 pointsOf(offence), quoted(offence.message), firstAt(offence));
-    words.section = "1, Implementation, step 3";
+    words.section = "Option 1: What to do, step 3";
     if (overflow)
         words.hint =
             "A u or v that is not a number became a column or row: look for an acos of a "
@@ -41,7 +41,7 @@ Words notFiniteWords(const Offence& offence) {
             "Look for an acos or asin of a value beyond 1 (divide by the radius, or normalise, "
             "first), a division by a slope or a sine that can be zero, and a vector of length zero "
             "that is normalised.",
-            "1, Implementation, steps 1 and 4"};
+            "Option 1: What to do, steps 1 and 4"};
 }
 
 Words notUnitWords(const Offence& offence) {
@@ -49,7 +49,7 @@ Words notUnitWords(const Offence& offence) {
                         "by up to {:.2g}.",
                         pointsOf(offence), offence.value),
             "Equation (1) normalises the sum: call normalised() on what you return.",
-            "1, Theory, Equation (1)"};
+            "Option 1: The sign trap"};
 }
 
 Words flatWords() {
@@ -58,7 +58,7 @@ Words flatWords() {
         "black to white.",
         "Check that Bu and Bv are used in the vector that is returned, and that they are not "
         "always zero (a texel minus itself, a division of integers).",
-        "1, Implementation, steps 3 and 4"};
+        "Option 1: What to do, steps 3 and 4"};
 }
 
 Words longitudeWords(const Examination& examination) {
@@ -76,7 +76,7 @@ Words longitudeWords(const Examination& examination) {
         "Pu and Pv must come from the same angles, with the same axis and the same origin, as the "
         "(u, v) that you look up: differentiate your own F(u, v), Equation (2), at the point's own "
         "longitude and polar angle.";
-    words.section = "1, Implementation, step 2";
+    words.section = "Option 1: What to do, step 2";
     return words;
 }
 
@@ -88,13 +88,13 @@ Words swappedWords(const Examination& examination, const std::optional<Hints>& h
             "map, moving down reads other columns.",
             "heightMap().at takes the column first: at(column, row); u chooses the column, v "
             "the row.",
-            "1, Implementation, step 1"};
+            "Option 1: What to do, step 1"};
     return {
         "The axes are exchanged: a slope along u tilts the normal along v, and a slope along v "
         "tilts it along u.",
         "In Equation (1) Bu goes with n x Pv, which is a vector along Pu, and Bv with n x Pu. "
         "Written without cross products Bu goes with Pu and Bv with Pv.",
-        "1, Theory, Equation (1)"};
+        "Option 1: The sign trap"};
 }
 
 constexpr const char* kOneSign =
@@ -108,7 +108,7 @@ Words invertedWords() {
         "Both signs are wrong. Measure both slopes the other way (the neighbour minus this "
         "texel), or change both signs where you tilt the normal, not both of these: a surface "
         "that rises along a tangent leans back against it.",
-        "1, Testing"};
+        "Option 1: Test it"};
 }
 
 /// What an inverted axis is called, and which of a letter's edges show it.
@@ -131,7 +131,7 @@ Words invertedAxisWords(const AxisNames& names) {
         fmt::format("One sign is wrong: either in the difference that makes B{0}, or before the "
                     "term with B{0}. Change one of the two, and leave B{1} alone.{2}",
                     names.axis, names.other, kOneSign),
-        "1, Theory, Equation (1); 1, Implementation, step 3"};
+        "Option 1: The sign trap; What to do, step 3"};
 }
 
 Words upsideDownWords() {
@@ -140,7 +140,7 @@ Words upsideDownWords() {
         "hollows are right.",
         "Row 0 is the top of the picture: v must be 0 at the top of the sphere (the largest y) "
         "and 1 at the bottom.",
-        "1, Implementation, step 1"};
+        "Option 1: What to do, step 1"};
 }
 
 Words wordsFor(Fault fault, const Examination& examination, const std::optional<Hints>& hints) {
@@ -185,7 +185,7 @@ Finding mirroredNote() {
     return note(
         "bump.mirrored", Severity::note,
         {"The map is mirrored: text on it reads from right to left. That alone is accepted.",
-         "Let u grow to the right as seen from outside.", "1, Implementation, step 1"});
+         "Let u grow to the right as seen from outside.", "Option 1: What to do, step 1"});
 }
 
 }  // namespace

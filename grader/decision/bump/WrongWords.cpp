@@ -20,7 +20,7 @@ Words inwardWords(const Offence& inward) {
             "The smooth normal is position minus centre, not the other way round; with a cross "
             "product of two tangents, mind their order. Do not turn the normal towards the camera: "
             "mirrors see the far side.",
-            "1, Implementation, step 1"};
+            "Option 1: What to do, step 1"};
 }
 
 Words flatTiltedWords(double tilt) {
@@ -30,14 +30,14 @@ Words flatTiltedWords(double tilt) {
                     std::atan(tilt) * kDegrees),
         "The tilt must come from differences of heights, not from heights, and must be added to "
         "the unit normal, (position - centre) / radius.",
-        "1, Implementation, steps 1 and 3"};
+        "Option 1: What to do, steps 1 and 3"};
 }
 
 Words smallSlopesWords() {
     return {"Steps of the map tilt the normal, but even slopes tilt nothing.",
             "Heights are fractions from 0 to 5: look for an int that cuts a difference off, for a "
             "threshold, or for a step that reads the same texel twice.",
-            "1, Implementation, step 3"};
+            "Option 1: What to do, step 3"};
 }
 
 Words growthWords() {
@@ -46,7 +46,7 @@ Words growthWords() {
         "give a larger coefficient.",
         "Do not normalise the slopes, and do not cut them off: only the sum of Equation (1) is "
         "normalised.",
-        "1, Theory"};
+        "Option 1: Theory"};
 }
 
 Words steepWords(double agreeing) {
@@ -56,7 +56,7 @@ Words steepWords(double agreeing) {
                     percent(1.0 - agreeing)),
         "Bu and Bv should be in proportion to the differences of the heights, whatever the heights "
         "are: look for an abs, or for a special case for dark, bright or steep texels.",
-        "1, Implementation, step 3"};
+        "Option 1: What to do, step 3"};
 }
 
 Words mapIgnoredWords() {
@@ -66,7 +66,7 @@ Words mapIgnoredWords() {
         "Look for what is remembered between calls (a static variable that holds a map, heights, "
         "slopes or normals) and for a tilt that uses no height at all. A scene may have several "
         "bumpy spheres, each with a map of its own: read heightMap() in each call.",
-        "1, Implementation, step 3"};
+        "Option 1: What to do, step 3"};
 }
 
 Words orderWords() {
@@ -76,7 +76,7 @@ Words orderWords() {
         "getNormalAt must know its own point alone, since pixels come in any order: look for a "
         "static or thread_local variable that keeps a height, a texel or a normal of the call "
         "before, and for chance.",
-        "1, Implementation, step 3"};
+        "Option 1: What to do, step 3"};
 }
 
 Words chanceWords(double change) {
@@ -111,7 +111,7 @@ Words regionWords(const RegionAgreement& regions) {
                     regions.width, regions.height, where),
         "Look for a number that a column, a row or an angle is compared with, for a type that is "
         "too small for a column or a row, and for width() in the place of height().",
-        "1, Implementation, step 3"};
+        "Option 1: What to do, step 3"};
 }
 
 Words ignoredWords(const std::string& axis, const std::string& what) {
@@ -121,7 +121,7 @@ Words ignoredWords(const std::string& axis, const std::string& what) {
             fmt::format("Check that B{0} is a difference of neighbouring {1}, and that the term "
                         "with B{0} is added.",
                         axis, what),
-            "1, Implementation, step 3"};
+            "Option 1: What to do, step 3"};
 }
 
 Words slopesWords(const SlopeAgreement& slopes) {
@@ -133,7 +133,7 @@ Words slopesWords(const SlopeAgreement& slopes) {
         "Check that Bu compares two neighbouring texels of the point's own row, and Bv two of its "
         "own column; that columns are counted by width() and rows by height(); and that nothing "
         "depends on how bright or how steep the texels are.",
-        "1, Implementation, step 3"};
+        "Option 1: What to do, step 3"};
 }
 
 Words lettersWords(const LetterReading& letters) {
@@ -143,7 +143,7 @@ Words lettersWords(const LetterReading& letters) {
                     look(letters.h, false), look(letters.l, true)),
         "Look for anything that treats steep slopes unlike gentle ones, or falling ones unlike "
         "rising ones.",
-        "1, Testing"};
+        "Option 1: Test it"};
 }
 
 }  // namespace

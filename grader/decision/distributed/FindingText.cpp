@@ -15,12 +15,12 @@ struct Text {
     std::string_view section;
 };
 
-constexpr std::string_view kShadow1 = "2.1, Implementation, step 1";
-constexpr std::string_view kShadow2 = "2.1, Implementation, step 2";
-constexpr std::string_view kShadow3 = "2.1, Implementation, step 3";
-constexpr std::string_view kLens1 = "2.2, Implementation, step 1";
-constexpr std::string_view kLens2 = "2.2, Implementation, step 2";
-constexpr std::string_view kLens3 = "2.2, Implementation, step 3";
+constexpr std::string_view kShadow1 = "Soft shadows (T2.1), step 1";
+constexpr std::string_view kShadow2 = "Soft shadows (T2.1), step 2";
+constexpr std::string_view kShadow3 = "Soft shadows (T2.1), step 3";
+constexpr std::string_view kLens1 = "Depth of field (T2.2), step 1";
+constexpr std::string_view kLens2 = "Depth of field (T2.2), step 2";
+constexpr std::string_view kLens3 = "Depth of field (T2.2), step 3";
 
 // In the order of contract.md: the first that applies is reported.
 constexpr std::array kTexts{

@@ -82,7 +82,7 @@ std::optional<Finding> checkOtherSettings(const LensLog& log) {
                            "With other settings, what is right with the handout's "
                            "numbers no longer is: render does not follow settings(). " +
                                wrong->message);
-    finding.section = "2.2, Implementation";
+    finding.section = "Depth of field (T2.2)";
     finding.evidence = wrong->evidence;
     finding.evidence.emplace_back("otherwise", wrong->id);
     return finding;

@@ -206,7 +206,7 @@ std::optional<Finding> checkOtherSettings(const ShadowLogs& logs, const ShadowRe
                         "within {:.3g}: right with the handout's numbers, but it does not follow "
                         "settings().",
                         asked, log->settings().lightSize, counts.fewest, widest));
-        finding.section = "2.1, Implementation";
+        finding.section = "Soft shadows (T2.1)";
         finding.evidence.emplace_back("raysAsked", static_cast<double>(asked));
         finding.evidence.emplace_back("raysSeen", static_cast<double>(counts.fewest));
         finding.evidence.emplace_back("lightSizeAsked", log->settings().lightSize);

@@ -15,7 +15,7 @@ Finding finding(const char* id, Severity severity, std::string message, std::str
     result.severity = severity;
     result.message = std::move(message);
     result.hint = std::move(hint);
-    result.section = "3, Submission";
+    result.section = "Test and submit";
     return result;
 }
 

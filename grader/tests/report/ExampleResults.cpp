@@ -129,7 +129,7 @@ Finding invertedU() {
     finding.hint =
         "Equation (1) as printed is right for one handedness only: look at the sign of the term "
         "with B_u.";
-    finding.section = "1, Implementation, step 3";
+    finding.section = "Option 1: What to do, step 3";
     finding.evidence = {{"responseMatrix", std::vector<double>{-1.0, 0.0, 0.0, 1.0}},
                         {"uInverted", 0.98},
                         {"letterHAlongU", std::string{"3 of 212 right, 208 inverted, 1 lost"}},
@@ -145,7 +145,7 @@ Finding discLens() {
         "Rays should begin anywhere on a square aperture of half-width 0.2; yours fill a disc: no "
         "ray began in any of the four corners.";
     finding.hint = "Draw x and y of the lens point independently, each from -0.2 to 0.2.";
-    finding.section = "2.2, Implementation";
+    finding.section = "Depth of field (T2.2)";
     finding.evidence = {{"rays", 600.0}, {"inCorners", 0.0}, {"expectedInCorners", 128.8}};
     finding.plots = {lensPlot()};
     return finding;
@@ -156,7 +156,7 @@ Finding clustered() {
     finding.id = "shadow.clustered";
     finding.severity = Severity::warn;
     finding.message = "Aim points crowd at the light's centre. This is accepted.";
-    finding.section = "2.1, Implementation";
+    finding.section = "Soft shadows (T2.1)";
     return finding;
 }
 

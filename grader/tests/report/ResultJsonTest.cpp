@@ -28,7 +28,7 @@ SubmissionResult example() {
     finding.severity = Severity::fail;
     finding.message = "u is \x1B inverted <b>";
     finding.hint = "line 12";
-    finding.section = "1, Theory";
+    finding.section = "Option 1: Theory";
     finding.evidence = {{"matrix", std::vector<double>{-1.0, 0.0, 0.0, 1.0}},
                         {"points", 120.0},
                         {"worst", std::numeric_limits<double>::infinity()},

@@ -1,26 +1,11 @@
 #include <grader/package/StudentPackage.h>
 #include <grader/tests/student/UnpackedPackage.h>
 
-#include <sys/wait.h>
-#include <array>
-#include <cstdio>
 #include <stdexcept>
 
 namespace ticker::tests {
 
 namespace fs = std::filesystem;
-
-CommandResult runCommand(const std::string& command) {
-    std::FILE* const pipe = ::popen(("{ " + command + "\n} 2>&1").c_str(), "r");
-    if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
-    CommandResult result;
-    std::array<char, 4096> buffer{};
-    for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-        result.output.append(buffer.data(), got);
-    const int status = ::pclose(pipe);
-    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-    return result;
-}
 
 UnpackedPackage::UnpackedPackage() {
     package::writeStudentPackage(TICKER_SOURCE_DIR, work_.path() / "package.zip");

@@ -1,6 +1,7 @@
 #ifndef TICKER_TESTS_STUDENT_UNPACKEDPACKAGE_H
 #define TICKER_TESTS_STUDENT_UNPACKEDPACKAGE_H
 
+#include <grader/tests/support/RunCommand.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
 #include <filesystem>
@@ -8,15 +9,6 @@
 #include <vector>
 
 namespace ticker::tests {
-
-/// What a command wrote, stdout and stderr together, and how it ended.
-struct CommandResult {
-    int status = -1;  ///< 128 and more where a signal ended it
-    std::string output;
-};
-
-/// Runs a shell command.
-[[nodiscard]] CommandResult runCommand(const std::string& command);
 
 /// The students' package, made and unpacked in a folder of its own.
 class UnpackedPackage {

@@ -1,11 +1,14 @@
 #include <grader/tests/student/UnpackedPackage.h>
 #include <grader/tests/support/Files.h>
+#include <grader/tests/support/ShellBlocks.h>
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <string>
+#include <vector>
 
 namespace ticker {
 namespace {
@@ -45,6 +48,18 @@ TEST_F(PackageAlone, SaysThatNothingIsAttemptedAndRendersAtOnce) {
         EXPECT_TRUE(fs::exists(package().folder() / "pictures" / (std::string{picture} + ".png")));
 }
 
+TEST_F(PackageAlone, DoesWhatItsDocumentsSay) {
+    putSolution("student_template/exercise");
+    for (const char* document :
+         {"student_template/README.md", "docs/handout.md", "docs/for-students.md"}) {
+        const std::vector<tests::ShellBlock> blocks = tests::shellBlocks(document);
+        std::ofstream{package().folder() / "commands.sh"} << tests::scriptOf(blocks);
+        const tests::CommandResult ran = package().runAlone("bash commands.sh");
+        EXPECT_EQ(ran.status, 0) << ran.output;
+        std::cout << tests::skippedIn(blocks);
+    }
+}
+
 TEST_F(PackageAlone, PassesTheModelAnswer) {
     putSolution("reference_solution/exercise");
     const tests::CommandResult checked = package().runAlone("./check");
@@ -53,6 +68,19 @@ TEST_F(PackageAlone, PassesTheModelAnswer) {
     EXPECT_EQ(checked.output.find("not attempted"), std::string::npos) << checked.output;
     EXPECT_EQ(checked.output.find("NOT YET"), std::string::npos) << checked.output;
     EXPECT_NE(checked.output.find("Hand in your file"), std::string::npos) << checked.output;
+}
+
+TEST_F(PackageAlone, SaysWhatIsLikelyWrong) {
+    putSolution("student_template/exercise");
+    put("BumpySphere.cpp",
+        tests::readFile("grader/samples/notAwarded/bump-inverted-u/BumpySphere.cpp"));
+    const tests::CommandResult checked = package().runAlone("./check --quick");
+
+    EXPECT_EQ(checked.status, 1) << checked.output;
+    for (const char* part :
+         {"NOT YET", "expected:", "got:", "the bumps are inverted along u", "handout:"})
+        EXPECT_NE(checked.output.find(part), std::string::npos) << part << "\n" << checked.output;
+    EXPECT_EQ(checked.output.find("inverted along v"), std::string::npos) << checked.output;
 }
 
 TEST_F(PackageAlone, PutsTheFirstCauseOfACompileErrorOnTop) {

@@ -6,8 +6,7 @@
 namespace raytracer::tests {
 
 std::ostream& operator<<(std::ostream& stream, const Complaint& complaint) {
-    return stream << complaint.task << '\n'
-                  << "  asked:    " << complaint.asked << '\n'
+    return stream << "  asked:    " << complaint.asked << '\n'
                   << "  expected: " << complaint.expected << '\n'
                   << "  got:      " << complaint.got << '\n'
                   << "  likely:   " << complaint.cause << '\n'

@@ -8,7 +8,6 @@ namespace raytracer::tests {
 
 /// What a failed public test says.
 struct Complaint {
-    std::string task;      ///< "T1", "T2.1" or "T2.2"
     std::string asked;     ///< the input
     std::string expected;  ///< in words where a number would give the answer away
     std::string got;

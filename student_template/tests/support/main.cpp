@@ -31,12 +31,20 @@ std::string words(std::string_view name) {
 
 class FriendlyPrinter final : public testing::EmptyTestEventListener {
 public:
+    void OnTestStart(const testing::TestInfo& test) override {
+        for (const Task& task : tasks_)
+            if (task.suite == test.test_suite_name())
+                running_ = std::string{task.title.substr(0, 4)} + " " + words(test.name());
+    }
+
+    // GoogleTest holds its lock here: to ask it which test runs would wait for ever.
     void OnTestPartResult(const testing::TestPartResult& part) override {
         if (part.skipped()) skippedBecause_ = part.message();
         if (!part.failed()) return;
-        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        const std::string name = test == nullptr ? "" : words(test->name());
-        std::printf("NOT YET: %s\n%s\n\n", name.c_str(), part.message());
+        std::string_view message = part.message();
+        const std::string_view prefix = "Failed\n";
+        if (message.starts_with(prefix)) message.remove_prefix(prefix.size());
+        std::printf("NOT YET: %s\n%s\n\n", running_.c_str(), std::string{message}.c_str());
         std::fflush(stdout);
     }
 
@@ -73,6 +81,7 @@ private:
     std::array<Task, 3> tasks_{{{"BumpMapping", "T1   bump mapping:  "},
                                 {"SoftShadows", "T2.1 soft shadows:  "},
                                 {"DepthOfField", "T2.2 depth of field:"}}};
+    std::string running_;  ///< "T1   Gives normals of unit length"
     std::string skippedBecause_;
 };
 

@@ -1,6 +1,6 @@
+#include <bump/BumpSurvey.h>
 #include <questions/BumpQuestions.h>
 #include <raytracer/geometry/BumpySphere.h>
-#include <support/BumpSurvey.h>
 #include <support/Draws.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace raytracer::tests {
+namespace raytracer::tests::bump {
 namespace {
 
 constexpr int kPoints = 240;
@@ -162,4 +162,4 @@ Vector3 BumpSurvey::top() const {
     return -down.normalised();
 }
 
-}  // namespace raytracer::tests
+}  // namespace raytracer::tests::bump

@@ -1,5 +1,5 @@
-#ifndef SUPPORT_BUMPSURVEY_H
-#define SUPPORT_BUMPSURVEY_H
+#ifndef BUMP_BUMPSURVEY_H
+#define BUMP_BUMPSURVEY_H
 
 #include <raytracer/geometry/HeightMap.h>
 #include <raytracer/math/Vector3.h>
@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace raytracer::tests {
+namespace raytracer::tests::bump {
 
 /// What one axis of the map does at one point of the sphere, by the solution's own answers.
 struct AxisAtPoint {
@@ -65,6 +65,6 @@ private:
 /// The middle one of the values that are numbers; 0 where there is none.
 [[nodiscard]] double median(std::vector<double> values);
 
-}  // namespace raytracer::tests
+}  // namespace raytracer::tests::bump
 
 #endif

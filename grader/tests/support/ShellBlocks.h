@@ -1,0 +1,33 @@
+#ifndef TICKER_TESTS_SUPPORT_SHELLBLOCKS_H
+#define TICKER_TESTS_SUPPORT_SHELLBLOCKS_H
+
+#include <string>
+#include <vector>
+
+namespace ticker::tests {
+
+/// What stands in a Markdown file between ```sh and ```.
+struct ShellBlock {
+    std::string where;     ///< "docs/for-tickers.md:7"
+    std::string commands;  ///< as they are written, with line ends
+    std::string skip;      ///< why no test can run it, from ```sh skip="..."; empty: it is run
+
+    /// How many commands these are: lines, less comments and continuations.
+    [[nodiscard]] int count() const;
+};
+
+/// The shell blocks of a file of the project, from top to bottom.
+/// @param name  Path from the project's root.
+/// @throws std::runtime_error where a fence is not closed, or says what nobody understands.
+[[nodiscard]] std::vector<ShellBlock> shellBlocks(const std::string& name);
+
+/// A bash script that runs the commands of the blocks that can be run, ends with the first one that
+/// fails and then says where it stands.
+[[nodiscard]] std::string scriptOf(const std::vector<ShellBlock>& blocks);
+
+/// One line for each block that no test runs: where, how many commands, why.
+[[nodiscard]] std::string skippedIn(const std::vector<ShellBlock>& blocks);
+
+}  // namespace ticker::tests
+
+#endif

@@ -1,0 +1,53 @@
+#ifndef BUMP_BUMPMAPPING_H
+#define BUMP_BUMPMAPPING_H
+
+#include <bump/BumpSurvey.h>
+#include <raytracer/geometry/HeightMap.h>
+#include <raytracer/math/Vector3.h>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raytracer::tests::bump {
+
+/// Height of a gentle slope, from end to end of a map.
+constexpr double kGentle = 0.3;
+
+/// Fails the running test.
+void complain(const std::string& asked, const std::string& expected, const std::string& got,
+              const std::string& cause, const std::string& section);
+
+/// "(0.1, 0.2, 0.3)"
+[[nodiscard]] std::string words(const Vector3& v);
+
+/// Random heights: whatever goes wrong somewhere goes wrong on such a map.
+[[nodiscard]] std::shared_ptr<const HeightMap> roughMap(int width, int height);
+
+/// Ordinary points, and those where an angle or a coordinate is exactly 0.
+[[nodiscard]] std::vector<Vector3> telltaleDirections();
+
+/// Task T1, BumpySphere::getNormalAt: what its public tests share.
+class BumpMapping : public ::testing::Test {
+protected:
+    /// Skips what is not attempted.
+    void SetUp() override;
+
+    /// What the solution does on gentle slopes; empty where it throws, which a test of its own
+    /// says.
+    static const std::optional<BumpSurvey>& survey();
+    static std::optional<BumpSurvey> surveyOn(double rise);
+
+    /// Where there is no survey the first test complains, and others could not be asked.
+    static bool couldSurvey();
+
+private:
+    static void missTheSurvey();
+};
+
+}  // namespace raytracer::tests::bump
+
+#endif

@@ -1,0 +1,89 @@
+// What becomes of the colours that the rays see.
+#include <lens/DepthOfField.h>
+#include <lens/LensPoints.h>
+#include <raytracer/image/ColourRGB.h>
+#include <support/Complaint.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace raytracer::tests::lens {
+namespace {
+
+TEST_F(DepthOfField, KeepsTheColourOfAWallThatIsAlikeEverywhere) {
+    const Trial trial{wall(), 3};
+    const ColourRGB expected{0.3, 0.5, 0.7};
+    for (const std::size_t pixel : {0U, 1U})
+        for (const ColourRGB& got : trial.colours(pixel)) {
+            if (std::abs(got.g - expected.g) < 1e-3) continue;
+            const double factor = got.g / expected.g;
+            complain("a wall of one colour in ambient light", "that colour",
+                     inWords(factor) + " times that colour",
+                     "the pixel gets the mean: the sum of all contributions, divided by their "
+                     "number, once",
+                     "Depth of field (T2.2), step 3");
+            return;
+        }
+}
+
+TEST_F(DepthOfField, AveragesWhatItsRaysSee) {
+    if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
+    if (trial().rays(0).empty() || trial().rays(1).empty()) return;  // another test says so
+    for (const std::size_t pixel : {0U, 1U}) {
+        ColourRGB mean;
+        for (const ColourRGB& colour : trial().colours(pixel))
+            mean += colour / kRenders;
+        const ColourRGB expected = trial().meanOfRays(pixel);
+        const double apart = std::max({std::abs(mean.r - expected.r), std::abs(mean.g - expected.g),
+                                       std::abs(mean.b - expected.b)});
+        if (apart < 0.02) continue;
+        complain(kAsked + " in front of two balls and a wall",
+                 "(" + inWords(expected.r) + ", " + inWords(expected.g) + ", " +
+                     inWords(expected.b) + "), the mean of what the pixel's rays meet",
+                 "(" + inWords(mean.r) + ", " + inWords(mean.g) + ", " + inWords(mean.b) + ")",
+                 "sum the linear colours of all rays, divide by their number, and set that very "
+                 "pixel",
+                 "Depth of field (T2.2), step 3");
+        return;
+    }
+}
+
+TEST_F(DepthOfField, MixesColoursInEveryFrame) {
+    if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
+    const LensPoints lens{trial()};
+    if (lens.widest() < 0.05) return;  // another test says so
+    int pure = 0;
+    for (const std::size_t pixel : {0U, 1U})
+        for (const ColourRGB& colour : trial().colours(pixel)) {
+            if (colour.b > 0.75) return;                  // no mean: another test says so
+            const double share = (0.7 - colour.b) / 0.6;  // of the ball
+            if (share < 0.005 || share > 0.995) ++pure;
+        }
+    if (pure < kRenders) return;
+    complain(kAsked + " at the rims of two balls", "mixtures of ball and wall",
+             "one of the two in " + std::to_string(pure) + " of " + std::to_string(2 * kRenders) +
+                 " pixels",
+             "the pixel must get the mean of all rays, not the last one or the median",
+             "Depth of field (T2.2), step 3");
+}
+
+TEST_F(DepthOfField, FollowsAsManyReflectionsAsAsked) {
+    if (trial().mostBounces() < 0) GTEST_SKIP() << "your code does not call trace";
+    const int wanted = handout_.bounces;
+    if (trial().mostBounces() == wanted) return;
+    complain("the last argument of trace",
+             "settings().bounces, " + std::to_string(wanted) + " here",
+             std::to_string(trial().mostBounces()),
+             "each camera ray may be reflected as often as "
+             "before",
+             "Depth of field (T2.2), step 3");
+}
+
+}  // namespace
+}  // namespace raytracer::tests::lens

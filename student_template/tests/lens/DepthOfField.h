@@ -1,0 +1,81 @@
+#ifndef LENS_DEPTHOFFIELD_H
+#define LENS_DEPTHOFFIELD_H
+
+#include <raytracer/base/RenderSettings.h>
+#include <raytracer/image/ColourRGB.h>
+#include <raytracer/math/Ray.h>
+#include <raytracer/scene/Scene.h>
+#include <raytracer/scene/SceneDescription.h>
+#include <support/RayLog.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace raytracer::tests::lens {
+
+constexpr int kRenders = 40;
+inline const std::string kUnseen = "your code casts rays that the test cannot see";
+inline const std::string kAsked = "a frame of 2 x 1 pixels, rendered 40 times";
+
+/// Fails the running test.
+void complain(const std::string& asked, const std::string& expected, const std::string& got,
+              const std::string& cause, const std::string& section);
+
+/// A wall of one colour. No light but the ambient one, so that nothing that `illuminate` does wrong
+/// can be held against `render`.
+[[nodiscard]] SceneDescription wall();
+
+/// Two large balls far behind the focal plane: each pixel's rays see partly the ball in front of
+/// them and partly the wall. Left is red, right is green.
+[[nodiscard]] SceneDescription twoBalls();
+
+/// Two pixels side by side, rendered many times.
+class Trial {
+public:
+    Trial(const SceneDescription& description, int renders);
+
+    [[nodiscard]] static RenderSettings twoPixels();
+
+    /// Colours of the left pixel (0) or the right one (1), render by render.
+    [[nodiscard]] const std::vector<ColourRGB>& colours(std::size_t pixel) const {
+        return colours_[pixel];
+    }
+    /// Its camera rays, of all renders.
+    [[nodiscard]] const std::vector<Ray>& rays(std::size_t pixel) const { return rays_[pixel]; }
+    /// The fewest camera rays that one render cast for it.
+    [[nodiscard]] std::size_t fewestRays() const { return fewest_; }
+    [[nodiscard]] bool sawRays() const { return !rays_[0].empty() || !rays_[1].empty(); }
+    [[nodiscard]] int mostBounces() const { return log_.mostBounces(); }
+    /// Mean of what the pixel's rays meet.
+    [[nodiscard]] ColourRGB meanOfRays(std::size_t pixel) const;
+
+private:
+    void sortRays();
+
+    Scene unwatched_;
+    RayLog log_;
+    std::array<std::vector<ColourRGB>, 2> colours_;
+    std::array<std::vector<Ray>, 2> rays_;
+    std::size_t fewest_ = 0;
+    bool started_ = false;
+};
+
+/// Task T2.2, Renderer::render: what its public tests share.
+class DepthOfField : public ::testing::Test {
+protected:
+    /// Skips what is not attempted.
+    void SetUp() override;
+
+    /// One series of renders is enough for all tests.
+    static const Trial& trial();
+
+    const RenderSettings handout_;
+};
+
+}  // namespace raytracer::tests::lens
+
+#endif

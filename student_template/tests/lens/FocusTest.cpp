@@ -1,0 +1,109 @@
+// Where the camera rays of one pixel come together.
+#include <lens/DepthOfField.h>
+#include <lens/LensPoints.h>
+#include <questions/RayGeometry.h>
+#include <raytracer/math/Ray.h>
+#include <raytracer/math/Vector3.h>
+#include <raytracer/scene/Camera.h>
+#include <support/Complaint.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace raytracer::tests::lens {
+namespace {
+
+/// Where the rays of one pixel come together: the point with the least sum of squared distances
+/// from their lines.
+class Meeting {
+public:
+    explicit Meeting(const std::vector<Ray>& rays) {
+        // Sum of (I - d d^T) p = sum of (I - d d^T) o
+        std::array<Vector3, 3> rows{};
+        Vector3 right;
+        for (const Ray& ray : rays) {
+            const Vector3& d = ray.direction;
+            rows[0] += Vector3{1.0, 0.0, 0.0} - d * d.x;
+            rows[1] += Vector3{0.0, 1.0, 0.0} - d * d.y;
+            rows[2] += Vector3{0.0, 0.0, 1.0} - d * d.z;
+            right += ray.origin - d * d.dot(ray.origin);
+        }
+        const double determinant = rows[0].dot(rows[1].cross(rows[2]));
+        const double size = static_cast<double>(rays.size());
+        clear_ = std::abs(determinant) > 1e-9 * size * size * size;
+        if (!clear_) return;
+        point_ = (rows[1].cross(rows[2]) * right.x + rows[2].cross(rows[0]) * right.y +
+                  rows[0].cross(rows[1]) * right.z) /
+                 determinant;
+        for (const Ray& ray : rays)
+            farthest_ = std::max(farthest_, questions::footFrom(point_, ray).magnitude());
+    }
+
+    /// False where the rays are parallel, or one and the same.
+    [[nodiscard]] bool clear() const { return clear_; }
+    [[nodiscard]] const Vector3& point() const { return point_; }
+    /// Of all rays' lines from the point.
+    [[nodiscard]] double farthest() const { return farthest_; }
+
+private:
+    bool clear_ = false;
+    Vector3 point_;
+    double farthest_ = 0.0;
+};
+
+const std::string kSection = "Depth of field (T2.2), steps 1 and 2";
+
+/// Complains where the rays do not meet in one point of the pinhole camera's ray.
+void judgeMeeting(const Meeting& meeting, const Vector3& pinhole, const std::string& asked) {
+    if (!meeting.clear() || meeting.farthest() > 2e-3) {
+        complain(asked, "rays that come together in one point",
+                 meeting.clear()
+                     ? "rays that pass the best point at up to " + inWords(meeting.farthest())
+                     : "parallel rays",
+                 "each ray goes from its lens point to the one focal point of the pixel: "
+                 "direction = focal point minus lens point",
+                 kSection);
+        return;
+    }
+    const double off = pinhole.cross(meeting.point()).magnitude();
+    if (off > 5e-3)
+        complain(asked, "a focal point on the ray of the pinhole camera",
+                 "a point " + inWords(off) + " beside it",
+                 "the focal point is where camera.castRay(x, y) meets the focal plane", kSection);
+}
+
+void judgeDepth(const Vector3& point, double plane, const std::string& asked) {
+    if (std::abs(point.z - plane) < 2e-3 * plane) return;
+    const bool alongRay = std::abs(point.magnitude() - plane) < 2e-3 * plane;
+    complain(asked, "a focal point with z = settings().dofFocalPlane = " + inWords(plane),
+             "z = " + inWords(point.z),
+             alongRay ? "dofFocalPlane is the z of a plane, not a length along the ray"
+                      : "the rays are in focus at another depth",
+             kSection);
+}
+
+TEST_F(DepthOfField, BringsThePixelsRaysTogetherInTheFocalPlane) {
+    if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
+    const Camera camera{Trial::twoPixels()};
+    for (const std::size_t pixel : {0U, 1U}) {
+        const std::vector<Ray>& rays = trial().rays(pixel);
+        if (rays.size() < 2) continue;  // another test says so
+        const Meeting meeting{rays};
+        if (!meeting.clear() && LensPoints{trial()}.widest() < 1e-6) return;  // a pinhole, likewise
+        const std::string asked = std::string("the rays of the ") +
+                                  (pixel == 0 ? "left" : "right") +
+                                  " of two pixels, from all renders";
+        judgeMeeting(meeting, camera.castRay(static_cast<int>(pixel), 0).direction, asked);
+        if (!HasFailure()) judgeDepth(meeting.point(), handout_.dofFocalPlane, asked);
+        if (HasFailure()) return;
+    }
+}
+
+}  // namespace
+}  // namespace raytracer::tests::lens

@@ -1,0 +1,47 @@
+#ifndef SHADOWS_ROOM_H
+#define SHADOWS_ROOM_H
+
+#include <questions/RayGeometry.h>
+#include <raytracer/geometry/Material.h>
+#include <raytracer/image/ColourRGB.h>
+#include <raytracer/math/Vector3.h>
+#include <raytracer/scene/SceneDescription.h>
+
+#include <cstddef>
+
+namespace raytracer::tests::shadows {
+
+// A floor at y = -2, a ball above it, and a light above the ball. Colours differ in each channel,
+// so that ambient, diffuse and specular light cannot be mistaken for each other.
+inline constexpr Vector3 kLight{0.3, 4.0, 9.0};
+inline constexpr Vector3 kBall{0.3, 1.0, 7.0};
+inline constexpr Vector3 kFoot{0.3, -2.0, 5.0};  // of the line through both
+constexpr double kBallRadius = 0.7;
+inline constexpr Vector3 kUp{0.0, 1.0, 0.0};
+inline constexpr Vector3 kEye{0.0, 0.0, 0.0};
+inline constexpr ColourRGB kAmbient{0.11, 0.17, 0.23};
+
+[[nodiscard]] Material floorMaterial();
+[[nodiscard]] SceneDescription emptyRoom();
+[[nodiscard]] SceneDescription roomWithBall();
+
+/// A point of the floor so far to the right of the darkest one.
+[[nodiscard]] Vector3 floorAt(double right);
+
+/// The point of the floor from where the light's centre stands `clear` outside of the ball's rim;
+/// below 0: behind the ball.
+[[nodiscard]] Vector3 floorWhereLightIsClearBy(double clear);
+
+/// What a point of the floor shows in full shadow.
+[[nodiscard]] ColourRGB ambientOnly();
+
+/// What a light of the scene adds to a point of the floor that nothing shadows.
+[[nodiscard]] questions::PhongTerms unshadowed(const SceneDescription& scene, std::size_t light,
+                                               const Vector3& point);
+
+/// Mean share of the light that arrives: 0 in the dark, 1 where nothing is in the way.
+[[nodiscard]] double shareOf(const ColourRGB& colour, const Vector3& point);
+
+}  // namespace raytracer::tests::shadows
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef SHADOWS_SOFTSHADOWS_H
+#define SHADOWS_SOFTSHADOWS_H
+
+#include <raytracer/base/RenderSettings.h>
+#include <raytracer/image/ColourRGB.h>
+#include <raytracer/math/Ray.h>
+#include <raytracer/math/Vector3.h>
+#include <raytracer/scene/Scene.h>
+#include <raytracer/scene/SceneDescription.h>
+#include <support/RayLog.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace raytracer::tests::shadows {
+
+/// Fails the running test.
+void complain(const std::string& asked, const std::string& expected, const std::string& got,
+              const std::string& cause, const std::string& section);
+
+/// "(0.1, 0.2, 0.3)"
+[[nodiscard]] std::string words(const ColourRGB& c);
+
+/// Whether no channel of the two differs by more than a share of the larger.
+[[nodiscard]] bool isNear(const ColourRGB& a, const ColourRGB& b, double share);
+
+/// Why a test is skipped.
+inline const std::string kUnseen = "your code casts rays that the test cannot see";
+
+/// What one solution does at one point of a scene, over and over.
+class Trial {
+public:
+    /// @param object  The scene's object that the point lies on; the last one if -1.
+    Trial(SceneDescription description, const Vector3& point, int calls, int object = -1);
+
+    [[nodiscard]] const std::vector<ColourRGB>& colours() const { return colours_; }
+    [[nodiscard]] const ColourRGB& mean() const { return mean_; }
+    /// All rays that were seen, as cast from the point.
+    [[nodiscard]] const std::vector<Ray>& rays() const { return rays_; }
+    /// The fewest rays of one call.
+    [[nodiscard]] std::size_t fewestRays() const { return fewestRays_; }
+
+private:
+    SceneDescription description_;
+    RayLog log_;
+    Scene scene_;
+    std::vector<ColourRGB> colours_;
+    ColourRGB mean_;
+    std::vector<Ray> rays_;
+    std::size_t fewestRays_ = std::numeric_limits<std::size_t>::max();
+};
+
+/// Task T2.1, Renderer::illuminate: what its public tests share.
+class SoftShadows : public ::testing::Test {
+protected:
+    /// Skips what is not attempted.
+    void SetUp() override;
+
+    const RenderSettings handout_;
+};
+
+}  // namespace raytracer::tests::shadows
+
+#endif
