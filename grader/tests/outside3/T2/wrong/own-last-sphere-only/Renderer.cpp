@@ -1,0 +1,61 @@
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace raytracer {
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        double lit = 0;
+        for (int i = 0; i < settings().shadowRayCount; ++i) {
+            const Vector3 start = P + N * kShadowBias;
+            const Vector3 way = light.position() + settings().lightSize * Vector3::randomInsideUnitSphere() - start;
+            bool blocked = false;
+            for (const auto& thing : scene.objects()) {
+                const auto hit = thing->intersectionWith(Ray{start, way.normalised()});
+                blocked = hit && hit->distance < way.magnitude();
+            }
+            if (!blocked) lit += 1;
+        }
+        colour += (diffuse + specular) * (lit / settings().shadowRayCount);
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        const Ray middle = camera.castRay(x, y);
+        const Vector3 focus = middle.evaluateAt(settings().dofFocalPlane / middle.direction.z);
+        ColourRGB sum;
+        for (int i = 0; i < settings().dofRayCount; ++i) {
+            const Vector3 eye{settings().dofAmount * randomBetween(-1, 1), settings().dofAmount * randomBetween(-1, 1), 0};
+            sum += trace(scene, Ray{eye, (focus - eye).normalised()}, settings().bounces);
+        }
+        image.set(x, y, sum / settings().dofRayCount);
+    });
+    return image;
+}
+
+}  // namespace raytracer
