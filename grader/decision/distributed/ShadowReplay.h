@@ -20,6 +20,7 @@ struct ShadowReading {
     Phong phong = Phong::central;
     bool viewerIsEye = false;     ///< V towards the world's origin instead of O
     bool withoutCentral = false;  ///< rays to the very centre are not counted (an extra hard ray)
+    bool termsApart = false;      ///< rays are cast for the diffuse and again for the specular term
 };
 
 /// What may be done with the shares: `right`, or a mistake that contract.md has a name for.
