@@ -11,7 +11,7 @@
 
 namespace ticker::calibrate {
 
-/// The finished units of one campaign on disk, FOLDER/<name>.jsonl: a first line that says which
+/// The finished units of one campaign on disk, `FOLDER/<name>.jsonl`: a first line that says which
 /// campaign it is, then one line for each unit in the order of finishing. Lines are only ever
 /// added; one that was cut short by a kill is dropped when the file is opened again. Units go by
 /// their names: one that the campaign no longer has counts for nothing.

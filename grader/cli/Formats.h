@@ -27,7 +27,7 @@ void addFormatOptions(CLI::App& verb, FormatOptions& options);
 /// "autolab", "classroom", ...: what `writeFormats` knows.
 [[nodiscard]] std::vector<std::string> formatNames();
 
-/// Writes OUT/<submission>/gradescope.json and the like, one for each submission, or one file for
+/// Writes `OUT/<submission>/gradescope.json` and the like, one for each submission, or one file for
 /// the class in OUT; says on stderr what somebody has to know. Where a person has decided, students
 /// get that decision; staff's files of the class hold what the tool says.
 /// @return What was written, in order. A format without a word for "could not be graded" writes

@@ -10,7 +10,7 @@
 
 namespace ticker::cli {
 
-/// Writes OUT/<submission>/: images/, code/ (the sources as handed in), report.html and, last,
+/// Writes `OUT/<submission>/`: images/, code/ (the sources as handed in), report.html and, last,
 /// result.json, which says that the rest is there. What an earlier grading left goes first.
 /// @throws raytracer::InputError where something cannot be written.
 void writeSubmission(const std::filesystem::path& out, const SubmissionResult& result);

@@ -87,6 +87,9 @@ oracle::ReferenceListener listener(bool quiet) {
 raytracer::ExitCode checkThem(const std::filesystem::path& folder,
                               const std::vector<oracle::ReferenceScene>& scenes,
                               const oracle::ReferenceOptions& options, bool quiet) {
+    if (!std::filesystem::exists(folder / "manifest.json"))
+        throw raytracer::InputError(folder.string(), 0,
+                                    "holds no references; `ticker refs` makes them");
     bool allPassed = true;
     for (const auto& one : oracle::checkReferences(folder, scenes, options, listener(quiet))) {
         fmt::print("{:<6} {}\n", one.passed ? "ok" : "DRIFT", one.message);

@@ -49,7 +49,7 @@ struct RenderScore {
     std::string zMap = {};  ///< likewise: where it is too dark or too bright for noise
 };
 
-/// A picture that belongs to a result, as a file below OUT/<submission>/.
+/// A picture that belongs to a result, as a file below `OUT/<submission>/`.
 struct ResultPicture {
     std::string file;     ///< "images/expected-bump-mapping.png"
     std::string caption;  ///< for its alternative text
@@ -63,7 +63,7 @@ struct Diagnostics {
     std::string text;  ///< capped; paths relative
 };
 
-/// A source as it was handed in, for people to read: a file below OUT/<submission>/code/.
+/// A source as it was handed in, for people to read: a file below `OUT/<submission>/code/`.
 struct SourceText {
     std::string file;   ///< "Renderer.cpp"
     std::string bytes;  ///< untrusted; may not be valid UTF-8; empty in a result that was read back

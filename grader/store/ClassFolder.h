@@ -18,7 +18,7 @@ struct ClassEntry {
     std::optional<Decision> decision;
 };
 
-/// OUT/<submission>/result.json
+/// `OUT/<submission>/result.json`
 [[nodiscard]] std::filesystem::path resultFile(const std::filesystem::path& out,
                                                const std::string& submission);
 

@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = TICKER_SOURCE_DIR;
 
-const std::vector<std::string> kHere{"README.md", "docs/for-instructors.md", "docs/for-tickers.md",
-                                     "docs/platforms.md"};
+const std::vector<std::string> kHere{"README.md", "CONTRIBUTING.md", "docs/for-instructors.md",
+                                     "docs/for-tickers.md", "docs/platforms.md"};
 // Their commands are a student's: the test of the student's package runs them.
 const std::set<std::string> kInThePackage{"student_template/README.md", "docs/handout.md",
                                           "docs/for-students.md"};

@@ -17,7 +17,7 @@ namespace raytracer {
 /// The whole number, not negative, that the whole of `text` spells in decimal digits.
 [[nodiscard]] std::optional<std::uint64_t> parseCount(std::string_view text);
 
-/// `text` in quotation marks, fit for a message: a byte that is no printable ASCII becomes \xNN,
+/// `text` in quotation marks, fit for a message: a byte that is no printable ASCII becomes `\xNN`,
 /// and what goes beyond 60 bytes is cut.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 

@@ -17,7 +17,7 @@ namespace raytracer {
 /// spheres with the same map share it.
 ///
 /// Ranges: radius above 0; kD, kS, alphaS and intensity not negative; reflectivity 0 to 1; no
-/// number beyond 1e9 either way. Colours are #RRGGBB, divided by 255 without sRGB decoding.
+/// number beyond 1e9 either way. Colours are `#RRGGBB`, divided by 255 without sRGB decoding.
 ///
 /// @param file    The XML file; at most 1 MiB and 10 000 elements.
 /// @param assets  Folder of shared maps; may be empty.
