@@ -1,5 +1,7 @@
 #include <grader/decision/bump/Conduct.h>
 
+#include <grader/decision/bump/Numbers.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -162,6 +164,15 @@ private:
     std::uint32_t exceptionsSeen_ = 0;
 };
 
+/// Between the first half and the second.
+double middleChange(const std::vector<Vector3>& normals) {
+    const std::size_t half = normals.size() / 2;
+    std::vector<double> changes;
+    for (std::size_t i = 0; i < half; ++i)
+        changes.push_back((normals[i] - normals[half + i]).magnitude());
+    return median(changes);
+}
+
 }  // namespace
 
 Place ConductPlan::placeOf(std::size_t question) const {
@@ -186,6 +197,9 @@ ConductPlan planConduct(Questionnaire& questionnaire, Draws& draws) {
     plan.poles = questionnaire.add(kSceneBall, map, poles());
     plan.smallMap = questionnaire.add(kSceneBall, noise(draws, 16, 16), draws.directions(kPoints));
     plan.tinyMap = questionnaire.add(kSceneBall, noise(draws, 4, 4), draws.directions(kPoints));
+    std::vector<Vector3> twice = draws.directions(kPoints / 2);
+    twice.insert(twice.end(), twice.begin(), twice.begin() + kPoints / 2);
+    plan.twice = questionnaire.add(kSceneBall, flatMap(90, 70), twice);
     return plan;
 }
 
@@ -194,6 +208,7 @@ Conduct readConduct(const ConductPlan& plan, const Answers& answers) {
     const Questionnaire& asked = answers.asked();
     for (std::size_t i = 0; i < asked.questions().size(); ++i)
         QuestionReader(asked.question(i), answers.answer(i), plan.placeOf(i), conduct).read();
+    conduct.chance = middleChange(answers.answer(plan.twice).normals);
     return conduct;
 }
 

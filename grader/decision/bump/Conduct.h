@@ -30,6 +30,7 @@ struct ConductPlan {
     std::size_t poles = 0;
     std::size_t smallMap = 0;
     std::size_t tinyMap = 0;
+    std::size_t twice = 0;  ///< a flat map, at some points and then at the same ones again
 
     [[nodiscard]] Place placeOf(std::size_t question) const;
 };
@@ -60,6 +61,7 @@ struct Conduct {
     Offence inward;            ///< the normal points into the sphere
     Offence missing;           ///< never answered, though the process ended well
     double largestTilt = 0.0;  ///< over all ordinary points and maps
+    double chance = 0.0;       ///< median change of the normal where a point is asked for again
 };
 
 [[nodiscard]] Conduct readConduct(const ConductPlan& plan, const Answers& answers);

@@ -118,6 +118,9 @@ std::string idOf(Fault fault) {
 }
 
 std::optional<WrongReason> findWrong(const Examination& examination) {
+    // Half a degree: what is seen is above that.
+    constexpr double kSomeChange = 0.01;
+    if (examination.conduct.chance > kSomeChange) return WrongReason::chance;
     if (examination.mapIgnored) return WrongReason::mapIgnored;
     const Offence& inward = examination.conduct.inward;
     const RampKind kind = examination.ramps().kind;

@@ -33,6 +33,7 @@ enum class Fault {
 
 /// Why a submission is wrong that fits no name: the first that applies.
 enum class WrongReason {
+    chance,      ///< the same point of the same map gets another normal each time
     mapIgnored,  ///< another map gives the same normals
     inward,
     flatTilted,

@@ -77,28 +77,42 @@ public:
         if (strays) strays_[bin] += 1.0;
     }
 
-    /// From the first bin in which most points stray to the last such; empty where that is all.
+    /// The longest run of bins in which most points stray, where they clearly do and it is not all
+    /// of them; bins of a few points say nothing.
     [[nodiscard]] std::optional<TexelRange> range(int count) const {
-        std::size_t first = kBins;
-        std::size_t last = 0;
+        constexpr double kFew = 4.0;
+        Run longest;
+        Run run;
         bool everywhere = true;
         for (std::size_t i = 0; i < kBins; ++i) {
-            if (asked_[i] == 0.0) continue;
+            if (asked_[i] < kFew) continue;
             if (strays_[i] <= 0.5 * asked_[i]) {
                 everywhere = false;
+                run = {};
                 continue;
             }
-            first = std::min(first, i);
-            last = i;
+            if (run.asked == 0.0) run.first = i;
+            run.last = i;
+            run.asked += asked_[i];
+            run.strays += strays_[i];
+            if (run.asked > longest.asked) longest = run;
         }
-        if (everywhere || first == kBins) return std::nullopt;
+        constexpr double kClearly = 0.75;
+        if (everywhere || !(longest.strays > kClearly * longest.asked)) return std::nullopt;
         const auto texel = [count](std::size_t bin) {
             return static_cast<int>(bin * static_cast<std::size_t>(count) / kBins);
         };
-        return TexelRange{texel(first), texel(last + 1) - 1};
+        return TexelRange{texel(longest.first), texel(longest.last + 1) - 1};
     }
 
 private:
+    struct Run {
+        std::size_t first = 0;
+        std::size_t last = 0;
+        double asked = 0.0;
+        double strays = 0.0;
+    };
+
     static constexpr std::size_t kBins = 64;
     std::array<double, kBins> asked_{};
     std::array<double, kBins> strays_{};
@@ -142,8 +156,8 @@ RegionPlan planRegions(Questionnaire& questionnaire, Draws& draws, const Ball& b
     plan.directions = std::move(directions);
     for (const Vector3& direction : draws.directions(kMore))
         plan.directions.push_back(direction);
-    const int width = draws.integer(1500, 1520);
-    const int height = draws.integer(1525, 1550);
+    const int width = draws.integer(860, 900);
+    const int height = draws.integer(640, 680);
     plan.question =
         questionnaire.add(ball, {width, height, {}, teeth(width), teeth(height)}, plan.directions);
     return plan;

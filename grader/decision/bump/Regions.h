@@ -11,8 +11,9 @@
 
 namespace ticker::decision::bump {
 
-/// One map as large as pictures are, which falls along both axes everywhere, in whole bytes: what
-/// a code does on the ramps it must do at every column and row of this, too.
+/// One large map, which falls along both axes everywhere, in whole bytes: what a code does on the
+/// ramps it must do at every column and row of this, too. Not as large as pictures are: code that
+/// copies the map in every call is slow, but right. The ramps are as long as pictures.
 struct RegionPlan {
     std::vector<Vector3> directions;
     std::size_t question = 0;

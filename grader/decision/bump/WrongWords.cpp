@@ -79,6 +79,14 @@ Words orderWords() {
         "Option 1: What to do, step 3"};
 }
 
+Words chanceWords(double change) {
+    return {fmt::format("The same point of a map without any slope gets another normal each time: "
+                        "they differ by {:.0f} degrees (median).",
+                        change * kDegrees),
+            "Nothing in Equation (1) is random, and nothing of an earlier call may be used.",
+            "1, Theory, Equation (1)"};
+}
+
 /// ", mostly in columns 0 to 310", or nothing where they are all over the map.
 std::string rangeInWords(const char* what, const std::optional<TexelRange>& range) {
     if (!range) return {};
@@ -142,8 +150,10 @@ Words lettersWords(const LetterReading& letters) {
 
 Words wrongWords(WrongReason reason, const Examination& examination,
                  const std::optional<Hints>& hints) {
-    if (hints && hints->dependsOnOrder) return orderWords();
+    if (reason != WrongReason::chance && hints && hints->dependsOnOrder) return orderWords();
     switch (reason) {
+        case WrongReason::chance:
+            return chanceWords(examination.conduct.chance);
         case WrongReason::mapIgnored:
             return mapIgnoredWords();
         case WrongReason::inward:

@@ -3,6 +3,8 @@
 #include <grader/decision/distributed/LensChecks.h>
 #include <grader/decision/distributed/Plots.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -29,6 +31,26 @@ bool isFinite(const LensLog& log) {
 bool lacksRays(const LensLog& log) {
     return std::any_of(log.pixels.begin(), log.pixels.end(),
                        [](const LensPixel& pixel) { return pixel.rays.empty(); });
+}
+
+// Every picture shows light or the background: pure black is what nobody has set.
+std::optional<Finding> checkComplete(const LensLog& log) {
+    const auto unset = [](const LensPixel& pixel) {
+        return pixel.rays.empty() && pixel.colour == ColourRGB{};
+    };
+    const auto first = std::find_if(log.pixels.begin(), log.pixels.end(), unset);
+    const auto black = std::count_if(log.pixels.begin(), log.pixels.end(), unset);
+    if (black == 0 || log.rayCount() == 0) return std::nullopt;
+    const auto at = static_cast<int>(first - log.pixels.begin());
+    const raytracer::RenderSettings& settings = log.asked->settings;
+    Finding finding = distributedFinding(
+        "dof.wrong", Severity::fail,
+        fmt::format("Every pixel was expected to be set; {} of {} have no ray and stay black, the "
+                    "first in column {}, row {}.",
+                    black, log.pixels.size(), at % settings.width,
+                    at / settings.width % settings.height));
+    finding.hint = "Go through all columns from 0 and all rows from 0 to the last, and set each.";
+    return finding;
 }
 
 void checkRays(const LensLog& log, LensOutcome& outcome) {
@@ -75,6 +97,10 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
             distributedFinding("dof.wrong", Severity::fail,
                                "Colours were expected; some pixels hold a value that is no "
                                "number."));
+        return outcome;
+    }
+    if (std::optional<Finding> incomplete = checkComplete(handout)) {
+        outcome.findings.push_back(*std::move(incomplete));
         return outcome;
     }
     outcome.rayless = lacksRays(handout);

@@ -113,6 +113,8 @@ TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
         needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
             return judgePenumbra(examinee, seed, stage);
         });
+        // Where full shadow is lit, its edge has no fraction either; that is not what went wrong.
+        if (unexplained && outcome.findings.back().id == "shadow.hard") outcome.findings.pop_back();
     }
     TaskJudgement judgement = judgementOf(std::move(outcome.findings), needsReview);
     judgement.plots = std::move(outcome.plots);

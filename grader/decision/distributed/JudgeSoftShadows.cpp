@@ -42,13 +42,17 @@ void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     // Rays that start all around the point and go to the centre are no hard shadow; aims that are
     // all the centre are fixed, but that is not what went wrong.
     const bool hard = counts && counts->id == "shadow.hard";
-    if (!counts) keep(findings, checkSeveralCounts(logs));
+    if (!counts) keep(findings, checkSeveralCounts(logs, fixed.has_value()));
+    const bool fewRays = counts.has_value();
     if (counts && !(hard && starts)) keep(findings, std::move(counts));
     if (!hard) keep(findings, std::move(fixed));
     keep(findings, checkEveryLight(logs));
     keep(findings, checkDirectionOffset(logs));
     const AimVerdict aims = judgeAims(logs.farLight);
-    keep(findings, checkAims(logs, aims));
+    // Copies of a few rays crowd wherever they go.
+    std::optional<Finding> shape = checkAims(logs, aims);
+    if (shape && !(fewRays && shape->severity == Severity::warn)) keep(findings, std::move(shape));
+    if (aims.shape) keep(findings, checkSeveralSizes(logs, aims));
     outcome.shape = aims.shape;
 
     ArithmeticVerdict arithmetic = checkArithmetic(logs);

@@ -133,6 +133,19 @@ bool usesPartOfLens(const LensLog& log, const Lens& lens) {
     return false;
 }
 
+// Whether the mean of the points lies off the eye. The middle of their range says so sooner where
+// they fill a square, but next to nothing where they crowd: its ends are chance then. Hoeffding's
+// bound for two means of numbers from -half to half.
+bool leansAside(const Lens& lens) {
+    Vector3 sum;
+    for (const Vector3& point : lens.points)
+        sum += point;
+    const Vector3 mean = sum / static_cast<double>(lens.points.size());
+    const double share =
+        std::sqrt(2.0 * std::log(4.0 / kStatementRisk) / static_cast<double>(lens.distinct));
+    return std::max(std::abs(mean.x), std::abs(mean.y)) > share * lens.halfWidth();
+}
+
 // The accepted half-width that the points fill; 0 where there is none.
 double acceptedFactor(const Lens& lens, double amount, double shortfall) {
     for (const double factor : {1.0, 0.5}) {
@@ -156,12 +169,13 @@ ApertureVerdict checkAperture(const LensLog& log) {
     const ShapeVerdict shape = judgeShape(lens);
     const double depth = std::max(std::abs(lens.low.z), std::abs(lens.high.z));
     const double factor = acceptedFactor(lens, amount, shortfall);
+    const double aside = std::max(std::abs(centre.x), std::abs(centre.y));
     if (usesPartOfLens(log, lens)) {
         verdict.finding = distributedFinding(
             "dof.disc", Severity::fail,
             "The rays of each pixel were expected to start all over the aperture; those of one "
             "pixel start in a part of it, on a line perhaps.");
-    } else if (std::max(std::abs(centre.x), std::abs(centre.y)) > 2.0 * shortfall * half + 1e-7) {
+    } else if (aside > 2.0 * shortfall * half + 1e-7 && (shape.square || leansAside(lens))) {
         verdict.finding = distributedFinding(
             "dof.off-centre", Severity::fail,
             fmt::format("An aperture centred on the eye was expected; its centre is at ({:.3f}, "
@@ -176,8 +190,10 @@ ApertureVerdict checkAperture(const LensLog& log) {
     } else if (!shape.square) {
         verdict.finding = distributedFinding(
             "dof.disc", Severity::fail,
-            fmt::format("An evenly filled square was expected; the starting points form another "
-                        "shape ({:.1f} % of them outside of the inscribed disc, 21.5 % expected).",
+            fmt::format("An evenly filled square was expected; the starting points, up to {:.3g} "
+                        "from its centre in x and {:.3g} in y, form another shape ({:.1f} % of "
+                        "them outside of the inscribed disc, 21.5 % expected).",
+                        0.5 * (lens.high.x - lens.low.x), 0.5 * (lens.high.y - lens.low.y),
                         100.0 * shape.cornerShare));
     } else if (factor == 0.0) {
         verdict.finding = distributedFinding(

@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace ticker::decision {
 namespace {
+
+// What a ray that hits nothing gives.
+constexpr ColourRGB kBackground{0.001};
 
 // Means of fifty colours in single precision.
 constexpr double kMeanSlack = 3e-5;
@@ -68,6 +72,26 @@ double commonFactor(const LensLog& log) {
     return factor;
 }
 
+// Whether the mean of what `change` makes of the values is the pixel's colour; what it makes
+// nothing of is left out.
+template <class Change>
+bool isMeanOf(const LensPixel& pixel, const Change& change) {
+    std::vector<ColourRGB> values;
+    for (const ColourRGB& value : valuesOf(pixel))
+        if (const std::optional<ColourRGB> changed = change(value)) values.push_back(*changed);
+    if (values.empty()) return true;
+    return near(pixel.colour, meanOf(values.data(), values.size()));
+}
+
+std::optional<ColourRGB> cutOff(const ColourRGB& c) {
+    return ColourRGB{std::min(1.0, c.r), std::min(1.0, c.g), std::min(1.0, c.b)};
+}
+
+std::optional<ColourRGB> unlessMissed(const ColourRGB& c) {
+    if (near(c, kBackground)) return std::nullopt;
+    return c;
+}
+
 enum class Which { first, last };
 
 bool isOneOf(const LensPixel& pixel, Which which) {
@@ -109,6 +133,10 @@ std::optional<Finding> checkAverage(const LensLog& log) {
         seen = "it is the colour of the last ray alone";
     else if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::first); }))
         seen = "it is the colour of the first ray alone";
+    else if (everyPixel(log, [](const LensPixel& p) { return isMeanOf(p, cutOff); }))
+        seen = "each of them is cut off at 1 before";
+    else if (everyPixel(log, [](const LensPixel& p) { return isMeanOf(p, unlessMissed); }))
+        seen = "rays that hit nothing are left out";
     else if (everyPixel(log, withinSamples))
         seen = "some rays count more than others";
     if (seen.empty())

@@ -19,7 +19,8 @@ constexpr std::size_t kEventsForEachRay = 24;
 // Spheres of many colours at all depths, so that neighbouring rays see different things.
 raytracer::SceneDescription drawScene(Draw& draw) {
     raytracer::SceneDescription scene;
-    scene.ambientLighting = draw.colour(0.6, 1.0);
+    // Colours of more and of less than 1, so that it shows where one is cut off.
+    scene.ambientLighting = draw.colour(2.0, 4.0);
     for (int i = 0; i < kSpheres; ++i) {
         raytracer::Material material;
         material.colour = draw.colour(0.05, 1.0);
@@ -29,10 +30,11 @@ raytracer::SceneDescription drawScene(Draw& draw) {
         const Vector3 centre{x, draw.between(-0.3, 0.3) * z, z};
         scene.spheres.push_back({centre, draw.between(0.04, 0.1) * z, material, nullptr});
     }
-    raytracer::Material wall;
-    wall.colour = draw.colour(0.2, 0.8);
-    wall.reflectivity = 0.0;
-    scene.planes.push_back({{0.0, 0.0, 10.0}, {0.0, 0.0, -1.0}, wall});
+    // Above the floor some rays hit nothing.
+    raytracer::Material floor;
+    floor.colour = draw.colour(0.2, 0.8);
+    floor.reflectivity = 0.0;
+    scene.planes.push_back({{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}, floor});
     return scene;
 }
 

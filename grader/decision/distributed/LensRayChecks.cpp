@@ -51,9 +51,12 @@ std::optional<Finding> checkLensCounts(const LensLog& log) {
     } else if (fewestDistinct <= asked / 2) {
         finding = distributedFinding(
             "dof.shared-samples", Severity::fail,
-            fmt::format("A new point of the aperture was expected for each of the {} rays; a pixel "
-                        "uses {} of them.",
+            fmt::format("A new point of the aperture was expected for each of the {} rays; those "
+                        "of a pixel start at only {} different ones.",
                         asked, fewestDistinct));
+        if (fewestDistinct > 2)
+            finding->hint +=
+                " If it is drawn there, the random numbers are too coarse (whole numbers perhaps).";
     }
     if (finding) {
         finding->evidence.emplace_back("raysExpected", static_cast<double>(asked));

@@ -228,6 +228,10 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     verdict.offCentre = verdict.lean > leanBound(verdict.distinct) * std::max(1.0, verdict.widest);
     verdict.together = verdict.distinct == verdict.lines && goTogether(far, directions);
     compareShapes(seen, directions, verdict);
+    // Eight aims that are drawn once for all points: within a fifth of the radius, as seen from
+    // three sides, with a chance of at most 0.2^8 (uniform radius) for code that earns a warning
+    // anyway.
+    verdict.huddled = verdict.distinct >= 8 && verdict.widest < 0.2;
     verdict.tooNarrow = !verdict.tooWide && !verdict.shape && verdict.widest < 0.97;
     return verdict;
 }

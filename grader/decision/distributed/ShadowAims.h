@@ -17,6 +17,7 @@ enum class AimShape { ball, surface, uniformRadius, polarHelper };
 struct AimVerdict {
     bool tooWide = false;                 ///< a line passes outside of the light
     bool tooNarrow = false;               ///< no line comes as near to the rim as some must
+    bool huddled = false;                 ///< too near to the centre for any eight aims
     bool offCentre = false;               ///< feet lean to one side
     std::optional<AimShape> shape;        ///< the accepted shape that fits at the right size
     std::optional<AimShape> scaledShape;  ///< the one that fits at the size that was seen

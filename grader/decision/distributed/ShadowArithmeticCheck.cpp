@@ -107,7 +107,7 @@ std::optional<Finding> knownMistake(const Logs& logs) {
                               "is all of it or none, never a part.");
 }
 
-// Several lights, or a light with something behind it, can be wrong alone.
+// Several lights, a light with something behind it, or a wall can be wrong alone.
 std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& reading) {
     if (!allFit(logs.beyondLight, reading, ShadowArithmetic::right)) {
         Finding finding = distributedFinding(
@@ -124,6 +124,14 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
             "With one light the colours are right; with three lights each was expected to add its "
             "own light scaled by its own share, and what comes out is something else.");
         addWorstPoint(logs.severalLights, finding);
+        return finding;
+    }
+    if (!allFit(logs.planeShadow, reading, ShadowArithmetic::right)) {
+        Finding finding = unexplained(logs.planeShadow);
+        finding.message =
+            "Spheres cast the shadows that were expected; a plane between a point and "
+            "the light does not.";
+        finding.hint = "Whatever a shadow ray hits before the light stops it, planes as well.";
         return finding;
     }
     if (!allFit(logs.farLight, reading, ShadowArithmetic::right)) return unexplained(logs.farLight);

@@ -15,6 +15,7 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> oneLight;
     std::vector<const ShadowLog*> severalLights;
     std::vector<const ShadowLog*> beyondLight;
+    std::vector<const ShadowLog*> planeShadow;
     std::vector<const ShadowLog*> farLight;
     std::vector<const ShadowLog*> otherSettings;
 
@@ -28,8 +29,11 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkStarts(const ShadowLogs& logs);
 /// @param fixed  Samples are shared between points, which is another finding.
 [[nodiscard]] std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed);
-[[nodiscard]] std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs);
+[[nodiscard]] std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed);
 [[nodiscard]] std::optional<Finding> checkEveryLight(const ShadowLogs& logs);
+/// Whether each of several lights is as large as a light that is alone.
+[[nodiscard]] std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs,
+                                                       const AimVerdict& aims);
 [[nodiscard]] std::optional<Finding> checkFixedSamples(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);

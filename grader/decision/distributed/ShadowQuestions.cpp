@@ -22,6 +22,7 @@ constexpr int kPointsOnSphere = 6;
 constexpr int kPointsSeveral = 24;
 constexpr int kPointsInBothShadows = 6;
 constexpr int kPointsBeyond = 8;
+constexpr int kPointsBesideWall = 12;
 constexpr int kPointsFar = 67;
 
 // Rays for each call that the log has room for: eight times what is asked for.
@@ -160,6 +161,35 @@ ShadowQuestion drawBeyondLight(Draw& draw) {
     return drawn;
 }
 
+/// A floor and a wall that stands on it; half of the points lie on the light's side of the wall,
+/// half behind it.
+ShadowQuestion drawPlaneShadow(Draw& draw) {
+    const Vector3 up = draw.direction();
+    const Perpendiculars sides = perpendicularsOf(up);
+    const Vector3 foot = drawPlace(draw);
+    const Vector3 light = foot + up * draw.between(2.0, 4.0) + sides.first * draw.between(2.0, 4.0);
+
+    ShadowQuestion drawn;
+    drawn.purpose = Purpose::planeShadow;
+    SceneDescription& scene = drawn.question.scene;
+    scene.ambientLighting = draw.colour(0.1, 0.5);
+    scene.pointLights.push_back(drawLight(draw, light, (light - foot).magnitude()));
+    scene.planes.push_back({foot, up, drawMaterial(draw)});
+    const Vector3 wall = (sides.first + up * draw.between(-0.3, 0.3)).normalised();
+    scene.planes.push_back({foot, draw.whole(0, 1) == 0 ? wall : -wall, drawMaterial(draw)});
+    const Surfaces surfaces{scene};
+    for (int i = 0; i < kPointsBesideWall; ++i) {
+        const double side = i % 2 == 0 ? 1.0 : -1.0;
+        const Vector3 point = foot + sides.first * (side * draw.between(0.2, 1.5)) +
+                              sides.second * draw.between(-1.0, 1.0);
+        drawn.question.points.push_back({0, point, up, drawViewer(draw, point, up, light)});
+        drawn.zones.push_back(
+            zonesOf(scene, surfaces, point, up, drawn.question.settings.lightSize));
+    }
+    setCapacity(drawn);
+    return drawn;
+}
+
 /// A light so far away that its rays are as good as parallel.
 ShadowQuestion drawFarLight(Draw& draw, const Vector3& towards) {
     const Vector3 up = draw.directionAround(towards, 0.5);
@@ -209,6 +239,7 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     other.shadowRayCount = draw.whole(13, 17);
     other.lightSize = draw.between(0.15, 0.22);
     questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
+    questions.push_back(drawPlaneShadow(draw));
     return questions;
 }
 

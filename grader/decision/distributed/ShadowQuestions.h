@@ -17,6 +17,7 @@ struct ShadowQuestion {
         oneLight,       ///< an occluder between a light and a floor: lit, umbra and penumbra points
         severalLights,  ///< three lights far apart in direction, two of them with an occluder
         beyondLight,    ///< an object behind the light: every point is lit
+        planeShadow,    ///< a wall through the floor keeps the light from what lies behind it
         farLight,       ///< a lonely light, a hundred units away: where the rays aim
         otherSettings   ///< like oneLight, with other ray counts and light size
     };

@@ -68,6 +68,9 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
             case Purpose::beyondLight:
                 beyondLight.push_back(&log);
                 break;
+            case Purpose::planeShadow:
+                planeShadow.push_back(&log);
+                break;
             case Purpose::farLight:
                 farLight.push_back(&log);
                 break;
@@ -80,7 +83,7 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
 
 std::vector<const ShadowLog*> ShadowLogs::atHandoutSettings() const {
     std::vector<const ShadowLog*> all;
-    for (const auto* some : {&oneLight, &severalLights, &beyondLight, &farLight})
+    for (const auto* some : {&oneLight, &severalLights, &beyondLight, &planeShadow, &farLight})
         all.insert(all.end(), some->begin(), some->end());
     return all;
 }
@@ -165,7 +168,7 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
             fmt::format("Shadow rays were expected to fill a ball of radius {} around the light; "
                         "where they aim has another shape{}.",
                         radius, aims.offCentre ? ", off the light's centre" : ""));
-    } else if (aims.tooWide || !aims.shape) {
+    } else if (aims.tooWide || !aims.shape || aims.huddled) {
         finding = distributedFinding(
             "shadow.light-size", Severity::fail,
             fmt::format("Shadow rays were expected to pass within {} of the light's centre; they "

@@ -23,9 +23,18 @@ struct RayCounts {
     std::size_t fewest = static_cast<std::size_t>(-1);
     std::size_t fewestDistinct = static_cast<std::size_t>(-1);
     std::size_t most = 0;
-    bool allCentral = true;  ///< every ray goes to its light's centre
+    std::size_t places = 0;     ///< points times lights
+    std::size_t repeating = 0;  ///< of these, where some of the rays that were asked for are equal
+    bool allCentral = true;     ///< every ray goes to its light's centre
+
+    /// Rays are used again, by more than the accident that a coarse generator gives one twice.
+    [[nodiscard]] bool repeats(std::size_t asked) const {
+        return fewestDistinct <= asked / 2 || 10 * repeating > places;
+    }
 };
-[[nodiscard]] RayCounts countRays(const std::vector<const ShadowLog*>& logs);
+/// @param lightsWithoutRays  Whether a light that gets no ray counts as one with zero.
+[[nodiscard]] RayCounts countRays(const std::vector<const ShadowLog*>& logs,
+                                  bool lightsWithoutRays = true);
 
 /// Largest distance of any ray's line from its light's centre.
 [[nodiscard]] double widestMiss(const std::vector<const ShadowLog*>& logs);

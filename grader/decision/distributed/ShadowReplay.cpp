@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace ticker::decision {
 namespace {
@@ -86,8 +87,11 @@ SampleTerms termsOf(const Setting& at, const AimLine& line) {
     const double along = (at.light.position() - line.origin).dot(line.direction);
     const double radius = std::max(at.settings.lightSize, line.miss);
     const double half = std::sqrt(std::max(0.0, radius * radius - line.miss * line.miss));
-    const PhongTerms near = at.terms(line.direction, std::max(along - half, 0.1 * centre));
-    const PhongTerms far = at.terms(line.direction, std::max(along + half, 0.1 * centre));
+    const Vector3 towards = at.reading.phong == Phong::perSample
+                                ? line.direction
+                                : (at.light.position() - at.point.point.position) / centre;
+    const PhongTerms near = at.terms(towards, std::max(along - half, 0.1 * centre));
+    const PhongTerms far = at.terms(towards, std::max(along + half, 0.1 * centre));
     return {{far.diffuse, near.diffuse}, {far.specular, near.specular}};
 }
 
@@ -115,9 +119,7 @@ LightParts partsWithoutRays(const Setting& at) {
     return parts;
 }
 
-LightParts partsOf(const Setting& at, const std::vector<AimLine>& logged) {
-    const std::vector<AimLine> lines = countedLines(at, logged);
-    if (lines.empty()) return partsWithoutRays(at);
+LightParts partsOf(const Setting& at, std::span<const AimLine> lines) {
     const double weight = 1.0 / static_cast<double>(lines.size());
     LightParts parts;
     for (const AimLine& line : lines) {
@@ -134,6 +136,21 @@ LightParts partsOf(const Setting& at, const std::vector<AimLine>& logged) {
         parts.litSpecular.low += terms.specular.low * weight;
         parts.lowShare += weight;
     }
+    return parts;
+}
+
+LightParts partsOf(const Setting& at, const std::vector<AimLine>& logged) {
+    const std::vector<AimLine> counted = countedLines(at, logged);
+    if (counted.empty()) return partsWithoutRays(at);
+    const std::span<const AimLine> lines{counted};
+    const auto asked = static_cast<std::size_t>(at.settings.shadowRayCount);
+    if (!at.reading.termsApart || lines.size() < 2 * asked) return partsOf(at, lines);
+    LightParts parts = partsOf(at, lines.first(lines.size() / 2));
+    const LightParts again = partsOf(at, lines.last(lines.size() - lines.size() / 2));
+    parts.fullSpecular = again.fullSpecular;
+    parts.litSpecular = again.litSpecular;
+    parts.lowShare = std::min(parts.lowShare, again.lowShare);
+    parts.highShare = std::max(parts.highShare, again.highShare);
     return parts;
 }
 
@@ -187,7 +204,7 @@ ColourRGB ambientPart(const PointLog& point, const SceneDescription& scene) {
 
 ColourRGB unshadowed(const PointLog& point, const SceneDescription& scene, std::size_t light,
                      bool viewerIsEye) {
-    const ShadowReading reading{Phong::central, viewerIsEye, false};
+    const ShadowReading reading{Phong::central, viewerIsEye, false, false};
     const raytracer::RenderSettings settings;
     const Setting at{materialOf(scene, point.point.object),
                      scene.pointLights[light],
@@ -245,11 +262,15 @@ FitCount countFits(const ShadowLog& log, const ShadowReading& reading,
 
 std::vector<ShadowReading> acceptedShadowReadings() {
     std::vector<ShadowReading> readings;
-    // The last one leaves most open, so it is tried last.
-    for (const Phong phong : {Phong::central, Phong::perSampleDirection, Phong::perSample})
+    // The last two leave most open, so they are tried late.
+    for (const Phong phong :
+         {Phong::central, Phong::perSampleDirection, Phong::centralFalloff, Phong::perSample})
         for (const bool viewerIsEye : {false, true})
             for (const bool withoutCentral : {false, true})
-                readings.push_back({phong, viewerIsEye, withoutCentral});
+                readings.push_back({phong, viewerIsEye, withoutCentral, false});
+    for (const Phong phong : {Phong::central, Phong::perSampleDirection})
+        for (const bool viewerIsEye : {false, true})
+            readings.push_back({phong, viewerIsEye, false, true});
     return readings;
 }
 

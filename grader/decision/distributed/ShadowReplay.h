@@ -13,12 +13,14 @@ namespace ticker::decision {
 struct ShadowReading {
     enum class Phong {
         central,             ///< one L, to the centre, times the share of rays that arrive
+        centralFalloff,      ///< one L, light falling off over the distance of each sample
         perSampleDirection,  ///< a term for each ray that arrives, light as bright as its centre
         perSample            ///< the same, light falling off over the distance of the sample
     };
     Phong phong = Phong::central;
     bool viewerIsEye = false;     ///< V towards the world's origin instead of O
     bool withoutCentral = false;  ///< rays to the very centre are not counted (an extra hard ray)
+    bool termsApart = false;      ///< rays are cast for the diffuse and again for the specular term
 };
 
 /// What may be done with the shares: `right`, or a mistake that contract.md has a name for.

@@ -51,7 +51,7 @@ TEST(BumpRegions, NameTheRowsInWhichALargeMapDiffers) {
 
 TEST(BumpRegions, ShowAPatchOfALargeMapThatIsAnEighteenthOfTheSphere) {
     const TaskJudgement judgement = judgeInvertedWhere([](const Point& point) {
-        return point.map.width() > 1000 && point.map.height() > 1000 && along(point) > 0.5 &&
+        return point.map.width() > 500 && point.map.height() > 500 && along(point) > 0.5 &&
                along(point) < 0.75 && down(point) > 0.5 && down(point) < 0.65;
     });
     EXPECT_EQ(judgement.state, TaskState::failed);
