@@ -178,7 +178,9 @@ std::optional<Plane> rescaled(const SeenPictures& seen, const ExpectedPicture& e
         squares += expected.mean[i] * expected.mean[i];
     }
     const double factor = products / squares;
-    if (std::abs(factor - 1.0) <= 0.01) return std::nullopt;
+    // What is as dark as that shows nothing.
+    constexpr double kNothing = 0.001;
+    if (std::abs(factor - 1.0) <= 0.01 || factor < kNothing) return std::nullopt;
     Plane plane = expected.mean;
     for (double& value : plane)
         value *= factor;

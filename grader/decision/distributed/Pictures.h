@@ -67,7 +67,8 @@ struct Excess {
 [[nodiscard]] double unexplainedBy(const Plane& other, const SeenPictures& seen,
                                    const ExpectedPicture& expected);
 
-/// The expected picture as much brighter or darker as fits best; nothing where it fits as it is.
+/// The expected picture as much brighter or darker as fits best; nothing where it fits as it is, or
+/// all is black.
 [[nodiscard]] std::optional<Plane> rescaled(const SeenPictures& seen,
                                             const ExpectedPicture& expected);
 

@@ -69,6 +69,11 @@ async function shown(page, other) {
   return main.getAttribute("data-name");
 }
 
+/// Goes to an address. The browser's own page of an error may still be on its way.
+async function comeBack(page, address) {
+  await page.goto(address).catch(() => page.goto(address));
+}
+
 const saved = (page) => page.waitForFunction(() => document.querySelector(".state").textContent === "all saved");
 
 /// What is on disk: the newest ruling by name.
@@ -114,7 +119,7 @@ test("100 decisions by keyboard, the session killed in between, none lost", asyn
     await page.keyboard.press(key); // this one waits in the browser
     if (i === 70) await page.reload().catch(() => {}); // there is no page to come back to
     if (i === 30 || i === 70) session = await startSession(out);
-    if (i === 70) await page.goto(session.address);
+    if (i === 70) await comeBack(page, session.address);
     if (i === 70) name = undefined;
   }
   await page.getByRole("heading", { name: "All are decided" }).waitFor();
