@@ -49,7 +49,9 @@ bool Regrade::concerns(const SubmissionResult& result) const {
 ClassRun::ClassRun(fs::path out, Regrade regrade, bool hasStore)
     : out_(std::move(out)), regrade_(std::move(regrade)) {
     make(out_);
-    if (hasStore) store_.emplace(out_);
+    if (!hasStore) return;
+    lock_.emplace(out_);
+    store_.emplace(out_);
 }
 
 std::uint64_t ClassRun::settleSeed(std::optional<std::uint64_t> given, bool keepsResults,

@@ -1,6 +1,7 @@
 #ifndef TICKER_CLI_CLASSRUN_H
 #define TICKER_CLI_CLASSRUN_H
 
+#include <grader/cli/FolderLock.h>
 #include <grader/intake/Intake.h>
 #include <grader/result/SubmissionResult.h>
 #include <grader/store/Store.h>
@@ -27,7 +28,7 @@ public:
     /// Opens OUT's store, or makes OUT and its store.
     /// @param hasStore  False: only results are read and written, as a cluster's node must;
     ///                  `ticker collect` takes them into the store.
-    /// @throws raytracer::InputError where OUT cannot be made or is no OUT.
+    /// @throws raytracer::InputError where OUT cannot be made, is no OUT, or is being graded into.
     ClassRun(std::filesystem::path out, Regrade regrade, bool hasStore);
 
     /// The seed of the run: the one given; else, where earlier results are to be kept, theirs; else
@@ -59,6 +60,7 @@ public:
 private:
     std::filesystem::path out_;
     Regrade regrade_;
+    std::optional<FolderLock> lock_;
     std::optional<store::Store> store_;
 };
 

@@ -1,5 +1,6 @@
 #include "GradedClass.h"
 
+#include <grader/cli/FolderLock.h>
 #include <grader/store/Store.h>
 
 #include <csignal>
@@ -54,6 +55,17 @@ TEST_F(Resume, TakesResultsOfAnotherSeedForOthers) {
     run(gradeCommand("out", {"--seed", "5"}));
     EXPECT_EQ(countKept(run(gradeCommand("out", {"--seed", "5"}))), kSize);
     EXPECT_EQ(countKept(run(gradeCommand("out", {"--seed", "6"}))), 0U);
+}
+
+TEST_F(Resume, WaitsForNobodyWhoGradesIntoTheSameFolder) {
+    fs::create_directory(at("out"));
+    {
+        const FolderLock other{at("out")};
+        EXPECT_EQ(run(gradeCommand("out"), 2).size(), 0U);
+        EXPECT_NE(errors().find("another ticker is grading into it"), std::string::npos)
+            << errors();
+    }
+    EXPECT_EQ(run(gradeCommand("out")).size(), kSize);
 }
 
 TEST_F(Resume, GoesOnAfterCtrlC) {
