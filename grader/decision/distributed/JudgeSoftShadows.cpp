@@ -79,7 +79,7 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
     }
     if (outcome.reading) warnOfReading(*outcome.reading, outcome.findings);
     if (outcome.reading && !outcome.rayless && !hasFailure(outcome.findings))
-        keep(outcome.findings, checkOtherSettings(logs, *outcome.reading));
+        keep(outcome.findings, checkOtherSettings(logs));
     outcome.plots = unshown({plotAims(logs.farLight)}, outcome.findings);
     return outcome;
 }

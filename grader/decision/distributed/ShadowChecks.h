@@ -37,8 +37,7 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkFixedSamples(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);
-[[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs,
-                                                        const ShadowReading& reading);
+[[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs);
 
 /// Replays every value; the reading that fits, or the mistake.
 struct ArithmeticVerdict {

@@ -191,14 +191,26 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
     return finding;
 }
 
-std::optional<Finding> checkOtherSettings(const ShadowLogs& logs, const ShadowReading& reading) {
+namespace {
+
+// Readings that leave much open fit where their own one does; with a smaller light only that does.
+bool anyReadingFits(const ShadowLog& log) {
+    const std::vector<ShadowReading> readings = acceptedShadowReadings();
+    return std::any_of(readings.begin(), readings.end(), [&](const ShadowReading& reading) {
+        return countFits(log, reading, ShadowArithmetic::right).all();
+    });
+}
+
+}  // namespace
+
+std::optional<Finding> checkOtherSettings(const ShadowLogs& logs) {
     for (const ShadowLog* log : logs.otherSettings) {
         const RayCounts counts = countRays({log});
         const auto asked = static_cast<std::size_t>(log->settings().shadowRayCount);
         const double widest = widestMiss({log});
         const bool tooFew = counts.fewest < asked;
         const bool tooWide = widest > log->settings().lightSize * (1.0 + 1e-6) + kLargestBias;
-        const bool wrongValue = !countFits(*log, reading, ShadowArithmetic::right).all();
+        const bool wrongValue = !anyReadingFits(*log);
         if (!tooFew && !tooWide && !wrongValue) continue;
         Finding finding = distributedFinding(
             "settings.hard-coded", Severity::warn,
