@@ -6,6 +6,8 @@
 
 #include <raytracer/base/Error.h>
 
+#include <malloc.h>
+#include <pthread.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <cstdlib>
@@ -27,10 +29,24 @@ std::span<std::byte> mapped(int descriptor, int protection, int flags) {
     return {static_cast<std::byte*>(memory), size};
 }
 
+// Some start a thread for each row of a picture. As many stacks and heaps as glibc gives to each by
+// itself would not fit into the memory that a submission may have.
+void makeRoomForThreads() {
+    constexpr std::size_t kStackBytes = 2U << 20U;
+    constexpr int kHeaps = 4;
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, kStackBytes);
+    pthread_setattr_default_np(&attributes);
+    pthread_attr_destroy(&attributes);
+    mallopt(M_ARENA_MAX, kHeaps);
+}
+
 }  // namespace
 
 int main() {
     using namespace ticker::probe;
+    makeRoomForThreads();
     try {
         const auto questions = decodeQuestions(mapped(kQuestions, PROT_READ, MAP_PRIVATE));
         respond(questions, mapped(kAnswers, PROT_READ | PROT_WRITE, MAP_SHARED));

@@ -27,7 +27,7 @@ struct Limits {
     std::uint64_t addressSpaceBytes = 1'500'000'000;
     std::uint64_t fileSizeBytes = 64U << 20U;
     std::uint64_t stackBytes = 64U << 20U;
-    int processes = 16;
+    int processes = 256;  ///< and threads
     int openFiles = 64;
     std::size_t outputBytes =
         64U << 10U;  ///< of stdout and stderr together; more kills the command

@@ -58,6 +58,18 @@ TEST(GradeSubmission, CompilesNothingWhereEveryStubStillStands) {
     EXPECT_EQ(result.option, "none");
 }
 
+// A thread for each row: 120 of them in the picture that people look at.
+TEST(GradeSubmission, RendersThePicturesOfCodeWithAThreadForEachRow) {
+    const SubmissionResult result = gradeSubmission(
+        submission({}, tests::readFile(
+                           "grader/tests/unseen/T2/right/async-sobol-antithetic/Renderer.cpp")),
+        tests::testGraderWithScenes(), kSeed);
+    EXPECT_EQ(taskOf(result, "T2.2").state, TaskState::passed);
+    ASSERT_EQ(result.renders.size(), 1U);
+    EXPECT_EQ(result.renders[0].scene, "distributed");
+    EXPECT_LT(result.renders[0].rmse, 5.0);
+}
+
 TEST(GradeSubmission, LetsABrokenFileBlockItsOwnTaskOnly) {
     const SubmissionResult result = grade(submission(
         "this is no C++\n", tests::readFile("reference_solution/exercise/Renderer.cpp")));
