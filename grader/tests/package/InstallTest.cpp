@@ -23,9 +23,9 @@ TEST(Install, TheInstalledTickerGradesWhereNoCheckoutIs) {
     fs::copy(TICKER_SOURCE_DIR "/grader/samples/notAwarded/bump-inverted-u", work / "ann");
 
     tests::CleanRoot root;
-    root.bindReadOnly(prefix, "/opt/ticker").bind(work, "/work").withSystemLibraries();
+    root.bindReadOnly(prefix, "/opt/ticker").bind(work, "/desk").withSystemLibraries();
     const tests::RootRun graded =
-        root.run("/opt/ticker/bin/ticker grade /work/ann -o /work/out --seed 7");
+        root.run("/opt/ticker/bin/ticker grade /desk/ann -o /desk/out --seed 7");
     EXPECT_EQ(graded.status, 0) << graded.errors;
     const auto result = nlohmann::json::parse(tests::textOf(work / "out/ann/result.json"));
     EXPECT_EQ(result.at("verdict"), "notAwarded");
@@ -34,7 +34,7 @@ TEST(Install, TheInstalledTickerGradesWhereNoCheckoutIs) {
 
     const tests::RootRun rendered = root.run(
         "/opt/ticker/bin/ticker render /opt/ticker/share/ticker/scenes/bump-mapping.xml "
-        "-o /work/a.png -r 32x24 --seed 1");
+        "-o /desk/a.png -r 32x24 --seed 1");
     EXPECT_EQ(rendered.status, 0) << rendered.errors;
     EXPECT_TRUE(fs::exists(work / "a.png"));
 }

@@ -153,12 +153,12 @@ TEST_F(Platforms, ClassroomsStepHandsTheResultOverAndPrintsNothing) {
     fs::copy(TICKER_SOURCE_DIR "/student_template/framework/src/geometry/BumpySphere.cpp",
              box / "framework/src/geometry");
     CleanRoot root;
-    root.bind(box, "/work")
+    root.bind(box, "/desk")
         .bindReadOnly(image("source/ticker"), "/opt/ticker")
         .bindReadOnly(TICKER_SOURCE_DIR "/grader/integrations/classroom", "/classroom")
         .set("TICKER", "/opt/ticker/bin/ticker")
-        .set("GITHUB_OUTPUT", "/work/output");
-    const RootRun ran = root.run("cd /work && /classroom/grade");
+        .set("GITHUB_OUTPUT", "/desk/output");
+    const RootRun ran = root.run("cd /desk && /classroom/grade");
     ASSERT_EQ(ran.status, 0) << ran.errors;
     EXPECT_EQ(ran.output, "") << "GitHub takes lines for commands";
     const RootRun decoded =

@@ -59,9 +59,9 @@ TEST(StudentView, KeepsToItselfWhyWeFailed) {
     SubmissionResult result = failedBumpExample();
     result.verdict = Verdict::notGraded;
     result.tasks[0].state = TaskState::notGraded;
-    result.tasks[0].reason = "cannot write /root/secret/probe";
+    result.tasks[0].reason = "cannot write /srv/secret/probe";
     result.tasks[0].findings.clear();
-    EXPECT_FALSE(holds(everythingShown(result, {}), "/root/secret"));
+    EXPECT_FALSE(holds(everythingShown(result, {}), "/srv/secret"));
 }
 
 TEST(StudentView, ShowsWhatThePolicyAllowsAndNoMore) {
