@@ -17,8 +17,7 @@ std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& da
         return subject.isUnseen() ? 150 : 350;
     };
     const auto timesWrong = [](const Subject& subject) -> std::size_t {
-        if (subject.isUnseen()) return 50;
-        return subject.isStatistical() ? 1000 : 100;
+        return !subject.isStatistical() || subject.isUnseen() ? 100 : 1000;
     };
     constexpr std::size_t kStageUnits = 300;
     constexpr int kAgreementRounds = 10;

@@ -40,8 +40,7 @@ TEST_P(EveryLevel, HandsOverTheOutput) {
 TEST_P(EveryLevel, EndsAnEndlessLoopAtItsCpuLimit) {
     const Outcome outcome = runTrick({"loop"});
     EXPECT_EQ(describe(outcome), "signal 24");
-    // The limit is a second; what was used between two ticks of a loaded machine may go uncounted.
-    EXPECT_GE(outcome.cpuMs, 500.0);
+    EXPECT_GE(outcome.cpuMs, 750.0);
 }
 
 TEST_P(EveryLevel, EndsWhoIgnoresTheCpuLimit) {
