@@ -115,56 +115,6 @@ TEST(FindWrong, NamesTheMapThatDisagrees) {
     EXPECT_FALSE(reasonAfter([](Examination& e) { e.letters->l.alongV = {9, 1, 0}; }));
 }
 
-TEST(Agreement, HoldsUpToItsLimits) {
-    SlopeAgreement slopes{0.61, 0.61, 0.91, 0.91};
-    EXPECT_TRUE(slopes.good());
-    for (double SlopeAgreement::*part : {&SlopeAgreement::sawtoothU, &SlopeAgreement::sawtoothV}) {
-        SlopeAgreement less = slopes;
-        less.*part = 0.59;
-        EXPECT_FALSE(less.good());
-    }
-    for (double SlopeAgreement::*part : {&SlopeAgreement::fieldU, &SlopeAgreement::fieldV}) {
-        SlopeAgreement less = slopes;
-        less.*part = 0.89;
-        EXPECT_FALSE(less.good());
-    }
-    RegionShares regions;
-    regions.asOnRamps = 0.76;
-    regions.worst = 0.41;
-    regions.best = 0.9;
-    EXPECT_TRUE(regions.good());
-    EXPECT_FALSE(regions.isLocal());
-    regions.worst = 0.39;
-    EXPECT_FALSE(regions.good());
-    EXPECT_TRUE(regions.isLocal());
-    EXPECT_TRUE((RegionAgreement{regions, {}, 0, 0}.isLocal()));
-    EXPECT_FALSE((RegionAgreement{{}, regions, 0, 0}.good()));
-    EXPECT_FALSE((RegionAgreement{regions, {}, 0, 0}.good()));
-}
-
-TEST(Letters, AreReadByTheirEdges) {
-    const EdgeCount right{50, 5, 45};
-    EXPECT_TRUE(right.mostlyRight());
-    EXPECT_FALSE((EdgeCount{50, 6, 44}.mostlyRight()));
-    EXPECT_FALSE((EdgeCount{50, 5, 46}.mostlyRight()));
-    EXPECT_FALSE((EdgeCount{0, 0, 0}.mostlyRight()));
-    const EdgeCount opposite{5, 50, 45};
-    EXPECT_TRUE(opposite.mostlyOpposite());
-    EXPECT_FALSE((EdgeCount{6, 50, 44}.mostlyOpposite()));
-    EXPECT_FALSE((EdgeCount{5, 50, 46}.mostlyOpposite()));
-    EXPECT_FALSE((EdgeCount{0, 0, 0}.mostlyOpposite()));
-    EXPECT_EQ(right.crossed(), 100);
-    EXPECT_EQ(look({right, right}, false), "raised");
-    EXPECT_EQ(look({right, right}, true), "lowered");
-    EXPECT_EQ(look({opposite, opposite}, false), "lowered");
-    EXPECT_EQ(look({opposite, opposite}, true), "raised");
-    EXPECT_EQ(look({right, opposite}, false), "half");
-    EXPECT_EQ(look({opposite, right}, false), "half");
-    EXPECT_EQ(look({right, {}}, false), "unclear");
-    EXPECT_EQ(look({{}, opposite}, false), "unclear");
-    EXPECT_EQ(look({right, {10, 10, 0}}, false), "unclear");
-}
-
 std::vector<std::string> idsAfter(const std::function<void(Examination&)>& change,
                                   const std::optional<Hints>& hints = {}) {
     Examination examination = fine();

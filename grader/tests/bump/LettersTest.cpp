@@ -116,7 +116,8 @@ void expectAll(const EdgeCount& edges, int EdgeCount::*kind, int least, int most
     EXPECT_LE(edges.crossed(), most);
 }
 
-// Of four letters of each kind: an H has four upright edges but for its bar, an L two and a short one.
+// Of four letters of each kind; an H has four upright edges but for its bar, an L two and one at
+// its foot.
 TEST(ReadLetters, FindsEveryEdgeOfARightReading) {
     const LetterReading reading = Sitting(right).read();
     expectAll(reading.h.alongU, &EdgeCount::right, 265, 295);
