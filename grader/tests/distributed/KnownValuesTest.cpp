@@ -138,10 +138,11 @@ TEST(Near, HoldsInEveryChannel) {
 /// Points of one light of which rays are open and blocked, each of the colour that `colourOf` makes
 /// of the share that is open.
 template <typename ColourOf>
-std::optional<Finding> judgeRays(const ColourOf& colourOf) {
+std::optional<Finding> judgeRays(const ColourOf& colourOf,
+                                 const std::vector<int>& opens = {0, 2, 4, 6, 8, 10}) {
     ShadowByHand made;
     made.ask(Purpose::oneLight, {{0.0, 16.0, 0.0}});
-    for (int open = 0; open <= 10; open += 2) {
+    for (const int open : opens) {
         PointLog& point = made.point({0.1 * open, 0.0, 1.0});
         made.castRing(10);
         point.zones = {open == 10 ? Zone::lit : open == 0 ? Zone::umbra : Zone::penumbra};
@@ -166,6 +167,13 @@ TEST(CheckArithmetic, TellsAllOrNothingOfWhateverRule) {
     });
     ASSERT_EQ(idOf(odd), "shadow.all-or-nothing");
     EXPECT_NE(odd->message.find("never a part"), std::string::npos);
+    const auto few = judgeRays(
+        [](const Parts& p, int open) {
+            const bool isLit = open == 10 || open == 4;
+            return p.ambient + (p.diffuse + p.specular) * (isLit ? 1.0 : 0.0);
+        },
+        {0, 0, 2, 4, 6, 10, 10});
+    EXPECT_EQ(idOf(few), "shadow.wrong") << "three points at the edge say nothing";
     const auto unlit = judgeRays([](const Parts& p, int open) {
         return p.ambient + (p.diffuse + p.specular) * (open == 4 ? 1.0 : 0.0);
     });

@@ -108,6 +108,19 @@ TEST(FindRecolouring, SaysInWordsWhatWasDone) {
     EXPECT_EQ(wordsFor(selftest::photograph(320, 240, 8)), "") << "another picture";
 }
 
+TEST(FindRecolouring, IsNoneWhereOnePlaceOrTheDetailIsAnother) {
+    EXPECT_EQ(wordsFor(painted({100, 80, 20, 15})), "") << "one place";
+    Picture checked =
+        selftest::recoloured(photo().view(), [](double v, int) { return 0.6 * v + 0.2; });
+    for (std::size_t i = 0; i < checked.rgb.size(); ++i) {
+        const std::size_t x = i / 3 % 320;
+        const std::size_t y = i / 960;
+        const int by = (x / 4 + y / 4) % 2 == 0 ? 25 : -25;
+        checked.rgb[i] = static_cast<std::uint8_t>(checked.rgb[i] + by);
+    }
+    EXPECT_EQ(wordsFor(checked), "") << "finer than a tile";
+}
+
 TEST(FindRecolouring, IsSlightUpToEightSteps) {
     const auto brighter = [](int steps) {
         Picture picture = photo();
