@@ -3,6 +3,8 @@
 
 #include <grader/decision/distributed/LensChecks.h>
 
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>

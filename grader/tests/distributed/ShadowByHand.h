@@ -3,6 +3,7 @@
 
 #include <grader/decision/distributed/ShadowChecks.h>
 
+#include <cmath>
 #include <deque>
 #include <optional>
 #include <stdexcept>
