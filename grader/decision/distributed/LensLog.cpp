@@ -128,14 +128,6 @@ std::vector<PlacedRay> readThreads(const probe::RenderQuestion& asked,
     return traced.empty() ? cast : traced;
 }
 
-// The camera of design, section 4.
-Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y) {
-    const double pitch = 2.0 * std::tan(std::numbers::pi / 8.0) / settings.width;
-    return Vector3{(x + 0.5 - settings.width / 2.0) * pitch,
-                   (settings.height / 2.0 - y - 0.5) * pitch, 1.0}
-        .normalised();
-}
-
 int nearestByFocus(const LensRay& ray, const LensLog& log) {
     const raytracer::RenderSettings& settings = log.asked->settings;
     const double along = (settings.dofFocalPlane - ray.origin.z) / ray.direction.z;
@@ -177,6 +169,13 @@ std::size_t LensLog::rayCount() const {
     for (const LensPixel& pixel : pixels)
         count += pixel.rays.size();
     return count;
+}
+
+Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y) {
+    const double pitch = 2.0 * std::tan(std::numbers::pi / 8.0) / settings.width;
+    return Vector3{(x + 0.5 - settings.width / 2.0) * pitch,
+                   (settings.height / 2.0 - y - 0.5) * pitch, 1.0}
+        .normalised();
 }
 
 Vector3 focalPointOf(const LensPixel& pixel, const raytracer::RenderSettings& settings) {

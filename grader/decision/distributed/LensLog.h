@@ -41,6 +41,9 @@ struct LensLog {
 [[nodiscard]] LensLog readLensLog(const probe::RenderQuestion& asked,
                                   const probe::RenderAnswer& answer);
 
+/// Unit direction from the eye through the middle of a pixel, as `Camera` has it.
+[[nodiscard]] Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y);
+
 /// Where the pinhole ray of a pixel meets the focal plane.
 [[nodiscard]] Vector3 focalPointOf(const LensPixel& pixel,
                                    const raytracer::RenderSettings& settings);
