@@ -2,7 +2,10 @@
 #include <grader/decision/distributed/KnownColours.h>
 #include <grader/decision/distributed/ShadowChecks.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace ticker::decision {
@@ -79,6 +82,52 @@ void addWorstPoint(const Logs& logs, Finding& finding) {
         }
 }
 
+// How many rays to the only light arrive, and which part of its light there is.
+struct PartOfLight {
+    std::size_t open = 0;
+    std::size_t cast = 0;
+    double part = 0.0;
+
+    [[nodiscard]] double share() const {
+        return static_cast<double>(open) / static_cast<double>(cast);
+    }
+};
+
+// Empty where rounding decides, or where diffuse and specular light do not have the same part.
+std::optional<PartOfLight> partOfLight(const PointLog& point, const ShadowLog& log) {
+    constexpr double kSame = 1e-3;
+    PartOfLight found;
+    for (const AimLine& line : point.lines[0]) {
+        if (line.toLight == Sight::unsure) return std::nullopt;
+        if (line.toLight == Sight::open) ++found.open;
+        ++found.cast;
+    }
+    if (found.cast == 0) return std::nullopt;
+    const ColourRGB ambient = ambientPart(point, log.scene());
+    const ColourRGB full = inFullLight(point, log.scene()) - ambient;
+    const ColourRGB seen = point.colour - ambient;
+    if (!(full.r + full.g + full.b > 0.0)) return std::nullopt;
+    found.part = (seen.r + seen.g + seen.b) / (full.r + full.g + full.b);
+    if (!near(seen, full * found.part, full * kSame)) return std::nullopt;
+    return found;
+}
+
+// Says by an example what becomes of the share of rays, where light is scaled by one number.
+void addShares(const Logs& logs, Finding& finding) {
+    PartOfLight worst;
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points) {
+            const std::optional<PartOfLight> found = partOfLight(point, *log);
+            if (!found) return;
+            const double off = std::abs(found->part - found->share());
+            if (worst.cast == 0 || off > std::abs(worst.part - worst.share())) worst = *found;
+        }
+    if (worst.cast == 0) return;
+    finding.message += fmt::format(
+        " Where {} of {} rays arrive, {:.3g} of the light was expected, and there is {:.3g} of it.",
+        worst.open, worst.cast, worst.share(), worst.part);
+}
+
 Finding unexplained(const Logs& logs) {
     Finding finding = distributedFinding(
         "shadow.wrong", Severity::fail,
@@ -91,6 +140,12 @@ Finding unexplained(const Logs& logs) {
         finding.hint = "Start the shadow rays at P + N * kShadowBias, a tiny step off the surface.";
     }
     addWorstPoint(logs, finding);
+    return finding;
+}
+
+Finding unexplainedWithOneLight(const Logs& logs) {
+    Finding finding = unexplained(logs);
+    addShares(logs, finding);
     return finding;
 }
 
@@ -107,6 +162,16 @@ std::optional<Finding> knownMistake(const Logs& logs) {
                               "is all of it or none, never a part.");
 }
 
+// In plain sight of the light nothing but what stands behind it can take light away.
+bool onlyDarker(const Logs& logs) {
+    return std::all_of(logs.begin(), logs.end(), [](const ShadowLog* log) {
+        return std::all_of(log->points.begin(), log->points.end(), [&](const PointLog& point) {
+            const ColourRGB most = inFullLight(point, log->scene()) * 1.01;
+            return point.colour.r <= most.r && point.colour.g <= most.g && point.colour.b <= most.b;
+        });
+    });
+}
+
 // Several lights, a light with something behind it, or a wall can be wrong alone.
 std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& reading) {
     if (!allFit(logs.beyondLight, reading, ShadowArithmetic::right)) {
@@ -115,7 +180,9 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
             "A point in plain sight of the light was expected to be lit; an object behind the "
             "light casts a shadow on it.");
         addWorstPoint(logs.beyondLight, finding);
-        if (allFit(logs.beyondLight, reading, ShadowArithmetic::endless)) return finding;
+        if (onlyDarker(logs.beyondLight) ||
+            allFit(logs.beyondLight, reading, ShadowArithmetic::endless))
+            return finding;
         return unexplained(logs.beyondLight);
     }
     if (!allFit(logs.severalLights, reading, ShadowArithmetic::right)) {
@@ -156,7 +223,7 @@ ArithmeticVerdict checkArithmetic(const ShadowLogs& logs) {
         if (!rest) rest = std::move(wrong);
     }
     verdict.finding = rest ? rest : knownMistake(logs.oneLight);
-    if (!verdict.finding) verdict.finding = unexplained(logs.oneLight);
+    if (!verdict.finding) verdict.finding = unexplainedWithOneLight(logs.oneLight);
     return verdict;
 }
 
