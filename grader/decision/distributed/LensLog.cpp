@@ -86,7 +86,8 @@ private:
         placed.byCamera = camera_;
         return placed;
     }
-    // Rays that start on a surface are shadow rays and reflections.
+    // Rays that start on a surface are shadow rays and reflections, unless they are traced with all
+    // bounces: a lens that is far too large may reach the floor.
     [[nodiscard]] bool isFromOutside(const Event& event) const {
         constexpr double kOnSurface = 0.01;
         return isUsable(event) && surfaces_.distanceToNearest(event.a) > kOnSurface;
@@ -98,7 +99,8 @@ private:
     }
     void begin(const Event& event) {
         if (depth_++ > 0) return;
-        open_ = isFromOutside(event);
+        const bool whole = event.bounces == settings_.bounces && isUsable(event);
+        open_ = whole || isFromOutside(event);
         if (!open_) return;
         PlacedRay traced = placed(event);
         traced.ray.bounces = event.bounces;

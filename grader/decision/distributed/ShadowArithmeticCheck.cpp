@@ -172,6 +172,20 @@ bool onlyDarker(const Logs& logs) {
     });
 }
 
+// Past the light a ray may meet what its sample, wrongly, lies beyond of.
+bool aimBesideTheLight(const Logs& logs) {
+    constexpr double kBeside = 1.02;
+    const auto beside = [](const ShadowLog& log, const PointLog& point) {
+        return std::any_of(point.lines[0].begin(), point.lines[0].end(), [&](const AimLine& line) {
+            return line.miss > kBeside * log.settings().lightSize;
+        });
+    };
+    return std::any_of(logs.begin(), logs.end(), [&](const ShadowLog* log) {
+        return std::any_of(log->points.begin(), log->points.end(),
+                           [&](const PointLog& point) { return beside(*log, point); });
+    });
+}
+
 // Several lights, a light with something behind it, or a wall can be wrong alone.
 std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& reading) {
     if (!allFit(logs.beyondLight, reading, ShadowArithmetic::right)) {
@@ -180,8 +194,8 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
             "A point in plain sight of the light was expected to be lit; an object behind the "
             "light casts a shadow on it.");
         addWorstPoint(logs.beyondLight, finding);
-        if (onlyDarker(logs.beyondLight) ||
-            allFit(logs.beyondLight, reading, ShadowArithmetic::endless))
+        if (allFit(logs.beyondLight, reading, ShadowArithmetic::endless) ||
+            (onlyDarker(logs.beyondLight) && !aimBesideTheLight(logs.beyondLight)))
             return finding;
         return unexplained(logs.beyondLight);
     }
