@@ -1,0 +1,25 @@
+#include <raytracer/geometry/BumpySphere.h>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raytracer {
+
+Vector3 BumpySphere::getNormalAt(const Vector3& position) const {
+    const Vector3 n = Sphere::getNormalAt(position);
+    const double lambda = std::atan2(n.x, -n.z), theta = std::acos(std::clamp(n.y, -1.0, 1.0));
+    if (std::sin(theta) < 0.2) return n;
+    const Vector3 Pu{std::cos(lambda), 0, std::sin(lambda)};
+    const Vector3 Pv = n.cross(Pu);
+    const HeightMap& m = heightMap();
+    const double v = theta / std::numbers::pi;
+    const int i = std::min(int((lambda / (2 * std::numbers::pi) + 0.5) * m.width()), m.width() - 1);
+    const int j = std::min(int(v * m.height()), m.height() - 1);
+    const int right = (i + 1) % m.width();
+    const int below = std::min(j + 1, m.height() - 1);
+    const double Bu = m.at(right, j) - m.at(i, j);
+    const double Bv = m.at(i, below) - m.at(i, j);
+    return (n - Bu * Pu - Bv * Pv).normalised();
+}
+
+}  // namespace raytracer
