@@ -1,11 +1,9 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/KnownColours.h>
 #include <grader/decision/distributed/ShadowChecks.h>
-
-#include <fmt/core.h>
+#include <grader/decision/distributed/UnexplainedShadows.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace ticker::decision {
@@ -23,10 +21,6 @@ std::optional<ShadowReading> readingThatFits(const Logs& logs, ShadowArithmetic 
     for (const ShadowReading& reading : acceptedShadowReadings())
         if (allFit(logs, reading, arithmetic)) return reading;
     return std::nullopt;
-}
-
-std::vector<double> listed(const ColourRGB& colour) {
-    return {colour.r, colour.g, colour.b};
 }
 
 // Where some rays arrive and some do not, the value is everything or nothing, every time; elsewhere
@@ -48,105 +42,6 @@ bool neverAFraction(const Logs& logs) {
             if (anyOpen && anyBlocked) ++mixed;
         }
     return mixed >= 4;
-}
-
-// Rays that hit something at once hit the surface that they leave; whoever sorts such hits out
-// himself gets the right colours nevertheless.
-bool shadowsItself(const Logs& logs, bool viewerIsEye) {
-    for (const ShadowLog* log : logs)
-        for (const PointLog& point : log->points)
-            for (std::size_t i = 0; i < point.lines.size(); ++i)
-                for (const AimLine& line : point.lines[i])
-                    if (point.zones[i] == Zone::lit && line.toLight != Sight::open &&
-                        !isNearKnown(point, *log, viewerIsEye))
-                        return true;
-    return false;
-}
-
-// The point whose value is farthest from the reading, for people to look at.
-void addWorstPoint(const Logs& logs, Finding& finding) {
-    for (const ShadowLog* log : logs)
-        for (const PointLog& point : log->points) {
-            if (fits(point, log->scene(), log->settings(), {}, ShadowArithmetic::right)) continue;
-            std::size_t open = 0;
-            for (const std::vector<AimLine>& lines : point.lines)
-                open += static_cast<std::size_t>(
-                    std::count_if(lines.begin(), lines.end(),
-                                  [](const AimLine& line) { return line.toLight == Sight::open; }));
-            finding.evidence.emplace_back("raysThatArrive", static_cast<double>(open));
-            finding.evidence.emplace_back("raysCast", static_cast<double>(point.lineCount()));
-            finding.evidence.emplace_back("ambient", listed(ambientPart(point, log->scene())));
-            finding.evidence.emplace_back("fullLight", listed(inFullLight(point, log->scene())));
-            finding.evidence.emplace_back("seen", listed(point.colour));
-            return;
-        }
-}
-
-// How many rays to the only light arrive, and which part of its light there is.
-struct PartOfLight {
-    std::size_t open = 0;
-    std::size_t cast = 0;
-    double part = 0.0;
-
-    [[nodiscard]] double share() const {
-        return static_cast<double>(open) / static_cast<double>(cast);
-    }
-};
-
-// Empty where rounding decides, or where diffuse and specular light do not have the same part.
-std::optional<PartOfLight> partOfLight(const PointLog& point, const ShadowLog& log) {
-    constexpr double kSame = 1e-3;
-    PartOfLight found;
-    for (const AimLine& line : point.lines[0]) {
-        if (line.toLight == Sight::unsure) return std::nullopt;
-        if (line.toLight == Sight::open) ++found.open;
-        ++found.cast;
-    }
-    if (found.cast == 0) return std::nullopt;
-    const ColourRGB ambient = ambientPart(point, log.scene());
-    const ColourRGB full = inFullLight(point, log.scene()) - ambient;
-    const ColourRGB seen = point.colour - ambient;
-    if (!(full.r + full.g + full.b > 0.0)) return std::nullopt;
-    found.part = (seen.r + seen.g + seen.b) / (full.r + full.g + full.b);
-    if (!near(seen, full * found.part, full * kSame)) return std::nullopt;
-    return found;
-}
-
-// Says by an example what becomes of the share of rays, where light is scaled by one number.
-void addShares(const Logs& logs, Finding& finding) {
-    PartOfLight worst;
-    for (const ShadowLog* log : logs)
-        for (const PointLog& point : log->points) {
-            const std::optional<PartOfLight> found = partOfLight(point, *log);
-            if (!found) return;
-            const double off = std::abs(found->part - found->share());
-            if (worst.cast == 0 || off > std::abs(worst.part - worst.share())) worst = *found;
-        }
-    if (worst.cast == 0) return;
-    finding.message += fmt::format(
-        " Where {} of {} rays arrive, {:.3g} of the light was expected, and there is {:.3g} of it.",
-        worst.open, worst.cast, worst.share(), worst.part);
-}
-
-Finding unexplained(const Logs& logs) {
-    Finding finding = distributedFinding(
-        "shadow.wrong", Severity::fail,
-        "The colours that illuminate gives were recomputed from the shadow rays that it cast; they "
-        "fit neither the handout's steps nor a mistake that is known.");
-    if (shadowsItself(logs, false) && shadowsItself(logs, true)) {
-        finding.message =
-            "Points in plain light were expected to be lit; some shadow rays are stopped by the "
-            "very surface that they leave.";
-        finding.hint = "Start the shadow rays at P + N * kShadowBias, a tiny step off the surface.";
-    }
-    addWorstPoint(logs, finding);
-    return finding;
-}
-
-Finding unexplainedWithOneLight(const Logs& logs) {
-    Finding finding = unexplained(logs);
-    addShares(logs, finding);
-    return finding;
 }
 
 std::optional<Finding> knownMistake(const Logs& logs) {
@@ -197,7 +92,7 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
         if (allFit(logs.beyondLight, reading, ShadowArithmetic::endless) ||
             (onlyDarker(logs.beyondLight) && !aimBesideTheLight(logs.beyondLight)))
             return finding;
-        return unexplained(logs.beyondLight);
+        return unexplainedShadows(logs.beyondLight);
     }
     if (!allFit(logs.severalLights, reading, ShadowArithmetic::right)) {
         Finding finding = distributedFinding(
@@ -208,14 +103,15 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
         return finding;
     }
     if (!allFit(logs.planeShadow, reading, ShadowArithmetic::right)) {
-        Finding finding = unexplained(logs.planeShadow);
+        Finding finding = unexplainedShadows(logs.planeShadow);
         finding.message =
             "Spheres cast the shadows that were expected; a plane between a point and "
             "the light does not.";
         finding.hint = "Whatever a shadow ray hits before the light stops it, planes as well.";
         return finding;
     }
-    if (!allFit(logs.farLight, reading, ShadowArithmetic::right)) return unexplained(logs.farLight);
+    if (!allFit(logs.farLight, reading, ShadowArithmetic::right))
+        return unexplainedShadows(logs.farLight);
     return std::nullopt;
 }
 
@@ -231,7 +127,9 @@ ArithmeticVerdict checkArithmetic(const ShadowLogs& logs) {
             verdict.reading = reading;
             // What fits may still be rays that never got off the surface.
             if (shadowsItself(logs.oneLight, reading.viewerIsEye))
-                verdict.finding = unexplained(logs.oneLight);
+                verdict.finding = unexplainedShadows(logs.oneLight);
+            else if (leaksAtTheStart(logs.oneLight, reading.viewerIsEye))
+                verdict.finding = leakAtTheStart();
             return verdict;
         }
         if (!rest) rest = std::move(wrong);
