@@ -1,5 +1,5 @@
-#include <grader/oracle/Oracle.h>
 #include <grader/calibrate/Agreement.h>
+#include <grader/oracle/Oracle.h>
 #include <grader/tests/oracle/PlainRenderer.h>
 #include <grader/tests/oracle/TestScenes.h>
 
@@ -72,6 +72,14 @@ TEST(OracleMoments, AgreeWithTheReferenceSolutionInARegion) {
     settings.height = 72;
     settings.region = {30, 20, 24, 18};
     expectReferenceAgrees(variedScene(), settings, 40);
+}
+
+TEST(OracleMoments, AgreeWithTheReferenceSolutionAfterTwoSmallMirrors) {
+    RenderSettings settings = smallSettings();
+    settings.dofAmount = 0.1;
+    settings.dofFocalPlane = 3.518;
+    settings.region = {4, 12, 1, 1};
+    expectReferenceAgrees(smallMirrorsScene(), settings, 100);
 }
 
 TEST(OracleMoments, AgreeWithTheOraclesOwnStudents) {
