@@ -101,8 +101,10 @@ TEST(JudgeDepthOfField, WantsNumbersInEveryChannel) {
 TEST(JudgeDepthOfField, SaysNoMoreOfALensThatIsNone) {
     RightLog none;
     for (LensPixel& pixel : none.log.pixels)
-        for (LensRay& ray : pixel.rays)
-            ray = {{}, {0.3, 0.0, 0.9}, ray.value, ray.bounces};
+        for (LensRay& ray : pixel.rays) {
+            ray.origin = {};
+            ray.direction = {0.3, 0.0, 0.9};
+        }
     EXPECT_EQ(idsOf(judge(none)), "dof.none ");
     RightLog shared;
     for (LensPixel& pixel : shared.log.pixels)
