@@ -36,19 +36,20 @@ int openAims(const probe::LitPoint& point, double size) {
 }
 
 TEST(PenumbraQuestion, AsksWhereAPartIsSeenAndBesideTheRim) {
-    int places[3] = {0, 0, 0};
+    int places[4] = {0, 0, 0, 0};
     std::size_t next = 0;
     for (const PenumbraQuestion::Place& place : question().places) {
         ++places[static_cast<std::size_t>(place.kind)];
         EXPECT_EQ(place.first, next);
-        EXPECT_EQ(place.calls, place.kind == Kind::penumbra ? 2000U : 1000U);
+        const std::size_t calls[] = {2000, 1000, 1000, 3000};
+        EXPECT_EQ(place.calls, calls[static_cast<std::size_t>(place.kind)]);
         next += place.calls;
         const probe::LitPoint& point = question().question.points[place.first];
         EXPECT_EQ(place.fromLens, point.viewer.z == 0.0);
         const Vector3 moved = question().question.points[next - 1].position - point.position;
         EXPECT_TRUE(moved.magnitude() > 0.0 && moved.magnitude() < 4e-6);
         EXPECT_LT(std::abs(moved.dot(point.normal)), 1e-9) << "in the floor";
-        if (place.kind == Kind::penumbra) continue;
+        if (place.kind == Kind::penumbra || place.kind == Kind::atRim) continue;
         const bool isBeyond = place.kind == Kind::beyondRim;
         EXPECT_EQ(openAims(point, isBeyond ? 1.02 : 0.81), 0);
         EXPECT_GT(openAims(point, isBeyond ? 1.2 : 1.0), 0);
@@ -83,7 +84,8 @@ PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {}) {
         const double open = expectedAt(asked, surfaces, log.point, AimShape::ball, how.size).open;
         for (std::size_t i = 0; i < place.calls; ++i) {
             double share = 0.0;
-            if (place.kind == Kind::penumbra) share = shareOf(open, draw);
+            if (place.kind == Kind::penumbra || place.kind == Kind::atRim)
+                share = shareOf(open, draw);
             if (place.kind == Kind::beyondRim && i == 0) share = how.beyond;
             if (place.kind == Kind::withinRim && i == 0) share = how.within;
             answer.colours.push_back(ambientPart(log, asked.scene) + full * share + how.more);
