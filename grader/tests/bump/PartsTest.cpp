@@ -2,6 +2,7 @@
 #include <grader/decision/bump/Landing.h>
 #include <grader/decision/bump/Poisson.h>
 #include <grader/decision/bump/Tilt.h>
+#include <grader/tests/bump/Spread.h>
 
 #include <gtest/gtest.h>
 
@@ -14,17 +15,7 @@ namespace {
 // Twenty thousand units in the last place of a direction.
 constexpr double kRounding = 1e-11;
 
-/// An even spread of directions.
-std::vector<Vector3> spread(int count) {
-    std::vector<Vector3> directions;
-    for (int i = 0; i < count; ++i) {
-        const double y = 1.0 - 2.0 * (i + 0.5) / count;
-        const double longitude = 2.4 * i;
-        const double ring = std::sqrt(1.0 - y * y);
-        directions.emplace_back(ring * std::sin(longitude), y, -ring * std::cos(longitude));
-    }
-    return directions;
-}
+using tests::spread;
 
 std::vector<Sighting> seenThrough(const Landing& landing) {
     std::vector<Sighting> seen;

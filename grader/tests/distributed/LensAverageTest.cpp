@@ -1,0 +1,146 @@
+#include <grader/tests/distributed/LensByHand.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace ticker::decision {
+namespace {
+
+using Values = std::vector<ColourRGB>;
+
+const Values kBright{{0.2, 0.4, 0.6}, {0.6, 0.2, 0.0}};
+const Values kCorner{{1.6, 0.2, 0.1}, {0.2, 0.4, 0.3}, {0.001, 0.001, 0.001}};
+
+ColourRGB meanOf(const Values& values) {
+    ColourRGB sum;
+    for (const ColourRGB& value : values)
+        sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+/// Two pixels with these rays, each of the colour that `colourOf` makes of them.
+template <typename ColourOf>
+std::optional<Finding> judge(const ColourOf& colourOf, int asked = 2) {
+    LensByHand lens;
+    lens.asked.settings.dofRayCount = asked;
+    for (const Values& values : {kBright, kCorner}) {
+        LensPixel& pixel = lens.pixel();
+        for (const ColourRGB& value : values) {
+            pixel.rays.push_back(rayThrough({}, {0.0, 0.0, 1.0}));
+            pixel.rays.back().value = value;
+        }
+        pixel.colour = colourOf(values);
+    }
+    return checkAverage(lens.log);
+}
+
+bool says(const std::optional<Finding>& finding, const std::string& words) {
+    return finding && finding->id == "dof.not-averaged" &&
+           finding->message.find(words) != std::string::npos;
+}
+
+TEST(Average, IsThatOfAllRaysOrOfAllButAnExtraOne) {
+    EXPECT_FALSE(judge(meanOf));
+    EXPECT_FALSE(judge([](Values values) {
+        values.resize(2);
+        return meanOf(values);
+    })) << "an extra ray at the end";
+    EXPECT_FALSE(judge([](const Values& values) {
+        return meanOf({values.end() - 2, values.end()});
+    })) << "at the beginning";
+    EXPECT_TRUE(judge(
+        [](const Values& values) {
+            return meanOf({values.end() - 2, values.end()});
+        },
+        3))
+        << "no more than were asked for";
+}
+
+TEST(Average, LeavesOutSeveralExtraRays) {
+    LensByHand lens;
+    lens.asked.settings.dofRayCount = 1;
+    LensPixel& pixel = lens.pixel();
+    for (const ColourRGB& value : kCorner) {
+        pixel.rays.push_back(rayThrough({}, {0.0, 0.0, 1.0}));
+        pixel.rays.back().value = value;
+    }
+    pixel.colour = kCorner.back();
+    EXPECT_FALSE(checkAverage(lens.log));
+    pixel.colour = kCorner[1];
+    EXPECT_TRUE(checkAverage(lens.log)) << "the middle one is neither end";
+}
+
+TEST(Average, HoldsInEveryChannelUpToSinglePrecision) {
+    LensByHand lens;
+    LensPixel& pixel = lens.pixel();
+    for (const ColourRGB& value : kBright) {
+        pixel.rays.push_back(rayThrough({}, {0.0, 0.0, 1.0}));
+        pixel.rays.back().value = value;
+    }
+    for (const ColourRGB& channel :
+         {ColourRGB{1.0, 0.0, 0.0}, ColourRGB{0.0, 1.0, 0.0}, ColourRGB{0.0, 0.0, 1.0}})
+        for (const double side : {-1.0, 1.0}) {
+            pixel.colour = ColourRGB{0.4, 0.3, 0.3} + channel * (side * 2.9e-5);
+            EXPECT_FALSE(checkAverage(lens.log)) << "of a sum of 1";
+            pixel.colour = ColourRGB{0.4, 0.3, 0.3} + channel * (side * 3.1e-5);
+            EXPECT_TRUE(checkAverage(lens.log));
+        }
+}
+
+TEST(Average, IsMultipliedByAFactor) {
+    const auto finding = judge([](const Values& values) { return meanOf(values) * 0.7; });
+    ASSERT_TRUE(says(finding, "0.7 times"));
+    EXPECT_NEAR(numberIn(*finding, "factor"), 0.7, 1e-9);
+}
+
+TEST(Average, IsOneRayAlone) {
+    EXPECT_TRUE(says(judge([](const Values& values) { return values.back(); }), "last ray"));
+    EXPECT_TRUE(says(judge([](const Values& values) { return values.front(); }), "first ray"));
+}
+
+TEST(Average, LosesWhatIsTooBrightOrWhatHitNothing) {
+    EXPECT_TRUE(says(judge(
+                         [](Values values) {
+                             for (ColourRGB& value : values)
+                                 value = {std::min(1.0, value.r), value.g, value.b};
+                             return meanOf(values);
+                         },
+                         3),
+                     "cut off"));
+    EXPECT_TRUE(says(judge(
+                         [](Values values) {
+                             if (values.size() > 2) values.pop_back();
+                             return meanOf(values);
+                         },
+                         3),
+                     "hit nothing"));
+}
+
+TEST(Average, WeighsItsRaysUnevenlyOrIsSomethingElse) {
+    const auto weighed = [](const Values& values) {
+        return values.front() * 0.8 + values[1] * 0.2;
+    };
+    EXPECT_TRUE(says(judge(weighed), "count more"));
+    for (const ColourRGB& channel :
+         {ColourRGB{1.0, 0.0, 0.0}, ColourRGB{0.0, 1.0, 0.0}, ColourRGB{0.0, 0.0, 1.0}})
+        for (const double side : {-1.0, 1.0}) {
+            const ColourRGB off = channel * (2.0 * side);
+            EXPECT_EQ(idOf(judge([&](const Values& v) { return weighed(v) + off; })), "dof.wrong");
+        }
+}
+
+TEST(Average, IsNotJudgedWhereTheLogIsCutOrHasNoValues) {
+    LensByHand lens;
+    LensPixel& pixel = lens.pixel();
+    pixel.rays.push_back(rayThrough({}, {0.0, 0.0, 1.0}));
+    pixel.colour = {0.5, 0.5, 0.5};
+    EXPECT_FALSE(checkAverage(lens.log)) << "another recursion";
+    pixel.rays[0].value = ColourRGB{0.1, 0.7, 0.1};
+    EXPECT_TRUE(checkAverage(lens.log));
+    lens.log.cut = true;
+    EXPECT_FALSE(checkAverage(lens.log));
+}
+
+}  // namespace
+}  // namespace ticker::decision

@@ -1,0 +1,95 @@
+#include <grader/tests/distributed/LensByHand.h>
+
+#include <gtest/gtest.h>
+
+namespace ticker::decision {
+namespace {
+
+const double kPlane = raytracer::RenderSettings{}.dofFocalPlane;
+
+/// Two pixels whose rays start at the corners of the lens and go to `target(focal point)`.
+template <typename Target>
+std::optional<Finding> judge(const Target& target) {
+    LensByHand lens;
+    for (const Vector3& pinhole : {Vector3{0.1, 0.2, 1.0}, Vector3{-0.3, 0.1, 1.0}}) {
+        LensPixel& pixel = lens.pixel(pinhole);
+        for (const double x : {-0.2, 0.2})
+            for (const double y : {-0.2, 0.2}) {
+                const Vector3 origin{x, y, 0.0};
+                pixel.rays.push_back(rayThrough(origin, target(pinhole * kPlane, origin)));
+            }
+    }
+    return checkFocus(lens.log);
+}
+
+TEST(Focus, IsWhereThePinholeRayMeetsTheFocalPlane) {
+    EXPECT_EQ(idOf(judge([](const Vector3& focal, const Vector3&) { return focal; })), "");
+    LensByHand lens;
+    const Vector3 focal = focalPointOf(lens.pixel({0.3, 0.4, 2.0}), lens.asked.settings);
+    EXPECT_NEAR(focal.x, 0.15 * kPlane, 1e-12);
+    EXPECT_NEAR(focal.z, kPlane, 1e-12);
+}
+
+TEST(Focus, MayBeMissedBySinglePrecisionOnly) {
+    const auto missedBy = [](double distance) {
+        LensByHand lens;
+        LensRay ray = rayThrough({}, {0.0, 0.0, 1.0});
+        ray.origin = {distance, 0.0, 0.0};
+        lens.pixel().rays = {ray, rayThrough({0.1, 0.0, 0.0}, {0.0, 0.0, kPlane})};
+        return checkFocus(lens.log);
+    };
+    EXPECT_FALSE(missedBy(1.9e-4));
+    const auto missed = missedBy(2.1e-4);
+    ASSERT_TRUE(missed);
+    EXPECT_NEAR(numberIn(*missed, "farthestFromFocalPoint"), 2.1e-4, 1e-9);
+}
+
+TEST(Focus, LiesOnAnotherPlane) {
+    const auto finding =
+        judge([](const Vector3& focal, const Vector3&) { return focal * (4.0 / kPlane); });
+    ASSERT_EQ(idOf(finding), "dof.focal-plane");
+    EXPECT_NEAR(numberIn(*finding, "meetingZ"), 4.0, 1e-9);
+    EXPECT_EQ(numberIn(*finding, "focalPlaneExpected"), kPlane);
+    EXPECT_NE(finding->message.find("meet at z = 4 to 4"), std::string::npos) << finding->message;
+    ASSERT_EQ(finding->plots.size(), 1U);
+}
+
+TEST(Focus, LiesAtThatDistanceInsteadOfOnThatPlane) {
+    const auto finding =
+        judge([](const Vector3& focal, const Vector3&) { return focal.normalised() * kPlane; });
+    ASSERT_EQ(idOf(finding), "dof.focal-distance");
+    EXPECT_NEAR(numberIn(*finding, "meetingZ"), kPlane / Vector3(-0.3, 0.1, 1.0).magnitude(), 1e-9);
+}
+
+TEST(Focus, LiesBesideThePinholeRay) {
+    const auto beside = [](double distance) {
+        return idOf(judge([=](const Vector3& focal, const Vector3&) {
+            return focal + Vector3{0.0, 0.0, 1.0}.cross(focal).normalised() * distance;
+        }));
+    };
+    EXPECT_EQ(beside(0.05), "dof.wrong");
+    EXPECT_EQ(beside(0.021), "dof.wrong");
+    EXPECT_EQ(beside(0.019), "dof.focal-plane");
+}
+
+TEST(Focus, IsNowhereWhereRaysAreParallelOrPassEachOther) {
+    const auto parallel = judge([](const Vector3&, const Vector3& origin) {
+        return origin + Vector3{0.1, 0.0, 1.0};
+    });
+    EXPECT_EQ(idOf(parallel), "dof.focal-plane");
+    EXPECT_NE(parallel->message.find("parallel"), std::string::npos);
+    EXPECT_EQ(numberIn(*parallel, "meetingZ"), 0.0);
+    const auto passing = [](double distance) {
+        LensByHand lens;
+        // One ray above the other: the nearest point lies half-way between.
+        lens.pixel().rays = {rayThrough({-0.2, distance, 0.0}, {0.0, distance, 4.0}),
+                             rayThrough({0.2, -distance, 0.0}, {0.0, -distance, 4.0})};
+        return checkFocus(lens.log);
+    };
+    EXPECT_NE(passing(2.1e-3)->message.find("do not meet anywhere"), std::string::npos);
+    EXPECT_NE(passing(1.9e-3)->message.find("meet at z = 4"), std::string::npos)
+        << passing(1.9e-3)->message;
+}
+
+}  // namespace
+}  // namespace ticker::decision
