@@ -36,7 +36,7 @@ struct Lean {
     [[nodiscard]] std::size_t region() const {
         const double height = 0.5 - 0.5 * std::cos(std::numbers::pi * v);
         const auto zone = std::min(kZones - 1, static_cast<std::size_t>(height * kZones));
-        const auto slice = static_cast<std::size_t>(u * kSlices);  // u is below 1
+        const auto slice = std::min(kSlices - 1, static_cast<std::size_t>(u * kSlices));
         return zone * kSlices + slice;
     }
 };

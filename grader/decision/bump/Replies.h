@@ -30,7 +30,7 @@ struct Reply {
         return std::min(kBands - 1, static_cast<std::size_t>(v * kBands));
     }
     [[nodiscard]] std::size_t sector() const {
-        return static_cast<std::size_t>(u * kSectors);  // u is below 1
+        return std::min(kSectors - 1, static_cast<std::size_t>(u * kSectors));
     }
 };
 

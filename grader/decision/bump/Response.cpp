@@ -133,7 +133,8 @@ double strengthRatio(std::vector<Reply> replies) {
         std::vector<double> window;
         for (std::size_t j = i - kHalfWindow; j <= i + kHalfWindow; ++j)
             window.push_back(replies[j].tilt.magnitude());
-        const auto sector = static_cast<std::size_t>(replies[i].u * kStrengthSectors);
+        const auto sector = std::min(kStrengthSectors - 1,
+                                     static_cast<std::size_t>(replies[i].u * kStrengthSectors));
         sectors[sector].push_back(replies[i].tilt.magnitude() / median(window));
     }
     double least = 1e300;
