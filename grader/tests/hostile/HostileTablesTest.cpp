@@ -73,10 +73,10 @@ TEST(HostileTables, SeeASecretThatIsOut) {
 TEST(LeftBehind, TellsEachThingThatThereIsMoreOf) {
     const Footprint before{0, 10, 20, 50.0, 10.0, 1000.0};
     EXPECT_EQ(leftBehind(before, {0, 10, 20, 140.0, 15.0, 100.0}), std::vector<std::string>{});
-    EXPECT_EQ(leftBehind(before, {1, 12, 21, 140.0, 60.0, 1000.0}),
-              (std::vector<std::string>{"1 processes more than before", "2 files more than before",
-                                        "1 mounts more than before",
-                                        "140 MB more memory than before"}));
+    EXPECT_EQ(
+        leftBehind(before, {1, 12, 21, 140.0, 60.0, 1000.0}),
+        (std::vector<std::string>{"1 processes more than before", "2 files more than before",
+                                  "1 mounts more than before", "140 MB more memory than before"}));
 }
 
 TEST(ProcessesLeft, SeesAProcessWithAUidThatNoJailHolds) {

@@ -1,5 +1,5 @@
-#include <grader/oracle/Oracle.h>
 #include <grader/calibrate/Agreement.h>
+#include <grader/oracle/Oracle.h>
 #include <grader/tests/oracle/PlainRenderer.h>
 #include <grader/tests/oracle/TestScenes.h>
 

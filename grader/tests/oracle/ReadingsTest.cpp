@@ -61,8 +61,9 @@ TEST_F(OracleReadings, OfTheBumpMapAgreePixelByPixel) {
 
 // One scene that shows each: otherwise agreement would prove nothing.
 TEST_F(OracleReadings, ThatAreToldWronglyDoNotAgree) {
-    const std::map<std::string, std::string> shownBy{
-        {"half-aperture", "lens-grid"}, {"surface", "distributed"}, {"bump-mirrored", "bumpmap-test"}};
+    const std::map<std::string, std::string> shownBy{{"half-aperture", "lens-grid"},
+                                                     {"surface", "distributed"},
+                                                     {"bump-mirrored", "bumpmap-test"}};
     OracleAgreement campaign = campaignOf([&](AgreementCase& one) {
         one.reading = {};
         return shownBy.contains(one.name);

@@ -1,6 +1,6 @@
+#include <grader/calibrate/Agreement.h>
 #include <grader/oracle/BallPool.h>
 #include <grader/oracle/Oracle.h>
-#include <grader/calibrate/Agreement.h>
 #include <grader/tests/oracle/TestScenes.h>
 
 #include <gtest/gtest.h>
