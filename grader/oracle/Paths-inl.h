@@ -19,12 +19,14 @@ namespace ticker::oracle::HWY_NAMESPACE {
 inline constexpr float kReflectionBias = 1e-4F;
 inline constexpr float kBackground = 0.001F;
 
-/// Mirrors the rays of one vector in their surfaces; rays without weight stay where they are.
+/// Mirrors the rays of one vector in their surfaces. A point's rounding makes a small sphere's
+/// normal longer or shorter; of unit length again, the ray does not hand that on to the next
+/// sphere, which would make it larger.
 HWY_INLINE void reflect(const Surface& surface, const Vec3& direction, VF weight, std::size_t at,
                         Workspace& work) {
     store(weight, work.weight, at);
     const VF twice = hn::Mul(all(-2.0F), dot(direction, surface.normal));
-    store(moved(direction, surface.normal, twice), work.direction, at);
+    store(normalised(moved(direction, surface.normal, twice)), work.direction, at);
     store(moved(surface.point, surface.normal, all(kReflectionBias)), work.origin, at);
     store(surface.object, work.object, at);
     store(hn::Mul(all(kReflectionBias), dot(surface.geometric, surface.normal)), work.clearance,

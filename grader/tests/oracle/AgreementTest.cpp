@@ -74,6 +74,14 @@ TEST(OracleMoments, AgreeWithTheReferenceSolutionInARegion) {
     expectReferenceAgrees(variedScene(), settings, 40);
 }
 
+TEST(OracleMoments, AgreeWithTheReferenceSolutionAfterTwoSmallMirrors) {
+    RenderSettings settings = smallSettings();
+    settings.dofAmount = 0.1;
+    settings.dofFocalPlane = 3.518;
+    settings.region = {4, 12, 1, 1};
+    expectReferenceAgrees(smallMirrorsScene(), settings, 100);
+}
+
 TEST(OracleMoments, AgreeWithTheOraclesOwnStudents) {
     const Oracle oracle{variedScene(), smallSettings()};
     const Moments moments = oracle.moments(12, fine());

@@ -72,6 +72,20 @@ inline raytracer::SceneDescription variedScene() {
     return scene;
 }
 
+/// Two small mirrors that show a third sphere to pixel (4, 12) of 24 x 18: each of them makes what
+/// the one before got wrong some twenty times larger.
+inline raytracer::SceneDescription smallMirrorsScene() {
+    raytracer::SceneDescription scene;
+    scene.ambientLighting = raytracer::ColourRGB{1.0};
+    scene.spheres = {sphere({-0.93034, -0.5107, 3.60624}, 0.21301, 0x6f4929),
+                     sphere({-0.7783, 0.49851, 2.56915}, 0.14573, 0x1b72f3),
+                     sphere({0.30704, 0.36298, 3.58625}, 0.15733, 0x17ea21)};
+    scene.spheres[0].material.reflectivity = 0.8;
+    scene.spheres[1].material.reflectivity = 0.8;
+    scene.planes = {plane({0.0, 0.0, 12.0}, {0.0, 0.0, -1.0}, 0x516e7e)};
+    return scene;
+}
+
 }  // namespace ticker::oracle::test
 
 #endif
