@@ -113,13 +113,19 @@ Rubric readText(const std::string& text) {
     return readRubric(folder.path() / "rubric.json");
 }
 
-TEST(ReadRubric, TakesSeveritiesThatDifferFromTheDecisions) {
-    const Rubric rubric = readText(R"({"maxScore": 1, "options": [], "screenshotTask": "",
-        "severities": {"bump.mirrored": "fail", "bump.inverted-u": "note"}})");
+std::string withSeverities(const std::string& severities) {
+    return R"({"maxScore": 1, "options": [{"name": "a", "tasks": ["T1"], "points": 1}],
+        "screenshotTask": "", "severities": )" +
+           severities + "}";
+}
 
-    EXPECT_EQ(rubric.severities,
-              (std::map<std::string, Severity>{{"bump.mirrored", Severity::fail},
-                                               {"bump.inverted-u", Severity::note}}));
+TEST(ReadRubric, TakesSeveritiesThatDifferFromTheDecisions) {
+    const Rubric rubric =
+        readText(withSeverities(R"({"bump.mirrored": "fail", "bump.inverted-u": "note"})"));
+
+    const std::map<std::string, Severity> expected{{"bump.mirrored", Severity::fail},
+                                                   {"bump.inverted-u", Severity::note}};
+    EXPECT_EQ(rubric.severities, expected);
 }
 
 TEST(ReadRubric, SaysWhichMemberDoesNotFit) {
@@ -138,8 +144,7 @@ TEST(ReadRubric, SaysWhichMemberDoesNotFit) {
         "points": 1}], "screenshotTask": "", "severities": {}})")
                   .find("/options/0/tasks/0: expected \"T1\""),
               std::string::npos);
-    EXPECT_NE(messageFor(R"({"maxScore": 1, "options": [], "screenshotTask": "",
-        "severities": {"bump.flat": "harsh"}})")
+    EXPECT_NE(messageFor(withSeverities(R"({"bump.flat": "harsh"})"))
                   .find("/severities/bump.flat: expected \"fail\""),
               std::string::npos);
     EXPECT_NE(messageFor(R"({"maxscore": 1})").find("/maxscore"), std::string::npos);
