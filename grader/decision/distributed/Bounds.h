@@ -8,7 +8,7 @@
 namespace ticker::decision {
 
 /// The chance that one statistical statement about a correct submission is wrong. A decision makes
-/// some 95 of them: together they fail a correct submission with a chance below 1e-9.
+/// fewer than 100 of them: together they fail a correct submission with a chance below 1e-9.
 inline constexpr double kStatementRisk = 1e-11;
 
 /// Largest distance between the distribution function of `count` independent samples and the true

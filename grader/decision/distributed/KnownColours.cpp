@@ -34,6 +34,9 @@ constexpr std::array kMistakes{
         "In shadow the ambient light was expected to stay; it is scaled like the rest."},
     NamedArithmetic{ShadowArithmetic::specularUnshadowed, "shadow.specular-unshadowed",
                     "In shadow no highlight was expected; the specular term is there in full."},
+    NamedArithmetic{ShadowArithmetic::specularIfAny, "shadow.specular-unshadowed",
+                    "At the edge of a shadow a fraction of the highlight was expected; it is there "
+                    "in full as soon as one ray arrives."},
     NamedArithmetic{ShadowArithmetic::diffuseUnshadowed, "shadow.diffuse-unshadowed",
                     "In shadow no diffuse light was expected; the diffuse term is there in full."}};
 

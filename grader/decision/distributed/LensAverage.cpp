@@ -100,6 +100,16 @@ bool isOneOf(const LensPixel& pixel, Which which) {
            near(pixel.colour, which == Which::first ? values.front() : values.back());
 }
 
+// The sum of all but one, divided by the number of all.
+bool lacksOne(const LensPixel& pixel, Which which) {
+    const std::vector<ColourRGB> values = valuesOf(pixel);
+    if (values.size() < 2) return false;
+    const std::size_t kept = values.size() - 1;
+    const ColourRGB mean = meanOf(values.data() + (which == Which::first ? 1 : 0), kept);
+    return near(pixel.colour,
+                mean * (static_cast<double>(kept) / static_cast<double>(values.size())));
+}
+
 bool withinSamples(const LensPixel& pixel) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
     if (values.empty()) return false;
@@ -115,37 +125,65 @@ bool withinSamples(const LensPixel& pixel) {
            c.g <= high.g + slack && c.b >= low.b - slack && c.b <= high.b + slack;
 }
 
+// One of the things that go wrong with all the colours at hand; empty where none of them did.
+std::string knownMistake(const LensLog& log) {
+    if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::last); }))
+        return "it is the colour of the last ray alone";
+    if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::first); }))
+        return "it is the colour of the first ray alone";
+    if (everyPixel(log, [](const LensPixel& p) { return isMeanOf(p, cutOff); }))
+        return "each of them is cut off at 1 before";
+    if (everyPixel(log, [](const LensPixel& p) { return isMeanOf(p, unlessMissed); }))
+        return "rays that hit nothing are left out";
+    if (everyPixel(log, [](const LensPixel& p) { return lacksOne(p, Which::first); }))
+        return "the first ray is left out of the sum, but not out of the number";
+    if (everyPixel(log, [](const LensPixel& p) { return lacksOne(p, Which::last); }))
+        return "the last ray is left out of the sum, but not out of the number";
+    return {};
+}
+
+Finding notAveraged(const std::string& seen) {
+    return distributedFinding(
+        "dof.not-averaged", Severity::fail,
+        "The colour of a pixel was expected to be the mean of its rays' colours; " + seen + ".");
+}
+
+// Another recursion: what its rays gave is known from what they met, as long as nobody cast rays
+// for another reason. So only what fits a mistake throughout is held against it.
+std::optional<Finding> checkOwnRecursion(LensLog log) {
+    const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
+    for (LensPixel& pixel : log.pixels)
+        for (LensRay& ray : pixel.rays)
+            ray.value = ray.ambient;
+    if (everyPixel(log, [&](const LensPixel& pixel) { return isMean(pixel, asked); }))
+        return std::nullopt;
+    const std::string seen = knownMistake(log);
+    if (seen.empty()) return std::nullopt;
+    return notAveraged(seen);
+}
+
 }  // namespace
 
 std::optional<Finding> checkAverage(const LensLog& log) {
+    if (log.cut) return std::nullopt;
     const bool traced = std::any_of(log.pixels.begin(), log.pixels.end(), [](const LensPixel& p) {
         return !p.rays.empty() && p.rays.front().value.has_value();
     });
-    if (!traced || log.cut) return std::nullopt;
+    if (!traced) return checkOwnRecursion(log);
     const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
     if (everyPixel(log, [&](const LensPixel& pixel) { return isMean(pixel, asked); }))
         return std::nullopt;
     const double factor = commonFactor(log);
-    std::string seen;
+    std::string seen = knownMistake(log);
     if (factor != 0.0)
         seen = fmt::format("it is {:.4g} times their mean", factor);
-    else if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::last); }))
-        seen = "it is the colour of the last ray alone";
-    else if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::first); }))
-        seen = "it is the colour of the first ray alone";
-    else if (everyPixel(log, [](const LensPixel& p) { return isMeanOf(p, cutOff); }))
-        seen = "each of them is cut off at 1 before";
-    else if (everyPixel(log, [](const LensPixel& p) { return isMeanOf(p, unlessMissed); }))
-        seen = "rays that hit nothing are left out";
-    else if (everyPixel(log, withinSamples))
+    else if (seen.empty() && everyPixel(log, withinSamples))
         seen = "some rays count more than others";
     if (seen.empty())
         return distributedFinding("dof.wrong", Severity::fail,
                                   "The colour of a pixel was expected to be the mean of its rays' "
                                   "colours; it is none of the things that are known to go wrong.");
-    Finding finding = distributedFinding(
-        "dof.not-averaged", Severity::fail,
-        "The colour of a pixel was expected to be the mean of its rays' colours; " + seen + ".");
+    Finding finding = notAveraged(seen);
     if (factor != 0.0) finding.evidence.emplace_back("factor", factor);
     return finding;
 }

@@ -13,9 +13,13 @@ namespace {
 
 using probe::Event;
 
+// What a ray that hits nothing gives.
+constexpr ColourRGB kBackground{0.001};
+
 /// A lens ray with all that may tell its pixel; -1 where nothing does.
 struct PlacedRay {
     LensRay ray;
+    bool untraced = false;  // the scene was asked about it, and it hit nothing
     int repetition = 0;
     int bySet = -1;
     int byCamera = -1;
@@ -28,12 +32,20 @@ bool isUsable(const Event& event) {
     return finite(event.a) && finite(event.b) && event.b.magnitude() > 0.0;
 }
 
+bool isSameRay(const LensRay& a, const LensRay& b) {
+    constexpr double kSame = 1e-9;
+    return (a.origin - b.origin).magnitude() < kSame &&
+           (a.direction - b.direction).magnitude() < kSame;
+}
+
 // Follows one thread of one repetition.
 class ThreadReader {
 public:
-    ThreadReader(const raytracer::RenderSettings& settings, const Surfaces& surfaces,
-                 int repetition)
-        : settings_(settings), surfaces_(surfaces), repetition_(repetition) {}
+    ThreadReader(const probe::RenderQuestion& asked, const Surfaces& surfaces, int repetition)
+        : scene_(asked.scene),
+          settings_(asked.settings),
+          surfaces_(surfaces),
+          repetition_(repetition) {}
 
     void read(const Event& event) {
         switch (event.kind) {
@@ -57,7 +69,7 @@ public:
                 break;
         }
     }
-    [[nodiscard]] const std::vector<PlacedRay>& traced() const { return traced_; }
+    [[nodiscard]] const std::vector<PlacedRay>& entered() const { return entered_; }
     [[nodiscard]] const std::vector<PlacedRay>& cast() const { return cast_; }
 
 private:
@@ -74,66 +86,80 @@ private:
         placed.byCamera = camera_;
         return placed;
     }
+    // Rays that start on a surface are shadow rays and reflections, unless they are traced with all
+    // bounces: a lens that is far too large may reach the floor.
+    [[nodiscard]] bool isFromOutside(const Event& event) const {
+        constexpr double kOnSurface = 0.01;
+        return isUsable(event) && surfaces_.distanceToNearest(event.a) > kOnSurface;
+    }
+    [[nodiscard]] ColourRGB ambientOf(int object) const {
+        const auto objects = static_cast<int>(scene_.spheres.size() + scene_.planes.size());
+        if (object < 0 || object >= objects) return kBackground;
+        return materialOf(scene_, object).colour * scene_.ambientLighting;
+    }
     void begin(const Event& event) {
         if (depth_++ > 0) return;
-        open_ = isUsable(event);
+        const bool whole = event.bounces == settings_.bounces && isUsable(event);
+        open_ = whole || isFromOutside(event);
         if (!open_) return;
-        traced_.push_back(placed(event));
-        traced_.back().ray.bounces = event.bounces;
+        PlacedRay traced = placed(event);
+        traced.ray.bounces = event.bounces;
+        const bool asked = !entered_.empty() && entered_.back().untraced &&
+                           isSameRay(entered_.back().ray, traced.ray);
+        if (asked) entered_.pop_back();
+        entered_.push_back(traced);
     }
     void end(const Event& event) {
         if (depth_ == 0 || --depth_ > 0 || !open_) return;
-        traced_.back().ray.value = ColourRGB{event.a.x, event.a.y, event.a.z};
+        entered_.back().ray.value = ColourRGB{event.a.x, event.a.y, event.a.z};
     }
-    // Rays that do not start on a surface are no shadow rays and no reflections.
     void cast(const Event& event) {
-        constexpr double kOnSurface = 0.01;
-        if (depth_ > 0 || !isUsable(event)) return;
-        if (surfaces_.distanceToNearest(event.a) > kOnSurface) cast_.push_back(placed(event));
+        if (depth_ > 0 || !isFromOutside(event)) return;
+        PlacedRay cast = placed(event);
+        cast.ray.ambient = ambientOf(event.object);
+        cast_.push_back(cast);
+        if (event.object >= 0) return;
+        cast.untraced = true;
+        cast.ray.value = kBackground;
+        entered_.push_back(cast);
     }
     void set(const Event& event) {
         const int index = indexOf(event);
-        for (auto* list : {&traced_, &cast_})
+        for (auto* list : {&entered_, &cast_})
             for (auto ray = list->rbegin(); ray != list->rend() && ray->bySet < 0; ++ray)
                 ray->bySet = index;
     }
 
+    const raytracer::SceneDescription& scene_;
     const raytracer::RenderSettings& settings_;
     const Surfaces& surfaces_;
     int repetition_;
     int depth_ = 0;
     bool open_ = false;
     int camera_ = -1;
-    std::vector<PlacedRay> traced_;
+    std::vector<PlacedRay> entered_;
     std::vector<PlacedRay> cast_;
 };
 
-std::vector<PlacedRay> readThreads(const probe::RenderQuestion& asked,
-                                   const std::vector<Event>& events) {
+struct ReadRays {
+    std::vector<PlacedRay> entered;  // traced, or hit nothing and were not
+    std::vector<PlacedRay> cast;     // the scene was asked about them outside of any trace
+};
+
+ReadRays readThreads(const probe::RenderQuestion& asked, const std::vector<Event>& events) {
     const Surfaces surfaces{asked.scene};
     std::map<std::pair<std::uint32_t, std::uint32_t>, ThreadReader> threads;
     for (const Event& event : events) {
         if (event.ask >= static_cast<std::uint32_t>(asked.repetitions)) continue;
-        threads
-            .try_emplace({event.ask, event.thread}, asked.settings, surfaces,
-                         static_cast<int>(event.ask))
+        threads.try_emplace({event.ask, event.thread}, asked, surfaces, static_cast<int>(event.ask))
             .first->second.read(event);
     }
-    std::vector<PlacedRay> traced;
-    std::vector<PlacedRay> cast;
+    ReadRays rays;
     for (const auto& [key, reader] : threads) {
-        traced.insert(traced.end(), reader.traced().begin(), reader.traced().end());
-        cast.insert(cast.end(), reader.cast().begin(), reader.cast().end());
+        rays.entered.insert(rays.entered.end(), reader.entered().begin(), reader.entered().end());
+        rays.cast.insert(rays.cast.end(), reader.cast().begin(), reader.cast().end());
     }
-    return traced.empty() ? cast : traced;
-}
-
-// The camera of design, section 4.
-Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y) {
-    const double pitch = 2.0 * std::tan(std::numbers::pi / 8.0) / settings.width;
-    return Vector3{(x + 0.5 - settings.width / 2.0) * pitch,
-                   (settings.height / 2.0 - y - 0.5) * pitch, 1.0}
-        .normalised();
+    return rays;
 }
 
 int nearestByFocus(const LensRay& ray, const LensLog& log) {
@@ -170,6 +196,19 @@ bool distribute(LensLog& log, const std::vector<PlacedRay>& rays,
                         [](const LensPixel& pixel) { return pixel.rays.empty(); });
 }
 
+void place(LensLog& log, const std::vector<PlacedRay>& rays) {
+    if (rays.empty()) return;
+    if (distribute(log, rays, [](const PlacedRay& placed) { return placed.bySet; })) return;
+    if (distribute(log, rays, [](const PlacedRay& placed) { return placed.byCamera; })) return;
+    distribute(log, rays, [&](const PlacedRay& placed) { return nearestByFocus(placed.ray, log); });
+}
+
+bool hasAllRays(const LensLog& log) {
+    const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
+    return std::all_of(log.pixels.begin(), log.pixels.end(),
+                       [&](const LensPixel& pixel) { return pixel.rays.size() >= asked; });
+}
+
 }  // namespace
 
 std::size_t LensLog::rayCount() const {
@@ -177,6 +216,13 @@ std::size_t LensLog::rayCount() const {
     for (const LensPixel& pixel : pixels)
         count += pixel.rays.size();
     return count;
+}
+
+Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y) {
+    const double pitch = 2.0 * std::tan(std::numbers::pi / 8.0) / settings.width;
+    return Vector3{(x + 0.5 - settings.width / 2.0) * pitch,
+                   (settings.height / 2.0 - y - 0.5) * pitch, 1.0}
+        .normalised();
 }
 
 Vector3 focalPointOf(const LensPixel& pixel, const raytracer::RenderSettings& settings) {
@@ -199,11 +245,16 @@ LensLog readLensLog(const probe::RenderQuestion& asked, const probe::RenderAnswe
                     pixel.colour = answer.images[image][at];
                 log.pixels.push_back(std::move(pixel));
             }
-    const std::vector<PlacedRay> rays = readThreads(asked, answer.events);
-    if (rays.empty()) return log;
-    if (distribute(log, rays, [](const PlacedRay& placed) { return placed.bySet; })) return log;
-    if (distribute(log, rays, [](const PlacedRay& placed) { return placed.byCamera; })) return log;
-    distribute(log, rays, [&](const PlacedRay& placed) { return nearestByFocus(placed.ray, log); });
+    const ReadRays rays = readThreads(asked, answer.events);
+    std::vector<PlacedRay> traced = rays.entered;
+    std::erase_if(traced, [](const PlacedRay& placed) { return placed.untraced; });
+    if (traced.empty()) {
+        place(log, rays.cast);
+        return log;
+    }
+    place(log, traced);
+    // A ray that only looked where something is, besides all that were traced, is no sample.
+    if (traced.size() < rays.entered.size() && !hasAllRays(log)) place(log, rays.entered);
     return log;
 }
 

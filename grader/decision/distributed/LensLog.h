@@ -16,6 +16,7 @@ struct LensRay {
     Vector3 origin;
     Vector3 direction;               ///< unit
     std::optional<ColourRGB> value;  ///< what `trace` gave; empty where another recursion was used
+    ColourRGB ambient;               ///< what it must have given there: the questions have no light
     int bounces = -1;                ///< as `trace` was asked; -1 where it was not
 };
 
@@ -37,9 +38,13 @@ struct LensLog {
 
 /// Finds the lens rays and the pixel of each: what was traced before a pixel was set belongs to it;
 /// where loops run in another order, what followed the pixel's camera ray; else the pixel whose
-/// focal point is nearest. `asked` must live as long as the log.
+/// focal point is nearest. A ray that hit nothing and was therefore not traced counts as if it had
+/// been. `asked` must live as long as the log.
 [[nodiscard]] LensLog readLensLog(const probe::RenderQuestion& asked,
                                   const probe::RenderAnswer& answer);
+
+/// Unit direction from the eye through the middle of a pixel, as `Camera` has it.
+[[nodiscard]] Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y);
 
 /// Where the pinhole ray of a pixel meets the focal plane.
 [[nodiscard]] Vector3 focalPointOf(const LensPixel& pixel,

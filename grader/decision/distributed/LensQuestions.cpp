@@ -1,7 +1,11 @@
 #include <grader/decision/distributed/Draw.h>
+#include <grader/decision/distributed/LensLog.h>
 #include <grader/decision/distributed/LensQuestions.h>
+#include <grader/decision/distributed/Surfaces.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace ticker::decision {
 namespace {
@@ -15,6 +19,12 @@ constexpr int kSpheres = 24;
 // Events of one lens ray: trace and illuminate begin and end, one ray cast; the camera's ray and
 // the pixel come on top. Four times as many have room.
 constexpr std::size_t kEventsForEachRay = 24;
+
+// A mean without the misses differs from the mean only where a pixel has both: at least this many
+// pixels have, and some have none.
+constexpr int kMixedPixels = 3;
+constexpr double kLeastShare = 0.2;
+constexpr int kLensGrid = 6;
 
 // Spheres of many colours at all depths, so that neighbouring rays see different things.
 raytracer::SceneDescription drawScene(Draw& draw) {
@@ -38,10 +48,45 @@ raytracer::SceneDescription drawScene(Draw& draw) {
     return scene;
 }
 
+// The share of a square of lens points from which the rays to `focus` hit nothing.
+double missedShare(const Surfaces& surfaces, const Vector3& focus, double halfWidth) {
+    int missed = 0;
+    for (int i = 0; i < kLensGrid * kLensGrid; ++i) {
+        const double x = 2.0 * (i % kLensGrid + 0.5) / kLensGrid - 1.0;
+        const double y = 2.0 * (i / kLensGrid + 0.5) / kLensGrid - 1.0;
+        const Vector3 lens = Vector3{x, y, 0.0} * halfWidth;
+        const Sight sight = surfaces.sightAlong(lens, (focus - lens).normalised(),
+                                                std::numeric_limits<double>::infinity());
+        if (sight == Sight::open) ++missed;
+    }
+    return static_cast<double>(missed) / (kLensGrid * kLensGrid);
+}
+
+// Whether hits and misses are mixed as they should be through an aperture of either reading.
+bool isMixed(const raytracer::SceneDescription& scene, const raytracer::RenderSettings& settings) {
+    const Surfaces surfaces{scene};
+    for (const double halfWidth : {settings.dofAmount, settings.dofAmount / 2.0}) {
+        int mixed = 0;
+        int whole = 0;
+        for (int i = 0; i < settings.width * settings.height; ++i) {
+            const Vector3 pinhole =
+                pinholeDirection(settings, i % settings.width, i / settings.width);
+            const double share =
+                missedShare(surfaces, pinhole * (settings.dofFocalPlane / pinhole.z), halfWidth);
+            if (std::clamp(share, kLeastShare, 1.0 - kLeastShare) == share) ++mixed;
+            if (share == 0.0) ++whole;
+        }
+        if (mixed < kMixedPixels || whole == 0) return false;
+    }
+    return true;
+}
+
 probe::RenderQuestion drawQuestion(Draw& draw, const raytracer::RenderSettings& settings,
                                    int repetitions) {
     probe::RenderQuestion question;
-    question.scene = drawScene(draw);
+    do
+        question.scene = drawScene(draw);
+    while (!isMixed(question.scene, settings));
     question.settings = settings;
     question.settings.seed = draw.word() >> 1U;
     question.repetitions = repetitions;

@@ -13,6 +13,7 @@ constexpr std::size_t kPoints = 12;
 constexpr std::size_t kCalls = 2000;
 constexpr std::size_t kRimPoints = 3;
 constexpr std::size_t kRimCalls = 1000;
+constexpr std::size_t kAtRimCalls = 3000;
 
 // In light sizes. A shadow bias of 1e-3 changes what a point sees by less than 0.001 of them, since
 // the occluder stands seven times as far from the floor as from the light.
@@ -20,6 +21,8 @@ constexpr double kBeyondLow = 1.03;
 constexpr double kBeyondHigh = 1.08;
 constexpr double kWithinLow = 0.82;
 constexpr double kWithinHigh = 0.88;
+constexpr double kAtRimLow = 0.952;
+constexpr double kAtRimHigh = 0.962;
 
 // The radius of the largest ball around the light that the sphere hides from the point.
 double hiddenRadius(const raytracer::SceneDescription& scene, const Vector3& point) {
@@ -53,22 +56,45 @@ private:
     Draw& draw_;
 };
 
-// Points of the floor next to `like`, at random around the shadow's middle.
-void addRimPoints(Writer& writer, Draw& draw, const raytracer::SceneDescription& scene,
-                  const probe::LitPoint& like) {
-    const raytracer::SphereDescription& sphere = scene.spheres.front();
-    const Vector3 light = scene.pointLights.front().position();
-    const double size = raytracer::RenderSettings{}.lightSize;
-    const Vector3 axis = (sphere.centre - light).normalised();
-    const double rim = std::asin(sphere.radius / (sphere.centre - light).magnitude());
+// Points of the floor next to a given one, at random around the shadow's middle.
+class RimPoints {
+public:
+    RimPoints(const raytracer::SceneDescription& scene, const probe::LitPoint& like)
+        : scene_(scene),
+          like_(like),
+          light_(scene.pointLights.front().position()),
+          axis_((scene.spheres.front().centre - light_).normalised()),
+          rim_(std::asin(scene.spheres.front().radius /
+                         (scene.spheres.front().centre - light_).magnitude())) {}
+
+    [[nodiscard]] probe::LitPoint next(Draw& draw) const {
+        const Vector3 ray = draw.directionAround(axis_, rim_);
+        probe::LitPoint point = like_;
+        point.position =
+            light_ + ray * ((like_.position - light_).dot(like_.normal) / ray.dot(like_.normal));
+        return point;
+    }
+    /// In light sizes.
+    [[nodiscard]] double hiddenFrom(const probe::LitPoint& point) const {
+        return hiddenRadius(scene_, point.position) / raytracer::RenderSettings{}.lightSize;
+    }
+
+private:
+    const raytracer::SceneDescription& scene_;
+    probe::LitPoint like_;
+    Vector3 light_;
+    Vector3 axis_;
+    double rim_;
+};
+
+constexpr int kMostAttempts = 20000;
+
+void addRimPoints(Writer& writer, Draw& draw, const RimPoints& points) {
     std::size_t beyond = 0;
     std::size_t within = 0;
-    for (int attempt = 0; attempt < 20000 && beyond + within < 2 * kRimPoints; ++attempt) {
-        const Vector3 ray = draw.directionAround(axis, rim);
-        probe::LitPoint point = like;
-        point.position =
-            light + ray * ((like.position - light).dot(like.normal) / ray.dot(like.normal));
-        const double hidden = hiddenRadius(scene, point.position) / size;
+    for (int attempt = 0; attempt < kMostAttempts && beyond + within < 2 * kRimPoints; ++attempt) {
+        const probe::LitPoint point = points.next(draw);
+        const double hidden = points.hiddenFrom(point);
         const bool isBeyond = hidden > kBeyondLow && hidden < kBeyondHigh;
         const bool isWithin = hidden > kWithinLow && hidden < kWithinHigh;
         if (isBeyond && beyond < kRimPoints) {
@@ -78,6 +104,17 @@ void addRimPoints(Writer& writer, Draw& draw, const raytracer::SceneDescription&
             writer.add(Place::Kind::withinRim, point, kRimCalls);
             ++within;
         }
+    }
+}
+
+void addPointsAtRim(Writer& writer, Draw& draw, const RimPoints& points) {
+    std::size_t found = 0;
+    for (int attempt = 0; attempt < kMostAttempts && found < kRimPoints; ++attempt) {
+        const probe::LitPoint point = points.next(draw);
+        const double hidden = points.hiddenFrom(point);
+        if (hidden < kAtRimLow || hidden > kAtRimHigh) continue;
+        writer.add(Place::Kind::atRim, point, kAtRimCalls);
+        ++found;
     }
 }
 
@@ -96,7 +133,9 @@ PenumbraQuestion drawPenumbraQuestion(std::uint64_t seed) {
     for (std::size_t i = 0; i < near.zones.size() && drawn.places.size() < kPoints; ++i)
         if (near.zones[i][0] == Zone::penumbra)
             writer.add(Place::Kind::penumbra, near.question.points[i], kCalls);
-    addRimPoints(writer, draw, drawn.question.scene, drawn.question.points.front());
+    const RimPoints points{drawn.question.scene, drawn.question.points.front()};
+    addRimPoints(writer, draw, points);
+    addPointsAtRim(writer, draw, points);
     return drawn;
 }
 

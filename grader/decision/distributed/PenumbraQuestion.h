@@ -18,6 +18,7 @@ struct PenumbraQuestion {
             penumbra,   ///< sees some of the light
             beyondRim,  ///< sees nothing of it, but a light 8 % larger would be seen
             withinRim,  ///< sees its outermost part alone, nothing of a light four fifths as large
+            atRim       ///< likewise, nothing of a light that is smaller by a twentieth
         };
         Kind kind = Kind::penumbra;
         bool fromLens = false;  ///< seen from a point of the lens, as camera rays do

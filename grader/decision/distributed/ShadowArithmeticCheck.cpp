@@ -1,6 +1,7 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/KnownColours.h>
 #include <grader/decision/distributed/ShadowChecks.h>
+#include <grader/decision/distributed/UnexplainedShadows.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,10 +21,6 @@ std::optional<ShadowReading> readingThatFits(const Logs& logs, ShadowArithmetic 
     for (const ShadowReading& reading : acceptedShadowReadings())
         if (allFit(logs, reading, arithmetic)) return reading;
     return std::nullopt;
-}
-
-std::vector<double> listed(const ColourRGB& colour) {
-    return {colour.r, colour.g, colour.b};
 }
 
 // Where some rays arrive and some do not, the value is everything or nothing, every time; elsewhere
@@ -47,53 +44,6 @@ bool neverAFraction(const Logs& logs) {
     return mixed >= 4;
 }
 
-// Rays that hit something at once hit the surface that they leave; whoever sorts such hits out
-// himself gets the right colours nevertheless.
-bool shadowsItself(const Logs& logs, bool viewerIsEye) {
-    for (const ShadowLog* log : logs)
-        for (const PointLog& point : log->points)
-            for (std::size_t i = 0; i < point.lines.size(); ++i)
-                for (const AimLine& line : point.lines[i])
-                    if (point.zones[i] == Zone::lit && line.toLight != Sight::open &&
-                        !isNearKnown(point, *log, viewerIsEye))
-                        return true;
-    return false;
-}
-
-// The point whose value is farthest from the reading, for people to look at.
-void addWorstPoint(const Logs& logs, Finding& finding) {
-    for (const ShadowLog* log : logs)
-        for (const PointLog& point : log->points) {
-            if (fits(point, log->scene(), log->settings(), {}, ShadowArithmetic::right)) continue;
-            std::size_t open = 0;
-            for (const std::vector<AimLine>& lines : point.lines)
-                open += static_cast<std::size_t>(
-                    std::count_if(lines.begin(), lines.end(),
-                                  [](const AimLine& line) { return line.toLight == Sight::open; }));
-            finding.evidence.emplace_back("raysThatArrive", static_cast<double>(open));
-            finding.evidence.emplace_back("raysCast", static_cast<double>(point.lineCount()));
-            finding.evidence.emplace_back("ambient", listed(ambientPart(point, log->scene())));
-            finding.evidence.emplace_back("fullLight", listed(inFullLight(point, log->scene())));
-            finding.evidence.emplace_back("seen", listed(point.colour));
-            return;
-        }
-}
-
-Finding unexplained(const Logs& logs) {
-    Finding finding = distributedFinding(
-        "shadow.wrong", Severity::fail,
-        "The colours that illuminate gives were recomputed from the shadow rays that it cast; they "
-        "fit neither the handout's steps nor a mistake that is known.");
-    if (shadowsItself(logs, false) && shadowsItself(logs, true)) {
-        finding.message =
-            "Points in plain light were expected to be lit; some shadow rays are stopped by the "
-            "very surface that they leave.";
-        finding.hint = "Start the shadow rays at P + N * kShadowBias, a tiny step off the surface.";
-    }
-    addWorstPoint(logs, finding);
-    return finding;
-}
-
 std::optional<Finding> knownMistake(const Logs& logs) {
     for (const ShadowArithmetic mistake : namedMistakes()) {
         if (!readingThatFits(logs, mistake)) continue;
@@ -107,6 +57,30 @@ std::optional<Finding> knownMistake(const Logs& logs) {
                               "is all of it or none, never a part.");
 }
 
+// In plain sight of the light nothing but what stands behind it can take light away.
+bool onlyDarker(const Logs& logs) {
+    return std::all_of(logs.begin(), logs.end(), [](const ShadowLog* log) {
+        return std::all_of(log->points.begin(), log->points.end(), [&](const PointLog& point) {
+            const ColourRGB most = inFullLight(point, log->scene()) * 1.01;
+            return point.colour.r <= most.r && point.colour.g <= most.g && point.colour.b <= most.b;
+        });
+    });
+}
+
+// Past the light a ray may meet what its sample, wrongly, lies beyond of.
+bool aimBesideTheLight(const Logs& logs) {
+    constexpr double kBeside = 1.02;
+    const auto beside = [](const ShadowLog& log, const PointLog& point) {
+        return std::any_of(point.lines[0].begin(), point.lines[0].end(), [&](const AimLine& line) {
+            return line.miss > kBeside * log.settings().lightSize;
+        });
+    };
+    return std::any_of(logs.begin(), logs.end(), [&](const ShadowLog* log) {
+        return std::any_of(log->points.begin(), log->points.end(),
+                           [&](const PointLog& point) { return beside(*log, point); });
+    });
+}
+
 // Several lights, a light with something behind it, or a wall can be wrong alone.
 std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& reading) {
     if (!allFit(logs.beyondLight, reading, ShadowArithmetic::right)) {
@@ -115,8 +89,10 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
             "A point in plain sight of the light was expected to be lit; an object behind the "
             "light casts a shadow on it.");
         addWorstPoint(logs.beyondLight, finding);
-        if (allFit(logs.beyondLight, reading, ShadowArithmetic::endless)) return finding;
-        return unexplained(logs.beyondLight);
+        if (allFit(logs.beyondLight, reading, ShadowArithmetic::endless) ||
+            (onlyDarker(logs.beyondLight) && !aimBesideTheLight(logs.beyondLight)))
+            return finding;
+        return unexplainedShadows(logs.beyondLight);
     }
     if (!allFit(logs.severalLights, reading, ShadowArithmetic::right)) {
         Finding finding = distributedFinding(
@@ -127,14 +103,15 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
         return finding;
     }
     if (!allFit(logs.planeShadow, reading, ShadowArithmetic::right)) {
-        Finding finding = unexplained(logs.planeShadow);
+        Finding finding = unexplainedShadows(logs.planeShadow);
         finding.message =
             "Spheres cast the shadows that were expected; a plane between a point and "
             "the light does not.";
         finding.hint = "Whatever a shadow ray hits before the light stops it, planes as well.";
         return finding;
     }
-    if (!allFit(logs.farLight, reading, ShadowArithmetic::right)) return unexplained(logs.farLight);
+    if (!allFit(logs.farLight, reading, ShadowArithmetic::right))
+        return unexplainedShadows(logs.farLight);
     return std::nullopt;
 }
 
@@ -150,13 +127,15 @@ ArithmeticVerdict checkArithmetic(const ShadowLogs& logs) {
             verdict.reading = reading;
             // What fits may still be rays that never got off the surface.
             if (shadowsItself(logs.oneLight, reading.viewerIsEye))
-                verdict.finding = unexplained(logs.oneLight);
+                verdict.finding = unexplainedShadows(logs.oneLight);
+            else if (leaksAtTheStart(logs.oneLight, reading.viewerIsEye))
+                verdict.finding = leakAtTheStart();
             return verdict;
         }
         if (!rest) rest = std::move(wrong);
     }
     verdict.finding = rest ? rest : knownMistake(logs.oneLight);
-    if (!verdict.finding) verdict.finding = unexplained(logs.oneLight);
+    if (!verdict.finding) verdict.finding = unexplainedWithOneLight(logs.oneLight);
     return verdict;
 }
 

@@ -132,7 +132,8 @@ ShadowQuestion drawSeveralLights(Draw& draw) {
     return drawn;
 }
 
-/// A light with a sphere behind it, seen from a floor.
+/// A light with a sphere behind it, seen from a floor; another one stands behind and beside it, so
+/// near that rays past the light's centre meet it less than a radius farther on.
 ShadowQuestion drawBeyondLight(Draw& draw) {
     const Vector3 up = draw.direction();
     const Perpendiculars sides = perpendicularsOf(up);
@@ -149,12 +150,17 @@ ShadowQuestion drawBeyondLight(Draw& draw) {
     scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));
     scene.spheres.push_back(
         {foot + towards * (distance + gap + radius), radius, drawMaterial(draw), nullptr});
+    const Perpendiculars round = perpendicularsOf(towards);
+    const Vector3 aside = round.first * 0.87 + towards * 0.5;  // 60 degrees from the way
+    const double beside = 1.1 * drawn.question.settings.lightSize + radius;
+    scene.spheres.push_back({foot + towards * distance + aside.normalised() * beside, radius,
+                             drawMaterial(draw), nullptr});
     scene.planes.push_back({foot, up, drawMaterial(draw)});
     for (int i = 0; i < kPointsBeyond; ++i) {
         const double x = draw.between(-0.4, 0.4);
         const Vector3 point = foot + sides.first * x + sides.second * draw.between(-0.4, 0.4);
         const Vector3 viewer = drawViewer(draw, point, up, scene.pointLights[0].position());
-        drawn.question.points.push_back({1, point, up, viewer});
+        drawn.question.points.push_back({2, point, up, viewer});
         drawn.zones.push_back({Zone::lit});
     }
     setCapacity(drawn);

@@ -179,6 +179,10 @@ Range addedBy(const LightParts& parts, const ColourRGB& ambient, ShadowArithmeti
             lit = parts.litDiffuse;
             lit += parts.fullSpecular;
             return lit;
+        case ShadowArithmetic::specularIfAny:
+            lit = parts.litDiffuse;
+            lit += decided(parts.fullSpecular, parts.lowShare > 1e-9, parts.highShare > 1e-9);
+            return lit;
         case ShadowArithmetic::diffuseUnshadowed:
             lit = parts.fullDiffuse;
             lit += parts.litSpecular;

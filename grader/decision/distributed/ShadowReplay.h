@@ -29,6 +29,7 @@ enum class ShadowArithmetic {
     inverted,
     ambientScaled,
     specularUnshadowed,
+    specularIfAny,  ///< the specular term in full as soon as one ray arrives
     diffuseUnshadowed,
     endless,   ///< what stands behind the light counts
     litIfAll,  ///< all or nothing

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <sched.h>
 #include <seccomp.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -54,7 +55,8 @@ scmp_filter_ctx makeRunFilter() {
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(clone), masked(0, kThread, kThread)) &&
         addIf(filter, SCMP_ACT_KILL_PROCESS, SCMP_SYS(clone), masked(0, CLONE_THREAD, 0)) &&
         // fstat() of newer C libraries: newfstatat with an empty path.
-        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat), masked(3, 0x1000, 0x1000)) &&
+        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat),
+              masked(3, AT_EMPTY_PATH, AT_EMPTY_PATH)) &&
         // Its flags lie in memory, where no filter sees them; the C library falls back to clone.
         seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
     if (added) return filter;
@@ -72,7 +74,7 @@ scmp_filter_ctx makeCompileFilter() {
     for (const std::uint64_t space : kNamespaces)
         added = added && addIf(filter, kRefuse, SCMP_SYS(clone), masked(0, space, space));
     // TIOCSTI and TIOCLINUX type into somebody's terminal.
-    for (const std::uint64_t request : {0x5412U, 0x541cU})
+    for (const std::uint64_t request : {std::uint64_t{TIOCSTI}, std::uint64_t{TIOCLINUX}})
         added = added && addIf(filter, kRefuse, SCMP_SYS(ioctl), masked(1, 0xffffffffU, request));
     if (added) return filter;
     seccomp_release(filter);

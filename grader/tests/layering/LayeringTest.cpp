@@ -1,3 +1,5 @@
+#include <grader/tests/layering/Includes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,6 +20,7 @@ namespace ticker {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace tests;
 
 const fs::path kRoot{TICKER_SOURCE_DIR};
 
@@ -47,24 +50,6 @@ std::map<std::string, Layer> readLayers() {
     return layers;
 }
 
-/// The layer that a source file belongs to; empty for tests, benchmarks and tools.
-std::optional<std::string> layerOf(const fs::path& file) {
-    std::vector<std::string> parts;
-    for (const fs::path& part : fs::relative(file, kRoot))
-        parts.push_back(part.string());
-    const auto at = [&](std::size_t i) { return i < parts.size() ? parts[i] : std::string{}; };
-    if (at(0) == "student_template" && at(1) == "framework") {
-        if (at(2) == "app") return "app";
-        return "raytracer/" + (at(2) == "include" ? at(4) : at(3));
-    }
-    if (at(0) == "student_template" && at(1) == "tests" && at(2) == "questions") return "questions";
-    if (at(1) == "exercise") return "exercise";
-    if (at(0) == "grader" && at(1) != "tests" && at(1) != "bench" && at(1) != "samples" &&
-        at(1) != "hostile" && at(1) != "integrations")
-        return "grader/" + at(1);
-    return std::nullopt;
-}
-
 std::optional<std::string> packageOf(const std::string& header) {
     static const std::array<std::pair<const char*, const char*>, 18> kPackages{{
         {"opencv2/", "opencv"},
@@ -91,38 +76,9 @@ std::optional<std::string> packageOf(const std::string& header) {
     return std::nullopt;
 }
 
-/// "raytracer/math" of "raytracer/math/Ray.h", "grader/decision" of "grader/decision/bump/Fit.h".
-std::optional<std::string> folderOf(const std::string& header) {
-    static const std::regex kOurs{R"(^((raytracer|grader)/[a-z]+)/.*)"};
-    std::smatch match;
-    if (std::regex_match(header, match, kOurs)) return match[1];
-    if (header.starts_with("questions/")) return "questions";
-    return std::nullopt;
-}
-
-std::vector<fs::path> sources() {
-    std::vector<fs::path> files;
-    for (const char* top : {"student_template", "reference_solution", "grader", "tools"})
-        for (const auto& entry : fs::recursive_directory_iterator{kRoot / top})
-            if (entry.is_regular_file() &&
-                (entry.path().extension() == ".h" || entry.path().extension() == ".cpp"))
-                files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-std::vector<std::string> linesOf(const fs::path& file) {
-    std::ifstream stream{file};
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-    return lines;
-}
-
 TEST(Layering, EveryIncludePointsDownTheArrowsOfTheDesign) {
     const std::map<std::string, Layer> layers = readLayers();
     ASSERT_GT(layers.size(), 20U);
-    static const std::regex kInclude{R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)"};
     int checked = 0;
     for (const fs::path& file : sources()) {
         const std::optional<std::string> layer = layerOf(file);
@@ -132,11 +88,8 @@ TEST(Layering, EveryIncludePointsDownTheArrowsOfTheDesign) {
             ADD_FAILURE() << file << ": folder " << *layer << " has no line in layers.txt";
             continue;
         }
-        for (const std::string& line : linesOf(file)) {
-            std::smatch match;
-            if (!std::regex_match(line, match, kInclude)) continue;
+        for (const std::string& header : includesOf(file)) {
             ++checked;
-            const std::string header = match[1];
             if (const auto folder = folderOf(header)) {
                 EXPECT_TRUE(known->second.folders.contains(*folder))
                     << file << " may not include <" << header << ">: see layers.txt";
@@ -176,6 +129,17 @@ TEST(Layering, EveryHeaderHasAnIncludeGuardNamedAfterItsPath) {
         });
         EXPECT_TRUE(guarded) << file;
     }
+}
+
+TEST(Layering, EveryFolderOfTheGraderSaysInAFewLinesWhatItIs) {
+    int folders = 0;
+    for (const auto& entry : fs::directory_iterator{kRoot / "grader"}) {
+        if (!entry.is_directory()) continue;
+        ++folders;
+        const fs::path readme = entry.path() / "README.md";
+        EXPECT_TRUE(fs::exists(readme)) << readme;
+    }
+    EXPECT_GT(folders, 20);
 }
 
 }  // namespace

@@ -1,0 +1,71 @@
+#include <grader/tests/layering/Includes.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+
+namespace ticker::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot{TICKER_SOURCE_DIR};
+
+}  // namespace
+
+std::optional<std::string> layerOf(const fs::path& file) {
+    std::vector<std::string> parts;
+    for (const fs::path& part : fs::relative(file, kRoot))
+        parts.push_back(part.string());
+    const auto at = [&](std::size_t i) { return i < parts.size() ? parts[i] : std::string{}; };
+    if (at(0) == "student_template" && at(1) == "framework") {
+        if (at(2) == "app") return "app";
+        return "raytracer/" + (at(2) == "include" ? at(4) : at(3));
+    }
+    if (at(0) == "student_template" && at(1) == "tests" && at(2) == "questions") return "questions";
+    if (at(1) == "exercise") return "exercise";
+    const bool cases = at(1) == "hostile" && at(2) == "cases";
+    if (at(0) == "grader" && at(1) != "tests" && at(1) != "bench" && at(1) != "samples" &&
+        at(1) != "integrations" && !cases)
+        return "grader/" + at(1);
+    return std::nullopt;
+}
+
+std::optional<std::string> folderOf(const std::string& header) {
+    static const std::regex kOurs{R"(^((raytracer|grader)/[a-z]+)/.*)"};
+    std::smatch match;
+    if (std::regex_match(header, match, kOurs)) return match[1];
+    if (header.starts_with("questions/")) return "questions";
+    return std::nullopt;
+}
+
+std::vector<fs::path> sources() {
+    std::vector<fs::path> files;
+    for (const char* top : {"student_template", "reference_solution", "grader", "tools"})
+        for (const auto& entry : fs::recursive_directory_iterator{kRoot / top})
+            if (entry.is_regular_file() &&
+                (entry.path().extension() == ".h" || entry.path().extension() == ".cpp"))
+                files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<std::string> linesOf(const fs::path& file) {
+    std::ifstream stream{file};
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+std::vector<std::string> includesOf(const fs::path& file) {
+    static const std::regex kInclude{R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)"};
+    std::vector<std::string> headers;
+    for (const std::string& line : linesOf(file)) {
+        std::smatch match;
+        if (std::regex_match(line, match, kInclude)) headers.push_back(match[1]);
+    }
+    return headers;
+}
+
+}  // namespace ticker::tests
