@@ -10,6 +10,14 @@ function(ticker_folder)
     PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} raytracer::warnings)
 endfunction()
 
+# For static programs that run in the sandbox: sanitizers cannot live under its limits, and counters
+# of coverage cannot be written there.
+function(ticker_no_instruments target)
+  target_compile_options(${target} PRIVATE
+    -fno-sanitize=all -fno-profile-arcs -fno-test-coverage)
+  target_link_options(${target} PRIVATE -static -fno-sanitize=all)
+endfunction()
+
 # One test program for each folder: ticker_test(NAME metrics SOURCES aTest.cpp LIBRARIES lib...
 # [LABELS unit] [FILTER "-*/C"] [TOGETHER]). Labels: unit, render, grader, slow. FILTER, as
 # GoogleTest's: tests that ctest should list. TOGETHER: one entry in ctest, so that all tests share

@@ -36,12 +36,6 @@ double NoiseEnergy::probability() const {
     return std::exp(0.5 * (tiles - energy + tiles * std::log(energy / tiles)));
 }
 
-NoiseEnergy& NoiseEnergy::operator+=(const NoiseEnergy& other) {
-    energy += other.energy;
-    tiles += other.tiles;
-    return *this;
-}
-
 NoiseEnergy noiseEnergy(const ByteView& reference, const ByteView& test, int tileSize) {
     requireSameSize(reference, test);
     NoiseEnergy result;

@@ -14,8 +14,6 @@ struct NoiseEnergy {
     /// A bound on the chance of such an energy, or a larger one, where both pictures are renders of
     /// the same thing by the same code.
     [[nodiscard]] double probability() const;
-
-    NoiseEnergy& operator+=(const NoiseEnergy& other);
 };
 
 /// Whether two single renders, of which nothing else is known, show the same thing.

@@ -1,11 +1,13 @@
 #include <grader/rubric/Rubric.h>
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <raytracer/base/Error.h>
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
+#include <map>
+#include <string>
 
 namespace ticker::rubric {
 namespace {
@@ -105,12 +107,31 @@ TEST(RubricSeverities, ChangeWhatAFindingDoesToItsTask) {
     EXPECT_EQ(applyRubric(rubric, strict).tasks[0].state, TaskState::failed);
 }
 
+Rubric readText(const std::string& text) {
+    const tests::TemporaryFolder folder;
+    folder.write("rubric.json", text);
+    return readRubric(folder.path() / "rubric.json");
+}
+
+std::string withSeverities(const std::string& severities) {
+    return R"({"maxScore": 1, "options": [{"name": "a", "tasks": ["T1"], "points": 1}],
+        "screenshotTask": "", "severities": )" +
+           severities + "}";
+}
+
+TEST(ReadRubric, TakesSeveritiesThatDifferFromTheDecisions) {
+    const Rubric rubric =
+        readText(withSeverities(R"({"bump.mirrored": "fail", "bump.inverted-u": "note"})"));
+
+    const std::map<std::string, Severity> expected{{"bump.mirrored", Severity::fail},
+                                                   {"bump.inverted-u", Severity::note}};
+    EXPECT_EQ(rubric.severities, expected);
+}
+
 TEST(ReadRubric, SaysWhichMemberDoesNotFit) {
-    const auto file = std::filesystem::path{testing::TempDir()} / "rubric-wrong.json";
-    const auto messageFor = [&](const std::string& text) {
-        std::ofstream{file} << text;
+    const auto messageFor = [](const std::string& text) {
         try {
-            static_cast<void>(readRubric(file));
+            static_cast<void>(readText(text));
         } catch (const raytracer::InputError& error) {
             return std::string{error.what()};
         }
@@ -123,8 +144,10 @@ TEST(ReadRubric, SaysWhichMemberDoesNotFit) {
         "points": 1}], "screenshotTask": "", "severities": {}})")
                   .find("/options/0/tasks/0: expected \"T1\""),
               std::string::npos);
+    EXPECT_NE(messageFor(withSeverities(R"({"bump.flat": "harsh"})"))
+                  .find("/severities/bump.flat: expected \"fail\""),
+              std::string::npos);
     EXPECT_NE(messageFor(R"({"maxscore": 1})").find("/maxscore"), std::string::npos);
-    std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -56,8 +56,7 @@ Image Renderer::render(const Scene& scene) const {
         ColourRGB sum;
         for (int i = 0; i < settings().dofRayCount; ++i) {
             const Vector3 lensPoint{randomBetween(0.0, settings().dofAmount),
-                                    randomBetween(0.0, settings().dofAmount),
-                                    0.0};
+                                    randomBetween(0.0, settings().dofAmount), 0.0};
             const Ray ray{lensPoint, (focalPoint - lensPoint).normalised()};
             sum += trace(scene, ray, settings().bounces);
         }
