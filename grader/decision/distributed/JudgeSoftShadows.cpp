@@ -51,12 +51,16 @@ void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     const AimVerdict aims = judgeAims(logs.farLight);
     // Copies of a few rays crowd wherever they go.
     std::optional<Finding> shape = checkAims(logs, aims);
-    if (shape && !(fewRays && shape->severity == Severity::warn)) keep(findings, std::move(shape));
+    const bool astray = shape && shape->severity == Severity::fail;
+    if (shape && (astray || !fewRays)) keep(findings, std::move(shape));
     if (aims.shape) keep(findings, checkSeveralSizes(logs, aims));
     outcome.shape = aims.shape;
 
     ArithmeticVerdict arithmetic = checkArithmetic(logs);
-    keep(findings, std::move(arithmetic.finding));
+    // Aims that miss the ball meet what stands around the light, rightly.
+    const bool follows =
+        astray && arithmetic.finding && arithmetic.finding->id == "shadow.beyond-light";
+    if (!follows) keep(findings, std::move(arithmetic.finding));
     outcome.reading = arithmetic.reading;
 }
 

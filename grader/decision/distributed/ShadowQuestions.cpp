@@ -132,8 +132,8 @@ ShadowQuestion drawSeveralLights(Draw& draw) {
     return drawn;
 }
 
-/// A light with a sphere behind it, seen from a floor; another one stands behind and beside it, so
-/// near that rays past the light's centre meet it less than a radius farther on.
+/// A light with a sphere behind it, seen from a floor; three more stand behind and around it, so
+/// near that rays past the light's centre meet them less than a radius farther on.
 ShadowQuestion drawBeyondLight(Draw& draw) {
     const Vector3 up = draw.direction();
     const Perpendiculars sides = perpendicularsOf(up);
@@ -151,16 +151,20 @@ ShadowQuestion drawBeyondLight(Draw& draw) {
     scene.spheres.push_back(
         {foot + towards * (distance + gap + radius), radius, drawMaterial(draw), nullptr});
     const Perpendiculars round = perpendicularsOf(towards);
-    const Vector3 aside = round.first * 0.87 + towards * 0.5;  // 60 degrees from the way
     const double beside = 1.1 * drawn.question.settings.lightSize + radius;
-    scene.spheres.push_back({foot + towards * distance + aside.normalised() * beside, radius,
-                             drawMaterial(draw), nullptr});
+    for (const double turn : {0.0, 1.0 / 3.0, 2.0 / 3.0}) {
+        const double angle = 2.0 * std::numbers::pi * turn;
+        const Vector3 across = round.first * std::cos(angle) + round.second * std::sin(angle);
+        const Vector3 aside = across * 0.87 + towards * 0.5;  // 60 degrees from the way
+        scene.spheres.push_back({foot + towards * distance + aside.normalised() * beside, radius,
+                                 drawMaterial(draw), nullptr});
+    }
     scene.planes.push_back({foot, up, drawMaterial(draw)});
     for (int i = 0; i < kPointsBeyond; ++i) {
         const double x = draw.between(-0.4, 0.4);
         const Vector3 point = foot + sides.first * x + sides.second * draw.between(-0.4, 0.4);
         const Vector3 viewer = drawViewer(draw, point, up, scene.pointLights[0].position());
-        drawn.question.points.push_back({2, point, up, viewer});
+        drawn.question.points.push_back({4, point, up, viewer});
         drawn.zones.push_back({Zone::lit});
     }
     setCapacity(drawn);
