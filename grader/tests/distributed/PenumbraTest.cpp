@@ -20,14 +20,14 @@ const PenumbraQuestion& question() {
     return drawn;
 }
 
-/// How many of 300 aims all over a ball of this size around the light are in sight.
+/// How many of 3000 aims all over a ball of this size around the light are in sight.
 int openAims(const probe::LitPoint& point, double size) {
     const Surfaces surfaces{question().question.scene};
     const Vector3 light = question().question.scene.pointLights[0].position();
     const Vector3 start = point.position + point.normal * 1e-4;
     Draw draw{3, 9};
     int open = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 3000; ++i) {
         const Vector3 towards = light + draw.direction() * (0.4 * size) - start;
         const double reach = towards.magnitude();
         open += surfaces.sightAlong(start, towards / reach, reach) == Sight::blocked ? 0 : 1;
@@ -49,15 +49,16 @@ TEST(PenumbraQuestion, AsksWhereAPartIsSeenAndBesideTheRim) {
         const Vector3 moved = question().question.points[next - 1].position - point.position;
         EXPECT_TRUE(moved.magnitude() > 0.0 && moved.magnitude() < 4e-6);
         EXPECT_LT(std::abs(moved.dot(point.normal)), 1e-9) << "in the floor";
-        if (place.kind == Kind::penumbra || place.kind == Kind::atRim) continue;
-        const bool isBeyond = place.kind == Kind::beyondRim;
-        EXPECT_EQ(openAims(point, isBeyond ? 1.02 : 0.81), 0);
-        EXPECT_GT(openAims(point, isBeyond ? 1.2 : 1.0), 0);
+        if (place.kind == Kind::penumbra) continue;
+        constexpr double kDarkTo[] = {0.0, 1.02, 0.81, 0.95};
+        EXPECT_EQ(openAims(point, kDarkTo[static_cast<std::size_t>(place.kind)]), 0);
+        EXPECT_GT(openAims(point, place.kind == Kind::beyondRim ? 1.2 : 1.0), 0);
     }
     EXPECT_EQ(next, question().question.points.size());
     EXPECT_EQ(places[0], 12);
     EXPECT_EQ(places[1], 3);
     EXPECT_EQ(places[2], 3);
+    EXPECT_EQ(places[3], 3);
 }
 
 /// What `shareOf(share of the light in sight)` of all light gives, call by call.
@@ -67,6 +68,7 @@ struct Answer {
     double size = 1.0;               ///< of the light
     double beyond = 0.0;             ///< share where nothing should be seen
     double within = 0.1;             ///< where the outermost part should be
+    bool darkRim = false;            ///< nothing where the outermost twentieth should be
     raytracer::ColourRGB more{0.0};  ///< added to every colour
 };
 
@@ -86,6 +88,7 @@ PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {}) {
             double share = 0.0;
             if (place.kind == Kind::penumbra || place.kind == Kind::atRim)
                 share = shareOf(open, draw);
+            if (place.kind == Kind::atRim && how.darkRim) share = 0.0;
             if (place.kind == Kind::beyondRim && i == 0) share = how.beyond;
             if (place.kind == Kind::withinRim && i == 0) share = how.within;
             answer.colours.push_back(ambientPart(log, asked.scene) + full * share + how.more);
@@ -150,6 +153,12 @@ TEST(CheckPenumbra, TellsAllOrNothingFromOneRay) {
 
 TEST(CheckPenumbra, LeavesCallsThatAreAllTheSameToAPerson) {
     const PenumbraVerdict verdict = judge([](double open, Draw&) { return 0.9 * open; });
+    EXPECT_FALSE(verdict.finding);
+    EXPECT_TRUE(verdict.ambiguous);
+}
+
+TEST(CheckPenumbra, LeavesALightWithoutItsOutermostTwentiethToAPerson) {
+    const PenumbraVerdict verdict = judge(rays(10), {.darkRim = true});
     EXPECT_FALSE(verdict.finding);
     EXPECT_TRUE(verdict.ambiguous);
 }
