@@ -69,9 +69,16 @@ async function shown(page, other) {
   return main.getAttribute("data-name");
 }
 
-/// Goes to an address. The browser's own page of an error may still be on its way.
+/// Goes to an address. The browser's own page of an error may still be on its way, and loads itself
+/// again and again.
 async function comeBack(page, address) {
-  await page.goto(address).catch(() => page.goto(address));
+  for (let tries = 1; ; ++tries) {
+    try {
+      return await page.goto(address);
+    } catch (error) {
+      if (tries === 10) throw error;
+    }
+  }
 }
 
 const saved = (page) => page.waitForFunction(() => document.querySelector(".state").textContent === "all saved");
