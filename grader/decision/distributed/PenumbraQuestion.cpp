@@ -1,30 +1,40 @@
 #include <grader/decision/distributed/Draw.h>
 #include <grader/decision/distributed/PenumbraQuestion.h>
+#include <grader/decision/distributed/ShadowDraws.h>
 #include <grader/decision/distributed/ShadowQuestions.h>
 
 #include <cmath>
+#include <optional>
 
 namespace ticker::decision {
 namespace {
 
 using Place = PenumbraQuestion::Place;
 
-constexpr std::size_t kPoints = 12;
-constexpr std::size_t kCalls = 2000;
-constexpr std::size_t kRimPoints = 3;
-constexpr std::size_t kRimCalls = 1000;
-constexpr std::size_t kAtRimCalls = 3000;
+/// Points with a common task. How much of the light they see is said by the radius of the largest
+/// ball around its centre that the occluder hides; below 0, of the largest that it leaves in sight.
+struct Wanted {
+    Place::Kind kind;
+    double low;  ///< in light sizes
+    double high;
+    std::size_t points;
+    std::size_t calls;  ///< for each point
+};
 
-// In light sizes. A shadow bias of 1e-3 changes what a point sees by less than 0.001 of them, since
-// the occluder stands seven times as far from the floor as from the light.
-constexpr double kBeyondLow = 1.03;
-constexpr double kBeyondHigh = 1.08;
-constexpr double kWithinLow = 0.82;
-constexpr double kWithinHigh = 0.88;
-constexpr double kAtRimLow = 0.952;
-constexpr double kAtRimHigh = 0.962;
+// What is seen between the middle and the rim says most about the light's size, the rest about its
+// shape. A shadow bias of 1e-3 changes what a point sees by less than 0.001 light sizes, since the
+// occluder stands seven times as far from the floor as from the light.
+constexpr Wanted kWanted[] = {
+    {Place::Kind::penumbra, 0.50, 0.62, 3, 2000},  {Place::Kind::penumbra, -0.62, -0.50, 3, 2000},
+    {Place::Kind::penumbra, 0.20, 0.35, 2, 2000},  {Place::Kind::penumbra, -0.35, -0.20, 2, 2000},
+    {Place::Kind::penumbra, 0.68, 0.76, 1, 2000},  {Place::Kind::penumbra, -0.76, -0.68, 1, 2000},
+    {Place::Kind::beyondRim, 1.03, 1.08, 3, 1000}, {Place::Kind::withinRim, 0.82, 0.88, 3, 1000},
+    {Place::Kind::atRim, 0.952, 0.962, 3, 3000},
+};
 
-// The radius of the largest ball around the light that the sphere hides from the point.
+constexpr int kMostAttempts = 20000;
+
+// What `Wanted` bounds, as a length.
 double hiddenRadius(const raytracer::SceneDescription& scene, const Vector3& point) {
     const raytracer::SphereDescription& sphere = scene.spheres.front();
     const Vector3 toSphere = sphere.centre - point;
@@ -56,67 +66,41 @@ private:
     Draw& draw_;
 };
 
-// Points of the floor next to a given one, at random around the shadow's middle.
-class RimPoints {
+// Points of the floor in the light's cone around the occluder, seen from the lens and by others.
+class FloorPoints {
 public:
-    RimPoints(const raytracer::SceneDescription& scene, const probe::LitPoint& like)
-        : scene_(scene),
-          like_(like),
-          light_(scene.pointLights.front().position()),
-          axis_((scene.spheres.front().centre - light_).normalised()),
-          rim_(std::asin(scene.spheres.front().radius /
-                         (scene.spheres.front().centre - light_).magnitude())) {}
+    explicit FloorPoints(const probe::IlluminateQuestion& asked)
+        : asked_(asked),
+          light_(asked.scene.pointLights.front().position()),
+          axis_((asked.scene.spheres.front().centre - light_).normalised()),
+          rim_(std::asin(asked.scene.spheres.front().radius /
+                         (asked.scene.spheres.front().centre - light_).magnitude())) {}
 
-    [[nodiscard]] probe::LitPoint next(Draw& draw) const {
-        const Vector3 ray = draw.directionAround(axis_, rim_);
-        probe::LitPoint point = like_;
-        point.position =
-            light_ + ray * ((like_.position - light_).dot(like_.normal) / ray.dot(like_.normal));
-        return point;
+    // Nothing where the ray meets the floor too far away.
+    [[nodiscard]] std::optional<Vector3> next(Draw& draw) const {
+        const raytracer::PlaneDescription& floor = asked_.scene.planes.front();
+        const Vector3 ray = draw.directionAround(axis_, 2.2 * rim_);
+        const double fall = ray.dot(floor.normal);
+        if (fall > -0.2) return std::nullopt;
+        return light_ + ray * ((floor.point - light_).dot(floor.normal) / fall);
     }
-    /// In light sizes.
-    [[nodiscard]] double hiddenFrom(const probe::LitPoint& point) const {
-        return hiddenRadius(scene_, point.position) / raytracer::RenderSettings{}.lightSize;
+    // In light sizes.
+    [[nodiscard]] double hiddenFrom(const Vector3& point) const {
+        return hiddenRadius(asked_.scene, point) / asked_.settings.lightSize;
+    }
+    [[nodiscard]] probe::LitPoint lit(Draw& draw, const Vector3& point, bool fromLens) const {
+        const Vector3& up = asked_.scene.planes.front().normal;
+        return {
+            1, point, up,
+            fromLens ? drawLensPoint(draw, asked_.settings) : drawViewer(draw, point, up, light_)};
     }
 
 private:
-    const raytracer::SceneDescription& scene_;
-    probe::LitPoint like_;
+    const probe::IlluminateQuestion& asked_;
     Vector3 light_;
     Vector3 axis_;
     double rim_;
 };
-
-constexpr int kMostAttempts = 20000;
-
-void addRimPoints(Writer& writer, Draw& draw, const RimPoints& points) {
-    std::size_t beyond = 0;
-    std::size_t within = 0;
-    for (int attempt = 0; attempt < kMostAttempts && beyond + within < 2 * kRimPoints; ++attempt) {
-        const probe::LitPoint point = points.next(draw);
-        const double hidden = points.hiddenFrom(point);
-        const bool isBeyond = hidden > kBeyondLow && hidden < kBeyondHigh;
-        const bool isWithin = hidden > kWithinLow && hidden < kWithinHigh;
-        if (isBeyond && beyond < kRimPoints) {
-            writer.add(Place::Kind::beyondRim, point, kRimCalls);
-            ++beyond;
-        } else if (isWithin && within < kRimPoints) {
-            writer.add(Place::Kind::withinRim, point, kRimCalls);
-            ++within;
-        }
-    }
-}
-
-void addPointsAtRim(Writer& writer, Draw& draw, const RimPoints& points) {
-    std::size_t found = 0;
-    for (int attempt = 0; attempt < kMostAttempts && found < kRimPoints; ++attempt) {
-        const probe::LitPoint point = points.next(draw);
-        const double hidden = points.hiddenFrom(point);
-        if (hidden < kAtRimLow || hidden > kAtRimHigh) continue;
-        writer.add(Place::Kind::atRim, point, kAtRimCalls);
-        ++found;
-    }
-}
 
 }  // namespace
 
@@ -125,17 +109,24 @@ PenumbraQuestion drawPenumbraQuestion(std::uint64_t seed) {
     const std::uint64_t own = seed ^ 0x50454E554D425241U;
     PenumbraQuestion drawn;
     Draw draw{own, 24};
-    Writer writer{drawn, draw};
     const std::vector<ShadowQuestion> all = drawShadowQuestions(own);
     const ShadowQuestion& near = all[1];
     drawn.question.scene = near.question.scene;
     drawn.question.settings = near.question.settings;
-    for (std::size_t i = 0; i < near.zones.size() && drawn.places.size() < kPoints; ++i)
-        if (near.zones[i][0] == Zone::penumbra)
-            writer.add(Place::Kind::penumbra, near.question.points[i], kCalls);
-    const RimPoints points{drawn.question.scene, drawn.question.points.front()};
-    addRimPoints(writer, draw, points);
-    addPointsAtRim(writer, draw, points);
+    Writer writer{drawn, draw};
+    const FloorPoints points{drawn.question};
+    for (const Wanted& wanted : kWanted) {
+        std::size_t found = 0;
+        for (int attempt = 0; attempt < kMostAttempts && found < wanted.points; ++attempt) {
+            const std::optional<Vector3> point = points.next(draw);
+            if (!point) continue;
+            const double hidden = points.hiddenFrom(*point);
+            if (hidden < wanted.low || hidden > wanted.high) continue;
+            const bool fromLens = drawn.places.size() % 2 == 1;
+            writer.add(wanted.kind, points.lit(draw, *point, fromLens), wanted.calls);
+            ++found;
+        }
+    }
     return drawn;
 }
 

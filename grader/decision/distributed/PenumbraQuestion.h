@@ -15,7 +15,7 @@ namespace ticker::decision {
 struct PenumbraQuestion {
     struct Place {
         enum class Kind {
-            penumbra,   ///< sees some of the light
+            penumbra,  ///< sees a part of the light, at most three quarters of its radius from half
             beyondRim,  ///< sees nothing of it, but a light 8 % larger would be seen
             withinRim,  ///< sees its outermost part alone, nothing of a light four fifths as large
             atRim       ///< likewise, nothing of a light that is smaller by a twentieth

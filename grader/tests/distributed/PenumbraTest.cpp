@@ -49,7 +49,11 @@ TEST(PenumbraQuestion, AsksWhereAPartIsSeenAndBesideTheRim) {
         const Vector3 moved = question().question.points[next - 1].position - point.position;
         EXPECT_TRUE(moved.magnitude() > 0.0 && moved.magnitude() < 4e-6);
         EXPECT_LT(std::abs(moved.dot(point.normal)), 1e-9) << "in the floor";
-        if (place.kind == Kind::penumbra) continue;
+        if (place.kind == Kind::penumbra) {
+            EXPECT_GT(openAims(point, 1.0), 90) << "more than no light";
+            EXPECT_LT(openAims(point, 1.0), 2940) << "less than all";
+            continue;
+        }
         constexpr double kDarkTo[] = {0.0, 1.02, 0.81, 0.95};
         EXPECT_EQ(openAims(point, kDarkTo[static_cast<std::size_t>(place.kind)]), 0);
         EXPECT_GT(openAims(point, place.kind == Kind::beyondRim ? 1.2 : 1.0), 0);
@@ -72,13 +76,14 @@ struct Answer {
     raytracer::ColourRGB more{0.0};  ///< added to every colour
 };
 
-PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {}) {
-    const probe::IlluminateQuestion& asked = question().question;
+PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {},
+                      const PenumbraQuestion& question = decision::question()) {
+    const probe::IlluminateQuestion& asked = question.question;
     const Surfaces surfaces{asked.scene};
     probe::IlluminateAnswer answer;
     answer.state = probe::AnswerState::answered;
     Draw draw{8, 9};
-    for (const PenumbraQuestion::Place& place : question().places) {
+    for (const PenumbraQuestion::Place& place : question.places) {
         PointLog log;
         log.point = asked.points[place.first];
         log.lines.resize(1);
@@ -94,7 +99,7 @@ PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {}) {
             answer.colours.push_back(ambientPart(log, asked.scene) + full * share + how.more);
         }
     }
-    return checkPenumbra(question(), answer);
+    return checkPenumbra(question, answer);
 }
 
 /// The share of so many rays that arrive.
@@ -122,6 +127,18 @@ TEST(CheckPenumbra, NamesTheSizeOfALightThatIsTooSmallOrTooLarge) {
         ASSERT_EQ(idOf(verdict.finding), "shadow.light-size") << size;
         EXPECT_NEAR(numberIn(*verdict.finding, "radius"), 0.4 * size, 0.05);
         EXPECT_GT(verdict.timesTheBound, 1.0);
+    }
+}
+
+// At more than twice the bound a tenth is missed with a chance far below 1e-9.
+TEST(CheckPenumbra, FindsALightThatIsATenthTooSmallOrTooLargeWhateverIsDrawn) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const PenumbraQuestion drawn = drawPenumbraQuestion(seed);
+        for (const double size : {0.9, 1.1}) {
+            const PenumbraVerdict verdict = judge(rays(10), {.size = size}, drawn);
+            EXPECT_EQ(idOf(verdict.finding), "shadow.light-size") << seed << ' ' << size;
+            EXPECT_GT(verdict.timesTheBound, 2.0) << seed << ' ' << size;
+        }
     }
 }
 
