@@ -1,7 +1,9 @@
 import os, sys, shutil
 from right import R
 from wrong import W
-INC = "\n".join("#include <%s>" % h for h in "algorithm array cmath complex cstdint cstdlib exception numbers optional utility valarray vector".split())
+import more
+R.update(more.R); W.update(more.W)
+INC = "\n".join("#include <%s>" % h for h in "algorithm array cstdio map memory mutex cmath complex cstdint cstdlib exception numbers optional utility valarray vector".split())
 out = sys.argv[1]
 for d in (R, W):
     for name, body in d.items():
