@@ -2,7 +2,7 @@ from right import R as R1, other_axis
 from wrong import v, T
 R = {}
 c = R1["r01-derivatives-central"]
-R["r37-no-clamp-by-radius"] = T(("Sphere::getNormalAt(position)", "(position - centre()) / radius()"), ("std::acos(std::clamp(n.y, -1.0, 1.0))", "std::acos(n.y)"))
+R["r37-no-clamp-by-radius"] = T(("/*N*/Sphere::getNormalAt(position)/*n*/", "(position - centre()) / radius()"), ("std::acos(std::clamp(n.y, -1.0, 1.0))", "std::acos(n.y)"))
 R["r38-strong-100"] = c.replace("pu * bu - pv * bv", "pu * (bu * 100) - pv * (bv * 100)")
 R["r39-gamma-decoded"] = v(B="5 * std::pow(map.at(x, y) / 5, 2.2)")
 R["r40-sobel-5-wide"] = c.replace("(B(c + 1, r) - B(c - 1, r)) / 2", "(B(c + 1, r) - B(c - 1, r) + 2 * (B(c + 2, r) - B(c - 2, r))) / 10").replace("(B(c, r + 1) - B(c, r - 1)) / 2", "(B(c, r + 1) - B(c, r - 1) + 2 * (B(c, r + 2) - B(c, r - 2))) / 10")
@@ -24,7 +24,7 @@ R["r44-slopes-interpolated"] = T(("double bu = B(c2, r) - B(c, r);\n    double b
         const double weight = (k % 2 ? x - i : 1 - (x - i)) * (k / 2 ? y - j : 1 - (y - j));
         bu += weight * (at(a + 1, b) - at(a - 1, b)) / 2;
         bv += weight * (at(a, b + 1) - at(a, b - 1)) / 2;
-    }'''), ("    const int c2 = (c + 1) % w;\n", ""), ("    const int r2 = std::min(r + 1, h - 1);\n", ""), ("    int c = std::min(w - 1, static_cast<int>(u * w));\n    int r = std::min(h - 1, static_cast<int>(v * h));\n",""))
+    }'''), ("    const int c2 = /*C2*/(c + 1) % w/*c2*/;\n", ""), ("    const int r2 = /*R2*/std::min(r + 1, h - 1)/*r2*/;\n", ""), ("    int c = std::min(w - 1, static_cast<int>(u * w));\n    int r = std::min(h - 1, static_cast<int>(v * h));\n",""))
 R["r45-half-the-angle"] = T(("const Vector3 out = (n - pu * bu - pv * bv).normalised();", "const Vector3 g = pu * bu + pv * bv;\n    const double steep = g.magnitude();\n    if (steep < 1e-12) return n;\n    const double a = std::atan(steep) / 2;\n    const Vector3 out = n * std::cos(a) - g * (std::sin(a) / steep);"))
 R["r46-two-texel-forward"] = v(C2="(c + 2) % w", R2="std::min(r + 2, h - 1)")
 R["r47-nan-guard-after"] = T(("    const Vector3 n = Sphere", "    const Vector3 n = Sphere"), ("return out;", "if (!std::isfinite(out.x)) return n;\n    return out;"))
