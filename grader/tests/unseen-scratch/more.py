@@ -27,7 +27,7 @@ R["r44-slopes-interpolated"] = T(("double bu = B(c2, r) - B(c, r);\n    double b
     }'''), ("    const int c2 = /*C2*/(c + 1) % w/*c2*/;\n", ""), ("    const int r2 = /*R2*/std::min(r + 1, h - 1)/*r2*/;\n", ""), ("    int c = std::min(w - 1, static_cast<int>(u * w));\n    int r = std::min(h - 1, static_cast<int>(v * h));\n",""))
 R["r45-half-the-angle"] = T(("const Vector3 out = (n - pu * bu - pv * bv).normalised();", "const Vector3 g = pu * bu + pv * bv;\n    const double steep = g.magnitude();\n    if (steep < 1e-12) return n;\n    const double a = std::atan(steep) / 2;\n    const Vector3 out = n * std::cos(a) - g * (std::sin(a) / steep);"))
 R["r46-two-texel-forward"] = v(C2="(c + 2) % w", R2="std::min(r + 2, h - 1)")
-R["r47-nan-guard-after"] = T(("    const Vector3 n = Sphere", "    const Vector3 n = Sphere"), ("return out;", "if (!std::isfinite(out.x)) return n;\n    return out;"))
+R["r47-nan-guard-after"] = T(("return out;", "if (!std::isfinite(out.x)) return n;\n    return out;"))
 R["r48-static-scratch"] = "FILE" + '''
 namespace raytracer {
 static double u, v, bu, bv;
