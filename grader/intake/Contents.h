@@ -48,7 +48,8 @@ struct Contents {
 };
 
 /// The part that a file of this path may be: by its last component, whatever its case, also with
-/// what browsers and systems add to a name ("Renderer (1).cpp", "Renderer.cpp.txt").
+/// what browsers and systems add to a name ("Renderer (1).cpp", "Renderer.cpp.txt") or with another
+/// ending of C++ ("Renderer.cc"). The framework's own BumpySphere.cpp is none.
 [[nodiscard]] std::optional<Part> partOf(std::string_view path);
 
 /// True for what systems leave behind: "__MACOSX/...", "._Renderer.cpp", ".git/...".

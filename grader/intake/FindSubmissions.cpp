@@ -37,7 +37,7 @@ Entries entriesOf(const fs::path& folder) {
         entries.isEmpty = false;
         if (entry.is_directory(error) && !entry.is_symlink(error)) {
             entries.folders.push_back(entry.path());
-        } else if (const auto part = partOf(entry.path().filename().string())) {
+        } else if (const auto part = partOf(entry.path().string())) {
             entries.parts.insert(*part);
         } else if (isArchive(entry.path().filename().string()) && entry.is_regular_file(error)) {
             entries.archives.push_back(entry.path());
@@ -110,6 +110,15 @@ bool isOneInPieces(const Below& below, const std::vector<Below>& children) {
            std::ranges::all_of(kParts, [&](Part part) { return below.parts.count(part) <= 1; });
 }
 
+// Somebody handed in the whole project, as the kit lays it out.
+bool isKit(const Entries& entries) {
+    const auto has = [&](const char* name) {
+        return std::ranges::any_of(
+            entries.folders, [&](const fs::path& folder) { return folder.filename() == name; });
+    };
+    return has("exercise") && has("framework");
+}
+
 Below look(const fs::path& folder, int depth) {
     // Not deeper: there a student could make one up.
     constexpr int kDeepestExport = 1;
@@ -131,7 +140,8 @@ Below look(const fs::path& folder, int depth) {
         add(below, child);
     }
     below.parts.insert(entries.parts.begin(), entries.parts.end());
-    if (!entries.parts.empty() || (entries.archives.empty() && isOneInPieces(below, children)))
+    if (isKit(entries) || !entries.parts.empty() ||
+        (entries.archives.empty() && isOneInPieces(below, children)))
         return {{placeAt(folder)}, below.parts, true, false};
     for (const fs::path& archive : entries.archives)
         below.submissions.push_back(placeAt(archive));

@@ -65,6 +65,12 @@ std::string firstError(std::string_view diagnostics) {
     return std::string{line.substr(0, cut)} + " ...";
 }
 
+// GCC's words, or Clang's.
+bool missesHeader(const std::string& error) {
+    return error.find("No such file or directory") != std::string::npos ||
+           error.find("file not found") != std::string::npos;
+}
+
 Finding buildFinding(const BuildResult& result, const std::string& name) {
     Finding finding;
     finding.severity = Severity::fail;
@@ -83,9 +89,12 @@ Finding buildFinding(const BuildResult& result, const std::string& name) {
             break;
         default:
             finding.id = "build.failed";
-            finding.message =
-                fmt::format("{} does not compile: {}", name, firstError(result.diagnostics));
-            finding.hint = "Build it with ./check, or with the first command of the README.";
+            const std::string error = firstError(result.diagnostics);
+            finding.message = fmt::format("{} does not compile: {}", name, error);
+            finding.hint = missesHeader(error)
+                               ? "The file is compiled alone: put what it needs into it, and "
+                                 "include the kit's headers as <raytracer/...>."
+                               : "Build it with ./check, or with the first command of the README.";
     }
     return finding;
 }

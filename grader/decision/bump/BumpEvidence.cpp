@@ -81,6 +81,10 @@ Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examina
         addRegions(evidence, "largeMapU", examination.regions->u);
         addRegions(evidence, "largeMapV", examination.regions->v);
     }
+    if (examination.fineness) {
+        evidence.emplace_back("finenessAlongU", examination.fineness->u);
+        evidence.emplace_back("finenessAlongV", examination.fineness->v);
+    }
     if (examination.ramps().fit) addLanding(evidence, *examination.ramps().fit);
     addOffence(evidence, "exception", examination.conduct.threw);
     addOffence(evidence, "notFinite", examination.conduct.notFinite);

@@ -138,6 +138,8 @@ std::optional<WrongReason> findWrong(const Examination& examination) {
     constexpr double kSomeInward = 0.01;
     if (inward.count > kSomeInward * inward.asked) return WrongReason::inward;
     if (!examination.ladder.growsWithSlope) return WrongReason::doesNotGrow;
+    if (examination.fineness && !examination.fineness->good())
+        return WrongReason::coordinatesRounded;
     if (!examination.letters || !examination.letters->good()) return WrongReason::lettersDiffer;
     return std::nullopt;
 }

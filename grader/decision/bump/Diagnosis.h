@@ -48,6 +48,7 @@ enum class WrongReason {
     steepDiffers,   ///< on a ramp from black to white
     regionsDiffer,  ///< in some rows or columns of a large map
     slopesDiffer,
+    coordinatesRounded,  ///< u or v, coarsely
     lettersDiffer
 };
 

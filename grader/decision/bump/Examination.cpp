@@ -70,6 +70,7 @@ MainPlan planMain(std::uint64_t seed) {
     plan.slopes = planSlopes(plan.questionnaire, draws, drawBall(draws, -1.0));
     plan.letters = planLetters(plan.questionnaire, draws);
     plan.conduct = planConduct(plan.questionnaire, draws);
+    plan.fineness = planFineness(plan.questionnaire, draws, drawBall(draws, 1.0));
     return plan;
 }
 
@@ -126,6 +127,7 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.regions = readRegions(plan.regions, answers, ramps);
     examination.slopes = readSlopes(plan.slopes, answers, landing, *ramps.response);
     examination.letters = readLetters(plan.letters, answers, landing, *ramps.response);
+    examination.fineness = readFineness(plan.fineness, answers, ramps);
     return examination;
 }
 

@@ -3,6 +3,7 @@
 
 #include <grader/decision/bump/CoarseRamps.h>
 #include <grader/decision/bump/Conduct.h>
+#include <grader/decision/bump/Fineness.h>
 #include <grader/decision/bump/Letters.h>
 #include <grader/decision/bump/RampLadder.h>
 #include <grader/decision/bump/Regions.h>
@@ -23,6 +24,7 @@ struct MainPlan {
     SlopePlan slopes;
     LetterPlan letters;
     ConductPlan conduct;
+    FinenessPlan fineness;
 };
 
 [[nodiscard]] MainPlan planMain(std::uint64_t seed);
@@ -52,6 +54,7 @@ struct Examination {
     std::optional<RegionAgreement> regions;  ///< where the map's place is known, as are the next
     std::optional<SlopeAgreement> slopes;
     std::optional<LetterReading> letters;
+    std::optional<Fineness> fineness;
 
     [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }
     /// Every map says what the ramps said.

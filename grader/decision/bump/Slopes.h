@@ -40,8 +40,9 @@ struct SlopeAgreement {
     /// Sawtooth: the teeth's edges and what a wide difference smears of them are a third at most.
     /// Field: an interpolated or widely differenced slope keeps 0.97.
     [[nodiscard]] bool good() const {
-        return sawtoothU >= 0.6 && sawtoothV >= 0.6 && fieldU >= 0.9 && fieldV >= 0.9;
+        return sawtoothU >= 0.6 && sawtoothV >= 0.6 && fieldAgrees();
     }
+    [[nodiscard]] bool fieldAgrees() const { return fieldU >= 0.9 && fieldV >= 0.9; }
 };
 
 [[nodiscard]] SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers,

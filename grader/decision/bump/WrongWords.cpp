@@ -124,7 +124,29 @@ Words ignoredWords(const std::string& axis, const std::string& what) {
             "Option 1: What to do, step 3"};
 }
 
+Words roundedWords(const Fineness& fineness) {
+    const char* both = "u and v are";
+    const char* one = fineness.goodV() ? "u is" : "v is";
+    return {fmt::format("On a large map, {} x {} texels, points that are {} texels apart read the "
+                        "same texel, or one that is too far away: {} rounded too coarsely.",
+                        FinenessPlan::kColumns, FinenessPlan::kRows, FinenessPlan::kHalf,
+                        fineness.goodU() || fineness.goodV() ? one : both),
+            "Keep angles, u and v as fractions (double), not as whole degrees or percent; only the "
+            "column, u * width(), and the row, v * height(), become whole numbers.",
+            "Option 1: What to do, steps 1 and 3"};
+}
+
+Words teethWords(const SlopeAgreement& slopes) {
+    return {fmt::format("On a map of sawteeth the tilt is not what it is on even ramps: {} of the "
+                        "points along u and {} along v keep to it (right code: more than 90 %).",
+                        percent(slopes.sawtoothU), percent(slopes.sawtoothV)),
+            "Check that Bu and Bv compare texels that are next to each other, and that nothing "
+            "depends on how bright the texels are.",
+            "Option 1: What to do, step 3"};
+}
+
 Words slopesWords(const SlopeAgreement& slopes) {
+    if (slopes.fieldAgrees()) return teethWords(slopes);
     return {
         fmt::format("On pictures the tilt is not what it is on even ramps: on a smooth random map "
                     "{} of the tilt along u and {} of that along v keep to it (right code: all but "
@@ -182,6 +204,8 @@ Words wrongWords(WrongReason reason, const Examination& examination,
             return regionWords(*examination.regions);
         case WrongReason::slopesDiffer:
             return slopesWords(*examination.slopes);
+        case WrongReason::coordinatesRounded:
+            return roundedWords(*examination.fineness);
         case WrongReason::lettersDiffer:
             return lettersWords(*examination.letters);
     }

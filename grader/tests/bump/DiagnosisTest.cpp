@@ -107,6 +107,15 @@ TEST(FindWrong, NamesTheMapThatDisagrees) {
         e.ladder.ramps.kind = RampKind::longitudeDependent;
         e.slopes.reset();
     }));
+    EXPECT_EQ(reasonAfter([](Examination& e) {
+                  e.fineness = Fineness{-0.01, 1.0};
+              }),
+              WrongReason::coordinatesRounded);
+    EXPECT_EQ(reasonAfter([](Examination& e) {
+                  e.fineness = Fineness{1.0, -0.01};
+              }),
+              WrongReason::coordinatesRounded);
+    EXPECT_FALSE(reasonAfter([](Examination& e) { e.fineness = Fineness{0.01, 0.01}; }));
     EXPECT_EQ(reasonAfter([](Examination& e) { e.letters.reset(); }), WrongReason::lettersDiffer);
     EXPECT_EQ(reasonAfter([](Examination& e) {
                   e.letters->l.alongV = {8, 1, 0};

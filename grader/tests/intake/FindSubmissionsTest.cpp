@@ -65,6 +65,19 @@ TEST(FindSubmissions, TakesOneWorkOverSeveralFoldersAsOne) {
     EXPECT_EQ(namesIn(folder.path() / "ann"), Names{"ann"});
 }
 
+TEST(FindSubmissions, TakesTheWholeKitAsOne) {
+    const tests::TemporaryFolder folder;
+    for (const std::string kit : {"ann/", "bob/tick1star/"}) {
+        folder.write(kit + "exercise/BumpySphere.cpp", "x");
+        folder.write(kit + "exercise/Renderer.cpp", "x");
+        folder.write(kit + "framework/src/geometry/BumpySphere.cpp", "x");
+        folder.write(kit + "framework/src/math/Random.cpp", "x");
+        folder.write(kit + "tests/CMakeLists.txt", "x");
+    }
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob"}));
+    EXPECT_EQ(namesIn(folder.path() / "ann"), Names{"ann"});
+}
+
 TEST(FindSubmissions, DoesNotMakeOneOutOfTwoPeople) {
     const tests::TemporaryFolder folder;
     folder.write("class/ann/BumpySphere.cpp", "x");

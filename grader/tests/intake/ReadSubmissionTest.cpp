@@ -56,6 +56,25 @@ TEST(ReadSubmission, UnderstandsWhatBrowsersDoToNames) {
     }
 }
 
+TEST(ReadSubmission, TakesOtherEndingsOfTheSameLanguage) {
+    for (const char* name : {"BumpySphere.cc", "BumpySphere.cxx", "BumpySphere (1).CC"}) {
+        const tests::TemporaryFolder folder;
+        folder.write(name, "bump");
+        EXPECT_EQ(read(folder).part(Part::bumpySphere), "bump") << name;
+    }
+}
+
+TEST(ReadSubmission, LeavesOutTheKitsOwnFileOfTheSameName) {
+    const tests::TemporaryFolder folder;
+    folder.write("tick/exercise/BumpySphere.cpp", "bump");
+    folder.write("tick/framework/src/geometry/BumpySphere.cpp", "constructor");
+    const Submission submission = read(folder);
+    EXPECT_EQ(submission.part(Part::bumpySphere), "bump");
+    EXPECT_TRUE(submission.findings.empty());
+    EXPECT_EQ(submission.ignored,
+              std::vector<std::string>{"tick/framework/src/geometry/BumpySphere.cpp"});
+}
+
 TEST(ReadSubmission, SuggestsTheNearestNameWhenOneIsMissing) {
     const tests::TemporaryFolder folder;
     folder.write("BumpSphere.cpp", "bump");

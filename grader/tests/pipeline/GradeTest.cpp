@@ -83,6 +83,19 @@ TEST(GradeSubmission, LetsABrokenFileBlockItsOwnTaskOnly) {
     EXPECT_EQ(result.verdict, Verdict::needsReview) << "the picture is missing";
 }
 
+// A header of one's own, or a way to the kit's that is right on the student's disk alone.
+TEST(GradeSubmission, SaysThatAFileIsCompiledAloneWhereAHeaderIsMissing) {
+    for (const char* header :
+         {"maths.h", "../framework/include/raytracer/geometry/BumpySphere.h"}) {
+        const SubmissionResult result =
+            grade(submission(std::string{"#include \""} + header + "\"\n", {}));
+        ASSERT_EQ(findingIds(taskOf(result, "T1")), Ids{"build.failed"});
+        const std::string& hint = taskOf(result, "T1").findings.front().hint;
+        EXPECT_NE(hint.find("compiled alone"), std::string::npos) << hint;
+        EXPECT_NE(hint.find("<raytracer/"), std::string::npos) << hint;
+    }
+}
+
 TEST(GradeSubmission, BlocksBothTasksOfABrokenRendererButNotTheStubInIt) {
     std::string source = stub("Renderer.cpp");
     const std::string line = "const Ray ray = camera.castRay(x, y);";
