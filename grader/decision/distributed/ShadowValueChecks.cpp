@@ -40,13 +40,36 @@ bool litWhereItShould(const Logs& logs) {
     return true;
 }
 
+// Whether some of the light arrives in spite of what stands behind it: behind its centre all rays
+// would be stopped.
+bool isPartlyLit(const Logs& logs) {
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points) {
+            if (point.zones[0] != Zone::lit) continue;
+            const ColourRGB light = inFullLight(point, log->scene());
+            if (!near(point.colour, ambientPart(point, log->scene()), light * 0.1)) return true;
+        }
+    return false;
+}
+
+Finding darkBeyond(const Logs& logs) {
+    Finding finding = distributedFinding(
+        "shadow.beyond-light", Severity::fail,
+        "A point in plain sight of the light was expected to be lit; an object behind the light "
+        "casts a shadow on it.");
+    if (!isPartlyLit(logs)) return finding;
+    finding.message =
+        "A point in plain sight of the light was expected to be lit in full; objects behind the "
+        "light, or beside it, take a part of its light away.";
+    finding.hint +=
+        " Or shadow rays go past the light: none may aim farther than lightSize from its centre.";
+    return finding;
+}
+
 // Without rays, mistakes are known by what they leave in full shadow.
 std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
     if (allNearKnown(logs.oneLight, false)) {
-        if (!allNearKnown(logs.beyondLight, false))
-            return distributedFinding("shadow.beyond-light", Severity::fail,
-                                      "A point in plain sight of the light was expected to be lit; "
-                                      "an object behind the light casts a shadow on it.");
+        if (!allNearKnown(logs.beyondLight, false)) return darkBeyond(logs.beyondLight);
         if (!allNearKnown(logs.severalLights, false))
             return distributedFinding("shadow.lights-mixed", Severity::fail,
                                       "With one light the colours are right; with three lights "

@@ -102,6 +102,22 @@ TEST(CheckValues, TellsWhichQuestionIsWrongAlone) {
     EXPECT_EQ(wrongIn(Purpose::severalLights), "shadow.lights-mixed");
 }
 
+// A larger light, or corners of a cube, meet what stands beside the light as well.
+TEST(CheckValues, LeavesOpenWhatTakesAPartOfTheLightAway) {
+    const auto keeps = [](double share) {
+        return judge([=](const Parts& p, Zone zone, Purpose purpose) {
+                   const bool dim = purpose == Purpose::beyondLight && zone == Zone::lit;
+                   return dim ? p.ambient + (p.diffuse + p.specular) * share
+                              : right({p.ambient, p.diffuse, p.specular}, zone);
+               })
+            .finding;
+    };
+    ASSERT_EQ(idOf(keeps(0.0)), "shadow.beyond-light");
+    EXPECT_EQ(keeps(0.0)->hint.find("lightSize"), std::string::npos);
+    ASSERT_EQ(idOf(keeps(0.7)), "shadow.beyond-light");
+    EXPECT_NE(keeps(0.7)->hint.find("lightSize"), std::string::npos);
+}
+
 TEST(IsNearKnown, AllowsTheLightsAngularSize) {
     for (const double height : {8.0, 2.0}) {
         ShadowByHand made;
