@@ -133,15 +133,19 @@ bool usesPartOfLens(const LensLog& log, const Lens& lens) {
     return false;
 }
 
-// Half of all points lie within a small part of the range: a few far ones make it as wide as it is.
+// Half of all points lie within a small part of the range along each axis: a few far ones make it
+// as wide as it is.
 bool crowdInTheMiddle(const Lens& lens) {
     constexpr double kSmallPart = 0.3;
-    std::size_t inside = 0;
-    for (const Vector3& point : lens.points) {
-        const Vector3 off = point - lens.centre();
-        if (std::max(std::abs(off.x), std::abs(off.y)) < kSmallPart * lens.halfWidth()) ++inside;
-    }
-    return 2 * inside > lens.points.size();
+    const Vector3 centre = lens.centre();
+    const auto crowdAlong = [&](double Vector3::*axis) {
+        const auto inside =
+            std::count_if(lens.points.begin(), lens.points.end(), [&](const Vector3& point) {
+                return std::abs(point.*axis - centre.*axis) < kSmallPart * lens.halfWidth();
+            });
+        return 2 * static_cast<std::size_t>(inside) > lens.points.size();
+    };
+    return crowdAlong(&Vector3::x) && crowdAlong(&Vector3::y);
 }
 
 // Whether the mean of the points lies off the eye. The middle of their range says so sooner where

@@ -26,8 +26,7 @@ constexpr double kBiasAllowance = 1.5e-3;
 
 Vector3 shaped(AimShape shape, double u, double v, double w) {
     const double turn = 2.0 * std::numbers::pi * w;
-    const double angle = std::numbers::pi * v;
-    const double z = crowdsAtPoles(shape) ? std::cos(angle) : 2.0 * v - 1.0;
+    const double z = crowdsAtPoles(shape) ? std::cos(std::numbers::pi * v) : 2.0 * v - 1.0;
     const double ring = std::sqrt(std::max(0.0, 1.0 - z * z));
     double radius = u;
     if (shape == AimShape::ball) radius = std::cbrt(u);
