@@ -45,11 +45,13 @@ std::vector<Subject> readSubjects(const fs::path& data) {
             subjects.push_back({mistake.task + "/" + mistake.id,
                                 mistakes::makeMistake(mistake, reference), mistake.task,
                                 mistake.expect});
-    for (const auto& entry : fs::directory_iterator{data / "grader/tests/unseen/T2/right"})
-        subjects.push_back({"right/" + entry.path().filename().string(),
-                            textOf(entry.path() / "Renderer.cpp"),
-                            "",
-                            {TaskState::passed, ""}});
+    for (const char* folder : {"grader/tests/unseen/T2/right", "grader/samples/awarded"})
+        for (const auto& entry : fs::directory_iterator{data / folder})
+            if (fs::exists(entry.path() / "Renderer.cpp"))
+                subjects.push_back({"right/" + entry.path().filename().string(),
+                                    textOf(entry.path() / "Renderer.cpp"),
+                                    "",
+                                    {TaskState::passed, ""}});
     std::sort(subjects.begin(), subjects.end(),
               [](const Subject& a, const Subject& b) { return a.name < b.name; });
     return subjects;

@@ -30,7 +30,7 @@ struct Subject {
 };
 
 /// The catalogue's entries of T2.1 and T2.2 made in the reference, and the right solutions of
-/// grader/tests/unseen/T2.
+/// grader/tests/unseen/T2 and grader/samples.
 /// @param data  The kit's folder, see cli/Home.h.
 /// @throws raytracer::InputError where one cannot be read.
 [[nodiscard]] std::vector<Subject> readSubjects(const std::filesystem::path& data);
