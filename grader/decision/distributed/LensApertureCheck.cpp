@@ -133,6 +133,21 @@ bool usesPartOfLens(const LensLog& log, const Lens& lens) {
     return false;
 }
 
+// Half of all points lie within a small part of the range along each axis: a few far ones make it
+// as wide as it is.
+bool crowdInTheMiddle(const Lens& lens) {
+    constexpr double kSmallPart = 0.3;
+    const Vector3 centre = lens.centre();
+    const auto crowdAlong = [&](double Vector3::*axis) {
+        const auto inside =
+            std::count_if(lens.points.begin(), lens.points.end(), [&](const Vector3& point) {
+                return std::abs(point.*axis - centre.*axis) < kSmallPart * lens.halfWidth();
+            });
+        return 2 * static_cast<std::size_t>(inside) > lens.points.size();
+    };
+    return crowdAlong(&Vector3::x) && crowdAlong(&Vector3::y);
+}
+
 // Whether the mean of the points lies off the eye. The middle of their range says so sooner where
 // they fill a square, but next to nothing where they crowd: its ends are chance then. Hoeffding's
 // bound for two means of numbers from -half to half.
@@ -170,7 +185,7 @@ ApertureVerdict checkAperture(const LensLog& log) {
     const double depth = std::max(std::abs(lens.low.z), std::abs(lens.high.z));
     const double factor = acceptedFactor(lens, amount, shortfall);
     const double aside = std::max(std::abs(centre.x), std::abs(centre.y));
-    if (usesPartOfLens(log, lens)) {
+    if (usesPartOfLens(log, lens) && (shape.square || !crowdInTheMiddle(lens))) {
         verdict.finding = distributedFinding(
             "dof.disc", Severity::fail,
             "The rays of each pixel were expected to start all over the aperture; those of one "

@@ -1,5 +1,6 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/LensChecks.h>
+#include <grader/decision/distributed/LensMeans.h>
 
 #include <fmt/core.h>
 
@@ -148,6 +149,16 @@ Finding notAveraged(const std::string& seen) {
         "The colour of a pixel was expected to be the mean of its rays' colours; " + seen + ".");
 }
 
+std::optional<Finding> changeOfAll(const LensLog& log) {
+    std::vector<PixelMean> pixels;
+    for (const LensPixel& pixel : log.pixels) {
+        const std::vector<ColourRGB> values = valuesOf(pixel);
+        pixels.push_back({meanOf(values.data(), values.size()), pixel.colour,
+                          static_cast<double>(values.size())});
+    }
+    return changeOfMeans(pixels);
+}
+
 // Another recursion: what its rays gave is known from what they met, as long as nobody cast rays
 // for another reason. So only what fits a mistake throughout is held against it.
 std::optional<Finding> checkOwnRecursion(LensLog log) {
@@ -175,10 +186,12 @@ std::optional<Finding> checkAverage(const LensLog& log) {
         return std::nullopt;
     const double factor = commonFactor(log);
     std::string seen = knownMistake(log);
-    if (factor != 0.0)
+    if (factor != 0.0) {
         seen = fmt::format("it is {:.4g} times their mean", factor);
-    else if (seen.empty() && everyPixel(log, withinSamples))
-        seen = "some rays count more than others";
+    } else if (seen.empty()) {
+        if (std::optional<Finding> change = changeOfAll(log)) return change;
+        if (everyPixel(log, withinSamples)) seen = "some rays count more than others";
+    }
     if (seen.empty())
         return distributedFinding("dof.wrong", Severity::fail,
                                   "The colour of a pixel was expected to be the mean of its rays' "

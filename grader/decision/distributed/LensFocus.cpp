@@ -61,6 +61,11 @@ Finding focusFinding(const char* id, std::string seen, const LensLog& log, doubl
     return finding;
 }
 
+Finding withHint(Finding finding, const std::string& more) {
+    finding.hint += ' ' + more;
+    return finding;
+}
+
 Finding explainFocus(const LensLog& log) {
     const double plane = log.asked->settings.dofFocalPlane;
     if (std::all_of(log.pixels.begin(), log.pixels.end(), areParallel))
@@ -83,10 +88,14 @@ Finding explainFocus(const LensLog& log) {
     }
     const double z = 0.5 * (lowZ + highZ);
     if (spread > 10.0 * kFocusSlack)
-        return focusFinding("dof.focal-plane",
-                            "All rays of a pixel were expected to meet in one point of the focal "
-                            "plane; they do not meet anywhere.",
-                            log, z);
+        return withHint(
+            focusFinding("dof.focal-plane",
+                         fmt::format("All rays of a pixel were expected to meet in one point of "
+                                     "the focal plane; they do not meet anywhere, some pass the "
+                                     "nearest point by {:.2g}.",
+                                     spread),
+                         log, z),
+            "Find one focal point for each pixel, before the loop over its rays.");
     if (offDistance < 10.0 * kFocusSlack)
         return focusFinding(
             "dof.focal-distance",

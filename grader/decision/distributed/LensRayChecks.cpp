@@ -8,7 +8,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <set>
+#include <string>
+#include <utility>
 
 namespace ticker::decision {
 namespace {
@@ -83,16 +86,28 @@ std::optional<Finding> checkBounces(const LensLog& log) {
     return std::nullopt;
 }
 
+// Fifty points that are drawn do not come again by accident.
 std::optional<Finding> checkPattern(const LensLog& log) {
+    std::map<int, std::pair<std::set<std::set<Key>>, std::size_t>> repetitions;
+    std::size_t patterns = 0;
     for (const LensPixel& pixel : log.pixels) {
-        const auto first = std::find_if(
-            log.pixels.begin(), log.pixels.end(),
-            [&](const LensPixel& other) { return other.repetition == pixel.repetition; });
-        if (originsOf(*first) != originsOf(pixel)) return std::nullopt;
+        auto& [different, pixels] = repetitions[pixel.repetition];
+        ++pixels;
+        if (!pixel.rays.empty() && different.insert(originsOf(pixel)).second) ++patterns;
     }
-    return distributedFinding("dof.reused-pattern", Severity::warn,
-                              "New random points of the aperture were expected for every pixel; "
-                              "all pixels use the same ones.");
+    bool oneForAll = true;
+    for (const auto& [repetition, seen] : repetitions) {
+        const auto& [different, pixels] = seen;
+        if (different.empty() || 2 * different.size() > pixels) return std::nullopt;
+        oneForAll = oneForAll && different.size() == 1;
+    }
+    return distributedFinding(
+        "dof.reused-pattern", Severity::warn,
+        "New random points of the aperture were expected for every pixel; " +
+            (oneForAll ? std::string{"all pixels use the same ones."}
+                       : fmt::format("there are only {} patterns for {} pixels, those of a row or "
+                                     "a column perhaps.",
+                                     patterns, log.pixels.size())));
 }
 
 }  // namespace ticker::decision

@@ -95,8 +95,10 @@ bool sameEveryCall(const std::vector<PenumbraSamples>& seen) {
     return fractions >= 4 && 4 * still >= 3 * fractions;
 }
 
+constexpr double kSeen = 0.02;  // shares below may be rounding
+
 bool seesLight(const PenumbraSamples& samples) {
-    return *std::max_element(samples.shares.begin(), samples.shares.end()) > 0.02;
+    return *std::max_element(samples.shares.begin(), samples.shares.end()) > kSeen;
 }
 
 // Exact, but that no call of 30000 rays hits the outermost part of the light, which every accepted
@@ -105,6 +107,27 @@ bool seesTooMuch(const std::vector<PenumbraSamples>& rim) {
     return std::any_of(rim.begin(), rim.end(), [](const PenumbraSamples& samples) {
         return samples.place.kind == Place::Kind::beyondRim && seesLight(samples);
     });
+}
+
+// What is there in every call wherever nothing of the light is seen, and not just now and then as
+// from the rim of a larger light: a share that somebody adds or does not go below.
+double leftInShadow(const std::vector<PenumbraSamples>& rim) {
+    double left = 1.0;
+    for (const PenumbraSamples& samples : rim)
+        if (samples.place.kind == Place::Kind::beyondRim)
+            for (const double share : samples.shares)
+                left = std::min(left, share);
+    return left;
+}
+
+Finding leftInShadowFinding(double left) {
+    Finding finding = distributedFinding(
+        "shadow.wrong", Severity::fail,
+        fmt::format("In full shadow the ambient light alone was expected; {:.2g} of the light's "
+                    "own is left there, too.",
+                    left));
+    finding.evidence.emplace_back("leftInShadow", left);
+    return finding;
 }
 
 bool isDark(const std::vector<PenumbraSamples>& rim, Place::Kind kind) {
@@ -177,8 +200,7 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
     PenumbraVerdict verdict;
     verdict.timesTheBound = 1e9;
     std::vector<double> openInBall;
-    for (const AimShape shape :
-         {AimShape::ball, AimShape::surface, AimShape::uniformRadius, AimShape::polarHelper}) {
+    for (const AimShape shape : kAcceptedAimShapes) {
         std::vector<double> open;
         verdict.timesTheBound = std::min(
             verdict.timesTheBound, excessOfShape(asked.question, surfaces, seen, shape, open));
@@ -188,7 +210,9 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
     if (verdict.finding) return verdict;
     verdict.ambiguous = sameEveryCall(seen);
     if (verdict.ambiguous) return verdict;
-    if (verdict.timesTheBound > 1.0 || seesTooMuch(rim) || isDark(rim, Place::Kind::withinRim))
+    if (const double left = leftInShadow(rim); left > kSeen && seesTooMuch(rim))
+        verdict.finding = leftInShadowFinding(left);
+    else if (verdict.timesTheBound > 1.0 || seesTooMuch(rim) || isDark(rim, Place::Kind::withinRim))
         verdict.finding = explain(asked.question, surfaces, seen, verdict.timesTheBound);
     // Of 90000 rays to the very rim at least 27 are expected, whatever the accepted shape: none is
     // a smaller light, or a table of a few hundred aims that has none there.

@@ -26,13 +26,15 @@ constexpr double kBiasAllowance = 1.5e-3;
 
 Vector3 shaped(AimShape shape, double u, double v, double w) {
     const double turn = 2.0 * std::numbers::pi * w;
-    const double angle = std::numbers::pi * v;
-    const double z = shape == AimShape::polarHelper ? std::cos(angle) : 2.0 * v - 1.0;
+    const double z = crowdsAtPoles(shape) ? std::cos(std::numbers::pi * v) : 2.0 * v - 1.0;
     const double ring = std::sqrt(std::max(0.0, 1.0 - z * z));
     double radius = u;
     if (shape == AimShape::ball) radius = std::cbrt(u);
     if (shape == AimShape::surface) radius = 1.0;
-    return Vector3{ring * std::cos(turn), ring * std::sin(turn), z} * radius;
+    const Vector3 place = Vector3{ring * std::cos(turn), ring * std::sin(turn), z} * radius;
+    if (shape == AimShape::polarHelperX) return {place.z, place.x, place.y};
+    if (shape == AimShape::polarHelperY) return {place.x, place.z, place.y};
+    return place;
 }
 
 // Numbers that are compared: the length of a foot, and its place along two axes at right angles to
@@ -173,8 +175,7 @@ void compareShapes(const Views& seen, const std::vector<Vector3>& directions, Ai
     const bool repeated = verdict.distinct < verdict.lines;
     double best = std::numeric_limits<double>::infinity();
     double bestScaled = best;
-    for (const AimShape shape :
-         {AimShape::ball, AimShape::surface, AimShape::uniformRadius, AimShape::polarHelper}) {
+    for (const AimShape shape : kAcceptedAimShapes) {
         const Views expected = expectedViews(shape, directions);
         // Of `distinct` independent lines at least one comes as near to the rim as this.
         const double rim = quantile(expected.all.lengths(),

@@ -3,6 +3,7 @@
 
 #include <grader/decision/distributed/ShadowLog.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -10,7 +11,24 @@
 namespace ticker::decision {
 
 /// Accepted ways in which aim points lie in a light (design, section 5.3).
-enum class AimShape { ball, surface, uniformRadius, polarHelper };
+enum class AimShape {
+    ball,
+    surface,
+    uniformRadius,
+    polarHelper,   ///< poles along z, as the original's helper has them
+    polarHelperX,  ///< along x
+    polarHelperY,  ///< along y
+};
+
+inline constexpr std::array kAcceptedAimShapes{AimShape::ball,          AimShape::surface,
+                                               AimShape::uniformRadius, AimShape::polarHelper,
+                                               AimShape::polarHelperX,  AimShape::polarHelperY};
+
+/// Whether points crowd at the centre and at two poles, wherever those lie.
+[[nodiscard]] constexpr bool crowdsAtPoles(AimShape shape) {
+    return shape == AimShape::polarHelper || shape == AimShape::polarHelperX ||
+           shape == AimShape::polarHelperY;
+}
 
 /// What the aim lines at far lights say. There lines are parallel but for 1 in 250, so that a
 /// line's foot is its aim point as seen from afar, and nothing of it depends on the distance.

@@ -177,7 +177,7 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
             fmt::format("Shadow rays were expected to pass within {} of the light's centre; they "
                         "fill a ball of radius {:.3g}.",
                         radius, widest));
-    } else if (*aims.shape == AimShape::polarHelper) {
+    } else if (crowdsAtPoles(*aims.shape)) {
         finding = distributedFinding(
             "shadow.clustered", Severity::warn,
             "The points in the light were expected to be spread evenly; they crowd at its centre "

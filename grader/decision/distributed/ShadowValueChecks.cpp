@@ -3,6 +3,13 @@
 #include <grader/decision/distributed/Phong.h>
 #include <grader/decision/distributed/ShadowChecks.h>
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
 namespace ticker::decision {
 namespace {
 
@@ -40,13 +47,36 @@ bool litWhereItShould(const Logs& logs) {
     return true;
 }
 
+// Whether some of the light arrives in spite of what stands behind it: behind its centre all rays
+// would be stopped.
+bool isPartlyLit(const Logs& logs) {
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points) {
+            if (point.zones[0] != Zone::lit) continue;
+            const ColourRGB light = inFullLight(point, log->scene());
+            if (!near(point.colour, ambientPart(point, log->scene()), light * 0.1)) return true;
+        }
+    return false;
+}
+
+Finding darkBeyond(const Logs& logs) {
+    Finding finding = distributedFinding(
+        "shadow.beyond-light", Severity::fail,
+        "A point in plain sight of the light was expected to be lit; an object behind the light "
+        "casts a shadow on it.");
+    if (!isPartlyLit(logs)) return finding;
+    finding.message =
+        "A point in plain sight of the light was expected to be lit in full; objects behind the "
+        "light, or beside it, take a part of its light away.";
+    finding.hint +=
+        " Or shadow rays go past the light: none may aim farther than lightSize from its centre.";
+    return finding;
+}
+
 // Without rays, mistakes are known by what they leave in full shadow.
 std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
     if (allNearKnown(logs.oneLight, false)) {
-        if (!allNearKnown(logs.beyondLight, false))
-            return distributedFinding("shadow.beyond-light", Severity::fail,
-                                      "A point in plain sight of the light was expected to be lit; "
-                                      "an object behind the light casts a shadow on it.");
+        if (!allNearKnown(logs.beyondLight, false)) return darkBeyond(logs.beyondLight);
         if (!allNearKnown(logs.severalLights, false))
             return distributedFinding("shadow.lights-mixed", Severity::fail,
                                       "With one light the colours are right; with three lights "
@@ -66,6 +96,33 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
                               "nothing ever casts a shadow.");
 }
 
+double sumOf(const ColourRGB& colour) {
+    return colour.r + colour.g + colour.b;
+}
+
+// How much of the light there is in full light and in full shadow, in words; nothing where the
+// numbers would not tell what is wrong.
+std::string sharesSeen(const Logs& logs) {
+    constexpr double kEven = 0.02;
+    std::map<Zone, std::pair<double, double>> seen;
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points) {
+            const ColourRGB ambient = ambientPart(point, log->scene());
+            const double share =
+                sumOf(point.colour - ambient) / sumOf(inFullLight(point, log->scene()) - ambient);
+            auto& [least, most] = seen.try_emplace(point.zones[0], share, share).first->second;
+            least = std::min(least, share);
+            most = std::max(most, share);
+        }
+    if (seen.count(Zone::lit) == 0 || seen.count(Zone::umbra) == 0) return {};
+    for (const Zone zone : {Zone::lit, Zone::umbra})
+        if (!(seen[zone].second - seen[zone].first < kEven)) return {};
+    return fmt::format(
+        ": {:.2g} of the light where all of it is in sight (1 was expected), {:.2g} "
+        "in full shadow (0 was expected)",
+        seen[Zone::lit].first, std::max(0.0, seen[Zone::umbra].first));
+}
+
 }  // namespace
 
 ArithmeticVerdict checkValues(const ShadowLogs& logs) {
@@ -77,9 +134,11 @@ ArithmeticVerdict checkValues(const ShadowLogs& logs) {
     }
     verdict.finding = knownValueMistake(logs);
     if (!verdict.finding)
-        verdict.finding = distributedFinding("shadow.wrong", Severity::fail,
-                                             "Points in full light and in full shadow have a known "
-                                             "colour; illuminate gives another one.");
+        verdict.finding = distributedFinding(
+            "shadow.wrong", Severity::fail,
+            "Points in full light and in full shadow have a known colour; illuminate gives "
+            "another one" +
+                sharesSeen(logs.oneLight) + '.');
     return verdict;
 }
 

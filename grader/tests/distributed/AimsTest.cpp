@@ -86,6 +86,24 @@ TEST(JudgeAims, TellsTheOriginalsHelperFromTheBall) {
                   AimShape::polarHelper);
 }
 
+// Which axis has the poles is a matter of taste: y points up in this world, z in textbooks.
+TEST(JudgeAims, TellsTheOriginalsHelperWhateverItsPoles) {
+    const Aim poleUp = [](Draw& draw) {
+        const Vector3 aim = polarHelper(draw);
+        return Vector3{aim.x, aim.z, aim.y};
+    };
+    const Aim poleAside = [](Draw& draw) {
+        const Vector3 aim = polarHelper(draw);
+        return Vector3{aim.z, aim.x, aim.y};
+    };
+    Draw draw{13, 2};
+    for (int i = 0; i < 20; ++i) {
+        const auto seed = 340 + static_cast<unsigned>(i);
+        EXPECT_EQ(judge(poleUp, draw.direction(), seed).shape, AimShape::polarHelperY) << i;
+        EXPECT_EQ(judge(poleAside, draw.direction(), seed).shape, AimShape::polarHelperX) << i;
+    }
+}
+
 TEST(JudgeAims, CatchesALightTenPercentOff) {
     for (const double size : {0.9, 1.1}) {
         const auto aim = [&](Draw& draw) { return ball(draw) * size; };

@@ -79,6 +79,22 @@ TEST(CheckValues, NamesWhatAShadowKeeps) {
     EXPECT_EQ(inShadow([](const Parts& p) { return p.ambient + ColourRGB{5.0}; }), "shadow.wrong");
 }
 
+TEST(CheckValues, TellsHowMuchLightThereIsWhereItIsTheSameEverywhere) {
+    const auto messageOf = [](double lit, double umbra) {
+        return judge([=](const Parts& p, Zone zone, Purpose) {
+                   return p.ambient + (p.diffuse + p.specular) * (zone == Zone::lit ? lit : umbra);
+               })
+            .finding->message;
+    };
+    EXPECT_NE(messageOf(1.5, 0.0).find(": 1.5 of the light"), std::string::npos);
+    EXPECT_NE(messageOf(1.5, 0.0).find(", 0 in full shadow"), std::string::npos);
+    EXPECT_NE(messageOf(1.0, 0.5).find(", 0.5 in full shadow"), std::string::npos);
+    const auto uneven = judge([](const Parts& p, Zone zone, Purpose) {
+        return right(p, zone) + ColourRGB{zone == Zone::umbra ? 5.0 : 0.0};
+    });
+    EXPECT_EQ(uneven.finding->message.find("of the light"), std::string::npos);
+}
+
 TEST(CheckValues, TellsInvertedShadowsFromNone) {
     const auto inverted = judge([](const Parts& parts, Zone zone, Purpose) {
         return right(parts, zone == Zone::lit     ? Zone::umbra
@@ -100,6 +116,22 @@ TEST(CheckValues, TellsWhichQuestionIsWrongAlone) {
     };
     EXPECT_EQ(wrongIn(Purpose::beyondLight), "shadow.beyond-light");
     EXPECT_EQ(wrongIn(Purpose::severalLights), "shadow.lights-mixed");
+}
+
+// A larger light, or corners of a cube, meet what stands beside the light as well.
+TEST(CheckValues, LeavesOpenWhatTakesAPartOfTheLightAway) {
+    const auto keeps = [](double share) {
+        return judge([=](const Parts& p, Zone zone, Purpose purpose) {
+                   const bool dim = purpose == Purpose::beyondLight && zone == Zone::lit;
+                   return dim ? p.ambient + (p.diffuse + p.specular) * share
+                              : right({p.ambient, p.diffuse, p.specular}, zone);
+               })
+            .finding;
+    };
+    ASSERT_EQ(idOf(keeps(0.0)), "shadow.beyond-light");
+    EXPECT_EQ(keeps(0.0)->hint.find("lightSize"), std::string::npos);
+    ASSERT_EQ(idOf(keeps(0.7)), "shadow.beyond-light");
+    EXPECT_NE(keeps(0.7)->hint.find("lightSize"), std::string::npos);
 }
 
 TEST(IsNearKnown, AllowsTheLightsAngularSize) {

@@ -129,6 +129,26 @@ TEST(Aperture, IsUsedAsAWholeByEveryPixel) {
     EXPECT_EQ(judgeWithAPixel({0.39, 0.19, 0.0}, {-0.195, -0.095, 0.0}), "dof.disc");
 }
 
+TEST(Aperture, IsUnevenAndNotUsedInPartWhereItsPointsCrowdInTheMiddle) {
+    LensByHand lens;
+    for (int i = 0; i < 20; ++i) {
+        LensPixel& pixel = lens.pixel();
+        for (int j = 0; j < 100; ++j)
+            pixel.rays.push_back(
+                rayThrough({0.004 * (j % 10 - 4.5), 0.004 * (j / 10 - 4.5), 0.0}, {0.0, 0.0, 3.5}));
+    }
+    lens.pixel().rays = {rayThrough({-0.2, -0.2, 0.0}, {0.0, 0.0, 3.5}),
+                         rayThrough({0.2, 0.2, 0.0}, {0.0, 0.0, 3.5})};
+    // Points that come again count once.
+    int next = 0;
+    for (LensPixel& pixel : lens.log.pixels)
+        for (LensRay& ray : pixel.rays)
+            ray.origin.x += 1e-6 * ++next;
+    const auto finding = checkAperture(lens.log).finding;
+    ASSERT_EQ(idOf(finding), "dof.disc");
+    EXPECT_NE(finding->message.find("evenly filled"), std::string::npos) << finding->message;
+}
+
 TEST(Aperture, SaysNothingOfTwoRays) {
     LensByHand lens;
     lens.pixel().rays = {rayThrough({}, {0.0, 0.0, 1.0}),

@@ -87,6 +87,7 @@ TEST(Focus, IsNowhereWhereRaysAreParallelOrPassEachOther) {
         return checkFocus(lens.log);
     };
     EXPECT_NE(passing(2.1e-3)->message.find("do not meet anywhere"), std::string::npos);
+    EXPECT_NE(passing(2.1e-3)->message.find("by 0.0021"), std::string::npos);
     EXPECT_NE(passing(1.9e-3)->message.find("meet at z = 4"), std::string::npos)
         << passing(1.9e-3)->message;
 }

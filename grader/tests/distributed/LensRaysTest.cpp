@@ -79,5 +79,27 @@ TEST(LensPattern, IsReusedWhereAllPixelsOfARepetitionHaveTheSamePoints) {
     EXPECT_EQ(idOf(checkPattern(lens.log)), "");
 }
 
+TEST(LensPattern, IsReusedWhereRowsShareTheirPoints) {
+    LensByHand lens;
+    for (int row = 0; row < 3; ++row)
+        for (int x = 0; x < 4; ++x)
+            add(lens, 5, 5 - row);
+    const auto rows = checkPattern(lens.log);
+    ASSERT_EQ(idOf(rows), "dof.reused-pattern");
+    EXPECT_NE(rows->message.find("3 patterns for 12 pixels"), std::string::npos);
+}
+
+TEST(LensPattern, IsNotReusedByAFewPixelsOrWhereNoRayIsSeen) {
+    LensByHand lens;
+    for (int origins = 1; origins <= 5; ++origins)
+        add(lens, 5, origins);
+    add(lens, 5, 5);
+    EXPECT_EQ(idOf(checkPattern(lens.log)), "");
+    LensByHand unseen;
+    for (int i = 0; i < 8; ++i)
+        unseen.pixel();
+    EXPECT_EQ(idOf(checkPattern(unseen.log)), "");
+}
+
 }  // namespace
 }  // namespace ticker::decision

@@ -71,6 +71,7 @@ using ShareOf = std::function<double(double open, Draw& draw)>;
 struct Answer {
     double size = 1.0;               ///< of the light
     double beyond = 0.0;             ///< share where nothing should be seen
+    bool beyondAlways = false;       ///< in every call, not in one alone
     double within = 0.1;             ///< where the outermost part should be
     bool darkRim = false;            ///< nothing where the outermost twentieth should be
     raytracer::ColourRGB more{0.0};  ///< added to every colour
@@ -94,7 +95,7 @@ PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {},
             if (place.kind == Kind::penumbra || place.kind == Kind::atRim)
                 share = shareOf(open, draw);
             if (place.kind == Kind::atRim && how.darkRim) share = 0.0;
-            if (place.kind == Kind::beyondRim && i == 0) share = how.beyond;
+            if (place.kind == Kind::beyondRim && (i == 0 || how.beyondAlways)) share = how.beyond;
             if (place.kind == Kind::withinRim && i == 0) share = how.within;
             answer.colours.push_back(ambientPart(log, asked.scene) + full * share + how.more);
         }
@@ -147,6 +148,15 @@ TEST(CheckPenumbra, FindsLightBeyondTheRimAndNoneWithinIt) {
     EXPECT_FALSE(judge(rays(10), {.beyond = 0.015}).finding);
     EXPECT_TRUE(judge(rays(10), {.within = 0.0}).finding);
     EXPECT_FALSE(judge(rays(10), {.within = 0.025}).finding);
+}
+
+TEST(CheckPenumbra, TellsLightThatIsLeftInShadowFromALargerLight) {
+    const PenumbraVerdict once = judge(rays(10), {.beyond = 0.1});
+    ASSERT_TRUE(once.finding);
+    EXPECT_EQ(once.finding->message.find("ambient light alone"), std::string::npos);
+    const PenumbraVerdict always = judge(rays(10), {.beyond = 0.1, .beyondAlways = true});
+    ASSERT_EQ(idOf(always.finding), "shadow.wrong");
+    EXPECT_NEAR(numberIn(*always.finding, "leftInShadow"), 0.1, 1e-9);
 }
 
 TEST(CheckPenumbra, CountsTheRaysByTheSteps) {

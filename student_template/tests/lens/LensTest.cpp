@@ -54,8 +54,10 @@ TEST_F(DepthOfField, HasASquareLensAroundTheEye) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const LensPoints lens{trial()};
     const double amount = handout_.dofAmount;
-    // Cells' middles of a regular grid reach less far than random points.
-    const double least = lens.distinct > 500 ? 0.96 : 0.75;
+    // Cells' middles of a regular grid reach less far than random points, and fifty random points,
+    // used again for every pixel, less evenly: their ends differ by 0.7 with a chance below 1e-7.
+    const bool few = lens.distinct <= 500;
+    const double least = few ? 0.75 : 0.96;
     const std::string expected = "a square in the plane z = 0, centred on the eye";
     const std::string section = "Depth of field (T2.2), step 2";
     const double off =
@@ -67,7 +69,7 @@ TEST_F(DepthOfField, HasASquareLensAroundTheEye) {
         complain(kAsked + ": where the rays start", expected,
                  "z from " + inWords(lens.low.z) + " to " + inWords(lens.high.z),
                  "the lens is flat: only x and y are random", section);
-    else if (off > 0.1 * lens.widest() + 1e-9)
+    else if (off > (few ? 0.7 : 0.1) * lens.widest() + 1e-9)
         complain(kAsked + ": where the rays start", expected,
                  "x from " + inWords(lens.low.x) + " to " + inWords(lens.high.x) + ", y from " +
                      inWords(lens.low.y) + " to " + inWords(lens.high.y),
@@ -77,7 +79,7 @@ TEST_F(DepthOfField, HasASquareLensAroundTheEye) {
                  "half a side of settings().dofAmount, or half of that (both readings are right)",
                  "half a side of " + inWords(lens.widest()), "scale by settings().dofAmount once",
                  section);
-    else if (lens.narrowest() < 0.75 * lens.widest())
+    else if (lens.narrowest() < (few ? 0.6 : 0.75) * lens.widest())
         complain(kAsked + ": where the rays start", expected,
                  "x from " + inWords(lens.low.x) + " to " + inWords(lens.high.x) + ", y from " +
                      inWords(lens.low.y) + " to " + inWords(lens.high.y),
@@ -101,8 +103,9 @@ TEST_F(DepthOfField, FillsTheSquareEvenly) {
     }
     const double count = static_cast<double>(lens.points.size());
     // A square has 21 % of its points outside of the largest disc in it, 25 % in its inner quarter,
-    // and x and y are independent. Among 50 points the shares stray by 0.06.
-    const double slack = lens.distinct > 500 ? 0.06 : 0.2;
+    // and x and y are independent. Among 50 points the shares stray by 0.06, the diagonal by 0.14.
+    const bool few = lens.distinct <= 500;
+    const double slack = few ? 0.2 : 0.06;
     std::string got;
     std::string cause = "x and y are uniform, each by itself, from -1 to 1";
     if (corners / count < 0.215 - slack) {
@@ -110,7 +113,7 @@ TEST_F(DepthOfField, FillsTheSquareEvenly) {
         cause = "the lens is a disc; a square was asked for";
     } else if (std::abs(inner / count - 0.25) > 1.5 * slack) {
         got = percent(inner / count) + " of the points lie in the inner quarter of the square";
-    } else if (std::abs(diagonal / count) > 2.0 * slack) {
+    } else if (std::abs(diagonal / count) > (few ? 0.8 : 0.12)) {
         got = "points along a diagonal";
         cause = "x and y need random numbers of their own";
     }
