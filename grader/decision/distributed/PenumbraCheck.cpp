@@ -136,6 +136,12 @@ bool isDark(const std::vector<PenumbraSamples>& rim, Place::Kind kind) {
     });
 }
 
+// Their means may be those of a ball that is a tenth too small or too large: only light from the
+// rim and beyond it tells them apart.
+bool isLikeAnotherSize(AimShape shape) {
+    return shape.poles != AimShape::Poles::none && shape.radius != AimShape::Radius::even;
+}
+
 /// The best of all readings of Phong for one shape; gives the shares of aims in sight, too.
 double excessOfShape(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
                      const std::vector<PenumbraSamples>& seen, AimShape shape,
@@ -154,6 +160,24 @@ double excessOfShape(const probe::IlluminateQuestion& asked, const Surfaces& sur
             best = std::min(best, worstExcess(seen, shares, open));
         }
     return best;
+}
+
+struct Fit {
+    double excess = 1e9;
+    std::vector<double> openInBall;
+};
+
+/// @param sizeIsInDoubt  By what the rim says.
+Fit fitAcceptedShapes(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
+                      const std::vector<PenumbraSamples>& seen, bool sizeIsInDoubt) {
+    Fit fit;
+    for (const AimShape shape : kAcceptedAimShapes) {
+        if (isLikeAnotherSize(shape) && (sizeIsInDoubt || fit.excess <= 1.0)) continue;
+        std::vector<double> open;
+        fit.excess = std::min(fit.excess, excessOfShape(asked, surfaces, seen, shape, open));
+        if (shape == AimShape::ball) fit.openInBall = open;
+    }
+    return fit;
 }
 
 Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
@@ -197,27 +221,23 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
                                    "A colour was expected from illuminate; at the edge of a shadow "
                                    "it gave a value that is no number."),
                 0.0, false};
+    const bool darkRim = isDark(rim, Place::Kind::atRim);
+    const bool brightBeyond = seesTooMuch(rim);
+    const Fit fit = fitAcceptedShapes(asked.question, surfaces, seen, darkRim || brightBeyond);
     PenumbraVerdict verdict;
-    verdict.timesTheBound = 1e9;
-    std::vector<double> openInBall;
-    for (const AimShape shape : kAcceptedAimShapes) {
-        std::vector<double> open;
-        verdict.timesTheBound = std::min(
-            verdict.timesTheBound, excessOfShape(asked.question, surfaces, seen, shape, open));
-        if (shape == AimShape::ball) openInBall = open;
-    }
-    verdict.finding = checkFractions(seen, openInBall);
+    verdict.timesTheBound = fit.excess;
+    verdict.finding = checkFractions(seen, fit.openInBall);
     if (verdict.finding) return verdict;
     verdict.ambiguous = sameEveryCall(seen);
     if (verdict.ambiguous) return verdict;
-    if (const double left = leftInShadow(rim); left > kSeen && seesTooMuch(rim))
+    if (const double left = leftInShadow(rim); left > kSeen && brightBeyond)
         verdict.finding = leftInShadowFinding(left);
-    else if (verdict.timesTheBound > 1.0 || seesTooMuch(rim) || isDark(rim, Place::Kind::withinRim))
+    else if (verdict.timesTheBound > 1.0 || brightBeyond || isDark(rim, Place::Kind::withinRim))
         verdict.finding = explain(asked.question, surfaces, seen, verdict.timesTheBound);
     // Of 90000 rays to the very rim at least 27 are expected, whatever the accepted shape: none is
     // a smaller light, or a table of a few hundred aims that has none there.
     else
-        verdict.ambiguous = isDark(rim, Place::Kind::atRim);
+        verdict.ambiguous = darkRim;
     return verdict;
 }
 

@@ -24,16 +24,27 @@ constexpr double kLatticeError = 0.01;
 // A line may miss the ball by the shadow bias, where the direction was taken from the point itself.
 constexpr double kBiasAllowance = 1.5e-3;
 
+double radiusOf(AimShape::Radius radius, double u) {
+    switch (radius) {
+        case AimShape::Radius::filling:
+            return std::cbrt(u);
+        case AimShape::Radius::outer:
+            return 1.0;
+        case AimShape::Radius::even:
+            break;
+    }
+    return u;
+}
+
 Vector3 shaped(AimShape shape, double u, double v, double w) {
+    using Poles = AimShape::Poles;
     const double turn = 2.0 * std::numbers::pi * w;
-    const double z = crowdsAtPoles(shape) ? std::cos(std::numbers::pi * v) : 2.0 * v - 1.0;
+    const double z = shape.poles == Poles::none ? 2.0 * v - 1.0 : std::cos(std::numbers::pi * v);
     const double ring = std::sqrt(std::max(0.0, 1.0 - z * z));
-    double radius = u;
-    if (shape == AimShape::ball) radius = std::cbrt(u);
-    if (shape == AimShape::surface) radius = 1.0;
-    const Vector3 place = Vector3{ring * std::cos(turn), ring * std::sin(turn), z} * radius;
-    if (shape == AimShape::polarHelperX) return {place.z, place.x, place.y};
-    if (shape == AimShape::polarHelperY) return {place.x, place.z, place.y};
+    const Vector3 place =
+        Vector3{ring * std::cos(turn), ring * std::sin(turn), z} * radiusOf(shape.radius, u);
+    if (shape.poles == Poles::x) return {place.z, place.x, place.y};
+    if (shape.poles == Poles::y) return {place.x, place.z, place.y};
     return place;
 }
 

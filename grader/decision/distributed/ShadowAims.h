@@ -10,25 +10,50 @@
 
 namespace ticker::decision {
 
-/// Accepted ways in which aim points lie in a light (design, section 5.3).
-enum class AimShape {
-    ball,
-    surface,
-    uniformRadius,
-    polarHelper,   ///< poles along z, as the original's helper has them
-    polarHelperX,  ///< along x
-    polarHelperY,  ///< along y
+/// How aim points lie in a light (design, section 5.3).
+struct AimShape {
+    enum class Radius {
+        filling,  ///< the cube root of an even number, as in an evenly filled ball
+        outer,    ///< on the surface
+        even
+    };
+    /// Where they crowd since the angle from there is drawn evenly, as in the original's helper.
+    enum class Poles { none, x, y, z };
+
+    Radius radius = Radius::filling;
+    Poles poles = Poles::none;
+
+    static const AimShape ball;
+    static const AimShape surface;
+    static const AimShape uniformRadius;
+    static const AimShape polarHelper;   ///< the original's
+    static const AimShape polarHelperX;  ///< likewise, with poles along x
+    static const AimShape polarHelperY;
+
+    friend bool operator==(const AimShape&, const AimShape&) = default;
 };
 
-inline constexpr std::array kAcceptedAimShapes{AimShape::ball,          AimShape::surface,
-                                               AimShape::uniformRadius, AimShape::polarHelper,
-                                               AimShape::polarHelperX,  AimShape::polarHelperY};
+inline constexpr AimShape AimShape::ball{};
+inline constexpr AimShape AimShape::surface{Radius::outer, Poles::none};
+inline constexpr AimShape AimShape::uniformRadius{Radius::even, Poles::none};
+inline constexpr AimShape AimShape::polarHelper{Radius::even, Poles::z};
+inline constexpr AimShape AimShape::polarHelperX{Radius::even, Poles::x};
+inline constexpr AimShape AimShape::polarHelperY{Radius::even, Poles::y};
 
-/// Whether points crowd at the centre and at two poles, wherever those lie.
-[[nodiscard]] constexpr bool crowdsAtPoles(AimShape shape) {
-    return shape == AimShape::polarHelper || shape == AimShape::polarHelperX ||
-           shape == AimShape::polarHelperY;
-}
+/// What is no worse than the original's helper is accepted, too, as that is: with a warning.
+inline constexpr std::array kAcceptedAimShapes{
+    AimShape::ball,
+    AimShape::surface,
+    AimShape::uniformRadius,
+    AimShape::polarHelper,
+    AimShape::polarHelperX,
+    AimShape::polarHelperY,
+    AimShape{AimShape::Radius::filling, AimShape::Poles::x},
+    AimShape{AimShape::Radius::filling, AimShape::Poles::y},
+    AimShape{AimShape::Radius::filling, AimShape::Poles::z},
+    AimShape{AimShape::Radius::outer, AimShape::Poles::x},
+    AimShape{AimShape::Radius::outer, AimShape::Poles::y},
+    AimShape{AimShape::Radius::outer, AimShape::Poles::z}};
 
 /// What the aim lines at far lights say. There lines are parallel but for 1 in 250, so that a
 /// line's foot is its aim point as seen from afar, and nothing of it depends on the distance.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace ticker::decision {
 namespace {
@@ -177,11 +178,14 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
             fmt::format("Shadow rays were expected to pass within {} of the light's centre; they "
                         "fill a ball of radius {:.3g}.",
                         radius, widest));
-    } else if (crowdsAtPoles(*aims.shape)) {
+    } else if (aims.shape->poles != AimShape::Poles::none) {
         finding = distributedFinding(
             "shadow.clustered", Severity::warn,
-            "The points in the light were expected to be spread evenly; they crowd at its centre "
-            "and its poles, as those of the original course's helper do.");
+            std::string{
+                "The points in the light were expected to be spread evenly; they crowd at "} +
+                (aims.shape->radius == AimShape::Radius::even
+                     ? "its centre and its poles, as those of the original course's helper do."
+                     : "two poles, since the angle from there, not its cosine, is drawn evenly."));
     }
     if (finding) {
         finding->evidence.emplace_back("widest", widest);

@@ -104,6 +104,22 @@ TEST(JudgeAims, TellsTheOriginalsHelperWhateverItsPoles) {
     }
 }
 
+// Whoever draws the angle from the pole evenly, but the radius as in a ball or none at all, is
+// nearer to an even spread than the helper is.
+TEST(JudgeAims, AcceptsEvenAnglesFromAnyPolesWhateverTheRadius) {
+    Draw draw{14, 2};
+    unsigned seed = 400;
+    for (const AimShape shape : kAcceptedAimShapes) {
+        if (shape.poles == AimShape::Poles::none) continue;
+        for (int i = 0; i < 5; ++i) {
+            const Aim aim = [&](Draw& numbers) { return aimOf(shape, numbers.whole(0, 1 << 20)); };
+            const AimVerdict verdict = judge(aim, draw.direction(), ++seed);
+            EXPECT_EQ(verdict.shape, shape) << seed;
+            EXPECT_TRUE(verdict.sizeIsRight()) << seed;
+        }
+    }
+}
+
 TEST(JudgeAims, CatchesALightTenPercentOff) {
     for (const double size : {0.9, 1.1}) {
         const auto aim = [&](Draw& draw) { return ball(draw) * size; };

@@ -75,6 +75,7 @@ struct Answer {
     double within = 0.1;             ///< where the outermost part should be
     bool darkRim = false;            ///< nothing where the outermost twentieth should be
     raytracer::ColourRGB more{0.0};  ///< added to every colour
+    AimShape shape = AimShape::ball;
 };
 
 PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {},
@@ -89,10 +90,10 @@ PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {},
         log.point = asked.points[place.first];
         log.lines.resize(1);
         const ColourRGB full = unshadowed(log, asked.scene, 0, false);
-        const double open = expectedAt(asked, surfaces, log.point, AimShape::ball, how.size).open;
+        const double open = expectedAt(asked, surfaces, log.point, how.shape, how.size).open;
         for (std::size_t i = 0; i < place.calls; ++i) {
             double share = 0.0;
-            if (place.kind == Kind::penumbra || place.kind == Kind::atRim)
+            if (place.kind == Kind::penumbra || place.kind == Kind::atRim || how.size > 1.0)
                 share = shareOf(open, draw);
             if (place.kind == Kind::atRim && how.darkRim) share = 0.0;
             if (place.kind == Kind::beyondRim && (i == 0 || how.beyondAlways)) share = how.beyond;
@@ -120,6 +121,16 @@ TEST(CheckPenumbra, AcceptsTenRays) {
     EXPECT_FALSE(verdict.ambiguous);
     EXPECT_LT(verdict.timesTheBound, 1.0);
     EXPECT_GT(verdict.timesTheBound, 0.01);
+}
+
+TEST(CheckPenumbra, AcceptsEveryShapeAndNoneOfThemATenthSmaller) {
+    for (const AimShape shape : kAcceptedAimShapes) {
+        const PenumbraVerdict verdict = judge(rays(10), {.shape = shape});
+        EXPECT_FALSE(verdict.finding || verdict.ambiguous);
+        EXPECT_LT(verdict.timesTheBound, 1.0);
+        const PenumbraVerdict smaller = judge(rays(10), {.size = 0.9, .shape = shape});
+        EXPECT_TRUE(smaller.finding || smaller.ambiguous);
+    }
 }
 
 TEST(CheckPenumbra, NamesTheSizeOfALightThatIsTooSmallOrTooLarge) {
