@@ -1,4 +1,5 @@
 #include <grader/decision/distributed/AimAgreement.h>
+#include <grader/decision/distributed/AimFeet.h>
 #include <grader/decision/distributed/Bounds.h>
 #include <grader/decision/distributed/Draw.h>
 #include <grader/decision/distributed/ShadowAims.h>
@@ -9,17 +10,11 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <set>
 #include <utility>
 
 namespace ticker::decision {
 namespace {
-
-// Points of the lattice that stands for a shape, for each view; measured against one of 65536
-// points, its distribution functions are off by less than 0.006.
-constexpr int kLattice = 1024;
-constexpr double kLatticeError = 0.01;
 
 // A line may miss the ball by the shadow bias, where the direction was taken from the point itself.
 constexpr double kBiasAllowance = 1.5e-3;
@@ -46,84 +41,6 @@ Vector3 shaped(AimShape shape, double u, double v, double w) {
     if (shape.poles == Poles::x) return {place.z, place.x, place.y};
     if (shape.poles == Poles::y) return {place.x, place.z, place.y};
     return place;
-}
-
-// Numbers that are compared: the length of a foot, and its place along two axes at right angles to
-// the view and along their diagonals. Along the view itself feet have no extent but for the light's
-// angular size, so that nothing may be read from there.
-constexpr std::size_t kNumbers = 5;
-
-/// Feet of lines, in radii of the light: one list of each number, sorted.
-class Feet {
-public:
-    void add(const Vector3& foot, const Perpendiculars& sides) {
-        const double first = foot.dot(sides.first);
-        const double second = foot.dot(sides.second);
-        const std::array<double, kNumbers> numbers{foot.magnitude(), first, second, first + second,
-                                                   first - second};
-        for (std::size_t i = 0; i < kNumbers; ++i)
-            values_[i].push_back(numbers[i]);
-    }
-    void add(const Feet& other) {
-        for (std::size_t i = 0; i < kNumbers; ++i)
-            values_[i].insert(values_[i].end(), other.values_[i].begin(), other.values_[i].end());
-    }
-    void sort() {
-        for (std::vector<double>& list : values_)
-            std::sort(list.begin(), list.end());
-    }
-    [[nodiscard]] std::size_t count() const { return values_[0].size(); }
-    [[nodiscard]] const std::vector<double>& lengths() const { return values_[0]; }
-    [[nodiscard]] double meanLength() const {
-        return std::accumulate(lengths().begin(), lengths().end(), 0.0) /
-               static_cast<double>(std::max<std::size_t>(count(), 1));
-    }
-    /// Largest distance of the distribution functions of all numbers, and the sum of all of them.
-    struct Gaps {
-        double worst = 0.0;
-        double sum = 0.0;
-    };
-    [[nodiscard]] Gaps gapsFrom(const Feet& expected, double size) const {
-        Gaps gaps;
-        for (std::size_t i = 0; i < kNumbers; ++i) {
-            const double gap = largestGap(values_[i], expected.values_[i], size);
-            gaps.worst = std::max(gaps.worst, gap);
-            gaps.sum += gap;
-        }
-        return gaps;
-    }
-
-private:
-    std::array<std::vector<double>, kNumbers> values_;
-};
-
-/// The feet as seen from each direction, and all together.
-struct Views {
-    std::vector<Feet> each;
-    Feet all;
-
-    void finish() {
-        for (Feet& feet : each) {
-            all.add(feet);
-            feet.sort();
-        }
-        all.sort();
-    }
-};
-
-Views expectedViews(AimShape shape, const std::vector<Vector3>& directions) {
-    Views views;
-    for (const Vector3& direction : directions) {
-        const Perpendiculars sides = perpendicularsOf(direction);
-        Feet feet;
-        for (int i = 0; i < kLattice; ++i) {
-            const Vector3 aim = aimOf(shape, i);
-            feet.add(aim - direction * aim.dot(direction), sides);
-        }
-        views.each.push_back(std::move(feet));
-    }
-    views.finish();
-    return views;
 }
 
 /// How far the views lie from expected ones, where the bounds for the whole and for each view hold;
@@ -182,29 +99,45 @@ double leanBound(std::size_t distinct) {
     return std::sqrt(3.0) * (std::sqrt(2.0 / 3.0 * share) + 2.0 / 3.0 * share);
 }
 
-void compareShapes(const Views& seen, const std::vector<Vector3>& directions, AimVerdict& verdict) {
+// Means of numbers from 0 to `widest` differ by no more than their distribution functions do, times
+// that.
+bool mayFit(const Views& seen, AimShape shape, const std::vector<Vector3>& directions,
+            const AimVerdict& verdict) {
+    const double apart = std::abs(seen.all.meanLength() - expectedMeanLength(shape, directions));
+    return apart <=
+           (dkwBound(verdict.distinct) + 2.0 * kLatticeError) * std::max(1.0, verdict.widest);
+}
+
+void findShape(const Views& seen, const std::vector<Vector3>& directions, AimVerdict& verdict) {
     const bool repeated = verdict.distinct < verdict.lines;
     double best = std::numeric_limits<double>::infinity();
-    double bestScaled = best;
     for (const AimShape shape : kAcceptedAimShapes) {
+        if (!mayFit(seen, shape, directions, verdict)) continue;
         const Views expected = expectedViews(shape, directions);
         // Of `distinct` independent lines at least one comes as near to the rim as this.
         const double rim = quantile(expected.all.lengths(),
                                     1.0 - std::min(1.0, 1.2 * missedShare(verdict.distinct)));
         const std::optional<double> fit =
             fitOf(seen, expected, 1.0, 0.0, verdict.distinct, repeated);
-        if (fit && verdict.widest >= rim - kLatticeError && *fit < best) {
-            best = *fit;
-            verdict.shape = shape;
-        }
-        // Another size of the same shape: the mean says which, and no line passes outside of it.
+        if (!fit || verdict.widest < rim - kLatticeError || *fit >= best) continue;
+        best = *fit;
+        verdict.shape = shape;
+    }
+}
+
+// Another size of the same shape: the mean says which, and no line passes outside of it.
+void findScaledShape(const Views& seen, const std::vector<Vector3>& directions,
+                     AimVerdict& verdict) {
+    const bool repeated = verdict.distinct < verdict.lines;
+    double best = std::numeric_limits<double>::infinity();
+    for (const AimShape shape : kAcceptedAimShapes) {
+        const Views expected = expectedViews(shape, directions);
         const double size = seen.all.meanLength() / expected.all.meanLength();
-        const std::optional<double> scaled =
+        const std::optional<double> fit =
             fitOf(seen, expected, size, 0.02, verdict.distinct, repeated);
-        if (scaled && verdict.widest <= 1.05 * size && *scaled < bestScaled) {
-            bestScaled = *scaled;
-            verdict.scaledShape = shape;
-        }
+        if (!fit || verdict.widest > 1.05 * size || *fit >= best) continue;
+        best = *fit;
+        verdict.scaledShape = shape;
     }
 }
 
@@ -239,7 +172,8 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     verdict.tooWide = verdict.widest > 1.0 + 1e-6 + kBiasAllowance / radius;
     verdict.offCentre = verdict.lean > leanBound(verdict.distinct) * std::max(1.0, verdict.widest);
     verdict.together = verdict.distinct == verdict.lines && goTogether(far, directions);
-    compareShapes(seen, directions, verdict);
+    findShape(seen, directions, verdict);
+    if (!verdict.shape) findScaledShape(seen, directions, verdict);
     // Eight aims that are drawn once for all points: within a fifth of the radius, as seen from
     // three sides, with a chance of at most 0.2^8 (uniform radius) for code that earns a warning
     // anyway.

@@ -58,12 +58,13 @@ inline constexpr std::array kAcceptedAimShapes{
 /// What the aim lines at far lights say. There lines are parallel but for 1 in 250, so that a
 /// line's foot is its aim point as seen from afar, and nothing of it depends on the distance.
 struct AimVerdict {
-    bool tooWide = false;                 ///< a line passes outside of the light
-    bool tooNarrow = false;               ///< no line comes as near to the rim as some must
-    bool huddled = false;                 ///< too near to the centre for any eight aims
-    bool offCentre = false;               ///< feet lean to one side
-    std::optional<AimShape> shape;        ///< the accepted shape that fits at the right size
-    std::optional<AimShape> scaledShape;  ///< the one that fits at the size that was seen
+    bool tooWide = false;           ///< a line passes outside of the light
+    bool tooNarrow = false;         ///< no line comes as near to the rim as some must
+    bool huddled = false;           ///< too near to the centre for any eight aims
+    bool offCentre = false;         ///< feet lean to one side
+    std::optional<AimShape> shape;  ///< the accepted shape that fits at the right size
+    std::optional<AimShape>
+        scaledShape;        ///< where there is none, what fits at the size that was seen
     double widest = 0.0;    ///< largest distance of a line from a centre, in radii of the light
     double rimShare = 0.0;  ///< share of lines beyond 0.9 of the widest
     double lean = 0.0;      ///< length of the mean foot, in radii

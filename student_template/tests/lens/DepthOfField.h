@@ -73,7 +73,7 @@ protected:
     /// One series of renders is enough for all tests.
     static const Trial& trial();
 
-    const RenderSettings handout_;
+    const RenderSettings handout_{};
 };
 
 }  // namespace raytracer::tests::lens

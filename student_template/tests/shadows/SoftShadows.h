@@ -60,7 +60,7 @@ protected:
     /// Skips what is not attempted.
     void SetUp() override;
 
-    const RenderSettings handout_;
+    const RenderSettings handout_{};
 };
 
 }  // namespace raytracer::tests::shadows
