@@ -103,7 +103,7 @@ private:
         addStranger("another's: right, other aperture",
                     [](Reading& r, Mistake&) { r.apertureFactor = 0.5; });
         add("screenshot.is-the-reference", "the reference itself",
-            [&bench = bench_](const ScreenshotStudent& student, std::uint64_t seed) {
+            [](const ScreenshotStudent& student, std::uint64_t seed) {
                 raytracer::RenderSettings settings;
                 settings.width = 400;
                 settings.height = 300;
