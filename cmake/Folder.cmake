@@ -29,14 +29,14 @@ function(ticker_no_instruments target)
 endfunction()
 
 # One test program for each folder: ticker_test(NAME metrics SOURCES aTest.cpp LIBRARIES lib...
-# [LABELS unit] [FILTER "-*/C"] [TOGETHER]). Labels: unit, render, grader, slow. FILTER, as
+# [LABELS unit] [FILTER "-*/C"] [TOGETHER] [ALONE]). Labels: unit, render, grader, slow. FILTER, as
 # GoogleTest's: tests that ctest should list. TOGETHER: one entry in ctest, so that all tests share
-# what is dear to make.
+# what is dear to make. ALONE: nothing runs beside them, since they look at the whole machine.
 function(ticker_test)
   if(NOT TICKER_BUILD_TESTS)
     return()
   endif()
-  cmake_parse_arguments(ARG "TOGETHER" "NAME;TIMEOUT;FILTER" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER;ALONE" "NAME;TIMEOUT;FILTER" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()
@@ -58,5 +58,6 @@ function(ticker_test)
     return()
   endif()
   gtest_discover_tests(test_${ARG_NAME} TEST_PREFIX "${ARG_NAME}." TEST_FILTER "${ARG_FILTER}"
-    DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+    DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} RUN_SERIAL ${ARG_ALONE})
 endfunction()
