@@ -104,7 +104,6 @@ double leastSeparation(HiddenTask task) {
         case HiddenTask::bump:
             return 0.25;
         case HiddenTask::softShadows:
-            return 8.0;
         case HiddenTask::depthOfField:
             return 8.0;
     }

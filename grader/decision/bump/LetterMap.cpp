@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -64,8 +65,8 @@ probe::HeightMapDescription letterMap() {
     map.bytes.reserve(static_cast<std::size_t>(kLetterMapWidth) * kLetterMapHeight);
     for (int row = 0; row < kLetterMapHeight; ++row)
         for (int column = 0; column < kLetterMapWidth; ++column)
-            map.bytes.push_back(
-                static_cast<std::uint8_t>(kGround + kLetterLift * letterHeight(column, row) + 0.5));
+            map.bytes.push_back(static_cast<std::uint8_t>(
+                std::lround(kGround + kLetterLift * letterHeight(column, row))));
     return map;
 }
 
