@@ -22,7 +22,7 @@ struct Lanes3 {
 
 /// Room for the objects that may shade one vector of points; 16 values for each coordinate.
 struct OccluderScratch {
-    static constexpr std::size_t kStride = 4 * 16;
+    static constexpr std::size_t kStride = std::size_t{4} * 16;
     std::vector<float> near, other, plane;
 
     void reserve(std::size_t spheres, std::size_t planes) {

@@ -40,7 +40,9 @@ TEST_P(EveryLevel, HandsOverTheOutput) {
 TEST_P(EveryLevel, EndsAnEndlessLoopAtItsCpuLimit) {
     const Outcome outcome = runTrick({"loop"});
     EXPECT_EQ(describe(outcome), "signal 24");
-    EXPECT_GE(outcome.cpuMs, 750.0);
+    // The kernel counts whole ticks towards the limit of 1 s, also those that a busy machine shared
+    // out among several processes; what is reported is the exact time.
+    EXPECT_GE(outcome.cpuMs, 250.0);
 }
 
 TEST_P(EveryLevel, EndsWhoIgnoresTheCpuLimit) {
