@@ -104,7 +104,7 @@ Comparison bestFitting(const SpecScene& scene, const probe::RenderAnswer& answer
 }
 
 std::string add(Gallery& gallery, const std::string& file, const std::string& title,
-                raytracer::ByteImage image) {
+                const raytracer::ByteImage& image) {
     gallery.pictures.push_back({"images/" + file + ".png", title, picture::encodePicture(image)});
     return gallery.pictures.back().file;
 }

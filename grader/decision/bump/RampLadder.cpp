@@ -54,11 +54,11 @@ void judgeRungs(const RampLadder& ladder, const Answers& answers, LadderJudgemen
     if (!(strongest(low) > kClearOfChords)) {
         std::vector<RampTilts> moderate = readRamps(ladder.moderate, answers);
         const bool tells = strongest(low) > kClear && judgement.ramps.response;
-        RampJudgement second = judgeRamps(ladder.moderate.shape, moderate);
+        const RampJudgement second = judgeRamps(ladder.moderate.shape, moderate);
         // Axes exchanged on these long maps tilt a displaced surface little, however high it is:
         // then only gentle ramps are in proportion.
         if (second.response || !tells) {
-            judgement.ramps = std::move(second);
+            judgement.ramps = second;
             low = std::move(moderate);
         }
     }
