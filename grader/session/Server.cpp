@@ -30,9 +30,9 @@ constexpr const char* kReportPolicy =
     "sandbox allow-scripts; default-src 'none'; "
     "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'";
 
-void answer(httplib::Response& response, Reply reply) {
+void answer(httplib::Response& response, const Reply& reply) {
     response.status = reply.status;
-    response.set_content(std::move(reply.body), reply.type.c_str());
+    response.set_content(reply.body, reply.type);
 }
 
 void answerText(httplib::Response& response, std::string_view text, const char* type) {

@@ -84,7 +84,7 @@ Words chanceWords(double change) {
                         "they differ by {:.0f} degrees (median).",
                         change * kDegrees),
             "Nothing in Equation (1) is random, and nothing of an earlier call may be used.",
-            "1, Theory, Equation (1)"};
+            "Option 1: Theory"};
 }
 
 /// ", mostly in columns 0 to 310", or nothing where they are all over the map.
