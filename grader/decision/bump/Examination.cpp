@@ -1,7 +1,6 @@
 #include <grader/decision/bump/Examination.h>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace ticker::decision::bump {
@@ -113,14 +112,14 @@ bool Examination::agreesWithRamps() const {
 }
 
 Examination examine(const MainPlan& plan, const Answers& answers,
-                    std::optional<RampJudgement> coarse) {
+                    const std::optional<RampJudgement>& coarse) {
     Examination examination;
     examination.conduct = readConduct(plan.conduct, answers);
     examination.mapIgnored = areTheSame(answers, plan.regions.question, plan.ladder.gentle.uFlat);
     examination.ladder = judgeLadder(plan.ladder, answers);
     // What ramps of fractions showed is rounding then.
     if (coarse && tellsMore(*coarse, examination.ramps()))
-        examination.ladder = {*std::move(coarse), examination.ladder.flatTilt};
+        examination.ladder = {*coarse, examination.ladder.flatTilt};
     const RampJudgement& ramps = examination.ramps();
     if (!ramps.response) return examination;
     const Landing& landing = ramps.fit->landing;

@@ -63,7 +63,7 @@ struct Examination {
 
 /// @param coarse  From a sitting of its own; counts where other ramps do not tell the map's place.
 [[nodiscard]] Examination examine(const MainPlan& plan, const Answers& answers,
-                                  std::optional<RampJudgement> coarse = std::nullopt);
+                                  const std::optional<RampJudgement>& coarse = std::nullopt);
 
 /// What the last sitting showed.
 struct Hints {

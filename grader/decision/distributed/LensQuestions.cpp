@@ -52,8 +52,10 @@ raytracer::SceneDescription drawScene(Draw& draw) {
 double missedShare(const Surfaces& surfaces, const Vector3& focus, double halfWidth) {
     int missed = 0;
     for (int i = 0; i < kLensGrid * kLensGrid; ++i) {
-        const double x = 2.0 * (i % kLensGrid + 0.5) / kLensGrid - 1.0;
-        const double y = 2.0 * (i / kLensGrid + 0.5) / kLensGrid - 1.0;
+        const int column = i % kLensGrid;
+        const int row = i / kLensGrid;
+        const double x = 2.0 * (column + 0.5) / kLensGrid - 1.0;
+        const double y = 2.0 * (row + 0.5) / kLensGrid - 1.0;
         const Vector3 lens = Vector3{x, y, 0.0} * halfWidth;
         const Sight sight = surfaces.sightAlong(lens, (focus - lens).normalised(),
                                                 std::numeric_limits<double>::infinity());
