@@ -99,7 +99,7 @@ ShapeVerdict judgeShape(const Lens& lens) {
     }
     const double share = static_cast<double>(corners) / static_cast<double>(lens.points.size());
     const auto independent =
-        static_cast<std::size_t>(share * static_cast<double>(lens.distinct) + 0.5);
+        static_cast<std::size_t>(std::lround(share * static_cast<double>(lens.distinct)));
     constexpr double kCorners = 1.0 - std::numbers::pi / 4.0;
     const double slack = rangeShortfall(lens.distinct);
     for (std::size_t i = 0; i < values.size(); ++i)

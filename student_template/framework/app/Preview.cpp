@@ -105,12 +105,13 @@ std::string colourLine(const Samples& samples, int row, Palette palette) {
 
 std::string textLine(const Samples& samples, int row) {
     constexpr std::string_view kInk = " .:-=+*#%@";
+    constexpr std::size_t kBrightest = std::size_t{2} * (3 + 6 + 1) * 256;
     std::string line;
     for (int column = 0; column < samples.columns(); ++column) {
         int sum = 0;
         for (const Bytes& colour : {samples.at(column, row), samples.at(column, row + 1)})
             sum += 3 * colour[0] + 6 * colour[1] + colour[2];
-        line += kInk[static_cast<std::size_t>(sum) * kInk.size() / (20 * 256)];
+        line += kInk[static_cast<std::size_t>(sum) * kInk.size() / kBrightest];
     }
     return line;
 }
