@@ -6,6 +6,7 @@
 #include <grader/pipeline/DrawRasters.h>
 #include <grader/pipeline/FileWork.h>
 #include <grader/pipeline/Inputs.h>
+#include <grader/pipeline/PictureDoubt.h>
 #include <grader/pipeline/Screenshot.h>
 
 #include <algorithm>
@@ -126,7 +127,11 @@ public:
             judge(work, file, questioning, seed_);
             // Code that crashed or loops would do so again.
             const bool isUsable = std::ranges::none_of(work.tasks, isBlocked);
-            if (isUsable) judged.renders = gallery.get().moveTo(result);
+            if (isUsable) {
+                Gallery rendered = gallery.get();
+                if (!isT1 && !grader_.scenes.empty()) doubtPicture(work.tasks, rendered.misfit);
+                judged.renders = std::move(rendered).moveTo(result);
+            }
             gallery = {};
             result.timing.probeMs += questioning.wallMs();
             if (isUsable) judged.program = std::move(work.program);

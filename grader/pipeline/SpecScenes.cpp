@@ -131,6 +131,7 @@ void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnsw
         add(gallery, "flip-" + scene.name, scene.name + ": where the two look different",
             {errors.width, errors.height, metrics::magma(errors)});
     if (!compared.z.map.values.empty()) {
+        gallery.misfit = compared.total / static_cast<double>(compared.z.map.values.size());
         render.zMax = compared.z.value;
         render.zMap = add(
             gallery, scene.name + ".zmap",

@@ -64,6 +64,9 @@ struct Gallery {
     std::vector<Rendered> rendered;
     std::vector<RenderScore> scores;      ///< against the expectation that fits best
     std::vector<ResultPicture> pictures;  ///< that the scores name
+    /// Of option 2's scene: mean square of a pixel's difference from the expectation that fits
+    /// best, in standard errors; 1 where all is right. Empty where the picture did not come.
+    std::optional<double> misfit;
 
     /// Puts scores and pictures into the result. @return  What was rendered.
     std::vector<Rendered> moveTo(SubmissionResult& result) &&;

@@ -57,9 +57,11 @@ public:
         }
     }
 
-    /// A log for this answer's events; empty where none are wanted.
+    /// A log for this answer's events. Where none are wanted it keeps none, but is there: whether
+    /// somebody watches must not show in settings().observer.
     [[nodiscard]] std::unique_ptr<EventLog> makeLog() {
-        if (place_.eventCapacity == 0) return nullptr;
+        if (place_.eventCapacity == 0)
+            return std::make_unique<EventLog>(std::span<std::byte>{}, unwanted_);
         return std::make_unique<EventLog>(
             memory_.subspan(place_.events, place_.eventCapacity * sizeof(Event)),
             header_.eventsSeen);
@@ -75,6 +77,7 @@ private:
     std::span<std::byte> memory_;
     const AnswerPlace& place_;
     AnswerHeader& header_;
+    std::uint64_t unwanted_ = 0;
 };
 
 /// A question's sphere. Its address is not used again within a sitting, just as in a render, so
@@ -137,7 +140,7 @@ struct Reply {
     }
 
 private:
-    /// A scene with its observer, where one is wanted.
+    /// A scene with its observer.
     struct Stage {
         std::unique_ptr<EventLog> log;
         raytracer::RenderSettings settings;
@@ -147,12 +150,10 @@ private:
               const raytracer::RenderSettings& wanted)
             : log(sheet.makeLog()), settings(wanted), scene(description, log.get()) {
             settings.observer = log.get();
-            if (log != nullptr) log->watch(&scene);
+            log->watch(&scene);
         }
 
-        void begin(std::size_t ask) const {
-            if (log != nullptr) log->beginAsk(static_cast<std::uint32_t>(ask));
-        }
+        void begin(std::size_t ask) const { log->beginAsk(static_cast<std::uint32_t>(ask)); }
     };
 
     void copyPixels(std::size_t repetition, const raytracer::RenderSettings& settings,

@@ -50,6 +50,7 @@ constexpr std::array kWords = std::to_array<Words>({
     {"dof.disc", "gave the aperture another shape than a square"},
     {"dof.aperture-size", "gave the aperture another size"},
     {"dof.reused-pattern", "used one pattern of rays for all pixels"},
+    {"dof.picture-differs", "rendered a picture that its answers do not explain"},
     {"dof.unseen-rays", "cast camera rays that cannot be seen"},
     {"dof.wrong", "blurred in no known way"},
     {"screenshot.missing", "handed in no screenshot"},

@@ -184,10 +184,12 @@ Raster raster(const std::string& title, const std::vector<double>& heights) {
     return picture;
 }
 
-/// Ramps have shown that slopes tilt; here only a change the wrong way speaks against the code. A
-/// coarse step may miss many of these short edges, though it finds those of a larger map.
+/// Ramps have shown that slopes tilt on larger spheres; here a change the wrong way speaks against
+/// the code, and that there is hardly any. A coarse step may miss many of these short edges, though
+/// it finds those of a larger map.
 bool agrees(const EdgeCount& edges) {
-    return 9 * edges.opposite <= edges.right;
+    constexpr int kOneOf = 20;
+    return 9 * edges.opposite <= edges.right && kOneOf * edges.right >= edges.crossed();
 }
 
 bool agrees(const LetterCount& count) {

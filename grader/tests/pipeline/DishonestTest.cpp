@@ -1,0 +1,99 @@
+// Code that answers questions and renders something else.
+#include <grader/pipeline/Grade.h>
+#include <grader/pipeline/PictureDoubt.h>
+#include <grader/tests/pipeline/TestGrader.h>
+#include <grader/tests/support/Files.h>
+
+#include <gtest/gtest.h>
+
+namespace ticker::pipeline {
+namespace {
+
+using tests::findingIds;
+using tests::taskOf;
+using Ids = std::vector<std::string>;
+
+/// The reference, but with this at the beginning of a function.
+std::string referenceWith(const char* file, const std::string& function, const std::string& text) {
+    std::string source = tests::readFile("reference_solution/exercise/" + std::string{file});
+    const std::size_t begin = source.find('{', source.find(function)) + 1;
+    return source.insert(begin, text);
+}
+
+SubmissionResult gradeRenderer(const std::string& atTheBeginningOfRender) {
+    intake::Submission work;
+    work.name = "somebody";
+    work.parts[1] = referenceWith("Renderer.cpp", "Renderer::render", atTheBeginningOfRender);
+    return gradeSubmission(work, tests::testGraderWithScenes(), 1);
+}
+
+std::vector<TaskReport> reports(TaskState shadows, TaskState lens) {
+    std::vector<TaskReport> tasks(2);
+    tasks[0].state = shadows;
+    tasks[1].state = lens;
+    return tasks;
+}
+
+TEST(Dishonest, PicturesThatAnswersDoNotExplainAreLeftToAPerson) {
+    const SubmissionResult result =
+        gradeRenderer("if (settings().width > 100) return Image{settings()};");
+    EXPECT_EQ(taskOf(result, "T2.2").state, TaskState::passed);
+    EXPECT_EQ(findingIds(taskOf(result, "T2.2")), Ids{"dof.picture-differs"});
+    EXPECT_EQ(result.verdict, Verdict::needsReview);
+}
+
+TEST(Dishonest, WhoLeavesBeforeThePictureIsLeftToAPerson) {
+    const SubmissionResult result = gradeRenderer("if (settings().width > 100) std::abort();");
+    EXPECT_EQ(findingIds(taskOf(result, "T2.2")), Ids{"dof.picture-differs"});
+    EXPECT_EQ(result.verdict, Verdict::needsReview);
+}
+
+// A grey picture for who is not watched.
+TEST(Dishonest, NobodyCanTellWhetherHeIsWatched) {
+    const SubmissionResult result =
+        gradeRenderer("if (settings().observer == nullptr) return Image{settings()};");
+    EXPECT_EQ(findingIds(taskOf(result, "T2.2")), Ids{});
+    ASSERT_EQ(result.renders.size(), 1U);
+    EXPECT_LT(result.renders[0].flip, 0.04);
+}
+
+TEST(Dishonest, BumpsOnLargeSpheresAloneAreNone) {
+    intake::Submission work;
+    work.name = "somebody";
+    work.parts[0] = referenceWith("BumpySphere.cpp", "BumpySphere::getNormalAt",
+                                  "if (radius() < 3.0) return Sphere::getNormalAt(position);");
+    const SubmissionResult result = gradeSubmission(work, tests::testGrader(), 1);
+    EXPECT_EQ(taskOf(result, "T1").state, TaskState::failed);
+    EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"bump.wrong"});
+}
+
+TEST(DoubtPicture, HasNothingToAddToAFailure) {
+    for (const auto& [shadows, lens] : {std::pair{TaskState::failed, TaskState::passed},
+                                        std::pair{TaskState::passed, TaskState::failed},
+                                        std::pair{TaskState::passed, TaskState::notAttempted}}) {
+        std::vector<TaskReport> tasks = reports(shadows, lens);
+        doubtPicture(tasks, 100.0);
+        EXPECT_TRUE(tasks[1].findings.empty());
+        EXPECT_FALSE(tasks[1].needsReview);
+    }
+}
+
+// Of right solutions, 0.04 (points in strata) to 0.83 (each sample with its own direction).
+TEST(DoubtPicture, TakesNoiseForNoise) {
+    std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
+    doubtPicture(tasks, 1.5);
+    EXPECT_TRUE(tasks[1].findings.empty());
+    doubtPicture(tasks, 3.0);
+    EXPECT_EQ(findingIds(tasks[1]), Ids{"dof.picture-differs"});
+}
+
+TEST(DoubtPicture, IsContentWithHighlightsAsSeenFromTheEye) {
+    std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
+    tasks[0].findings.push_back({});
+    tasks[0].findings[0].id = "shadow.view-from-eye";
+    doubtPicture(tasks, 70.0);
+    EXPECT_FALSE(tasks[1].needsReview);
+}
+
+}  // namespace
+}  // namespace ticker::pipeline
