@@ -99,4 +99,15 @@ const std::vector<ShadowArithmetic>& namedMistakes() {
     return all;
 }
 
+Finding lightsLostBehind() {
+    Finding finding = distributedFinding(
+        "shadow.lights-mixed", Severity::fail,
+        "Where one of three lights shines on the back of the surface, the two others were expected "
+        "to light it all the same; they do not, or not both.");
+    finding.hint =
+        "A light behind the surface adds nothing: go on with the next one (continue), and leave "
+        "neither the loop (break) nor illuminate (return).";
+    return finding;
+}
+
 }  // namespace ticker::decision

@@ -27,6 +27,9 @@ namespace ticker::decision {
 /// The finding of a mistake that has a name; `arithmetic` is none of right and endless.
 [[nodiscard]] Finding findingOf(ShadowArithmetic arithmetic);
 
+/// Lights that are lost where another one shines on the back of the surface.
+[[nodiscard]] Finding lightsLostBehind();
+
 /// Every mistake that `findingOf` knows, in the order in which they are tried.
 [[nodiscard]] const std::vector<ShadowArithmetic>& namedMistakes();
 

@@ -110,6 +110,7 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
         finding.hint = "Whatever a shadow ray hits before the light stops it, planes as well.";
         return finding;
     }
+    if (!allFit(logs.lightBehind, reading, ShadowArithmetic::right)) return lightsLostBehind();
     if (!allFit(logs.farLight, reading, ShadowArithmetic::right))
         return unexplainedShadows(logs.farLight);
     return std::nullopt;

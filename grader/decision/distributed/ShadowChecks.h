@@ -17,6 +17,7 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> beyondLight;
     std::vector<const ShadowLog*> planeShadow;
     std::vector<const ShadowLog*> farLight;
+    std::vector<const ShadowLog*> lightBehind;
     std::vector<const ShadowLog*> otherSettings;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);

@@ -72,4 +72,13 @@ std::vector<Zone> zonesOf(const raytracer::SceneDescription& scene, const Surfac
     return zones;
 }
 
+void setCapacity(ShadowQuestion& question) {
+    // Eight times what is asked for.
+    constexpr std::size_t kLogMargin = 8;
+    const std::size_t rays = question.question.points.size() *
+                             question.question.scene.pointLights.size() *
+                             static_cast<std::size_t>(question.question.settings.shadowRayCount);
+    question.question.eventCapacity = static_cast<std::uint32_t>(rays * kLogMargin);
+}
+
 }  // namespace ticker::decision

@@ -35,6 +35,13 @@ namespace ticker::decision {
                                         const Surfaces& surfaces, const Vector3& point,
                                         const Vector3& normal, double radius);
 
+/// Sets how many rays the log has room for, many times what is asked for.
+void setCapacity(ShadowQuestion& question);
+
+/// A floor that two lights shine on, and one from below, which is the second: whoever leaves the
+/// loop there loses a light, whichever end he begins at.
+[[nodiscard]] ShadowQuestion drawLightBehind(Draw& draw);
+
 }  // namespace ticker::decision
 
 #endif

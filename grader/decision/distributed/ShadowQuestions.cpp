@@ -25,16 +25,6 @@ constexpr int kPointsBeyond = 8;
 constexpr int kPointsBesideWall = 12;
 constexpr int kPointsFar = 67;
 
-// Rays for each call that the log has room for: eight times what is asked for.
-constexpr std::size_t kLogMargin = 8;
-
-void setCapacity(ShadowQuestion& question) {
-    const std::size_t rays = question.question.points.size() *
-                             question.question.scene.pointLights.size() *
-                             static_cast<std::size_t>(question.question.settings.shadowRayCount);
-    question.question.eventCapacity = static_cast<std::uint32_t>(rays * kLogMargin);
-}
-
 // Where the sphere looks at the light it shades nothing: rays that do not get off it are seen here.
 void addPointsOnSphere(Draw& draw, ShadowQuestion& drawn) {
     const SceneDescription& scene = drawn.question.scene;
@@ -250,6 +240,7 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     other.lightSize = draw.between(0.15, 0.22);
     questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
     questions.push_back(drawPlaneShadow(draw));
+    questions.push_back(drawLightBehind(draw));
     return questions;
 }
 

@@ -19,6 +19,7 @@ struct ShadowQuestion {
         beyondLight,    ///< an object behind the light: every point is lit
         planeShadow,    ///< a wall through the floor keeps the light from what lies behind it
         farLight,       ///< a lonely light, a hundred units away: where the rays aim
+        lightBehind,    ///< three lights, the second behind the surface: the others light it
         otherSettings   ///< like oneLight, with other ray counts and light size
     };
     Purpose purpose = Purpose::oneLight;

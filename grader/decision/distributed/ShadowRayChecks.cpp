@@ -75,6 +75,9 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
             case Purpose::farLight:
                 farLight.push_back(&log);
                 break;
+            case Purpose::lightBehind:
+                lightBehind.push_back(&log);
+                break;
             case Purpose::otherSettings:
                 otherSettings.push_back(&log);
                 break;
@@ -84,7 +87,8 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
 
 std::vector<const ShadowLog*> ShadowLogs::atHandoutSettings() const {
     std::vector<const ShadowLog*> all;
-    for (const auto* some : {&oneLight, &severalLights, &beyondLight, &planeShadow, &farLight})
+    for (const auto* some :
+         {&oneLight, &severalLights, &beyondLight, &planeShadow, &farLight, &lightBehind})
         all.insert(all.end(), some->begin(), some->end());
     return all;
 }

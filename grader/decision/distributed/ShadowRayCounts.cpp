@@ -1,4 +1,5 @@
 #include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/KnownColours.h>
 #include <grader/decision/distributed/ShadowChecks.h>
 #include <grader/decision/distributed/ShadowRayCounts.h>
 
@@ -164,6 +165,11 @@ std::optional<Finding> checkEveryLight(const ShadowLogs& logs) {
                         "shadow.lights-mixed", Severity::fail,
                         "Shadow rays to every light were expected; with three lights in the scene, "
                         "some lights get none.");
+    for (const ShadowLog* log : logs.lightBehind)
+        for (const PointLog& point : log->points)
+            for (std::size_t i = 0; i < point.lines.size(); ++i)
+                if (faces(point, log->scene().pointLights[i]) && point.lines[i].empty())
+                    return lightsLostBehind();
     return std::nullopt;
 }
 

@@ -81,6 +81,7 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
             return distributedFinding("shadow.lights-mixed", Severity::fail,
                                       "With one light the colours are right; with three lights "
                                       "they are not.");
+        if (!allNearKnown(logs.lightBehind, false)) return lightsLostBehind();
         return std::nullopt;
     }
     if (shadowHolds(logs.oneLight, 0.0, false, false))

@@ -67,6 +67,21 @@ TEST(Dishonest, BumpsOnLargeSpheresAloneAreNone) {
     EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"bump.wrong"});
 }
 
+TEST(Honest, LightsThatAreLostBehindASurfaceAreNamed) {
+    intake::Submission work;
+    work.name = "somebody";
+    for (const char* slip : {"if (N.dot(light.position() - P) <= 0.0) break;",
+                             "if (N.dot(light.position() - P) <= 0.0) return colour;"}) {
+        work.parts[1] = referenceWith("Renderer.cpp", "for (const PointLight&", slip);
+        const SubmissionResult result = gradeSubmission(work, tests::testGrader(), 1);
+        EXPECT_EQ(findingIds(taskOf(result, "T2.1")), Ids{"shadow.lights-mixed"}) << slip;
+    }
+    work.parts[1] = referenceWith("Renderer.cpp", "for (const PointLight&",
+                                  "if (N.dot(light.position() - P) <= 0.0) continue;");
+    const SubmissionResult spared = gradeSubmission(work, tests::testGrader(), 1);
+    EXPECT_EQ(taskOf(spared, "T2.1").state, TaskState::passed) << "nothing comes from there";
+}
+
 TEST(DoubtPicture, HasNothingToAddToAFailure) {
     for (const auto& [shadows, lens] : {std::pair{TaskState::failed, TaskState::passed},
                                         std::pair{TaskState::passed, TaskState::failed},
