@@ -28,7 +28,9 @@ Words threwWords(const Offence& offence) {
         words.hint =
             "Look at the line that turns (u, v) into a column and a row, and at the texels "
             "to the right and below: columns end at width() - 1 and rows at height() - 1. "
-            "Let columns go round (modulo the width), and let rows stop at the edge.";
+            "Let columns go round (modulo the width), and let rows stop at the edge. A size that "
+            "is written in as a number, or remembered from another map (a static variable), leads "
+            "outside as well: maps differ in size.";
     else
         words.hint = "An exception came out of getNormalAt. A render would end there.";
     return words;
