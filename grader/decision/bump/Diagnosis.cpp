@@ -8,8 +8,6 @@ namespace {
 // A tilt of a thousandth changes no pixel by as much as a grey step, not even at a step from black
 // to white.
 constexpr double kVisibleTilt = 1e-3;
-// Downwards within 45 degrees of straight down.
-constexpr double kDownwards = -0.7;
 
 /// A sign is named only where every map agrees: what is inverted in some rows or greys alone is no
 /// matter of one sign.
@@ -144,6 +142,20 @@ std::optional<WrongReason> findWrong(const Examination& examination) {
     return std::nullopt;
 }
 
+bool standsOnItsHead(const Examination& examination) {
+    // Downwards within 45 degrees of straight down.
+    constexpr double kDownwards = -0.7;
+    return examination.ramps().response.has_value() &&
+           examination.ramps().fit->landing.axis().y < kDownwards;
+}
+
+bool pointsInwards(const Examination& examination) {
+    // Wrong tangents tip some normals over, and a turn to the camera half of them.
+    constexpr double kNearlyAll = 0.9;
+    const Offence& inward = examination.conduct.inward;
+    return inward.count > kNearlyAll * inward.asked;
+}
+
 std::vector<Fault> diagnose(const Examination& examination, const std::optional<Hints>& hints) {
     if (isTransposed(examination, hints)) return {Fault::swapped};
     std::vector<Fault> faults;
@@ -155,14 +167,15 @@ std::vector<Fault> diagnose(const Examination& examination, const std::optional<
         faults.push_back(Fault::flat);
         return faults;
     }
-    const bool telling = !tiltsWithoutSlope(examination);
-    if (const auto fault = faultOf(examination); fault && telling) faults.push_back(*fault);
-    const bool placed = telling && examination.ramps().response.has_value();
-    if (placed && examination.ramps().fit->landing.axis().y < kDownwards)
-        faults.push_back(Fault::upsideDown);
     // Answers that are missing or not finite explain anything odd.
     const bool incomplete = conduct.threw || conduct.notFinite;
-    if (!incomplete && findWrong(examination)) faults.push_back(Fault::wrong);
+    const bool inward = !incomplete && pointsInwards(examination);
+    // Seen from inside, signs and the map's place are others than those that were written.
+    if (inward) faults.push_back(Fault::wrong);
+    const bool telling = !tiltsWithoutSlope(examination);
+    if (const auto fault = faultOf(examination); fault && telling) faults.push_back(*fault);
+    if (telling && standsOnItsHead(examination)) faults.push_back(Fault::upsideDown);
+    if (!incomplete && !inward && findWrong(examination)) faults.push_back(Fault::wrong);
     return faults;
 }
 

@@ -52,6 +52,12 @@ enum class WrongReason {
     lettersDiffer
 };
 
+/// Row 0 lies at the bottom of the sphere.
+[[nodiscard]] bool standsOnItsHead(const Examination& examination);
+
+/// Nearly every normal points into the sphere: nothing else that is seen then means what it says.
+[[nodiscard]] bool pointsInwards(const Examination& examination);
+
 [[nodiscard]] std::optional<WrongReason> findWrong(const Examination& examination);
 
 }  // namespace ticker::decision::bump

@@ -71,11 +71,13 @@ Words landingWords(const Examination& examination, const std::optional<Hints>& h
     if (!hints->lastRowsSeen)
         return endWords("v", "rows",
                         "v is the polar angle over pi, and the polar angle, acos(n.y) without an "
-                        "abs, goes from 0 at the top to pi at the bottom.");
+                        "abs, goes from 0 at the top to pi at the bottom. Keep v a fraction: "
+                        "multiply by height() first, then make it an int.");
     if (!hints->lastColumnsSeen)
         return endWords("u", "columns",
                         "u is the longitude over 2 pi, and the longitude goes once round: an atan2 "
-                        "of n.x and n.z, brought into 0 to 2 pi.");
+                        "of n.x and n.z, brought into 0 to 2 pi. Keep u a fraction: an int is 0 "
+                        "nearly everywhere. Multiply by width() first, then make it an int.");
     return lost ? lostSignWords() : Words{strayMessage(ramps), kCheckAngles, kSection};
 }
 

@@ -28,7 +28,9 @@ Words threwWords(const Offence& offence) {
         words.hint =
             "Look at the line that turns (u, v) into a column and a row, and at the texels "
             "to the right and below: columns end at width() - 1 and rows at height() - 1. "
-            "Let columns go round (modulo the width), and let rows stop at the edge.";
+            "Let columns go round (modulo the width), and let rows stop at the edge. A size that "
+            "is written in as a number, or remembered from another map (a static variable), leads "
+            "outside as well: maps differ in size.";
     else
         words.hint = "An exception came out of getNormalAt. A render would end there.";
     return words;
@@ -143,6 +145,22 @@ Words upsideDownWords() {
         "Option 1: What to do, step 1"};
 }
 
+/// What is said of a sign while the map stands on its head, too: turned round, it may be right.
+Words signOnItsHeadWords(Words sign) {
+    const Words place = upsideDownWords();
+    sign.message +=
+        " The map stands on its head as well: its top row lies at the bottom of the "
+        "sphere.";
+    sign.hint = "Turn the map round first, and check again. " + place.hint +
+                " That may mend the sign, too; if it does not: " + sign.hint;
+    sign.section = "Option 1: What to do, steps 1 to 3; The sign trap";
+    return sign;
+}
+
+bool isSign(Fault fault) {
+    return fault == Fault::inverted || fault == Fault::invertedU || fault == Fault::invertedV;
+}
+
 Words wordsFor(Fault fault, const Examination& examination, const std::optional<Hints>& hints) {
     switch (fault) {
         case Fault::threw:
@@ -192,8 +210,10 @@ Finding mirroredNote() {
 
 Finding describe(const std::vector<Fault>& faults, const Examination& examination,
                  const std::optional<Hints>& hints) {
-    Finding finding =
-        note(idOf(faults.front()), Severity::fail, wordsFor(faults.front(), examination, hints));
+    Words words = wordsFor(faults.front(), examination, hints);
+    if (isSign(faults.front()) && standsOnItsHead(examination))
+        words = signOnItsHeadWords(std::move(words));
+    Finding finding = note(idOf(faults.front()), Severity::fail, std::move(words));
     finding.evidence = evidenceOf(faults, examination);
     return finding;
 }
@@ -208,8 +228,11 @@ std::vector<Finding> sideNotes(const Examination& examination) {
             note("bump.not-finite", Severity::warn, notFiniteWords(conduct.notFiniteHidden)));
     if (conduct.notUnitHidden)
         notes.push_back(note("bump.not-unit", Severity::warn, notUnitWords(conduct.notUnitHidden)));
-    if (examination.ramps().response && examination.ramps().fit->landing.mirrored())
-        notes.push_back(mirroredNote());
+    // What reads from right to left on its head may do so from left to right on its feet, and what
+    // is seen from inside says nothing.
+    const bool placed = examination.ramps().response.has_value() && !standsOnItsHead(examination) &&
+                        !pointsInwards(examination);
+    if (placed && examination.ramps().fit->landing.mirrored()) notes.push_back(mirroredNote());
     for (Finding& finding : notes)
         if (finding.severity == Severity::warn)
             finding.message +=

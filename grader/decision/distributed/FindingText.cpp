@@ -39,8 +39,9 @@ constexpr std::array kTexts{
          "blocked.",
          kShadow2},
     Text{"shadow.all-or-nothing",
-         "The share must be a fraction: dividing one int by another drops everything after the "
-         "point.",
+         "The share must be a fraction: the number of rays that arrive, divided by the number of "
+         "rays. Dividing one int by another drops everything after the point; and a yes or no "
+         "(any ray, all rays), or what the last ray met, is no number of rays.",
          kShadow2},
     Text{"shadow.ambient-scaled",
          "Scale the diffuse and the specular term only; the ambient term is there in full shadow, "
@@ -49,11 +50,15 @@ constexpr std::array kTexts{
     Text{"shadow.specular-unshadowed", "Scale the specular term by the share, too.", kShadow3},
     Text{"shadow.diffuse-unshadowed", "Scale the diffuse term by the share, too.", kShadow3},
     Text{"shadow.lights-mixed",
-         "Start counts and sums anew for each light, inside of the loop over the lights.",
+         "Start counts and sums anew for each light, inside of the loop over the lights, aim at "
+         "that light's own position, and divide by the number of its rays alone, not by that of "
+         "the lights. No return before every light has had its turn.",
          kShadow2},
     Text{"shadow.beyond-light",
          "An object casts a shadow only if it is nearer than the light: compare the distance of "
-         "the hit with that of the light.",
+         "the hit with that of the light. The distance of a hit counts in lengths of the ray's "
+         "direction, so give that unit length; and ask with < or >, since two doubles are hardly "
+         "ever equal (==).",
          kShadow1},
     Text{"shadow.point-jittered",
          "All shadow rays start at the point itself, a tiny step along N away from the surface; "
@@ -68,7 +73,8 @@ constexpr std::array kTexts{
          kShadow1},
     Text{"shadow.not-a-ball",
          "The light is a ball around light.position(): Vector3::randomInsideUnitSphere() gives "
-         "points of the unit ball.",
+         "points of the unit ball. Numbers of your own must go from -1 to 1 in x, y and z, not "
+         "from 0 to 1, each drawn anew, and what lies outside of the unit ball is drawn again.",
          kShadow1},
     Text{"shadow.clustered",
          "Vector3::randomInsideUnitSphere() of this kit gives points that fill the ball evenly.",
@@ -78,15 +84,18 @@ constexpr std::array kTexts{
          "out wrong.",
          kShadow3},
     Text{"shadow.wrong",
-         "Compare with the steps of the handout: the share of rays that reach the light scales "
-         "diffuse and specular.",
+         "Compare with the steps of the handout: diffuse and specular light are added once for "
+         "each light (not for each ray), times the number of rays that arrive, divided once by the "
+         "number of rays that the loop casts.",
          kShadow3},
     Text{"dof.none",
          "Start every ray at a random point of the aperture and send it through the focal point.",
          kLens2},
     Text{"dof.too-few-rays", "Cast settings().dofRayCount rays for every pixel.", kLens2},
     Text{"dof.shared-samples",
-         "Draw the point of the aperture inside of the loop over the rays, a new one for each.",
+         "Draw the point of the aperture inside of the loop over the rays, a new one for each. If "
+         "it is drawn there, look for a generator that is started again on the way (a seed set in "
+         "the loop or in illuminate, a generator made anew): then the numbers repeat.",
          kLens2},
     Text{"dof.not-averaged", "Add the colours of all rays of the pixel and divide by their number.",
          kLens3},

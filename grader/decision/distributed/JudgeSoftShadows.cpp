@@ -33,26 +33,36 @@ void warnOfReading(const ShadowReading& reading, std::vector<Finding>& findings)
         "the world."));
 }
 
+// Few of the aims are new ones.
+bool repeatsItself(const AimVerdict& aims) {
+    return 2 * aims.distinct < aims.lines;
+}
+
 void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     std::vector<Finding>& findings = outcome.findings;
     const std::optional<Finding> starts = checkStarts(logs);
+    // Rays from another place than the point go elsewhere, miss the light by more and meet other
+    // things than they should: all that follows from the start.
+    const bool misplaced = starts && starts->id == "shadow.wrong";
     keep(findings, starts);
     std::optional<Finding> fixed = checkFixedSamples(logs);
     std::optional<Finding> counts = checkRayCounts(logs, fixed.has_value());
     // Rays that start all around the point and go to the centre are no hard shadow; aims that are
     // all the centre are fixed, but that is not what went wrong.
     const bool hard = counts && counts->id == "shadow.hard";
-    if (!counts) keep(findings, checkSeveralCounts(logs, fixed.has_value()));
-    const bool fewRays = counts.has_value();
+    if (!counts && !misplaced) keep(findings, checkSeveralCounts(logs, fixed.has_value()));
+    const bool copied = counts.has_value() || fixed.has_value();
     if (counts && !(hard && starts)) keep(findings, std::move(counts));
     if (!hard) keep(findings, std::move(fixed));
+    if (misplaced) return;
     keep(findings, checkEveryLight(logs));
     keep(findings, checkDirectionOffset(logs));
     const AimVerdict aims = judgeAims(logs.farLight);
     // Copies of a few rays crowd wherever they go.
     std::optional<Finding> shape = checkAims(logs, aims);
     const bool astray = shape && shape->severity == Severity::fail;
-    if (shape && (astray || !fewRays)) keep(findings, std::move(shape));
+    const bool copies = copied || repeatsItself(aims);
+    if (shape && (astray || !copies)) keep(findings, std::move(shape));
     if (aims.shape) keep(findings, checkSeveralSizes(logs, aims));
     outcome.shape = aims.shape;
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <numbers>
 #include <set>
+#include <string>
 
 namespace ticker::decision {
 namespace {
@@ -161,6 +162,14 @@ bool leansAside(const Lens& lens) {
     return std::max(std::abs(mean.x), std::abs(mean.y)) > share * lens.halfWidth();
 }
 
+// One side far longer than the other: its number was scaled in another way, or not at all.
+std::string hintOfSides(double alongX, double alongY) {
+    constexpr double kFar = 1.5;
+    if (std::max(alongX, alongY) < kFar * std::min(alongX, alongY)) return {};
+    return " x and y are both a random number in [-1, 1] times settings().dofAmount: look for one "
+           "that is not scaled, or by something else.";
+}
+
 // The accepted half-width that the points fill; 0 where there is none.
 double acceptedFactor(const Lens& lens, double amount, double shortfall) {
     for (const double factor : {1.0, 0.5}) {
@@ -210,6 +219,7 @@ ApertureVerdict checkAperture(const LensLog& log) {
                         "them outside of the inscribed disc, 21.5 % expected).",
                         0.5 * (lens.high.x - lens.low.x), 0.5 * (lens.high.y - lens.low.y),
                         100.0 * shape.cornerShare));
+        verdict.finding->hint += hintOfSides(lens.high.x - lens.low.x, lens.high.y - lens.low.y);
     } else if (factor == 0.0) {
         verdict.finding = distributedFinding(
             "dof.aperture-size", Severity::fail,

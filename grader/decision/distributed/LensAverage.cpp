@@ -2,6 +2,8 @@
 #include <grader/decision/distributed/LensChecks.h>
 #include <grader/decision/distributed/LensMeans.h>
 
+#include <raytracer/image/ToneCurve.h>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -93,6 +95,15 @@ std::optional<ColourRGB> unlessMissed(const ColourRGB& c) {
     return c;
 }
 
+std::optional<ColourRGB> asBytes(const ColourRGB& c) {
+    const auto bytes = raytracer::toneMapped(c);
+    return ColourRGB{bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0};
+}
+
+bool isBlack(const LensPixel& pixel) {
+    return pixel.colour == ColourRGB{};
+}
+
 enum class Which { first, last };
 
 bool isOneOf(const LensPixel& pixel, Which which) {
@@ -143,10 +154,33 @@ std::string knownMistake(const LensLog& log) {
     return {};
 }
 
+// Only where what `trace` gave is known: they say what became of a picture that is wrong for sure.
+std::string knownChange(const LensLog& log) {
+    if (everyPixel(log, [](const LensPixel& p) { return isMeanOf(p, asBytes); }))
+        return "each of them goes through the tone curve before, which is applied when the picture "
+               "is written";
+    if (everyPixel(log, isBlack))
+        return "it is 0 in all pixels, as where 1 / n of two whole numbers is a factor";
+    return {};
+}
+
 Finding notAveraged(const std::string& seen) {
     return distributedFinding(
         "dof.not-averaged", Severity::fail,
         "The colour of a pixel was expected to be the mean of its rays' colours; " + seen + ".");
+}
+
+Finding strangeColour() {
+    Finding finding = distributedFinding(
+        "dof.wrong", Severity::fail,
+        "The colour of a pixel was expected to be the mean of its rays' colours; it is none of the "
+        "things that are known to go wrong.");
+    finding.hint =
+        "Look for a sum that does not start at 0 for every pixel (declared outside of the loop "
+        "over the pixels, or without a value), for one that several threads share (a static "
+        "variable, a member), for bytes or other whole numbers in the sum, and for 1 / n of whole "
+        "numbers, which is 0.";
+    return finding;
 }
 
 std::optional<Finding> changeOfAll(const LensLog& log) {
@@ -186,16 +220,14 @@ std::optional<Finding> checkAverage(const LensLog& log) {
         return std::nullopt;
     const double factor = commonFactor(log);
     std::string seen = knownMistake(log);
+    if (seen.empty()) seen = knownChange(log);
     if (factor != 0.0) {
         seen = fmt::format("it is {:.4g} times their mean", factor);
     } else if (seen.empty()) {
         if (std::optional<Finding> change = changeOfAll(log)) return change;
         if (everyPixel(log, withinSamples)) seen = "some rays count more than others";
     }
-    if (seen.empty())
-        return distributedFinding("dof.wrong", Severity::fail,
-                                  "The colour of a pixel was expected to be the mean of its rays' "
-                                  "colours; it is none of the things that are known to go wrong.");
+    if (seen.empty()) return strangeColour();
     Finding finding = notAveraged(seen);
     if (factor != 0.0) finding.evidence.emplace_back("factor", factor);
     return finding;

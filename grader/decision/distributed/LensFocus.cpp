@@ -103,11 +103,18 @@ Finding explainFocus(const LensLog& log) {
                         "that distance along the pinhole ray, at z = {:.4g} to {:.4g}.",
                         plane, lowZ, highZ),
             log, lowZ);
-    if (offRay > 0.02)
-        return focusFinding("dof.wrong",
-                            "The rays of a pixel were expected to meet on the pixel's own pinhole "
-                            "ray; they meet beside it.",
-                            log, z);
+    if (offRay > 0.02) {
+        Finding finding = focusFinding(
+            "dof.wrong",
+            "The rays of a pixel were expected to meet on the pixel's own pinhole ray; they meet "
+            "beside it.",
+            log, z);
+        finding.hint =
+            "Find the focal point anew for each pixel, from camera.castRay(x, y): nothing of "
+            "another pixel may be kept (in a static variable, say). And set the pixel (x, y) "
+            "itself, not one that is counted from below or with x and y exchanged.";
+        return finding;
+    }
     return focusFinding("dof.focal-plane",
                         fmt::format("The rays of a pixel were expected to meet at z = {:.4g}; they "
                                     "meet at z = {:.4g} to {:.4g}.",

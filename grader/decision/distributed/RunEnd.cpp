@@ -20,7 +20,10 @@ struct EndText {
 EndText textOf(Kind kind) {
     switch (kind) {
         case Kind::crashed:
-            return {"run.crashed", "it crashed", "Run it in a debugger, or with sanitizers on."};
+            return {"run.crashed", "it crashed",
+                    "Run it in a debugger, or with sanitizers on. Look for an index beyond the end "
+                    "of an array or a vector (x and y exchanged, say), and for a function that "
+                    "calls itself without end."};
         case Kind::exitedEarly:
             return {"run.exited-early", "the program left before it had answered",
                     "Do not call exit() or the like."};

@@ -106,12 +106,15 @@ std::optional<Finding> checkFinite(const ShadowLogs& logs) {
 std::optional<Finding> checkStarts(const ShadowLogs& logs) {
     double farthest = 0.0;
     double spread = 0.0;
+    double fromViewer = 0.0;
     for (const ShadowLog* log : logs.atHandoutSettings())
         for (const PointLog& point : log->points)
             for (const std::vector<AimLine>& lines : point.lines)
                 for (const AimLine& line : lines) {
                     farthest = std::max(farthest, biasOf(line, point));
                     spread = std::max(spread, (line.origin - lines.front().origin).magnitude());
+                    fromViewer =
+                        std::max(fromViewer, (line.origin - point.point.viewer).magnitude());
                 }
     if (farthest <= kLargestBias) return std::nullopt;
     Finding finding = distributedFinding(
@@ -120,6 +123,7 @@ std::optional<Finding> checkStarts(const ShadowLogs& logs) {
                     "from it); they start up to {:.3g} away.",
                     farthest));
     if (spread <= kLargestBias) finding.hint = "Start the shadow rays at P + N * kShadowBias.";
+    if (fromViewer <= kLargestBias) finding.hint += " O is where P is seen from: they start there.";
     finding.evidence.emplace_back("farthestStart", farthest);
     finding.evidence.emplace_back("spreadOfStarts", spread);
     return finding;
@@ -135,6 +139,10 @@ std::optional<Finding> checkFixedSamples(const ShadowLogs& logs) {
         fmt::format("New random points of the light were expected for every point that is lit; "
                     "the same {} are used at all of them.",
                     distinct));
+    if (distinct == 1)
+        finding.hint =
+            "Every ray has the same aim: it is drawn once and kept, or the generator starts again "
+            "for each, or random numbers are cut (rand() / RAND_MAX is 0: divide as double).";
     finding.evidence.emplace_back("distinctAims", static_cast<double>(distinct));
     return finding;
 }

@@ -155,6 +155,14 @@ TEST(Diagnose, ListsWhatIsVisible) {
                   e.conduct.inward.count = 600.0;
               }),
               Ids{"bump.wrong"});
+    const auto invertedAndInward = [](double inward) {
+        return idsAfter([=](Examination& e) {
+            e.conduct.inward.count = inward;
+            e.ladder.ramps.kind = RampKind::invertedU;
+        });
+    };
+    EXPECT_EQ(invertedAndInward(901.0), (Ids{"bump.wrong", "bump.inverted-u"}));
+    EXPECT_EQ(invertedAndInward(899.0), (Ids{"bump.inverted-u", "bump.wrong"}));
     EXPECT_EQ(idsAfter([](Examination& e) {
                   e.conduct.notUnit.count = 1.0;
                   e.ladder.ramps.kind = RampKind::invertedU;

@@ -157,5 +157,39 @@ TEST(JudgeBump, TellsACentreThatIsMissingByASphereAtTheOrigin) {
     EXPECT_NE(judgement.findings.front().hint.find("centre is not subtracted"), std::string::npos);
 }
 
+/// Code that takes each point for the one on the other side of the centre, along these axes.
+TaskJudgement judgeReflected(Slip slip, const Vector3& signs, bool turnedBack) {
+    return judge([=](const Point& point) {
+        const auto reflected = [&](const Vector3& v) {
+            return Vector3{v.x * signs.x, v.y * signs.y, v.z * signs.z};
+        };
+        Point other = point;
+        other.position = point.centre + reflected(point.position - point.centre);
+        const Vector3 normal = modelNormal({}, slip, other);
+        return turnedBack ? reflected(normal) : normal;
+    });
+}
+
+TEST(JudgeBump, SaysFirstThatEveryNormalPointsInwards) {
+    const TaskJudgement judgement = judgeReflected(Slip::none, {-1.0, -1.0, -1.0}, false);
+    ASSERT_EQ(judgement.findings.size(), 1U) << "where the map lies is another matter";
+    EXPECT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_NE(judgement.reason.find("points into the sphere"), std::string::npos);
+}
+
+TEST(JudgeBump, DoesNotCallAMapMirroredThatStandsOnItsHead) {
+    const TaskJudgement judgement = judgeReflected(Slip::none, {1.0, -1.0, 1.0}, true);
+    ASSERT_EQ(judgement.findings.size(), 1U);
+    EXPECT_EQ(firstId(judgement), "bump.upside-down");
+}
+
+TEST(JudgeBump, SaysOfAnInvertedAxisThatTheMapStandsOnItsHead) {
+    const TaskJudgement judgement = judgeReflected(Slip::invertedV, {1.0, -1.0, 1.0}, true);
+    ASSERT_EQ(judgement.findings.size(), 1U);
+    EXPECT_EQ(firstId(judgement), "bump.inverted-v");
+    EXPECT_NE(judgement.reason.find("stands on its head"), std::string::npos);
+    EXPECT_EQ(judgement.findings.front().hint.rfind("Turn the map round first", 0), 0U);
+}
+
 }  // namespace
 }  // namespace ticker::tests

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 namespace ticker::decision {
 namespace {
@@ -170,6 +172,20 @@ TEST(Aperture, CountsPointsThatComeAgainOnce) {
                    (0.7 * kAmount);
         });
     EXPECT_EQ(idOf(checkAperture(few.log).finding), "") << "49 points say little";
+}
+
+TEST(Aperture, MayBeScaledAlongOneAxisOnly) {
+    const auto hintOf = [](double alongX, double alongY) {
+        const ApertureVerdict verdict = judge([=](double x, double y) {
+            return Vector3{x * alongX, y * alongY, 0.0};
+        });
+        return idOf(verdict.finding) + ": " + verdict.finding->hint;
+    };
+    for (const auto& [x, y] : {std::pair{kAmount, 1.0}, std::pair{0.1, kAmount}}) {
+        EXPECT_EQ(hintOf(x, y).rfind("dof.disc", 0), 0U);
+        EXPECT_NE(hintOf(x, y).find("not scaled"), std::string::npos) << hintOf(x, y);
+    }
+    EXPECT_EQ(hintOf(0.14, kAmount).find("not scaled"), std::string::npos) << hintOf(0.14, kAmount);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <grader/tests/distributed/LensByHand.h>
 
+#include <raytracer/image/ToneCurve.h>
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -115,6 +117,24 @@ TEST(Average, LosesWhatIsTooBrightOrWhatHitNothing) {
                          },
                          3),
                      "hit nothing"));
+}
+
+TEST(Average, IsOfToneMappedBytesOrBlack) {
+    EXPECT_TRUE(says(judge([](Values values) {
+                         for (ColourRGB& value : values) {
+                             const auto bytes = raytracer::toneMapped(value);
+                             value = {bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0};
+                         }
+                         return meanOf(values);
+                     }),
+                     "tone curve"));
+    EXPECT_TRUE(says(judge([](const Values&) { return ColourRGB{}; }), "1 / n"));
+}
+
+TEST(Average, HasAHintWhereNothingExplainsIt) {
+    const auto strange = judge([](const Values&) { return ColourRGB{9.0, 0.0, 4.0}; });
+    ASSERT_EQ(idOf(strange), "dof.wrong");
+    EXPECT_NE(strange->hint.find("start at 0"), std::string::npos);
 }
 
 TEST(Average, WeighsItsRaysUnevenlyOrIsSomethingElse) {

@@ -63,13 +63,14 @@ TEST(Focus, LiesAtThatDistanceInsteadOfOnThatPlane) {
 
 TEST(Focus, LiesBesideThePinholeRay) {
     const auto beside = [](double distance) {
-        return idOf(judge([=](const Vector3& focal, const Vector3&) {
+        return judge([=](const Vector3& focal, const Vector3&) {
             return focal + Vector3{0.0, 0.0, 1.0}.cross(focal).normalised() * distance;
-        }));
+        });
     };
-    EXPECT_EQ(beside(0.05), "dof.wrong");
-    EXPECT_EQ(beside(0.021), "dof.wrong");
-    EXPECT_EQ(beside(0.019), "dof.focal-plane");
+    EXPECT_EQ(idOf(beside(0.05)), "dof.wrong");
+    EXPECT_NE(beside(0.05)->hint.find("castRay(x, y)"), std::string::npos);
+    EXPECT_EQ(idOf(beside(0.021)), "dof.wrong");
+    EXPECT_EQ(idOf(beside(0.019)), "dof.focal-plane");
 }
 
 TEST(Focus, IsNowhereWhereRaysAreParallelOrPassEachOther) {

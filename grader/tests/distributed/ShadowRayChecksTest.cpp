@@ -50,6 +50,10 @@ TEST(CheckStarts, WantsRaysToStartAtThePoint) {
     const auto far = judgeStarts({0.0, 0.1, 0.0}, {0.0, 0.1, 0.0});
     ASSERT_EQ(idOf(far), "shadow.wrong");
     EXPECT_NE(far->hint.find("kShadowBias"), std::string::npos);
+    EXPECT_EQ(far->hint.find("start there"), std::string::npos);
+    const auto atViewer = judgeStarts({-1.0, 3.0, -1.0}, {-1.0, 3.0, -1.0});
+    ASSERT_EQ(idOf(atViewer), "shadow.wrong");
+    EXPECT_NE(atViewer->hint.find("start there"), std::string::npos) << atViewer->hint;
     EXPECT_EQ(jittered->hint.find("P + N * kShadowBias"), std::string::npos);
     EXPECT_EQ(idOf(judgeStarts({0.0, 1.51e-3, 0.0}, {0.0, 1.51e-3, 0.0})), "shadow.wrong");
 }
@@ -76,6 +80,8 @@ TEST(CheckFixedSamples, FindsAimsThatAreTheSameAtAllPoints) {
     EXPECT_EQ(numberIn(*fixed, "distinctAims"), 10.0);
     EXPECT_EQ(judgeFixed(10, 2, 0.0)->severity, Severity::fail);
     EXPECT_EQ(judgeFixed(10, 3, 0.0)->severity, Severity::warn);
+    EXPECT_NE(judgeFixed(10, 1, 0.0)->hint.find("divide as double"), std::string::npos);
+    EXPECT_EQ(judgeFixed(10, 2, 0.0)->hint.find("divide as double"), std::string::npos);
     EXPECT_FALSE(judgeFixed(10, 10, 0.02));
     EXPECT_TRUE(judgeFixed(9, 10, 0.0)) << "eight to compare";
     EXPECT_FALSE(judgeFixed(8, 10, 0.0)) << "too few";
