@@ -69,9 +69,13 @@ Place placeAt(const fs::path& path) {
 }
 
 std::vector<Place> placesInExport(const fs::path& exported) {
+    const MoodleExport found = readMoodleExport(exported);
     std::vector<Place> places;
-    for (const std::string& owner : moodleOwners(exported))
+    for (const std::string& owner : found.owners)
         places.push_back({exported, owner, owner});
+    for (const std::string& other : found.others)
+        places.push_back({exported, isArchive(other) ? withoutArchiveEnding(other) : other,
+                          ownerOfOther(other)});
     return places;
 }
 

@@ -134,6 +134,35 @@ TEST(MoodleExport, IsNoneWhereOnlyTheWordsComeInAName) {
     EXPECT_FALSE(readMoodlePath("work/src/Ann_1_assignsubmission_file/Renderer.cpp"));
 }
 
+TEST(MoodleExport, IsNotMadeOfAClassByOneFolderThatIsNamedSo) {
+    const std::vector<NamedBytes> members{{"ann/Renderer.cpp", "ann"},
+                                          {"bob/Renderer.cpp", "bob"},
+                                          {"mallory_1_assignsubmission_file_/Renderer.cpp", "m"}};
+    const auto read = readExport(members, true);
+    ASSERT_EQ(read.size(), 3U);
+    EXPECT_EQ(read.at("ann").part(Part::renderer), "ann");
+    EXPECT_EQ(read.at("bob").part(Part::renderer), "bob");
+    const auto zipped = readExport(members, false);
+    ASSERT_EQ(zipped.size(), 1U);
+    EXPECT_EQ(zipped.begin()->second.findings.at(0).finding.id, "intake.ambiguous");
+}
+
+TEST(MoodleExport, DropsNobodyWhoseFolderDoesNotFit) {
+    std::vector<NamedBytes> members = tests::moodleExport(somePeople());
+    members.push_back({"late/src/Renderer.cpp", "late"});
+    members.push_back({"later.zip", zipOf({{"Renderer.cpp", "later"}})});
+    members.push_back({"__MACOSX/._Renderer.cpp", "x"});
+    for (const bool unpacked : {false, true}) {
+        auto read = readExport(members, unpacked);
+        ASSERT_EQ(read.size(), 6U);
+        EXPECT_EQ(read.at("late").part(Part::renderer), "late");
+        EXPECT_EQ(read.at("later").part(Part::renderer), "later");
+        read.erase("late");
+        read.erase("later");
+        expectSomePeople(read);
+    }
+}
+
 TEST(ReadSubmission, OpensAZipOnlyWhereNoCodeLiesBesideIt) {
     const tests::TemporaryFolder folder;
     tests::writeFolder(folder.path() / "ann",
