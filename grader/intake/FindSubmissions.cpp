@@ -1,10 +1,8 @@
 #include <grader/intake/Intake.h>
 #include <grader/intake/MoodleExport.h>
-#include <grader/intake/Utf8.h>
+#include <grader/intake/SafeName.h>
 
 #include <raytracer/base/Error.h>
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <set>
@@ -153,42 +151,6 @@ Below look(const fs::path& folder, int depth) {
         if (children[i].submissions.empty() && !children[i].isEmpty)
             below.submissions.push_back(placeAt(entries.folders[i]));
     return below;
-}
-
-// At most so many bytes, not cut in the middle of a character; an export's "_123" at the end stays.
-std::string shortened(std::string name, std::size_t longest) {
-    if (name.size() <= longest) return name;
-    const std::size_t mark = name.find_last_not_of("0123456789");
-    std::string id = mark != std::string::npos && name[mark] == '_' ? name.substr(mark) : "";
-    if (id.size() > longest / 2) id.clear();
-    name.resize(longest - id.size());
-    while (!name.empty() && (static_cast<unsigned char>(name.back()) & 0xC0U) == 0x80U)
-        name.pop_back();
-    if (!name.empty() && static_cast<unsigned char>(name.back()) >= 0xC0U) name.pop_back();
-    return name + id;
-}
-
-// A folder of this name can be made on any system, and a shell or a page shows it without surprise.
-std::string safeName(const std::string& wanted) {
-    constexpr std::size_t kLongest = 100;
-    std::string name;
-    for (const char c : asUtf8(wanted)) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool harmful = byte < 0x20 || byte == 0x7F ||
-                             std::string_view{"/\\:*?\"<>|"}.find(c) != std::string_view::npos;
-        name += harmful ? '_' : c;
-    }
-    name = shortened(std::move(name), kLongest);
-    while (name.starts_with('.') || name.starts_with('-') || name.starts_with(' '))
-        name.erase(0, 1);
-    return name.empty() ? "submission" : name;
-}
-
-std::string uniqueName(const std::string& name, std::set<std::string>& taken) {
-    std::string result = name;
-    for (int i = 2; !taken.insert(result).second; ++i)
-        result = fmt::format("{}-{}", name, i);
-    return result;
 }
 
 }  // namespace

@@ -108,6 +108,18 @@ TEST(FindSubmissions, GivesNamesThatAreFitForFolders) {
     EXPECT_EQ(namesIn(folder.path()), (Names{"rf", "J\xC3\xBCrgen, =1+1", std::string(100, 'x')}));
 }
 
+TEST(FindSubmissions, GivesNoNameThatAFileOfTheResultsBears) {
+    const tests::TemporaryFolder folder;
+    for (const char* name : {"Index.HTML", "results.sqlite", "results.sqlite-wal", "seed",
+                             "summary.csv", "task-7.log"})
+        folder.write(std::string{name} + "/Renderer.cpp", "x");
+    folder.write("results.json.zip", "x");
+    EXPECT_EQ(namesIn(folder.path()),
+              (Names{"Index.HTML-submission", "results.json-submission",
+                     "results.sqlite-submission", "results.sqlite-wal-submission",
+                     "seed-submission", "summary.csv-submission", "task-7.log-submission"}));
+}
+
 TEST(FindSubmissions, TakesAnyFolderThatWasNamedByItself) {
     const tests::TemporaryFolder folder;
     EXPECT_EQ(findSubmissions(folder.path()).size(), 1U);
