@@ -51,6 +51,7 @@ struct Place {
     fs::path content;
     std::string namedAfter;
     std::string owner = {};  ///< see Located
+    int depth = 0;           ///< of that folder, archive or owner
 };
 
 std::string withoutArchiveEnding(std::string name) {
@@ -61,9 +62,9 @@ std::string withoutArchiveEnding(std::string name) {
     return name;
 }
 
-Place placeAt(const fs::path& path) {
+Place placeAt(const fs::path& path, int depth) {
     const std::string name = path.filename().string();
-    return {path, isArchive(name) ? withoutArchiveEnding(name) : name};
+    return {path, isArchive(name) ? withoutArchiveEnding(name) : name, {}, depth};
 }
 
 std::vector<Place> placesInExport(const fs::path& exported) {
@@ -73,7 +74,7 @@ std::vector<Place> placesInExport(const fs::path& exported) {
         places.push_back({exported, owner, owner});
     for (const std::string& other : found.others)
         places.push_back({exported, isArchive(other) ? withoutArchiveEnding(other) : other,
-                          ownerOfOther(other)});
+                          ownerOfOther(other), 1});
     return places;
 }
 
@@ -85,15 +86,25 @@ struct Below {
     bool isEmpty = true;
 };
 
-// ann/tick/Renderer.cpp beside bob/work/Renderer.cpp: they are ann and bob, not tick and work.
-void nameAfterChildren(std::vector<Below>& children, const std::vector<fs::path>& folders) {
+// Whether the folders of a level, and the archives in it, are people, not groups of people.
+bool arePeople(const std::vector<Below>& children, const Entries& entries) {
     const auto count = [&](auto&& holds) { return std::ranges::count_if(children, holds); };
+    if (!entries.archives.empty()) return true;
+    if (count([](const Below& child) { return child.isSubmission; }) > 0) return true;
     const auto one = count([](const Below& child) { return child.submissions.size() == 1; });
     const auto more = count([](const Below& child) { return child.submissions.size() > 1; });
-    if (one < 2 || more > 0) return;
-    for (std::size_t i = 0; i < children.size(); ++i)
-        for (Place& place : children[i].submissions)
-            if (place.owner.empty()) place.namedAfter = folders[i].filename().string();
+    return one >= 2 && more == 0;
+}
+
+// ann/tick/Renderer.cpp beside bob/work/Renderer.cpp: they are ann and bob, not tick and work. Of
+// ann/zoe/ and ann/yan/ neither may pass for zoe or yan: they are ann-zoe and ann-yan.
+void nameAfter(const std::string& person, int depth, Below& child) {
+    const bool isAlone = child.submissions.size() == 1;
+    for (Place& place : child.submissions) {
+        if (!place.owner.empty()) continue;
+        place.namedAfter = isAlone ? person : person + "-" + place.namedAfter;
+        place.depth = isAlone ? depth : depth + 1;
+    }
 }
 
 void add(Below& below, const Below& child) {
@@ -132,25 +143,40 @@ Below look(const fs::path& folder, int depth) {
     if (depth < kDeepest)
         for (const fs::path& child : entries.folders)
             children.push_back(look(child, depth + 1));
-    nameAfterChildren(children, entries.folders);
+    const bool people = arePeople(children, entries);
+    for (std::size_t i = 0; people && i < children.size(); ++i)
+        nameAfter(entries.folders[i].filename().string(), depth + 1, children[i]);
 
     Below below;
     below.isEmpty = entries.isEmpty;
-    bool isClass = !entries.archives.empty();
-    for (const Below& child : children) {
-        isClass = isClass || child.isSubmission;
+    for (const Below& child : children)
         add(below, child);
-    }
     below.parts.insert(entries.parts.begin(), entries.parts.end());
     if (isKit(entries) || !entries.parts.empty() ||
         (entries.archives.empty() && isOneInPieces(below, children)))
-        return {{placeAt(folder)}, below.parts, true, false};
+        return {{placeAt(folder, depth)}, below.parts, true, false};
     for (const fs::path& archive : entries.archives)
-        below.submissions.push_back(placeAt(archive));
-    for (std::size_t i = 0; isClass && i < children.size(); ++i)
+        below.submissions.push_back(placeAt(archive, depth + 1));
+    for (std::size_t i = 0; people && i < children.size(); ++i)
         if (children[i].submissions.empty() && !children[i].isEmpty)
-            below.submissions.push_back(placeAt(entries.folders[i]));
+            below.submissions.push_back(placeAt(entries.folders[i], depth + 1));
     return below;
+}
+
+// Where two want one name, what lies deeper gives way, and so does a name that had to be changed:
+// "zoe" is the folder zoe of the class, neither ann/zoe nor "-zoe".
+std::vector<Located> named(const std::vector<Place>& places) {
+    std::vector<std::tuple<int, bool, std::size_t>> order;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        order.emplace_back(places[i].depth, safeName(places[i].namedAfter) != places[i].namedAfter,
+                           i);
+    std::ranges::sort(order);
+    std::vector<Located> located(places.size());
+    std::set<std::string> taken;
+    for (const auto& [depth, isChanged, i] : order)
+        located[i] = {uniqueName(safeName(places[i].namedAfter), taken), places[i].content,
+                      places[i].owner};
+    return located;
 }
 
 }  // namespace
@@ -162,21 +188,16 @@ std::vector<Located> findSubmissions(const fs::path& path) {
     std::vector<Place> found;
     if (fs::is_directory(whole)) {
         found = look(whole, 0).submissions;
-        if (found.empty()) found = {placeAt(whole)};
+        if (found.empty()) found = {placeAt(whole, 0)};
     } else if (fs::is_regular_file(whole) && isArchive(whole.filename().string())) {
         found = placesInExport(whole);
-        if (found.empty()) found = {placeAt(whole)};
+        if (found.empty()) found = {placeAt(whole, 0)};
     } else {
         throw raytracer::InputError(path.string(), 0, "neither a folder nor a zip or tar archive");
     }
     std::ranges::sort(found, {},
                       [](const Place& place) { return std::tie(place.content, place.owner); });
-    std::vector<Located> located;
-    std::set<std::string> taken;
-    for (const Place& place : found)
-        located.push_back(
-            {uniqueName(safeName(place.namedAfter), taken), place.content, place.owner});
-    return located;
+    return named(found);
 }
 
 }  // namespace ticker::intake

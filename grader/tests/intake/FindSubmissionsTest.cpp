@@ -99,6 +99,15 @@ TEST(FindSubmissions, GivesEachItsOwnName) {
     EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "ann-2", "cy"}));
 }
 
+TEST(FindSubmissions, LetsNobodyTakeTheNameOfAnotherFolderOfTheClass) {
+    const tests::TemporaryFolder folder;
+    for (const std::string place : {"aaron/zoe", "aaron/yan", "zoe", "yan", "-yan", "aaron-zoe"})
+        folder.write(place + "/Renderer.cpp", "x");
+    folder.write("xan.zip", "x");
+    EXPECT_EQ(namesIn(folder.path()),
+              (Names{"yan-2", "aaron-yan", "aaron-zoe-2", "aaron-zoe", "xan", "yan", "zoe"}));
+}
+
 TEST(FindSubmissions, GivesNamesThatAreFitForFolders) {
     const tests::TemporaryFolder folder;
     folder.write("..ann:<b>\n/Renderer.cpp", "x");
