@@ -93,7 +93,7 @@ bool arePeople(const std::vector<Below>& children, const Entries& entries) {
     if (count([](const Below& child) { return child.isSubmission; }) > 0) return true;
     const auto one = count([](const Below& child) { return child.submissions.size() == 1; });
     const auto more = count([](const Below& child) { return child.submissions.size() > 1; });
-    return one >= 2 && more == 0;
+    return one >= 2 && one > more;
 }
 
 // ann/tick/Renderer.cpp beside bob/work/Renderer.cpp: they are ann and bob, not tick and work. Of

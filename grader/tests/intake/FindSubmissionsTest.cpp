@@ -99,6 +99,14 @@ TEST(FindSubmissions, GivesEachItsOwnName) {
     EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "ann-2", "cy"}));
 }
 
+TEST(FindSubmissions, NamesTheOthersAfterTheirFoldersWhereOneHoldsSeveral) {
+    const tests::TemporaryFolder folder;
+    for (const std::string place : {"ann/exercise", "bob/exercise", "mallory/a", "mallory/b"})
+        folder.write(place + "/Renderer.cpp", "x");
+    folder.write("dee/tick1.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "dee", "mallory-a", "mallory-b"}));
+}
+
 TEST(FindSubmissions, LetsNobodyTakeTheNameOfAnotherFolderOfTheClass) {
     const tests::TemporaryFolder folder;
     for (const std::string place : {"aaron/zoe", "aaron/yan", "zoe", "yan", "-yan", "aaron-zoe"})
