@@ -1,4 +1,5 @@
 #include <grader/intake/Intake.h>
+#include <grader/intake/Layout.h>
 #include <grader/intake/MoodleExport.h>
 #include <grader/intake/SafeName.h>
 
@@ -20,13 +21,6 @@ bool isHidden(const fs::path& path) {
     return name.starts_with('.') || name == "__MACOSX";
 }
 
-struct Entries {
-    std::vector<fs::path> folders;
-    std::vector<fs::path> archives;
-    std::set<Part> parts;  ///< that lie in the folder itself
-    bool isEmpty = true;
-};
-
 Entries entriesOf(const fs::path& folder) {
     Entries entries;
     std::error_code error;
@@ -45,14 +39,6 @@ Entries entriesOf(const fs::path& folder) {
     std::ranges::sort(entries.archives);
     return entries;
 }
-
-/// A submission, and the folder, archive or owner that it is named after.
-struct Place {
-    fs::path content;
-    std::string namedAfter;
-    std::string owner = {};  ///< see Located
-    int depth = 0;           ///< of that folder, archive or owner
-};
 
 std::string withoutArchiveEnding(std::string name) {
     for (const char* ending : {".gz", ".tar", ".tgz", ".zip"}) {
@@ -78,24 +64,6 @@ std::vector<Place> placesInExport(const fs::path& exported) {
     return places;
 }
 
-/// What lies below a folder.
-struct Below {
-    std::vector<Place> submissions;
-    std::multiset<Part> parts;  ///< of all of them, but for archives
-    bool isSubmission = false;  ///< the folder itself is one
-    bool isEmpty = true;
-};
-
-// Whether the folders of a level, and the archives in it, are people, not groups of people.
-bool arePeople(const std::vector<Below>& children, const Entries& entries) {
-    const auto count = [&](auto&& holds) { return std::ranges::count_if(children, holds); };
-    if (!entries.archives.empty()) return true;
-    if (count([](const Below& child) { return child.isSubmission; }) > 0) return true;
-    const auto one = count([](const Below& child) { return child.submissions.size() == 1; });
-    const auto more = count([](const Below& child) { return child.submissions.size() > 1; });
-    return one >= 2 && one > more;
-}
-
 // ann/tick/Renderer.cpp beside bob/work/Renderer.cpp: they are ann and bob, not tick and work. Of
 // ann/zoe/ and ann/yan/ neither may pass for zoe or yan: they are ann-zoe and ann-yan.
 void nameAfter(const std::string& person, int depth, Below& child) {
@@ -111,25 +79,6 @@ void add(Below& below, const Below& child) {
     below.submissions.insert(below.submissions.end(), child.submissions.begin(),
                              child.submissions.end());
     below.parts.insert(child.parts.begin(), child.parts.end());
-}
-
-// src/Renderer.cpp and pictures/screenshot.png: one submission over several folders. Without a
-// folder that has nothing but the picture, two folders are two people, who chose one option each.
-bool isOneInPieces(const Below& below, const std::vector<Below>& children) {
-    const bool pictureAlone = std::ranges::any_of(children, [](const Below& child) {
-        return child.parts == std::multiset<Part>{Part::screenshot};
-    });
-    return pictureAlone && below.submissions.size() > 1 &&
-           std::ranges::all_of(kParts, [&](Part part) { return below.parts.count(part) <= 1; });
-}
-
-// Somebody handed in the whole project, as the kit lays it out.
-bool isKit(const Entries& entries) {
-    const auto has = [&](const char* name) {
-        return std::ranges::any_of(
-            entries.folders, [&](const fs::path& folder) { return folder.filename() == name; });
-    };
-    return has("exercise") && has("framework");
 }
 
 Below look(const fs::path& folder, int depth) {
@@ -152,8 +101,8 @@ Below look(const fs::path& folder, int depth) {
     for (const Below& child : children)
         add(below, child);
     below.parts.insert(entries.parts.begin(), entries.parts.end());
-    if (isKit(entries) || !entries.parts.empty() ||
-        (entries.archives.empty() && isOneInPieces(below, children)))
+    if (!entries.parts.empty() || isKit(children, entries) ||
+        isOneInPieces(below, children, entries))
         return {{placeAt(folder, depth)}, below.parts, true, false};
     for (const fs::path& archive : entries.archives)
         below.submissions.push_back(placeAt(archive, depth + 1));

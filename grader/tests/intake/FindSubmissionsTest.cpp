@@ -90,6 +90,25 @@ TEST(FindSubmissions, DoesNotMakeOneOutOfTwoPeople) {
     EXPECT_EQ(namesIn(folder.path() / "class"), (Names{"ann", "bob"}));
 }
 
+TEST(FindSubmissions, DoesNotMakeOneOutOfAClassWithOneWhoHandedInAPictureAlone) {
+    const tests::TemporaryFolder folder;
+    folder.write("ann/BumpySphere.cpp", "x");
+    folder.write("mallory/screenshot.png", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "mallory"}));
+    folder.write("bob/Renderer.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "mallory"}));
+}
+
+TEST(FindSubmissions, DoesNotMakeAKitOutOfTwoFoldersOfAClass) {
+    const tests::TemporaryFolder folder;
+    folder.write("exercise/BumpySphere.cpp", "x");
+    folder.write("framework/src/Renderer.cpp", "x");
+    folder.write("ann/Renderer.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "exercise", "framework"}));
+    folder.write("bob.zip", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "exercise", "framework"}));
+}
+
 TEST(FindSubmissions, GivesEachItsOwnName) {
     const tests::TemporaryFolder folder;
     folder.write("monday/ann/Renderer.cpp", "x");
