@@ -69,7 +69,6 @@ std::vector<Place> placesInExport(const fs::path& exported) {
 void nameAfter(const std::string& person, int depth, Below& child) {
     const bool isAlone = child.submissions.size() == 1;
     for (Place& place : child.submissions) {
-        if (!place.owner.empty()) continue;
         place.namedAfter = isAlone ? person : person + "-" + place.namedAfter;
         place.depth = isAlone ? depth : depth + 1;
     }
@@ -82,11 +81,6 @@ void add(Below& below, const Below& child) {
 }
 
 Below look(const fs::path& folder, int depth) {
-    // Not deeper: there a student could make one up.
-    constexpr int kDeepestExport = 1;
-    if (depth <= kDeepestExport)
-        if (std::vector<Place> places = placesInExport(folder); !places.empty())
-            return {std::move(places), {}, true, false};
     const Entries entries = entriesOf(folder);
     std::vector<Below> children;
     if (depth < kDeepest)
@@ -110,6 +104,39 @@ Below look(const fs::path& folder, int depth) {
         if (children[i].submissions.empty() && !children[i].isEmpty)
             below.submissions.push_back(placeAt(entries.folders[i], depth + 1));
     return below;
+}
+
+// Everybody in the exports below the folders that an unpacker made. Beside other people's work such
+// a folder is a student's, who made up the names in it.
+std::vector<Place> placesInUnpacked(const fs::path& folder) {
+    const Entries entries = entriesOf(folder);
+    const bool allAreExports =
+        entries.parts.empty() && std::ranges::all_of(entries.archives, [](const fs::path& archive) {
+            return !placesInExport(archive).empty();
+        });
+    if (!allAreExports) return {};
+    std::vector<Place> found;
+    std::vector<Place> others;
+    for (const fs::path& archive : entries.archives)
+        others.push_back(placeAt(archive, 1));
+    for (const fs::path& child : entries.folders) {
+        const std::vector<Place> places = placesInExport(child);
+        found.insert(found.end(), places.begin(), places.end());
+        if (!places.empty()) continue;
+        const Below below = look(child, 1);
+        if (!below.submissions.empty()) return {};
+        if (!below.isEmpty) others.push_back(placeAt(child, 1));
+    }
+    if (found.empty()) return {};
+    found.insert(found.end(), others.begin(), others.end());
+    return found;
+}
+
+std::vector<Place> placesIn(const fs::path& folder) {
+    std::vector<Place> found = placesInExport(folder);
+    if (found.empty()) found = placesInUnpacked(folder);
+    if (found.empty()) found = look(folder, 0).submissions;
+    return found;
 }
 
 // Where two want one name, what lies deeper gives way, and so does a name that had to be changed:
@@ -136,7 +163,7 @@ std::vector<Located> findSubmissions(const fs::path& path) {
     if (error) throw raytracer::InputError(path.string(), 0, "cannot be read: " + error.message());
     std::vector<Place> found;
     if (fs::is_directory(whole)) {
-        found = look(whole, 0).submissions;
+        found = placesIn(whole);
         if (found.empty()) found = {placeAt(whole, 0)};
     } else if (fs::is_regular_file(whole) && isArchive(whole.filename().string())) {
         found = placesInExport(whole);

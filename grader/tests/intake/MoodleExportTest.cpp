@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 
 namespace ticker::intake {
 namespace {
@@ -145,6 +146,27 @@ TEST(MoodleExport, IsNotMadeOfAClassByOneFolderThatIsNamedSo) {
     const auto zipped = readExport(members, false);
     ASSERT_EQ(zipped.size(), 1U);
     EXPECT_EQ(zipped.begin()->second.findings.at(0).finding.id, "intake.ambiguous");
+}
+
+TEST(MoodleExport, InTheFolderOfAStudentDoesNotRenameHim) {
+    const std::vector<NamedBytes> members{
+        {"aaron/zoe_1_assignsubmission_file_/Renderer.cpp", "aaron"}, {"zoe/Renderer.cpp", "zoe"}};
+    const auto read = readExport(members, true);
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read.at("aaron").part(Part::renderer), "aaron");
+    EXPECT_EQ(read.at("zoe").part(Part::renderer), "zoe");
+}
+
+TEST(MoodleExport, IsReadBesideTheZipThatItCameIn) {
+    const tests::TemporaryFolder folder;
+    tests::writeZip(folder.path() / "CS-Tick.zip", tests::moodleExport(somePeople()));
+    tests::writeFolder(folder.path() / "CS-Tick", tests::moodleExport(somePeople()));
+    folder.write("notes/marking.txt", "n");
+    std::set<std::string> names;
+    for (const Located& located : findSubmissions(folder.path()))
+        names.insert(located.name);
+    EXPECT_EQ(names, (std::set<std::string>{"Ann Lee b_12", "Bob_123", "CS-Tick", "Cy_9",
+                                            "J\xC3\xBCrgen ONeill, jr_7", "notes"}));
 }
 
 TEST(MoodleExport, DropsNobodyWhoseFolderDoesNotFit) {
