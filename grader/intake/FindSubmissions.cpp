@@ -1,10 +1,9 @@
 #include <grader/intake/Intake.h>
+#include <grader/intake/Layout.h>
 #include <grader/intake/MoodleExport.h>
-#include <grader/intake/Utf8.h>
+#include <grader/intake/SafeName.h>
 
 #include <raytracer/base/Error.h>
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <set>
@@ -21,13 +20,6 @@ bool isHidden(const fs::path& path) {
     const std::string name = path.filename().string();
     return name.starts_with('.') || name == "__MACOSX";
 }
-
-struct Entries {
-    std::vector<fs::path> folders;
-    std::vector<fs::path> archives;
-    std::set<Part> parts;  ///< that lie in the folder itself
-    bool isEmpty = true;
-};
 
 Entries entriesOf(const fs::path& folder) {
     Entries entries;
@@ -48,13 +40,6 @@ Entries entriesOf(const fs::path& folder) {
     return entries;
 }
 
-/// A submission, and the folder, archive or owner that it is named after.
-struct Place {
-    fs::path content;
-    std::string namedAfter;
-    std::string owner = {};  ///< see Located
-};
-
 std::string withoutArchiveEnding(std::string name) {
     for (const char* ending : {".gz", ".tar", ".tgz", ".zip"}) {
         const std::string_view end{ending};
@@ -63,35 +48,30 @@ std::string withoutArchiveEnding(std::string name) {
     return name;
 }
 
-Place placeAt(const fs::path& path) {
+Place placeAt(const fs::path& path, int depth) {
     const std::string name = path.filename().string();
-    return {path, isArchive(name) ? withoutArchiveEnding(name) : name};
+    return {path, isArchive(name) ? withoutArchiveEnding(name) : name, {}, depth};
 }
 
 std::vector<Place> placesInExport(const fs::path& exported) {
+    const MoodleExport found = readMoodleExport(exported);
     std::vector<Place> places;
-    for (const std::string& owner : moodleOwners(exported))
+    for (const std::string& owner : found.owners)
         places.push_back({exported, owner, owner});
+    for (const std::string& other : found.others)
+        places.push_back({exported, isArchive(other) ? withoutArchiveEnding(other) : other,
+                          ownerOfOther(other), 1});
     return places;
 }
 
-/// What lies below a folder.
-struct Below {
-    std::vector<Place> submissions;
-    std::multiset<Part> parts;  ///< of all of them, but for archives
-    bool isSubmission = false;  ///< the folder itself is one
-    bool isEmpty = true;
-};
-
-// ann/tick/Renderer.cpp beside bob/work/Renderer.cpp: they are ann and bob, not tick and work.
-void nameAfterChildren(std::vector<Below>& children, const std::vector<fs::path>& folders) {
-    const auto count = [&](auto&& holds) { return std::ranges::count_if(children, holds); };
-    const auto one = count([](const Below& child) { return child.submissions.size() == 1; });
-    const auto more = count([](const Below& child) { return child.submissions.size() > 1; });
-    if (one < 2 || more > 0) return;
-    for (std::size_t i = 0; i < children.size(); ++i)
-        for (Place& place : children[i].submissions)
-            if (place.owner.empty()) place.namedAfter = folders[i].filename().string();
+// ann/tick/Renderer.cpp beside bob/work/Renderer.cpp: they are ann and bob, not tick and work. Of
+// ann/zoe/ and ann/yan/ neither may pass for zoe or yan: they are ann-zoe and ann-yan.
+void nameAfter(const std::string& person, int depth, Below& child) {
+    const bool isAlone = child.submissions.size() == 1;
+    for (Place& place : child.submissions) {
+        place.namedAfter = isAlone ? person : person + "-" + place.namedAfter;
+        place.depth = isAlone ? depth : depth + 1;
+    }
 }
 
 void add(Below& below, const Below& child) {
@@ -100,91 +80,79 @@ void add(Below& below, const Below& child) {
     below.parts.insert(child.parts.begin(), child.parts.end());
 }
 
-// src/Renderer.cpp and pictures/screenshot.png: one submission over several folders. Without a
-// folder that has nothing but the picture, two folders are two people, who chose one option each.
-bool isOneInPieces(const Below& below, const std::vector<Below>& children) {
-    const bool pictureAlone = std::ranges::any_of(children, [](const Below& child) {
-        return child.parts == std::multiset<Part>{Part::screenshot};
-    });
-    return pictureAlone && below.submissions.size() > 1 &&
-           std::ranges::all_of(kParts, [&](Part part) { return below.parts.count(part) <= 1; });
-}
-
-// Somebody handed in the whole project, as the kit lays it out.
-bool isKit(const Entries& entries) {
-    const auto has = [&](const char* name) {
-        return std::ranges::any_of(
-            entries.folders, [&](const fs::path& folder) { return folder.filename() == name; });
-    };
-    return has("exercise") && has("framework");
-}
-
 Below look(const fs::path& folder, int depth) {
-    // Not deeper: there a student could make one up.
-    constexpr int kDeepestExport = 1;
-    if (depth <= kDeepestExport)
-        if (std::vector<Place> places = placesInExport(folder); !places.empty())
-            return {std::move(places), {}, true, false};
     const Entries entries = entriesOf(folder);
     std::vector<Below> children;
     if (depth < kDeepest)
         for (const fs::path& child : entries.folders)
             children.push_back(look(child, depth + 1));
-    nameAfterChildren(children, entries.folders);
+    const bool people = arePeople(children, entries);
+    for (std::size_t i = 0; people && i < children.size(); ++i)
+        nameAfter(entries.folders[i].filename().string(), depth + 1, children[i]);
 
     Below below;
     below.isEmpty = entries.isEmpty;
-    bool isClass = !entries.archives.empty();
-    for (const Below& child : children) {
-        isClass = isClass || child.isSubmission;
+    for (const Below& child : children)
         add(below, child);
-    }
     below.parts.insert(entries.parts.begin(), entries.parts.end());
-    if (isKit(entries) || !entries.parts.empty() ||
-        (entries.archives.empty() && isOneInPieces(below, children)))
-        return {{placeAt(folder)}, below.parts, true, false};
+    if (!entries.parts.empty() || isKit(children, entries) ||
+        isOneInPieces(below, children, entries))
+        return {{placeAt(folder, depth)}, below.parts, true, false};
     for (const fs::path& archive : entries.archives)
-        below.submissions.push_back(placeAt(archive));
-    for (std::size_t i = 0; isClass && i < children.size(); ++i)
+        below.submissions.push_back(placeAt(archive, depth + 1));
+    for (std::size_t i = 0; people && i < children.size(); ++i)
         if (children[i].submissions.empty() && !children[i].isEmpty)
-            below.submissions.push_back(placeAt(entries.folders[i]));
+            below.submissions.push_back(placeAt(entries.folders[i], depth + 1));
     return below;
 }
 
-// At most so many bytes, not cut in the middle of a character; an export's "_123" at the end stays.
-std::string shortened(std::string name, std::size_t longest) {
-    if (name.size() <= longest) return name;
-    const std::size_t mark = name.find_last_not_of("0123456789");
-    std::string id = mark != std::string::npos && name[mark] == '_' ? name.substr(mark) : "";
-    if (id.size() > longest / 2) id.clear();
-    name.resize(longest - id.size());
-    while (!name.empty() && (static_cast<unsigned char>(name.back()) & 0xC0U) == 0x80U)
-        name.pop_back();
-    if (!name.empty() && static_cast<unsigned char>(name.back()) >= 0xC0U) name.pop_back();
-    return name + id;
-}
-
-// A folder of this name can be made on any system, and a shell or a page shows it without surprise.
-std::string safeName(const std::string& wanted) {
-    constexpr std::size_t kLongest = 100;
-    std::string name;
-    for (const char c : asUtf8(wanted)) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool harmful = byte < 0x20 || byte == 0x7F ||
-                             std::string_view{"/\\:*?\"<>|"}.find(c) != std::string_view::npos;
-        name += harmful ? '_' : c;
+// Everybody in the exports below the folders that an unpacker made. Beside other people's work such
+// a folder is a student's, who made up the names in it.
+std::vector<Place> placesInUnpacked(const fs::path& folder) {
+    const Entries entries = entriesOf(folder);
+    const bool allAreExports =
+        entries.parts.empty() && std::ranges::all_of(entries.archives, [](const fs::path& archive) {
+            return !placesInExport(archive).empty();
+        });
+    if (!allAreExports) return {};
+    std::vector<Place> found;
+    std::vector<Place> others;
+    for (const fs::path& archive : entries.archives)
+        others.push_back(placeAt(archive, 1));
+    for (const fs::path& child : entries.folders) {
+        const std::vector<Place> places = placesInExport(child);
+        found.insert(found.end(), places.begin(), places.end());
+        if (!places.empty()) continue;
+        const Below below = look(child, 1);
+        if (!below.submissions.empty()) return {};
+        if (!below.isEmpty) others.push_back(placeAt(child, 1));
     }
-    name = shortened(std::move(name), kLongest);
-    while (name.starts_with('.') || name.starts_with('-') || name.starts_with(' '))
-        name.erase(0, 1);
-    return name.empty() ? "submission" : name;
+    if (found.empty()) return {};
+    found.insert(found.end(), others.begin(), others.end());
+    return found;
 }
 
-std::string uniqueName(const std::string& name, std::set<std::string>& taken) {
-    std::string result = name;
-    for (int i = 2; !taken.insert(result).second; ++i)
-        result = fmt::format("{}-{}", name, i);
-    return result;
+std::vector<Place> placesIn(const fs::path& folder) {
+    std::vector<Place> found = placesInExport(folder);
+    if (found.empty()) found = placesInUnpacked(folder);
+    if (found.empty()) found = look(folder, 0).submissions;
+    return found;
+}
+
+// Where two want one name, what lies deeper gives way, and so does a name that had to be changed:
+// "zoe" is the folder zoe of the class, neither ann/zoe nor "-zoe".
+std::vector<Located> named(const std::vector<Place>& places) {
+    std::vector<std::tuple<int, bool, std::size_t>> order;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        order.emplace_back(places[i].depth, safeName(places[i].namedAfter) != places[i].namedAfter,
+                           i);
+    std::ranges::sort(order);
+    std::vector<Located> located(places.size());
+    std::set<std::string> taken;
+    for (const auto& [depth, isChanged, i] : order)
+        located[i] = {uniqueName(safeName(places[i].namedAfter), taken), places[i].content,
+                      places[i].owner};
+    return located;
 }
 
 }  // namespace
@@ -195,22 +163,17 @@ std::vector<Located> findSubmissions(const fs::path& path) {
     if (error) throw raytracer::InputError(path.string(), 0, "cannot be read: " + error.message());
     std::vector<Place> found;
     if (fs::is_directory(whole)) {
-        found = look(whole, 0).submissions;
-        if (found.empty()) found = {placeAt(whole)};
+        found = placesIn(whole);
+        if (found.empty()) found = {placeAt(whole, 0)};
     } else if (fs::is_regular_file(whole) && isArchive(whole.filename().string())) {
         found = placesInExport(whole);
-        if (found.empty()) found = {placeAt(whole)};
+        if (found.empty()) found = {placeAt(whole, 0)};
     } else {
         throw raytracer::InputError(path.string(), 0, "neither a folder nor a zip or tar archive");
     }
     std::ranges::sort(found, {},
                       [](const Place& place) { return std::tie(place.content, place.owner); });
-    std::vector<Located> located;
-    std::set<std::string> taken;
-    for (const Place& place : found)
-        located.push_back(
-            {uniqueName(safeName(place.namedAfter), taken), place.content, place.owner});
-    return located;
+    return named(found);
 }
 
 }  // namespace ticker::intake

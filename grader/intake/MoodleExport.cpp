@@ -4,6 +4,7 @@
 
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace ticker::intake {
 namespace fs = std::filesystem;
@@ -30,13 +31,36 @@ std::optional<MoodleFile> readFrom(std::string_view path) {
     return file;
 }
 
-std::vector<std::string> pathsIn(const fs::path& exported) {
+struct Member {
+    std::string path;
+    bool mayBeWork = false;
+};
+
+bool mayBeWork(std::string_view file) {
+    return !isLitter(file) && (isArchive(file) || partOf(file));
+}
+
+bool mayBeWork(const fs::directory_entry& entry) {
     std::error_code error;
-    if (!fs::is_directory(exported, error)) return listArchive(exported);
-    std::vector<std::string> names;
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.') || name == "__MACOSX") return false;
+    if (!entry.is_directory(error) || entry.is_symlink(error)) return mayBeWork(name);
+    return !fs::is_empty(entry.path(), error);
+}
+
+std::vector<Member> membersOf(const fs::path& exported) {
+    std::error_code error;
+    std::vector<Member> members;
+    if (!fs::is_directory(exported, error)) {
+        for (std::string& path : listArchive(exported)) {
+            const bool isWork = mayBeWork(path);
+            members.push_back({std::move(path), isWork});
+        }
+        return members;
+    }
     for (const fs::directory_entry& entry : fs::directory_iterator{exported, error})
-        names.push_back(entry.path().filename().string());
-    return names;
+        members.push_back({entry.path().filename().string(), mayBeWork(entry)});
+    return members;
 }
 
 }  // namespace
@@ -48,11 +72,32 @@ std::optional<MoodleFile> readMoodlePath(std::string_view path) {
     return slash == std::string_view::npos ? std::nullopt : readFrom(path.substr(slash + 1));
 }
 
-std::vector<std::string> moodleOwners(const fs::path& exported) {
+MoodleExport readMoodleExport(const fs::path& exported) {
     std::set<std::string> owners;
-    for (const std::string& path : pathsIn(exported))
-        if (const auto file = readMoodlePath(path)) owners.insert(file->owner);
-    return {owners.begin(), owners.end()};
+    std::set<std::string> others;
+    for (const Member& member : membersOf(exported)) {
+        if (const auto file = readMoodlePath(member.path))
+            owners.insert(file->owner);
+        else if (member.mayBeWork)
+            others.insert(member.path.substr(0, member.path.find('/')));
+    }
+    // A student can give his own folder such a name: that makes no export of his class.
+    if (owners.size() <= others.size()) return {};
+    return {{owners.begin(), owners.end()}, {others.begin(), others.end()}};
+}
+
+// No name of Moodle's holds a slash, so nobody can be taken for one of the others.
+std::string ownerOfOther(std::string_view other) {
+    return std::string{other} + "/";
+}
+
+std::optional<std::string> pathInWork(std::string_view owner, std::string_view path) {
+    if (owner.empty()) return std::string{path};
+    auto file = readMoodlePath(path);
+    const bool isOther = !file && ownerOfOther(path.substr(0, path.find('/'))) == owner;
+    if (isOther) return std::string{path};
+    if (!file || file->owner != owner) return std::nullopt;
+    return std::move(file->path);
 }
 
 }  // namespace ticker::intake

@@ -19,8 +19,21 @@ struct MoodleFile {
 /// that an unpacking program made; empty: no submission's path.
 [[nodiscard]] std::optional<MoodleFile> readMoodlePath(std::string_view path);
 
-/// Everybody in an export (a zip or a folder), by name; empty: it is no export.
-[[nodiscard]] std::vector<std::string> moodleOwners(const std::filesystem::path& exported);
+/// Who and what is in an export, a zip or a folder.
+struct MoodleExport {
+    std::vector<std::string> owners;  ///< everybody, by name; empty: it is no export
+    std::vector<std::string> others;  ///< first components of what may be work, but fits no layout
+};
+
+/// One name in Moodle's manner makes no export: most of what may be work has to fit.
+[[nodiscard]] MoodleExport readMoodleExport(const std::filesystem::path& exported);
+
+/// Stands for an owner, in Located, where "ann" is one of the others.
+[[nodiscard]] std::string ownerOfOther(std::string_view other);
+
+/// Where a path of an export lies in the work of one owner; empty: it is not his.
+/// @param owner  Empty: all is his.
+[[nodiscard]] std::optional<std::string> pathInWork(std::string_view owner, std::string_view path);
 
 }  // namespace ticker::intake
 

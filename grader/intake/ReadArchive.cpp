@@ -129,11 +129,9 @@ private:
 
     void readMember(archive_entry* entry) {
         std::string path = pathOf(entry);
-        if (!owner_.empty()) {
-            auto file = readMoodlePath(path);
-            if (!file || file->owner != owner_) return;
-            path = std::move(file->path);
-        }
+        auto his = pathInWork(owner_, path);
+        if (!his) return;
+        path = std::move(*his);
         const auto type = archive_entry_filetype(entry);
         if (++members_ > limits_.members)
             return refuse("intake.too-large",

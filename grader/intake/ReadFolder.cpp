@@ -79,10 +79,9 @@ public:
     [[nodiscard]] Contents take() { return std::move(contents_); }
 
 private:
+    // In a folder, the first level alone says whose it is.
     [[nodiscard]] bool isHis(const std::string& path) const {
-        if (owner_.empty()) return true;
-        const auto file = readMoodlePath(path);
-        return file && file->owner == owner_;
+        return path.find('/') != std::string::npos || pathInWork(owner_, path);
     }
 
     void refuseCount() {
@@ -99,7 +98,7 @@ private:
                 openat(parent, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
             if (child >= 0) return read(child, path + "/", depth + 1);
         }
-        take(parent, name, owner_.empty() ? path : readMoodlePath(path)->path,
+        take(parent, name, pathInWork(owner_, path).value_or(path),
              known && S_ISREG(status.st_mode), known && S_ISDIR(status.st_mode));
     }
 

@@ -90,6 +90,25 @@ TEST(FindSubmissions, DoesNotMakeOneOutOfTwoPeople) {
     EXPECT_EQ(namesIn(folder.path() / "class"), (Names{"ann", "bob"}));
 }
 
+TEST(FindSubmissions, DoesNotMakeOneOutOfAClassWithOneWhoHandedInAPictureAlone) {
+    const tests::TemporaryFolder folder;
+    folder.write("ann/BumpySphere.cpp", "x");
+    folder.write("mallory/screenshot.png", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "mallory"}));
+    folder.write("bob/Renderer.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "mallory"}));
+}
+
+TEST(FindSubmissions, DoesNotMakeAKitOutOfTwoFoldersOfAClass) {
+    const tests::TemporaryFolder folder;
+    folder.write("exercise/BumpySphere.cpp", "x");
+    folder.write("framework/src/Renderer.cpp", "x");
+    folder.write("ann/Renderer.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "exercise", "framework"}));
+    folder.write("bob.zip", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "exercise", "framework"}));
+}
+
 TEST(FindSubmissions, GivesEachItsOwnName) {
     const tests::TemporaryFolder folder;
     folder.write("monday/ann/Renderer.cpp", "x");
@@ -99,6 +118,23 @@ TEST(FindSubmissions, GivesEachItsOwnName) {
     EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "ann-2", "cy"}));
 }
 
+TEST(FindSubmissions, NamesTheOthersAfterTheirFoldersWhereOneHoldsSeveral) {
+    const tests::TemporaryFolder folder;
+    for (const std::string place : {"ann/exercise", "bob/exercise", "mallory/a", "mallory/b"})
+        folder.write(place + "/Renderer.cpp", "x");
+    folder.write("dee/tick1.cpp", "x");
+    EXPECT_EQ(namesIn(folder.path()), (Names{"ann", "bob", "dee", "mallory-a", "mallory-b"}));
+}
+
+TEST(FindSubmissions, LetsNobodyTakeTheNameOfAnotherFolderOfTheClass) {
+    const tests::TemporaryFolder folder;
+    for (const std::string place : {"aaron/zoe", "aaron/yan", "zoe", "yan", "-yan", "aaron-zoe"})
+        folder.write(place + "/Renderer.cpp", "x");
+    folder.write("xan.zip", "x");
+    EXPECT_EQ(namesIn(folder.path()),
+              (Names{"yan-2", "aaron-yan", "aaron-zoe-2", "aaron-zoe", "xan", "yan", "zoe"}));
+}
+
 TEST(FindSubmissions, GivesNamesThatAreFitForFolders) {
     const tests::TemporaryFolder folder;
     folder.write("..ann:<b>\n/Renderer.cpp", "x");
@@ -106,6 +142,18 @@ TEST(FindSubmissions, GivesNamesThatAreFitForFolders) {
     folder.write(std::string(200, 'x') + "/Renderer.cpp", "x");
     folder.write("J\xC3\xBCrgen, =1+1/Renderer.cpp", "x");
     EXPECT_EQ(namesIn(folder.path()), (Names{"rf", "J\xC3\xBCrgen, =1+1", std::string(100, 'x')}));
+}
+
+TEST(FindSubmissions, GivesNoNameThatAFileOfTheResultsBears) {
+    const tests::TemporaryFolder folder;
+    for (const char* name : {"Index.HTML", "results.sqlite", "results.sqlite-wal", "seed",
+                             "summary.csv", "task-7.log"})
+        folder.write(std::string{name} + "/Renderer.cpp", "x");
+    folder.write("results.json.zip", "x");
+    EXPECT_EQ(namesIn(folder.path()),
+              (Names{"Index.HTML-submission", "results.json-submission",
+                     "results.sqlite-submission", "results.sqlite-wal-submission",
+                     "seed-submission", "summary.csv-submission", "task-7.log-submission"}));
 }
 
 TEST(FindSubmissions, TakesAnyFolderThatWasNamedByItself) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 
 namespace ticker::intake {
 namespace {
@@ -132,6 +133,56 @@ TEST(MoodleExport, IsNoneWhereOnlyTheWordsComeInAName) {
     EXPECT_FALSE(readMoodlePath("Ann_1_assignfeedback_file/Renderer.cpp"));
     EXPECT_FALSE(readMoodlePath("__MACOSX/._Ann_1_assignsubmission_file_Renderer.cpp"));
     EXPECT_FALSE(readMoodlePath("work/src/Ann_1_assignsubmission_file/Renderer.cpp"));
+}
+
+TEST(MoodleExport, IsNotMadeOfAClassByOneFolderThatIsNamedSo) {
+    const std::vector<NamedBytes> members{{"ann/Renderer.cpp", "ann"},
+                                          {"bob/Renderer.cpp", "bob"},
+                                          {"mallory_1_assignsubmission_file_/Renderer.cpp", "m"}};
+    const auto read = readExport(members, true);
+    ASSERT_EQ(read.size(), 3U);
+    EXPECT_EQ(read.at("ann").part(Part::renderer), "ann");
+    EXPECT_EQ(read.at("bob").part(Part::renderer), "bob");
+    const auto zipped = readExport(members, false);
+    ASSERT_EQ(zipped.size(), 1U);
+    EXPECT_EQ(zipped.begin()->second.findings.at(0).finding.id, "intake.ambiguous");
+}
+
+TEST(MoodleExport, InTheFolderOfAStudentDoesNotRenameHim) {
+    const std::vector<NamedBytes> members{
+        {"aaron/zoe_1_assignsubmission_file_/Renderer.cpp", "aaron"}, {"zoe/Renderer.cpp", "zoe"}};
+    const auto read = readExport(members, true);
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read.at("aaron").part(Part::renderer), "aaron");
+    EXPECT_EQ(read.at("zoe").part(Part::renderer), "zoe");
+}
+
+TEST(MoodleExport, IsReadBesideTheZipThatItCameIn) {
+    const tests::TemporaryFolder folder;
+    tests::writeZip(folder.path() / "CS-Tick.zip", tests::moodleExport(somePeople()));
+    tests::writeFolder(folder.path() / "CS-Tick", tests::moodleExport(somePeople()));
+    folder.write("notes/marking.txt", "n");
+    std::set<std::string> names;
+    for (const Located& located : findSubmissions(folder.path()))
+        names.insert(located.name);
+    EXPECT_EQ(names, (std::set<std::string>{"Ann Lee b_12", "Bob_123", "CS-Tick", "Cy_9",
+                                            "J\xC3\xBCrgen ONeill, jr_7", "notes"}));
+}
+
+TEST(MoodleExport, DropsNobodyWhoseFolderDoesNotFit) {
+    std::vector<NamedBytes> members = tests::moodleExport(somePeople());
+    members.push_back({"late/src/Renderer.cpp", "late"});
+    members.push_back({"later.zip", zipOf({{"Renderer.cpp", "later"}})});
+    members.push_back({"__MACOSX/._Renderer.cpp", "x"});
+    for (const bool unpacked : {false, true}) {
+        auto read = readExport(members, unpacked);
+        ASSERT_EQ(read.size(), 6U);
+        EXPECT_EQ(read.at("late").part(Part::renderer), "late");
+        EXPECT_EQ(read.at("later").part(Part::renderer), "later");
+        read.erase("late");
+        read.erase("later");
+        expectSomePeople(read);
+    }
 }
 
 TEST(ReadSubmission, OpensAZipOnlyWhereNoCodeLiesBesideIt) {

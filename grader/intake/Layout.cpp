@@ -1,0 +1,72 @@
+#include <grader/intake/Layout.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace ticker::intake {
+namespace fs = std::filesystem;
+namespace {
+
+// "Pictures" -> "picture", "tick1star" -> "tickstar"
+std::string kindOf(const fs::path& folder) {
+    std::string kind;
+    for (const char c : folder.filename().string())
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+            kind += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (kind.ends_with('s')) kind.pop_back();
+    return kind;
+}
+
+}  // namespace
+
+bool arePeople(const std::vector<Below>& children, const Entries& entries) {
+    const auto count = [&](auto&& holds) { return std::ranges::count_if(children, holds); };
+    if (!entries.archives.empty()) return true;
+    if (count([](const Below& child) { return child.isSubmission; }) > 0) return true;
+    const auto one = count([](const Below& child) { return child.submissions.size() == 1; });
+    const auto more = count([](const Below& child) { return child.submissions.size() > 1; });
+    return one >= 2 && one > more;
+}
+
+bool isOneInPieces(const Below& below, const std::vector<Below>& children, const Entries& entries) {
+    const std::set<std::string> ofCode{"src",  "source",   "code",     "exercise",
+                                       "tick", "tickstar", "solution", "work"};
+    const std::set<std::string> ofPicture{"pic",        "picture", "image",  "img",
+                                          "screenshot", "screen",  "output", "render"};
+    std::size_t code = 0;
+    std::size_t pictures = 0;
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        if (children[i].submissions.empty()) continue;
+        const bool isPicture = children[i].parts == std::multiset<Part>{Part::screenshot};
+        if (!(isPicture ? ofPicture : ofCode).contains(kindOf(entries.folders[i]))) return false;
+        ++(isPicture ? pictures : code);
+    }
+    return entries.archives.empty() && code == 1 && pictures == 1 &&
+           std::ranges::all_of(kParts, [&](Part part) { return below.parts.count(part) <= 1; });
+}
+
+bool isKit(const std::vector<Below>& children, const Entries& entries) {
+    const Below* exercise = nullptr;
+    const Below* framework = nullptr;
+    std::size_t others = entries.archives.size();
+    bool othersHaveCode = !entries.archives.empty();
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        const fs::path name = entries.folders[i].filename();
+        if (name == "exercise") {
+            exercise = &children[i];
+        } else if (name == "framework") {
+            framework = &children[i];
+        } else if (!children[i].submissions.empty()) {
+            ++others;
+            othersHaveCode = othersHaveCode ||
+                             children[i].parts.count(Part::screenshot) < children[i].parts.size();
+        }
+    }
+    if (exercise == nullptr || framework == nullptr || framework->isSubmission) return false;
+    // The kit's exercise holds both files, so that nothing is added to somebody's half.
+    const bool isWhole =
+        exercise->parts.contains(Part::bumpySphere) && exercise->parts.contains(Part::renderer);
+    return others == 0 || (others == 1 && (isWhole || !othersHaveCode));
+}
+
+}  // namespace ticker::intake
