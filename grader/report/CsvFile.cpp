@@ -45,7 +45,7 @@ int newlinesIn(std::string_view text) {
 
 }  // namespace
 
-CsvFile::CsvFile(std::string_view text, std::string name) {
+CsvFile::CsvFile(std::string_view text, const std::string& name) {
     if (text.starts_with(kByteOrderMark)) {
         mark_ = kByteOrderMark;
         text.remove_prefix(mark_.size());

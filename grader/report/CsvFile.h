@@ -16,7 +16,7 @@ public:
     /// @param name  For messages.
     /// @throws raytracer::InputError with a line number, where rows differ in length or a quote
     ///         never ends.
-    CsvFile(std::string_view text, std::string name);
+    CsvFile(std::string_view text, const std::string& name);
 
     [[nodiscard]] std::size_t rows() const { return records_.size(); }
     [[nodiscard]] std::size_t columns() const { return records_.front().fields.size(); }
