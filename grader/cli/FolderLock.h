@@ -8,7 +8,7 @@
 namespace ticker::cli {
 
 /// Keeps a second grader out of a folder of results: two at once would mix their seeds. The kernel
-/// lets go when the process ends, however it does.
+/// lets go when the process ends, however it does. What a killed one was writing is removed.
 class FolderLock {
 public:
     /// @throws raytracer::InputError where another process has it. A file system that knows no

@@ -44,6 +44,7 @@ EventLog::EventLog(std::span<std::byte> slots, std::uint64_t& seen)
 }
 
 void EventLog::cameraRayAsked(int x, int y, const raytracer::Ray& ray) {
+    if (keepsNothing()) return;
     Event event = rayEvent(Event::Kind::cameraRayAsked, ray);
     event.x = x;
     event.y = y;
@@ -51,17 +52,20 @@ void EventLog::cameraRayAsked(int x, int y, const raytracer::Ray& ray) {
 }
 
 void EventLog::traceBegan(const raytracer::Ray& ray, int bouncesLeft) {
+    if (keepsNothing()) return;
     Event event = rayEvent(Event::Kind::traceBegan, ray);
     event.bounces = bouncesLeft;
     record(event);
 }
 
 void EventLog::traceEnded(const ColourRGB& colour) {
+    if (keepsNothing()) return;
     record(colourEvent(Event::Kind::traceEnded, colour));
 }
 
 void EventLog::illuminateBegan(const raytracer::SceneObject& object, const Vector3& position,
                                const Vector3& normal, const Vector3& viewer) {
+    if (keepsNothing()) return;
     Event event;
     event.kind = Event::Kind::illuminateBegan;
     event.object = numberOf(&object);
@@ -72,10 +76,12 @@ void EventLog::illuminateBegan(const raytracer::SceneObject& object, const Vecto
 }
 
 void EventLog::illuminateEnded(const ColourRGB& colour) {
+    if (keepsNothing()) return;
     record(colourEvent(Event::Kind::illuminateEnded, colour));
 }
 
 void EventLog::rayCast(const raytracer::Ray& ray, const raytracer::RaycastHit* hit) {
+    if (keepsNothing()) return;
     Event event = rayEvent(Event::Kind::rayCast, ray);
     if (hit != nullptr) {
         event.object = numberOf(hit->object);
@@ -85,6 +91,7 @@ void EventLog::rayCast(const raytracer::Ray& ray, const raytracer::RaycastHit* h
 }
 
 void EventLog::pixelSet(int x, int y, const ColourRGB& colour) {
+    if (keepsNothing()) return;
     Event event = colourEvent(Event::Kind::pixelSet, colour);
     event.x = x;
     event.y = y;

@@ -37,6 +37,8 @@ public:
     void pixelSet(int x, int y, const ColourRGB& colour) override;
 
 private:
+    /// Asked first: a picture casts millions of rays that nobody wants to know of.
+    [[nodiscard]] bool keepsNothing() const { return capacity_ == 0; }
     void record(Event event);
     [[nodiscard]] std::uint32_t threadNumber();
     [[nodiscard]] std::int32_t numberOf(const raytracer::SceneObject* object) const;

@@ -3,6 +3,7 @@
 #include <grader/cli/FolderLock.h>
 #include <grader/store/Store.h>
 
+#include <unistd.h>
 #include <csignal>
 
 namespace ticker::cli {
@@ -66,6 +67,18 @@ TEST_F(Resume, WaitsForNobodyWhoGradesIntoTheSameFolder) {
             << errors();
     }
     EXPECT_EQ(run(gradeCommand("out")).size(), kSize);
+}
+
+// No process has the first number: they end at 4194304.
+TEST_F(Resume, RemovesWhatAKilledOneWasWriting) {
+    fs::create_directory(at("out"));
+    const fs::path leftOver = at("out") / ".summary.csv.999999999.part";
+    const fs::path written = at("out") / (".summary.csv." + std::to_string(getpid()) + ".part");
+    for (const fs::path& file : {leftOver, written})
+        std::ofstream{file} << "submission,";
+    const FolderLock lock{at("out")};
+    EXPECT_FALSE(fs::exists(leftOver));
+    EXPECT_TRUE(fs::exists(written)) << "somebody is still at it";
 }
 
 TEST_F(Resume, GoesOnAfterCtrlC) {

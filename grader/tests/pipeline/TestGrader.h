@@ -31,6 +31,7 @@ inline const pipeline::Grader& testGraderWithScenes() {
     static const pipeline::Grader grader = [] {
         const std::filesystem::path root{TICKER_SOURCE_DIR};
         pipeline::Grader made = testGrader();
+        made.policy.run.cpuSeconds = 8.0;  // a picture takes some right samples three
         made.scenes = pipeline::readSpecScenes(root / "scenes", root / "assets");
         return made;
     }();
