@@ -72,8 +72,8 @@ struct Gallery {
     std::vector<Rendered> moveTo(SubmissionResult& result) &&;
 };
 
-/// Asks the submission for the pictures of its option. One that did not come is left out; nothing
-/// is decided by it.
+/// Asks the submission for the pictures of its option. One that did not come is left out. They
+/// fail nobody; a `misfit` may ask for a person (see PictureDoubt.h).
 [[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
                                        probe::Examinee& examinee);
 
