@@ -148,7 +148,7 @@ std::string picturesSection(const SubmissionResult& result, const Album& album, 
     html += ofScreenshot(result, album, keys);
     if (html.empty()) return "";
     const std::string intro =
-        "<p class=\"soft\">They explain; they do not decide: accepted readings of the handout "
+        "<p class=\"soft\">They explain; they fail nobody: accepted readings of the handout "
         "differ "
         "in many pixels, and a mistake may differ in few. <span class=\"screen-only\"><kbd>B</kbd> "
         "blinks between expected and submitted, <kbd>O</kbd> lays one over the other with a "
