@@ -3,7 +3,9 @@
 #include <raytracer/geometry/RaycastHit.h>
 #include <raytracer/geometry/SceneObject.h>
 
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 namespace ticker::probe {
 namespace {
@@ -112,6 +114,15 @@ void EventLog::record(Event event) {
     auto& kind = *reinterpret_cast<std::uint32_t*>(at);
     std::atomic_ref<std::uint32_t>{kind}.store(static_cast<std::uint32_t>(event.kind) + 1,
                                                std::memory_order_release);
+    if (takesTurns_) std::this_thread::yield();
+}
+
+// A thread that has just been started may have to wait for a processor; one that never comes costs
+// those 20 ms once for each question.
+void EventLog::awaitAnother() const {
+    constexpr int kMostWaits = 20;
+    for (int i = 0; i < kMostWaits && threads_ < 2; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
 }
 
 std::uint32_t EventLog::threadNumber() {
@@ -120,7 +131,10 @@ std::uint32_t EventLog::threadNumber() {
         std::uint32_t number = 0;
     };
     thread_local Known known;
-    if (known.generation != generation_) known = {generation_, threads_++};
+    if (known.generation != generation_) {
+        known = {generation_, threads_++};
+        if (takesTurns_) awaitAnother();
+    }
     return known.number;
 }
 

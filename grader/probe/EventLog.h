@@ -24,6 +24,10 @@ public:
     /// Events from now on belong to this position, point or repetition.
     void beginAsk(std::uint32_t ask) { ask_ = ask; }
 
+    /// Makes the threads that are observed take turns at every event, the first of them after a
+    /// short wait for a second one: what they wrongly share shows, however busy the machine is.
+    void takeTurns() { takesTurns_ = true; }
+
     /// The scene whose objects are numbered; not owned; null: every object is -1.
     void watch(const raytracer::Scene* scene) { scene_ = scene; }
 
@@ -41,12 +45,14 @@ private:
     [[nodiscard]] bool keepsNothing() const { return capacity_ == 0; }
     void record(Event event);
     [[nodiscard]] std::uint32_t threadNumber();
+    void awaitAnother() const;
     [[nodiscard]] std::int32_t numberOf(const raytracer::SceneObject* object) const;
 
     std::byte* slots_;
     std::uint64_t capacity_;
     std::uint64_t& seen_;
     const raytracer::Scene* scene_ = nullptr;
+    bool takesTurns_ = false;
     std::atomic<std::uint32_t> ask_{0};
     std::atomic<std::uint32_t> threads_{0};
     std::uint64_t generation_;

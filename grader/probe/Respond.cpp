@@ -151,6 +151,7 @@ private:
             : log(sheet.makeLog()), settings(wanted), scene(description, log.get()) {
             settings.observer = log.get();
             log->watch(&scene);
+            if (settings.threads > 1) log->takeTurns();
         }
 
         void begin(std::size_t ask) const { log->beginAsk(static_cast<std::uint32_t>(ask)); }

@@ -116,6 +116,22 @@ TEST(Respond, NumbersThreadsFromZeroAndKeepsEachOnesOrder) {
     }
 }
 
+// A race between threads shows only where each is interrupted: here after every event.
+TEST(Respond, LetsThreadsTakeTurns) {
+    RenderQuestion question = tests::renderQuestion(10'000);
+    question.settings.threads = 2;
+
+    const auto answer = askFor<RenderAnswer>(question);
+
+    const auto begins = [&](std::uint32_t thread) {
+        return std::ranges::find(answer.events, thread, &Event::thread);
+    };
+    ASSERT_NE(begins(1), answer.events.end()) << "both work";
+    const auto last =
+        std::ranges::find(answer.events.rbegin(), answer.events.rend(), 0U, &Event::thread);
+    EXPECT_LT(begins(1), last.base()) << "at the same time";
+}
+
 TEST(Respond, AnswersManyQuestionsInOrder) {
     const Sitting sitting = tests::LocalExaminee{}.ask(
         {tests::normalQuestion(), tests::renderQuestion(4), tests::illuminateQuestion()});
