@@ -3,10 +3,10 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/decision/bump/JudgeBump.h>
 #include <grader/decision/distributed/JudgeDistributed.h>
+#include <grader/decision/distributed/PictureDoubt.h>
 #include <grader/pipeline/DrawRasters.h>
 #include <grader/pipeline/FileWork.h>
 #include <grader/pipeline/Inputs.h>
-#include <grader/pipeline/PictureDoubt.h>
 #include <grader/pipeline/Screenshot.h>
 
 #include <algorithm>
@@ -129,7 +129,8 @@ public:
             const bool isUsable = std::ranges::none_of(work.tasks, isBlocked);
             if (isUsable) {
                 Gallery rendered = gallery.get();
-                if (!isT1 && !grader_.scenes.empty()) doubtPicture(work.tasks, rendered.misfit);
+                if (!isT1 && !grader_.scenes.empty())
+                    decision::doubtPicture(work.tasks, rendered.misfit);
                 judged.renders = std::move(rendered).moveTo(result);
             }
             gallery = {};

@@ -73,7 +73,7 @@ struct Gallery {
 };
 
 /// Asks the submission for the pictures of its option. One that did not come is left out. They
-/// fail nobody; a `misfit` may ask for a person (see PictureDoubt.h).
+/// fail nobody; a `misfit` may ask for a person (see decision/distributed/PictureDoubt.h).
 [[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
                                        probe::Examinee& examinee);
 

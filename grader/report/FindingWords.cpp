@@ -44,6 +44,7 @@ constexpr std::array kWords = std::to_array<Words>({
     {"dof.too-few-rays", "cast too few rays for a pixel"},
     {"dof.shared-samples", "shared lens samples between rays"},
     {"dof.not-averaged", "did not average the rays of a pixel"},
+    {"dof.threads-mixed", "let several threads share what a pixel adds up"},
     {"dof.focal-distance", "measured the focal distance along the ray"},
     {"dof.focal-plane", "focused on another plane, or none"},
     {"dof.off-centre", "put the aperture off the eye"},

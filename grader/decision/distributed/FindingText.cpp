@@ -99,6 +99,11 @@ constexpr std::array kTexts{
          kLens2},
     Text{"dof.not-averaged", "Add the colours of all rays of the pixel and divide by their number.",
          kLens3},
+    Text{"dof.threads-mixed",
+         "forEachPixel works on several rows at the same time. What a pixel adds up must be its "
+         "own: declare the sum and the counters inside of the function that is given to "
+         "forEachPixel, not before it, and neither static nor as members.",
+         kLens3},
     Text{"dof.focal-distance",
          "The focal plane lies at z = settings().dofFocalPlane: go along the pinhole ray by "
          "dofFocalPlane / direction.z, not by dofFocalPlane.",
@@ -116,6 +121,11 @@ constexpr std::array kTexts{
     Text{"dof.aperture-size",
          "The half-width of the aperture is settings().dofAmount (or half of it).", kLens2},
     Text{"dof.reused-pattern", "Draw new points of the aperture for every pixel.", kLens2},
+    Text{"dof.picture-differs",
+         "Look for what render and illuminate share, such as a generator that illuminate seeds "
+         "anew, so that all rays of a pixel start at one point of the lens; and for anything that "
+         "depends on the size of the picture or on the number of lights.",
+         "Test and submit"},
     Text{"dof.wrong", "Compare with the steps of the handout.", kLens3},
     Text{"settings.hard-coded",
          "Take the numbers from settings(): shadowRayCount, lightSize, dofRayCount, "

@@ -40,7 +40,7 @@ std::optional<Finding> checkComplete(const LensLog& log) {
     };
     const auto first = std::find_if(log.pixels.begin(), log.pixels.end(), unset);
     const auto black = std::count_if(log.pixels.begin(), log.pixels.end(), unset);
-    if (black == 0 || log.rayCount() == 0) return std::nullopt;
+    if (black == 0) return std::nullopt;
     const auto at = static_cast<int>(first - log.pixels.begin());
     const raytracer::RenderSettings& settings = log.asked->settings;
     Finding finding = distributedFinding(
@@ -69,23 +69,34 @@ void checkRays(const LensLog& log, LensOutcome& outcome) {
     keep(outcome.findings, checkPattern(log));
 }
 
-std::optional<Finding> checkOtherSettings(const LensLog& log) {
-    if (lacksRays(log)) return std::nullopt;
-    LensOutcome other;
-    checkRays(log, other);
-    const auto wrong =
-        std::find_if(other.findings.begin(), other.findings.end(),
-                     [](const Finding& finding) { return finding.severity == Severity::fail; });
-    if (wrong == other.findings.end()) return std::nullopt;
-    Finding finding =
-        distributedFinding("settings.hard-coded", Severity::warn,
-                           "With other settings, what is right with the handout's "
-                           "numbers no longer is: render does not follow settings(). " +
-                               wrong->message);
-    finding.section = "Depth of field (T2.2)";
-    finding.evidence = wrong->evidence;
-    finding.evidence.emplace_back("otherwise", wrong->id);
+// What is wrong with a picture whose questions were answered rightly under other conditions.
+std::optional<Finding> firstFailure(const LensLog& log) {
+    LensOutcome outcome;
+    if (lacksRays(log))
+        keep(outcome.findings, checkComplete(log));
+    else
+        checkRays(log, outcome);
+    const auto wrong = std::ranges::find(outcome.findings, Severity::fail, &Finding::severity);
+    if (wrong == outcome.findings.end()) return std::nullopt;
+    return *wrong;
+}
+
+// `wrong` under the name of the condition that brings it about.
+Finding renamed(const char* id, Severity severity, const std::string& condition, Finding wrong) {
+    Finding finding = distributedFinding(id, severity, condition + wrong.message);
+    if (finding.section.empty()) finding.section = "Depth of field (T2.2)";
+    finding.evidence = std::move(wrong.evidence);
+    finding.evidence.emplace_back("otherwise", wrong.id);
     return finding;
+}
+
+std::optional<Finding> checkOtherSettings(const LensLog& log) {
+    std::optional<Finding> wrong = firstFailure(log);
+    if (!wrong) return std::nullopt;
+    return renamed("settings.hard-coded", Severity::warn,
+                   "With other settings, what is right with the handout's numbers no longer is: "
+                   "render does not follow settings(). ",
+                   *std::move(wrong));
 }
 
 }  // namespace
@@ -99,17 +110,28 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
                                "number."));
         return outcome;
     }
-    if (std::optional<Finding> incomplete = checkComplete(handout)) {
+    if (std::optional<Finding> incomplete = checkComplete(handout);
+        incomplete && handout.rayCount() > 0) {
         outcome.findings.push_back(*std::move(incomplete));
         return outcome;
     }
     outcome.rayless = lacksRays(handout);
+    outcome.cut = handout.cut;
     if (outcome.rayless) return outcome;
     outcome.valueless = !handout.pixels.front().rays.front().value.has_value();
     checkRays(handout, outcome);
     if (!hasFailure(outcome.findings)) keep(outcome.findings, checkOtherSettings(other));
     outcome.plots = unshown({plotLens(handout), plotFocus(handout)}, outcome.findings);
     return outcome;
+}
+
+std::optional<Finding> judgeWithThreads(const LensLog& log) {
+    std::optional<Finding> wrong = firstFailure(log);
+    if (!wrong) return std::nullopt;
+    return renamed("dof.threads-mixed", Severity::fail,
+                   "With one thread all is right; with two, and forEachPixel has as many as the "
+                   "machine has cores, it no longer is. ",
+                   *std::move(wrong));
 }
 
 }  // namespace ticker::decision

@@ -3,6 +3,7 @@
 #include <grader/decision/distributed/Plots.h>
 #include <grader/decision/distributed/ShadowChecks.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace ticker::decision {
@@ -84,6 +85,7 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
         return outcome;
     }
     outcome.rayless = castsNoRay(logs);
+    outcome.cut = std::ranges::any_of(all, &ShadowLog::cut);
     if (outcome.rayless) {
         ArithmeticVerdict values = checkValues(logs);
         keep(outcome.findings, std::move(values.finding));

@@ -16,6 +16,7 @@ struct ShadowOutcome {
     std::optional<AimShape> shape;         ///< likewise
     std::vector<ScatterPlot> plots;        ///< where rays aim, where no finding shows it
     bool rayless = false;  ///< casts no ray that could be seen: only values can be judged
+    bool cut = false;      ///< casts more rays than could be followed
 };
 
 /// Judges T2.1 from answered questions alone: no randomness, no asking.

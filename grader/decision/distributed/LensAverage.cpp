@@ -173,8 +173,8 @@ Finding notAveraged(const std::string& seen) {
 Finding strangeColour() {
     Finding finding = distributedFinding(
         "dof.wrong", Severity::fail,
-        "The colour of a pixel was expected to be the mean of its rays' colours; it is none of the "
-        "things that are known to go wrong.");
+        "The colour of a pixel was expected to be the mean of its rays' colours; it is another "
+        "one.");
     finding.hint =
         "Look for a sum that does not start at 0 for every pixel (declared outside of the loop "
         "over the pixels, or without a value), for one that several threads share (a static "

@@ -83,6 +83,13 @@ bool isMixed(const raytracer::SceneDescription& scene, const raytracer::RenderSe
     return true;
 }
 
+raytracer::RenderSettings handoutSettings() {
+    raytracer::RenderSettings handout;
+    handout.width = kWidth;
+    handout.height = kHeight;
+    return handout;
+}
+
 probe::RenderQuestion drawQuestion(Draw& draw, const raytracer::RenderSettings& settings,
                                    int repetitions) {
     probe::RenderQuestion question;
@@ -102,11 +109,8 @@ probe::RenderQuestion drawQuestion(Draw& draw, const raytracer::RenderSettings& 
 
 LensQuestions drawLensQuestions(std::uint64_t seed) {
     Draw draw{seed, 22};
-    raytracer::RenderSettings handout;
-    handout.width = kWidth;
-    handout.height = kHeight;
     LensQuestions questions;
-    questions.handout = drawQuestion(draw, handout, kRepetitions);
+    questions.handout = drawQuestion(draw, handoutSettings(), kRepetitions);
 
     raytracer::RenderSettings other;
     other.width = 4;
@@ -117,6 +121,13 @@ LensQuestions drawLensQuestions(std::uint64_t seed) {
     other.bounces = 1;
     questions.other = drawQuestion(draw, other, 1);
     return questions;
+}
+
+probe::RenderQuestion drawThreadsQuestion(std::uint64_t seed) {
+    Draw draw{seed, 25};
+    raytracer::RenderSettings settings = handoutSettings();
+    settings.threads = 2;
+    return drawQuestion(draw, settings, 1);
 }
 
 }  // namespace ticker::decision

@@ -17,6 +17,10 @@ struct LensQuestions {
 
 [[nodiscard]] LensQuestions drawLensQuestions(std::uint64_t seed);
 
+/// The handout's settings once more, with two threads, as the student's program has on any machine
+/// of two cores.
+[[nodiscard]] probe::RenderQuestion drawThreadsQuestion(std::uint64_t seed);
+
 }  // namespace ticker::decision
 
 #endif

@@ -128,6 +128,28 @@ TEST(JudgeDepthOfField, WarnsOfOtherSettingsThatAreNotFollowed) {
     EXPECT_EQ(idsOf(judgeDepthOfField(right.log, other.log)), "") << "nothing can be said";
 }
 
+TEST(JudgeDepthOfField, WarnsOfPixelsThatAreLostInAPictureOfAnotherSize) {
+    RightLog other;
+    for (LensPixel& pixel : other.log.pixels) {
+        pixel.rays.clear();
+        pixel.colour = {};
+    }
+    const LensOutcome outcome = judgeDepthOfField(RightLog().log, other.log);
+    ASSERT_EQ(idsOf(outcome), "settings.hard-coded ");
+    EXPECT_NE(outcome.findings[0].message.find("8 of 8 have no ray"), std::string::npos);
+}
+
+TEST(JudgeWithThreads, NamesWhatOnlySeveralThreadsDo) {
+    RightLog log;
+    EXPECT_FALSE(judgeWithThreads(log.log));
+    log.log.pixels[2].colour = {0.1, 0.2, 0.3};
+    const std::optional<Finding> finding = judgeWithThreads(log.log);
+    ASSERT_TRUE(finding);
+    EXPECT_EQ(finding->id, "dof.threads-mixed");
+    EXPECT_EQ(finding->severity, Severity::fail);
+    EXPECT_NE(finding->message.find("mean of its rays' colours"), std::string::npos);
+}
+
 TEST(Plots, ShowWhereRaysStartAndCross) {
     LensByHand lens;
     LensPixel& pixel = lens.pixel({0.3, 0.0, 1.0});

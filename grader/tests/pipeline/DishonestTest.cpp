@@ -1,6 +1,6 @@
 // Code that answers questions and renders something else.
+#include <grader/decision/distributed/PictureDoubt.h>
 #include <grader/pipeline/Grade.h>
-#include <grader/pipeline/PictureDoubt.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>
 
@@ -87,7 +87,7 @@ TEST(DoubtPicture, HasNothingToAddToAFailure) {
                                         std::pair{TaskState::passed, TaskState::failed},
                                         std::pair{TaskState::passed, TaskState::notAttempted}}) {
         std::vector<TaskReport> tasks = reports(shadows, lens);
-        doubtPicture(tasks, 100.0);
+        decision::doubtPicture(tasks, 100.0);
         EXPECT_TRUE(tasks[1].findings.empty());
         EXPECT_FALSE(tasks[1].needsReview);
     }
@@ -96,9 +96,9 @@ TEST(DoubtPicture, HasNothingToAddToAFailure) {
 // Of right solutions, 0.04 (points in strata) to 0.83 (each sample with its own direction).
 TEST(DoubtPicture, TakesNoiseForNoise) {
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
-    doubtPicture(tasks, 1.5);
+    decision::doubtPicture(tasks, 1.5);
     EXPECT_TRUE(tasks[1].findings.empty());
-    doubtPicture(tasks, 3.0);
+    decision::doubtPicture(tasks, 3.0);
     EXPECT_EQ(findingIds(tasks[1]), Ids{"dof.picture-differs"});
 }
 
@@ -106,7 +106,7 @@ TEST(DoubtPicture, IsContentWithHighlightsAsSeenFromTheEye) {
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
     tasks[0].findings.push_back({});
     tasks[0].findings[0].id = "shadow.view-from-eye";
-    doubtPicture(tasks, 70.0);
+    decision::doubtPicture(tasks, 70.0);
     EXPECT_FALSE(tasks[1].needsReview);
 }
 

@@ -2,6 +2,8 @@
 #include <lens/DepthOfField.h>
 #include <lens/LensPoints.h>
 #include <raytracer/image/ColourRGB.h>
+#include <raytracer/image/Image.h>
+#include <raytracer/render/Renderer.h>
 #include <support/Complaint.h>
 
 #include <gtest/gtest.h>
@@ -30,6 +32,27 @@ TEST_F(DepthOfField, KeepsTheColourOfAWallThatIsAlikeEverywhere) {
                      "Depth of field (T2.2), step 3");
             return;
         }
+}
+
+// Every ray of every pixel sees one colour, so that whatever chance does the picture is that
+// colour.
+TEST_F(DepthOfField, KeepsThatColourWithSeveralThreads) {
+    RenderSettings settings;
+    settings.width = 64;
+    settings.height = 48;
+    settings.threads = 4;
+    const Scene scene{wall()};
+    const Image image = Renderer{settings}.render(scene);
+    const ColourRGB& first = image.at(0, 0);
+    const auto differ = std::ranges::count_if(image.pixels(), [&](const ColourRGB& colour) {
+        return !(std::abs(colour.g - first.g) < 1e-3);
+    });
+    if (differ == 0) return;
+    complain("a wall of one colour, 64 x 48 pixels, rendered by four threads", "one colour",
+             std::to_string(differ) + " pixels of another colour than the first",
+             "forEachPixel works on several rows at once, so what a pixel adds up (sum, counters) "
+             "is declared inside of the function that it is given",
+             "Depth of field (T2.2), step 3");
 }
 
 TEST_F(DepthOfField, AveragesWhatItsRaysSee) {

@@ -1,8 +1,9 @@
-#include <grader/pipeline/PictureDoubt.h>
+#include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/PictureDoubt.h>
 
 #include <algorithm>
 
-namespace ticker::pipeline {
+namespace ticker::decision {
 namespace {
 
 // Right solutions have 0.04 to 0.83, whatever their samples; a sharp picture 3.7, hard shadows with
@@ -23,24 +24,19 @@ bool isExplained(const std::vector<TaskReport>& tasks) {
 }
 
 Finding doubt(const std::optional<double>& misfit) {
-    Finding finding;
-    finding.id = "dof.picture-differs";
-    finding.severity = Severity::warn;
-    finding.section = "Test and submit";
+    constexpr const char* kId = "dof.picture-differs";
     if (!misfit) {
-        finding.message =
+        Finding finding = distributedFinding(
+            kId, Severity::warn,
             "Every question was answered rightly, but no picture of the handout's scene came: the "
-            "program left, crashed or ran out of time while it rendered.";
+            "program left, crashed or ran out of time while it rendered.");
         finding.hint = "Render scenes/distributed.xml once more, as the handout says.";
         return finding;
     }
-    finding.message =
+    Finding finding = distributedFinding(
+        kId, Severity::warn,
         "Every question was answered rightly, but the picture of the handout's scene is not what "
-        "the answers say: a person has to compare the two.";
-    finding.hint =
-        "Look for what render and illuminate share, such as a generator that illuminate seeds "
-        "anew, so that all rays of a pixel start at one point of the lens; and for anything that "
-        "depends on the size of the picture or on the number of lights.";
+        "the answers say: a person has to compare the two.");
     finding.evidence.emplace_back("misfit", *misfit);
     finding.evidence.emplace_back("misfitAtMost", kMostMisfit);
     return finding;
@@ -55,4 +51,4 @@ void doubtPicture(std::vector<TaskReport>& tasks, const std::optional<double>& m
     tasks.back().needsReview = true;
 }
 
-}  // namespace ticker::pipeline
+}  // namespace ticker::decision

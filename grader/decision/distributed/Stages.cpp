@@ -1,0 +1,113 @@
+#include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/JudgeDepthOfField.h>
+#include <grader/decision/distributed/LensQuestions.h>
+#include <grader/decision/distributed/PenumbraCheck.h>
+#include <grader/decision/distributed/PictureCheck.h>
+#include <grader/decision/distributed/RunEnd.h>
+#include <grader/decision/distributed/Stages.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace ticker::decision {
+namespace {
+
+std::uint64_t seedOf(std::uint64_t seed, std::uint64_t stage) {
+    return seed * 4 + stage;
+}
+
+Stage doubtful(std::string_view id, const char* why) {
+    return {std::nullopt, distributedFinding(id, Severity::warn, why)};
+}
+
+// Answers that do not come here, though they came before, are nothing to fail by.
+Stage unanswered(const probe::Sitting& sitting, std::string_view function) {
+    std::optional<TaskJudgement> blocked = judgeUnanswered(sitting, function);
+    if (!blocked || blocked->findings.empty())
+        return doubtful("run.no-answer", "Questions that were asked once more got no answer.");
+    Finding doubt = std::move(blocked->findings.front());
+    doubt.severity = Severity::warn;
+    return {std::nullopt, std::move(doubt)};
+}
+
+template <class Answer>
+const Answer* answeredBy(const probe::Sitting& sitting) {
+    if (sitting.answers.empty()) return nullptr;
+    const auto* answer = std::get_if<Answer>(&sitting.answers.front());
+    return answer != nullptr && answer->state == probe::AnswerState::answered ? answer : nullptr;
+}
+
+bool sameEachTime(const probe::RenderAnswer& answer) {
+    return std::ranges::all_of(answer.images,
+                               [&](const auto& image) { return image == answer.images.front(); });
+}
+
+Stage stageOf(PictureVerdict verdict) {
+    if (verdict.ambiguous)
+        return doubtful("dof.unseen-rays",
+                        "Its pictures are neither clearly right nor clearly wrong: a person has to "
+                        "compare them.");
+    return {std::move(verdict.finding), std::nullopt};
+}
+
+}  // namespace
+
+Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
+    const PenumbraQuestion asked = drawPenumbraQuestion(seedOf(seed, stage));
+    const probe::Sitting sitting = examinee.ask({asked.question});
+    const auto* answer = answeredBy<probe::IlluminateAnswer>(sitting);
+    if (answer == nullptr) return unanswered(sitting, "illuminate");
+    PenumbraVerdict verdict = checkPenumbra(asked, *answer);
+    if (verdict.ambiguous)
+        return doubtful("shadow.unseen-rays",
+                        "What it gives at the edges of shadows is neither clearly right nor "
+                        "clearly wrong: a person has to look.");
+    return {std::move(verdict.finding), std::nullopt};
+}
+
+// Code that gives one picture again and again leaves a single sample of its noise: a larger picture
+// is asked for, to have as many pixels as all repetitions together.
+Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
+    const std::uint64_t own = seedOf(seed, stage);
+    for (const bool onePicture : {false, true}) {
+        const probe::RenderQuestion asked = drawPictureQuestion(own, onePicture);
+        const probe::Sitting sitting = examinee.ask({asked});
+        const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
+        if (answer == nullptr || answer->wrongSize || answer->images.empty())
+            return unanswered(sitting, "render");
+        if (onePicture || !sameEachTime(*answer))
+            return stageOf(judgePictures(asked, *answer, own));
+    }
+    return {};
+}
+
+Stage judgeThreads(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
+    const probe::RenderQuestion asked = drawThreadsQuestion(seedOf(seed, stage));
+    const probe::Sitting sitting = examinee.ask({asked});
+    const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
+    if (answer == nullptr || answer->wrongSize) return unanswered(sitting, "render");
+    return {judgeWithThreads(readLensLog(asked, *answer)), std::nullopt};
+}
+
+bool keepRepeated(std::vector<Finding>& findings,
+                  const std::function<Stage(std::uint64_t)>& judge) {
+    Stage first = judge(1);
+    if (first.failure) {
+        Stage second = judge(2);
+        if (second.failure) {
+            findings.push_back(*std::move(second.failure));
+            return false;
+        }
+        first.failure->severity = Severity::warn;
+        first.failure->message +=
+            " It did not come again with other questions: a person has to look.";
+        first.doubt = std::move(first.failure);
+    }
+    if (!first.doubt) return false;
+    findings.push_back(*std::move(first.doubt));
+    return true;
+}
+
+}  // namespace ticker::decision
