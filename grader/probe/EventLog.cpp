@@ -63,6 +63,7 @@ void EventLog::traceBegan(const raytracer::Ray& ray, int bouncesLeft) {
 void EventLog::traceEnded(const ColourRGB& colour) {
     if (keepsNothing()) return;
     record(colourEvent(Event::Kind::traceEnded, colour));
+    if (takesTurns_) giveWay();
 }
 
 void EventLog::illuminateBegan(const raytracer::SceneObject& object, const Vector3& position,
@@ -114,15 +115,16 @@ void EventLog::record(Event event) {
     auto& kind = *reinterpret_cast<std::uint32_t*>(at);
     std::atomic_ref<std::uint32_t>{kind}.store(static_cast<std::uint32_t>(event.kind) + 1,
                                                std::memory_order_release);
-    if (takesTurns_) std::this_thread::yield();
 }
 
 // A thread that has just been started may have to wait for a processor; one that never comes costs
-// those 20 ms once for each question.
-void EventLog::awaitAnother() const {
+// those 20 ms once for each question. Not before the first ray: who fills a table for all pixels in
+// the first one would be held up in the middle of it, by us alone.
+void EventLog::giveWay() {
     constexpr int kMostWaits = 20;
-    for (int i = 0; i < kMostWaits && threads_ < 2; ++i)
+    while (threads_ < 2 && waits_++ < kMostWaits)
         std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    std::this_thread::yield();
 }
 
 std::uint32_t EventLog::threadNumber() {
@@ -131,10 +133,7 @@ std::uint32_t EventLog::threadNumber() {
         std::uint32_t number = 0;
     };
     thread_local Known known;
-    if (known.generation != generation_) {
-        known = {generation_, threads_++};
-        if (takesTurns_) awaitAnother();
-    }
+    if (known.generation != generation_) known = {generation_, threads_++};
     return known.number;
 }
 

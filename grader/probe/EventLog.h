@@ -24,8 +24,9 @@ public:
     /// Events from now on belong to this position, point or repetition.
     void beginAsk(std::uint32_t ask) { ask_ = ask; }
 
-    /// Makes the threads that are observed take turns at every event, the first of them after a
-    /// short wait for a second one: what they wrongly share shows, however busy the machine is.
+    /// Makes the threads that are observed take turns after every ray that was traced, the first of
+    /// them after a short wait for a second one: what they wrongly share while a pixel adds up
+    /// shows, however busy the machine is.
     void takeTurns() { takesTurns_ = true; }
 
     /// The scene whose objects are numbered; not owned; null: every object is -1.
@@ -45,7 +46,7 @@ private:
     [[nodiscard]] bool keepsNothing() const { return capacity_ == 0; }
     void record(Event event);
     [[nodiscard]] std::uint32_t threadNumber();
-    void awaitAnother() const;
+    void giveWay();
     [[nodiscard]] std::int32_t numberOf(const raytracer::SceneObject* object) const;
 
     std::byte* slots_;
@@ -53,6 +54,7 @@ private:
     std::uint64_t& seen_;
     const raytracer::Scene* scene_ = nullptr;
     bool takesTurns_ = false;
+    std::atomic<int> waits_{0};
     std::atomic<std::uint32_t> ask_{0};
     std::atomic<std::uint32_t> threads_{0};
     std::uint64_t generation_;
