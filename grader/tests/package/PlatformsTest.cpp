@@ -1,4 +1,4 @@
-#include <grader/tests/report/FitsSchema.h>
+#include <grader/tests/support/FitsSchema.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
 #include "CleanRoot.h"
@@ -87,7 +87,7 @@ TEST_F(Gradescope, AwardsARightSubmissionInASandboxOfLevelB) {
     submit("awarded/reference-bump");
     const RootRun ran = grade();
     ASSERT_EQ(ran.status, 0) << ran.output << ran.errors;
-    EXPECT_TRUE(report::fitsSchema(results(), "gradescope")) << results();
+    EXPECT_TRUE(tests::fitsSchema(results(), "gradescope")) << results();
     EXPECT_EQ(json::parse(results()).at("score"), 1.0) << results();
     // Staff see what students do not.
     EXPECT_NE(ran.output.find("\"seed\""), std::string::npos) << ran.output;
@@ -100,7 +100,7 @@ TEST_F(Gradescope, AwardsARightSubmissionInASandboxOfLevelB) {
 TEST_F(Gradescope, TellsAStudentWhatTheCompilerSaid) {
     submit("notAwarded/does-not-compile");
     ASSERT_EQ(grade().status, 0);
-    EXPECT_TRUE(report::fitsSchema(results(), "gradescope"));
+    EXPECT_TRUE(tests::fitsSchema(results(), "gradescope"));
     EXPECT_EQ(json::parse(results()).at("score"), 0.0);
     EXPECT_NE(results().find("error:"), std::string::npos) << results();
 }
@@ -133,13 +133,13 @@ TEST_F(Platforms, PrairieLearnGetsAResultOrIsToldThatThereIsNone) {
     const auto results = [&] { return tests::textOf(at("grade/results/results.json")); };
     RootRun ran = root.runInContainer("/opt/ticker/entrypoint.sh");
     ASSERT_EQ(ran.status, 0) << ran.output << ran.errors;
-    EXPECT_TRUE(report::fitsSchema(results(), "prairielearn")) << results();
+    EXPECT_TRUE(tests::fitsSchema(results(), "prairielearn")) << results();
     EXPECT_EQ(json::parse(results()).at("score"), 1.0);
 
     root.bindReadOnly("/dev/null", "/opt/ticker/ticker/lib/ticker/kit/kit.json");
     ran = root.runInContainer("/opt/ticker/entrypoint.sh");
     EXPECT_EQ(ran.status, 0) << "anything else throws the results away";
-    EXPECT_TRUE(report::fitsSchema(results(), "prairielearn")) << results();
+    EXPECT_TRUE(tests::fitsSchema(results(), "prairielearn")) << results();
     EXPECT_EQ(json::parse(results()).at("gradable"), false);
 }
 
@@ -163,7 +163,7 @@ TEST_F(Platforms, ClassroomsStepHandsTheResultOverAndPrintsNothing) {
     EXPECT_EQ(ran.output, "") << "GitHub takes lines for commands";
     const RootRun decoded =
         tests::runHere("sed -n 's/^result=//p' " + (box / "output").string() + " | base64 -d");
-    EXPECT_TRUE(report::fitsSchema(decoded.output, "classroom")) << decoded.output;
+    EXPECT_TRUE(tests::fitsSchema(decoded.output, "classroom")) << decoded.output;
     EXPECT_EQ(json::parse(decoded.output).at("status"), "pass");
 }
 

@@ -1,7 +1,7 @@
 #include <grader/report/PlatformFormats.h>
+#include <grader/tests/support/FitsSchema.h>
 
 #include "ExampleResults.h"
-#include "FitsSchema.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -31,11 +31,11 @@ TEST(GradescopeJson, FitsItsSchemaWhateverIsInTheResult) {
     for (const SubmissionResult& result : exampleClass(5)) {
         const auto text = gradescopeJson(viewOf(result));
         ASSERT_TRUE(text) << result.submission;
-        EXPECT_TRUE(fitsSchema(*text, "gradescope")) << *text;
+        EXPECT_TRUE(tests::fitsSchema(*text, "gradescope")) << *text;
     }
     json wrong = json::parse(*gradescopeJson(viewOf(passedExample())));
     wrong["tests"][0]["status"] = "fine";
-    EXPECT_FALSE(fitsSchema(wrong.dump(), "gradescope"));
+    EXPECT_FALSE(tests::fitsSchema(wrong.dump(), "gradescope"));
 }
 
 TEST(GradescopeJson, HasTheScoreAndOneVisibleTestForEachTaskWorkedOn) {
@@ -60,10 +60,10 @@ TEST(GradescopeJson, IsMissingRatherThanAScoreWhereWeFailed) {
 
 TEST(PrairieLearnJson, FitsItsSchemaWhateverIsInTheResult) {
     for (const SubmissionResult& result : exampleClass(5))
-        EXPECT_TRUE(fitsSchema(prairieLearnJson(viewOf(result)), "prairielearn"));
-    EXPECT_TRUE(fitsSchema(prairieLearnJson(viewOf(notGradedExample())), "prairielearn"));
-    EXPECT_FALSE(fitsSchema(R"({"gradable": true})", "prairielearn"));
-    EXPECT_FALSE(fitsSchema(R"({"gradable": false, "score": 1})", "prairielearn"));
+        EXPECT_TRUE(tests::fitsSchema(prairieLearnJson(viewOf(result)), "prairielearn"));
+    EXPECT_TRUE(tests::fitsSchema(prairieLearnJson(viewOf(notGradedExample())), "prairielearn"));
+    EXPECT_FALSE(tests::fitsSchema(R"({"gradable": true})", "prairielearn"));
+    EXPECT_FALSE(tests::fitsSchema(R"({"gradable": false, "score": 1})", "prairielearn"));
 }
 
 TEST(PrairieLearnJson, IsNotGradableWhereWeFailed) {
@@ -83,7 +83,7 @@ TEST(PrairieLearnJson, ScoreIsAShareWhateverTheRubricsPoints) {
 TEST(ClassroomJson, BothWaysOfAddingUpPointsAgree) {
     for (SubmissionResult result : exampleClass(5)) {
         const std::string text = classroomJson(viewOf(result));
-        EXPECT_TRUE(fitsSchema(text, "classroom"));
+        EXPECT_TRUE(tests::fitsSchema(text, "classroom"));
         const json document = json::parse(text);
         double sum = 0.0;
         double passed = 0.0;

@@ -3,10 +3,9 @@
 #include <grader/report/ResultJson.h>
 #include <grader/report/SummaryCsv.h>
 #include <grader/result/Names.h>
+#include <grader/tests/support/FitsSchema.h>
 
 #include <raytracer/base/Error.h>
-
-#include "FitsSchema.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -73,11 +72,11 @@ TEST(ResultJson, IsValidWhateverTheTextsAre) {
 }
 
 TEST(ResultJson, FitsItsSchema) {
-    EXPECT_TRUE(fitsSchema(resultJson(example()), "result"));
-    EXPECT_TRUE(fitsSchema(resultJson(SubmissionResult{}), "result"));
+    EXPECT_TRUE(tests::fitsSchema(resultJson(example()), "result"));
+    EXPECT_TRUE(tests::fitsSchema(resultJson(SubmissionResult{}), "result"));
     json wrong = json::parse(resultJson(example()));
     wrong["verdict"] = "maybe";
-    EXPECT_FALSE(fitsSchema(wrong.dump(), "result")) << "the schema must be able to refuse";
+    EXPECT_FALSE(tests::fitsSchema(wrong.dump(), "result")) << "the schema must be able to refuse";
 }
 
 TEST(ResultJson, ComesBackAsItWentOut) {

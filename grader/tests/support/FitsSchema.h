@@ -1,13 +1,13 @@
-#ifndef TICKER_TESTS_REPORT_FITSSCHEMA_H
-#define TICKER_TESTS_REPORT_FITSSCHEMA_H
+#ifndef TICKER_TESTS_SUPPORT_FITSSCHEMA_H
+#define TICKER_TESTS_SUPPORT_FITSSCHEMA_H
 
 #include <string>
 
-namespace ticker::report {
+namespace ticker::tests {
 
 /// True where a JSON text fits docs/schema/<name>.schema.json.
 [[nodiscard]] bool fitsSchema(const std::string& text, const std::string& name);
 
-}  // namespace ticker::report
+}  // namespace ticker::tests
 
 #endif

@@ -1,4 +1,4 @@
-#include "FitsSchema.h"
+#include <grader/tests/support/FitsSchema.h>
 
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -8,7 +8,7 @@
 
 #include <fstream>
 
-namespace ticker::report {
+namespace ticker::tests {
 
 bool fitsSchema(const std::string& text, const std::string& name) {
     std::ifstream stream{std::string{TICKER_SOURCE_DIR "/docs/schema/"} + name + ".schema.json"};
@@ -21,4 +21,4 @@ bool fitsSchema(const std::string& text, const std::string& name) {
     return valijson::Validator{}.validate(schema, target, nullptr);
 }
 
-}  // namespace ticker::report
+}  // namespace ticker::tests
