@@ -17,6 +17,7 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace ticker::cli {
 namespace {
@@ -27,6 +28,7 @@ struct SelftestOptions {
     bool screenshots = false;
     double fraction = 1.0;
     int rounds = 1;
+    std::vector<std::string> cases;
     GradeOptions grade;
 };
 
@@ -84,6 +86,22 @@ bool testDistributed(const SelftestOptions& options, const pipeline::Grader& gra
     return std::ranges::all_of(rows, &selftest::CatalogueRow::asExpected);
 }
 
+/// The whole corpus, or those of it that were asked for.
+std::vector<hostile::HostileCase> hostileCases(const Home& home,
+                                               const std::vector<std::string>& wanted) {
+    auto corpus = hostile::listHostileCases(home.data / "grader/hostile/cases");
+    if (wanted.empty()) return corpus;
+    std::vector<hostile::HostileCase> picked;
+    for (const std::string& name : wanted) {
+        const auto found = std::ranges::find(corpus, name, &hostile::HostileCase::name);
+        if (found == corpus.end())
+            throw raytracer::InputError("--case " + name, 0,
+                                        "is no folder of grader/hostile/cases");
+        picked.push_back(*found);
+    }
+    return picked;
+}
+
 bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool draw) {
     const Home home = Home::find();
     const Countdown counter{"hostile", 0, draw};
@@ -93,8 +111,8 @@ bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool d
     run.rounds = options.rounds;
     run.seed = seedOf(options.grade);
     run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
-    const selftest::HostileTables tables = selftest::runHostileTables(
-        hostile::listHostileCases(home.data / "grader/hostile/cases"), grader, run);
+    const selftest::HostileTables tables =
+        selftest::runHostileTables(hostileCases(home, options.cases), grader, run);
     printTable("Hostile submissions at sandbox level " + sandbox::toString(grader.sandbox.level()),
                tables.table());
     return tables.passed();
@@ -147,6 +165,9 @@ Run addSelftest(CLI::App& app, const Voice& voice) {
         ->check(CLI::Range(0.0, 1.0));
     verb->add_option("--repeat", options->rounds, "How often to run the hostile submissions")
         ->check(CLI::Range(1, 1000));
+    verb->add_option("--case", options->cases, "Only these hostile submissions")
+        ->needs("--hostile")
+        ->delimiter(',');
     verb->add_option("--sandbox", options->grade.sandbox, "Level A, B or C; auto: the best")
         ->check(CLI::IsMember({"auto", "A", "B", "C"}));
     verb->add_option("--seed", options->grade.seed,

@@ -150,9 +150,12 @@ HostileCase readCase(const fs::path& folder) {
     if (json.is_discarded())
         throw raytracer::InputError(file.string(), 0, "is missing, or not JSON");
     const Fields fields{json, file.string()};
-    fields.allowOnly({"about", "task", "states", "findings", "verdicts", "make"});
+    fields.allowOnly({"about", "task", "states", "findings", "verdicts", "make", "folder"});
     HostileCase result;
     result.name = folder.filename().string();
+    result.handedInAs = fields.has("folder") ? fields.text("folder") : result.name;
+    if (result.handedInAs.find('/') != std::string::npos)
+        fields.fail("folder", "must be a plain name");
     result.folder = folder;
     result.about = fields.text("about");
     result.task = fields.text("task");

@@ -45,11 +45,12 @@ struct MadeFile {
 /// listed, any one is right: which limit strikes first differs between machines.
 struct HostileCase {
     std::string name;                 ///< its folder's
+    std::string handedInAs;           ///< name of the folder in the class; mostly `name`
     std::string about;                ///< what it tries, in one line
     std::string task;                 ///< whose state is told: "T1", "T2.1" or "T2.2"
     std::vector<std::string> states;  ///< as in result.json
     std::vector<std::string>
-        findings;  ///< one of these must be among the result's, if there are any
+        findings;  ///< one of these must be among the result's, where it cannot pass or must pass
     std::vector<std::string> verdicts;  ///< as in result.json
     std::filesystem::path folder;
     std::vector<MadeFile> made;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -49,12 +50,19 @@ std::string expectedOf(const HostileCase& hostileCase) {
                        fmt::join(hostileCase.findings, "|"), fmt::join(hostileCase.verdicts, "|"));
 }
 
-// A case about a picture expects its finding whatever became of the task.
+// A case whose task has to pass is about what else is found, such as a picture's fault.
 bool mustBeNamed(const HostileCase& hostileCase, const std::string& state) {
     if (hostileCase.findings.empty()) return false;
-    const bool aboutPicture = std::ranges::any_of(
-        hostileCase.findings, [](const std::string& id) { return id.starts_with("screenshot."); });
-    return aboutPicture || state == "failed" || state == "blocked";
+    const bool passesOnly = hostileCase.states == std::vector<std::string>{"passed"};
+    return passesOnly || state == "failed" || state == "blocked";
+}
+
+// What the class has in OUT: a submission's folder of this name would take its place. Some systems
+// tell no capitals.
+bool takesAPlaceInOut(std::string name) {
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return name == "index.html" || name == "summary.csv" || name == "results.sqlite";
 }
 
 void compare(const HostileCase& hostileCase, const SubmissionResult& result, HostileRow& row) {
@@ -65,6 +73,7 @@ void compare(const HostileCase& hostileCase, const SubmissionResult& result, Hos
     row.got = fmt::format("{} {} [{}] {}", hostileCase.task, state, fmt::join(ids, "|"), verdict);
     if (!holds(hostileCase.states, state)) row.faults.push_back("state " + state);
     if (!holds(hostileCase.verdicts, verdict)) row.faults.push_back("verdict " + verdict);
+    if (takesAPlaceInOut(result.submission)) row.faults.push_back("named " + result.submission);
     const bool isNamed = std::ranges::any_of(hostileCase.findings,
                                              [&](const std::string& id) { return holds(ids, id); });
     if (mustBeNamed(hostileCase, state) && !isNamed) {
@@ -97,8 +106,9 @@ public:
         const fs::path folder = traces_.folder() / "class";
         fs::create_directory(folder);
         for (const HostileCase& hostileCase : cases_) {
-            fs::create_directory(folder / hostileCase.name);
-            hostile::writeSubmission(hostileCase, traces_.secretFile(), folder / hostileCase.name);
+            const fs::path own = folder / hostileCase.handedInAs;
+            fs::create_directory(own);
+            hostile::writeSubmission(hostileCase, traces_.secretFile(), own);
         }
         for (const intake::Located& located : intake::findSubmissions(folder))
             located_[located.path.lexically_relative(folder).begin()->string()] = located;
@@ -147,7 +157,7 @@ private:
 
     [[nodiscard]] HostileRow gradeOne(const HostileCase& hostileCase) const {
         HostileRow row{hostileCase.name, 0, expectedOf(hostileCase), "", {}};
-        const auto located = located_.find(hostileCase.name);
+        const auto located = located_.find(hostileCase.handedInAs);
         // What is found nowhere is in nobody's list: as good as refused.
         if (located == located_.end()) {
             row.got = "no submission found";

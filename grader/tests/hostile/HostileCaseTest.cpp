@@ -84,6 +84,14 @@ TEST(HostileCorpus, ExpectsAFindingWhereverATaskCannotPass) {
     }
 }
 
+TEST(HostileCorpus, GivesEverySubmissionAFolderOfItsOwnInTheClass) {
+    std::set<std::string> names;
+    for (const HostileCase& each : listHostileCases(kCases))
+        EXPECT_TRUE(names.insert(each.handedInAs).second) << each.name;
+    EXPECT_EQ(find("named-in-capitals").handedInAs, "SUMMARY.CSV");
+    EXPECT_EQ(find("empty-source").handedInAs, "empty-source");
+}
+
 TEST(WriteSubmission, LaysOutEveryCase) {
     for (const HostileCase& each : listHostileCases(kCases)) {
         const TemporaryFolder folder;

@@ -18,9 +18,12 @@ namespace fs = std::filesystem;
 const fs::path kRoot{TICKER_SOURCE_DIR};
 
 pipeline::Grader graderOf(sandbox::Sandbox sandbox) {
-    return {build::Kit::besideProgram(), sandbox,
-            sandbox::readPolicy(kRoot / "grader/hostile/limits.json"),
-            rubric::readRubric(kRoot / "grader/rubric/rubric.json"), "test"};
+    pipeline::Grader grader{build::Kit::besideProgram(), sandbox,
+                            sandbox::readPolicy(kRoot / "grader/hostile/limits.json"),
+                            rubric::readRubric(kRoot / "grader/rubric/rubric.json"), "test"};
+    // Some answer rightly and render something else.
+    grader.scenes = pipeline::readSpecScenes(kRoot / "scenes", kRoot / "assets");
+    return grader;
 }
 
 std::vector<hostile::HostileCase> casesNamed(const std::vector<std::string>& names) {
@@ -55,6 +58,27 @@ TEST(HostileTables, SeeThatStateFindingAndVerdictAreOthersThanExpected) {
     EXPECT_EQ(tables.rows[0].faults.size(), 3U) << tables.table();
     EXPECT_FALSE(tables.passed());
     EXPECT_EQ(tables.right(), 0U);
+}
+
+// Nobody is to pass for what nobody looked at: findings are asked for where the task passes, too.
+TEST(HostileTables, SeeThatWhatHasToBeFoundIsNot) {
+    auto cases = casesNamed({"archive-own-kit"});
+    ASSERT_EQ(cases.size(), 1U);
+    cases[0].findings = {"dof.picture-differs"};
+
+    const HostileTables tables =
+        runHostileTables(cases, graderOf(sandbox::Sandbox::best()), HostileRun{});
+
+    ASSERT_EQ(tables.rows.size(), 1U);
+    EXPECT_EQ(tables.rows[0].faults.size(), 1U) << tables.table();
+}
+
+TEST(HostileTables, GradeAFolderThatIsNamedLikeAFileOfTheResultsUnderAnotherName) {
+    const HostileTables tables =
+        runHostileTables(casesNamed({"named-in-capitals", "named-like-an-export"}),
+                         graderOf(sandbox::Sandbox::best()), HostileRun{});
+    EXPECT_EQ(tables.rows.size(), 2U);
+    EXPECT_TRUE(tables.passed()) << tables.table();
 }
 
 // A table that finds no secret proves little unless it would find one.
