@@ -4,6 +4,8 @@
 #include <grader/decision/bump/Examination.h>
 #include <grader/decision/bump/Words.h>
 
+#include <fmt/core.h>
+
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,36 +19,48 @@ using probe::ProcessEnd;
 struct EndWords {
     const char* id;
     const char* message;
+    const char* hint;
 };
 
 EndWords wordsFor(ProcessEnd::Kind kind) {
     switch (kind) {
         case ProcessEnd::Kind::crashed:
-            return {"run.crashed", "The program crashed while it answered questions for normals."};
+            return {"run.crashed", "The program crashed while it answered questions for normals",
+                    "Run it in a debugger, or with sanitizers on. Look for an index beyond the end "
+                    "of an array or a vector, and for a function that calls itself without end."};
         case ProcessEnd::Kind::exitedEarly:
-            return {"run.exited-early", "The program ended itself before the last question."};
+            return {"run.exited-early", "The program left before the last question",
+                    "Do not call exit() or the like."};
         case ProcessEnd::Kind::timedOut:
-            return {"run.timed-out", "getNormalAt took too long: the time was up."};
+            return {"run.timed-out", "getNormalAt took too long: the time was up",
+                    "Look for a loop that does not end."};
         case ProcessEnd::Kind::memory:
-            return {"run.memory", "The program asked for more memory than it may have."};
+            return {
+                "run.memory", "The program needs more memory than it may have",
+                "Look for a container that only grows, and for an array that is far too large."};
         case ProcessEnd::Kind::outputLimit:
-            return {"run.output-limit", "The program printed too much."};
+            return {"run.output-limit", "The program printed too much",
+                    "Remove the debugging output."};
         case ProcessEnd::Kind::forbiddenCall:
             return {"run.forbidden-call",
-                    "The program asked the system for something that a renderer does not need."};
+                    "The program asked the system for something that a renderer does not need",
+                    "No files, processes or network connections are needed here."};
         case ProcessEnd::Kind::finished:
         case ProcessEnd::Kind::ourFault:
             break;
     }
-    return {"run.no-answer", "The program ended without answering every question."};
+    return {"run.no-answer", "The program ended without answering every question",
+            "Make sure that getNormalAt returns."};
 }
 
 TaskJudgement blocked(EndWords words, const std::string& detail) {
     Finding finding;
     finding.id = words.id;
-    finding.message = words.message;
+    finding.message =
+        fmt::format("{}{}.", words.message, detail.empty() ? "" : fmt::format(" ({})", detail));
+    finding.hint = words.hint;
     if (!detail.empty()) finding.evidence.emplace_back("detail", detail);
-    return {TaskState::blocked, words.message, {std::move(finding)}, false};
+    return {TaskState::blocked, finding.message, {finding}, false};
 }
 
 /// The judgement where the process did not come to an honest end; empty where it did.

@@ -140,7 +140,9 @@ TEST(JudgeBump, GivesEveryBadEndItsOwnFinding) {
         Broken examinee(kind);
         const TaskJudgement judgement = judgeBump(examinee, 1);
         EXPECT_EQ(judgement.state, TaskState::blocked) << id;
-        EXPECT_EQ(firstId(judgement), id);
+        ASSERT_EQ(firstId(judgement), id);
+        EXPECT_FALSE(judgement.findings.front().hint.empty()) << id;
+        EXPECT_TRUE(judgement.reason.ends_with(" (some detail).")) << judgement.reason;
     }
 }
 
