@@ -59,8 +59,8 @@ raytracer::ExitCode check(const CheckOptions& options) {
     if (found.size() != 1)
         throw raytracer::InputError(
             options.folder, 0,
-            fmt::format("{} submissions here; check takes one (ticker grade takes many)",
-                        found.size()));
+            fmt::format("{} here; check takes one (ticker grade takes many)",
+                        report::counted(found.size(), "submission")));
     pipeline::Grader grader = makeGrader(options.grade);
     grader.isAlone = true;
     const SubmissionResult result = pipeline::gradeSubmission(intake::readSubmission(found.front()),

@@ -1,5 +1,6 @@
 #include <grader/cli/Output.h>
 #include <grader/cli/Verb.h>
+#include <grader/report/Words.h>
 #include <grader/store/ClassFolder.h>
 
 #include <CLI/CLI.hpp>
@@ -22,8 +23,8 @@ raytracer::ExitCode collect(const std::string& out, const Voice& voice) {
         fmt::print(stderr, "ticker: {}\n", problem);
     writeClass(out);
     if (!voice.quiet)
-        fmt::print(stderr, "{} results taken in, {} known already\nopen {}/index.html\n",
-                   collected.taken, collected.known, out);
+        fmt::print(stderr, "{} taken in, {} known already\nopen {}/index.html\n",
+                   report::counted(collected.taken, "result"), collected.known, out);
     return collected.unreadable.empty() ? raytracer::ExitCode::success
                                         : raytracer::ExitCode::notGradable;
 }

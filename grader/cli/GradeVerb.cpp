@@ -6,6 +6,7 @@
 #include <grader/cli/Output.h>
 #include <grader/cli/Progress.h>
 #include <grader/cli/Verb.h>
+#include <grader/report/Words.h>
 #include <grader/result/Names.h>
 
 #include <CLI/CLI.hpp>
@@ -102,7 +103,7 @@ struct Tally {
 };
 
 std::string closingLine(const Tally& tally) {
-    std::string line = fmt::format("{} submissions:", tally.all());
+    std::string line = report::counted(tally.all(), "submission") + ":";
     for (const auto& [verdict, count] : tally.verdicts)
         line += fmt::format(" {} {}", count, toString(verdict));
     if (tally.kept > 0)
@@ -125,7 +126,9 @@ void report(const Tally& tally, std::size_t total, const BatchOptions& options, 
     if (tally.unexpected > 0)
         fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
                    tally.unexpected, tally.all());
-    if (stopped)
+    if (stopped && tally.all() == total)
+        fmt::print(stderr, "ticker: stopped, but everything was graded: nothing is left to do\n");
+    else if (stopped)
         fmt::print(stderr, "ticker: stopped after {} of {}; they are kept. Go on with\n  {}{}\n",
                    tally.all(), total, voice.commandLine, options.resume ? "" : " --resume");
 }
@@ -162,9 +165,9 @@ void warnOfStore(const ClassRun& run, const BatchOptions& options, const Voice& 
     const std::size_t earlier = run.size();
     if (!voice.quiet && earlier > 0 && !options.keepsResults() && !options.grade.seed)
         fmt::print(stderr,
-                   "ticker: {} holds {} results; all are made anew with a fresh seed (--resume "
+                   "ticker: {} holds {}; all are made anew with a fresh seed (--resume "
                    "keeps them)\n",
-                   options.out, earlier);
+                   options.out, report::counted(earlier, "result"));
 }
 
 raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {

@@ -1,5 +1,6 @@
 #include <grader/cli/Output.h>
 #include <grader/cli/Verb.h>
+#include <grader/report/Words.h>
 #include <grader/session/Server.h>
 
 #include <CLI/CLI.hpp>
@@ -41,9 +42,9 @@ raytracer::ExitCode run(const SessionOptions& options, const Voice& voice) {
     std::fflush(stdout);
     if (!voice.quiet)
         fmt::print(stderr,
-                   "{} submissions. Open the address in a browser on this machine; it lets in "
+                   "{}. Open the address in a browser on this machine; it lets in "
                    "whoever has it. Ctrl-C ends the session.\n",
-                   view.size());
+                   report::counted(view.size(), "submission"));
     const std::jthread serving{[&] { server.serve(); }};
     int signal = 0;
     sigwait(&ending, &signal);

@@ -72,9 +72,9 @@ std::string filters(const Tally& tally, std::size_t submissions) {
         html += fmt::format("<option value=\"{0}\">{0}</option>", escapeHtml(id));
     return html + fmt::format(
                       "</select></label><button type=\"button\" id=\"clear\">Show all"
-                      "</button><span id=\"shown\" role=\"status\">{} submissions</span>"
+                      "</button><span id=\"shown\" role=\"status\">{}</span>"
                       "</div>",
-                      submissions);
+                      counted(submissions, "submission"));
 }
 
 std::string stateCell(const SubmissionResult& result, std::string_view id) {
@@ -149,8 +149,7 @@ std::string table(const std::vector<SubmissionResult>& results) {
 
 std::string classPage(const std::vector<SubmissionResult>& results) {
     const Tally tally = tallyOf(results);
-    const std::string title =
-        fmt::format("{} submission{}", results.size(), results.size() == 1 ? "" : "s");
+    const std::string title = counted(results.size(), "submission");
     return page("Tick 1*: " + title, classCss(), classJs(),
                 fmt::format("<header><p class=\"soft crumbs\">Tick 1*</p><h1>{}</h1>{}{}</header>"
                             "<main id=\"main\">{}<section aria-labelledby=\"all\">"

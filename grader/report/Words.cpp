@@ -1,5 +1,7 @@
 #include <grader/report/Words.h>
 
+#include <fmt/core.h>
+
 #include <cctype>
 
 namespace ticker::report {
@@ -44,6 +46,10 @@ std::string_view wordsFor(Severity severity) {
             return "note";
     }
     return "";
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::string sentence(std::string_view text) {

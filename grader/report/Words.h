@@ -3,6 +3,7 @@
 
 #include <grader/result/SubmissionResult.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ inline constexpr std::string_view kScreenshotFile = "images/screenshot.png";
 /// What somebody did to get a finding, to go on "14 of 60 ...": "inverted the bumps along u". The
 /// id itself where there are no words for it.
 [[nodiscard]] std::string_view wordsForFinding(std::string_view id);
+
+/// "1 submission", "2 submissions".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view what);
 
 /// The first letter as a capital.
 [[nodiscard]] std::string sentence(std::string_view text);

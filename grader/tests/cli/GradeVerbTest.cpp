@@ -42,6 +42,7 @@ TEST_F(Verbs, GradeWritesEverythingThatTheContractNames) {
                         " -o '" + out + "' --seed 7");
     EXPECT_EQ(ran.status, 0) << ran.errors;
     EXPECT_NE(ran.output.find("bump.inverted-u"), std::string::npos) << ran.output;
+    EXPECT_EQ(ran.errors.find("1 submission:"), 0U) << ran.errors;
     for (const char* file : {"index.html", "summary.csv", "bump-inverted-u/result.json",
                              "bump-inverted-u/report.html", "bump-inverted-u/images"})
         EXPECT_TRUE(fs::exists(fs::path{out} / file)) << file;

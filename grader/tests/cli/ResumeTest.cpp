@@ -98,6 +98,17 @@ TEST_F(Resume, GoesOnAfterCtrlC) {
         EXPECT_EQ(row.timesGraded, 1) << row.submission;
 }
 
+// The first is the slow one: it is under way when the four others are done.
+TEST_F(Resume, OffersNothingMoreWhereCtrlCCameAfterTheLastHadBegun) {
+    RunningTicker ticker{gradeCommand("out", {"--seed", "5"}), at("errors").string()};
+    for (std::size_t i = 1; i < kSize; ++i)
+        ASSERT_TRUE(ticker.readLine());
+    ticker.send(SIGINT);
+    EXPECT_EQ(ticker.wait(), 130);
+    EXPECT_NE(errors().find("everything was graded"), std::string::npos) << errors();
+    EXPECT_EQ(errors().find("--resume"), std::string::npos) << errors();
+}
+
 TEST_F(Resume, CollectsWhatNodesWroteIntoTheSameSummary) {
     run(gradeCommand("local", {"--seed", "5"}));
     run(gradeCommand("nodes", {"--seed", "5", "--results-only"}));
