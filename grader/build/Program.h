@@ -1,6 +1,7 @@
 #ifndef TICKER_BUILD_PROGRAM_H
 #define TICKER_BUILD_PROGRAM_H
 
+#include <cstdint>
 #include <filesystem>
 #include <utility>
 
@@ -30,6 +31,10 @@ public:
     explicit Program(JobFolder folder) : folder_(std::move(folder)) {}
 
     [[nodiscard]] std::filesystem::path file() const { return folder_.path() / "probe"; }
+
+    /// Memory that it takes before it does anything, mostly for global variables, as its file says:
+    /// the kernel starts no program that has less. 0 where the file says nothing.
+    [[nodiscard]] std::uint64_t staticBytes() const;
 
 private:
     JobFolder folder_;

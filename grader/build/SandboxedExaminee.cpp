@@ -9,8 +9,12 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace ticker::build {
 namespace {
@@ -35,11 +39,31 @@ std::string signalName(int signal) {
     return name == nullptr ? fmt::format("signal {}", signal) : fmt::format("SIG{}", name);
 }
 
+std::string ofTheLimit(std::uint64_t bytes, const sandbox::Limits& limits) {
+    constexpr double kMegabyte = 1e6;
+    return fmt::format("{:.0f} MB, where it may have {:.0f} MB",
+                       static_cast<double>(bytes) / kMegabyte,
+                       static_cast<double>(limits.addressSpaceBytes) / kMegabyte);
+}
+
+// Why a signal came, where memory was it. What was measured goes before what was printed.
+std::optional<std::string> wantOfMemory(const Outcome& outcome, const sandbox::Limits& limits) {
+    if (outcome.code == SIGSYS || outcome.code == SIGXCPU || outcome.code == SIGXFSZ) return {};
+    // A vector that doubles its room has held half of it all before it asks for more than is left.
+    if (outcome.peakMemoryBytes >= limits.addressSpaceBytes / 2)
+        return fmt::format("{} after it had used {}", signalName(outcome.code),
+                           ofTheLimit(outcome.peakMemoryBytes, limits));
+    // One request for far too much fills nothing: only these words tell of it.
+    if (outcome.code == SIGABRT && outcome.output.find(kBadAlloc) != std::string::npos)
+        return kBadAlloc;
+    return {};
+}
+
 ProcessEnd endBySignal(const Outcome& outcome) {
     const std::string name = signalName(outcome.code);
     switch (outcome.code) {
         case SIGSYS:
-            return {Kind::forbiddenCall, "a system call that a renderer does not need"};
+            return {Kind::forbiddenCall, "ended at a forbidden system call"};
         case SIGXCPU:
         case SIGKILL:
             return {Kind::timedOut,
@@ -47,8 +71,6 @@ ProcessEnd endBySignal(const Outcome& outcome) {
         case SIGXFSZ:
             return {Kind::outputLimit, "wrote more than a file may hold"};
         case SIGABRT:
-            if (outcome.output.find(kBadAlloc) != std::string::npos)
-                return {Kind::memory, "ran out of memory (std::bad_alloc)"};
             return {Kind::crashed, name + ": abort, by std::terminate or the like"};
         case SIGSEGV:
             return {Kind::crashed, name +
@@ -59,10 +81,27 @@ ProcessEnd endBySignal(const Outcome& outcome) {
     }
 }
 
-ProcessEnd endOf(const Outcome& outcome, bool finished, const sandbox::Limits& limits) {
+// What the jail says of a file that the kernel does not take for a program.
+constexpr int kNotExecutable = 126;
+
+ProcessEnd endByExit(int status) {
+    if (status == kNotExecutable)
+        return {Kind::exitedEarly,
+                "could not be started at all, or left with exit status 126 of its own"};
+    return {Kind::exitedEarly, fmt::format("left with exit status {}", status)};
+}
+
+ProcessEnd endOf(const Outcome& outcome, bool finished, const Program& program,
+                 const sandbox::Limits& limits) {
     if (outcome.end == Outcome::End::failed)
         return {Kind::ourFault, intake::asUtf8(outcome.output)};
     if (finished) return {};
+    const bool mayNeverHaveBegun =
+        outcome.end == Outcome::End::signalled ||
+        (outcome.end == Outcome::End::exited && outcome.code == kNotExecutable);
+    if (const std::uint64_t bytes = program.staticBytes();
+        mayNeverHaveBegun && bytes >= limits.addressSpaceBytes)
+        return {Kind::memory, "its global and static variables take " + ofTheLimit(bytes, limits)};
     switch (outcome.end) {
         case Outcome::End::wallLimit:
             return {Kind::timedOut, fmt::format("stopped after {:.0f} s", limits.wallSeconds)};
@@ -70,9 +109,10 @@ ProcessEnd endOf(const Outcome& outcome, bool finished, const sandbox::Limits& l
             return {Kind::outputLimit,
                     fmt::format("printed more than {} bytes", limits.outputBytes)};
         case Outcome::End::signalled:
+            if (auto why = wantOfMemory(outcome, limits)) return {Kind::memory, std::move(*why)};
             return endBySignal(outcome);
         default:
-            return {Kind::exitedEarly, fmt::format("left with exit status {}", outcome.code)};
+            return endByExit(outcome.code);
     }
 }
 
@@ -95,9 +135,9 @@ probe::Sitting SandboxedExaminee::ask(const std::vector<probe::Question>& questi
     wallMs_ += outcome.wallMs;
 
     probe::Sitting sitting{probe::readAnswers(questions, memory.bytes()),
-                           endOf(outcome, probe::saysFinished(memory.bytes()), limits_)};
+                           endOf(outcome, probe::saysFinished(memory.bytes()), program_, limits_)};
     if (sitting.end.kind == Kind::finished && std::ranges::any_of(sitting.answers, saysOutOfMemory))
-        sitting.end = {Kind::memory, "ran out of memory (std::bad_alloc)"};
+        sitting.end = {Kind::memory, kBadAlloc};
     return sitting;
 }
 

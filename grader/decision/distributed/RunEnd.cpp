@@ -31,7 +31,9 @@ EndText textOf(Kind kind) {
             return {"run.timed-out", "it was still busy when its time was up",
                     "Look for a loop that does not end, or for far more rays than asked for."};
         case Kind::memory:
-            return {"run.memory", "it ran out of memory", "Look for a container that only grows."};
+            return {
+                "run.memory", "it ran out of memory",
+                "Look for a container that only grows, and for an array that is far too large."};
         case Kind::outputLimit:
             return {"run.output-limit", "it printed too much", "Remove the debugging output."};
         case Kind::forbiddenCall:

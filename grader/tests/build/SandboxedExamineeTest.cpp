@@ -103,6 +103,21 @@ TEST(SandboxedExaminee, CountsExceptionsAndGoesOn) {
     EXPECT_FALSE(probe::isUnanswered(answer.normals[2]));
 }
 
+TEST(SandboxedExaminee, SaysHowMuchMemoryItHadUsed) {
+    const Sitting sitting = askBumpySphere(
+        "kept = new char[300'000'000];\n"
+        "std::memset(kept, 1, 300'000'000);\n"
+        "std::abort();",
+        "#include <cstring>\nstatic char* volatile kept;");
+    EXPECT_EQ(sitting.end.kind, Kind::memory);
+    EXPECT_NE(sitting.end.detail.find("may have 400 MB"), std::string::npos) << sitting.end.detail;
+}
+
+TEST(SandboxedExaminee, SaysOfAStatusThatItMayMeanThatNothingWasStarted) {
+    const Sitting sitting = askBumpySphere("_exit(126);");
+    EXPECT_NE(sitting.end.detail.find("not be started"), std::string::npos) << sitting.end.detail;
+}
+
 struct Ending {
     const char* name;
     const char* body;
@@ -135,6 +150,18 @@ INSTANTIATE_TEST_SUITE_P(
         Ending{"AVectorWithoutEnd",
                "std::vector<double> v; for (;;) v.resize(v.size() * 2 + 1000);",
                "#include <vector>", Kind::memory},
+        Ending{"MemoryThatIsGivenUpOnWithoutAWord",
+               "for (;;) { auto* room = static_cast<char*>(std::malloc(1 << 20));\n"
+               "std::memset(room, 1, 1 << 20); }",
+               "#include <cstring>", Kind::memory},
+        Ending{"ARequestForFarTooMuch", "kept = new char[1ULL << 40]; return {};",
+               "static char* volatile kept;", Kind::memory},
+        Ending{"TooMuchRoomForItsVariables", "room[0] = 1; return {};",
+               "static volatile char room[500'000'000];", Kind::memory},
+        Ending{"AnAbortThatSpeaksOfOtherThings",
+               "std::fputs(\"bad memory\", stderr); std::abort();", "#include <cstdio>",
+               Kind::crashed},
+        Ending{"AStatusLikeThatOfNoProgram", "_exit(126);", "", Kind::exitedEarly},
         Ending{"AFork", "fork(); return {};", "", Kind::forbiddenCall},
         Ending{"ASocket", "socket(AF_INET, SOCK_STREAM, 0); return {};", "#include <sys/socket.h>",
                Kind::forbiddenCall},
