@@ -14,13 +14,15 @@ void replaceAll(std::string& text, std::string_view from, std::string_view to) {
         text.replace(at, from.size(), to);
 }
 
-// The compiler driver names objects ccXXXXXX.o, in the scratch folder.
-void nameObjects(std::string& text, std::string_view fileName) {
+// The compiler driver names what it makes on the way ccXXXXXX with this ending, in the scratch
+// folder.
+void nameTemporary(std::string& text, std::string_view ending, std::string_view name) {
     constexpr std::size_t kNameLength = 8;
     for (std::size_t at = text.find("/cc"); at != std::string::npos;
          at = text.find("/cc", at + 1)) {
         const std::size_t end = at + 1 + kNameLength;
-        if (end + 2 > text.size() || text.compare(end, 2, ".o") != 0) continue;
+        if (end + ending.size() > text.size() || text.compare(end, ending.size(), ending) != 0)
+            continue;
         const bool isName = std::all_of(text.begin() + static_cast<std::ptrdiff_t>(at + 1),
                                         text.begin() + static_cast<std::ptrdiff_t>(end),
                                         [](unsigned char c) { return std::isalnum(c) != 0; });
@@ -29,7 +31,7 @@ void nameObjects(std::string& text, std::string_view fileName) {
         while (begin > 0 && std::isgraph(static_cast<unsigned char>(text[begin - 1])) != 0 &&
                text[begin - 1] != '(')
             --begin;
-        text.replace(begin, end + 2 - begin, fileName);
+        text.replace(begin, end + ending.size() - begin, name);
         at = begin;
     }
 }
@@ -43,7 +45,9 @@ std::string readableDiagnostics(std::string_view output,
     for (const std::filesystem::path& folder : hidden)
         replaceAll(text, folder.string() + "/", "");
     replaceAll(text, "include/raytracer/", "raytracer/");
-    nameObjects(text, fileName);
+    nameTemporary(text, ".o", fileName);
+    // Its lines are not the student's: no line number may follow the plain name.
+    nameTemporary(text, ".s", std::string{fileName} + " (as assembler code)");
     text = intake::asUtf8(text);
     if (text.size() <= kMostDiagnostics) return text;
     const std::size_t line = text.rfind('\n', kMostDiagnostics);

@@ -21,6 +21,10 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
+bool isClosedComment(std::string_view text) {
+    return text.size() >= std::string_view{"/**/"}.size() && text.ends_with("*/");
+}
+
 /// Walks through C++ source piece by piece: a comment, a literal, or one character.
 class Lexer {
 public:
@@ -146,6 +150,19 @@ std::optional<std::string> taskText(std::string_view source, std::string_view ta
 bool isStub(std::string_view source, std::string_view templateSource, std::string_view task) {
     const std::optional<std::string> text = taskText(source, task);
     return text && text == taskText(templateSource, task);
+}
+
+bool holdsCode(std::string_view source) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (source.starts_with(kByteOrderMark)) source.remove_prefix(kByteOrderMark.size());
+    for (Lexer lexer{source}; lexer.next();) {
+        const std::string_view text = lexer.text();
+        const bool isBlank = lexer.piece() == Lexer::Piece::comment
+                                 ? !text.starts_with("/*") || isClosedComment(text)
+                                 : text.size() == 1 && isSpace(text.front());
+        if (!isBlank) return true;
+    }
+    return false;
 }
 
 }  // namespace ticker::intake

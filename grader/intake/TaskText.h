@@ -15,6 +15,10 @@ namespace ticker::intake {
 [[nodiscard]] bool isStub(std::string_view source, std::string_view templateSource,
                           std::string_view task);
 
+/// False where there is nothing but a byte-order mark, white space and comments. A comment that
+/// never ends counts as code: the compiler says where it begins.
+[[nodiscard]] bool holdsCode(std::string_view source);
+
 }  // namespace ticker::intake
 
 #endif

@@ -51,8 +51,10 @@ bool isForAPerson(const Finding& finding) {
     return finding.id == "intake.ambiguous" || finding.id == "intake.missing-file";
 }
 
+// The compiler's first error, or the assembler's, which writes it with a capital.
 std::string firstError(std::string_view diagnostics) {
     std::size_t at = diagnostics.find("error: ");
+    if (at == std::string_view::npos) at = diagnostics.find("Error: ");
     if (at == std::string_view::npos) at = 0;
     const std::size_t begin = at == 0 ? 0 : diagnostics.rfind('\n', at) + 1;
     constexpr std::size_t kLongest = 200;
@@ -69,6 +71,28 @@ std::string firstError(std::string_view diagnostics) {
 bool missesHeader(const std::string& error) {
     return error.find("No such file or directory") != std::string::npos ||
            error.find("file not found") != std::string::npos;
+}
+
+// The linkers' words where an address needs more than 32 bits: there is no room beyond that.
+bool outgrowsAProgram(std::string_view diagnostics) {
+    return diagnostics.find("relocation truncated to fit") != std::string_view::npos ||
+           (diagnostics.find("relocation R_") != std::string_view::npos &&
+            diagnostics.find("out of range") != std::string_view::npos);
+}
+
+Finding emptyFinding(const std::string& source, const std::string& name) {
+    Finding finding;
+    finding.id = "build.failed";
+    finding.severity = Severity::fail;
+    finding.message =
+        source.empty()
+            ? fmt::format("{} is empty.", name)
+            : fmt::format("{} holds no code: nothing but white space or comments.", name);
+    finding.hint = fmt::format(
+        "Save your work in the editor, look into the file once more, and hand in the {} that has "
+        "your solution in it.",
+        name);
+    return finding;
 }
 
 Finding buildFinding(const BuildResult& result, const std::string& name) {
@@ -89,6 +113,14 @@ Finding buildFinding(const BuildResult& result, const std::string& name) {
             break;
         default:
             finding.id = "build.failed";
+            if (outgrowsAProgram(result.diagnostics)) {
+                finding.message = fmt::format(
+                    "{} makes a program that is too large: its global and static variables take "
+                    "2 GB or more.",
+                    name);
+                finding.hint = "Look for an array whose size is far beyond what it has to hold.";
+                break;
+            }
             const std::string error = firstError(result.diagnostics);
             finding.message = fmt::format("{} does not compile: {}", name, error);
             finding.hint = missesHeader(error)
@@ -147,6 +179,10 @@ FileWork prepareFile(const intake::Submission& submission, SourceFile file, cons
     const std::optional<std::string>& source = submission.part(partOf(file));
     if (!source) {
         closeAll(work, TaskState::notAttempted, fmt::format("there is no {}", name));
+        return work;
+    }
+    if (!intake::holdsCode(*source)) {
+        blockAll(work, emptyFinding(*source, name), false);
         return work;
     }
     const std::string stub = grader.kit.templateSource(file);

@@ -10,6 +10,15 @@ TEST(Diagnostics, NameTheStudentsFileInsteadOfTheLinkersObject) {
               ">>> defined at Renderer.cpp:(main)\n");
 }
 
+// The line is one of the assembler code, not one of the student's.
+TEST(Diagnostics, NameTheStudentsFileInsteadOfTheAssemblersAndNoLineOfIt) {
+    EXPECT_EQ(readableDiagnostics("/tmp/ccAb12xZ.s: Assembler messages:\n"
+                                  "/tmp/ccAb12xZ.s:7: Error: no such instruction: `x'\n",
+                                  {}, "Renderer.cpp"),
+              "Renderer.cpp (as assembler code): Assembler messages:\n"
+              "Renderer.cpp (as assembler code):7: Error: no such instruction: `x'\n");
+}
+
 TEST(Diagnostics, LoseTheFoldersOfThisMachine) {
     EXPECT_EQ(readableDiagnostics("/kit/include/raytracer/math/Ray.h:3: x\n/src/a.cpp:1: y\n",
                                   {"/src", "/kit"}, "a.cpp"),

@@ -42,6 +42,15 @@ TEST(TaskText, IsEmptyWithoutBothMarks) {
     EXPECT_EQ(taskText("", "T1"), std::nullopt);
 }
 
+TEST(HoldsCode, SeesNoneInAMarkWhiteSpaceAndComments) {
+    for (const char* source : {"", "\xEF\xBB\xBF", " \t\r\n\f", "// TASK T1 begin", "/**/",
+                               "\xEF\xBB\xBF// a\n/* b\n */\r\n"})
+        EXPECT_FALSE(holdsCode(source)) << source;
+    for (const char* source : {"x", "#include <cmath>\n", "// a\nx", "/* a */ ;", "\"//\"",
+                               "/* never ends\nint x;", "/*/", "\xEF\xBB"})
+        EXPECT_TRUE(holdsCode(source)) << source;
+}
+
 TEST(IsStub, KnowsTheTemplateWhateverTheLayout) {
     const std::string handedOut = between("unfinished(\"T1\", \"a b\");\nreturn n;");
     EXPECT_TRUE(isStub(between("  unfinished( \"T1\",\t\"a b\" );  // todo\r\n  return n;\r\n"),
