@@ -12,6 +12,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <utility>
 
 namespace ticker::build {
 namespace fs = std::filesystem;
@@ -27,6 +28,15 @@ const char* objectNameOf(SourceFile file) {
 SourceFile otherThan(SourceFile file) {
     return file == SourceFile::bumpySphere ? SourceFile::renderer : SourceFile::bumpySphere;
 }
+
+// The compiler driver's word on a linker that it ran, so on code that had compiled.
+constexpr std::string_view kLinkerFailed = "ld returned 1 exit status";
+
+/// What one run of the compiler came to.
+struct Attempt {
+    BuildResult result;
+    bool couldCompile = false;  ///< where it failed: only the linker did
+};
 
 /// One file on its way to a program.
 class Job {
@@ -48,7 +58,7 @@ public:
         fs::permissions(file, fs::perms{0644});
     }
 
-    [[nodiscard]] BuildResult compileAndLink(bool precompiled) const {
+    [[nodiscard]] Attempt compileAndLink(bool precompiled) const {
         JobFolder folder;
         const fs::path target = folder.path() / "probe";
         // Closed before the program is run: a file that is open for writing cannot be.
@@ -59,13 +69,16 @@ public:
         const Outcome outcome = sandbox_.run(command(precompiled, product.get()));
         product.reset();
 
-        BuildResult result;
+        Attempt attempt;
+        BuildResult& result = attempt.result;
         result.cpuMs = outcome.cpuMs;
         result.wallMs = outcome.wallMs;
+        result.compilations = 1;
         result.kind = kindOf(outcome);
         result.diagnostics = explained(result.kind, outcome);
         if (result.kind == Kind::built) result.program.emplace(std::move(folder));
-        return result;
+        attempt.couldCompile = says(outcome, kLinkerFailed);
+        return attempt;
     }
 
 private:
@@ -154,11 +167,13 @@ BuildResult buildProgram(const Kit& kit, const sandbox::Sandbox& sandbox,
                          const sandbox::Limits& limits, SourceFile file, std::string_view source) {
     const Job job{kit, sandbox, limits, file};
     job.writeSource(source);
-    BuildResult first = job.compileAndLink(true);
-    if (first.kind != Kind::failed) return first;
-    BuildResult second = job.compileAndLink(false);
+    Attempt attempt = job.compileAndLink(true);
+    BuildResult first = std::move(attempt.result);
+    if (first.kind != Kind::failed || attempt.couldCompile) return first;
+    BuildResult second = job.compileAndLink(false).result;
     second.cpuMs += first.cpuMs;
     second.wallMs += first.wallMs;
+    second.compilations += first.compilations;
     return second;
 }
 

@@ -27,13 +27,15 @@ struct BuildResult {
     std::string diagnostics;
     double cpuMs = 0.0;
     double wallMs = 0.0;
+    int compilations = 0;  ///< how often the compiler was run
 };
 
 /// Compiles one submitted file and links it with the kit and the template's other file.
 ///
 /// It is compiled alone, so that it can only spoil its own task, with nothing of the submission
 /// around it. A file that does not compile with the kit's precompiled header is compiled again
-/// without it, since that header names more things than the file asked for.
+/// without it, since that header names more things than the file asked for; the errors told are
+/// those of the second time. What compiled and could not be linked is not compiled again.
 [[nodiscard]] BuildResult buildProgram(const Kit& kit, const sandbox::Sandbox& sandbox,
                                        const sandbox::Limits& limits, SourceFile file,
                                        std::string_view source);

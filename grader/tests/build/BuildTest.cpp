@@ -69,6 +69,16 @@ TEST(Build, DoesNotBlameAFileForThePrecompiledHeader) {
     EXPECT_EQ(build(SourceFile::bumpySphere, source).kind, Kind::built);
 }
 
+// The precompiled header may be to blame for an error, but not for what a linker misses.
+TEST(Build, CompilesASecondTimeOnlyWhereTheFirstDidNotCompile) {
+    EXPECT_EQ(build(SourceFile::bumpySphere, reference("BumpySphere.cpp")).compilations, 1);
+    EXPECT_EQ(build(SourceFile::bumpySphere, "int x = nonsense;\n").compilations, 2);
+    const BuildResult unlinked = build(SourceFile::bumpySphere, "int x = 1;\n");
+    EXPECT_EQ(unlinked.kind, Kind::failed);
+    EXPECT_EQ(unlinked.compilations, 1);
+    EXPECT_NE(unlinked.diagnostics.find("getNormalAt"), std::string::npos) << unlinked.diagnostics;
+}
+
 TEST(Build, RefusesAnOwnMain) {
     const BuildResult result =
         build(SourceFile::bumpySphere, reference("BumpySphere.cpp") + "int main() { return 0; }\n");
