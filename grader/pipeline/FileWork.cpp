@@ -80,6 +80,20 @@ bool outgrowsAProgram(std::string_view diagnostics) {
             diagnostics.find("out of range") != std::string_view::npos);
 }
 
+// Of the functions that a file has to define, the one that the linkers' words say is missing. Who
+// leaves out a class's first virtual function is told of its table.
+const char* missingFunction(std::string_view diagnostics) {
+    for (const auto& [symbol, function] :
+         {std::pair{"vtable for raytracer::BumpySphere", "BumpySphere::getNormalAt"},
+          std::pair{"raytracer::BumpySphere::getNormalAt(", "BumpySphere::getNormalAt"},
+          std::pair{"raytracer::Renderer::illuminate(", "Renderer::illuminate"},
+          std::pair{"raytracer::Renderer::render(", "Renderer::render"}})
+        for (const char* before : {"undefined symbol: ", "undefined reference to `"})
+            if (diagnostics.find(std::string{before} + symbol) != std::string_view::npos)
+                return function;
+    return nullptr;
+}
+
 Finding emptyFinding(const std::string& source, const std::string& name) {
     Finding finding;
     finding.id = "build.failed";
@@ -93,6 +107,28 @@ Finding emptyFinding(const std::string& source, const std::string& name) {
         "your solution in it.",
         name);
     return finding;
+}
+
+/// Message and hint for a file with errors.
+void explainErrors(const std::string& diagnostics, const std::string& name, Finding& finding) {
+    if (outgrowsAProgram(diagnostics)) {
+        finding.message = fmt::format(
+            "{} makes a program that is too large: its global and static variables take 2 GB or "
+            "more.",
+            name);
+        finding.hint = "Look for an array whose size is far beyond what it has to hold.";
+    } else if (const char* function = missingFunction(diagnostics)) {
+        finding.message =
+            fmt::format("{} defines no {}, or one with other arguments.", name, function);
+        finding.hint = "Keep its first line, and the namespace around it, as in the stub.";
+    } else {
+        const std::string error = firstError(diagnostics);
+        finding.message = fmt::format("{} does not compile: {}", name, error);
+        finding.hint = missesHeader(error)
+                           ? "The file is compiled alone: put what it needs into it, and include "
+                             "the kit's headers as <raytracer/...>."
+                           : "Build it with ./check, or with the first command of the README.";
+    }
 }
 
 Finding buildFinding(const BuildResult& result, const std::string& name) {
@@ -113,20 +149,7 @@ Finding buildFinding(const BuildResult& result, const std::string& name) {
             break;
         default:
             finding.id = "build.failed";
-            if (outgrowsAProgram(result.diagnostics)) {
-                finding.message = fmt::format(
-                    "{} makes a program that is too large: its global and static variables take "
-                    "2 GB or more.",
-                    name);
-                finding.hint = "Look for an array whose size is far beyond what it has to hold.";
-                break;
-            }
-            const std::string error = firstError(result.diagnostics);
-            finding.message = fmt::format("{} does not compile: {}", name, error);
-            finding.hint = missesHeader(error)
-                               ? "The file is compiled alone: put what it needs into it, and "
-                                 "include the kit's headers as <raytracer/...>."
-                               : "Build it with ./check, or with the first command of the README.";
+            explainErrors(result.diagnostics, name, finding);
     }
     return finding;
 }

@@ -55,6 +55,23 @@ TEST(BuildWords, SayOfTooMuchStaticDataThatItIsTooMuch) {
     EXPECT_EQ(finding.message.find("reloc"), std::string::npos) << finding.message;
 }
 
+TEST(BuildWords, NameTheFunctionThatALinkerMisses) {
+    const SubmissionResult bump = gradeBumpySphere("int x = 1;\n");
+    EXPECT_TRUE(onlyFinding(bump).message.starts_with(
+        "BumpySphere.cpp defines no BumpySphere::getNormalAt"))
+        << onlyFinding(bump).message;
+
+    intake::Submission work;
+    work.name = "somebody";
+    work.parts[1] =
+        "#include <raytracer/render/Renderer.h>\n"
+        "using namespace raytracer;\n"
+        "Image Renderer::render(const Scene&) const { return Image{settings()}; }\n";
+    const TaskReport task = taskOf(gradeSubmission(work, tests::testGrader(), 1), "T2.1");
+    EXPECT_TRUE(task.reason.starts_with("Renderer.cpp defines no Renderer::illuminate"))
+        << task.reason;
+}
+
 // More than a program may have, but not more than a linker can place.
 TEST(BuildWords, SayOfStaticDataThatNoProgramCanBeStartedWithHowMuchItIs) {
     const SubmissionResult result = gradeBumpySphere(
