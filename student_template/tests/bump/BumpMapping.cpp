@@ -19,12 +19,12 @@ std::string words(const Vector3& v) {
     return "(" + inWords(v.x) + ", " + inWords(v.y) + ", " + inWords(v.z) + ")";
 }
 
-std::shared_ptr<const HeightMap> roughMap(int width, int height) {
+HeightMap roughMap(int width, int height) {
     Draws draws{static_cast<std::uint64_t>(width * 1000 + height)};
     std::vector<double> heights;
     for (int i = 0; i < width * height; ++i)
         heights.push_back(draws.between(0.0, kBumpFactor));
-    return std::make_shared<const HeightMap>(width, height, std::move(heights));
+    return {width, height, std::move(heights)};
 }
 
 std::vector<Vector3> telltaleDirections() {
@@ -38,7 +38,7 @@ std::vector<Vector3> telltaleDirections() {
 
 void BumpMapping::SetUp() {
     try {
-        const BumpySphere sphere{{0, 0, 3}, 1.0, {}, roughMap(16, 8)};
+        const BumpySphere& sphere = keptSphere({0, 0, 3}, 1.0, roughMap(16, 8));
         static_cast<void>(sphere.getNormalAt({0.36, 0.48, 2.2}));
     } catch (const std::exception&) {
         // A test says so.

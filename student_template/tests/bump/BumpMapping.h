@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +24,7 @@ void complain(const std::string& asked, const std::string& expected, const std::
 [[nodiscard]] std::string words(const Vector3& v);
 
 /// Random heights: whatever goes wrong somewhere goes wrong on such a map.
-[[nodiscard]] std::shared_ptr<const HeightMap> roughMap(int width, int height);
+[[nodiscard]] HeightMap roughMap(int width, int height);
 
 /// Ordinary points, and those where an angle or a coordinate is exactly 0.
 [[nodiscard]] std::vector<Vector3> telltaleDirections();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <memory>
 
 namespace raytracer::tests::bump {
@@ -111,11 +112,13 @@ HeightMap mapOf(const std::vector<double>& columns, const std::vector<double>& r
     return {static_cast<int>(columns.size()), static_cast<int>(rows.size()), std::move(heights)};
 }
 
+const BumpySphere& keptSphere(const Vector3& centre, double radius, const HeightMap& map) {
+    static std::deque<BumpySphere> kept;
+    return kept.emplace_back(centre, radius, Material{}, std::make_shared<const HeightMap>(map));
+}
+
 std::vector<Vector3> tiltsOn(const HeightMap& map, const std::vector<Vector3>& directions) {
-    // Kept for good: a solution may remember maps by their address.
-    static std::vector<std::shared_ptr<const HeightMap>> kept;
-    kept.push_back(std::make_shared<const HeightMap>(map));
-    const BumpySphere sphere{kCentre, kRadius, {}, kept.back()};
+    const BumpySphere& sphere = keptSphere(kCentre, kRadius, map);
     std::vector<Vector3> tilts;
     for (const Vector3& direction : directions)
         tilts.push_back(

@@ -1,6 +1,7 @@
 #ifndef BUMP_BUMPSURVEY_H
 #define BUMP_BUMPSURVEY_H
 
+#include <raytracer/geometry/BumpySphere.h>
 #include <raytracer/geometry/HeightMap.h>
 #include <raytracer/math/Vector3.h>
 
@@ -49,6 +50,11 @@ private:
     double strengthV_ = 0.0;
     double strengthOnFlat_ = 0.0;
 };
+
+/// A sphere that stays where it is for good, with its map: a solution may remember either by its
+/// address.
+[[nodiscard]] const BumpySphere& keptSphere(const Vector3& centre, double radius,
+                                            const HeightMap& map);
 
 /// The normals that a solution gives for a sphere with this map, as tilts of the smooth normal.
 /// @param directions  Of the points, from the centre of the sphere.

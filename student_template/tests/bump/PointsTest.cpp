@@ -35,7 +35,7 @@ TEST_F(BumpMapping, AnswersAtEveryPointOfMapsOfAnySize) {
     for (const auto& [width, height] : {std::pair{4, 4}, {7, 5}, {97, 41}, {41, 97}}) {
         const std::string map =
             "a map of " + std::to_string(width) + " x " + std::to_string(height) + " texels";
-        const BumpySphere sphere{centre, 0.7, {}, roughMap(width, height)};
+        const BumpySphere& sphere = keptSphere(centre, 0.7, roughMap(width, height));
         for (const Vector3& direction : telltaleDirections()) {
             const std::string asked =
                 "the point " + words(direction) + " * radius + centre, " + map;
@@ -57,7 +57,7 @@ TEST_F(BumpMapping, AnswersAtEveryPointOfMapsOfAnySize) {
 }
 
 TEST_F(BumpMapping, GivesNormalsOfUnitLength) {
-    const BumpySphere sphere{{0.4, -0.2, 3.5}, 0.7, {}, roughMap(97, 41)};
+    const BumpySphere& sphere = keptSphere({0.4, -0.2, 3.5}, 0.7, roughMap(97, 41));
     for (const Vector3& direction : telltaleDirections()) {
         Vector3 normal;
         try {
@@ -76,11 +76,8 @@ TEST_F(BumpMapping, GivesNormalsOfUnitLength) {
 
 TEST_F(BumpMapping, PointsOutwards) {
     if (!couldSurvey()) return;
-    const BumpySphere sphere{{1.3, -0.7, 25.0},
-                             14.0,
-                             {},
-                             std::make_shared<const HeightMap>(
-                                 mapOf(questions::ramp(1500, kGentle), questions::level(90)))};
+    const BumpySphere& sphere = keptSphere(
+        {1.3, -0.7, 25.0}, 14.0, mapOf(questions::ramp(1500, kGentle), questions::level(90)));
     const std::vector<Vector3> directions = telltaleDirections();
     const auto inward = std::ranges::count_if(directions, [&](const Vector3& direction) {
         return sphere.getNormalAt(sphere.centre() + direction * 14.0).dot(direction) <= 0.0;

@@ -97,7 +97,7 @@ TEST_F(DepthOfField, MixesColoursInEveryFrame) {
 }
 
 TEST_F(DepthOfField, FollowsAsManyReflectionsAsAsked) {
-    if (trial().mostBounces() < 0) GTEST_SKIP() << "your code does not call trace";
+    if (trial().mostBounces() < 0) GTEST_SKIP() << "your code does not trace camera rays";
     const int wanted = handout_.bounces;
     if (trial().mostBounces() == wanted) return;
     complain("the last argument of trace",

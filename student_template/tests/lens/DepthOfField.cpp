@@ -73,7 +73,7 @@ ColourRGB Trial::meanOfRays(std::size_t pixel) const {
 void Trial::sortRays() {
     std::array<std::size_t, 2> counts{};
     for (const Ray& ray : log_.rays()) {
-        if (ray.origin.z > 1.0) continue;
+        if (ray.origin.z > kNearestSurface) continue;
         const std::size_t pixel = ray.direction.x < 0.0 ? 0 : 1;
         rays_[pixel].push_back(ray);
         ++counts[pixel];

@@ -5,7 +5,8 @@
 
 namespace raytracer::tests {
 
-void RayLog::traceBegan(const Ray& /*ray*/, int bouncesLeft) {
+void RayLog::traceBegan(const Ray& ray, int bouncesLeft) {
+    if (ray.origin.z > kNearestSurface) return;
     const std::lock_guard lock{mutex_};
     mostBounces_ = std::max(mostBounces_, bouncesLeft);
 }
