@@ -63,7 +63,13 @@ public:
     }
 
 private:
-    static int whole(Real value) { return static_cast<int>(std::floor(value)); }
+    /// What is no number becomes a place far below the map, as on the processors that students have;
+    /// their int has no room for a neighbour there, ours has.
+    static int whole(Real value) {
+        constexpr int kFar = 1'000'000'000;
+        const Real floor = std::floor(value);
+        return std::abs(floor) < Real(kFar) ? static_cast<int>(floor) : -kFar;
+    }
 
     /// Catmull-Rom over four texels, or linear over two.
     static Real weight(Real distance, bool cubic) {
