@@ -19,7 +19,8 @@ struct RightLog : LensByHand {
         asked.settings.height = 2;
         Draw draw{6, 1};
         for (int i = 0; i < 8; ++i) {
-            LensPixel& made = pixel({0.1 * (i % 4), 0.2 * (i / 4), 1.0});
+            const int row = i / 4;
+            LensPixel& made = pixel({0.1 * (i % 4), 0.2 * row, 1.0});
             for (int ray = 0; ray < 50; ++ray) {
                 const double x = draw.between(-amount, amount);
                 made.rays.push_back(rayThrough({x, draw.between(-amount, amount), 0.0},

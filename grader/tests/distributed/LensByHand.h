@@ -19,6 +19,7 @@ struct LensByHand {
     LensByHand() { log.asked = &asked; }
     LensByHand(const LensByHand&) = delete;
     LensByHand& operator=(const LensByHand&) = delete;
+    ~LensByHand() = default;
 
     /// Another pixel, whose camera ray goes along `pinhole`.
     LensPixel& pixel(const Vector3& pinhole = {0.0, 0.0, 1.0}) {
