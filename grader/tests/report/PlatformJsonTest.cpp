@@ -81,7 +81,7 @@ TEST(PrairieLearnJson, ScoreIsAShareWhateverTheRubricsPoints) {
 }
 
 TEST(ClassroomJson, BothWaysOfAddingUpPointsAgree) {
-    for (SubmissionResult result : exampleClass(5)) {
+    for (const SubmissionResult& result : exampleClass(5)) {
         const std::string text = classroomJson(viewOf(result));
         EXPECT_TRUE(tests::fitsSchema(text, "classroom"));
         const json document = json::parse(text);
