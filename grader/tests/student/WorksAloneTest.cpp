@@ -111,7 +111,7 @@ TEST_F(PackageAlone, SurvivesACrashOfOneTask) {
 
     EXPECT_EQ(checked.status, 1) << checked.output;
     EXPECT_NE(checked.output.find("bump mapping:  crashed"), std::string::npos) << checked.output;
-    EXPECT_NE(checked.output.find("T2.2 depth of field: 10 of 10"), std::string::npos)
+    EXPECT_NE(checked.output.find("T2.2 depth of field: 11 of 11"), std::string::npos)
         << checked.output;
 }
 
