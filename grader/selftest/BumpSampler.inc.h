@@ -63,8 +63,8 @@ public:
     }
 
 private:
-    /// What is no number becomes a place far below the map, as on the processors that students have;
-    /// their int has no room for a neighbour there, ours has.
+    /// What is no number becomes a place far below the map, as on the processors that students
+    /// have; their int has no room for a neighbour there, ours has.
     static int whole(Real value) {
         constexpr int kFar = 1'000'000'000;
         const Real floor = std::floor(value);
