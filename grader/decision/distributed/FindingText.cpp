@@ -152,6 +152,10 @@ Finding distributedFinding(std::string_view id, Severity severity, std::string s
     return finding;
 }
 
+bool hasFailure(const std::vector<Finding>& findings) {
+    return std::ranges::find(findings, Severity::fail, &Finding::severity) != findings.end();
+}
+
 std::vector<Finding> mostImportantFirst(std::vector<Finding> findings) {
     std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
         if (a.severity != b.severity) return a.severity < b.severity;

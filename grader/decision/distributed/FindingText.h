@@ -13,6 +13,8 @@ namespace ticker::decision {
 /// @param seen  What was expected and what was seen: the message.
 [[nodiscard]] Finding distributedFinding(std::string_view id, Severity severity, std::string seen);
 
+[[nodiscard]] bool hasFailure(const std::vector<Finding>& findings);
+
 /// Puts findings into contract.md's order and keeps the first failure: the names of the others
 /// become its evidence, warnings and notes follow it.
 [[nodiscard]] std::vector<Finding> mostImportantFirst(std::vector<Finding> findings);

@@ -16,11 +16,6 @@ void keep(std::vector<Finding>& findings, std::optional<Finding> finding) {
     if (finding) findings.push_back(std::move(*finding));
 }
 
-bool hasFailure(const std::vector<Finding>& findings) {
-    return std::any_of(findings.begin(), findings.end(),
-                       [](const Finding& finding) { return finding.severity == Severity::fail; });
-}
-
 bool isFinite(const LensLog& log) {
     return std::all_of(log.pixels.begin(), log.pixels.end(), [](const LensPixel& pixel) {
         return std::isfinite(pixel.colour.r + pixel.colour.g + pixel.colour.b);

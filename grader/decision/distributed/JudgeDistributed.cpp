@@ -14,11 +14,6 @@
 namespace ticker::decision {
 namespace {
 
-bool hasFailure(const std::vector<Finding>& findings) {
-    return std::ranges::any_of(
-        findings, [](const Finding& finding) { return finding.severity == Severity::fail; });
-}
-
 TaskJudgement judgementOf(std::vector<Finding> findings, bool needsReview = false) {
     TaskJudgement judgement;
     judgement.findings = mostImportantFirst(std::move(findings));

@@ -20,12 +20,6 @@ bool castsNoRay(const ShadowLogs& logs) {
     return true;
 }
 
-bool hasFailure(const std::vector<Finding>& findings) {
-    for (const Finding& finding : findings)
-        if (finding.severity == Severity::fail) return true;
-    return false;
-}
-
 void warnOfReading(const ShadowReading& reading, std::vector<Finding>& findings) {
     if (!reading.viewerIsEye) return;
     findings.push_back(distributedFinding(
