@@ -100,8 +100,8 @@ Finding notThisScene(const std::string& wanted, const std::string& shown) {
                     ? fmt::format("The picture does not show {}, the scene of this option.", wanted)
                     : fmt::format("The picture shows {}; expected is {}, the scene of this option.",
                                   shown, wanted),
-                fmt::format("Render {} with tick1star -i {} -o screenshot.png.", wanted,
-                            sceneFile(wanted)));
+                fmt::format("Render {} with tick1star -i {} -o screenshot.png{}.", wanted,
+                            sceneFile(wanted), wanted == "bump-mapping" ? " --pinhole" : ""));
     if (!shown.empty()) result.evidence.emplace_back("shown", shown);
     return result;
 }

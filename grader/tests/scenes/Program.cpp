@@ -19,7 +19,7 @@ extern char** environ;
 namespace ticker::testing {
 namespace {
 
-const std::string kProgram = std::string(TICKER_BINARY_DIR) + "/bin/tick1star-reference";
+const std::string kProgram = std::string(TICKER_BINARY_DIR) + "/bin/tick1star-";
 
 class FileActions {
 public:
@@ -53,13 +53,14 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
     return pointers;
 }
 
-pid_t start(std::vector<std::string> arguments, const FileActions& actions) {
-    arguments.insert(arguments.begin(), kProgram);
+pid_t start(const std::string& program, std::vector<std::string> arguments,
+            const FileActions& actions) {
+    arguments.insert(arguments.begin(), program);
     std::vector<std::string> environment = environmentAfter({});
     pid_t process = 0;
-    if (posix_spawn(&process, kProgram.c_str(), actions.get(), nullptr,
-                    pointersTo(arguments).data(), pointersTo(environment).data()) != 0)
-        throw std::runtime_error("cannot start " + kProgram);
+    if (posix_spawn(&process, program.c_str(), actions.get(), nullptr, pointersTo(arguments).data(),
+                    pointersTo(environment).data()) != 0)
+        throw std::runtime_error("cannot start " + program);
     return process;
 }
 
@@ -72,20 +73,21 @@ int waitFor(pid_t process) {
 }  // namespace
 
 ProgramResult runTick1Star(const std::vector<std::string>& arguments,
-                           const std::filesystem::path& scratch) {
+                           const std::filesystem::path& scratch, const std::string& solution) {
     const std::string out = scratch / "stdout.txt";
     const std::string err = scratch / "stderr.txt";
     FileActions actions;
     actions.open(STDOUT_FILENO, out, O_WRONLY | O_CREAT | O_TRUNC);
     actions.open(STDERR_FILENO, err, O_WRONLY | O_CREAT | O_TRUNC);
-    const int exitCode = waitFor(start(arguments, actions));
+    const int exitCode = waitFor(start(kProgram + solution, arguments, actions));
     return {exitCode, bytesOf(out), bytesOf(err)};
 }
 
 Tick1StarOnTerminal::Tick1StarOnTerminal(std::vector<std::string> arguments,
                                          std::vector<std::string> environment, int columns,
                                          int lines) {
-    arguments.insert(arguments.begin(), kProgram);
+    const std::string program = kProgram + "reference";
+    arguments.insert(arguments.begin(), program);
     environment = environmentAfter(std::move(environment));
     const std::vector<char*> argumentPointers = pointersTo(arguments);
     const std::vector<char*> environmentPointers = pointersTo(environment);
@@ -94,7 +96,7 @@ Tick1StarOnTerminal::Tick1StarOnTerminal(std::vector<std::string> arguments,
     process_ = forkpty(&terminal_, nullptr, nullptr, &size);
     if (process_ < 0) throw std::runtime_error("no terminal can be made");
     if (process_ == 0) {
-        execve(kProgram.c_str(), argumentPointers.data(), environmentPointers.data());
+        execve(program.c_str(), argumentPointers.data(), environmentPointers.data());
         _exit(127);
     }
 }

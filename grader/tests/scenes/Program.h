@@ -15,9 +15,11 @@ struct ProgramResult {
     std::string err;
 };
 
-/// Runs tick1star with the reference solution and waits for it.
+/// Runs tick1star and waits for it.
+/// @param solution  "reference" or "template".
 [[nodiscard]] ProgramResult runTick1Star(const std::vector<std::string>& arguments,
-                                         const std::filesystem::path& scratch);
+                                         const std::filesystem::path& scratch,
+                                         const std::string& solution = "reference");
 
 /// tick1star with the reference solution in a terminal of its own: Ctrl-C typed there reaches it.
 class Tick1StarOnTerminal {

@@ -134,6 +134,33 @@ TEST_F(Tick1Star, IsSilentWhereNobodyWatches) {
     EXPECT_EQ(result.out + result.err, "");
 }
 
+TEST_F(Tick1Star, RemindsOnlyOfTheStubsOfTheScenesOwnOption) {
+    const auto said = [this](const std::string& scene, const std::string& more) {
+        const ProgramResult result =
+            testing::runTick1Star({"-i", kScenes + scene, "-o", file("a.png"), "-r", "16x12", more},
+                                  folder_.path(), "template");
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return result.out + result.err;
+    };
+    const std::string bump = said("bump-mapping.xml", "--pinhole");
+    EXPECT_NE(bump.find("T1 is not done yet: "), std::string::npos) << bump;
+    EXPECT_EQ(bump.find("T2."), std::string::npos) << bump;
+
+    const std::string distributed = said("distributed.xml", "--pinhole");
+    EXPECT_NE(distributed.find("T2.1 is not done yet: "), std::string::npos) << distributed;
+    EXPECT_NE(distributed.find("T2.2 is not done yet: "), std::string::npos) << distributed;
+    EXPECT_EQ(distributed.find("T1 "), std::string::npos) << distributed;
+
+    EXPECT_EQ(said("bump-mapping.xml", "--quiet"), "");
+}
+
+// One ray from the eye and one to the middle of the light: nothing is left to chance.
+TEST_F(Tick1Star, RendersWithoutLensAndWithHardShadowsWhereAskedTo) {
+    const std::string first = render("bump-mapping.xml", {"--pinhole"});
+    EXPECT_EQ(render("bump-mapping.xml", {"--pinhole", "--seed", "8"}), first);
+    EXPECT_NE(render("bump-mapping.xml", {}), first);
+}
+
 TEST_F(Tick1Star, SaysItsVersionAndItsOptions) {
     const ProgramResult version = run({"--version"});
     EXPECT_EQ(version.exitCode, 0);
@@ -159,6 +186,8 @@ TEST_F(Tick1Star, ExplainsWrongUsage) {
         {{"-i", scene, "-o", file("a.jpg")}, "a name that ends in .png"},
         {{"-i", scene, "-o", file("no/a.png")}, "does not exist; make it first"},
         {{"-i", file("no.xml"), "-o", image}, "there is no such file"},
+        {{"-i", kScenes + "lens-gird.xml", "-o", image}, "did you mean lens-grid.xml?"},
+        {{"-i", kScenes + "bump-mappin.xml", "-o", image}, "did you mean bump-mapping.xml?"},
         {{"--sed", "1"}, "did you mean --seed?"},
         {{"extra"}, "unknown option \"extra\""},
         {{"--quiet=yes"}, "takes no value"},

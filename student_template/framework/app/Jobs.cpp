@@ -7,6 +7,7 @@
 #include "Preview.h"
 #include "Progress.h"
 
+#include <raytracer/base/Unfinished.h>
 #include <raytracer/io/ImageWriter.h>
 #include <raytracer/io/SceneReader.h>
 #include <raytracer/math/Random.h>
@@ -109,23 +110,35 @@ void compare(const ByteImage& picture, const ByteImage& other, const Options& op
               << "drawn four times as strong in " << file.string() << '\n';
 }
 
+/// Says which stubs still stand, of the option that the scene belongs to: one option is enough, so
+/// there is nothing to say about the other.
+void remindOfStubs(const SceneDescription& scene) {
+    const bool bumpy = std::ranges::any_of(
+        scene.spheres, [](const auto& sphere) { return sphere.heightMap != nullptr; });
+    const std::vector<std::string_view> tasks =
+        bumpy ? std::vector<std::string_view>{"T1"} : std::vector<std::string_view>{"T2.1", "T2.2"};
+    for (const std::string_view task : tasks)
+        if (isUnfinished(task)) std::cerr << unfinishedRemark(task) << '\n';
+}
+
 }  // namespace
 
 ExitCode renderPicture(const Options& options) {
     checkWritable(options.image);
     if (!options.linear.empty()) checkWritable(options.linear);
     const ByteImage other = options.compare.empty() ? ByteImage{} : readImage(options.compare);
-    const Scene scene{readScene(options.scene, assetsOf(options))};
+    const SceneDescription description = readScene(options.scene, assetsOf(options));
 
     const auto start = std::chrono::steady_clock::now();
     const RenderSettings settings = settingsOf(options);
     if (options.verbose)
         std::cerr << "seed " << settings.seed << ", " << settings.threads << " threads\n";
-    const Rendered rendered = render(options, scene, settings);
+    const Rendered rendered = render(options, Scene{description}, settings);
     writePng(rendered.bytes, options.image);
     if (!options.linear.empty()) writePfm(rendered.linear, options.linear);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (options.verbose) std::cerr << "rendered in " << seconds.count() << " s\n";
+    if (!options.quiet) remindOfStubs(description);
     if (!options.compare.empty()) compare(rendered.bytes, other, options);
 
     if (rendered.whole) return ExitCode::success;
@@ -135,7 +148,8 @@ ExitCode renderPicture(const Options& options) {
 
 ExitCode tellOfPixel(const Options& options) {
     PixelLog log;
-    const Scene scene{readScene(options.scene, assetsOf(options)), &log};
+    const SceneDescription description = readScene(options.scene, assetsOf(options));
+    const Scene scene{description, &log};
     RenderSettings settings = settingsOf(options);
     settings.threads = 1;
     settings.region = {options.trace->x, options.trace->y, 1, 1};
@@ -145,6 +159,7 @@ ExitCode tellOfPixel(const Options& options) {
     std::cout << "pixel (" << options.trace->x << ", " << options.trace->y << ") of "
               << settings.width << "x" << settings.height << ", seed " << settings.seed << '\n'
               << storyOf(log, scene, options.verbose);
+    if (!options.quiet) remindOfStubs(description);
     return ExitCode::success;
 }
 

@@ -135,6 +135,13 @@ constexpr auto kOptions = std::to_array<Option>({
      [](Options& o, const Value& value) { o.settings.dofAmount = lengthOf(value, true); }},
     {"--focal-plane", "", "Z", "z of the plane in focus, 3.51805 if not given",
      [](Options& o, const Value& value) { o.settings.dofFocalPlane = lengthOf(value, false); }},
+    {"--pinhole", "", "", "neither lens nor soft shadows: the picture of option 1",
+     [](Options& o, const Value&) {
+         o.settings.dofRayCount = 1;
+         o.settings.dofAmount = 0.0;
+         o.settings.shadowRayCount = 1;
+         o.settings.lightSize = 0.0;
+     }},
     {"--assets", "", "DIR", "where bump maps are that do not lie beside the scene",
      [](Options& o, const Value& value) { o.assets = value.text; }},
     {"--linear", "", "FILE", "also write the linear colours, as a PFM file",

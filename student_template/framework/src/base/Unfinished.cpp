@@ -3,36 +3,45 @@
 
 #include <array>
 #include <atomic>
-#include <cstddef>
-#include <cstdio>
+#include <mutex>
 #include <string>
 
 namespace raytracer {
 namespace {
 
-constexpr std::array<std::string_view, 3> kTasks{"T1", "T2.1", "T2.2"};
+/// A task, and the remark that its stub has left.
+struct Stub {
+    std::string_view task;
+    std::atomic<bool> called{false};
+    std::mutex mutex{};
+    std::string remark{};
+};
 
-// Stubs call for every ray, so that there is neither a lock nor a search in a container.
-constinit std::array<std::atomic<bool>, kTasks.size()> called{};
-
-std::atomic<bool>& calledFor(std::string_view task) {
-    for (std::size_t i = 0; i < kTasks.size(); ++i) {
-        if (kTasks[i] == task) return called[i];
-    }
+Stub& stubOf(std::string_view task) {
+    static std::array<Stub, 3> stubs{{{"T1"}, {"T2.1"}, {"T2.2"}}};
+    for (Stub& stub : stubs)
+        if (stub.task == task) return stub;
     throw Error("there is no task " + std::string(task) + ", only T1, T2.1 and T2.2");
 }
 
 }  // namespace
 
 void unfinished(std::string_view task, std::string_view hint) {
-    std::atomic<bool>& known = calledFor(task);
-    if (known.load(std::memory_order_relaxed) || known.exchange(true)) return;
-    std::fprintf(stderr, "%.*s is not done yet: %.*s\n", static_cast<int>(task.size()), task.data(),
-                 static_cast<int>(hint.size()), hint.data());
+    Stub& stub = stubOf(task);
+    // Stubs call for every ray: no lock but for the first of them.
+    if (stub.called.load(std::memory_order_relaxed) || stub.called.exchange(true)) return;
+    const std::lock_guard lock{stub.mutex};
+    stub.remark = std::string(task) + " is not done yet: " + std::string(hint);
 }
 
 bool isUnfinished(std::string_view task) {
-    return calledFor(task).load();
+    return stubOf(task).called.load();
+}
+
+std::string unfinishedRemark(std::string_view task) {
+    Stub& stub = stubOf(task);
+    const std::lock_guard lock{stub.mutex};
+    return stub.remark;
 }
 
 }  // namespace raytracer

@@ -1,12 +1,17 @@
 #include "FileBytes.h"
 
 #include <raytracer/base/Error.h>
+#include <raytracer/base/Text.h>
 #include <raytracer/io/ImageWriter.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
+#include <optional>
 #include <random>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace raytracer {
 namespace {
@@ -15,6 +20,21 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& file, const std::string& message) {
     throw InputError(file.string(), 0, message);
+}
+
+/// "; did you mean bump-mapping.xml?", where a file of nearly that name lies in the same folder.
+std::string nearbyFile(const fs::path& file) {
+    std::error_code error;
+    std::vector<std::string> names;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    for (const fs::directory_entry& entry : fs::directory_iterator{folder, error})
+        if (entry.path().extension() == file.extension())
+            names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    const std::vector<std::string_view> known{names.begin(), names.end()};
+    const std::string name = file.filename().string();
+    const std::optional<std::string_view> nearest = nearestName(name, known);
+    return nearest ? "; did you mean " + std::string(*nearest) + "?" : "";
 }
 
 /// A file that goes away again unless it is renamed.
@@ -55,7 +75,7 @@ fs::path resolved(const fs::path& file) {
 std::string readFileBytes(const fs::path& file, std::size_t largest) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
-    if (!fs::exists(status)) fail(file, "there is no such file");
+    if (!fs::exists(status)) fail(file, "there is no such file" + nearbyFile(file));
     if (fs::is_directory(status)) fail(file, "this is a folder, not a file");
     if (!fs::is_regular_file(status)) fail(file, "this is no regular file");
 
