@@ -18,8 +18,8 @@ const std::string kRoot = "tick1star/";
 // Named one by one: whatever else lies in the folder, a build say, stays here.
 constexpr std::array kFolders{".devcontainer", ".vscode",   "cmake",
                               "exercise",      "framework", "tests"};
-constexpr std::array kFiles{"CMakeLists.txt", "CMakePresets.json", "README.md", "check",
-                            "vcpkg.json"};
+constexpr std::array kFiles{".clangd",   "CMakeLists.txt", "CMakePresets.json",
+                            "README.md", "check",          "vcpkg.json"};
 
 void addTemplate(zip::ZipWriter& zip, const fs::path& folder) {
     for (const char* name : kFolders)

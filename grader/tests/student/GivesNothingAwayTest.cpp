@@ -102,13 +102,26 @@ protected:
 
 TEST_F(StudentPackage, HoldsWhatAStudentNeeds) {
     const auto texts = contents();
-    for (const char* name :
-         {"README.md", "check", "CMakeLists.txt", "CMakePresets.json", "vcpkg.json",
-          "exercise/BumpySphere.cpp", "exercise/Renderer.cpp", "framework/app/main.cpp",
-          "tests/bump/SlopesTest.cpp", "tests/shadows/RaysTest.cpp", "tests/lens/FocusTest.cpp",
-          "scenes/bump-mapping.xml", "scenes/distributed.xml", "scenes/bumpmap-test.xml",
-          "assets/bumpmap.png", "assets/bumpmap-test.png", ".vscode/settings.json",
-          ".devcontainer/Dockerfile", "LICENSE"})
+    for (const char* name : {"README.md",
+                             "check",
+                             "CMakeLists.txt",
+                             "CMakePresets.json",
+                             "vcpkg.json",
+                             "exercise/BumpySphere.cpp",
+                             "exercise/Renderer.cpp",
+                             "framework/app/main.cpp",
+                             "tests/bump/SlopesTest.cpp",
+                             "tests/shadows/RaysTest.cpp",
+                             "tests/lens/FocusTest.cpp",
+                             "scenes/bump-mapping.xml",
+                             "scenes/distributed.xml",
+                             "scenes/bumpmap-test.xml",
+                             "assets/bumpmap.png",
+                             "assets/bumpmap-test.png",
+                             ".vscode/settings.json",
+                             ".clangd",
+                             ".devcontainer/Dockerfile",
+                             "LICENSE"})
         EXPECT_TRUE(texts.contains(name)) << name;
     EXPECT_EQ(fs::exists(fs::path{TICKER_SOURCE_DIR} / "docs/handout.md"),
               texts.contains("handout.md"));

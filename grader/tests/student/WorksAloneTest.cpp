@@ -3,10 +3,13 @@
 #include <grader/tests/support/ShellBlocks.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -41,7 +44,8 @@ TEST_F(PackageAlone, SaysThatNothingIsAttemptedAndRendersAtOnce) {
 
     EXPECT_EQ(checked.status, 0) << checked.output;
     for (const char* line :
-         {"T1   bump mapping:   not attempted", "T2.1 soft shadows:   not attempted",
+         {"The first time, everything is built", "Building: 50 %",
+          "T1   bump mapping:   not attempted", "T2.1 soft shadows:   not attempted",
           "T2.2 depth of field: not attempted", "Nothing attempted yet"})
         EXPECT_NE(checked.output.find(line), std::string::npos) << line << "\n" << checked.output;
     for (const char* picture : {"bump-mapping", "bumpmap-test", "distributed"})
@@ -67,8 +71,79 @@ TEST_F(PackageAlone, PassesTheModelAnswer) {
     EXPECT_EQ(checked.status, 0) << checked.output;
     EXPECT_EQ(checked.output.find("not attempted"), std::string::npos) << checked.output;
     EXPECT_EQ(checked.output.find("NOT YET"), std::string::npos) << checked.output;
-    for (const char* part : {"Hand in BumpySphere.cpp", "Hand in Renderer.cpp"})
+    for (const char* part :
+         {"One option is enough; you may hand in both.",
+          "Option 1: hand in exercise/BumpySphere.cpp and option-1/screenshot.png, which this "
+          "makes:",
+          "Option 2: hand in exercise/Renderer.cpp and option-2/screenshot.png, which this makes:"})
         EXPECT_NE(checked.output.find(part), std::string::npos) << checked.output;
+    EXPECT_EQ(checked.output.find("The first time"), std::string::npos) << checked.output;
+}
+
+/// The lines that ./check prints to be typed.
+std::vector<std::string> commandsIn(const std::string& output) {
+    std::vector<std::string> commands;
+    std::istringstream lines{output};
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("  build/tick1star ")) commands.push_back(line.substr(2));
+    return commands;
+}
+
+TEST_F(PackageAlone, NamesACommandForThePictureOfEachOption) {
+    putSolution("reference_solution/exercise");
+    const tests::CommandResult checked = package().runAlone("./check --quick");
+    const std::vector<std::string> commands = commandsIn(checked.output);
+    ASSERT_EQ(commands.size(), 2U) << checked.output;
+
+    for (const std::string& command : commands) {
+        const tests::CommandResult ran = package().runAlone(command + " -r 64x48 --seed 1");
+        EXPECT_EQ(ran.status, 0) << command << "\n" << ran.output;
+    }
+    // The picture of option 1 is that of a student who solved nothing else.
+    put("Renderer.cpp", tests::readFile("student_template/exercise/Renderer.cpp"));
+    const tests::CommandResult alone = package().runAlone("./check --quick");
+    const std::vector<std::string> command = commandsIn(alone.output);
+    ASSERT_EQ(command.size(), 1U) << alone.output;
+    EXPECT_NE(alone.output.find("Option 2 is not attempted; one option is enough."),
+              std::string::npos)
+        << alone.output;
+    EXPECT_EQ(alone.output.find("T2."), std::string::npos) << alone.output;
+    const tests::CommandResult drawn = package().runAlone(command.front() + " -r 64x48 --seed 1");
+    EXPECT_EQ(drawn.output, "");
+    EXPECT_EQ(package().runAlone("cmp screenshot.png option-1/screenshot.png").status, 0);
+    EXPECT_NE(package().runAlone("cmp screenshot.png option-2/screenshot.png").status, 0);
+}
+
+TEST_F(PackageAlone, DebugsWithF5InVisualStudioCode) {
+    putSolution("student_template/exercise");
+    const nlohmann::json launch =
+        nlohmann::json::parse(tests::readFile("student_template/.vscode/launch.json"))
+            .at("configurations")
+            .at(0);
+    const nlohmann::json tasks =
+        nlohmann::json::parse(tests::readFile("student_template/.vscode/tasks.json")).at("tasks");
+    const auto task = std::ranges::find_if(tasks, [&](const nlohmann::json& one) {
+        return one.at("label") == launch.at("preLaunchTask");
+    });
+    ASSERT_NE(task, tasks.end());
+    const tests::CommandResult built = package().runAlone(task->at("command").get<std::string>());
+    EXPECT_EQ(built.status, 0) << built.output;
+    std::string program = launch.at("program");
+    const std::string root = "${workspaceFolder}/";
+    ASSERT_TRUE(program.starts_with(root)) << program;
+    EXPECT_TRUE(fs::exists(package().folder() / program.substr(root.size()))) << program;
+    // LeakSanitizer ends every run under a debugger.
+    EXPECT_EQ(launch.at("environment").at(0).at("name"), "ASAN_OPTIONS");
+    EXPECT_EQ(launch.at("environment").at(0).at("value"), "detect_leaks=0");
+}
+
+TEST_F(PackageAlone, TellsClangdWhereTheCompileCommandsAre) {
+    putSolution("student_template/exercise");
+    EXPECT_EQ(package().runAlone("./check --quick").status, 0);
+    EXPECT_TRUE(fs::exists(package().folder() / "build/release/compile_commands.json"));
+    EXPECT_NE(
+        tests::readFile("student_template/.clangd").find("CompilationDatabase: build/release"),
+        std::string::npos);
 }
 
 TEST_F(PackageAlone, SaysWhatIsLikelyWrong) {
@@ -93,8 +168,10 @@ TEST_F(PackageAlone, PutsTheFirstCauseOfACompileErrorOnTop) {
     const tests::CommandResult checked = package().runAlone("./check --quick");
 
     EXPECT_EQ(checked.status, 1) << checked.output;
-    const std::string expected = "It does not compile. The first cause:\nexercise/BumpySphere.cpp:";
-    EXPECT_EQ(checked.output.substr(0, expected.size()), expected) << checked.output;
+    EXPECT_NE(
+        checked.output.find("It does not compile. The first cause:\nexercise/BumpySphere.cpp:"),
+        std::string::npos)
+        << checked.output;
     EXPECT_NE(checked.output.find("widht"), std::string::npos) << checked.output;
 }
 
@@ -110,7 +187,10 @@ TEST_F(PackageAlone, SurvivesACrashOfOneTask) {
     const tests::CommandResult checked = package().runAlone("./check --quick");
 
     EXPECT_EQ(checked.status, 1) << checked.output;
-    EXPECT_NE(checked.output.find("bump mapping:  crashed"), std::string::npos) << checked.output;
+    for (const char* part :
+         {"NOT YET: T1   Every point of a map of any size has a normal", "your code crashed",
+          "bump mapping:  crashed", "public_tests --gtest_filter='BumpMapping.*'"})
+        EXPECT_NE(checked.output.find(part), std::string::npos) << part << "\n" << checked.output;
     EXPECT_NE(checked.output.find("T2.2 depth of field: 11 of 11"), std::string::npos)
         << checked.output;
 }
