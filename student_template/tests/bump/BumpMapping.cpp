@@ -71,7 +71,7 @@ void BumpMapping::missTheSurvey() {
     isSaid = true;
     complain("normals on maps of 1500 x 90 and 90 x 1500 texels", "an answer everywhere",
              "an error that your code threw; other tests could not be asked therefore",
-             "see the test that answers come at every point of maps of any size",
+             "see the test \"Every point of a map of any size has a normal\"",
              "Option 1: What to do, step 1");
 }
 

@@ -49,7 +49,7 @@ private:
     double all_ = 0.0;
 };
 
-TEST_F(BumpMapping, FollowsHillsAndValleysAlongBothAxes) {
+TEST_F(BumpMapping, TheTiltFollowsHillsAndValleysAlongBothAxes) {
     if (!couldSurvey() || survey()->points().empty()) return;
     std::vector<Vector3> directions;
     for (const SurveyPoint& point : survey()->points())

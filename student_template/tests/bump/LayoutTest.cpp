@@ -13,7 +13,7 @@
 namespace raytracer::tests::bump {
 namespace {
 
-TEST_F(BumpMapping, LaysTheMapOnceRoundTheSphere) {
+TEST_F(BumpMapping, TheMapLiesOnceRoundTheSphere) {
     if (!couldSurvey() || survey()->points().empty()) return;
     const Vector3 top = survey()->top();
     double evenU = 0.0;
@@ -44,7 +44,7 @@ TEST_F(BumpMapping, LaysTheMapOnceRoundTheSphere) {
     }
 }
 
-TEST_F(BumpMapping, HasTheMapsTopAtTheTop) {
+TEST_F(BumpMapping, TheTopOfTheMapLiesAtTheTop) {
     if (!couldSurvey() || survey()->points().empty()) return;
     const Vector3 top = survey()->top();
     if (!(top.y < -0.7)) return;

@@ -30,7 +30,7 @@ std::string causeOf(const std::string& error) {
            "last one needs care";
 }
 
-TEST_F(BumpMapping, AnswersAtEveryPointOfMapsOfAnySize) {
+TEST_F(BumpMapping, EveryPointOfAMapOfAnySizeHasANormal) {
     const Vector3 centre{0.4, -0.2, 3.5};
     for (const auto& [width, height] : {std::pair{4, 4}, {7, 5}, {97, 41}, {41, 97}}) {
         const std::string map =
@@ -56,7 +56,7 @@ TEST_F(BumpMapping, AnswersAtEveryPointOfMapsOfAnySize) {
     }
 }
 
-TEST_F(BumpMapping, GivesNormalsOfUnitLength) {
+TEST_F(BumpMapping, NormalsHaveUnitLength) {
     const BumpySphere& sphere = keptSphere({0.4, -0.2, 3.5}, 0.7, roughMap(97, 41));
     for (const Vector3& direction : telltaleDirections()) {
         Vector3 normal;
@@ -74,7 +74,7 @@ TEST_F(BumpMapping, GivesNormalsOfUnitLength) {
     }
 }
 
-TEST_F(BumpMapping, PointsOutwards) {
+TEST_F(BumpMapping, NormalsPointOutwards) {
     if (!couldSurvey()) return;
     const BumpySphere& sphere = keptSphere(
         {1.3, -0.7, 25.0}, 14.0, mapOf(questions::ramp(1500, kGentle), questions::level(90)));

@@ -18,7 +18,7 @@ namespace {
 // Radians.
 constexpr double kSomething = 1e-6;
 
-TEST_F(BumpMapping, KeepsTheSmoothNormalWhereTheMapIsFlat) {
+TEST_F(BumpMapping, TheNormalStaysSmoothWhereTheMapIsFlat) {
     if (!couldSurvey()) return;
     const double tilt = survey()->strengthOnFlat();
     if (tilt < 0.05) return;
@@ -28,7 +28,7 @@ TEST_F(BumpMapping, KeepsTheSmoothNormalWhereTheMapIsFlat) {
              "Option 1: What to do, step 3");
 }
 
-TEST_F(BumpMapping, TiltsTheNormalWhereTheMapSlopes) {
+TEST_F(BumpMapping, TheNormalTiltsWhereTheMapSlopes) {
     if (!couldSurvey()) return;
     for (const bool u : {true, false}) {
         const double strength = u ? survey()->strengthU() : survey()->strengthV();
@@ -68,7 +68,7 @@ std::string causeOf(const Leaning& leaning, const std::string& axis) {
     if (leaning.into > kMost)
         return "the bumps are inverted along " + axis +
                ": one sign is wrong, in the difference B_" + axis +
-               ", in the tangent, or between the terms of Equation (1)";
+               ", in the tangent, or in the equation: (2) and (3) have opposite signs";
     if (leaning.across > kMost)
         return "a slope along " + axis +
                " tilts along the other axis: B_u and B_v, the two tangents, or column and row are "
@@ -91,15 +91,15 @@ void expectLeaningBack(const BumpSurvey& survey, AxisAtPoint SurveyPoint::*axis,
              causeOf(leaning, name), "Option 1: The sign trap; What to do, step 3");
 }
 
-TEST_F(BumpMapping, LeansBackFromWhatIsHigherAlongU) {
+TEST_F(BumpMapping, TheNormalLeansBackFromWhatIsHigherAlongU) {
     if (couldSurvey()) expectLeaningBack(*survey(), &SurveyPoint::u, "u");
 }
 
-TEST_F(BumpMapping, LeansBackFromWhatIsHigherAlongV) {
+TEST_F(BumpMapping, TheNormalLeansBackFromWhatIsHigherAlongV) {
     if (couldSurvey()) expectLeaningBack(*survey(), &SurveyPoint::v, "v");
 }
 
-TEST_F(BumpMapping, TiltsMoreWhereTheMapIsSteeper) {
+TEST_F(BumpMapping, TheTiltIsStrongerWhereTheMapIsSteeper) {
     if (!couldSurvey() || survey()->points().empty()) return;
     const std::optional<BumpSurvey> steep = surveyOn(kBumpFactor);
     if (!steep) return;

@@ -18,7 +18,7 @@
 namespace raytracer::tests::lens {
 namespace {
 
-TEST_F(DepthOfField, KeepsTheColourOfAWallThatIsAlikeEverywhere) {
+TEST_F(DepthOfField, AWallOfOneColourKeepsItsColour) {
     const Trial trial{wall(), 3};
     const ColourRGB expected{0.3, 0.5, 0.7};
     for (const std::size_t pixel : {0U, 1U})
@@ -36,7 +36,7 @@ TEST_F(DepthOfField, KeepsTheColourOfAWallThatIsAlikeEverywhere) {
 
 // Every ray of every pixel sees one colour, so that whatever chance does the picture is that
 // colour.
-TEST_F(DepthOfField, KeepsThatColourWithSeveralThreads) {
+TEST_F(DepthOfField, AWallOfOneColourKeepsItsColourWithSeveralThreads) {
     RenderSettings settings;
     settings.width = 64;
     settings.height = 48;
@@ -55,7 +55,7 @@ TEST_F(DepthOfField, KeepsThatColourWithSeveralThreads) {
              "Depth of field (T2.2), step 3");
 }
 
-TEST_F(DepthOfField, AveragesWhatItsRaysSee) {
+TEST_F(DepthOfField, APixelIsTheAverageOfWhatItsRaysSee) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     if (trial().rays(0).empty() || trial().rays(1).empty()) return;  // another test says so
     for (const std::size_t pixel : {0U, 1U}) {
@@ -77,7 +77,7 @@ TEST_F(DepthOfField, AveragesWhatItsRaysSee) {
     }
 }
 
-TEST_F(DepthOfField, MixesColoursInEveryFrame) {
+TEST_F(DepthOfField, APixelMixesColoursInEveryFrame) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const LensPoints lens{trial()};
     if (lens.widest() < 0.05) return;  // another test says so
@@ -96,7 +96,7 @@ TEST_F(DepthOfField, MixesColoursInEveryFrame) {
              "Depth of field (T2.2), step 3");
 }
 
-TEST_F(DepthOfField, FollowsAsManyReflectionsAsAsked) {
+TEST_F(DepthOfField, AsManyReflectionsAreFollowedAsAsked) {
     if (trial().mostBounces() < 0) GTEST_SKIP() << "your code does not trace camera rays";
     const int wanted = handout_.bounces;
     if (trial().mostBounces() == wanted) return;

@@ -88,7 +88,7 @@ void judgeDepth(const Vector3& point, double plane, const std::string& asked) {
              kSection);
 }
 
-TEST_F(DepthOfField, BringsThePixelsRaysTogetherInTheFocalPlane) {
+TEST_F(DepthOfField, RaysOfAPixelMeetInTheFocalPlane) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const Camera camera{Trial::twoPixels()};
     for (const std::size_t pixel : {0U, 1U}) {

@@ -16,7 +16,7 @@
 namespace raytracer::tests::lens {
 namespace {
 
-TEST_F(DepthOfField, CastsEnoughRaysThroughEachPixel) {
+TEST_F(DepthOfField, EachPixelGetsEnoughRays) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const auto wanted = static_cast<std::size_t>(handout_.dofRayCount);
     if (trial().fewestRays() >= wanted) return;
@@ -25,7 +25,7 @@ TEST_F(DepthOfField, CastsEnoughRaysThroughEachPixel) {
              "Depth of field (T2.2), step 2");
 }
 
-TEST_F(DepthOfField, StartsItsRaysAllOverALens) {
+TEST_F(DepthOfField, RaysStartAllOverTheLens) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const LensPoints lens{trial()};
     const auto wanted = static_cast<std::size_t>(handout_.dofRayCount);
@@ -37,7 +37,7 @@ TEST_F(DepthOfField, StartsItsRaysAllOverALens) {
              "Depth of field (T2.2), step 2");
 }
 
-TEST_F(DepthOfField, DrawsNewLensPointsForEachRayOfAPixel) {
+TEST_F(DepthOfField, EachRayOfAPixelHasItsOwnLensPoint) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const Trial once{twoBalls(), 1};
     const LensPoints lens{once};
@@ -50,7 +50,7 @@ TEST_F(DepthOfField, DrawsNewLensPointsForEachRayOfAPixel) {
              "Depth of field (T2.2), step 2");
 }
 
-TEST_F(DepthOfField, HasASquareLensAroundTheEye) {
+TEST_F(DepthOfField, TheLensIsASquareAroundTheEye) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const LensPoints lens{trial()};
     const double amount = handout_.dofAmount;
@@ -86,7 +86,7 @@ TEST_F(DepthOfField, HasASquareLensAroundTheEye) {
                  "both coordinates are random", section);
 }
 
-TEST_F(DepthOfField, FillsTheSquareEvenly) {
+TEST_F(DepthOfField, LensPointsFillTheSquareEvenly) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const LensPoints lens{trial()};
     if (!(lens.narrowest() > 1e-6)) return;  // another test says so

@@ -18,7 +18,7 @@
 namespace raytracer::tests::shadows {
 namespace {
 
-TEST_F(SoftShadows, CastEnoughRaysForEachLight) {
+TEST_F(SoftShadows, EachLightGetsEnoughShadowRays) {
     SceneDescription scene = roomWithBall();
     scene.pointLights.emplace_back(Vector3{-6.0, 3.0, 6.0}, ColourRGB{0.5, 0.6, 0.9}, 300.0);
     const Trial trial{scene, floorAt(1.4), 40};
@@ -109,7 +109,7 @@ void judgeAims(const Aims& aims, const std::string& asked) {
                  "the three components need random numbers of their own", section);
 }
 
-TEST_F(SoftShadows, AimAtAllOfTheLightAndNothingElse) {
+TEST_F(SoftShadows, ShadowRaysAimAtAllOfTheLightAndNothingElse) {
     // Three directions at right angles: what one cannot see, the others do.
     for (const Vector3& towards :
          {Vector3{0.6, 0.8, 0.0}, {-0.48, 0.36, 0.8}, {-0.64, 0.48, -0.6}}) {
@@ -125,7 +125,7 @@ TEST_F(SoftShadows, AimAtAllOfTheLightAndNothingElse) {
     }
 }
 
-TEST_F(SoftShadows, StartAtThePointItself) {
+TEST_F(SoftShadows, ShadowRaysStartAtThePointItself) {
     const Vector3 point = floorAt(1.5);
     const Trial trial{emptyRoom(), point, 40};
     if (trial.rays().empty()) GTEST_SKIP() << kUnseen;
@@ -139,7 +139,7 @@ TEST_F(SoftShadows, StartAtThePointItself) {
              "Soft shadows (T2.1), step 1");
 }
 
-TEST_F(SoftShadows, DrawFreshAimPointsEachTime) {
+TEST_F(SoftShadows, AimPointsAreDrawnAnewEachTime) {
     const Trial trial{emptyRoom(), floorAt(1.5), 40};
     if (trial.rays().empty()) GTEST_SKIP() << kUnseen;
     std::vector<Vector3> feet;

@@ -15,7 +15,7 @@
 namespace raytracer::tests::shadows {
 namespace {
 
-TEST_F(SoftShadows, GiveAllTheLightWhereNothingIsInTheWay) {
+TEST_F(SoftShadows, AllLightArrivesWhereNothingIsInTheWay) {
     const Vector3 point = floorAt(1.5);
     const Trial trial{emptyRoom(), point, 200};
     const questions::PhongTerms terms = unshadowed(emptyRoom(), 0, point);
@@ -33,7 +33,7 @@ TEST_F(SoftShadows, GiveAllTheLightWhereNothingIsInTheWay) {
              words(trial.mean()) + " on average", cause, "Soft shadows (T2.1), step 3");
 }
 
-TEST_F(SoftShadows, LeaveOnlyTheAmbientLightInFullShadow) {
+TEST_F(SoftShadows, OnlyAmbientLightIsLeftInFullShadow) {
     const Vector3 point = floorAt(0.2);
     const Trial trial{roomWithBall(), point, 50};
     if (isNear(trial.mean(), ambientOnly(), 1e-6)) return;
@@ -69,7 +69,7 @@ std::ptrdiff_t countBetween(const Trial& trial, const Vector3& point) {
     });
 }
 
-TEST_F(SoftShadows, GiveAShareOfTheLightAtTheShadowsEdge) {
+TEST_F(SoftShadows, AShareOfTheLightArrivesAtTheEdgeOfAShadow) {
     const Vector3 point = floorWhereLightIsClearBy(0.0);
     const Trial trial{roomWithBall(), point, 300};
     const std::ptrdiff_t between = countBetween(trial, point);
@@ -90,7 +90,7 @@ TEST_F(SoftShadows, GiveAShareOfTheLightAtTheShadowsEdge) {
              "Soft shadows (T2.1), steps 1 to 3");
 }
 
-TEST_F(SoftShadows, AreAsWideAsALightOfTheGivenRadius) {
+TEST_F(SoftShadows, ShadowEdgesAreAsWideAsTheRadiusOfTheLightMakesThem) {
     const double radius = handout_.lightSize;
     // How much stands out beyond the rim: where a ball, its surface, and points crowded in its
     // middle give from 3 to 25 of 100; nothing at all beyond the radius.

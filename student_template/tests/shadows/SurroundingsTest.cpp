@@ -15,7 +15,7 @@
 namespace raytracer::tests::shadows {
 namespace {
 
-TEST_F(SoftShadows, AreNotCastByWhatStandsBehindTheLight) {
+TEST_F(SoftShadows, NothingBehindTheLightCastsAShadow) {
     SceneDescription scene = emptyRoom();
     const Vector3 point = floorAt(1.5);
     const Vector3 onwards = (kLight - point).normalised();
@@ -30,7 +30,7 @@ TEST_F(SoftShadows, AreNotCastByWhatStandsBehindTheLight) {
              "Soft shadows (T2.1), step 1");
 }
 
-TEST_F(SoftShadows, AreCountedForEachLightByItself) {
+TEST_F(SoftShadows, EachLightIsCountedByItself) {
     SceneDescription scene = roomWithBall();
     scene.pointLights.emplace_back(Vector3{-6.0, 3.0, 5.0}, ColourRGB{0.5, 0.6, 0.9}, 300.0);
     const Vector3 point = floorAt(0.2);
@@ -58,7 +58,7 @@ ColourRGB litBall(const SceneDescription& scene, const Vector3& normal, const Ve
                                .sum();
 }
 
-TEST_F(SoftShadows, AreNotCastByASurfaceOnItself) {
+TEST_F(SoftShadows, NoSurfaceCastsAShadowOnItself) {
     const SceneDescription scene = roomWithBall();
     const Vector3 towards = (kLight - kBall).normalised();
     ColourRGB got;
