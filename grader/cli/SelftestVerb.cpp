@@ -4,8 +4,8 @@
 #include <grader/cli/Verb.h>
 #include <grader/report/Escape.h>
 #include <grader/selftest/BumpTables.h>
-#include <grader/selftest/DistributedCatalogue.h>
 #include <grader/selftest/HostileTables.h>
+#include <grader/selftest/MistakeTables.h>
 #include <grader/selftest/ScreenshotTables.h>
 
 #include <CLI/CLI.hpp>
@@ -43,7 +43,8 @@ bool testBump(const SelftestOptions& options, bool draw) {
         selftest::runBumpSelfTest(options.fraction, {1}, [&](int done, int total) {
             counter.show(static_cast<std::size_t>(done), static_cast<std::size_t>(total));
         });
-    printTable("T1: readings that must pass, mistakes that must be named", result.table());
+    printTable("T1: readings that must pass, mistakes in every reading that must be named",
+               result.table());
     return result.passed();
 }
 
@@ -51,10 +52,6 @@ std::string read(const std::filesystem::path& file) {
     std::ifstream stream{file, std::ios::binary};
     if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
     return {std::istreambuf_iterator<char>{stream}, {}};
-}
-
-std::string referenceRenderer(const Home& home) {
-    return read(home.data / "reference_solution/exercise/Renderer.cpp");
 }
 
 /// Both reference solutions and the samples that are right.
@@ -72,18 +69,24 @@ std::vector<selftest::RightSource> rightSources(const Home& home) {
     return sources;
 }
 
-bool testDistributed(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
+/// The catalogue's entries of T1 or T2, of both where no task is named, or those that were asked
+/// for.
+bool testMistakes(const SelftestOptions& options, const std::string& task,
+                  const pipeline::Grader& grader, bool draw) {
     const Home home = Home::find();
-    const Countdown counter{"T2", 0, draw};
-    selftest::CatalogueRun run;
-    run.fraction = options.fraction;
+    const Countdown counter{task.empty() ? "mistakes" : task, 0, draw};
+    std::vector<mistakes::Mistake> entries =
+        selftest::mistakesOf(mistakes::readCatalogue(home.data / "grader/mistakes"), task);
+    if (!options.cases.empty()) entries = selftest::mistakesCalled(entries, options.cases);
+    selftest::MistakeRun run;
+    run.fraction = options.cases.empty() ? options.fraction : 1.0;
     run.seed = seedOf(options.grade);
     run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
-    const auto rows =
-        selftest::runDistributedCatalogue(mistakes::readCatalogue(home.data / "grader/mistakes"),
-                                          referenceRenderer(home), grader.kit, grader.sandbox, run);
-    printTable("T2: the catalogue of mistakes, compiled and judged", selftest::tableOf(rows));
-    return std::ranges::all_of(rows, &selftest::CatalogueRow::asExpected);
+    const auto rows = selftest::runMistakes(entries, home.data / "reference_solution/exercise",
+                                            grader.kit, grader.sandbox, run);
+    printTable((task.empty() ? "" : task + ": ") + "the catalogue of mistakes, compiled and judged",
+               selftest::tableOf(rows));
+    return std::ranges::all_of(rows, &selftest::MistakeRow::asExpected);
 }
 
 /// The whole corpus, or those of it that were asked for.
@@ -130,21 +133,23 @@ bool testScreenshots(const SelftestOptions& options, const pipeline::Grader& gra
     return result.passed();
 }
 
-raytracer::ExitCode selftest(const SelftestOptions& options, const Voice& voice) {
+bool runTables(const SelftestOptions& options, bool draw) {
+    const pipeline::Grader grader = makeGrader(options.grade);
+    if (!options.cases.empty() && !options.hostile)
+        return testMistakes(options, options.task, grader, draw);
     const bool all = options.task.empty() && !options.hostile && !options.screenshots;
-    const bool draw = mayDraw(voice.quiet);
-    const bool distributed = all || options.task == "T2";
-    const bool hostile = all || options.hostile;
-    const bool screenshots = all || options.screenshots;
     bool good = true;
-    if (all || options.task == "T1") good = testBump(options, draw);
-    if (distributed || hostile || screenshots) {
-        const pipeline::Grader grader = makeGrader(options.grade);
-        if (distributed) good = testDistributed(options, grader, draw) && good;
-        if (hostile) good = testHostile(options, grader, draw) && good;
-        if (screenshots) good = testScreenshots(options, grader, draw) && good;
-    }
-    return good ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
+    for (const char* task : {"T1", "T2"})
+        if (all || options.task == task) good = testMistakes(options, task, grader, draw) && good;
+    if (all || options.task == "T1") good = testBump(options, draw) && good;
+    if (all || options.hostile) good = testHostile(options, grader, draw) && good;
+    if (all || options.screenshots) good = testScreenshots(options, grader, draw) && good;
+    return good;
+}
+
+raytracer::ExitCode selftest(const SelftestOptions& options, const Voice& voice) {
+    return runTables(options, mayDraw(voice.quiet)) ? raytracer::ExitCode::success
+                                                    : raytracer::ExitCode::checkFailed;
 }
 
 }  // namespace
@@ -165,8 +170,8 @@ Run addSelftest(CLI::App& app, const Voice& voice) {
         ->check(CLI::Range(0.0, 1.0));
     verb->add_option("--repeat", options->rounds, "How often to run the hostile submissions")
         ->check(CLI::Range(1, 1000));
-    verb->add_option("--case", options->cases, "Only these hostile submissions")
-        ->needs("--hostile")
+    verb->add_option("--case", options->cases,
+                     "Only these mistakes of the catalogue; with --hostile, these submissions")
         ->delimiter(',');
     verb->add_option("--sandbox", options->grade.sandbox, "Level A, B or C; auto: the best")
         ->check(CLI::IsMember({"auto", "A", "B", "C"}));

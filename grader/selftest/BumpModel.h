@@ -19,7 +19,7 @@ struct Reading {
         inverseSine,   ///< the true gradient
         mapUnits,      ///< differences over u and v: times width and height
         blinn,         ///< Blinn's form with cross products and the length of P_u x P_v
-        equation,      ///< Equation (1) with the signs that fit, unit tangents
+        equation,      ///< Equation (2) or (3), whichever fits, unit tangents
         displaced,     ///< the displaced surface, by chords: radius + strength x height
         displacedUnit  ///< likewise that of a unit sphere: 1 + strength x height / 40
     };
