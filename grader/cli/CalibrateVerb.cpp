@@ -101,8 +101,19 @@ bool calibrateOne(Campaign& campaign, const CalibrateOptions& options, const Pla
     return publish(campaign, record, places);
 }
 
+/// An installation has neither the record nor the solutions that a campaign runs.
+void requireCheckout(const Home& home) {
+    for (const char* folder : {"grader/calibrate/record", "grader/tests/unseen"})
+        if (!fs::is_directory(home.data / folder))
+            throw raytracer::InputError(
+                (home.data / folder).string(), 0,
+                "is not there: calibrate works in the project's checkout only; run ./tick "
+                "calibrate there");
+}
+
 raytracer::ExitCode calibrateAll(const CalibrateOptions& options, const Voice& voice) {
     const Home home = Home::find();
+    requireCheckout(home);
     const build::Kit kit = build::Kit::besideProgram();
     const sandbox::Sandbox sandbox = openSandbox(options.sandbox);
     calibrate::Programs programs{kit, sandbox};
@@ -122,7 +133,8 @@ raytracer::ExitCode calibrateAll(const CalibrateOptions& options, const Voice& v
 Run addCalibrate(CLI::App& app, const Voice& voice) {
     auto options = std::make_shared<CalibrateOptions>();
     CLI::App* verb = app.add_subcommand(
-        "calibrate", "Measures how often verdicts are wrong; writes docs/calibration.md");
+        "calibrate",
+        "Measures how often verdicts are wrong; writes docs/calibration.md of a checkout");
     CLI::Option* check = verb->add_flag(
         "--check", options->check, "Repeat a small part and compare it with the committed record");
     verb->add_flag("--report", options->report, "Run nothing: write what the record has so far")

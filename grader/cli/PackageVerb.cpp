@@ -5,6 +5,8 @@
 #include <grader/package/StudentPackage.h>
 #include <grader/sandbox/HelperProgram.h>
 
+#include <raytracer/base/Error.h>
+
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
@@ -13,6 +15,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace ticker::cli {
@@ -74,6 +77,11 @@ raytracer::ExitCode pack(const PackageOptions& options, const Voice& voice) {
     const auto* const kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& known) {
         return known.name == options.kind;
     });
+    const fs::path folder = fs::path{options.file}.parent_path();
+    std::error_code error;
+    if (!folder.empty() && !fs::is_directory(folder)) fs::create_directories(folder, error);
+    if (error)
+        throw raytracer::InputError(folder.string(), 0, "cannot be made: " + error.message());
     kind->write(options);
     if (!voice.quiet)
         fmt::print(stderr, "{}: {}, {:.1f} MB\n", options.file, kind->whatItIs,

@@ -1,16 +1,14 @@
 #include <grader/cli/Home.h>
 #include <grader/cli/Progress.h>
 #include <grader/cli/Verb.h>
-#include <grader/oracle/References.h>
+#include <grader/oracle/ReferenceList.h>
 
 #include <raytracer/base/RenderObserver.h>
-#include <raytracer/io/SceneReader.h>
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -29,19 +27,6 @@ struct RefsOptions {
     std::string scenes;
 };
 
-/// What is kept of which scene: option 1's are noiseless and large, the others small, since their
-/// means and variances are kept as floats.
-struct Kept {
-    const char* name;
-    bool pinhole;
-    int width;
-    int height;
-};
-constexpr std::array kKept{
-    Kept{"bump-mapping", true, 320, 240}, Kept{"bumpmap-test", true, 320, 240},
-    Kept{"distributed", false, 160, 120}, Kept{"penumbra", false, 96, 72},
-    Kept{"two-lights", false, 96, 72},    Kept{"lens-grid", false, 96, 72}};
-
 std::atomic<bool> stopAsked{false};
 extern "C" void askRefsToStop(int /*signal*/) {
     stopAsked = true;
@@ -57,18 +42,14 @@ public:
 std::vector<oracle::ReferenceScene> readScenes(const std::filesystem::path& folder,
                                                const std::filesystem::path& assets,
                                                StopMonitor& monitor) {
-    std::vector<oracle::ReferenceScene> scenes;
-    for (const Kept& kept : kKept) {
-        oracle::ReferenceScene scene;
-        scene.name = kept.name;
-        scene.scene = raytracer::readScene(folder / (scene.name + ".xml"), assets);
-        scene.settings.width = kept.width;
-        scene.settings.height = kept.height;
+    std::vector<oracle::ReferenceScene> scenes = oracle::readReferenceList(folder, assets);
+    for (oracle::ReferenceScene& scene : scenes) {
         scene.settings.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
         scene.settings.monitor = &monitor;
-        scene.pinhole = kept.pinhole;
-        scenes.push_back(std::move(scene));
     }
+    for (const std::string& name : oracle::scenesWithoutReference(folder, scenes))
+        fmt::print(stderr, "{}.xml has no reference: {} does not list it\n", name,
+                   (folder / "references.json").string());
     return scenes;
 }
 

@@ -37,6 +37,16 @@ TEST(Install, TheInstalledTickerGradesWhereNoCheckoutIs) {
         "-o /desk/a.png -r 32x24 --seed 1");
     EXPECT_EQ(rendered.status, 0) << rendered.errors;
     EXPECT_TRUE(fs::exists(work / "a.png"));
+
+    const tests::RootRun calibrated = root.run("/opt/ticker/bin/ticker calibrate --check");
+    EXPECT_EQ(calibrated.status, 2) << calibrated.errors;
+    EXPECT_NE(calibrated.errors.find("works in the project's checkout only"), std::string::npos)
+        << calibrated.errors;
+
+    const tests::RootRun packed =
+        root.run("/opt/ticker/bin/ticker package student -o /desk/new/kit.zip");
+    EXPECT_EQ(packed.status, 0) << packed.errors;
+    EXPECT_TRUE(fs::exists(work / "new/kit.zip"));
 }
 
 }  // namespace
