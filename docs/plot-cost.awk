@@ -13,7 +13,7 @@ END {
     printf "<text x=\"52\" y=\"%.1f\" text-anchor=\"end\">%d</text>\n", py(t) + 4, t
   }
   for (r = 0; r <= 50; r += 10) printf "<text x=\"%.1f\" y=\"318\" text-anchor=\"middle\">%d</text>\n", px(r), r
-  print "<text x=\"290\" y=\"340\" text-anchor=\"middle\">DOF_RAY_COUNT</text>"
+  print "<text x=\"290\" y=\"340\" text-anchor=\"middle\">lens rays for each pixel (dofRayCount)</text>"
   print "<text x=\"16\" y=\"165\" text-anchor=\"middle\" transform=\"rotate(-90 16 165)\">times slower than the main tick</text>"
   split("#b05a00 #2f7d32 #1a5fb4", colour, " ")
   for (i = 1; i <= n; i++) {

@@ -12,8 +12,7 @@ namespace ticker::oracle {
 /// The shading normal of a bumpy sphere, unit length, world axes.
 ///
 /// @param outwards  From the sphere's centre to the point; any length but zero.
-/// @see  J. F. Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978; handout, Equation (1), with
-///       the signs of design, section 5.1.
+/// @see  J. F. Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978; handout, Equation (1).
 [[nodiscard]] std::array<double, 3> bumpedNormal(const raytracer::HeightMap& map,
                                                  const BumpReading& reading,
                                                  const double outwards[3]);

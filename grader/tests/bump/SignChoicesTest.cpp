@@ -1,4 +1,4 @@
-// Acceptance: Equation (1) exactly as printed, in all sign choices of P_u, P_v, B_u and B_v.
+// Acceptance: a plus before both cross products, in all sign choices of P_u, P_v, B_u and B_v.
 #include <grader/decision/bump/JudgeBump.h>
 #include <grader/selftest/FunctionExaminee.h>
 
@@ -53,7 +53,7 @@ std::string expected(const Signs& signs) {
     return vRight ? "bump.inverted-u" : "bump.inverted";
 }
 
-TEST(EquationOneAsPrinted, IsRightInFourSignChoicesHalfRightInEightAndInvertedInFour) {
+TEST(PlusBeforeBothCrossProducts, IsRightInFourSignChoicesHalfRightInEightAndInvertedInFour) {
     std::map<std::string, int> seen;
     for (int choice = 0; choice < 16; ++choice) {
         const auto sign = [choice](int bit) { return ((choice >> bit) & 1) != 0 ? -1.0 : 1.0; };

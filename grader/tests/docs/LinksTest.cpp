@@ -79,6 +79,12 @@ TEST(Links, LeadToFilesAndHeadingsThatAreThere) {
     EXPECT_GT(checked, 40);
 }
 
+TEST(Pictures, AreDescribedInWords) {
+    for (const fs::path& document : tests::documents())
+        for (const std::string& line : proseOf(document))
+            EXPECT_EQ(line.find("![]("), std::string::npos) << document << ": " << line;
+}
+
 TEST(Pictures, InDocsAreAllShown) {
     std::set<std::string> shown;
     for (const fs::path& document : tests::documents())

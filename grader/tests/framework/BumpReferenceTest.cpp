@@ -160,9 +160,9 @@ TEST(ReferenceNormal, IsFiniteAtThePolesAndAlongTheSeam) {
     }
 }
 
-// NOTES.md: of the 16 ways to choose the directions of Pu and Pv and the signs of Bu and Bv in the
-// handout's printed Equation (1), 4 are right, 8 invert one axis, 4 invert both.
-TEST(PrintedEquation, IsRightForFourOfSixteenChoices) {
+// NOTES.md: of the 16 ways to choose the directions of Pu and Pv and the signs of Bu and Bv with a
+// plus before both cross products, 4 are right, 8 invert one axis, 4 invert both.
+TEST(PlusBeforeBothCrossProducts, IsRightForFourOfSixteenChoices) {
     const Place place = placeAt(0.4, 0.45);
     std::array<int, 3> invertedAxes{};
     for (unsigned choice = 0; choice < 16; ++choice) {

@@ -127,8 +127,8 @@ Finding invertedU() {
         "Along u (to the right) bumps come out inverted: where the map rises to the right the "
         "normal should lean left, and yours leans right. Along v all is well.";
     finding.hint =
-        "Equation (1) as printed is right for one handedness only: look at the sign of the term "
-        "with B_u.";
+        "Equations (2) and (3) have opposite signs, and each fits one handedness: look at the "
+        "sign of the term with B_u.";
     finding.section = "Option 1: What to do, step 3";
     finding.evidence = {{"responseMatrix", std::vector<double>{-1.0, 0.0, 0.0, 1.0}},
                         {"uInverted", 0.98},

@@ -34,8 +34,8 @@ Vector3 BumpySphere::getNormalAt(const Vector3& position) const {
     const double Bu = map.at(columnRight, row) - map.at(column, row);
     const double Bv = map.at(column, rowBelow) - map.at(column, row);
 
-    // Step 4: Equation (1) with the signs that raise bright texels when Pu x Pv is the normal and
-    // both slopes are taken along their tangents. NOTES.md says why they differ.
+    // Step 4: Equation (2), since Pu x Pv is the normal and both slopes are taken along their
+    // tangents. NOTES.md says why the signs differ.
     return (normal + Bu * normal.cross(Pv) - Bv * normal.cross(Pu)).normalised();
     // TASK T1 end
 }

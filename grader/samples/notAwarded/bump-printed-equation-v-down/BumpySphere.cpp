@@ -10,7 +10,7 @@ Vector3 BumpySphere::getNormalAt(const Vector3& position) const {
     const auto n = Sphere::getNormalAt(position);
     const auto polar = std::acos(std::clamp(n.y, -1.0, 1.0));
     const auto azimuth = std::atan2(n.x, -n.z);
-    // Derivatives of F(u, v) as in Equation (2), not normalised.
+    // Derivatives of the point by u and by v, not normalised.
     const Vector3 Fu{std::sin(polar) * std::cos(azimuth), 0.0, std::sin(polar) * std::sin(azimuth)};
     const Vector3 Fv{std::cos(polar) * std::sin(azimuth), -std::sin(polar), -std::cos(polar) * std::cos(azimuth)};
     const auto B = [this](int i, int j) {

@@ -24,12 +24,12 @@ struct RenderSettings {
     int height = 480;  ///< full frame, pixels
     int bounces = 2;   ///< reflections followed after the first hit
 
-    int shadowRayCount = 10;  ///< SHADOW_RAY_COUNT: shadow rays for each point and light
-    double lightSize = 0.4;   ///< LIGHT_SIZE: radius of the spherical light, world units
+    int shadowRayCount = 10;  ///< shadow rays for each point and light
+    double lightSize = 0.4;   ///< radius of the spherical light, world units
 
-    int dofRayCount = 50;            ///< DOF_RAY_COUNT: camera rays for each pixel
-    double dofFocalPlane = 3.51805;  ///< DOF_FOCAL_PLANE: its z, world units
-    double dofAmount = 0.2;          ///< DOF_AMOUNT: size of the square aperture, world units
+    int dofRayCount = 50;            ///< camera rays for each pixel
+    double dofFocalPlane = 3.51805;  ///< z of the plane in focus, world units
+    double dofAmount = 0.2;          ///< size of the square aperture, world units
 
     Region region;  ///< what to render of the full frame; its pixels equal those of the whole
 

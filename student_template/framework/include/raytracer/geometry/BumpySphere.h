@@ -22,7 +22,7 @@ public:
     ///
     /// @param position  Point on the sphere, world space.
     /// @return          Unit length, world space, pointing outwards. Bright texels are raised.
-    /// @see             handout, option 1, Equations (1) and (2); J. F. Blinn, "Simulation of
+    /// @see             handout, option 1, Equations (1) to (3); J. F. Blinn, "Simulation of
     ///                  Wrinkled Surfaces", SIGGRAPH 1978.
     [[nodiscard]] Vector3 getNormalAt(const Vector3& position) const override;
 

@@ -7,7 +7,7 @@
 
 namespace raytracer {
 
-/// BUMP_FACTOR of the handout: the height of a white texel.
+/// The height of a white texel; a black one has the height 0.
 inline constexpr double kBumpFactor = 5.0;
 
 /// A grid of heights: the bump map as the sphere sees it. Never changes once built.
