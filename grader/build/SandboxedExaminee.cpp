@@ -91,6 +91,25 @@ ProcessEnd endByExit(int status) {
     return {Kind::exitedEarly, fmt::format("left with exit status {}", status)};
 }
 
+std::string ofTheBudget(const sandbox::TimeLimits& all) {
+    return fmt::format(
+        "all runs of a submission together may take {:.0f} s, and {:.0f} s of computing",
+        all.wallSeconds, all.cpuSeconds);
+}
+
+bool isMissing(const probe::Answer& answer) {
+    return std::visit([](const auto& any) { return any.state == probe::AnswerState::missing; },
+                      answer);
+}
+
+// The mark is the submission's own claim. It holds where every answer has one, too, and where the
+// kernel names neither a signal nor a failure.
+bool hasFinished(const Outcome& outcome, bool isMarked, const std::vector<probe::Answer>& answers) {
+    const bool contradicts = outcome.end == Outcome::End::signalled ||
+                             (outcome.end == Outcome::End::exited && outcome.code != 0);
+    return isMarked && !contradicts && std::ranges::none_of(answers, isMissing);
+}
+
 ProcessEnd endOf(const Outcome& outcome, bool finished, const Program& program,
                  const sandbox::Limits& limits) {
     if (outcome.end == Outcome::End::failed)
@@ -118,6 +137,20 @@ ProcessEnd endOf(const Outcome& outcome, bool finished, const Program& program,
 
 }  // namespace
 
+// Where nothing is left of the budget, the program is stopped before it begins.
+Outcome SandboxedExaminee::run(const sandbox::Command& command) {
+    if (budget_ != nullptr && budget_->isSpent()) {
+        Outcome none;
+        none.end = Outcome::End::wallLimit;
+        return none;
+    }
+    Outcome outcome = sandbox_.run(command);
+    cpuMs_ += outcome.cpuMs;
+    wallMs_ += outcome.wallMs;
+    if (budget_ != nullptr) budget_->spend(outcome);
+    return outcome;
+}
+
 probe::Sitting SandboxedExaminee::ask(const std::vector<probe::Question>& questions) {
     const probe::AnswerLayout layout = probe::layoutFor(questions);
     const sandbox::FileDescriptor message = sandbox::sealedCopy(probe::encodeQuestions(questions));
@@ -129,13 +162,16 @@ probe::Sitting SandboxedExaminee::ask(const std::vector<probe::Question>& questi
     command.readOnly = {{program_.file(), "/probe"}};
     command.descriptors = {{message.get(), 3}, {memory.descriptor(), 4}};
     command.policy = sandbox::Policy::run;
-    command.limits = limits_;
-    const Outcome outcome = sandbox_.run(command);
-    cpuMs_ += outcome.cpuMs;
-    wallMs_ += outcome.wallMs;
+    command.limits = budget_ == nullptr ? limits_ : budget_->cut(limits_);
+    const Outcome outcome = run(command);
 
-    probe::Sitting sitting{probe::readAnswers(questions, memory.bytes()),
-                           endOf(outcome, probe::saysFinished(memory.bytes()), program_, limits_)};
+    probe::Sitting sitting{probe::readAnswers(questions, memory.bytes()), {}};
+    const bool finished =
+        hasFinished(outcome, probe::saysFinished(memory.bytes()), sitting.answers);
+    sitting.end = endOf(outcome, finished, program_, command.limits);
+    if (sitting.end.kind == Kind::timedOut && budget_ != nullptr && budget_->isSpent())
+        sitting.end.detail = ofTheBudget(budget_->all());
+    madeForbiddenCall_ = madeForbiddenCall_ || sitting.end.kind == Kind::forbiddenCall;
     if (sitting.end.kind == Kind::finished && std::ranges::any_of(sitting.answers, saysOutOfMemory))
         sitting.end = {Kind::memory, kBadAlloc};
     return sitting;

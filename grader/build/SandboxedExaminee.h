@@ -2,6 +2,7 @@
 #define TICKER_BUILD_SANDBOXEDEXAMINEE_H
 
 #include <grader/build/Program.h>
+#include <grader/build/TimeBudget.h>
 #include <grader/probe/Examinee.h>
 #include <grader/sandbox/Sandbox.h>
 
@@ -11,10 +12,12 @@ namespace ticker::build {
 /// questions and a memory for its answers, and nothing else.
 class SandboxedExaminee final : public probe::Examinee {
 public:
-    /// All three must outlive this object.
+    /// All of them must outlive this object.
+    /// @param limits  Of each sitting.
+    /// @param budget  Of the whole submission; null: none but the limits of each sitting.
     SandboxedExaminee(const Program& program, const sandbox::Sandbox& sandbox,
-                      const sandbox::Limits& limits)
-        : program_(program), sandbox_(sandbox), limits_(limits) {}
+                      const sandbox::Limits& limits, TimeBudget* budget = nullptr)
+        : program_(program), sandbox_(sandbox), limits_(limits), budget_(budget) {}
 
     /// @throws raytracer::Error where a question contradicts itself: a mistake of the asker.
     [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override;
@@ -22,11 +25,18 @@ public:
     /// CPU and wall time of all sittings so far, milliseconds.
     [[nodiscard]] double cpuMs() const { return cpuMs_; }
     [[nodiscard]] double wallMs() const { return wallMs_; }
+    /// True where a sitting was ended at a system call that no renderer makes, also where its
+    /// answers had come already.
+    [[nodiscard]] bool madeForbiddenCall() const { return madeForbiddenCall_; }
 
 private:
+    [[nodiscard]] sandbox::Outcome run(const sandbox::Command& command);
+
     const Program& program_;
     const sandbox::Sandbox& sandbox_;
     const sandbox::Limits& limits_;
+    TimeBudget* budget_;
+    bool madeForbiddenCall_ = false;
     double cpuMs_ = 0.0;
     double wallMs_ = 0.0;
 };

@@ -181,6 +181,17 @@ TaskReport blankReport(const std::string& task) {
     return report;
 }
 
+Finding forbiddenCallFinding() {
+    Finding finding;
+    finding.id = "run.forbidden-call";
+    finding.severity = Severity::fail;
+    finding.message =
+        "It answered, but in another run, such as one for a picture, the program asked the system "
+        "for something that a renderer does not need.";
+    finding.hint = "No files, processes or network connections are needed here: leave them out.";
+    return finding;
+}
+
 // `notGraded` without a reason is what a blank report says; every judgement of ours has a reason.
 bool isOpen(const TaskReport& task) {
     return task.state == TaskState::notGraded && task.reason.empty();

@@ -27,6 +27,10 @@ struct FileWork {
 [[nodiscard]] FileWork prepareFile(const intake::Submission& submission, build::SourceFile file,
                                    const Grader& grader);
 
+/// What is said of a program that answered, but was ended at a forbidden system call in a run that
+/// asked it for more, such as a picture.
+[[nodiscard]] Finding forbiddenCallFinding();
+
 /// True where the task is still to be judged.
 [[nodiscard]] bool isOpen(const TaskReport& task);
 

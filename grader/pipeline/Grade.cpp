@@ -1,19 +1,18 @@
 #include <grader/pipeline/Grade.h>
 
-#include <grader/build/SandboxedExaminee.h>
 #include <grader/decision/bump/JudgeBump.h>
 #include <grader/decision/distributed/JudgeDistributed.h>
 #include <grader/decision/distributed/PictureDoubt.h>
 #include <grader/pipeline/DrawRasters.h>
 #include <grader/pipeline/FileWork.h>
 #include <grader/pipeline/Inputs.h>
+#include <grader/pipeline/Questioning.h>
 #include <grader/pipeline/Screenshot.h>
 
 #include <algorithm>
 #include <chrono>
 #include <future>
 #include <iterator>
-#include <mutex>
 #include <utility>
 
 namespace ticker::pipeline {
@@ -37,39 +36,6 @@ void settle(TaskReport& task, TaskJudgement judgement) {
     task.plots = std::move(judgement.plots);
     task.rasters = std::move(judgement.rasters);
 }
-
-/// Asks one program in several runs, which may be at work side by side.
-class Questioning {
-public:
-    Questioning(const build::Program& program, const Grader& grader)
-        : program_(program), grader_(grader) {}
-
-    /// Begins `work(examinee)`, now where nobody else is graded, or else when its result is wanted.
-    template <class Work>
-    auto begin(Work work) {
-        return std::async(grader_.isAlone ? std::launch::async : std::launch::deferred,
-                          [this, work = std::move(work)] { return run(work); });
-    }
-
-    /// Does `work(examinee)`.
-    template <class Work>
-    auto run(const Work& work) {
-        build::SandboxedExaminee examinee{program_, grader_.sandbox, grader_.policy.run};
-        auto result = work(examinee);
-        const std::lock_guard lock{mutex_};
-        wallMs_ += examinee.wallMs();
-        return result;
-    }
-
-    /// Wall time of all runs that have ended.
-    [[nodiscard]] double wallMs() const { return wallMs_; }
-
-private:
-    const build::Program& program_;
-    const Grader& grader_;
-    std::mutex mutex_;
-    double wallMs_ = 0.0;
-};
 
 void judge(FileWork& work, SourceFile file, Questioning& questioning, std::uint64_t seed) {
     if (file == SourceFile::bumpySphere)
@@ -104,11 +70,24 @@ TaskReport refused(const Finding& refusal) {
     return report;
 }
 
+/// A forbidden call blocks the file's tasks, also where every question was answered before it.
+void blockForbidden(std::vector<TaskReport>& tasks) {
+    for (TaskReport& task : tasks) {
+        if (task.state != TaskState::passed && task.state != TaskState::failed) continue;
+        task.state = TaskState::blocked;
+        task.findings.insert(task.findings.begin(), forbiddenCallFinding());
+        task.reason = task.findings.front().message;
+    }
+}
+
 /// Grades one file after the other, then the picture, into one result.
 class Grading {
 public:
     Grading(const intake::Submission& submission, const Grader& grader, std::uint64_t seed)
-        : submission_(submission), grader_(grader), seed_(seed) {}
+        : submission_(submission),
+          grader_(grader),
+          seed_(questionSeed(submission, seed)),
+          budget_(grader.policy.submission) {}
 
     void file(SourceFile file, SubmissionResult& result) {
         const bool isT1 = file == SourceFile::bumpySphere;
@@ -120,7 +99,7 @@ public:
         JudgedFile judged{file, false, std::nullopt, {}};
         result.timing.compileMs += work.compileMs;
         if (work.program) {
-            Questioning questioning{*work.program, grader_};
+            Questioning questioning{*work.program, grader_, budget_};
             auto gallery = questioning.begin([&](probe::Examinee& examinee) {
                 return renderSpecScenes(grader_.scenes, isT1, examinee);
             });
@@ -135,6 +114,7 @@ public:
             }
             gallery = {};
             result.timing.probeMs += questioning.wallMs();
+            if (questioning.madeForbiddenCall()) blockForbidden(work.tasks);
             if (isUsable) judged.program = std::move(work.program);
         }
         judged.isAttempted = !std::ranges::all_of(work.tasks, isNotAttempted);
@@ -143,11 +123,11 @@ public:
         if (work.diagnostics) result.diagnostics.push_back(std::move(*work.diagnostics));
     }
 
-    void screenshot(SubmissionResult& result) const {
+    void screenshot(SubmissionResult& result) {
         if (const Finding* refusal = submission_.refusalOf(intake::Part::screenshot))
             return result.tasks.push_back(refused(*refusal));
         TaskReport report = judgeScreenshotFile(submission_.part(intake::Part::screenshot), files_,
-                                                grader_, seed_, result);
+                                                grader_, budget_, seed_, result);
         if (report.state == TaskState::failed &&
             std::ranges::all_of(result.tasks, isNotAttempted)) {
             report = blankReport("screenshot");
@@ -187,7 +167,8 @@ private:
 
     const intake::Submission& submission_;
     const Grader& grader_;
-    std::uint64_t seed_;
+    std::uint64_t seed_;  ///< of the questions
+    build::TimeBudget budget_;
     std::vector<JudgedFile> files_;
 };
 

@@ -58,13 +58,17 @@ private:
                                                                      EVP_MD_CTX_free};
 };
 
-std::string filesOf(const intake::Submission& submission) {
-    Digest digest;
-    digest.add(submission.name);
+Digest& addParts(Digest& digest, const intake::Submission& submission) {
     for (const intake::Part part : intake::kParts) {
         const auto& bytes = submission.part(part);
         digest.add(bytes ? "there" : "missing").add(bytes.value_or(""));
     }
+    return digest;
+}
+
+std::string filesOf(const intake::Submission& submission) {
+    Digest digest;
+    addParts(digest.add(submission.name), submission);
     for (const std::string& path : submission.ignored)
         digest.add(path);
     for (const intake::IntakeFinding& found : submission.findings)
@@ -97,6 +101,13 @@ Inputs inputsOf(const intake::Submission& submission, const Grader& grader, std:
         .add(std::to_string(static_cast<int>(grader.option)))
         .add(std::to_string(seed));
     return {filesOf(submission), grader.build, how.text()};
+}
+
+std::uint64_t questionSeed(const intake::Submission& submission, std::uint64_t seed) {
+    Digest digest;
+    addParts(digest.add(std::to_string(seed)), submission);
+    constexpr int kHexadecimal = 16;
+    return std::stoull(digest.text().substr(0, 16), nullptr, kHexadecimal);
 }
 
 }  // namespace ticker::pipeline

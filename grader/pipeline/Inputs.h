@@ -21,6 +21,11 @@ namespace ticker::pipeline {
 [[nodiscard]] Inputs inputsOf(const intake::Submission& submission, const Grader& grader,
                               std::uint64_t seed);
 
+/// What a submission's hidden questions are drawn from: the class's seed and the files themselves.
+/// The same files get the same questions under one seed, whatever the submission is called; other
+/// files get others, which no earlier report tells.
+[[nodiscard]] std::uint64_t questionSeed(const intake::Submission& submission, std::uint64_t seed);
+
 }  // namespace ticker::pipeline
 
 #endif

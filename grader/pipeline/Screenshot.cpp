@@ -71,7 +71,7 @@ void show(const ByteImage& image, SubmissionResult& result) {
 /// The scenes that a picture may show, with whatever the submission's files add to each.
 class Scenes {
 public:
-    Scenes(const std::vector<JudgedFile>& files, const Grader& grader) {
+    Scenes(const std::vector<JudgedFile>& files, const Grader& grader, build::TimeBudget& budget) {
         const bool any = std::ranges::any_of(files, &JudgedFile::isAttempted);
         const bool both = std::ranges::all_of(files, &JudgedFile::isAttempted);
         for (const SpecScene& spec : grader.scenes) {
@@ -86,7 +86,7 @@ public:
             scene.mayMixBoth = both && spec.isForT1;
             scene.description = &spec.scene;
             scene.expected = [&spec] { return viewOf(spec.expected().picture); };
-            if (file != files.end()) addOwn(*file, grader, scene);
+            if (file != files.end()) addOwn(*file, grader, budget, scene);
             scenes_.push_back(std::move(scene));
         }
     }
@@ -99,13 +99,19 @@ public:
         return sum;
     }
 
+    [[nodiscard]] bool madeForbiddenCall() const {
+        return std::ranges::any_of(
+            examinees_, [](const auto& examinee) { return examinee->madeForbiddenCall(); });
+    }
+
 private:
-    void addOwn(const JudgedFile& file, const Grader& grader, Scene& scene) {
+    void addOwn(const JudgedFile& file, const Grader& grader, build::TimeBudget& budget,
+                Scene& scene) {
         const auto render = std::ranges::find(file.renders, scene.name, &Rendered::scene);
         if (render != file.renders.end()) scene.own = viewOf(render->picture);
         if (!file.program) return;
         examinees_.push_back(std::make_unique<build::SandboxedExaminee>(
-            *file.program, grader.sandbox, grader.policy.run));
+            *file.program, grader.sandbox, grader.policy.run, &budget));
         scene.examinee = examinees_.back().get();
     }
 
@@ -117,7 +123,8 @@ private:
 
 TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
                                const std::vector<JudgedFile>& files, const Grader& grader,
-                               std::uint64_t seed, SubmissionResult& result) {
+                               build::TimeBudget& budget, std::uint64_t seed,
+                               SubmissionResult& result) {
     TaskReport report = blankReport("screenshot");
     if (!bytes) {
         fail(report, finding("screenshot.missing", "There is no screenshot.png.",
@@ -132,9 +139,13 @@ TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
     }
     const ByteImage& image = std::get<ByteImage>(decoded);
     show(image, result);
-    const Scenes scenes{files, grader};
+    const Scenes scenes{files, grader, budget};
     settle(report, decision::judgeScreenshot(viewOf(image), scenes.all(), seed));
     result.timing.probeMs += scenes.wallMs();
+    if (scenes.madeForbiddenCall()) {
+        const Finding call = forbiddenCallFinding();
+        settle(report, {TaskState::blocked, call.message, {call}, true});
+    }
     return report;
 }
 

@@ -2,6 +2,7 @@
 #define TICKER_PIPELINE_SCREENSHOT_H
 
 #include <grader/build/Program.h>
+#include <grader/build/TimeBudget.h>
 #include <grader/pipeline/FileWork.h>
 #include <grader/pipeline/Grade.h>
 #include <grader/pipeline/SpecScenes.h>
@@ -26,11 +27,12 @@ struct JudgedFile {
 /// submission's own code made it. The picture goes into the result, decoded and packed anew.
 ///
 /// @param bytes  Empty optional: none was handed in.
+/// @param budget  What is left for the submission's own renders.
 /// @param files  Every attempted option's scene may be shown; where nothing was attempted, each.
 [[nodiscard]] TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
                                              const std::vector<JudgedFile>& files,
-                                             const Grader& grader, std::uint64_t seed,
-                                             SubmissionResult& result);
+                                             const Grader& grader, build::TimeBudget& budget,
+                                             std::uint64_t seed, SubmissionResult& result);
 
 }  // namespace ticker::pipeline
 

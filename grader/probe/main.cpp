@@ -9,7 +9,8 @@
 #include <malloc.h>
 #include <pthread.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -20,10 +21,10 @@ constexpr int kQuestions = 3;
 constexpr int kAnswers = 4;
 
 std::span<std::byte> mapped(int descriptor, int protection, int flags) {
-    struct stat status {};
-    if (fstat(descriptor, &status) != 0 || status.st_size <= 0)
-        throw raytracer::Error("a descriptor is missing");
-    const auto size = static_cast<std::size_t>(status.st_size);
+    // The filter of system calls knows no fstat(): the C library asks for it by path.
+    const off_t end = lseek(descriptor, 0, SEEK_END);
+    if (end <= 0) throw raytracer::Error("a descriptor is missing");
+    const auto size = static_cast<std::size_t>(end);
     void* memory = mmap(nullptr, size, protection, flags, descriptor, 0);
     if (memory == MAP_FAILED) throw raytracer::Error("a descriptor cannot be mapped");
     return {static_cast<std::byte*>(memory), size};
@@ -44,17 +45,31 @@ void makeRoomForThreads() {
 
 }  // namespace
 
+// Defined here, so that a submission with one of its own is refused by the linker: it would run
+// after the last answer, when the submission has nothing left to do. By the instruction itself,
+// since a submission may define what else leads to the kernel.
+extern "C" [[noreturn]] void _Exit(int status) noexcept {
+#if defined(__x86_64__)
+    while (true)
+        asm volatile("syscall" : : "a"(SYS_exit_group), "D"(status) : "rcx", "r11", "memory");
+#else
+    while (true)
+        syscall(SYS_exit_group, status);
+#endif
+}
+
 int main() {
     using namespace ticker::probe;
     makeRoomForThreads();
     try {
         const auto questions = decodeQuestions(mapped(kQuestions, PROT_READ, MAP_PRIVATE));
         respond(questions, mapped(kAnswers, PROT_READ | PROT_WRITE, MAP_SHARED));
+        // Everything is answered: the submission's destructors, its operator delete and its atexit
+        // functions do not matter.
+        _Exit(0);
     } catch (const std::bad_alloc&) {
         throw;  // what a submission keeps ran out between two answers: the abort's message says so
     } catch (const std::exception&) {
-        std::_Exit(raytracer::toInt(raytracer::ExitCode::notGradable));
+        _Exit(raytracer::toInt(raytracer::ExitCode::notGradable));
     }
-    // Everything is answered: the submission's own destructors and atexit functions do not matter.
-    std::_Exit(0);
 }

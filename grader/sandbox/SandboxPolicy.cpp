@@ -84,6 +84,12 @@ Limits readLimits(const Reader& reader) {
     return limits;
 }
 
+TimeLimits readTimes(const Reader& reader, const Limits& run) {
+    reader.allowOnly({"cpuSeconds", "wallSeconds"});
+    return {reader.number("cpuSeconds", run.cpuSeconds, 36'000),
+            reader.number("wallSeconds", run.wallSeconds, 108'000)};
+}
+
 UserRange readUsers(const Reader& reader) {
     reader.allowOnly({"first", "count"});
     // Below 1000 are the system's users; 65534 is nobody, whom other services share.
@@ -101,9 +107,10 @@ SandboxPolicy parsePolicy(const std::string& text, const std::string& name) {
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded()) throw InputError(name, 0, "is not JSON");
     const Reader reader{json, name, ""};
-    reader.allowOnly({"users", "compile", "run", "decode"});
-    return {readUsers(reader.part("users")), readLimits(reader.part("compile")),
-            readLimits(reader.part("run")), readLimits(reader.part("decode"))};
+    reader.allowOnly({"users", "compile", "run", "submission", "decode"});
+    const Limits run = readLimits(reader.part("run"));
+    return {readUsers(reader.part("users")), readLimits(reader.part("compile")), run,
+            readTimes(reader.part("submission"), run), readLimits(reader.part("decode"))};
 }
 
 SandboxPolicy readPolicy(const std::filesystem::path& file) {

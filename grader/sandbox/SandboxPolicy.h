@@ -9,12 +9,19 @@
 
 namespace ticker::sandbox {
 
+/// What all runs of one submission may take together.
+struct TimeLimits {
+    double cpuSeconds = 0.0;
+    double wallSeconds = 0.0;
+};
+
 /// What limits.json holds: how much each kind of job may use, and which uids belong to jails.
 struct SandboxPolicy {
     UserRange users;
-    Limits compile;  ///< a student's file, by the compiler; the link
-    Limits run;      ///< a submission that answers questions
-    Limits decode;   ///< a student's picture, by our decoder
+    Limits compile;         ///< a student's file, by the compiler; the link
+    Limits run;             ///< a submission that answers questions, each time that it is run
+    TimeLimits submission;  ///< a submission that answers questions, all runs of it together
+    Limits decode;          ///< a student's picture, by our decoder
 };
 
 /// The limits.json that this program was built with.

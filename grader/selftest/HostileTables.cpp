@@ -65,6 +65,18 @@ bool takesAPlaceInOut(std::string name) {
     return name == "index.html" || name == "summary.csv" || name == "results.sqlite";
 }
 
+// A notice is one line for terminals and logs, whatever names are in it. Above ASCII, the control
+// characters are those that are written C2 80 to C2 9F.
+bool holdsControls(const std::string& notice) {
+    unsigned char before = 0;
+    for (const char c : notice) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7F || (before == 0xC2 && byte < 0xA0)) return true;
+        before = byte;
+    }
+    return false;
+}
+
 void compare(const HostileCase& hostileCase, const SubmissionResult& result, HostileRow& row) {
     const auto task = std::ranges::find(result.tasks, hostileCase.task, &TaskReport::id);
     const std::string state{task == result.tasks.end() ? "none" : toString(task->state)};
@@ -73,6 +85,8 @@ void compare(const HostileCase& hostileCase, const SubmissionResult& result, Hos
     row.got = fmt::format("{} {} [{}] {}", hostileCase.task, state, fmt::join(ids, "|"), verdict);
     if (!holds(hostileCase.states, state)) row.faults.push_back("state " + state);
     if (!holds(hostileCase.verdicts, verdict)) row.faults.push_back("verdict " + verdict);
+    if (std::ranges::any_of(result.notices, holdsControls))
+        row.faults.emplace_back("a control character in a notice");
     if (takesAPlaceInOut(result.submission)) row.faults.push_back("named " + result.submission);
     const bool isNamed = std::ranges::any_of(hostileCase.findings,
                                              [&](const std::string& id) { return holds(ids, id); });

@@ -76,7 +76,8 @@ std::optional<TaskJudgement> judgeUnanswered(const probe::Sitting& sitting,
         return judgement;
     }
     const Missing missing = firstMissing(sitting);
-    if (missing.state == AnswerState::answered) return std::nullopt;
+    const bool hasAll = missing.state == AnswerState::answered;
+    if (hasAll && sitting.end.kind == Kind::finished) return std::nullopt;
 
     EndText text = textOf(sitting.end.kind);
     std::string seen = text.seen;

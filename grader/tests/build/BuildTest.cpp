@@ -88,6 +88,15 @@ TEST(Build, RefusesAnOwnMain) {
     EXPECT_EQ(result.diagnostics.find("/tmp"), std::string::npos) << result.diagnostics;
 }
 
+// It would run after the last answer.
+TEST(Build, RefusesAnOwnExit) {
+    const BuildResult result =
+        build(SourceFile::bumpySphere,
+              reference("BumpySphere.cpp") +
+                  "extern \"C\" [[noreturn]] void _Exit(int) noexcept { while (true) {} }\n");
+    EXPECT_EQ(result.kind, Kind::forbidden) << result.diagnostics;
+}
+
 TEST(Build, RefusesAnOwnVersionOfTheFramework) {
     const BuildResult result =
         build(SourceFile::bumpySphere,

@@ -118,6 +118,57 @@ TEST(SandboxedExaminee, SaysOfAStatusThatItMayMeanThatNothingWasStarted) {
     EXPECT_NE(sitting.end.detail.find("not be started"), std::string::npos) << sitting.end.detail;
 }
 
+// Says, as the probe does after the last question, that everything is answered.
+constexpr const char* kMark =
+    "static void mark() { const unsigned long long word = 0x646F'6E65'2A2A'2A2A;\n"
+    "pwrite(4, &word, sizeof word, 0); }";
+
+TEST(SandboxedExaminee, RunsNothingOfTheSubmissionAfterTheLastAnswer) {
+    const Sitting sitting = askBumpySphere(
+        "static const int registered = std::atexit([] { fork(); });\n"
+        "return registered == 0 ? Sphere::getNormalAt(position) : Vector3{};",
+        "struct AtTheEnd { ~AtTheEnd() { fork(); } };\nstatic AtTheEnd atTheEnd;");
+    EXPECT_EQ(sitting.end.kind, Kind::finished) << sitting.end.detail;
+}
+
+TEST(SandboxedExaminee, SharesOneBudgetAmongItsSittings) {
+    const sandbox::Sandbox theSandbox = sandbox::Sandbox::best();
+    const Kit kit = Kit::besideProgram();
+    const BuildResult built =
+        buildProgram(kit, theSandbox, sandbox::defaultPolicy().compile, SourceFile::bumpySphere,
+                     bumpySphere("for (volatile int i = 0;; i = i + 1) {}"));
+    ASSERT_TRUE(built.program) << built.diagnostics;
+    TimeBudget budget{{2.0, 600.0}};
+    SandboxedExaminee examinee{*built.program, theSandbox, sandbox::defaultPolicy().run, &budget};
+
+    EXPECT_EQ(examinee.ask({tests::normalQuestion()}).end.kind, Kind::timedOut);
+    EXPECT_TRUE(budget.isSpent());
+    const double before = examinee.wallMs();
+    const Sitting second = examinee.ask({tests::normalQuestion()});
+    EXPECT_EQ(second.end.kind, Kind::timedOut);
+    EXPECT_NE(second.end.detail.find("all runs of a submission together may take 600 s"),
+              std::string::npos)
+        << second.end.detail;
+    EXPECT_EQ(examinee.wallMs(), before) << "it was started once more";
+}
+
+TEST(TimeBudget, CutsTheLimitsOfARunToWhatIsLeft) {
+    sandbox::Limits limits;
+    limits.cpuSeconds = 20.0;
+    limits.wallSeconds = 60.0;
+    TimeBudget budget{{45.0, 90.0}};
+    sandbox::Outcome outcome;
+    outcome.cpuMs = 30'000.0;
+    outcome.wallMs = 50'000.0;
+    budget.spend(outcome);
+    EXPECT_EQ(budget.cut(limits).cpuSeconds, 15.0);
+    EXPECT_EQ(budget.cut(limits).wallSeconds, 40.0);
+    EXPECT_FALSE(budget.isSpent());
+    outcome.cpuMs = 14'500.0;
+    budget.spend(outcome);
+    EXPECT_TRUE(budget.isSpent());
+}
+
 struct Ending {
     const char* name;
     const char* body;
@@ -165,6 +216,11 @@ INSTANTIATE_TEST_SUITE_P(
         Ending{"AFork", "fork(); return {};", "", Kind::forbiddenCall},
         Ending{"ASocket", "socket(AF_INET, SOCK_STREAM, 0); return {};", "#include <sys/socket.h>",
                Kind::forbiddenCall},
+        Ending{"AForkAfterAForgedMark", "mark(); fork(); return {};", kMark, Kind::forbiddenCall},
+        Ending{"ACrashAfterAForgedMark", "mark(); __builtin_trap();", kMark, Kind::crashed},
+        Ending{"AnExitAfterAForgedMark", "mark(); _exit(0);", kMark, Kind::exitedEarly},
+        Ending{"ALoopAfterAForgedMark", "mark(); for (volatile int i = 0;; i = i + 1) {}", kMark,
+               Kind::timedOut},
         Ending{"AFlood", "for (;;) write(2, \"0123456789abcdef\", 16);", "", Kind::outputLimit}),
     [](const auto& ending) { return ending.param.name; });
 

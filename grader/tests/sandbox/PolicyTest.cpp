@@ -56,6 +56,13 @@ TEST(SandboxPolicy, GivesTheWallThreeTimesTheCpu) {
         EXPECT_EQ(limits.wallSeconds, 3 * limits.cpuSeconds);
 }
 
+// One sleeper in a class of thirty holds one of two workers no longer than this.
+TEST(SandboxPolicy, BoundsAllRunsOfASubmissionTogether) {
+    const SandboxPolicy& policy = defaultPolicy();
+    EXPECT_GE(policy.submission.cpuSeconds, 2 * policy.run.cpuSeconds);
+    EXPECT_LE(policy.submission.wallSeconds, 90.0);
+}
+
 TEST(SandboxPolicy, NamesTheFieldThatIsWrong) {
     EXPECT_EQ(complaint("{"), "limits.json: is not JSON");
     EXPECT_EQ(complaint("[]"), "limits.json: : an object is expected");
