@@ -47,8 +47,8 @@ void addMounts(std::vector<std::string>& words, const Command& command) {
     if (command.policy == Policy::compile)
         append(words, {"--dir", "/dev", "--dev-bind", "/dev/null", "/dev/null"});
     if (command.wantsScratch)
-        append(words, {"--size", std::to_string(command.limits.fileSizeBytes * 4), "--tmpfs",
-                       kScratchFolder});
+        append(words, {"--size", std::to_string(command.limits.fileSizeBytes * kScratchFiles),
+                       "--tmpfs", kScratchFolder});
 }
 
 std::vector<std::string> bubblewrap(const Command& command, const JailPlace& place) {

@@ -1,3 +1,4 @@
+#include <grader/sandbox/DiskRoom.h>
 #include <grader/sandbox/HelperProgram.h>
 #include <grader/sandbox/JailCommand.h>
 #include <grader/sandbox/RunAt.h>
@@ -7,6 +8,8 @@
 #include <grader/sandbox/jail/Options.h>
 
 #include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
 
 #include <linux/landlock.h>
 #include <sys/syscall.h>
@@ -62,6 +65,28 @@ private:
     fs::path path_;
 };
 
+// The disk of all scratch folders.
+DiskRoom& scratchDisk() {
+    static DiskRoom room{[] { return freeBytesOf(workshop().staging.path()); }};
+    return room;
+}
+
+// A scratch folder may grow as it may at level A, and then its products are copied.
+std::uint64_t mostBytesOf(const Command& command) {
+    return command.limits.fileSizeBytes * (kScratchFiles + command.products.size());
+}
+
+Outcome withoutRoom(std::uint64_t wanted) {
+    constexpr std::uint64_t kMegabyte = 1'000'000;
+    Outcome outcome;
+    outcome.output = fmt::format(
+        "sandbox: {} has {} MB free, and this may take up to {} MB; free some, or set TMPDIR to a "
+        "folder with room",
+        workshop().staging.path().parent_path().string(), scratchDisk().freeBytes() / kMegabyte,
+        wanted / kMegabyte);
+    return outcome;
+}
+
 bool hasLandlock() {
     static const bool has =
         syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) >= 1;
@@ -103,12 +128,19 @@ Outcome runAt(Level level, const Command& command) {
     place.helper = workshop().helper;
     if (level == Level::namespaces) place.bubblewrap = findBubblewrap();
     if (level != Level::sameUser) place.user = slot.user();
-    std::optional<ScratchFolder> scratch;
-    if (command.wantsScratch && level != Level::namespaces) {
-        scratch.emplace(place.user);
-        place.scratch = scratch->path();
-    }
-    return watch(describe(command, place), command.limits);
+    if (!command.wantsScratch || level == Level::namespaces)
+        return watch(describe(command, place), command.limits);
+
+    const std::uint64_t wanted = mostBytesOf(command);
+    const std::optional<DiskRoom::Share> room = scratchDisk().take(wanted);
+    if (!room) return withoutRoom(wanted);
+    const ScratchFolder scratch{place.user};
+    place.scratch = scratch.path();
+    Outcome outcome = watch(describe(command, place), command.limits);
+    // Another process filled the disk meanwhile: what the command says of that is not its fault.
+    const bool isFull = scratchDisk().freeBytes() < command.limits.fileSizeBytes;
+    const bool hasAll = outcome.succeeded() && !outcome.productsMissing;
+    return isFull && !hasAll ? withoutRoom(wanted) : outcome;
 }
 
 Outcome runNothing(Level level) {
@@ -118,6 +150,7 @@ Outcome runNothing(Level level) {
     // Bubblewrap before 0.8 cannot bound a scratch folder: better found out now.
     command.wantsScratch = true;
     command.limits = defaultPolicy().decode;
+    command.limits.fileSizeBytes = 1U << 16U;  // a full disk is no reason against a level
     return runAt(level, command);
 }
 

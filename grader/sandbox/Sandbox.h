@@ -62,12 +62,16 @@ struct Product {
 /// environment's TMPDIR, work at every level; "/tmp/x" in an argument works at level A only.
 inline constexpr const char* kScratchFolder = "/tmp";
 
+/// So many files of `Limits::fileSizeBytes` a scratch folder may hold. Level A enforces it; the
+/// others keep as much room on their disk free for each job before it starts.
+inline constexpr std::uint64_t kScratchFiles = 4;
+
 /// One command to run.
 struct Command {
     std::vector<std::string> arguments;  ///< argv; [0] is a path inside; see Sandbox::pathFor
     std::filesystem::path folder = "/";  ///< working directory, inside
     std::vector<ReadOnlyPath> readOnly;
-    bool wantsScratch = false;  ///< an empty writable /tmp of at most `fileSizeBytes` * 4
+    bool wantsScratch = false;  ///< an empty writable /tmp for `kScratchFiles` files of full size
     std::vector<Descriptor> descriptors;
     std::vector<Product> products;  ///< at most 16; needs `wantsScratch`
     Policy policy = Policy::run;

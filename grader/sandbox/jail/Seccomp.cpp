@@ -54,9 +54,6 @@ scmp_filter_ctx makeRunFilter() {
               equals(0, static_cast<std::uint64_t>(getpid()))) &&
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(clone), masked(0, kThread, kThread)) &&
         addIf(filter, SCMP_ACT_KILL_PROCESS, SCMP_SYS(clone), masked(0, CLONE_THREAD, 0)) &&
-        // fstat() of newer C libraries: newfstatat with an empty path.
-        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat),
-              masked(3, AT_EMPTY_PATH, AT_EMPTY_PATH)) &&
         // Its flags lie in memory, where no filter sees them; the C library falls back to clone.
         seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
     if (added) return filter;

@@ -55,6 +55,12 @@ TEST_P(Locked, ShowsNoFile) {
         EXPECT_EQ(describe(runTrick({"list-folder", folder})), "exit 40") << folder;
 }
 
+TEST_P(Locked, TellsNeitherSizeNorOwnerOfAFile) {
+    for (const std::string& file : {secretFile().string(), std::string{"/etc/passwd"},
+                                    std::string{"/etc/shadow"}, std::string{"/"}})
+        EXPECT_EQ(describe(runTrick({"file-status", file})), "exit 40") << file;
+}
+
 TEST_P(Locked, LetsNoFileBeMade) {
     const fs::path file = fs::path{"/tmp"} / marker();
     EXPECT_EQ(describe(runTrick({"write-file", file.string()})), "exit 40");

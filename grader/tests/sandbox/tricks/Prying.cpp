@@ -10,6 +10,7 @@
 #include <sys/mman.h>
 #include <sys/ptrace.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -68,6 +69,15 @@ int readFile(std::span<char*> arguments) {
 int writeFile(std::span<char*> arguments) {
     const int file = open(arguments[0], O_WRONLY | O_CREAT, 0666);
     return result(file >= 0 && write(file, "x", 1) == 1);
+}
+
+// Size, owner and times by the path; a flag says that the path may be empty.
+int fileStatus(std::span<char*> arguments) {
+    struct stat status {};
+    struct statx more {};
+    return result(syscall(SYS_newfstatat, AT_FDCWD, arguments[0], &status, AT_EMPTY_PATH) == 0 ||
+                  syscall(SYS_newfstatat, AT_FDCWD, arguments[0], &status, 0) == 0 ||
+                  syscall(SYS_statx, AT_FDCWD, arguments[0], AT_EMPTY_PATH, STATX_ALL, &more) == 0);
 }
 
 int listFolder(std::span<char*> arguments) {
@@ -135,6 +145,7 @@ constexpr Trick kTricks[] = {{"daemon", daemonise},
                              {"abstract-socket", abstractSocket},
                              {"read-file", readFile},
                              {"write-file", writeFile},
+                             {"file-status", fileStatus},
                              {"list-folder", listFolder},
                              {"make-link", makeLink},
                              {"forge-report", forgeReport},

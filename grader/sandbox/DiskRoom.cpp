@@ -1,0 +1,32 @@
+#include <grader/sandbox/DiskRoom.h>
+
+#include <sys/statvfs.h>
+
+namespace ticker::sandbox {
+
+// What running jobs have written counts twice, as used and as taken: they may fill the rest.
+std::optional<DiskRoom::Share> DiskRoom::take(std::uint64_t bytes) {
+    std::unique_lock lock{mutex_};
+    while (freeBytes_() < taken_ + bytes) {
+        if (taken_ == 0) return std::nullopt;
+        changed_.wait(lock);
+    }
+    taken_ += bytes;
+    return std::optional<Share>{std::in_place, *this, bytes};
+}
+
+void DiskRoom::giveBack(std::uint64_t bytes) {
+    {
+        const std::lock_guard lock{mutex_};
+        taken_ -= bytes;
+    }
+    changed_.notify_all();
+}
+
+std::uint64_t freeBytesOf(const std::filesystem::path& folder) {
+    struct statvfs status {};
+    if (statvfs(folder.c_str(), &status) != 0) return 0;
+    return static_cast<std::uint64_t>(status.f_bavail) * status.f_frsize;
+}
+
+}  // namespace ticker::sandbox
