@@ -2,6 +2,7 @@
 #include <grader/cli/Verb.h>
 #include <grader/report/Words.h>
 #include <grader/session/Server.h>
+#include <grader/store/ClassFolder.h>
 
 #include <CLI/CLI.hpp>
 
@@ -34,6 +35,7 @@ raytracer::ExitCode run(const SessionOptions& options, const Voice& voice) {
         throw raytracer::InputError(options.out, 0,
                                     "holds no results.sqlite; expected the OUT of ticker grade");
     const sigset_t ending = blockEnding();
+    store::expectResults(options.out, store::Store{options.out});
     session::ClassView view{options.out};
     session::Server server{view, session::readAccess(options.out), options.port};
     session::writeAccess(server.access(), options.out);

@@ -51,6 +51,15 @@ bool isKnown(const std::optional<ResultRow>& row, const SubmissionResult& result
            row->toolVersion == result.toolVersion;
 }
 
+raytracer::InputError noResults(const fs::path& out) {
+    const std::size_t beside = foldersWithResults(out).size();
+    return {out.string(), 0,
+            beside == 0 ? "holds no results; expected the OUT of ticker grade"
+                        : fmt::format("its results.sqlite is empty, but {} lie beside it; \"ticker "
+                                      "collect OUT\" takes them in",
+                                      beside)};
+}
+
 }  // namespace
 
 fs::path resultFile(const fs::path& out, const std::string& submission) {
@@ -79,9 +88,7 @@ std::vector<ClassEntry> readClass(const fs::path& out) {
     } else {
         names = foldersWithResults(out);
     }
-    if (names.empty())
-        throw raytracer::InputError(out.string(), 0,
-                                    "holds no results; expected the OUT of ticker grade");
+    if (names.empty()) throw noResults(out);
     std::vector<ClassEntry> entries;
     for (const std::string& name : names) {
         ClassEntry entry{readNamed(out, name), {}};
@@ -90,6 +97,10 @@ std::vector<ClassEntry> readClass(const fs::path& out) {
         entries.push_back(std::move(entry));
     }
     return entries;
+}
+
+void expectResults(const fs::path& out, const Store& store) {
+    if (store.results().empty()) throw noResults(out);
 }
 
 Collected collect(const fs::path& out, Store& store) {

@@ -31,6 +31,10 @@ struct ClassEntry {
 /// @throws raytracer::InputError where OUT holds none, or a result.json cannot be read.
 [[nodiscard]] std::vector<ClassEntry> readClass(const std::filesystem::path& out);
 
+/// @throws raytracer::InputError saying what to do, where OUT's store has none of the results that
+///         it should have: it is empty.
+void expectResults(const std::filesystem::path& out, const Store& store);
+
 /// What `collect` did.
 struct Collected {
     std::size_t taken = 0;                ///< new, or other than what the store knew

@@ -11,6 +11,11 @@ namespace {
 
 constexpr int kPatienceMs = 10'000;  // another ticker of ours writes for milliseconds
 
+// What a person can do about a broken file. Results lie in folders of their own beside it.
+constexpr const char* kWayOut =
+    "; the results beside it are whole, decisions are in this file alone: move it away and run "
+    "\"ticker collect OUT\", which brings the results back; sqlite3's .recover may save decisions";
+
 struct Close {
     void operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
 };
@@ -27,8 +32,9 @@ struct Database::Connection {
     [[noreturn]] void fail() const {
         const int code = sqlite3_errcode(handle.get());
         std::string why = sqlite3_errmsg(handle.get());
-        if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT || code == SQLITE_CANTOPEN)
-            throw raytracer::InputError(file, 0, why);
+        if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
+            throw raytracer::InputError(file, 0, why + kWayOut);
+        if (code == SQLITE_CANTOPEN) throw raytracer::InputError(file, 0, why);
         if (code == SQLITE_BUSY) why += "; another ticker has kept it locked";
         throw raytracer::Error(file + ": " + why);
     }

@@ -42,6 +42,22 @@ TEST_F(ClassFolder, IsCollectedIntoTheStoreAndOnlyOnce) {
     EXPECT_EQ(store.find("ann")->timesGraded, 1);
 }
 
+TEST_F(ClassFolder, SaysOfAnEmptyStoreWhatBringsTheResultsBack) {
+    const Store store{out_.path()};
+    const auto complaint = [&] {
+        try {
+            expectResults(out_.path(), store);
+        } catch (const raytracer::InputError& error) {
+            return std::string{error.what()};
+        }
+        return std::string{"none"};
+    };
+    EXPECT_NE(complaint().find("holds no results"), std::string::npos) << complaint();
+    writeResult("ann", Verdict::awarded);
+    EXPECT_NE(complaint().find("ticker collect OUT"), std::string::npos) << complaint();
+    EXPECT_THROW(static_cast<void>(readClass(out_.path())), raytracer::InputError);
+}
+
 TEST_F(ClassFolder, NamesResultsThatCannotBeReadAndCollectsTheRest) {
     writeResult("ann", Verdict::awarded);
     out_.write("bob/result.json", "{\"schemaVersion\": 1, \"subm");

@@ -1,10 +1,12 @@
 #include <grader/store/Store.h>
+#include <grader/tests/support/Files.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
 #include <raytracer/base/Error.h>
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <thread>
 
 namespace ticker::store {
@@ -162,6 +164,50 @@ TEST(Store, RefusesWhatIsNoStoreInOneLine) {
                                     std::string(2000, 'x'));
     EXPECT_THROW(Store{out.path()}, raytracer::InputError);
     EXPECT_THROW(Store{out.path() / "nowhere"}, raytracer::InputError);
+}
+
+std::string complaintAbout(const std::filesystem::path& out) {
+    try {
+        const Store store{out};
+        return store.results().empty() ? "empty" : "none";
+    } catch (const raytracer::InputError& error) {
+        return error.what();
+    }
+}
+
+TEST(Store, SaysWhatToDoAboutABrokenFile) {
+    const tests::TemporaryFolder out;
+    out.write("results.sqlite", "this is a text, and long enough to look like something at all. " +
+                                    std::string(2000, 'x'));
+    const std::string complaint = complaintAbout(out.path());
+    EXPECT_NE(complaint.find("results.sqlite"), std::string::npos) << complaint;
+    EXPECT_NE(complaint.find("ticker collect OUT"), std::string::npos) << complaint;
+    EXPECT_NE(complaint.find("decisions are in this file alone"), std::string::npos) << complaint;
+    EXPECT_EQ(complaint.find('\n'), std::string::npos) << complaint;
+}
+
+TEST(Store, SaysWhatToDoAboutPagesThatAreDamaged) {
+    const tests::TemporaryFolder out;
+    { const Store store{out.path(), Journal::rollback}; }
+    std::fstream file{out.path() / "results.sqlite", std::ios::in | std::ios::out};
+    file.seekp(100);  // after the header: the root page of the schema
+    file << std::string(3000, 'x');
+    file.close();
+    const std::string complaint = complaintAbout(out.path());
+    EXPECT_NE(complaint.find("ticker collect OUT"), std::string::npos) << complaint;
+}
+
+TEST(Store, RefusesAnotherProgramsDatabaseAndWritesNothingIntoIt) {
+    for (const char* version : {"0", "1", "7"}) {
+        const tests::TemporaryFolder out;
+        const std::filesystem::path file = out.path() / "results.sqlite";
+        Database{file}.run("CREATE TABLE bookmark (url TEXT)");
+        Database{file}.run(std::string{"PRAGMA user_version = "} + version);
+        const std::string before = tests::readFile(file.string());
+        const std::string complaint = complaintAbout(out.path());
+        EXPECT_NE(complaint.find("another program"), std::string::npos) << complaint;
+        EXPECT_EQ(tests::readFile(file.string()), before) << version;
+    }
 }
 
 TEST(Store, RefusesANewerTickersStore) {
