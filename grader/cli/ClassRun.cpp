@@ -16,9 +16,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSeedKey = "seed";
 
+/// A folder that is made is its owner's alone: students' code and marks are in it. One that was
+/// there keeps the rights that it has.
 void make(const fs::path& out) {
+    const fs::path whole = fs::absolute(out).lexically_normal();
+    const fs::path folder = whole.has_filename() ? whole : whole.parent_path();
     std::error_code error;
-    fs::create_directories(out, error);
+    fs::create_directories(folder.parent_path(), error);
+    const bool isNew = !error && fs::create_directory(folder, error);
+    if (isNew) fs::permissions(folder, fs::perms::owner_all, error);
     if (error) throw raytracer::InputError(out.string(), 0, "cannot be made: " + error.message());
 }
 

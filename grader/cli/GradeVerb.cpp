@@ -1,4 +1,5 @@
 #include <grader/cli/Batch.h>
+#include <grader/cli/ClassPaths.h>
 #include <grader/cli/ClassRun.h>
 #include <grader/cli/Formats.h>
 #include <grader/cli/GradeOptions.h>
@@ -18,7 +19,6 @@
 #include <cstdio>
 #include <map>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -27,13 +27,12 @@ namespace ticker::cli {
 namespace {
 
 struct BatchOptions {
-    std::vector<std::string> paths;
+    ClassPaths from;
     std::string out;
     int workers = 0;
     bool expectFolders = false;
     bool resume = false;
     bool resultsOnly = false;
-    bool single = false;
     std::string share;
     std::vector<std::string> regrade;
     GradeOptions grade;
@@ -41,47 +40,6 @@ struct BatchOptions {
 
     [[nodiscard]] bool keepsResults() const { return resume || !regrade.empty(); }
 };
-
-/// A path that is one submission, whatever is in it: a platform says so.
-std::vector<intake::Located> wholePath(const std::string& path) {
-    const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
-    const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename();
-    return {{name.empty() ? "submission" : name, whole}};
-}
-
-/// The submissions below all paths; a name that comes twice gets a number.
-std::vector<intake::Located> locate(const BatchOptions& options) {
-    std::vector<intake::Located> all;
-    std::map<std::string, int> seen;
-    for (const std::string& path : options.paths)
-        for (intake::Located located :
-             options.single ? wholePath(path) : intake::findSubmissions(path)) {
-            const int before = seen[located.name]++;
-            if (before > 0) located.name += fmt::format("-{}", before + 1);
-            all.push_back(std::move(located));
-        }
-    if (all.empty())
-        throw raytracer::InputError(options.paths.front(), 0,
-                                    "no submission here; expected BumpySphere.cpp or Renderer.cpp "
-                                    "in a folder, a zip, or a folder of such");
-    return all;
-}
-
-/// "2/5": the second, the seventh, the twelfth, ... of all, by name. Every machine of a cluster
-/// finds the same.
-std::vector<intake::Located> shareOf(std::vector<intake::Located> all, const std::string& share) {
-    std::istringstream words{share};
-    std::size_t part = 0;
-    std::size_t parts = 0;
-    char slash = ' ';
-    if (!(words >> part >> slash >> parts) || slash != '/' || part < 1 || part > parts ||
-        !words.eof())
-        throw raytracer::InputError("--share " + share, 0, "expected I/N with 1 <= I <= N");
-    std::vector<intake::Located> mine;
-    for (std::size_t i = part - 1; i < all.size(); i += parts)
-        mine.push_back(std::move(all[i]));
-    return mine;
-}
 
 /// For the sample class, whose folders are named after the verdicts they must get.
 bool asItsFolderSays(const intake::Located& located, const SubmissionResult& result) {
@@ -171,8 +129,9 @@ void warnOfStore(const ClassRun& run, const BatchOptions& options, const Voice& 
 }
 
 raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
-    std::vector<intake::Located> submissions = locate(options);
+    std::vector<intake::Located> submissions = locate(options.from);
     if (!options.share.empty()) submissions = shareOf(std::move(submissions), options.share);
+    const std::string skipped = skippedLine(options.from);
     pipeline::Grader grader = makeGrader(options.grade);
     grader.isAlone = submissions.size() == 1;
     ClassRun run{options.out, {options.regrade, grader.build}, !options.resultsOnly};
@@ -200,6 +159,7 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
     if (!options.formats.names.empty())
         writeFormats(options.out, store::readClass(options.out), options.formats);
     report(tally, submissions.size(), options, voice, stop);
+    if (!skipped.empty()) fmt::print(stderr, "ticker: {}\n", skipped);
     if (voice.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
     return exitCodeOf(tally, stop);
 }
@@ -209,7 +169,7 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
 Run addGrade(CLI::App& app, const Voice& voice) {
     auto options = std::make_shared<BatchOptions>();
     CLI::App* verb = app.add_subcommand("grade", "Judge submissions and write results and pages");
-    verb->add_option("path", options->paths,
+    verb->add_option("path", options->from.paths,
                      "Folders with the files, zips, folders of such, or a Moodle export")
         ->required();
     verb->add_option("-o,--output", options->out, "Folder for the results")->required();
@@ -228,7 +188,7 @@ Run addGrade(CLI::App& app, const Voice& voice) {
     verb->add_option("--share", options->share,
                      "I/N: every N-th submission alone, beginning with the I-th, for a task of a "
                      "cluster");
-    verb->add_flag("--single", options->single,
+    verb->add_flag("--single", options->from.single,
                    "The path is one submission, whatever folders it holds");
     verb->add_option("--format", options->formats.names,
                      "Write these formats, too, as ticker report does")

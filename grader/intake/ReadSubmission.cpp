@@ -90,7 +90,8 @@ public:
                 choose(part);
             reportMissing();
         }
-        submission_.ignored = std::move(contents_.others);
+        for (const std::string& other : contents_.others)
+            submission_.ignored.push_back(asPlainLine(other));
         return std::move(submission_);
     }
 

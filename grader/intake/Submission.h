@@ -30,7 +30,7 @@ struct IntakeFinding {
 struct Submission {
     std::string name;
     std::array<std::optional<std::string>, kParts.size()> parts;  ///< bytes, indexed by Part
-    std::vector<std::string> ignored;     ///< paths of everything else; untrusted text, valid UTF-8
+    std::vector<std::string> ignored;     ///< paths of everything else; untrusted, one line each
     std::vector<IntakeFinding> findings;  ///< intake.*
 
     [[nodiscard]] const std::optional<std::string>& part(Part which) const {

@@ -26,20 +26,38 @@ std::size_t sequenceLength(std::string_view rest) {
     return 0;
 }
 
-}  // namespace
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-std::string asUtf8(std::string_view text) {
+// Of a valid sequence: what moves a cursor or begins a line. C0, DEL, C1, and U+2028 and U+2029.
+bool isControl(std::string_view character) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7F;
+    if (character.size() == 2) return byte(0) == 0xC2 && byte(1) < 0xA0;
+    return character == "\xE2\x80\xA8" || character == "\xE2\x80\xA9";
+}
+
+/// `text` as valid UTF-8, without the characters that `isUnwanted` names.
+template <typename Unwanted>
+std::string cleaned(std::string_view text, Unwanted&& isUnwanted) {
     std::string result;
     result.reserve(text.size());
     while (!text.empty()) {
         const std::size_t length = sequenceLength(text);
-        if (length == 0)
-            result += "\xEF\xBF\xBD";
-        else
-            result += text.substr(0, length);
+        const std::string_view character = text.substr(0, length);
+        result += length == 0 || isUnwanted(character) ? kReplacement : character;
         text.remove_prefix(std::max<std::size_t>(1, length));
     }
     return result;
+}
+
+}  // namespace
+
+std::string asUtf8(std::string_view text) {
+    return cleaned(text, [](std::string_view) { return false; });
+}
+
+std::string asPlainLine(std::string_view text) {
+    return cleaned(text, isControl);
 }
 
 }  // namespace ticker::intake

@@ -16,5 +16,20 @@ TEST(AsUtf8, KeepsValidTextAndReplacesEveryOtherByte) {
     EXPECT_EQ(asUtf8(std::string{"a\0b", 3}), "a" + replaced + "b");
 }
 
+TEST(AsPlainLine, KeepsLettersAndReplacesWhatMovesTheCursor) {
+    const std::string replaced = "\xEF\xBF\xBD";
+    EXPECT_EQ(asPlainLine("caf\xC3\xA9 \xE2\x80\x98x\xE2\x80\x99"),
+              "caf\xC3\xA9 \xE2\x80\x98x\xE2\x80\x99");
+    EXPECT_EQ(asPlainLine("a\n::error::b"), "a" + replaced + "::error::b");
+    EXPECT_EQ(asPlainLine("\x1b[2J\t\x7f"), replaced + "[2J" + replaced + replaced);
+    EXPECT_EQ(asPlainLine("\xC2\x9B"
+                          "2J"),
+              replaced + "2J");  // CSI as one character
+    EXPECT_EQ(asPlainLine("a\xE2\x80\xA8"
+                          "b"),
+              "a" + replaced + "b");                 // a line separator
+    EXPECT_EQ(asPlainLine("\xC2\xA0"), "\xC2\xA0");  // a space, no control character
+}
+
 }  // namespace
 }  // namespace ticker::intake

@@ -1,0 +1,74 @@
+#include <grader/cli/ClassPaths.h>
+#include <grader/intake/Skipped.h>
+#include <grader/report/Escape.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <utility>
+
+namespace ticker::cli {
+namespace {
+
+std::vector<intake::Located> wholePath(const std::string& path) {
+    const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
+    const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename();
+    return {{name.empty() ? "submission" : name, whole}};
+}
+
+}  // namespace
+
+std::vector<intake::Located> locate(const ClassPaths& from) {
+    std::vector<intake::Located> all;
+    std::map<std::string, int> seen;
+    for (const std::string& path : from.paths)
+        for (intake::Located located :
+             from.single ? wholePath(path) : intake::findSubmissions(path)) {
+            const int before = seen[located.name]++;
+            if (before > 0) located.name += fmt::format("-{}", before + 1);
+            all.push_back(std::move(located));
+        }
+    if (all.empty())
+        throw raytracer::InputError(from.paths.front(), 0,
+                                    "no submission here; expected BumpySphere.cpp or Renderer.cpp "
+                                    "in a folder, a zip, or a folder of such");
+    return all;
+}
+
+std::vector<intake::Located> shareOf(std::vector<intake::Located> all, const std::string& share) {
+    std::istringstream words{share};
+    std::size_t part = 0;
+    std::size_t parts = 0;
+    char slash = ' ';
+    if (!(words >> part >> slash >> parts) || slash != '/' || part < 1 || part > parts ||
+        !words.eof())
+        throw raytracer::InputError("--share " + share, 0, "expected I/N with 1 <= I <= N");
+    std::vector<intake::Located> mine;
+    for (std::size_t i = part - 1; i < all.size(); i += parts)
+        mine.push_back(std::move(all[i]));
+    return mine;
+}
+
+std::string skippedLine(const ClassPaths& from) {
+    if (from.single) return {};
+    std::vector<intake::Skipped> all;
+    for (const std::string& path : from.paths)
+        std::ranges::move(intake::findSkipped(path, intake::findSubmissions(path)),
+                          std::back_inserter(all));
+    if (all.empty()) return {};
+    constexpr std::size_t kMostNames = 10;
+    std::string line = "skipped:";
+    for (std::size_t i = 0; i < std::min(all.size(), kMostNames); ++i)
+        line += fmt::format("{} {} ({})", i == 0 ? "" : ",", report::escapeLine(all[i].name),
+                            all[i].why);
+    if (all.size() > kMostNames) line += fmt::format(" and {} more", all.size() - kMostNames);
+    return line;
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,131 @@
+// What the machine, other programs and odd class folders do to a run over a class.
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include "RunTicker.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/mount.h>
+#include <unistd.h>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace ticker::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class UnderFault : public testing::Test {
+protected:
+    UnderFault() {
+        fs::create_directory(at("class"));
+        fs::copy(sample("notAwarded/template-untouched"), at("class/ann"));
+    }
+
+    Ran run(const std::string& arguments) {
+        return runTicker(arguments, (folder_.path() / "errors").string());
+    }
+    Ran grade(const std::string& more = {}) {
+        return run("grade '" + at("class").string() + "' -o '" + out().string() + "' --seed 7 " +
+                   more);
+    }
+
+    [[nodiscard]] static fs::path sample(const std::string& name) {
+        return fs::path{TICKER_SOURCE_DIR} / "grader/samples" / name;
+    }
+    [[nodiscard]] fs::path at(const std::string& path) const { return folder_.path() / path; }
+    [[nodiscard]] fs::path out() const { return at("out"); }
+
+    tests::TemporaryFolder folder_;
+};
+
+TEST_F(UnderFault, TellsOfFoldersOfTheClassThatAreSkipped) {
+    fs::create_directory(at("class/.eve"));
+    fs::create_directory(at("class/cyd"));
+    const Ran ran = grade();
+    EXPECT_EQ(ran.status, 0) << ran.errors;
+    EXPECT_NE(
+        ran.errors.find("ticker: skipped: .eve (its name begins with a dot), cyd (is empty)\n"),
+        std::string::npos)
+        << ran.errors;
+}
+
+TEST_F(UnderFault, MakesOutForItsOwnerAlone) {
+    ASSERT_EQ(grade().status, 0);
+    EXPECT_EQ(fs::status(out()).permissions(), fs::perms::owner_all);
+}
+
+TEST_F(UnderFault, LeavesTheRightsOfAnOutThatIsThere) {
+    fs::create_directory(out());
+    fs::permissions(out(), fs::perms{0750});
+    ASSERT_EQ(grade().status, 0);
+    EXPECT_EQ(fs::status(out()).permissions(), fs::perms{0750});
+}
+
+TEST_F(UnderFault, EveryVerbSaysWhatToDoAboutABrokenStore) {
+    ASSERT_EQ(grade().status, 0);
+    std::ofstream{out() / "results.sqlite"} << std::string(5000, 'x');
+    const std::string quoted = "'" + out().string() + "'";
+    for (const std::string& words :
+         {"report " + quoted, "session " + quoted, "collect " + quoted}) {
+        const Ran ran = run(words);
+        EXPECT_EQ(ran.status, 2) << words;
+        EXPECT_NE(ran.errors.find("ticker collect OUT"), std::string::npos) << ran.errors;
+    }
+    fs::remove(out() / "results.sqlite");
+    EXPECT_EQ(run("collect " + quoted).status, 0) << "the advice works";
+    EXPECT_EQ(run("report " + quoted).status, 0);
+}
+
+TEST_F(UnderFault, SessionRefusesAStoreWithoutResultsAsReportDoes) {
+    ASSERT_EQ(grade().status, 0);
+    const std::string quoted = "'" + out().string() + "'";
+    for (const char* suffix : {"", "-wal", "-shm"})
+        fs::remove(out() / (std::string{"results.sqlite"} + suffix));
+    std::ofstream{out() / "results.sqlite"};
+    const Ran report = run("report " + quoted);
+    const Ran session = run("session " + quoted);
+    EXPECT_EQ(session.status, 2);
+    EXPECT_EQ(session.errors, report.errors);
+    EXPECT_NE(session.errors.find("its results.sqlite is empty, but 1 lie"), std::string::npos)
+        << session.errors;
+}
+
+/// A small disk for temporary files; only root can have one.
+class FullDisk : public UnderFault, public testing::WithParamInterface<const char*> {
+protected:
+    void SetUp() override {
+        fs::create_directory(at("small"));
+        const std::string size = std::string{"mode=1777,size="} + GetParam();
+        if (mount("none", at("small").c_str(), "tmpfs", 0, size.c_str()) != 0)
+            GTEST_SKIP() << "no disk of its own to be had here";
+        setenv("TMPDIR", at("small").c_str(), 1);
+        if (run("doctor").output.find("sandbox B") == std::string::npos)
+            GTEST_SKIP() << "no level B here";
+    }
+    void TearDown() override {
+        unsetenv("TMPDIR");
+        umount2(at("small").c_str(), MNT_DETACH);
+    }
+};
+
+TEST_P(FullDisk, IsNeverTheStudentsFault) {
+    fs::copy(sample("awarded/reference-bump"), at("class/bob"));
+    fs::copy(sample("awarded/reference-distributed"), at("class/cyd"));
+    const Ran ran = grade("--sandbox B --jobs 2");
+    EXPECT_EQ(ran.status, 3) << ran.output << ran.errors;
+    for (const char* name : {"bob", "cyd"}) {
+        std::ifstream file{out() / name / "result.json"};
+        const nlohmann::json result = nlohmann::json::parse(file);
+        EXPECT_EQ(result.at("verdict"), "notGraded") << name;
+        EXPECT_NE(result.dump().find("MB free"), std::string::npos) << result.dump();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, FullDisk, testing::Values("3m", "5m", "20m"));
+
+}  // namespace
+}  // namespace ticker::cli
