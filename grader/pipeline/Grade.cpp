@@ -75,6 +75,7 @@ void blockForbidden(std::vector<TaskReport>& tasks) {
     for (TaskReport& task : tasks) {
         if (task.state != TaskState::passed && task.state != TaskState::failed) continue;
         task.state = TaskState::blocked;
+        task.needsReview = false;  // the kernel's word leaves no doubt
         task.findings.insert(task.findings.begin(), forbiddenCallFinding());
         task.reason = task.findings.front().message;
     }

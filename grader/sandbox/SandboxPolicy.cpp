@@ -108,9 +108,13 @@ SandboxPolicy parsePolicy(const std::string& text, const std::string& name) {
     if (json.is_discarded()) throw InputError(name, 0, "is not JSON");
     const Reader reader{json, name, ""};
     reader.allowOnly({"users", "compile", "run", "submission", "decode"});
-    const Limits run = readLimits(reader.part("run"));
-    return {readUsers(reader.part("users")), readLimits(reader.part("compile")), run,
-            readTimes(reader.part("submission"), run), readLimits(reader.part("decode"))};
+    SandboxPolicy policy;
+    policy.users = readUsers(reader.part("users"));
+    policy.compile = readLimits(reader.part("compile"));
+    policy.run = readLimits(reader.part("run"));
+    policy.submission = readTimes(reader.part("submission"), policy.run);
+    policy.decode = readLimits(reader.part("decode"));
+    return policy;
 }
 
 SandboxPolicy readPolicy(const std::filesystem::path& file) {

@@ -42,9 +42,9 @@ TEST(FindSkipped, LooksBesideEverySubmissionOfAGroup) {
     folder.write("monday/ann/Renderer.cpp", "x");
     folder.write("monday/.eve/Renderer.cpp", "x");
     folder.write("tuesday/bob/Renderer.cpp", "x");
-    fs::create_directories(folder.path() / "tuesday/cyd/deeper");
-    EXPECT_EQ(skippedIn(folder.path()), (Lines{"monday/.eve its name begins with a dot",
-                                               "tuesday/cyd holds nothing to grade"}));
+    fs::create_directory(folder.path() / "tuesday/cyd");
+    EXPECT_EQ(skippedIn(folder.path()),
+              (Lines{"monday/.eve its name begins with a dot", "tuesday/cyd is empty"}));
 }
 
 TEST(FindSkipped, SaysNothingOfWhatIsInASubmissionOrWasLeftByASystem) {
