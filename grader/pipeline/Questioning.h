@@ -16,7 +16,8 @@ public:
     Questioning(const build::Program& program, const Grader& grader, build::TimeBudget& budget)
         : program_(program), grader_(grader), budget_(budget) {}
 
-    /// Begins `work(examinee)`, now where nobody else is graded, or else when its result is wanted.
+    /// Begins `work(examinee)`, at once where this submission is graded alone, else when its result
+    /// is wanted.
     template <class Work>
     auto begin(Work work) {
         return std::async(grader_.isAlone ? std::launch::async : std::launch::deferred,

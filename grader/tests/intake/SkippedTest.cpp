@@ -29,7 +29,7 @@ TEST(FindSkipped, TellsOfFoldersThatBeginWithADotAndOfEmptyOnes) {
                                                ".eve its name begins with a dot", "cyd is empty"}));
 }
 
-TEST(FindSkipped, TellsOfArchivesThatNobodyOpens) {
+TEST(FindSkipped, TellsOfArchivesThatAreNotOpened) {
     const tests::TemporaryFolder folder;
     folder.write("ann/Renderer.cpp", "x");
     folder.write("bob.rar", "x");
