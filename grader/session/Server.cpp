@@ -1,3 +1,4 @@
+#include <grader/session/Connection.h>
 #include <grader/session/PageSources.h>
 #include <grader/session/Server.h>
 
@@ -7,7 +8,9 @@
 #include <httplib.h>
 
 #include <sys/socket.h>
+#include <unistd.h>
 
+#include <functional>
 #include <string_view>
 #include <utility>
 
@@ -15,9 +18,12 @@ namespace ticker::session {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
-constexpr std::size_t kThreads = 32;
-constexpr time_t kKeepAliveSeconds = 2;
-constexpr std::size_t kLargestRequest = 256U << 10U;
+// A browser keeps several connections open for each tab, and each takes a thread.
+constexpr std::size_t kMostNewcomers = 16;
+constexpr std::size_t kThreads = 32 + kMostNewcomers;
+constexpr std::size_t kMostRequests = 1000;  // of one connection
+constexpr std::size_t kLargestBody = 256U << 10U;
+constexpr std::size_t kLargestRequest = kLargestBody + (64U << 10U);
 
 // The page's own script and style, its own pictures and requests; nothing else, and no frames.
 constexpr const char* kPagePolicy =
@@ -51,16 +57,52 @@ bool mayCarryBody(const httplib::Request& request) {
            request.method == "DELETE";
 }
 
+using IsAllowed = std::function<bool(const httplib::Request&)>;
+
+/// The library's server, which alone would wait as long as a byte comes now and then, for as many
+/// connections as there are threads: then the page's own wait for ever.
+class Listener : public httplib::Server {
+public:
+    explicit Listener(IsAllowed isAllowed) : isAllowed_(std::move(isAllowed)) {}
+
+    /// Lets more than the library's five connections wait to be accepted: one that finds no place
+    /// tries again only after a second.
+    void queueMany() const { ::listen(svr_sock_, SOMAXCONN); }
+
+private:
+    bool process_and_close_socket(socket_t socket) override {
+        newcomers_.add(socket);
+        bool isClosing = false;
+        for (std::size_t left = kMostRequests; left > 0 && !isClosing; --left)
+            if (svr_sock_ == INVALID_SOCKET || !isRequestComing(socket) ||
+                !answerOne(socket, left == 1, isClosing))
+                break;
+        newcomers_.remove(socket);
+        shutdown(socket, SHUT_RDWR);
+        close(socket);
+        return true;
+    }
+
+    bool answerOne(socket_t socket, bool isLast, bool& isClosing) {
+        const auto stream = requestStream(socket, kLargestRequest);
+        return process_request(*stream, isLast, isClosing, [&](httplib::Request& request) {
+            if (isAllowed_(request)) newcomers_.remove(socket);
+        });
+    }
+
+    IsAllowed isAllowed_;
+    Newcomers newcomers_{kMostNewcomers};
+};
+
 }  // namespace
 
 class Server::Routes {
 public:
     Routes(ClassView& view, Access access, int port) : view_(view), access_(std::move(access)) {
-        http_.set_payload_max_length(kLargestRequest);
-        // A browser keeps several connections open for each tab, and each takes a thread.
+        http_.set_payload_max_length(kLargestBody);
         http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-        http_.set_keep_alive_max_count(1000);
-        http_.set_keep_alive_timeout(kKeepAliveSeconds);
+        http_.set_keep_alive_timeout(kLongestIdle.count());
+        http_.set_keep_alive_max_count(kMostRequests);
         http_.set_tcp_nodelay(true);
         // The library's own choice would let two sessions share a port.
         http_.set_socket_options([](int socket) {
@@ -92,6 +134,7 @@ private:
             const int port = wanted > 0 ? wanted : access_.port;
             if (http_.bind_to_port(kHost, port)) {
                 access_.port = port;
+                http_.queueMany();
                 return;
             }
             if (wanted > 0)
@@ -100,6 +143,7 @@ private:
         }
         access_.port = http_.bind_to_any_port(kHost);
         if (access_.port <= 0) throw raytracer::Error("no port of 127.0.0.1 can be had");
+        http_.queueMany();
     }
 
     [[nodiscard]] bool mayEnter(const httplib::Request& request) const {
@@ -173,7 +217,7 @@ private:
 
     ClassView& view_;
     Access access_;
-    httplib::Server http_;
+    Listener http_{[this](const httplib::Request& request) { return mayEnter(request); }};
 };
 
 Server::Server(ClassView& view, Access access, int port)

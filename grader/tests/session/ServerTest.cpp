@@ -6,7 +6,19 @@
 #include <httplib.h>
 #include <nlohmann/json.hpp>
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <string_view>
 #include <thread>
+#include <vector>
 
 namespace ticker::session {
 namespace {
@@ -108,6 +120,68 @@ TEST_F(OnTheNetwork, ShowsReportsInAFrameOfTheirOwnMaking) {
               std::string::npos);
     EXPECT_EQ(report->get_header_value("Cache-Control"), "no-store");
     EXPECT_EQ(report->get_header_value("Referrer-Policy"), "no-referrer");
+}
+
+/// A connection of something that does not know the token.
+class Stranger {
+public:
+    explicit Stranger(int port) {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(static_cast<std::uint16_t>(port));
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        EXPECT_EQ(connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0)
+            << std::strerror(errno);
+    }
+    ~Stranger() { close(socket_); }
+    Stranger(const Stranger&) = delete;
+    Stranger& operator=(const Stranger&) = delete;
+
+    void say(std::string_view text) const {
+        static_cast<void>(send(socket_, text.data(), text.size(), MSG_NOSIGNAL));
+    }
+    /// True where the session ended the connection within so long.
+    [[nodiscard]] bool isEnded(int milliseconds) const {
+        pollfd waiting{socket_, POLLIN, 0};
+        char byte = 0;
+        return poll(&waiting, 1, milliseconds) > 0 && recv(socket_, &byte, 1, 0) <= 0;
+    }
+
+private:
+    int socket_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+};
+
+TEST_F(OnTheNetwork, AnswersItsPageWhateverNumberOfOthersHoldsConnections) {
+    for (const char* said : {"", "GET /x HTTP/1.1\r\nHost: a\r\nX: ",
+                             "POST /x HTTP/1.1\r\nHost: a\r\nContent-Length: 9\r\n\r\nx"}) {
+        std::vector<std::unique_ptr<Stranger>> others;
+        for (int i = 0; i < 100; ++i) {
+            others.push_back(std::make_unique<Stranger>(server_.access().port));
+            others.back()->say(said);
+        }
+        httplib::Client fresh{"127.0.0.1", server_.access().port};
+        fresh.set_default_headers({{"Host", host()}});
+        const auto result = fresh.Get(at("class").c_str());
+        EXPECT_TRUE(result && result->status == 200) << said;
+        EXPECT_TRUE(others.front()->isEnded(-1)) << "only the newest stay";
+    }
+}
+
+TEST_F(OnTheNetwork, EndsAConnectionThatSendsItsRequestByteByByte) {
+    const Stranger slow{server_.access().port};
+    slow.say("GET /x HTTP/1.1\r\nHost: a\r\nX: ");
+    while (!slow.isEnded(100))  // a session that waits as long as bytes come never does
+        slow.say("x");
+}
+
+TEST_F(OnTheNetwork, EndsARequestThatIsLargerThanAnyOfThePage) {
+    const Stranger large{server_.access().port};
+    large.say("GET /x HTTP/1.1\r\n");
+    const std::string line = "X: " + std::string(4000, 'x') + "\r\n";
+    int lines = 0;
+    while (!large.isEnded(0) && ++lines < 100'000)
+        large.say(line);
+    EXPECT_LT(lines, 100'000) << "400 MB of head were taken in";
 }
 
 TEST_F(OnTheNetwork, RefusesAPortThatIsTaken) {
