@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <vector>
 
 namespace ticker::session {
 namespace {
@@ -18,14 +19,16 @@ namespace {
 namespace fs = std::filesystem;
 using report::escapeHtml;
 
-// What was found, in a line each: the ticker need not look for it below the pictures.
+// What was found, in a line each and once: the ticker need not look for it below the pictures.
 std::string told(const SubmissionResult& result) {
     std::string html;
     for (const TaskReport& task : result.tasks)
-        for (const Finding& finding : task.findings)
-            if (finding.severity != Severity::note)
-                html += fmt::format("<li><code>{}</code> {}</li>", escapeHtml(finding.id),
-                                    escapeHtml(finding.message));
+        for (const Finding& finding : task.findings) {
+            const std::string line = fmt::format(
+                "<li><code>{}</code> {}</li>", escapeHtml(finding.id), escapeHtml(finding.message));
+            const bool isNew = html.find(line) == std::string::npos;
+            if (finding.severity != Severity::note && isNew) html += line;
+        }
     return html.empty() ? "" : "<ul class=\"told\">" + html + "</ul>";
 }
 
@@ -63,31 +66,38 @@ std::string notices(const SubmissionResult& result) {
     return html.empty() ? "" : "<section><h2>Notes</h2><ul>" + html + "</ul></section>";
 }
 
-std::string code(const fs::path& folder) {
-    std::string html;
+std::vector<SourceText> sourcesIn(const fs::path& folder) {
+    std::vector<SourceText> sources;
     for (const char* name : {"BumpySphere.cpp", "Renderer.cpp"}) {
         std::error_code error;
         if (!fs::is_regular_file(fs::symlink_status(folder / name, error))) continue;
         std::ifstream stream{folder / name, std::ios::binary};
-        const std::string source{std::istreambuf_iterator<char>{stream}, {}};
+        sources.push_back({name, {std::istreambuf_iterator<char>{stream}, {}}});
+    }
+    return sources;
+}
+
+std::string code(const std::vector<SourceText>& sources) {
+    std::string html;
+    for (const SourceText& source : sources)
         html += fmt::format(
             "<section><h2>{0}</h2><pre class=\"code\" tabindex=\"0\" role=\"region\" "
             "aria-label=\"{0}\"><code>{1}"
             "</code></pre></section>",
-            name, highlightCpp(source));
-    }
+            source.file, highlightCpp(source.bytes));
     return html;
 }
 
 }  // namespace
 
-std::string submissionHtml(const SubmissionResult& result, const fs::path& codeFolder) {
+std::string submissionHtml(SubmissionResult result, const fs::path& codeFolder) {
+    result.sources = sourcesIn(codeFolder);
     const report::Album album{result, "of/" + result.submission + "/"};
-    std::string html =
-        head(result) + report::picturesSection(result, album, report::PictureKeys::blinkAndZoom);
+    std::string html = head(result) + report::diagnosticsSection(result) +
+                       report::picturesSection(result, album, report::PictureKeys::blinkAndZoom);
     for (const TaskReport& each : result.tasks)
         html += task(each, album);
-    return html + report::diagnosticsSection(result) + code(codeFolder) + notices(result);
+    return html + code(result.sources) + notices(result);
 }
 
 }  // namespace ticker::session

@@ -8,10 +8,11 @@
 
 namespace ticker::session {
 
-/// One submission for the session's page, as HTML: verdict, pictures, tasks with their findings,
-/// what the compiler said, the code in colours. Pictures have addresses relative to the page.
+/// One submission for the session's page, as HTML: verdict, what the compiler said beside the
+/// student's lines, pictures, tasks with their findings, the code in colours. Pictures have
+/// addresses relative to the page.
 /// @param code  `OUT/<submission>/code`
-[[nodiscard]] std::string submissionHtml(const SubmissionResult& result,
+[[nodiscard]] std::string submissionHtml(SubmissionResult result,
                                          const std::filesystem::path& code);
 
 }  // namespace ticker::session

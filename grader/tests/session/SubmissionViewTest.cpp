@@ -22,5 +22,27 @@ TEST(SubmissionHtml, ShowsFindingsAndCodeAndEscapesThem) {
     EXPECT_NE(html.find("src=\"of/O%27Neill%20%22%3Cscript%3Ename%3C"), std::string::npos) << html;
 }
 
+TEST(SubmissionHtml, PutsTheCompilersWordsBesideTheStudentsLine) {
+    const tests::ClassOnDisk onDisk{{"bob"}};
+    SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
+    result.diagnostics.push_back(
+        {"BumpySphere.cpp", "BumpySphere.cpp:1:5: error: expected initializer before 'x'\n"});
+    const std::string html = submissionHtml(result, onDisk.out() / "bob" / "code");
+    EXPECT_NE(html.find("line 1: expected initializer"), std::string::npos);
+    EXPECT_NE(html.find("<mark><span class=\"number\">   1</span> int x; // &lt;script&gt;"),
+              std::string::npos)
+        << html;
+}
+
+TEST(SubmissionHtml, SaysAboveThePicturesOnceWhatStandsUnderSeveralTasks) {
+    const tests::ClassOnDisk onDisk{{"bob"}};
+    SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
+    result.tasks.push_back(result.tasks.front());
+    const std::string html = submissionHtml(result, onDisk.out() / "bob" / "code");
+    const std::string told = html.substr(0, html.find("</ul>"));
+    EXPECT_NE(told.find("<li>"), std::string::npos);
+    EXPECT_EQ(told.find("<li>"), told.rfind("<li>"));
+}
+
 }  // namespace
 }  // namespace ticker::session
