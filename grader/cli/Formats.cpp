@@ -93,7 +93,8 @@ SubmissionResult decided(const store::ClassEntry& entry) {
 
 StudentView viewOf(SubmissionResult result, const store::ClassEntry& entry,
                    const report::StudentPolicy& policy) {
-    return {std::move(result), policy, entry.decision ? entry.decision->comment : ""};
+    return {std::move(result), policy, entry.decision ? entry.decision->comment : "",
+            entry.result.verdict};
 }
 
 std::vector<fs::path> writeMoodle(const fs::path& out,

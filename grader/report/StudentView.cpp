@@ -89,7 +89,13 @@ std::string findingText(const Finding& finding) {
     return text;
 }
 
-std::string_view sentenceFor(const SubmissionResult& result) {
+std::string_view sentenceFor(const StudentView& view) {
+    const SubmissionResult& result = view.result();
+    if (result.verdict == Verdict::awarded && view.proposed() == Verdict::notAwarded)
+        return "Tick awarded by your ticker, against the automatic check. What the check says "
+               "below does not take it back.";
+    if (result.verdict == Verdict::notAwarded && view.proposed() == Verdict::awarded)
+        return "No tick yet. Your ticker decided so, although the automatic check below passed.";
     switch (result.verdict) {
         case Verdict::awarded:
             return "Tick awarded.";
@@ -115,8 +121,11 @@ std::string withoutNewlinesAtEnd(std::string text) {
 
 }  // namespace
 
-StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment)
-    : result_(std::move(result)), comment_(std::move(comment)) {
+StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment,
+                         std::optional<Verdict> proposed)
+    : result_(std::move(result)),
+      comment_(std::move(comment)),
+      proposed_(proposed.value_or(result_.verdict)) {
     result_.seed = 0;
     for (TaskReport& task : result_.tasks)
         withhold(task, policy);
@@ -143,7 +152,7 @@ std::string taskText(const StudentView& view, const TaskReport& task) {
 }
 
 std::string verdictText(const StudentView& view) {
-    const std::string sentence{sentenceFor(view.result())};
+    const std::string sentence{sentenceFor(view)};
     if (view.comment().empty()) return sentence;
     return cleanText(fmt::format("{}\nYour ticker says: {}", sentence, view.comment()));
 }

@@ -4,6 +4,7 @@
 #include <grader/result/SubmissionResult.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,14 +30,18 @@ struct StudentPolicy {
 class StudentView {
 public:
     /// @param comment  What the person who decided says; empty: nobody said anything.
-    StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment = {});
+    /// @param proposed  The tool's own verdict; nothing: as in `result`.
+    StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment = {},
+                std::optional<Verdict> proposed = {});
 
     [[nodiscard]] const SubmissionResult& result() const { return result_; }
     [[nodiscard]] const std::string& comment() const { return comment_; }
+    [[nodiscard]] Verdict proposed() const { return proposed_; }
 
 private:
     SubmissionResult result_;
     std::string comment_;
+    Verdict proposed_;
 };
 
 /// True where the student worked on this task, or something is to be said about it.

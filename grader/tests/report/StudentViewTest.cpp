@@ -64,6 +64,22 @@ TEST(StudentView, KeepsToItselfWhyWeFailed) {
     EXPECT_FALSE(holds(everythingShown(result, {}), "/srv/secret"));
 }
 
+TEST(StudentView, SaysFirstThatATickerDecidedAgainstTheCheckAndWhy) {
+    SubmissionResult overruled = failedBumpExample();
+    overruled.verdict = Verdict::awarded;
+    const StudentView tick{overruled, {}, "shown at the desk", Verdict::notAwarded};
+    EXPECT_EQ(verdictText(tick),
+              "Tick awarded by your ticker, against the automatic check. What the check says below "
+              "does not take it back.\nYour ticker says: shown at the desk");
+    SubmissionResult refused = passedExample();
+    refused.verdict = Verdict::notAwarded;
+    EXPECT_EQ(verdictText(StudentView{refused, {}, "copied", Verdict::awarded}),
+              "No tick yet. Your ticker decided so, although the automatic check below passed.\n"
+              "Your ticker says: copied");
+    EXPECT_EQ(verdictText(StudentView{overruled, {}, "", Verdict::needsReview}), "Tick awarded.")
+        << "nothing was proposed";
+}
+
 TEST(StudentView, ShowsWhatThePolicyAllowsAndNoMore) {
     StudentPolicy policy;
     policy.evidence = {"uInverted"};
