@@ -29,6 +29,7 @@ const memory = {
     }
   },
   set: (key, value) => localStorage.setItem(`ticker.${token}.${key}`, JSON.stringify(value)),
+  remove: (key) => localStorage.removeItem(`ticker.${token}.${key}`),
 };
 
 /// What tabs that are gone had not sent. A tab that still lives sends its own again, which does no harm.
@@ -46,7 +47,7 @@ function keepQueue(items = queue) {
 }
 
 /// Asks the session, as often as it takes. Gives the response.
-async function ask(path, options) {
+async function request(path, options) {
   for (;;) {
     try {
       const response = await fetch(path, options);
@@ -65,7 +66,8 @@ const entries = new Map(); // name -> {name, shown, verdict, option, findings, d
 let order = [];
 let current = null; // the name that fills the page; null: the summary
 let trail = []; // where the ticker was
-const undos = []; // {submission, ruling, comment} as it was before
+const undos = []; // {submission, before, made}, both {ruling, comment}
+const undone = new Map(); // name -> {text, ruling, comment}: what the last undo did, and what stood then
 const queueKey = `queue.${Math.random().toString(36).slice(2)}`; // each tab has its own
 let queue = adoptQueues(); // {submission, version, ruling, comment, who}
 let online = true;
@@ -82,14 +84,13 @@ function standing(name) {
   return pending || decisionOf(name) || { ruling: "undecided", comment: "" };
 }
 
-function isOverruled(entry) {
-  const { ruling } = standing(entry.name);
-  return (ruling === "awarded" && entry.verdict !== "awarded") ||
-    (ruling === "notYet" && entry.verdict === "awarded");
-}
+/// Where the tool proposes no verdict ("needs a look"), none is overruled.
+const overrules = (ruling, entry) =>
+  (ruling === "awarded" && entry.verdict === "notAwarded") || (ruling === "notYet" && entry.verdict === "awarded");
+const isOverruled = (entry) => overrules(standing(entry.name).ruling, entry);
 
 async function loadClass() {
-  const { submissions } = await (await ask("class")).json();
+  const { submissions } = await (await request("class")).json();
   const same = submissions.length === order.length && submissions.every((one) => entries.has(one.name));
   for (const one of submissions) {
     const known = entries.get(one.name) || {};
@@ -101,6 +102,7 @@ async function loadClass() {
     buildList();
   }
   for (const name of order) showRow(name);
+  filterList();
   showCounts();
 }
 
@@ -108,15 +110,15 @@ function buildList() {
   const list = $(".list");
   list.replaceChildren(...order.map((name) => {
     const entry = entries.get(name);
-    entry.mark = make("span", { class: "mark" });
-    entry.findingWords = make("span", { class: "found soft" }, entry.findings.join(" "));
+    entry.mark = make("span", { class: "mark", "aria-hidden": "true" });
+    entry.told = make("span", { class: "unseen" }); // the mark and the colour in words
     entry.button = make("button", { type: "button" }, entry.mark,
-      make("span", { class: "name" }, entry.shown), entry.findingWords);
+      make("span", { class: "name" }, entry.shown), entry.told,
+      make("span", { class: "found soft" }, [...new Set(entry.findings)].join(" ")));
     entry.button.addEventListener("click", () => showSubmission(name));
     entry.row = make("li", {}, entry.button);
     return entry.row;
   }));
-  filterList();
 }
 
 function showRow(name) {
@@ -126,8 +128,7 @@ function showRow(name) {
   const sign = { awarded: "✓", notYet: "✗", undecided: "" }[ruling];
   Object.assign(entry.row.dataset, { verdict: entry.verdict, ruling });
   entry.mark.textContent = pending ? `${sign}…` : sign;
-  entry.button.setAttribute("aria-label",
-    `${entry.shown}, proposed ${words[entry.verdict]}, ${words[ruling]}${pending ? ", not saved yet" : ""}`);
+  entry.told.textContent = `, proposed: ${words[entry.verdict]}, ${words[ruling]}${pending ? ", not saved yet" : ""} `;
   if (name === current) entry.button.setAttribute("aria-current", "true");
   else entry.button.removeAttribute("aria-current");
 }
@@ -177,7 +178,25 @@ function filterList() {
     entry.row.hidden = !(found && fits(entry));
     shown += entry.row.hidden ? 0 : 1;
   }
-  $(".shown").textContent = shown === order.length ? "" : `${shown} of ${order.length} shown`;
+  const text = shown === order.length ? "" : `${shown} of ${order.length} shown`;
+  if ($(".shown").textContent !== text) $(".shown").textContent = text;
+  showButtons();
+}
+
+function showWholeList() {
+  $("#find").value = "";
+  $("#show").value = "all";
+  filterList();
+  goOn();
+}
+
+/// A button that would do nothing cannot be pressed.
+function showButtons() {
+  const can = {
+    award: current !== null, notYet: current !== null, comment: current !== null,
+    undo: undos.length > 0, back: trail.length > 0, next: current !== null || nextUndecided() !== null,
+  };
+  for (const [act, is] of Object.entries(can)) $(`.buttons [data-act=${act}]`).disabled = !is;
 }
 
 // --- one submission ----------------------------------------------------------------------------
@@ -187,7 +206,7 @@ const cache = new Map(); // name -> promise of {html, history}
 function fetched(name) {
   if (!cache.has(name)) {
     if (cache.size > 20) cache.delete(cache.keys().next().value);
-    cache.set(name, ask(`submission?name=${encodeURIComponent(name)}`).then((response) => response.json()));
+    cache.set(name, request(`submission?name=${encodeURIComponent(name)}`).then((response) => response.json()));
   }
   return cache.get(name);
 }
@@ -201,6 +220,7 @@ async function showSubmission(name, options = {}) {
   entries.get(name).row.scrollIntoView({ block: "nearest" });
   history.replaceState(null, "", `#${encodeURIComponent(name)}`);
   showStanding();
+  showButtons();
   const main = $("main");
   main.classList.toggle("loading", main.dataset.name !== name);
   const { html, error } = await fetched(name);
@@ -216,63 +236,131 @@ async function showSubmission(name, options = {}) {
   if (following) fetched(following);
 }
 
+/// On this machine's clock: the time today, the date and the time before.
+function clock(when) {
+  const at = new Date(when);
+  const isToday = at.toDateString() === new Date().toDateString();
+  const text = at.toLocaleString([], { ...(isToday ? {} : { dateStyle: "medium" }), timeStyle: "short" });
+  return make("time", { datetime: when }, text);
+}
+
 function showStanding() {
   const place = $(".standing");
   const entry = entries.get(current);
   if (!entry) return place.replaceChildren();
   const now = standing(current);
-  const pending = pendingOf(current).length > 0;
-  const parts = [make("span", { class: "soft" }, "proposed: "), make("span", { class: `badge ${entry.verdict}` }, words[entry.verdict])];
+  const soft = (...children) => make("span", { class: "soft" }, ...children);
+  const parts = [soft("proposed: "), make("span", { class: `badge ${entry.verdict}` }, words[entry.verdict])];
   if (now.ruling !== "undecided")
-    parts.push(make("span", { class: "soft" }, " decided: "),
+    parts.push(soft(" decided: "),
       make("span", { class: `badge ${now.ruling === "awarded" ? "awarded" : "notAwarded"}` }, words[now.ruling]));
   if (isOverruled(entry)) parts.push(make("strong", {}, " against the proposal"));
-  if (now.who || now.when)
-    parts.push(make("span", { class: "soft" }, ` by ${now.who || "somebody"}${now.when ? `, ${now.when.replace("T", " ")}` : ""}`));
-  if (pending) parts.push(make("span", { class: "soft" }, " (not saved yet)"));
+  const note = undone.get(current);
+  if (note?.ruling === now.ruling && note.comment === now.comment) parts.push(make("strong", {}, note.text));
+  else if (now.ruling === "undecided" && now.who) parts.push(soft(now.comment ? " commented" : " taken back"));
+  if (now.who) parts.push(soft(" by ", now.who, ...(now.when ? [", ", clock(now.when)] : [])));
+  if (pendingOf(current).length > 0) parts.push(soft(" (not saved yet)"));
   if (now.comment) parts.push(make("span", { class: "remark" }, `“${now.comment}”`));
   place.replaceChildren(...parts);
 }
 
+/// The next one of the list that is not decided, from the current one on and round the list's end.
 function nextUndecided() {
   const from = current === null ? -1 : order.indexOf(current);
-  const isOpen = (name) => name !== current && standing(name).ruling === "undecided";
+  const isOpen = (name) =>
+    name !== current && !entries.get(name).row.hidden && standing(name).ruling === "undecided";
   return order.slice(from + 1).find(isOpen) ?? order.slice(0, Math.max(from, 0)).find(isOpen) ?? null;
 }
 
 function goOn() {
   const name = nextUndecided();
-  if (name === null && (current === null || standing(current).ruling !== "undecided")) showSummary();
-  else if (name !== null) showSubmission(name);
+  if (name === null) showSummary();
+  else showSubmission(name);
 }
 
 // --- deciding ----------------------------------------------------------------------------------
 
-function enqueue(submission, ruling, comment) {
+const who = () => $("#who").value.trim();
+const isOnPage = () => current !== null && $("main").dataset.name === current;
+
+function enqueue(submission, { ruling, comment }) {
   const known = decisionOf(submission)?.version ?? 0;
-  queue.push({ submission, version: known + pendingOf(submission).length, ruling, comment, who: $("#who").value.trim() });
+  queue.push({ submission, version: known + pendingOf(submission).length, ruling, comment, who: who() });
   keepQueue();
   cache.delete(submission);
   showRow(submission);
+  filterList();
   showCounts();
   if (submission === current) showStanding();
   flush();
 }
 
-/// False where the submission does not fill the page yet: nobody has seen it.
-function decide(ruling, comment) {
-  if (current === null || $("main").dataset.name !== current) return false;
-  const before = standing(current);
-  undos.push({ submission: current, ruling: before.ruling, comment: before.comment });
-  enqueue(current, ruling, comment ?? before.comment);
-  return true;
+/// Keeps a decision or a comment, so that it can be taken back.
+function record(submission, made) {
+  const { ruling, comment } = standing(submission);
+  undos.push({ submission, before: { ruling, comment }, made });
+  undone.delete(submission);
+  enqueue(submission, made);
+}
+
+/// Asks for what is missing in a dialog, and goes on with the comment once it is there.
+function ask(title, why, then) {
+  const dialog = $("#ask");
+  const [name, reason] = [$("#ask-who"), $("#ask-why")];
+  $("h2", dialog).textContent = title;
+  name.closest("label").hidden = who() !== "";
+  name.disabled = who() !== "";
+  name.value = "";
+  reason.closest("label").hidden = !why;
+  reason.disabled = !why;
+  reason.required = why?.isRequired ?? false;
+  reason.value = why?.comment ?? "";
+  $("form", dialog).onsubmit = (event) => {
+    if (event.submitter?.value === "cancel") return;
+    if (reason.required && !reason.value.trim()) return event.preventDefault(); // blanks are no reason
+    if (!name.disabled) setWho(name.value.trim());
+    then(reason.value.trim());
+  };
+  dialog.showModal();
+  (name.disabled ? reason : name).focus();
+}
+
+function setWho(name) {
+  $("#who").value = name;
+  memory.set("who", name);
+}
+
+/// Decides about what fills the page, and goes on. Asks for a name once, for a reason against the
+/// proposal, and whether a comment still fits a decision that is turned round.
+function decide(ruling) {
+  if (!isOnPage()) return; // it was not seen yet
+  const name = current;
+  const before = standing(name);
+  const isAgainst = overrules(ruling, entries.get(name));
+  const isTurned = before.ruling !== "undecided" && before.ruling !== ruling;
+  const why = before.comment ? isTurned : isAgainst;
+  const keep = (comment) => {
+    record(name, { ruling, comment });
+    goOn();
+  };
+  if (why)
+    ask(before.comment ? "Does your comment still fit?" : `The proposal is “${words[entries.get(name).verdict]}”. Why “${words[ruling]}”?`,
+      { isRequired: isAgainst, comment: before.comment }, keep);
+  else if (!who()) ask("Who decides?", null, () => keep(before.comment));
+  else keep(before.comment);
 }
 
 function undo() {
   const last = undos.pop();
   if (!last) return;
-  enqueue(last.submission, last.ruling, last.comment);
-  showSubmission(last.submission);
+  const { submission, before, made } = last;
+  const now = standing(submission);
+  const stands = now.ruling === made.ruling && now.comment === made.comment;
+  const what = made.ruling === before.ruling ? "comment taken back" : `taken back: ${words[made.ruling]}`;
+  const { ruling, comment } = stands ? before : now;
+  undone.set(submission, { text: stands ? what : "nothing taken back: decided again meanwhile", ruling, comment });
+  if (stands) enqueue(submission, before);
+  showSubmission(submission);
 }
 
 let flushing = false;
@@ -283,7 +371,7 @@ async function flush() {
   flushing = true;
   while (queue.length > 0) {
     const item = queue[0];
-    const response = await ask("decide", {
+    const response = await request("decide", {
       method: "POST", headers: { "Content-Type": "application/json", "X-Ticker": token }, body: JSON.stringify(item),
     });
     const answer = await response.json();
@@ -303,6 +391,7 @@ function settle(item, decision) {
   if (!entry) return;
   entry.decision = decision;
   showRow(item.submission);
+  filterList();
   if (item.submission === current) showStanding();
 }
 
@@ -313,7 +402,7 @@ async function resolveConflict(mine, theirs) {
   if (theirs.ruling === mine.ruling && theirs.comment === mine.comment) return keepQueue();
   const dialog = $("#conflict");
   $(".words", dialog).textContent =
-    `${theirs.who || "Somebody"} decided about ${entries.get(mine.submission)?.shown} meanwhile: ${words[theirs.ruling]}` +
+    `${theirs.who || "Another ticker"} decided about ${entries.get(mine.submission)?.shown} meanwhile: ${words[theirs.ruling]}` +
     `${theirs.comment ? ` (“${theirs.comment}”)` : ""}. You said: ${words[mine.ruling]}` +
     `${mine.comment ? ` (“${mine.comment}”)` : ""}.`;
   keepQueue([mine, ...queue]); // not lost, should the page be closed now
@@ -332,10 +421,12 @@ function countBy(list, keyOf) {
   return [...counts].sort((a, b) => b[1] - a[1]);
 }
 
+/// In a list; no table where there are no rows.
 function table(caption, head, rows) {
-  return make("table", {}, make("caption", {}, caption),
+  if (rows.length === 0) return [];
+  return [make("table", {}, make("caption", {}, caption),
     make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))),
-    make("tbody", {}, ...rows.map((cells) => make("tr", {}, ...cells.map((cell) => make("td", {}, cell))))));
+    make("tbody", {}, ...rows.map((cells) => make("tr", {}, ...cells.map((cell) => make("td", {}, cell))))))];
 }
 
 function linkTo(name) {
@@ -350,6 +441,7 @@ function showSummary() {
   current = null;
   if (before !== null) showRow(before);
   showStanding();
+  showButtons();
   const all = order.map((name) => entries.get(name));
   const ruling = (entry) => standing(entry.name).ruling;
   const undecided = all.filter((entry) => ruling(entry) === "undecided");
@@ -357,58 +449,69 @@ function showSummary() {
   const main = $("main");
   main.classList.remove("loading");
   delete main.dataset.name;
-  main.replaceChildren(make("h1", {}, undecided.length ? "How far you are" : "All are decided"),
+  const isListDone = undecided.length > 0 && undecided.every((entry) => entry.row.hidden);
+  main.replaceChildren(make("h1", {}, undecided.length === 0 ? "All are decided"
+    : isListDone ? "All that the list shows are decided" : "How far you are"),
     make("p", {}, ["awarded", "notYet", "undecided"]
       .map((word) => `${all.filter((entry) => ruling(entry) === word).length} ${words[word]}`).join(", "),
       ` of ${all.length}.`),
-    table("Who decided", ["Ticker", "Decisions"],
-      countBy(all.filter((entry) => ruling(entry) !== "undecided"), (entry) => standing(entry.name).who || "somebody")
+    ...(isListDone ? [make("button", { type: "button", "data-act": "wholeList" }, "Show the whole list")] : []),
+    ...table("Who decided", ["Ticker", "Decisions"],
+      countBy(all.filter((entry) => ruling(entry) !== "undecided"), (entry) => standing(entry.name).who || "no name")
         .map(([who, count]) => [who, String(count)])),
-    table("Decided against the proposal", ["Submission", "Proposed", "Decided", "Why"],
+    ...table("Decided against the proposal", ["Submission", "Proposed", "Decided", "Why"],
       overruled.map((entry) => [linkTo(entry.name), words[entry.verdict], words[ruling(entry)], standing(entry.name).comment])),
-    table("Most frequent findings", ["Finding", "Submissions"],
+    ...table("Most frequent findings", ["Finding", "Submissions"],
       countBy(all, (entry) => [...new Set(entry.findings)]).slice(0, 12).map(([id, count]) => [id, String(count)])),
-    table("Still open", ["Submission", "Proposed"],
+    ...table("Still open", ["Submission", "Proposed"],
       undecided.slice(0, 50).map((entry) => [linkTo(entry.name), words[entry.verdict]])));
   window.scrollTo(0, 0);
 }
 
 // --- dialogs and keys --------------------------------------------------------------------------
 
-async function editComment() {
-  if (current === null) return;
+/// The messages of the mistakes and warnings on the page, each once.
+const foundWords = () => [...new Set(
+  [...document.querySelectorAll("main .card.fail > .message, main .card.warn > .message")].map((one) => one.textContent.trim()))];
+
+function editComment() {
+  if (!isOnPage()) return;
+  if (!who()) return ask("Who comments?", null, editComment);
   const name = current;
   const dialog = $("#comment");
   const text = $("textarea", dialog);
-  text.value = memory.get(`draft.${name}`, standing(name).comment);
-  dialog.returnValue = "cancel";
+  const draft = `draft.${name}`; // outlives the page, not the dialog
+  text.value = memory.get(draft, standing(name).comment);
+  text.oninput = () => memory.set(draft, text.value);
+  $("[data-act=quote]", dialog).disabled = foundWords().length === 0;
+  $("form", dialog).onsubmit = (event) => {
+    const { ruling, comment } = standing(name);
+    const said = text.value.trim();
+    if (event.submitter?.value === "save" && said !== comment) record(name, { ruling, comment: said });
+  };
+  dialog.onclose = () => memory.remove(draft);
   dialog.showModal();
   text.focus();
-  await new Promise((done) => dialog.addEventListener("close", done, { once: true }));
-  if (dialog.returnValue !== "save") return;
-  localStorage.removeItem(`ticker.${token}.draft.${name}`);
-  // Whoever types fast has gone on before the dialog says that it is closed.
-  const before = standing(name);
-  undos.push({ submission: name, ruling: before.ruling, comment: before.comment });
-  enqueue(name, before.ruling, text.value.trim());
 }
 
 function quoteFindings() {
   const text = $("#comment textarea");
-  const found = [...document.querySelectorAll("main .finding .message")].map((one) => one.textContent.trim());
-  text.value = [text.value.trim(), ...found].filter(Boolean).join("\n");
+  const missing = foundWords().filter((one) => !text.value.includes(one));
+  text.value = [text.value.trim(), ...missing].filter(Boolean).join("\n");
+  text.oninput();
   text.focus();
 }
 
 const acts = {
-  award: () => decide("awarded") && goOn(),
-  notYet: () => decide("notYet") && goOn(),
+  award: () => decide("awarded"),
+  notYet: () => decide("notYet"),
   comment: editComment,
   quote: quoteFindings,
   undo,
   next: goOn,
   back: () => { const name = trail.pop(); if (name !== undefined) showSubmission(name, { isBack: true }); },
   summary: showSummary,
+  wholeList: showWholeList,
   help: () => $("#help").showModal(),
   find: () => { $("#find").focus(); $("#find").select(); },
   report: () => current !== null && window.open(`report?name=${encodeURIComponent(current)}`, "_blank", "noopener"),
@@ -419,13 +522,16 @@ const keys = {
 };
 
 document.addEventListener("keydown", (event) => {
-  if (event.target.matches("#comment textarea")) {
-    memory.set(`draft.${current}`, event.target.value);
-    if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) $("#comment button[value=save]").click();
+  if (event.target.matches("dialog textarea")) {
+    // A comment has lines, a reason has one.
+    const isEnd = event.key === "Enter" && (event.target.id === "ask-why" || event.ctrlKey || event.metaKey);
+    if (isEnd) event.preventDefault();
+    if (isEnd) $("button[value=save]", event.target.form).click();
     return;
   }
   if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
-  if (event.target.matches("input, select, textarea")) return;
+  // A letter means the same on the filter's list and on a slider.
+  if (event.target.matches("input:not([type=range])")) return;
   const look = { b: "blink", "+": "in", "=": "in", "-": "out" }[event.key];
   if (look && viewers.length > 0) viewerInSight(viewers).act(look);
   const act = keys[event.key];

@@ -1,25 +1,23 @@
 // The ticking session as tickers meet it. TICKER is the program, TICKER_CLASS a graded class, whose
 // results are copied under new names into larger classes.
 import assert from "node:assert/strict";
-import { execFileSync, spawn } from "node:child_process";
+import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { createInterface } from "node:readline";
-import { accessibilityFaults, launchBrowser, openPage } from "./harness.mjs";
+import { accessibilityFaults, launchBrowser } from "./harness.mjs";
+import { killSessions, openSession, saved, shown, startSession, ticker } from "./session.mjs";
 
-const ticker = process.env.TICKER;
 const samples = ["bump-inverted-u", "distributed-off-centre", "does-not-compile", "reference-bump", "two-versions"];
 const oddNames = ["Jürgen, jr", "O'Neill #1? 100%", "=1+1", "张 伟", "a&b;c"];
 
 let browser;
 const folders = [];
-const sessions = [];
 before(async () => { browser = await launchBrowser(); });
 after(async () => {
   await browser.close();
-  for (const session of sessions) session.process.kill("SIGKILL");
+  killSessions();
   for (const folder of folders) rmSync(folder, { recursive: true, force: true });
 });
 
@@ -43,33 +41,13 @@ function makeClass(size) {
   return out;
 }
 
-/// Starts a session and waits for its address.
-async function startSession(out) {
-  const process = spawn(ticker, ["session", out, "--quiet"], { stdio: ["ignore", "pipe", "inherit"] });
-  const lines = createInterface({ input: process.stdout });
-  const address = await new Promise((done) => lines.once("line", done));
-  const session = {
-    process, address,
-    kill: () => new Promise((done) => { process.once("exit", done); process.kill("SIGKILL"); }),
-  };
-  sessions.push(session);
-  return session;
+/// Decides with a key, and says why where the page asks.
+async function decide(page, key, why = "as shown at the desk") {
+  await page.keyboard.press(key);
+  if (await page.locator("#ask[open]").count() === 0) return;
+  await page.keyboard.type(why);
+  await page.keyboard.press("Enter");
 }
-
-const openSession = (session, options = {}) =>
-  openPage(browser, session.address, { allowed: (address) => address.startsWith(session.address), ...options });
-
-/// Waits until a submission fills the page and can be decided. Gives its name.
-async function shown(page, other) {
-  const main = page.locator("main[data-name]:not(.loading)");
-  await page.waitForFunction((before) => {
-    const main = document.querySelector("main[data-name]:not(.loading)");
-    return main && main.dataset.name !== before;
-  }, other);
-  return main.getAttribute("data-name");
-}
-
-const saved = (page) => page.waitForFunction(() => document.querySelector(".state").textContent === "all saved");
 
 /// What is on disk: the newest ruling by name.
 async function rulings(session) {
@@ -79,7 +57,7 @@ async function rulings(session) {
 
 test("the page is quiet, accessible and shows pictures, findings and code", async () => {
   const session = await startSession(makeClass(5));
-  const { page, problems } = await openSession(session);
+  const { page, problems } = await openSession(browser, session);
   assert.equal(await shown(page), "=1+1_1002");
   await page.locator(".list button", { hasText: "Jürgen, jr_1000" }).click();
   assert.equal(await shown(page, "=1+1_1002"), "Jürgen, jr_1000");
@@ -101,7 +79,7 @@ test("the page is quiet, accessible and shows pictures, findings and code", asyn
 test("100 decisions by keyboard, the session killed in between, none lost", async (t) => {
   const out = makeClass(100);
   let session = await startSession(out);
-  let { page } = await openSession(session);
+  let { page } = await openSession(browser, session);
   await page.getByLabel("You are").fill("ann");
   await page.locator("main").focus();
   const meant = {};
@@ -111,10 +89,10 @@ test("100 decisions by keyboard, the session killed in between, none lost", asyn
     const key = i % 3 === 0 ? "n" : "a";
     meant[name] = key === "a" ? "awarded" : "notYet";
     if (i === 30 || i === 70) await session.kill();
-    await page.keyboard.press(key); // this one waits in the browser
+    await decide(page, key); // this one waits in the browser
     if (i === 70) await page.close(); // nothing but what the browser has stored is left
     if (i === 30 || i === 70) session = await startSession(out);
-    if (i === 70) ({ page } = await openSession(session));
+    if (i === 70) ({ page } = await openSession(browser, session));
     if (i === 70) name = undefined;
   }
   await page.getByRole("heading", { name: "All are decided" }).waitFor();
@@ -129,7 +107,7 @@ test("100 decisions by keyboard, the session killed in between, none lost", asyn
 test("1000 submissions load", async (t) => {
   const session = await startSession(makeClass(1000));
   const start = performance.now();
-  const { page, problems } = await openSession(session);
+  const { page, problems } = await openSession(browser, session);
   await shown(page);
   assert.equal(await page.locator(".list li").count(), 1000);
   t.diagnostic(`1000 submissions: ${Math.round(performance.now() - start)} ms to the first one on the page`);
@@ -139,16 +117,17 @@ test("1000 submissions load", async (t) => {
 
 test("two tickers at once lose nothing and see each other", async () => {
   const session = await startSession(makeClass(5));
-  const [ann, bob] = [await openSession(session), await openSession(session)];
+  const [ann, bob] = [await openSession(browser, session), await openSession(browser, session)];
   for (const [{ page }, who] of [[ann, "ann"], [bob, "bob"]]) {
     await page.getByLabel("You are").fill(who);
     await shown(page);
+    if (who === "bob") await page.route("**/class", () => {}); // never hears of ann
     await page.locator("main").focus();
   }
-  await ann.page.keyboard.press("a");
+  await decide(ann.page, "a");
   await saved(ann.page);
   await bob.page.keyboard.press("n");
-  const dialog = bob.page.getByRole("dialog", { name: "Somebody was faster" });
+  const dialog = bob.page.getByRole("dialog", { name: "Another ticker was faster" });
   assert.match(await dialog.locator(".words").textContent(), /ann decided about =1\+1_1002 meanwhile: awarded.*You said: not yet/);
   await dialog.getByRole("button", { name: "Put mine over it" }).click();
   await saved(bob.page);
@@ -161,11 +140,12 @@ test("two tickers at once lose nothing and see each other", async () => {
 
 test("comment, undo, search and summary", async () => {
   const session = await startSession(makeClass(5));
-  const { page, problems } = await openSession(session);
+  const { page, problems } = await openSession(browser, session);
   const first = await shown(page);
+  await page.getByLabel("You are").fill("ann");
+  await page.locator("main").focus();
   await page.keyboard.press("c");
-  await page.getByRole("button", { name: "Insert what was found" }).click();
-  await page.keyboard.type(" See line 7.");
+  await page.keyboard.type("See line 7.");
   await page.evaluate(() => { // as fast as keys can come: nothing of it may be lost
     const press = (target, options) => target.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, ...options }));
     press(document.querySelector("#comment textarea"), { key: "Enter", ctrlKey: true });

@@ -1,0 +1,63 @@
+// What tests of the ticking session share. TICKER is the program.
+import { execFileSync, spawn } from "node:child_process";
+import { createInterface } from "node:readline";
+import { openPage } from "./harness.mjs";
+
+export const ticker = process.env.TICKER;
+const sessions = [];
+
+/// Starts a session and waits for its address.
+export async function startSession(out) {
+  const process = spawn(ticker, ["session", out, "--quiet"], { stdio: ["ignore", "pipe", "inherit"] });
+  const lines = createInterface({ input: process.stdout });
+  const address = await new Promise((done) => lines.once("line", done));
+  const session = {
+    process, address,
+    kill: (signal = "SIGKILL") => new Promise((done) => { process.once("exit", done); process.kill(signal); }),
+  };
+  sessions.push(session);
+  return session;
+}
+
+export function killSessions() {
+  for (const session of sessions) session.process.kill("SIGKILL");
+}
+
+export const openSession = (browser, session, options = {}) =>
+  openPage(browser, session.address, { allowed: (address) => address.startsWith(session.address), ...options });
+
+/// Waits until a submission fills the page and can be decided. Gives its name.
+export async function shown(page, other) {
+  const main = page.locator("main[data-name]:not(.loading)");
+  await page.waitForFunction((before) => {
+    const main = document.querySelector("main[data-name]:not(.loading)");
+    return main && main.dataset.name !== before;
+  }, other);
+  return main.getAttribute("data-name");
+}
+
+/// Waits until this submission fills the page.
+export const showing = (page, name) => page.waitForFunction((wanted) =>
+  document.querySelector("main[data-name]:not(.loading)")?.dataset.name === wanted, name);
+
+export const saved = (page) =>
+  page.waitForFunction(() => document.querySelector(".state").textContent === "all saved");
+
+/// What another process finds on disk: the rows of the class's table by submission, {verdict, ruling,
+/// decidedBy, decidedAt, comment, ...}.
+export const onDisk = (out) =>
+  rowsOf(execFileSync(ticker, ["report", out, "--format", "csv", "--quiet"], { encoding: "utf8" }));
+
+/// The same of a summary.csv.
+export function rowsOf(csv) {
+  const text = csv.replace(/^\uFEFF/, "");
+  const rows = [];
+  for (let row = [], at = 0; at < text.length;) {
+    const [cell, plain, quoted, end] = /([^",\r\n]*)(?:"((?:[^"]|"")*)")?(,|\r\n|$)/y.exec(text.slice(at));
+    row.push(quoted === undefined ? plain : quoted.replaceAll('""', '"'));
+    at += cell.length;
+    if (end !== ",") { rows.push(row); row = []; }
+  }
+  const [head, ...rest] = rows;
+  return Object.fromEntries(rest.map((row) => [row[0], Object.fromEntries(head.map((key, i) => [key, row[i]]))]));
+}
