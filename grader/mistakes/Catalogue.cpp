@@ -47,6 +47,14 @@ public:
         return value.get<std::string>();
     }
 
+    /// False where it is not there.
+    [[nodiscard]] bool flag(const std::string& name) {
+        if (!object_.contains(name)) return false;
+        const json& value = required(name);
+        if (!value.is_boolean()) fail(fmt::format("\"{}\" must be true or false", name));
+        return value.get<bool>();
+    }
+
     /// A string, or an array of lines.
     [[nodiscard]] std::string text(const std::string& name) {
         const json& value = required(name);
@@ -95,11 +103,12 @@ Expectation readExpectation(const json& object, const std::string& path) {
     Members members(object, path, "\"expect\"");
     const std::string state = members.string("state");
     const std::string finding = members.string("finding");
+    const bool needsReview = members.flag("needsReview");
     members.finish();
     const auto* known = std::find_if(kStates.begin(), kStates.end(),
                                      [&](const auto& entry) { return entry.first == state; });
     if (known == kStates.end()) members.fail(fmt::format("has the unknown state \"{}\"", state));
-    return {known->second, finding};
+    return {known->second, finding, needsReview};
 }
 
 std::vector<Edit> readEdits(const json& array, const std::string& path) {

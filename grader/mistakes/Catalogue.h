@@ -18,7 +18,8 @@ struct Edit {
 /// What a grader must say about a mistake.
 struct Expectation {
     TaskState state = TaskState::failed;
-    std::string finding;  ///< the first finding's id; empty where there is none (notAttempted)
+    std::string finding;       ///< the first finding's id; empty where there is none (notAttempted)
+    bool needsReview = false;  ///< it passes, and a person has to look
 };
 
 /// A known mistake: a small edit of the reference solution, and what it must be called.

@@ -57,7 +57,8 @@ std::string told(const TaskJudgement& judgement) {
 
 std::string told(const mistakes::Expectation& expected) {
     std::string text = nameOf(expected.state);
-    return expected.finding.empty() ? text : text + " " + expected.finding;
+    if (!expected.finding.empty()) text += " " + expected.finding;
+    return expected.needsReview ? text + " (review)" : text;
 }
 
 std::string readText(const fs::path& file) {
@@ -103,7 +104,8 @@ double threadCpuMs() {
 }
 
 bool isAsExpected(const TaskJudgement& own, const mistakes::Expectation& expected) {
-    return own.state == expected.state && firstFinding(own) == expected.finding && !own.needsReview;
+    return own.state == expected.state && firstFinding(own) == expected.finding &&
+           own.needsReview == expected.needsReview;
 }
 
 void judgeT1(probe::Examinee& examinee, std::uint64_t seed, MistakeRow& row) {

@@ -77,7 +77,18 @@ TEST(Catalogue, JoinsLinesAndReadsTheExpectation) {
     EXPECT_EQ(mistakes[0].edits.at(0).find, "one\ntwo");
     EXPECT_EQ(mistakes[0].expect.state, TaskState::blocked);
     EXPECT_EQ(mistakes[0].expect.finding, "run.crashed");
+    EXPECT_FALSE(mistakes[0].expect.needsReview);
     EXPECT_EQ(makeMistake(mistakes[0], "zero one\ntwo four"), "zero three four");
+}
+
+TEST(Catalogue, ReadsThatAPersonHasToLook) {
+    const OneMistake read{exampleWith("run.crashed\"", "run.crashed\", \"needsReview\": true")};
+    EXPECT_TRUE(read.read().at(0).expect.needsReview);
+}
+
+TEST(Catalogue, RefusesAPersonWhoIsNeitherAskedNorNot) {
+    const OneMistake odd{exampleWith("run.crashed\"", "run.crashed\", \"needsReview\": 1")};
+    EXPECT_NE(odd.complaint().find("\"needsReview\" must be true or false"), std::string::npos);
 }
 
 TEST(Catalogue, RefusesAnEditThatDoesNotFitOnce) {
