@@ -3,7 +3,10 @@
 #include <grader/decision/distributed/Draw.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <cstddef>
 #include <iterator>
 
 namespace ticker::decision {
@@ -72,6 +75,37 @@ bool goTogether(const std::vector<const ShadowLog*>& far, const std::vector<Vect
     if (points < 100.0) return false;
     const double bound = std::sqrt(std::log(1.0 / kStatementRisk) / (2.0 * points));
     return sum.direction / points > 0.125 + bound || sum.line / points > 0.4 + bound;
+}
+
+// With n lines at independent angles, n |mean of exp(i k angle)|^2 follows the exponential law of
+// mean 1, and the sum over three views the Gamma law: above x with a chance of e^-x (1 + x +
+// x^2/2). Pairs of opposite lines count half: 42 is exceeded with a chance of 2e-7 for each k. An
+// evenly filled disc that keeps its place in the world has 144 in the mean, or more.
+bool looksRound(const std::vector<const ShadowLog*>& far, const std::vector<Vector3>& directions,
+                std::size_t distinct) {
+    constexpr double kMost = 42.0;
+    constexpr std::array kFolds{1.0, 2.0, 3.0, 4.0};
+    std::array<double, kFolds.size()> uneven{};
+    std::size_t lines = 0;
+    for (std::size_t i = 0; i < far.size(); ++i) {
+        const Perpendiculars sides = perpendicularsOf(directions[i]);
+        std::array<std::complex<double>, kFolds.size()> sums{};
+        std::size_t count = 0;
+        for (const PointLog& point : far[i]->points)
+            for (const AimLine& line : samplesOf(point, far[i]->settings())) {
+                const double angle =
+                    std::atan2(line.foot.dot(sides.second), line.foot.dot(sides.first));
+                for (std::size_t k = 0; k < kFolds.size(); ++k)
+                    sums[k] += std::polar(1.0, kFolds[k] * angle);
+                ++count;
+            }
+        for (std::size_t k = 0; k < kFolds.size(); ++k)
+            uneven[k] += std::norm(sums[k]) / static_cast<double>(std::max<std::size_t>(count, 1));
+        lines += count;
+    }
+    const double share =
+        static_cast<double>(distinct) / static_cast<double>(std::max<std::size_t>(lines, 1));
+    return *std::max_element(uneven.begin(), uneven.end()) * share <= kMost;
 }
 
 }  // namespace ticker::decision

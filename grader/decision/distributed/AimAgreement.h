@@ -19,6 +19,13 @@ namespace ticker::decision {
 [[nodiscard]] bool goTogether(const std::vector<const ShadowLog*>& far,
                               const std::vector<Vector3>& directions);
 
+/// Whether the lines of each question lie round its light's centre as evenly as they must where the
+/// light looks the same from all sides: no two, three or four directions are preferred. Lines in
+/// such directions at random, or in pairs of opposite ones, fail with a chance below 1e-6.
+/// @param distinct  Lines that can count as independent.
+[[nodiscard]] bool looksRound(const std::vector<const ShadowLog*>& far,
+                              const std::vector<Vector3>& directions, std::size_t distinct);
+
 }  // namespace ticker::decision
 
 #endif

@@ -35,6 +35,11 @@ bool repeatsItself(const AimVerdict& aims) {
 
 void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     std::vector<Finding>& findings = outcome.findings;
+    // Wherever these rays go, it is not the light: nothing else can be said of them.
+    if (std::optional<Finding> backwards = checkBackwards(logs)) {
+        findings.push_back(*std::move(backwards));
+        return;
+    }
     const std::optional<Finding> starts = checkStarts(logs);
     // Rays from another place than the point go elsewhere, miss the light by more and meet other
     // things than they should: all that follows from the start.
@@ -46,20 +51,20 @@ void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     // all the centre are fixed, but that is not what went wrong.
     const bool hard = counts && counts->id == "shadow.hard";
     if (!counts && !misplaced) keep(findings, checkSeveralCounts(logs, fixed.has_value()));
+    const AimVerdict aims = judgeAims(logs.farLight);
     const bool copied = counts.has_value() || fixed.has_value();
+    if (!copied && !misplaced) fixed = checkSmallPool(aims);
     if (counts && !(hard && starts)) keep(findings, std::move(counts));
     if (!hard) keep(findings, std::move(fixed));
     if (misplaced) return;
     keep(findings, checkEveryLight(logs));
     keep(findings, checkDirectionOffset(logs));
-    const AimVerdict aims = judgeAims(logs.farLight);
     // Copies of a few rays crowd wherever they go.
     std::optional<Finding> shape = checkAims(logs, aims);
     const bool astray = shape && shape->severity == Severity::fail;
     const bool copies = copied || repeatsItself(aims);
     if (shape && (astray || !copies)) keep(findings, std::move(shape));
-    if (aims.shape) keep(findings, checkSeveralSizes(logs, aims));
-    outcome.shape = aims.shape;
+    if (aims.shapeIsRight()) keep(findings, checkSeveralSizes(logs, aims));
 
     ArithmeticVerdict arithmetic = checkArithmetic(logs);
     // Aims that miss the ball meet what stands around the light, rightly.

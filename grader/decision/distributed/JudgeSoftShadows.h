@@ -1,7 +1,6 @@
 #ifndef TICKER_DECISION_DISTRIBUTED_JUDGESOFTSHADOWS_H
 #define TICKER_DECISION_DISTRIBUTED_JUDGESOFTSHADOWS_H
 
-#include <grader/decision/distributed/ShadowAims.h>
 #include <grader/decision/distributed/ShadowReplay.h>
 
 #include <optional>
@@ -13,7 +12,6 @@ namespace ticker::decision {
 struct ShadowOutcome {
     std::vector<Finding> findings;         ///< of T2.1, unsorted
     std::optional<ShadowReading> reading;  ///< the accepted one that fits everywhere
-    std::optional<AimShape> shape;         ///< likewise
     std::vector<ScatterPlot> plots;        ///< where rays aim, where no finding shows it
     bool rayless = false;  ///< casts no ray that could be seen: only values can be judged
     bool cut = false;      ///< casts more rays than could be followed

@@ -110,4 +110,25 @@ Finding lightsLostBehind() {
     return finding;
 }
 
+Finding ambientForEachLight() {
+    Finding finding = distributedFinding(
+        "shadow.lights-mixed", Severity::fail,
+        "With one light the colours are right; with three lights the ambient light was expected "
+        "once, and it is there three times.");
+    finding.hint =
+        "The ambient light belongs to the scene, not to a light: add it once, before the loop over "
+        "the lights.";
+    finding.section = "Soft shadows (T2.1), step 3";
+    return finding;
+}
+
+Finding planesCastNothing() {
+    Finding finding = distributedFinding(
+        "shadow.wrong", Severity::fail,
+        "Spheres cast the shadows that were expected; a plane between a point and the light does "
+        "not.");
+    finding.hint = "Whatever a shadow ray hits before the light stops it, planes as well.";
+    return finding;
+}
+
 }  // namespace ticker::decision

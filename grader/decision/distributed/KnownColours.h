@@ -30,6 +30,12 @@ namespace ticker::decision {
 /// Lights that are lost where another one shines on the back of the surface.
 [[nodiscard]] Finding lightsLostBehind();
 
+/// The ambient light is there once for each light.
+[[nodiscard]] Finding ambientForEachLight();
+
+/// Planes cast no shadow, spheres do.
+[[nodiscard]] Finding planesCastNothing();
+
 /// Every mistake that `findingOf` knows, in the order in which they are tried.
 [[nodiscard]] const std::vector<ShadowArithmetic>& namedMistakes();
 

@@ -1,5 +1,6 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/PenumbraCheck.h>
+#include <grader/decision/distributed/PenumbraFit.h>
 #include <grader/decision/distributed/PenumbraShares.h>
 
 #include <fmt/core.h>
@@ -136,50 +137,6 @@ bool isDark(const std::vector<PenumbraSamples>& rim, Place::Kind kind) {
     });
 }
 
-// Their means may be those of a ball that is a tenth too small or too large: only light from the
-// rim and beyond it tells them apart.
-bool isLikeAnotherSize(AimShape shape) {
-    return shape.poles != AimShape::Poles::none && shape.radius != AimShape::Radius::even;
-}
-
-/// The best of all readings of Phong for one shape; gives the shares of aims in sight, too.
-double excessOfShape(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                     const std::vector<PenumbraSamples>& seen, AimShape shape,
-                     std::vector<double>& open) {
-    std::vector<ExpectedShares> expected;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        expected.push_back(expectedAt(asked, surfaces, seen[i].point, shape, 1.0));
-        open.push_back(expected.back().open);
-    }
-    double best = 1e9;
-    for (const std::size_t eye : {0U, 1U})
-        for (const std::size_t phong : {0U, 1U, 2U}) {
-            std::vector<double> shares;
-            for (const ExpectedShares& at : expected)
-                shares.push_back(at.share[eye][phong]);
-            best = std::min(best, worstExcess(seen, shares, open));
-        }
-    return best;
-}
-
-struct Fit {
-    double excess = 1e9;
-    std::vector<double> openInBall;
-};
-
-/// @param sizeIsInDoubt  By what the rim says.
-Fit fitAcceptedShapes(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                      const std::vector<PenumbraSamples>& seen, bool sizeIsInDoubt) {
-    Fit fit;
-    for (const AimShape shape : kAcceptedAimShapes) {
-        if (isLikeAnotherSize(shape) && (sizeIsInDoubt || fit.excess <= 1.0)) continue;
-        std::vector<double> open;
-        fit.excess = std::min(fit.excess, excessOfShape(asked, surfaces, seen, shape, open));
-        if (shape == AimShape::ball) fit.openInBall = open;
-    }
-    return fit;
-}
-
 Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
                 const std::vector<PenumbraSamples>& seen, double timesTheBound) {
     const double size = fittingSize(asked, surfaces, seen);
@@ -223,7 +180,8 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
                 0.0, false};
     const bool darkRim = isDark(rim, Place::Kind::atRim);
     const bool brightBeyond = seesTooMuch(rim);
-    const Fit fit = fitAcceptedShapes(asked.question, surfaces, seen, darkRim || brightBeyond);
+    const PenumbraFit fit =
+        fitAcceptedShapes(asked.question, surfaces, seen, darkRim || brightBeyond);
     PenumbraVerdict verdict;
     verdict.timesTheBound = fit.excess;
     verdict.finding = checkFractions(seen, fit.openInBall);

@@ -1,4 +1,5 @@
 #include <grader/decision/distributed/AimAgreement.h>
+#include <grader/decision/distributed/AimDensity.h>
 #include <grader/decision/distributed/AimFeet.h>
 #include <grader/decision/distributed/Bounds.h>
 #include <grader/decision/distributed/Draw.h>
@@ -19,12 +20,29 @@ namespace {
 // A line may miss the ball by the shadow bias, where the direction was taken from the point itself.
 constexpr double kBiasAllowance = 1.5e-3;
 
+// A ball of density 1 / sqrt(1 - r^2) looks like an even disc. Its radius is sin t, where the share
+// of the ball within is (t - sin t cos t) 2 / pi = u, solved by Newton's steps.
+double flatRadius(double u) {
+    constexpr int kSteps = 6;
+    const double wanted = u * std::numbers::pi / 2.0;
+    double t = std::cbrt(1.5 * wanted);
+    for (int i = 0; i < kSteps && t > 0.0; ++i) {
+        const double sine = std::sin(t);
+        t -= (t - sine * std::cos(t) - wanted) / (2.0 * sine * sine);
+    }
+    return std::sin(std::min(t, std::numbers::pi / 2.0));
+}
+
 double radiusOf(AimShape::Radius radius, double u) {
     switch (radius) {
         case AimShape::Radius::filling:
             return std::cbrt(u);
         case AimShape::Radius::outer:
             return 1.0;
+        case AimShape::Radius::root:
+            return std::sqrt(u);
+        case AimShape::Radius::flat:
+            return flatRadius(u);
         case AimShape::Radius::even:
             break;
     }
@@ -173,12 +191,15 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     verdict.offCentre = verdict.lean > leanBound(verdict.distinct) * std::max(1.0, verdict.widest);
     verdict.together = verdict.distinct == verdict.lines && goTogether(far, directions);
     findShape(seen, directions, verdict);
-    if (!verdict.shape) findScaledShape(seen, directions, verdict);
     // Eight aims that are drawn once for all points: within a fifth of the radius, as seen from
     // three sides, with a chance of at most 0.2^8 (uniform radius) for code that earns a warning
     // anyway.
     verdict.huddled = verdict.distinct >= 8 && verdict.widest < 0.2;
-    verdict.tooNarrow = !verdict.tooWide && !verdict.shape && verdict.widest < 0.97;
+    verdict.between = !verdict.shape && !verdict.tooWide && !verdict.offCentre &&
+                      liesBetween(seen, directions, verdict) &&
+                      looksRound(far, directions, verdict.distinct);
+    if (!verdict.shapeIsRight()) findScaledShape(seen, directions, verdict);
+    verdict.tooNarrow = !verdict.tooWide && !verdict.shapeIsRight() && verdict.widest < 0.97;
     return verdict;
 }
 

@@ -15,7 +15,10 @@ struct AimShape {
     enum class Radius {
         filling,  ///< the cube root of an even number, as in an evenly filled ball
         outer,    ///< on the surface
-        even
+        even,
+        root,  ///< the square root of an even number
+        flat   ///< what looks like an evenly filled disc from everywhere, as the cone of a light
+               ///< does
     };
     /// Where they crowd since the angle from there is drawn evenly, as in the original's helper.
     enum class Poles { none, x, y, z };
@@ -26,6 +29,8 @@ struct AimShape {
     static const AimShape ball;
     static const AimShape surface;
     static const AimShape uniformRadius;
+    static const AimShape rootRadius;
+    static const AimShape flatDisc;      ///< as PBRT draws: evenly over the light's solid angle
     static const AimShape polarHelper;   ///< the original's
     static const AimShape polarHelperX;  ///< likewise, with poles along x
     static const AimShape polarHelperY;
@@ -36,6 +41,8 @@ struct AimShape {
 inline constexpr AimShape AimShape::ball{};
 inline constexpr AimShape AimShape::surface{Radius::outer, Poles::none};
 inline constexpr AimShape AimShape::uniformRadius{Radius::even, Poles::none};
+inline constexpr AimShape AimShape::rootRadius{Radius::root, Poles::none};
+inline constexpr AimShape AimShape::flatDisc{Radius::flat, Poles::none};
 inline constexpr AimShape AimShape::polarHelper{Radius::even, Poles::z};
 inline constexpr AimShape AimShape::polarHelperX{Radius::even, Poles::x};
 inline constexpr AimShape AimShape::polarHelperY{Radius::even, Poles::y};
@@ -45,6 +52,8 @@ inline constexpr std::array kAcceptedAimShapes{
     AimShape::ball,
     AimShape::surface,
     AimShape::uniformRadius,
+    AimShape::rootRadius,
+    AimShape::flatDisc,
     AimShape::polarHelper,
     AimShape::polarHelperX,
     AimShape::polarHelperY,
@@ -63,6 +72,7 @@ struct AimVerdict {
     bool huddled = false;           ///< too near to the centre for any eight aims
     bool offCentre = false;         ///< feet lean to one side
     std::optional<AimShape> shape;  ///< the accepted shape that fits at the right size
+    bool between = false;           ///< there is none, but it lies between those that are accepted
     std::optional<AimShape>
         scaledShape;        ///< where there is none, what fits at the size that was seen
     double widest = 0.0;    ///< largest distance of a line from a centre, in radii of the light
@@ -73,6 +83,7 @@ struct AimVerdict {
     std::size_t distinct = 0;  ///< lines that can count as independent
 
     [[nodiscard]] bool sizeIsRight() const { return !tooWide && !tooNarrow; }
+    [[nodiscard]] bool shapeIsRight() const { return shape || between; }
 };
 
 /// @param far  Logs of purpose farLight.

@@ -1,4 +1,5 @@
 #include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/HighlightCheck.h>
 #include <grader/decision/distributed/KnownColours.h>
 #include <grader/decision/distributed/ShadowChecks.h>
 #include <grader/decision/distributed/UnexplainedShadows.h>
@@ -99,15 +100,14 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
             "shadow.lights-mixed", Severity::fail,
             "With one light the colours are right; with three lights each was expected to add its "
             "own light scaled by its own share, and what comes out is something else.");
+        if (allFit(logs.severalLights, reading, ShadowArithmetic::ambientForEachLight))
+            finding = ambientForEachLight();
         addWorstPoint(logs.severalLights, finding);
         return finding;
     }
     if (!allFit(logs.planeShadow, reading, ShadowArithmetic::right)) {
-        Finding finding = unexplainedShadows(logs.planeShadow);
-        finding.message =
-            "Spheres cast the shadows that were expected; a plane between a point and "
-            "the light does not.";
-        finding.hint = "Whatever a shadow ray hits before the light stops it, planes as well.";
+        Finding finding = planesCastNothing();
+        addWorstPoint(logs.planeShadow, finding);
         return finding;
     }
     if (!allFit(logs.lightBehind, reading, ShadowArithmetic::right)) return lightsLostBehind();
@@ -136,6 +136,7 @@ ArithmeticVerdict checkArithmetic(const ShadowLogs& logs) {
         if (!rest) rest = std::move(wrong);
     }
     verdict.finding = rest ? rest : knownMistake(logs.oneLight);
+    if (!verdict.finding) verdict.finding = highlightAlone(logs.oneLight);
     if (!verdict.finding) verdict.finding = unexplainedWithOneLight(logs.oneLight);
     return verdict;
 }

@@ -28,6 +28,8 @@ struct ShadowLogs {
 /// Each of these looks at one thing and reports it where it is wrong.
 [[nodiscard]] std::optional<Finding> checkFinite(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkStarts(const ShadowLogs& logs);
+/// Rays that leave away from the light.
+[[nodiscard]] std::optional<Finding> checkBackwards(const ShadowLogs& logs);
 /// @param fixed  Samples are shared between points, which is another finding.
 [[nodiscard]] std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed);
 [[nodiscard]] std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed);
@@ -36,6 +38,8 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs,
                                                        const AimVerdict& aims);
 [[nodiscard]] std::optional<Finding> checkFixedSamples(const ShadowLogs& logs);
+/// A few aims that all points share, each in an order of its own.
+[[nodiscard]] std::optional<Finding> checkSmallPool(const AimVerdict& aims);
 [[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);
 [[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs);

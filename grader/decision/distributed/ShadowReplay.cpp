@@ -194,6 +194,7 @@ Range addedBy(const LightParts& parts, const ColourRGB& ambient, ShadowArithmeti
         case ShadowArithmetic::litIfHalf:
             return decided(full, parts.lowShare > 0.5 + 1e-9, parts.highShare > 0.5 - 1e-9);
         case ShadowArithmetic::right:
+        case ShadowArithmetic::ambientForEachLight:
         case ShadowArithmetic::endless:
             break;
     }
@@ -240,7 +241,9 @@ bool fits(const PointLog& point, const SceneDescription& scene,
           const raytracer::RenderSettings& settings, const ShadowReading& reading,
           ShadowArithmetic arithmetic) {
     const ColourRGB ambient = ambientPart(point, scene);
-    Range range{ambient, ambient};
+    const bool again = arithmetic == ShadowArithmetic::ambientForEachLight;
+    const ColourRGB once = ambient * (again ? static_cast<double>(scene.pointLights.size()) : 1.0);
+    Range range{once, once};
     for (std::size_t i = 0; i < scene.pointLights.size(); ++i) {
         const Setting at{
             materialOf(scene, point.point.object),  scene.pointLights[i], point, settings, reading,

@@ -28,6 +28,7 @@ enum class ShadowArithmetic {
     right,
     inverted,
     ambientScaled,
+    ambientForEachLight,
     specularUnshadowed,
     specularIfAny,  ///< the specular term in full as soon as one ray arrives
     diffuseUnshadowed,

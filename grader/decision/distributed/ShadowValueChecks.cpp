@@ -1,4 +1,5 @@
 #include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/HighlightCheck.h>
 #include <grader/decision/distributed/KnownColours.h>
 #include <grader/decision/distributed/Phong.h>
 #include <grader/decision/distributed/ShadowChecks.h>
@@ -6,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -73,15 +75,34 @@ Finding darkBeyond(const Logs& logs) {
     return finding;
 }
 
+// Whether all is right without the ambient light of all lights but one.
+bool ambientIsThereForEachLight(const Logs& logs) {
+    for (const ShadowLog* log : logs)
+        for (PointLog point : log->points) {
+            const auto lights = static_cast<double>(log->scene().pointLights.size());
+            point.colour = point.colour - ambientPart(point, log->scene()) * (lights - 1.0);
+            if (!isNearKnown(point, *log, false)) return false;
+        }
+    return true;
+}
+
 // Without rays, mistakes are known by what they leave in full shadow.
 std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
     if (allNearKnown(logs.oneLight, false)) {
         if (!allNearKnown(logs.beyondLight, false)) return darkBeyond(logs.beyondLight);
-        if (!allNearKnown(logs.severalLights, false))
+        if (!allNearKnown(logs.severalLights, false)) {
+            if (ambientIsThereForEachLight(logs.severalLights)) return ambientForEachLight();
             return distributedFinding("shadow.lights-mixed", Severity::fail,
                                       "With one light the colours are right; with three lights "
                                       "they are not.");
+        }
+        if (!allNearKnown(logs.planeShadow, false)) return planesCastNothing();
         if (!allNearKnown(logs.lightBehind, false)) return lightsLostBehind();
+        if (!allNearKnown(logs.farLight, false))
+            return distributedFinding(
+                "shadow.wrong", Severity::fail,
+                "With a light some six units away the colours are right; with one more than a "
+                "hundred units away they are not.");
         return std::nullopt;
     }
     if (shadowHolds(logs.oneLight, 0.0, false, false))
@@ -118,6 +139,10 @@ std::string sharesSeen(const Logs& logs) {
     if (seen.count(Zone::lit) == 0 || seen.count(Zone::umbra) == 0) return {};
     for (const Zone zone : {Zone::lit, Zone::umbra})
         if (!(seen[zone].second - seen[zone].first < kEven)) return {};
+    const auto near = [&](Zone zone, double share) {
+        return std::abs(seen[zone].first - share) < kEven;
+    };
+    if (near(Zone::lit, 1.0) && near(Zone::umbra, 0.0)) return {};
     return fmt::format(
         ": {:.2g} of the light where all of it is in sight (1 was expected), {:.2g} "
         "in full shadow (0 was expected)",
@@ -134,6 +159,7 @@ ArithmeticVerdict checkValues(const ShadowLogs& logs) {
         return verdict;
     }
     verdict.finding = knownValueMistake(logs);
+    if (!verdict.finding) verdict.finding = highlightAlone(logs.oneLight);
     if (!verdict.finding)
         verdict.finding = distributedFinding(
             "shadow.wrong", Severity::fail,

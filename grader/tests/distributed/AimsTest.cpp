@@ -27,8 +27,11 @@ Vector3 polarHelper(Draw& draw) {
            radius;
 }
 
+/// Likewise, where it depends on the direction from the point to the light.
+using FacingAim = std::function<Vector3(Draw&, const Vector3&)>;
+
 /// Three far lights, seen along the given directions; ten rays from 67 points each.
-AimVerdict judge(const Aim& aim, const Vector3& axis, std::uint64_t seed) {
+AimVerdict judgeFacing(const FacingAim& aim, const Vector3& axis, std::uint64_t seed) {
     Draw draw{seed, 1};
     const Perpendiculars sides = perpendicularsOf(axis);
     const double radius = 0.4;
@@ -48,7 +51,7 @@ AimVerdict judge(const Aim& aim, const Vector3& axis, std::uint64_t seed) {
             point.lines.resize(1);
             for (int r = 0; r < 10; ++r) {
                 AimLine line;
-                line.direction = (light + aim(draw) * radius).normalised();
+                line.direction = (light + aim(draw, directions[i]) * radius).normalised();
                 line.foot = line.direction * light.dot(line.direction) - light;
                 line.miss = line.foot.magnitude();
                 point.lines[0].push_back(line);
@@ -58,6 +61,22 @@ AimVerdict judge(const Aim& aim, const Vector3& axis, std::uint64_t seed) {
         pointers.push_back(&logs[i]);
     }
     return judgeAims(pointers);
+}
+
+AimVerdict judge(const Aim& aim, const Vector3& axis, std::uint64_t seed) {
+    return judgeFacing([&](Draw& draw, const Vector3&) { return aim(draw); }, axis, seed);
+}
+
+/// A disc that faces the point; `radiusOf` makes of a number between 0 and 1 the distance from its
+/// middle.
+FacingAim facingDisc(const std::function<double(double)>& radiusOf, double squeezed = 1.0) {
+    return [=](Draw& draw, const Vector3& axis) {
+        const Perpendiculars sides = perpendicularsOf(axis);
+        const double angle = draw.between(0.0, 2.0 * std::numbers::pi);
+        const double radius = radiusOf(draw.between(0.0, 1.0));
+        return (sides.first * std::cos(angle) + sides.second * (squeezed * std::sin(angle))) *
+               radius;
+    };
 }
 
 // Each accepted decision is wrong with a chance below 1e-9.
@@ -193,6 +212,65 @@ TEST(JudgeAims, CountsAimsThatComeAgainOnce) {
     const AimVerdict verdict = judge(again, Draw{16, 2}.direction(), 4);
     EXPECT_LE(verdict.distinct, 10U);
     EXPECT_TRUE(verdict.shape.has_value());
+}
+
+// The cone that a light subtends, as PBRT samples it, looks like an evenly filled disc. Each is
+// refused with a chance below 1e-6.
+TEST(JudgeAims, AcceptsEveryDensityBetweenTheHelpersAndTheSurfaces) {
+    const std::vector<FacingAim> accepted{
+        facingDisc([](double u) { return std::sqrt(u); }),
+        facingDisc([](double u) { return std::pow(u, 0.7); }),
+        facingDisc([](double u) { return std::pow(u, 0.4); }),
+        [](Draw& draw, const Vector3&) {
+            return draw.direction() * std::sqrt(draw.between(0.0, 1.0));
+        },
+        [](Draw& draw, const Vector3&) {
+            return draw.direction() * std::pow(draw.between(0.0, 1.0), 0.7);
+        },
+        [](Draw& draw, const Vector3&) {
+            return draw.direction() * std::pow(draw.between(0.0, 1.0), 0.15);
+        }};
+    Draw draw{21, 2};
+    for (std::size_t i = 0; i < accepted.size(); ++i)
+        for (unsigned seed = 500; seed < 512; ++seed) {
+            const AimVerdict verdict = judgeFacing(accepted[i], draw.direction(), seed);
+            EXPECT_TRUE(verdict.shapeIsRight()) << i << ' ' << seed;
+            EXPECT_TRUE(verdict.sizeIsRight()) << i << ' ' << seed;
+            EXPECT_FALSE(verdict.offCentre) << i << ' ' << seed;
+        }
+}
+
+// Pairs of opposite lines are half as many independent ones.
+TEST(JudgeAims, AcceptsOppositePairsOnAFacingDisc) {
+    const FacingAim disc = facingDisc([](double u) { return std::pow(u, 0.45); });
+    int ray = 0;
+    Vector3 last;
+    const FacingAim pairs = [&](Draw& draw, const Vector3& axis) {
+        last = ray++ % 2 == 0 ? disc(draw, axis) : -last;
+        return last;
+    };
+    Draw draw{22, 2};
+    for (unsigned seed = 600; seed < 620; ++seed)
+        EXPECT_TRUE(judgeFacing(pairs, draw.direction(), seed).shapeIsRight()) << seed;
+}
+
+// Missed with a chance below 1e-4 each.
+TEST(JudgeAims, CatchesFacingShapesThatAreNoLight) {
+    const std::vector<FacingAim> wrong{
+        facingDisc([](double u) { return 0.9 * std::sqrt(u); }),
+        facingDisc([](double u) { return 1.1 * std::sqrt(u); }),
+        facingDisc([](double u) { return u * u * u; }),  // denser in the middle than the helper
+        facingDisc([](double u) { return 0.5 + 0.45 * u; }),
+        facingDisc([](double u) { return std::pow(u, 0.45); }, 0.33),
+        [](Draw& draw, const Vector3&) {
+            return draw.direction() * (0.9 * std::sqrt(draw.between(0.0, 1.0)));
+        }};
+    Draw draw{23, 2};
+    for (std::size_t i = 0; i < wrong.size(); ++i)
+        for (unsigned seed = 700; seed < 705; ++seed) {
+            const AimVerdict verdict = judgeFacing(wrong[i], draw.direction(), seed);
+            EXPECT_TRUE(verdict.tooWide || !verdict.shapeIsRight()) << i << ' ' << seed;
+        }
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ template <typename ColourOf>
 ArithmeticVerdict judge(const ColourOf& colourOf, bool viewerIsEye = false) {
     ShadowByHand made;
     for (const Purpose purpose :
-         {Purpose::oneLight, Purpose::beyondLight, Purpose::severalLights}) {
+         {Purpose::oneLight, Purpose::beyondLight, Purpose::severalLights, Purpose::planeShadow}) {
         ShadowQuestion& asked = made.ask(purpose, {{0.0, 16.0, 0.0}});
         asked.question.scene.planes[0].material.colour = {0.8, 0.6, 0.4};
         asked.question.scene.ambientLighting = ColourRGB{0.1};
@@ -116,6 +116,29 @@ TEST(CheckValues, TellsWhichQuestionIsWrongAlone) {
     };
     EXPECT_EQ(wrongIn(Purpose::beyondLight), "shadow.beyond-light");
     EXPECT_EQ(wrongIn(Purpose::severalLights), "shadow.lights-mixed");
+    EXPECT_EQ(wrongIn(Purpose::planeShadow), "shadow.wrong");
+}
+
+TEST(CheckValues, SaysThatPlanesCastNoShadow) {
+    const auto lit = judge([](const Parts& parts, Zone zone, Purpose purpose) {
+        return right(parts, purpose == Purpose::planeShadow ? Zone::lit : zone);
+    });
+    ASSERT_EQ(idOf(lit.finding), "shadow.wrong");
+    EXPECT_NE(lit.finding->message.find("a plane between"), std::string::npos);
+    EXPECT_NE(lit.finding->hint.find("planes as well"), std::string::npos);
+}
+
+TEST(CheckValues, TellsTheHighlightFromTheDiffuseLight) {
+    const auto large = judge([](const Parts& parts, Zone zone, Purpose) {
+        return right(parts, zone) + (zone == Zone::lit ? parts.specular * 40.0 : ColourRGB{});
+    });
+    ASSERT_EQ(idOf(large.finding), "shadow.wrong");
+    EXPECT_NE(large.finding->message.find("the highlight"), std::string::npos);
+    EXPECT_NE(large.finding->hint.find("unit length"), std::string::npos);
+    const auto diffuse = judge([](const Parts& parts, Zone zone, Purpose) {
+        return right(parts, zone) + (zone == Zone::lit ? parts.diffuse : ColourRGB{});
+    });
+    EXPECT_EQ(diffuse.finding->message.find("the highlight"), std::string::npos);
 }
 
 // A larger light, or corners of a cube, meet what stands beside the light as well.

@@ -58,5 +58,18 @@ TEST(Replay, TurnsRaysRoundThatWereCastFromTheLight) {
     EXPECT_EQ(reversed.log.points[0].lines[0][0].toLight, Sight::blocked);
 }
 
+TEST(Replay, KnowsAmbientLightThatIsThereForEachLight) {
+    ReplayCase made;
+    made.question.question.scene.pointLights.push_back(
+        made.question.question.scene.pointLights.front());
+    made.question.zones = {{Zone::penumbra, Zone::penumbra}};
+    const ColourRGB half = (kDiffuse + kSpecular) * 0.5;
+    made.answer({-0.3, -0.2, 0.5, 0.6}, kAmbient * 2.0 + half);
+    made.log.points[0].lines[1] = made.log.points[0].lines[0];
+    made.log.points[0].colour = kAmbient * 2.0 + half * 2.0;
+    EXPECT_TRUE(made.fitsAs(ShadowArithmetic::ambientForEachLight));
+    EXPECT_FALSE(made.fitsAs(ShadowArithmetic::right));
+}
+
 }  // namespace
 }  // namespace ticker::decision

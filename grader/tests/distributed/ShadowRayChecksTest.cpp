@@ -32,6 +32,24 @@ TEST(CheckFinite, IsNotMisledByInfinitiesOfOneSign) {
     EXPECT_TRUE(checkFinite(made.logs()));
 }
 
+std::optional<Finding> judgeDirections(int away) {
+    ShadowByHand made;
+    made.ask(Purpose::oneLight);
+    made.point({1.0, 0.0, 0.0});
+    for (int i = 0; i < 10; ++i)
+        made.cast(i < away ? Vector3{2.0, -6.0, 0.1 * i} : Vector3{0.0, 6.0, 0.1 * i});
+    return checkBackwards(made.logs());
+}
+
+TEST(CheckBackwards, WantsRaysToLeaveTowardsTheLight) {
+    EXPECT_FALSE(judgeDirections(0));
+    EXPECT_FALSE(judgeDirections(5));
+    const auto backwards = judgeDirections(10);
+    ASSERT_EQ(idOf(backwards), "shadow.wrong");
+    EXPECT_NE(backwards->message.find("10 of 10"), std::string::npos);
+    EXPECT_NE(backwards->hint.find("target - start"), std::string::npos);
+}
+
 std::optional<Finding> judgeStarts(const Vector3& first, const Vector3& second) {
     ShadowByHand made;
     made.ask(Purpose::oneLight);
@@ -56,6 +74,18 @@ TEST(CheckStarts, WantsRaysToStartAtThePoint) {
     EXPECT_NE(atViewer->hint.find("start there"), std::string::npos) << atViewer->hint;
     EXPECT_EQ(jittered->hint.find("P + N * kShadowBias"), std::string::npos);
     EXPECT_EQ(idOf(judgeStarts({0.0, 1.51e-3, 0.0}, {0.0, 1.51e-3, 0.0})), "shadow.wrong");
+}
+
+TEST(CheckSmallPool, WantsAPersonWhereAFewAimsComeAgainInAnotherOrder) {
+    AimVerdict aims;
+    aims.lines = 2010;
+    aims.distinct = 13;
+    const auto pool = checkSmallPool(aims);
+    ASSERT_EQ(idOf(pool), "shadow.fixed-samples");
+    EXPECT_EQ(pool->severity, Severity::warn);
+    aims.distinct = 64;
+    EXPECT_FALSE(checkSmallPool(aims));
+    EXPECT_FALSE(checkSmallPool({})) << "without rays nothing can be said";
 }
 
 /// Points of which each aims at the same `distinct` places, but for the last two: those are
