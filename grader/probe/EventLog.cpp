@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstring>
 #include <thread>
+#include <utility>
 
 namespace ticker::probe {
 namespace {
@@ -14,6 +15,13 @@ namespace {
 std::uint64_t nextGeneration() {
     static std::atomic<std::uint64_t> last{0};
     return ++last;
+}
+
+// True of a thread between the beginning of a point's lighting and its first shadow ray. A turn for
+// each point is enough, and each may cost a time slice where the machine is busy.
+bool& turnIsDue() {
+    thread_local bool isDue = false;
+    return isDue;
 }
 
 Vector3 asVector(const ColourRGB& colour) {
@@ -69,6 +77,7 @@ void EventLog::traceEnded(const ColourRGB& colour) {
 void EventLog::illuminateBegan(const raytracer::SceneObject& object, const Vector3& position,
                                const Vector3& normal, const Vector3& viewer) {
     if (keepsNothing()) return;
+    turnIsDue() = takesTurns_;
     Event event;
     event.kind = Event::Kind::illuminateBegan;
     event.object = numberOf(&object);
@@ -80,6 +89,7 @@ void EventLog::illuminateBegan(const raytracer::SceneObject& object, const Vecto
 
 void EventLog::illuminateEnded(const ColourRGB& colour) {
     if (keepsNothing()) return;
+    turnIsDue() = false;
     record(colourEvent(Event::Kind::illuminateEnded, colour));
 }
 
@@ -91,6 +101,7 @@ void EventLog::rayCast(const raytracer::Ray& ray, const raytracer::RaycastHit* h
         event.distance = hit->distance;
     }
     record(event);
+    if (std::exchange(turnIsDue(), false)) giveWay();
 }
 
 void EventLog::pixelSet(int x, int y, const ColourRGB& colour) {

@@ -24,9 +24,9 @@ public:
     /// Events from now on belong to this position, point or repetition.
     void beginAsk(std::uint32_t ask) { ask_ = ask; }
 
-    /// Makes the threads that are observed take turns after every ray that was traced, the first of
-    /// them after a short wait for a second one: what they wrongly share while a pixel adds up
-    /// shows, however busy the machine is.
+    /// Makes the threads that are observed take turns after every ray that was traced and after the
+    /// first shadow ray of every point, the first of them after a short wait for a second one: what
+    /// they wrongly share while a pixel or a light adds up shows, however busy the machine is.
     void takeTurns() { takesTurns_ = true; }
 
     /// The scene whose objects are numbered; not owned; null: every object is -1.

@@ -37,6 +37,8 @@ constexpr std::array kWords = std::to_array<Words>({
     {"shadow.light-size", "gave the light another size"},
     {"shadow.not-a-ball", "gave the light another shape than a ball"},
     {"shadow.clustered", "crowded the samples in the light"},
+    {"shadow.threads-mixed", "let several threads share what a light adds up"},
+    {"shadow.not-in-renders", "cast other shadow rays in pictures than when asked"},
     {"shadow.view-from-eye", "took the eye for the viewer of a reflection"},
     {"shadow.unseen-rays", "cast shadow rays that cannot be seen"},
     {"shadow.wrong", "computed light in no known way"},

@@ -83,6 +83,16 @@ constexpr std::array kTexts{
          "V points from P to O. At a mirrored surface O is not the camera, so reflections come "
          "out wrong.",
          kShadow3},
+    Text{
+        "shadow.threads-mixed",
+        "forEachPixel works on several rows at the same time, and each calls illuminate. What "
+        "illuminate counts, adds up or aims at must be its own: declare it inside of the loop over "
+        "the lights, neither static nor outside of illuminate.",
+        kShadow2},
+    Text{"shadow.not-in-renders",
+         "render sends its rays through trace, with the settings that it was given; trace calls "
+         "illuminate, which casts settings().shadowRayCount rays to every light, always.",
+         kShadow1},
     Text{"shadow.wrong",
          "Compare with the steps of the handout: diffuse and specular light are added once for "
          "each light (not for each ray), times the number of rays that arrive, divided once by the "

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace ticker::decision {
@@ -21,6 +22,10 @@ TaskJudgement judgementOf(std::vector<Finding> findings, bool needsReview = fals
     judgement.state = failed ? TaskState::failed : TaskState::passed;
     judgement.needsReview = needsReview && !failed;
     return judgement;
+}
+
+bool contains(const std::vector<Finding>& findings, std::string_view id) {
+    return std::ranges::find(findings, id, &Finding::id) != findings.end();
 }
 
 Finding unseenRays(const char* id, const std::string& what) {
@@ -62,7 +67,16 @@ TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
         logs.push_back(
             readShadowLog(asked[i], std::get<probe::IlluminateAnswer>(sitting.answers[i])));
     ShadowOutcome outcome = judgeSoftShadows(logs);
-    const bool needsReview = judgeUnseenShadows(examinee, seed, outcome);
+    bool needsReview = judgeUnseenShadows(examinee, seed, outcome);
+    if (outcome.reading && !outcome.cut && !hasFailure(outcome.findings))
+        needsReview =
+            keepRepeated(outcome.findings,
+                         [&](std::uint64_t stage) {
+                             return judgeLitRender(examinee, *outcome.reading, seed, stage);
+                         }) ||
+            needsReview;
+    // The steps at the edges of shadows are for a person to see.
+    needsReview = needsReview || contains(outcome.findings, "shadow.fixed-samples");
     TaskJudgement judgement = judgementOf(std::move(outcome.findings), needsReview);
     judgement.plots = std::move(outcome.plots);
     return judgement;

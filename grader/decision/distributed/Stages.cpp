@@ -1,12 +1,16 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/JudgeDepthOfField.h>
 #include <grader/decision/distributed/LensQuestions.h>
+#include <grader/decision/distributed/LitRender.h>
 #include <grader/decision/distributed/PenumbraCheck.h>
 #include <grader/decision/distributed/PictureCheck.h>
 #include <grader/decision/distributed/RunEnd.h>
 #include <grader/decision/distributed/Stages.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -18,8 +22,8 @@ std::uint64_t seedOf(std::uint64_t seed, std::uint64_t stage) {
     return seed * 4 + stage;
 }
 
-Stage doubtful(std::string_view id, const char* why) {
-    return {std::nullopt, distributedFinding(id, Severity::warn, why)};
+Stage doubtful(std::string_view id, std::string why) {
+    return {std::nullopt, distributedFinding(id, Severity::warn, std::move(why))};
 }
 
 // Answers that do not come here, though they came before, are nothing to fail by.
@@ -33,9 +37,9 @@ Stage unanswered(const probe::Sitting& sitting, std::string_view function) {
 }
 
 template <class Answer>
-const Answer* answeredBy(const probe::Sitting& sitting) {
-    if (sitting.answers.empty()) return nullptr;
-    const auto* answer = std::get_if<Answer>(&sitting.answers.front());
+const Answer* answeredBy(const probe::Sitting& sitting, std::size_t question = 0) {
+    if (sitting.answers.size() <= question) return nullptr;
+    const auto* answer = std::get_if<Answer>(&sitting.answers[question]);
     return answer != nullptr && answer->state == probe::AnswerState::answered ? answer : nullptr;
 }
 
@@ -89,6 +93,30 @@ Stage judgeThreads(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t 
     const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
     if (answer == nullptr || answer->wrongSize) return unanswered(sitting, "render");
     return {judgeWithThreads(readLensLog(asked, *answer)), std::nullopt};
+}
+
+Stage judgeLitRender(probe::Examinee& examinee, const ShadowReading& reading, std::uint64_t seed,
+                     std::uint64_t stage) {
+    const std::uint64_t own = seedOf(seed, stage);
+    const std::array asked{drawLitQuestion(own, 1), drawLitQuestion(own, 2)};
+    const probe::Sitting sitting = examinee.ask({asked[0], asked[1]});
+    // What render itself does wrong is no matter of shadows.
+    const auto* alone = answeredBy<probe::RenderAnswer>(sitting);
+    if (alone == nullptr) return {};
+    if (const auto said = litDifference(readLitRender(asked[0], *alone), reading))
+        return doubtful("shadow.not-in-renders",
+                        "Asked about single points, illuminate casts the shadow rays that were "
+                        "expected; inside of render, " +
+                            *said + ": a person has to compare the two.");
+    const auto* together = answeredBy<probe::RenderAnswer>(sitting, 1);
+    if (together == nullptr) return unanswered(sitting, "render, with two threads,");
+    if (const auto said = litDifference(readLitRender(asked[1], *together), reading))
+        return {distributedFinding("shadow.threads-mixed", Severity::fail,
+                                   "With one thread the shadows are right; with two, and "
+                                   "forEachPixel has as many as the machine has cores, " +
+                                       *said + '.'),
+                std::nullopt};
+    return {};
 }
 
 bool keepRepeated(std::vector<Finding>& findings,

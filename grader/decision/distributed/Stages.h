@@ -1,6 +1,7 @@
 #ifndef TICKER_DECISION_DISTRIBUTED_STAGES_H
 #define TICKER_DECISION_DISTRIBUTED_STAGES_H
 
+#include <grader/decision/distributed/ShadowReplay.h>
 #include <grader/probe/Examinee.h>
 #include <grader/result/Finding.h>
 
@@ -27,6 +28,12 @@ struct Stage {
 /// `render` with two threads, where all was right with one: they may meet or not.
 [[nodiscard]] Stage judgeThreads(probe::Examinee& examinee, std::uint64_t seed,
                                  std::uint64_t stage);
+
+/// `illuminate` inside of `render`: with one thread it does what it did at single points, else a
+/// person has to look; with two it still does, or fails.
+/// @param reading  What fits at single points.
+[[nodiscard]] Stage judgeLitRender(probe::Examinee& examinee, const ShadowReading& reading,
+                                   std::uint64_t seed, std::uint64_t stage);
 
 /// Asks once, and again on other questions where that failed: a failure that does not come again is
 /// none, but a person should look.

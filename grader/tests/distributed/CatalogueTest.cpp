@@ -35,6 +35,7 @@ TEST(DistributedCatalogue, HasEveryFindingOfTheContract) {
                            "shadow.light-size",
                            "shadow.not-a-ball",
                            "shadow.clustered",
+                           "shadow.threads-mixed",
                            "shadow.wrong",
                            "dof.none",
                            "dof.too-few-rays",

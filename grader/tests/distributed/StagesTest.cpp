@@ -25,6 +25,8 @@ public:
     Staged(std::vector<Turn> stages, Rays rays) : stages_(std::move(stages)), rays_(rays) {}
 
     [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        if (std::holds_alternative<probe::RenderQuestion>(questions.front()))
+            return reference_.ask(questions);
         const Turn turn = sittings_ == 0 ? Turn::right : stages_.at(sittings_ - 1);
         ++sittings_;
         if (turn == Turn::silent) return {{probe::IlluminateAnswer{}}, {}};
