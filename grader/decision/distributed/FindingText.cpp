@@ -131,6 +131,11 @@ constexpr std::array kTexts{
     Text{"dof.aperture-size",
          "The half-width of the aperture is settings().dofAmount (or half of it).", kLens2},
     Text{"dof.reused-pattern", "Draw new points of the aperture for every pixel.", kLens2},
+    Text{
+        "dof.antialiased",
+        "The handout asks for one focal point for each pixel, found before the loop over its rays. "
+        "Antialiasing on top of that is accepted.",
+        kLens1},
     Text{"dof.picture-differs",
          "Look for what render and illuminate share, such as a generator that illuminate seeds "
          "anew, so that all rays of a pixel start at one point of the lens; and for anything that "

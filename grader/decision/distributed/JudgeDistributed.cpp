@@ -1,7 +1,9 @@
 #include <grader/decision/distributed/FindingText.h>
+#include <grader/decision/distributed/FocusMistakes.h>
 #include <grader/decision/distributed/JudgeDepthOfField.h>
 #include <grader/decision/distributed/JudgeDistributed.h>
 #include <grader/decision/distributed/JudgeSoftShadows.h>
+#include <grader/decision/distributed/LensChecks.h>
 #include <grader/decision/distributed/LensQuestions.h>
 #include <grader/decision/distributed/RunEnd.h>
 #include <grader/decision/distributed/Stages.h>
@@ -84,22 +86,39 @@ TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
 
 // Looks at pictures where the rays do not tell all, and at threads where they do.
 // @return  Whether a person has to look.
-bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, LensOutcome& outcome) {
+bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntialias,
+                  LensOutcome& outcome) {
     if (outcome.rayless || outcome.valueless || (outcome.cut && !hasFailure(outcome.findings))) {
         outcome.findings.push_back(unseenRays(
             "dof.unseen-rays",
             outcome.cut ? "render casts far more rays than asked for, so not all were followed"
                         : "render does not send its rays through trace"));
         return keepRepeated(outcome.findings, [&](std::uint64_t stage) {
-            return judgePicture(examinee, seed, stage);
+            Stage judged = judgePicture(examinee, seed, stage);
+            outcome.apertureFactor = judged.apertureFactor;
+            return judged;
         });
     }
     if (hasFailure(outcome.findings)) return false;
-    return keepRepeated(outcome.findings,
-                        [&](std::uint64_t stage) { return judgeThreads(examinee, seed, stage); });
+    return keepRepeated(outcome.findings, [&](std::uint64_t stage) {
+        return judgeThreads(examinee, mayAntialias, seed, stage);
+    });
 }
 
-TaskJudgement judgeLensTask(probe::Examinee& examinee, std::uint64_t seed) {
+// Whether rays that stay inside of the large pixels of a tiny frame do so in small ones, too.
+bool antialiases(probe::Examinee& examinee, const LensLog& tiny, std::uint64_t seed) {
+    if (!staysInPixels(tiny) || meetInPoints(tiny)) return false;
+    const probe::RenderQuestion asked = drawFineQuestion(seed);
+    const probe::Sitting sitting = examinee.ask({asked});
+    const auto* answer =
+        sitting.answers.empty() ? nullptr : std::get_if<probe::RenderAnswer>(&sitting.answers[0]);
+    if (answer == nullptr || answer->state != probe::AnswerState::answered || answer->wrongSize)
+        return false;
+    return staysInPixels(readLensLog(asked, *answer));
+}
+
+TaskJudgement judgeLensTask(probe::Examinee& examinee, std::uint64_t seed,
+                            std::optional<double>& apertureFactor) {
     const LensQuestions asked = drawLensQuestions(seed);
     const probe::Sitting sitting = examinee.ask({asked.handout, asked.other});
     if (std::optional<TaskJudgement> blocked = judgeUnanswered(sitting, "render"))
@@ -111,9 +130,13 @@ TaskJudgement judgeLensTask(probe::Examinee& examinee, std::uint64_t seed) {
         return judgementOf({distributedFinding(
             "dof.wrong", Severity::fail,
             "A picture of the size in settings() was expected; one of another size came back.")});
-    LensOutcome outcome =
-        judgeDepthOfField(readLensLog(asked.handout, handout), readLensLog(asked.other, other));
-    const bool needsReview = judgeResults(examinee, seed, outcome);
+    LensLog atHandout = readLensLog(asked.handout, handout);
+    LensLog atOther = readLensLog(asked.other, other);
+    const bool mayAntialias = antialiases(examinee, atHandout, seed);
+    atHandout.mayAntialias = atOther.mayAntialias = mayAntialias;
+    LensOutcome outcome = judgeDepthOfField(atHandout, atOther);
+    const bool needsReview = judgeResults(examinee, seed, mayAntialias, outcome);
+    apertureFactor = outcome.apertureFactor;
     TaskJudgement judgement = judgementOf(std::move(outcome.findings), needsReview);
     judgement.plots = std::move(outcome.plots);
     return judgement;
@@ -127,7 +150,8 @@ DistributedJudgement judgeDistributed(probe::Examinee& examinee, const Distribut
     judgement.softShadows.state = TaskState::notAttempted;
     judgement.depthOfField.state = TaskState::notAttempted;
     if (attempt.softShadows) judgement.softShadows = judgeShadowTask(examinee, seed);
-    if (attempt.depthOfField) judgement.depthOfField = judgeLensTask(examinee, seed);
+    if (attempt.depthOfField)
+        judgement.depthOfField = judgeLensTask(examinee, seed, judgement.apertureFactor);
     return judgement;
 }
 

@@ -5,6 +5,7 @@
 #include <grader/probe/Examinee.h>
 
 #include <cstdint>
+#include <optional>
 
 namespace ticker::decision {
 
@@ -17,6 +18,9 @@ struct DistributedAttempt {
 struct DistributedJudgement {
     TaskJudgement softShadows;   ///< T2.1: shadow.*, run.*, settings.*
     TaskJudgement depthOfField;  ///< T2.2: dof.*, run.*, settings.*
+    /// Half-width / dofAmount of the accepted aperture that the answers show; empty where none
+    /// does.
+    std::optional<double> apertureFactor;
 };
 
 /// Judges tasks T2.1 and T2.2 by asking the submission for illuminated points and small renders.

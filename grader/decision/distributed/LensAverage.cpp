@@ -1,13 +1,13 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/LensChecks.h>
 #include <grader/decision/distributed/LensMeans.h>
-
-#include <raytracer/image/ToneCurve.h>
+#include <grader/decision/distributed/RayColours.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,39 +18,16 @@ namespace {
 // What a ray that hits nothing gives.
 constexpr ColourRGB kBackground{0.001};
 
-// Means of fifty colours in single precision.
-constexpr double kMeanSlack = 3e-5;
-
-bool near(const ColourRGB& a, const ColourRGB& b) {
-    const double slack = kMeanSlack * (std::abs(b.r) + std::abs(b.g) + std::abs(b.b)) + 1e-9;
-    return std::abs(a.r - b.r) <= slack && std::abs(a.g - b.g) <= slack &&
-           std::abs(a.b - b.b) <= slack;
-}
-
-std::vector<ColourRGB> valuesOf(const LensPixel& pixel) {
-    std::vector<ColourRGB> values;
-    for (const LensRay& ray : pixel.rays)
-        if (ray.value) values.push_back(*ray.value);
-    return values;
-}
-
-ColourRGB meanOf(const ColourRGB* first, std::size_t count) {
-    ColourRGB sum;
-    for (std::size_t i = 0; i < count; ++i)
-        sum += first[i];
-    return sum / static_cast<double>(std::max<std::size_t>(count, 1));
-}
-
 // All rays, or all but an extra ray at the beginning or the end that was traced for another reason.
 bool isMean(const LensPixel& pixel, std::size_t asked) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
     if (values.empty()) return false;
-    if (near(pixel.colour, meanOf(values.data(), values.size()))) return true;
+    if (isNear(pixel.colour, meanOf(values.data(), values.size()))) return true;
     if (values.size() <= asked) return false;
     for (const std::size_t skipped : {std::size_t{1}, values.size() - asked}) {
         const std::size_t kept = values.size() - skipped;
-        if (near(pixel.colour, meanOf(values.data(), kept)) ||
-            near(pixel.colour, meanOf(values.data() + skipped, kept)))
+        if (isNear(pixel.colour, meanOf(values.data(), kept)) ||
+            isNear(pixel.colour, meanOf(values.data() + skipped, kept)))
             return true;
     }
     return false;
@@ -61,20 +38,6 @@ bool everyPixel(const LensLog& log, const Test& test) {
     return std::all_of(log.pixels.begin(), log.pixels.end(), test);
 }
 
-// The factor between what was expected and what came, where it is the same everywhere; else 0.
-double commonFactor(const LensLog& log) {
-    double factor = 0.0;
-    for (const LensPixel& pixel : log.pixels) {
-        const std::vector<ColourRGB> values = valuesOf(pixel);
-        const ColourRGB mean = meanOf(values.data(), values.size());
-        const double whole = mean.r + mean.g + mean.b;
-        if (!(whole > 1e-6)) continue;
-        if (factor == 0.0) factor = (pixel.colour.r + pixel.colour.g + pixel.colour.b) / whole;
-        if (!near(pixel.colour, mean * factor)) return 0.0;
-    }
-    return factor;
-}
-
 // Whether the mean of what `change` makes of the values is the pixel's colour; what it makes
 // nothing of is left out.
 template <class Change>
@@ -83,7 +46,7 @@ bool isMeanOf(const LensPixel& pixel, const Change& change) {
     for (const ColourRGB& value : valuesOf(pixel))
         if (const std::optional<ColourRGB> changed = change(value)) values.push_back(*changed);
     if (values.empty()) return true;
-    return near(pixel.colour, meanOf(values.data(), values.size()));
+    return isNear(pixel.colour, meanOf(values.data(), values.size()));
 }
 
 std::optional<ColourRGB> cutOff(const ColourRGB& c) {
@@ -91,13 +54,8 @@ std::optional<ColourRGB> cutOff(const ColourRGB& c) {
 }
 
 std::optional<ColourRGB> unlessMissed(const ColourRGB& c) {
-    if (near(c, kBackground)) return std::nullopt;
+    if (isNear(c, kBackground)) return std::nullopt;
     return c;
-}
-
-std::optional<ColourRGB> asBytes(const ColourRGB& c) {
-    const auto bytes = raytracer::toneMapped(c);
-    return ColourRGB{bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0};
 }
 
 bool isBlack(const LensPixel& pixel) {
@@ -109,7 +67,7 @@ enum class Which { first, last };
 bool isOneOf(const LensPixel& pixel, Which which) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
     return !values.empty() &&
-           near(pixel.colour, which == Which::first ? values.front() : values.back());
+           isNear(pixel.colour, which == Which::first ? values.front() : values.back());
 }
 
 // The sum of all but one, divided by the number of all.
@@ -118,8 +76,8 @@ bool lacksOne(const LensPixel& pixel, Which which) {
     if (values.size() < 2) return false;
     const std::size_t kept = values.size() - 1;
     const ColourRGB mean = meanOf(values.data() + (which == Which::first ? 1 : 0), kept);
-    return near(pixel.colour,
-                mean * (static_cast<double>(kept) / static_cast<double>(values.size())));
+    return isNear(pixel.colour,
+                  mean * (static_cast<double>(kept) / static_cast<double>(values.size())));
 }
 
 bool withinSamples(const LensPixel& pixel) {
@@ -156,9 +114,7 @@ std::string knownMistake(const LensLog& log) {
 
 // Only where what `trace` gave is known: they say what became of a picture that is wrong for sure.
 std::string knownChange(const LensLog& log) {
-    if (everyPixel(log, [](const LensPixel& p) { return isMeanOf(p, asBytes); }))
-        return "each of them goes through the tone curve before, which is applied when the picture "
-               "is written";
+    if (std::string curve = curveOfRays(log); !curve.empty()) return curve;
     if (everyPixel(log, isBlack))
         return "it is 0 in all pixels, as where 1 / n of two whole numbers is a factor";
     return {};
@@ -218,7 +174,7 @@ std::optional<Finding> checkAverage(const LensLog& log) {
     const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
     if (everyPixel(log, [&](const LensPixel& pixel) { return isMean(pixel, asked); }))
         return std::nullopt;
-    const double factor = commonFactor(log);
+    const double factor = commonFactor(log, std::identity{});
     std::string seen = knownMistake(log);
     if (seen.empty()) seen = knownChange(log);
     if (factor != 0.0) {

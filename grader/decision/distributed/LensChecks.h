@@ -14,6 +14,9 @@ namespace ticker::decision {
 [[nodiscard]] std::optional<Finding> checkAverage(const LensLog& log);
 [[nodiscard]] std::optional<Finding> checkFocus(const LensLog& log);
 [[nodiscard]] std::optional<Finding> checkBounces(const LensLog& log);
+/// Whether every ray crosses the focal plane inside of its own pixel's square. The squares of a
+/// tiny frame are large: many a mistake stays inside of them.
+[[nodiscard]] bool staysInPixels(const LensLog& log);
 /// That the lens points repeat from pixel to pixel is a warning.
 [[nodiscard]] std::optional<Finding> checkPattern(const LensLog& log);
 

@@ -32,6 +32,8 @@ struct LensLog {
     const probe::RenderQuestion* asked = nullptr;
     std::vector<LensPixel> pixels;  ///< repetition by repetition, rows from the top
     bool cut = false;               ///< more happened than the log had room for
+    /// Its rays may go through any place of their pixel: they did so in a fine picture.
+    bool mayAntialias = false;
 
     [[nodiscard]] std::size_t rayCount() const;
 };

@@ -1,5 +1,6 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/LensMeans.h>
+#include <grader/decision/distributed/RayColours.h>
 
 #include <fmt/core.h>
 
@@ -22,12 +23,6 @@ double sumOf(const ColourRGB& colour) {
     return colour.r + colour.g + colour.b;
 }
 
-bool near(const ColourRGB& a, const ColourRGB& b) {
-    const double slack = 3e-5 * (std::abs(b.r) + std::abs(b.g) + std::abs(b.b)) + 1e-9;
-    return std::abs(a.r - b.r) <= slack && std::abs(a.g - b.g) <= slack &&
-           std::abs(a.b - b.b) <= slack;
-}
-
 // Whether the colour of another pixel is in each one's; of all of it, or as it was divided once
 // more. Nothing came before the first one.
 bool areCarriedOn(const std::vector<PixelMean>& pixels, bool dividedAgain) {
@@ -35,9 +30,9 @@ bool areCarriedOn(const std::vector<PixelMean>& pixels, bool dividedAgain) {
     for (const PixelMean& pixel : pixels) {
         const bool follows = std::any_of(pixels.begin(), pixels.end(), [&](const PixelMean& other) {
             const double share = dividedAgain ? 1.0 / std::max(1.0, pixel.rays) : 1.0;
-            return &other != &pixel && near(pixel.colour, pixel.mean + other.colour * share);
+            return &other != &pixel && isNear(pixel.colour, pixel.mean + other.colour * share);
         });
-        if (!follows && (!near(pixel.colour, pixel.mean) || ++first > 1)) return false;
+        if (!follows && (!isNear(pixel.colour, pixel.mean) || ++first > 1)) return false;
     }
     return true;
 }
@@ -49,7 +44,7 @@ bool areScaled(const std::vector<PixelMean>& pixels, double& least, double& most
         const double whole = sumOf(pixel.mean);
         if (!(whole > 1e-6)) return false;
         const double factor = sumOf(pixel.colour) / whole;
-        if (!near(pixel.colour, pixel.mean * factor)) return false;
+        if (!isNear(pixel.colour, pixel.mean * factor)) return false;
         least = std::min(least, factor);
         most = std::max(most, factor);
     }

@@ -130,4 +130,20 @@ probe::RenderQuestion drawThreadsQuestion(std::uint64_t seed) {
     return drawQuestion(draw, settings, 1);
 }
 
+probe::RenderQuestion drawFineQuestion(std::uint64_t seed) {
+    // A few rays for each of so many pixels are enough; as many as the handout's, typed in, fit
+    // into the log.
+    constexpr int kRays = 10;
+    Draw draw{seed, 26};
+    probe::RenderQuestion question;
+    question.scene = drawScene(draw);
+    question.settings.height = 2;
+    question.settings.dofRayCount = kRays;
+    question.settings.seed = draw.word() >> 1U;
+    question.eventCapacity = static_cast<std::uint32_t>(
+        static_cast<std::size_t>(question.settings.width * question.settings.height * kRays) *
+        kEventsForEachRay);
+    return question;
+}
+
 }  // namespace ticker::decision

@@ -21,6 +21,9 @@ struct LensQuestions {
 /// of two cores.
 [[nodiscard]] probe::RenderQuestion drawThreadsQuestion(std::uint64_t seed);
 
+/// Two rows of a picture as wide as the handout's: whether rays stay inside of pixels so small.
+[[nodiscard]] probe::RenderQuestion drawFineQuestion(std::uint64_t seed);
+
 }  // namespace ticker::decision
 
 #endif

@@ -53,7 +53,7 @@ Stage stageOf(PictureVerdict verdict) {
         return doubtful("dof.unseen-rays",
                         "Its pictures are neither clearly right nor clearly wrong: a person has to "
                         "compare them.");
-    return {std::move(verdict.finding), std::nullopt};
+    return {std::move(verdict.finding), std::nullopt, verdict.apertureFactor};
 }
 
 }  // namespace
@@ -87,12 +87,15 @@ Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t 
     return {};
 }
 
-Stage judgeThreads(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
+Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
+                   std::uint64_t stage) {
     const probe::RenderQuestion asked = drawThreadsQuestion(seedOf(seed, stage));
     const probe::Sitting sitting = examinee.ask({asked});
     const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
     if (answer == nullptr || answer->wrongSize) return unanswered(sitting, "render");
-    return {judgeWithThreads(readLensLog(asked, *answer)), std::nullopt};
+    LensLog log = readLensLog(asked, *answer);
+    log.mayAntialias = mayAntialias;
+    return {judgeWithThreads(log), std::nullopt};
 }
 
 Stage judgeLitRender(probe::Examinee& examinee, const ShadowReading& reading, std::uint64_t seed,

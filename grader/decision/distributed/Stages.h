@@ -14,8 +14,9 @@ namespace ticker::decision {
 
 /// What one round of questions says whose answers are not exact: chance has a part in them.
 struct Stage {
-    std::optional<Finding> failure;  ///< held against the submission if it comes twice
-    std::optional<Finding> doubt;    ///< a warning: a person has to look, and why
+    std::optional<Finding> failure;             ///< held against the submission if it comes twice
+    std::optional<Finding> doubt;               ///< a warning: a person has to look, and why
+    std::optional<double> apertureFactor = {};  ///< of a picture: the accepted one that fits best
 };
 
 /// Each asks questions of its own, drawn from `seed` and the number of the stage.
@@ -26,7 +27,8 @@ struct Stage {
 [[nodiscard]] Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed,
                                  std::uint64_t stage);
 /// `render` with two threads, where all was right with one: they may meet or not.
-[[nodiscard]] Stage judgeThreads(probe::Examinee& examinee, std::uint64_t seed,
+/// @param mayAntialias  See `LensLog`.
+[[nodiscard]] Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
                                  std::uint64_t stage);
 
 /// `illuminate` inside of `render`: with one thread it does what it did at single points, else a

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 namespace ticker::decision {
@@ -129,6 +130,26 @@ TEST(Average, IsOfToneMappedBytesOrBlack) {
                      }),
                      "tone curve"));
     EXPECT_TRUE(says(judge([](const Values&) { return ColourRGB{}; }), "1 / n"));
+}
+
+TEST(Average, IsOfColoursThatWentThroughACurve) {
+    const auto through = [](double (*curve)(double), double factor) {
+        return judge([=](Values values) {
+            for (ColourRGB& c : values)
+                c = ColourRGB{curve(c.r), curve(c.g), curve(c.b)} * factor;
+            return meanOf(values);
+        });
+    };
+    const auto toned = [](double c) {
+        const double p = std::pow(c, 1.3);
+        return std::pow(p / (p + std::pow(0.25, 1.3)), 1.0 / 2.2);
+    };
+    for (const double factor : {1.0, 255.0})
+        EXPECT_TRUE(says(through(toned, factor), "tone curve before"));
+    EXPECT_TRUE(says(through([](double c) { return std::pow(c, 1.0 / 2.2); }, 1.0), "a power"));
+    EXPECT_TRUE(says(through([](double c) { return std::sqrt(c); }, 1.0), "a power"));
+    EXPECT_TRUE(says(through([](double c) { return c / (1.0 + c); }, 1.0), "a power"));
+    EXPECT_FALSE(says(through([](double c) { return std::sin(3.0 * c); }, 1.0), "before"));
 }
 
 TEST(Average, HasAHintWhereNothingExplainsIt) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace ticker::decision {
 namespace {
 
@@ -91,6 +94,67 @@ TEST(Focus, IsNowhereWhereRaysAreParallelOrPassEachOther) {
     EXPECT_NE(passing(2.1e-3)->message.find("by 0.0021"), std::string::npos);
     EXPECT_NE(passing(1.9e-3)->message.find("meet at z = 4"), std::string::npos)
         << passing(1.9e-3)->message;
+}
+
+TEST(Focus, IsLeftBehindByRaysThatRunBackwards) {
+    LensByHand lens;
+    LensPixel& pixel = lens.pixel();
+    for (const double x : {-0.2, 0.1, 0.2})
+        pixel.rays.push_back(rayThrough({x, 0.0, 0.0}, {0.0, 0.0, kPlane}));
+    EXPECT_FALSE(checkFocus(lens.log));
+    pixel.rays.back().direction = -pixel.rays.back().direction;
+    const auto one = checkFocus(lens.log);
+    ASSERT_EQ(idOf(one), "dof.wrong");
+    EXPECT_NE(one->message.find("1 of 3 leave the lens away from it"), std::string::npos);
+    EXPECT_NE(one->hint.find("(focalPoint - lensPoint)"), std::string::npos);
+}
+
+TEST(Focus, HasCoordinatesThatWereNotDividedByZ) {
+    const auto besides = [](const auto& change) {
+        return judge([&](const Vector3& focal, const Vector3&) {
+            Vector3 point = focal;
+            change(point, focal.normalised() * kPlane);
+            return point;
+        });
+    };
+    const auto xy = besides([](Vector3& point, const Vector3& byLength) {
+        point.x = byLength.x;
+        point.y = byLength.y;
+    });
+    ASSERT_EQ(idOf(xy), "dof.wrong");
+    EXPECT_NE(xy->message.find("x and y of the meeting point"), std::string::npos) << xy->message;
+    EXPECT_NE(xy->hint.find("for all three coordinates"), std::string::npos);
+    const auto z = besides([](Vector3& point, const Vector3& byLength) { point.z = byLength.z; });
+    EXPECT_NE(z->message.find(": z of the meeting point"), std::string::npos) << z->message;
+}
+
+/// A pixel of a picture as wide as the handout's; its rays go to these places on the focal plane,
+/// in sides of the pixel.
+LensLog logOf(LensByHand& lens, const std::vector<Vector3>& places) {
+    const double side = 2.0 * std::tan(std::numbers::pi / 8.0) / lens.asked.settings.width * kPlane;
+    LensPixel& pixel = lens.pixel();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Vector3 origin{i % 2 == 0 ? 0.2 : -0.1, i % 3 == 0 ? 0.1 : -0.2, 0.0};
+        pixel.rays.push_back(rayThrough(origin, Vector3{0.0, 0.0, kPlane} + places[i] * side));
+    }
+    return lens.log;
+}
+
+TEST(Focus, MayBeAnywhereInThePixelWhereItWasSoInAFinePicture) {
+    LensByHand inside;
+    LensLog log = logOf(inside, {{0.49, 0.0, 0.0}, {-0.49, 0.49, 0.0}, {0.0, -0.49, 0.0}});
+    EXPECT_TRUE(staysInPixels(log));
+    EXPECT_EQ(idOf(checkFocus(log)), "dof.focal-plane") << "nobody has looked at a fine picture";
+    log.mayAntialias = true;
+    const auto smooth = checkFocus(log);
+    ASSERT_EQ(idOf(smooth), "dof.antialiased");
+    EXPECT_EQ(smooth->severity, Severity::warn);
+
+    LensByHand outside;
+    log = logOf(outside, {{0.52, 0.0, 0.0}, {-0.49, 0.0, 0.0}});
+    log.mayAntialias = true;
+    EXPECT_FALSE(staysInPixels(log));
+    EXPECT_EQ(idOf(checkFocus(log)), "dof.focal-plane");
 }
 
 }  // namespace
