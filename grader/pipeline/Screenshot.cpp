@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -68,10 +70,28 @@ void show(const ByteImage& image, SubmissionResult& result) {
         {"images/screenshot.png", "screenshot.png as handed in", picture::encodePicture(shown)});
 }
 
+// Findings of option 2 that make two pictures by the same code differ by more than noise.
+std::string whyUnlikeItself(const std::vector<TaskReport>& tasks) {
+    const auto has = [&](std::initializer_list<std::string_view> ids) {
+        return std::ranges::any_of(tasks, [&](const TaskReport& task) {
+            return std::ranges::any_of(task.findings, [&](const Finding& finding) {
+                return std::ranges::find(ids, finding.id) != ids.end();
+            });
+        });
+    };
+    if (has({"shadow.threads-mixed", "dof.threads-mixed"}))
+        return "what this code draws depends on how its threads meet";
+    if (has({"shadow.fixed-samples", "dof.shared-samples", "dof.reused-pattern"}))
+        return "this code uses the same random points all over a picture, and other ones in the "
+               "next";
+    return {};
+}
+
 /// The scenes that a picture may show, with whatever the submission's files add to each.
 class Scenes {
 public:
-    Scenes(const std::vector<JudgedFile>& files, const Grader& grader, build::TimeBudget& budget) {
+    Scenes(const std::vector<JudgedFile>& files, const Grader& grader, build::TimeBudget& budget,
+           const std::vector<TaskReport>& tasks) {
         const bool any = std::ranges::any_of(files, &JudgedFile::isAttempted);
         const bool both = std::ranges::all_of(files, &JudgedFile::isAttempted);
         for (const SpecScene& spec : grader.scenes) {
@@ -87,6 +107,7 @@ public:
             scene.description = &spec.scene;
             scene.expected = [&spec] { return viewOf(spec.expected().picture); };
             if (file != files.end()) addOwn(*file, grader, budget, scene);
+            if (!spec.isForT1) scene.whyUnlikeItself = whyUnlikeItself(tasks);
             scenes_.push_back(std::move(scene));
         }
     }
@@ -139,7 +160,7 @@ TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
     }
     const ByteImage& image = std::get<ByteImage>(decoded);
     show(image, result);
-    const Scenes scenes{files, grader, budget};
+    const Scenes scenes{files, grader, budget, result.tasks};
     settle(report, decision::judgeScreenshot(viewOf(image), scenes.all(), seed));
     result.timing.probeMs += scenes.wallMs();
     if (scenes.madeForbiddenCall()) {

@@ -2,6 +2,7 @@
 
 #include <grader/decision/screenshot/Edits.h>
 #include <grader/decision/screenshot/Relief.h>
+#include <grader/decision/screenshot/Repetition.h>
 #include <grader/decision/screenshot/Suspects.h>
 #include <grader/decision/screenshot/Verification.h>
 #include <grader/decision/screenshot/Whole.h>
@@ -50,9 +51,10 @@ public:
         const bool looksRight = scene_.hasOwn()
                                     ? whole.worst <= kMostTileDifference
                                     : likeness(scene_.expected(), picture_) >= kSameScene;
-        if (verification.kind == Verification::Kind::different || !looksRight)
-            return explain(verification, whole);
-        return accept(verification);
+        if (verification.kind != Verification::Kind::different && looksRight)
+            return accept(verification);
+        const std::string why = whyNotRepeated(scene_, picture_.width, picture_.height, seed_ + 2);
+        return why.empty() ? explain(verification, whole) : excuse(why);
     }
 
 private:
@@ -115,6 +117,14 @@ private:
         const std::optional<double> noise =
             noiseRatio(windows.view(), verification.own->pixels.view());
         return noise && *noise < kNoNoise ? passedInDoubt(isTheReference(*noise)) : passed({});
+    }
+
+    // Code that does not repeat itself may have drawn anything that shows the scene.
+    [[nodiscard]] TaskJudgement excuse(const std::string& why) const {
+        if (const Scene* other = otherScene())
+            return failed(notThisScene(scene_.name, other->name));
+        if (likenessTo(scene_) < kSameScene) return failed(notThisScene(scene_.name, ""));
+        return passed({unverified(why)});
     }
 
     [[nodiscard]] TaskJudgement explain(const Verification& verification,

@@ -25,6 +25,9 @@ struct Scene {
     std::function<ByteView()> expected;  ///< as it should look; worked out when asked
     ByteView own;  ///< as this submission's code renders it; no bytes where it did not
     probe::Examinee* examinee = nullptr;  ///< this submission's code; null where it is no use
+    /// What is known of this code that makes its pictures differ from one to the next; words, or
+    /// empty.
+    std::string whyUnlikeItself;
 
     [[nodiscard]] bool hasOwn() const { return !own.rgb.empty(); }
     /// The best that is known of what this student's picture should show.

@@ -5,6 +5,7 @@
 #include <raytracer/image/ToneCurve.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -22,7 +23,7 @@ constexpr double kUsualWidth = 640.0;
 
 /// How the windows of an option lie.
 struct Layout {
-    std::span<const Middle> middles;
+    std::array<std::span<const Middle>, 2> middles;  ///< of each stage
     int width;
     int height;
     int jitter;  ///< pixels, to each side
@@ -35,12 +36,26 @@ struct Layout {
 // ball's shadow, the first ball's highlight, the horizon, the farthest balls.
 constexpr Middle kDistributed[] = {{400, 440}, {352, 400}, {576, 384}, {440, 384},
                                    {288, 312}, {456, 224}, {24, 184},  {190, 180}};
+// In a narrow picture the same windows have a quarter of the noise's pixels to a shadow's rim, so
+// they are larger and lie closer, each stage with its own: found likewise at 320 x 240, over lights
+// and apertures of other sizes and places.
+constexpr Middle kNarrowFirst[] = {{376, 408}, {512, 440}, {224, 184},
+                                   {544, 360}, {440, 376}, {336, 192}};
+constexpr Middle kNarrowSecond[] = {{576, 424}, {280, 304}, {448, 440},
+                                    {56, 192},  {584, 184}, {200, 280}};
 // Around the highlight, where both lights reach the relief.
 constexpr Middle kBumpMapping[] = {{380, 185}};
 
 // Where no ray is random one window is enough, and each costs a transfer of the map.
-constexpr Layout kLayoutT1{kBumpMapping, 64, 40, 6, 12};
-constexpr Layout kLayoutT2{kDistributed, 16, 16, 4, 25};
+constexpr Layout kLayoutT1{{kBumpMapping, kBumpMapping}, 64, 40, 6, 12};
+constexpr Layout kLayoutT2{{kDistributed, kDistributed}, 16, 16, 4, 25};
+constexpr Layout kNarrowLayoutT2{{kNarrowFirst, kNarrowSecond}, 24, 24, 4, 0};
+constexpr int kNarrow = 480;
+
+const Layout& layoutFor(bool isForT1, int width) {
+    if (isForT1) return kLayoutT1;
+    return width < kNarrow ? kNarrowLayoutT2 : kLayoutT2;
+}
 
 int placed(double middle, int size, int frame) {
     const int start = static_cast<int>(std::lround(middle - 0.5 * size));
@@ -73,7 +88,7 @@ bool isSensibleSize(int width, int height) {
 }
 
 Windows drawWindows(bool isForT1, int width, int height, std::uint64_t seed, int stage) {
-    const Layout& layout = isForT1 ? kLayoutT1 : kLayoutT2;
+    const Layout& layout = layoutFor(isForT1, width);
     std::mt19937_64 generator{seed};
     const auto jitter = [&] {
         return static_cast<int>(generator() % static_cast<std::uint64_t>(2 * layout.jitter + 1)) -
@@ -81,7 +96,7 @@ Windows drawWindows(bool isForT1, int width, int height, std::uint64_t seed, int
     };
     Windows windows{width, height, {}};
     const double scale = width / kUsualWidth;
-    for (const Middle& middle : layout.middles) {
+    for (const Middle& middle : layout.middles.at(static_cast<std::size_t>(stage))) {
         const double x = scale * middle.x + jitter() + stage * layout.step;
         const double y = scale * middle.y + jitter();
         windows.boxes.push_back({placed(x, layout.width, width), placed(y, layout.height, height),
@@ -101,14 +116,21 @@ Picture cutOut(const ByteView& picture, const Windows& windows, int right, int d
     return strip;
 }
 
+std::vector<probe::Question> questionsFor(const Scene& scene, const Windows& windows,
+                                          std::uint64_t seed, int threads) {
+    std::vector<probe::Question> questions;
+    for (const metrics::Box& box : windows.boxes) {
+        raytracer::RenderSettings settings = settingsFor(windows, box, seed);
+        settings.threads = threads;
+        questions.emplace_back(probe::RenderQuestion{*scene.description, settings, 1, 0});
+    }
+    return questions;
+}
+
 std::optional<Picture> renderWindows(const Scene& scene, const Windows& windows,
                                      std::uint64_t seed) {
     if (scene.examinee == nullptr) return std::nullopt;
-    std::vector<probe::Question> questions;
-    for (const metrics::Box& box : windows.boxes)
-        questions.emplace_back(
-            probe::RenderQuestion{*scene.description, settingsFor(windows, box, seed), 1, 0});
-    const probe::Sitting sitting = scene.examinee->ask(questions);
+    const probe::Sitting sitting = scene.examinee->ask(questionsFor(scene, windows, seed));
 
     Picture strip{windows.boxes.front().width, 0, {}};
     for (const probe::Answer& any : sitting.answers) {

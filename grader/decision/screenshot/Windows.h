@@ -3,6 +3,7 @@
 
 #include <grader/decision/screenshot/Scene.h>
 #include <grader/metrics/Alignment.h>
+#include <grader/probe/Question.h>
 
 #include <cstdint>
 #include <optional>
@@ -36,6 +37,11 @@ struct Windows {
 /// @param right, down  Where to look instead, pixels, at most `kFarthestShift`.
 [[nodiscard]] Picture cutOut(const ByteView& picture, const Windows& windows, int right = 0,
                              int down = 0);
+
+/// The questions that render the windows with a submission's code, at the handout's settings.
+/// @param threads  Of `forEachPixel`.
+[[nodiscard]] std::vector<probe::Question> questionsFor(const Scene& scene, const Windows& windows,
+                                                        std::uint64_t seed, int threads = 1);
 
 /// The same as a submission's code renders them, at the handout's settings, through the tone curve.
 /// Empty where some of it is missing: code that knows nothing of regions, for one.

@@ -23,7 +23,7 @@ TEST(SensibleSize, IsTheHandoutsShapeFrom320Upwards) {
     EXPECT_FALSE(isSensibleSize(300, 225));
 }
 
-TEST(Windows, AreAbout2000PixelsInsideTheFrameWithRoomToShift) {
+TEST(Windows, AreAFewThousandPixelsInsideTheFrameWithRoomToShift) {
     for (const bool isForT1 : {true, false})
         for (const int width : kWidths)
             for (std::uint64_t seed = 0; seed < 50; ++seed) {
@@ -36,7 +36,8 @@ TEST(Windows, AreAbout2000PixelsInsideTheFrameWithRoomToShift) {
                     EXPECT_LE(box.y + box.height, width * 3 / 4 - kFarthestShift);
                     pixels += box.width * box.height;
                 }
-                EXPECT_NEAR(pixels, 2300, 300);
+                const bool isNarrow = !isForT1 && width < 480;
+                EXPECT_NEAR(pixels, isNarrow ? 3456 : 2300, 300);
             }
 }
 
@@ -51,7 +52,9 @@ TEST(Windows, HaveNoPixelTwice) {
             const std::vector<metrics::Box> later =
                 drawWindows(false, width, width * 3 / 4, seed, 1).boxes;
             for (std::size_t i = 0; i < boxes.size(); ++i)
-                EXPECT_FALSE(overlap(boxes[i], later[i])) << width << " " << i;
+                for (std::size_t j = 0; j < later.size(); ++j)
+                    if (i == j || width < 480)
+                        EXPECT_FALSE(overlap(boxes[i], later[j])) << width << " " << i << " " << j;
         }
 }
 
