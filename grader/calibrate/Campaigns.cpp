@@ -2,6 +2,7 @@
 #include <grader/calibrate/ComparisonCampaign.h>
 #include <grader/calibrate/DecisionCampaign.h>
 #include <grader/calibrate/OracleAgreement.h>
+#include <grader/calibrate/PictureCampaign.h>
 #include <grader/calibrate/StageCampaign.h>
 
 #include <raytracer/io/SceneReader.h>
@@ -28,6 +29,8 @@ std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& da
     all.push_back(std::make_unique<StageCampaign>(subjects, kStageUnits, programs));
     all.push_back(
         std::make_unique<DecisionCampaign>("mistakes", wrongOnes(subjects), timesWrong, programs));
+    all.push_back(std::make_unique<PictureCampaign>(
+        subjects, pipeline::readSpecScenes(data / "scenes", data / "assets").back(), programs));
     all.push_back(std::make_unique<ComparisonCampaign>(
         subjects, raytracer::readScene(data / "scenes/distributed.xml", data / "assets"),
         programs));

@@ -37,11 +37,15 @@ void settle(TaskReport& task, TaskJudgement judgement) {
     task.rasters = std::move(judgement.rasters);
 }
 
-void judge(FileWork& work, SourceFile file, Questioning& questioning, std::uint64_t seed) {
-    if (file == SourceFile::bumpySphere)
-        return settle(work.tasks.at(0), questioning.run([&](probe::Examinee& examinee) {
+/// @return  What option 2's answers show of the aperture, see `DistributedJudgement`.
+std::optional<double> judge(FileWork& work, SourceFile file, Questioning& questioning,
+                            std::uint64_t seed) {
+    if (file == SourceFile::bumpySphere) {
+        settle(work.tasks.at(0), questioning.run([&](probe::Examinee& examinee) {
             return decision::judgeBump(examinee, seed);
         }));
+        return std::nullopt;
+    }
     const auto attempt = [&](bool shadows, bool lens) {
         return [=](probe::Examinee& examinee) {
             return decision::judgeDistributed(examinee, {shadows, lens}, seed);
@@ -51,6 +55,7 @@ void judge(FileWork& work, SourceFile file, Questioning& questioning, std::uint6
     auto lens = questioning.run(attempt(false, isOpen(work.tasks.at(1))));
     settle(work.tasks.at(0), shadows.get().softShadows);
     settle(work.tasks.at(1), std::move(lens.depthOfField));
+    return lens.apertureFactor;
 }
 
 bool isBlocked(const TaskReport& task) {
@@ -104,13 +109,13 @@ public:
             auto gallery = questioning.begin([&](probe::Examinee& examinee) {
                 return renderSpecScenes(grader_.scenes, isT1, examinee);
             });
-            judge(work, file, questioning, seed_);
+            const std::optional<double> aperture = judge(work, file, questioning, seed_);
             // Code that crashed or loops would do so again.
             const bool isUsable = std::ranges::none_of(work.tasks, isBlocked);
             if (isUsable) {
                 Gallery rendered = gallery.get();
                 if (!isT1 && !grader_.scenes.empty())
-                    decision::doubtPicture(work.tasks, rendered.misfit);
+                    decision::doubtPicture(work.tasks, rendered.misfits, aperture);
                 judged.renders = std::move(rendered).moveTo(result);
             }
             gallery = {};

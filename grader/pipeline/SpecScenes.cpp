@@ -2,8 +2,6 @@
 
 #include <grader/metrics/Colours.h>
 #include <grader/metrics/Compare.h>
-#include <grader/oracle/Oracle.h>
-#include <grader/oracle/References.h>
 #include <grader/picture/EncodePicture.h>
 #include <grader/probe/AnswerMemory.h>
 
@@ -20,8 +18,6 @@ namespace {
 
 // Free to choose: it only makes pictures repeat.
 constexpr std::uint64_t kSeed = 1;
-// As the student's picture tells brightness from colour in nothing here, any weights will do.
-constexpr raytracer::ColourRGB kBrightness{0.25, 0.5, 0.25};
 
 raytracer::RenderSettings settingsOf(int width, int height) {
     raytracer::RenderSettings settings;
@@ -35,49 +31,11 @@ metrics::ByteView viewOf(const raytracer::ByteImage& image) {
     return {image.width, image.height, image.rgb};
 }
 
-metrics::Map brightnessOf(int width, int height, const std::vector<raytracer::ColourRGB>& pixels) {
-    metrics::Map map{width, height, {}};
-    for (const raytracer::ColourRGB& pixel : pixels)
-        map.values.push_back(static_cast<float>(kBrightness.r * pixel.r + kBrightness.g * pixel.g +
-                                                kBrightness.b * pixel.b));
-    return map;
-}
-
-Expectation expectPinhole(const raytracer::SceneDescription& scene,
-                          const raytracer::RenderSettings& settings) {
-    return {raytracer::toBytes(oracle::renderPinholeWithOracle(scene, settings)), {}};
-}
-
-Expectation expectLens(const raytracer::SceneDescription& scene,
-                       const raytracer::RenderSettings& settings, double apertureFactor) {
-    oracle::Reading reading;
-    reading.apertureFactor = apertureFactor;
-    oracle::Precision precision;
-    precision.share = 0.0;
-    precision.rms = 5e-4;  // a tenth of a step of a byte
-    const oracle::Moments moments =
-        oracle::Oracle{scene, settings, reading}.moments(kSeed, precision);
-
-    Expectation expected;
-    raytracer::Image image{moments.width, moments.height};
-    for (int y = 0; y < moments.height; ++y)
-        for (int x = 0; x < moments.width; ++x)
-            image.set(x, y, moments.mean[static_cast<std::size_t>(y * moments.width + x)]);
-    expected.picture = raytracer::toBytes(image);
-    expected.brightness.renders = 1.0 / moments.shareOfVariance(1);
-    expected.brightness.mean = brightnessOf(moments.width, moments.height, moments.mean);
-    expected.brightness.variance = {moments.width, moments.height, {}};
-    for (const oracle::Covariance& covariance : moments.covariance)
-        expected.brightness.variance.values.push_back(
-            static_cast<float>(covariance.along(kBrightness)));
-    return expected;
-}
-
 /// An expectation beside a submission's picture, in standard errors.
 struct Comparison {
     const Expectation* expected = nullptr;
     metrics::Measured z;
-    double total = 0.0;  ///< of all squares: how badly it fits
+    double misfit = 0.0;
 };
 
 Comparison compare(const Expectation& expected, const probe::RenderAnswer& answer) {
@@ -88,17 +46,27 @@ Comparison compare(const Expectation& expected, const probe::RenderAnswer& answe
                       brightnessOf(answer.width, answer.height, answer.images[0]), 1.0),
         0.0};
     for (const float z : result.z.map.values)
-        result.total += static_cast<double>(z) * static_cast<double>(z);
+        result.misfit += static_cast<double>(z) * static_cast<double>(z);
+    result.misfit /= static_cast<double>(result.z.map.values.size());
     return result;
 }
 
-Comparison bestFitting(const SpecScene& scene, const probe::RenderAnswer& answer) {
-    constexpr double kFits = 1.5;  // mean square of a pixel's z; 1 where everything is right
+Comparison bestFitting(const SpecScene& scene, const probe::RenderAnswer& answer,
+                       std::vector<decision::Misfit>& misfits) {
+    // What is farther off is no accepted reading of the light.
+    constexpr double kNearMiss = 2.0;
     Comparison best = compare(scene.expected(), answer);
-    for (std::size_t i = 1; i < scene.expectations.size(); ++i) {
-        if (best.total < kFits * answer.width * answer.height) break;
-        if (Comparison other = compare(scene.expected(i), answer); other.total < best.total)
-            best = std::move(other);
+    double factor = 0.0;
+    for (std::size_t i = 0; i < scene.readings.size(); ++i) {
+        const bool isOfLight = i >= kAcceptedApertures.size();
+        const double own = scene.readings[i].apertureFactor;
+        if (i > 0 && best.misfit <= decision::kMostMisfit) break;
+        if (isOfLight && (best.misfit > kNearMiss || own != factor)) continue;
+        Comparison other = compare(scene.expected(i), answer);
+        misfits.push_back({own, other.misfit});
+        if (i > 0 && other.misfit >= best.misfit) continue;
+        best = std::move(other);
+        factor = own;
     }
     return best;
 }
@@ -112,7 +80,7 @@ std::string add(Gallery& gallery, const std::string& file, const std::string& ti
 void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnswer& answer,
                const raytracer::ByteImage& picture) {
     constexpr double kFullZ = 6.0;
-    const Comparison compared = bestFitting(scene, answer);
+    const Comparison compared = bestFitting(scene, answer, gallery.misfits);
     const raytracer::ByteImage& expected = compared.expected->picture;
     const metrics::Scores scores = metrics::score(viewOf(expected), viewOf(picture));
     const metrics::Map& errors = scores.errors;
@@ -131,7 +99,6 @@ void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnsw
         add(gallery, "flip-" + scene.name, scene.name + ": where the two look different",
             {errors.width, errors.height, metrics::magma(errors)});
     if (!compared.z.map.values.empty()) {
-        gallery.misfit = compared.total / static_cast<double>(compared.z.map.values.size());
         render.zMax = compared.z.value;
         render.zMap = add(
             gallery, scene.name + ".zmap",
@@ -144,6 +111,12 @@ void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnsw
 }
 
 }  // namespace
+
+std::vector<decision::Misfit> misfitsOf(const SpecScene& scene, const probe::RenderAnswer& answer) {
+    std::vector<decision::Misfit> misfits;
+    static_cast<void>(bestFitting(scene, answer, misfits));
+    return misfits;
+}
 
 std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer) {
     if (answer.images.size() != 1 || answer.wrongSize) return std::nullopt;
@@ -165,9 +138,10 @@ std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
     };
     std::vector<SpecScene> result;
     for (const char* name : {"bump-mapping", "bumpmap-test"})
-        result.push_back({name, true, true, read(name), settingsOf(320, 240), {}});
+        result.push_back({name, true, true, read(name), settingsOf(320, 240), {}, {}});
     result.back().isHandedIn = false;
-    result.push_back({"distributed", false, true, read("distributed"), settingsOf(160, 120), {}});
+    result.push_back(
+        {"distributed", false, true, read("distributed"), settingsOf(160, 120), {}, {}});
     const auto later = [](auto work) { return std::async(std::launch::deferred, work).share(); };
     for (SpecScene& scene : result)
         if (scene.isForT1)
@@ -176,11 +150,13 @@ std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
                     return expectPinhole(description, settings);
                 }));
         else
-            for (const double apertureFactor : {1.0, 0.5})
+            for (const oracle::Reading& reading : acceptedReadings()) {
+                scene.readings.push_back(reading);
                 scene.expectations.push_back(
-                    later([description = scene.scene, settings = scene.settings, apertureFactor] {
-                        return expectLens(description, settings, apertureFactor);
+                    later([description = scene.scene, settings = scene.settings, reading] {
+                        return expectLens(description, settings, reading);
                     }));
+            }
     return result;
 }
 

@@ -1,7 +1,8 @@
 #ifndef TICKER_PIPELINE_SPECSCENES_H
 #define TICKER_PIPELINE_SPECSCENES_H
 
-#include <grader/metrics/Noise.h>
+#include <grader/decision/distributed/PictureDoubt.h>
+#include <grader/pipeline/Expectation.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <grader/probe/Examinee.h>
@@ -19,13 +20,6 @@
 
 namespace ticker::pipeline {
 
-/// What a scene should look like.
-struct Expectation {
-    raytracer::ByteImage picture;
-    /// Of the brightness of one student render, linear; without values where nothing is random.
-    metrics::Moments brightness;
-};
-
 /// One of the handout's scenes as every submission renders it for people to look at, and what it
 /// should look like. Never changes but for expectations that are worked out when somebody first
 /// asks, so threads may share it.
@@ -35,8 +29,9 @@ struct SpecScene {
     bool isHandedIn = true;  ///< a screenshot of it is what the handout asks for
     raytracer::SceneDescription scene;
     raytracer::RenderSettings settings;
-    /// One for each accepted aperture, the handout's first.
+    /// One for each accepted reading that looks different, the handout's first.
     std::vector<std::shared_future<Expectation>> expectations;
+    std::vector<oracle::Reading> readings;  ///< of each; option 2
 
     [[nodiscard]] const Expectation& expected(std::size_t reading = 0) const {
         // A future of its own for each thread, as the library asks for.
@@ -56,6 +51,11 @@ struct Rendered {
 [[nodiscard]] std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
                                                     const std::filesystem::path& assets);
 
+/// How far a picture of option 2's scene is from the accepted readings; those that come later are
+/// tried only where the ones before do not fit.
+[[nodiscard]] std::vector<decision::Misfit> misfitsOf(const SpecScene& scene,
+                                                      const probe::RenderAnswer& answer);
+
 /// The picture that came, through the tone curve; empty where some of it is missing.
 [[nodiscard]] std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer);
 
@@ -64,16 +64,16 @@ struct Gallery {
     std::vector<Rendered> rendered;
     std::vector<RenderScore> scores;      ///< against the expectation that fits best
     std::vector<ResultPicture> pictures;  ///< that the scores name
-    /// Of option 2's scene: mean square of a pixel's difference from the expectation that fits
-    /// best, in standard errors; 1 where all is right. Empty where the picture did not come.
-    std::optional<double> misfit;
+    /// Of option 2's scene, beside each expectation that was tried. Empty where the picture did not
+    /// come.
+    std::vector<decision::Misfit> misfits;
 
     /// Puts scores and pictures into the result. @return  What was rendered.
     std::vector<Rendered> moveTo(SubmissionResult& result) &&;
 };
 
 /// Asks the submission for the pictures of its option. One that did not come is left out. They
-/// fail nobody; a `misfit` may ask for a person (see decision/distributed/PictureDoubt.h).
+/// fail nobody; a misfit may ask for a person (see decision/distributed/PictureDoubt.h).
 [[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
                                        probe::Examinee& examinee);
 

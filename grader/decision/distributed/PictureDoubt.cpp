@@ -1,53 +1,75 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/PictureDoubt.h>
 
+#include <raytracer/base/RenderSettings.h>
+
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <string>
 
 namespace ticker::decision {
 namespace {
-
-// Right solutions have 0.04 to 0.83, whatever their samples; a sharp picture 3.7, hard shadows with
-// it 5.8.
-constexpr double kMostMisfit = 2.0;
 
 bool hasPassed(const TaskReport& task) {
     return task.state == TaskState::passed;
 }
 
-// Highlights as seen from the eye are accepted, and change every reflection.
+// Highlights as seen from the eye change every reflection, antialiasing every edge: both are
+// accepted.
 bool isExplained(const std::vector<TaskReport>& tasks) {
     return std::ranges::any_of(tasks, [](const TaskReport& task) {
         return std::ranges::any_of(task.findings, [](const Finding& finding) {
-            return finding.id == "shadow.view-from-eye";
+            return finding.id == "shadow.view-from-eye" || finding.id == "dof.antialiased";
         });
     });
 }
 
-Finding doubt(const std::optional<double>& misfit) {
-    constexpr const char* kId = "dof.picture-differs";
-    if (!misfit) {
-        Finding finding = distributedFinding(
-            kId, Severity::warn,
-            "Every question was answered rightly, but no picture of the handout's scene came: the "
-            "program left, crashed or ran out of time while it rendered.");
-        finding.hint = "Render scenes/distributed.xml once more, as the handout says.";
-        return finding;
-    }
-    Finding finding = distributedFinding(
-        kId, Severity::warn,
+Finding doubt(const std::string& message) {
+    return distributedFinding("dof.picture-differs", Severity::warn, message);
+}
+
+Finding missing() {
+    Finding finding = doubt(
+        "Every question was answered rightly, but no picture of the handout's scene came: the "
+        "program left, crashed or ran out of time while it rendered.");
+    finding.hint = "Render scenes/distributed.xml once more, as the handout says.";
+    return finding;
+}
+
+Finding differing(double misfit) {
+    Finding finding = doubt(
         "Every question was answered rightly, but the picture of the handout's scene is not what "
         "the answers say: a person has to compare the two.");
-    finding.evidence.emplace_back("misfit", *misfit);
+    finding.evidence.emplace_back("misfit", misfit);
     finding.evidence.emplace_back("misfitAtMost", kMostMisfit);
+    return finding;
+}
+
+Finding ofAnotherAperture(double answered, double shown) {
+    const double amount = raytracer::RenderSettings{}.dofAmount;
+    Finding finding = doubt(fmt::format(
+        "Every question was answered rightly, but where rays start on a lens of half-width {:.3g} "
+        "in small pictures, the picture of the handout's scene has the blur of {:.3g}: a person "
+        "has to look.",
+        answered * amount, shown * amount));
+    finding.hint = "Look for what makes the aperture depend on the size of the picture.";
     return finding;
 }
 
 }  // namespace
 
-void doubtPicture(std::vector<TaskReport>& tasks, const std::optional<double>& misfit) {
+void doubtPicture(std::vector<TaskReport>& tasks, const std::vector<Misfit>& misfits,
+                  const std::optional<double>& apertureFactor) {
     if (!std::ranges::all_of(tasks, hasPassed)) return;
-    if (misfit && (*misfit <= kMostMisfit || isExplained(tasks))) return;
-    tasks.back().findings.push_back(doubt(misfit));
+    if (!misfits.empty() && isExplained(tasks)) return;
+    const auto best = std::ranges::min_element(misfits, {}, &Misfit::meanSquare);
+    const bool fits = best != misfits.end() && best->meanSquare <= kMostMisfit;
+    if (fits && (!apertureFactor || best->apertureFactor == *apertureFactor)) return;
+    tasks.back().findings.push_back(best == misfits.end() ? missing()
+                                    : fits
+                                        ? ofAnotherAperture(*apertureFactor, best->apertureFactor)
+                                        : differing(best->meanSquare));
     tasks.back().needsReview = true;
 }
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 namespace ticker::pipeline {
 namespace {
 
@@ -87,27 +89,45 @@ TEST(DoubtPicture, HasNothingToAddToAFailure) {
                                         std::pair{TaskState::passed, TaskState::failed},
                                         std::pair{TaskState::passed, TaskState::notAttempted}}) {
         std::vector<TaskReport> tasks = reports(shadows, lens);
-        decision::doubtPicture(tasks, 100.0);
+        decision::doubtPicture(tasks, {{1.0, 100.0}}, std::nullopt);
         EXPECT_TRUE(tasks[1].findings.empty());
         EXPECT_FALSE(tasks[1].needsReview);
     }
 }
 
-// Of right solutions, 0.04 (points in strata) to 0.83 (each sample with its own direction).
+// Of right solutions, 0.04 (points in strata) to 0.97 (each sample with its own direction).
 TEST(DoubtPicture, TakesNoiseForNoise) {
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
-    decision::doubtPicture(tasks, 1.5);
+    decision::doubtPicture(tasks, {{1.0, 1.05}}, 1.0);
     EXPECT_TRUE(tasks[1].findings.empty());
-    decision::doubtPicture(tasks, 3.0);
+    decision::doubtPicture(tasks, {{1.0, 1.2}, {0.5, 4.0}}, 1.0);
     EXPECT_EQ(findingIds(tasks[1]), Ids{"dof.picture-differs"});
 }
 
-TEST(DoubtPicture, IsContentWithHighlightsAsSeenFromTheEye) {
+TEST(DoubtPicture, WantsTheApertureThatTheAnswersShow) {
+    const std::vector<decision::Misfit> half{{1.0, 5.0}, {0.5, 0.7}};
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
-    tasks[0].findings.push_back({});
-    tasks[0].findings[0].id = "shadow.view-from-eye";
-    decision::doubtPicture(tasks, 70.0);
-    EXPECT_FALSE(tasks[1].needsReview);
+    decision::doubtPicture(tasks, half, 0.5);
+    decision::doubtPicture(tasks, half, std::nullopt);
+    EXPECT_TRUE(tasks[1].findings.empty());
+    decision::doubtPicture(tasks, half, 1.0);
+    ASSERT_EQ(findingIds(tasks[1]), Ids{"dof.picture-differs"});
+    EXPECT_NE(tasks[1].findings[0].message.find("half-width 0.2 in small pictures, the picture of "
+                                                "the handout's scene has the blur of 0.1"),
+              std::string::npos);
+    EXPECT_TRUE(tasks[1].needsReview);
+}
+
+TEST(DoubtPicture, IsContentWithHighlightsAsSeenFromTheEyeAndWithAntialiasing) {
+    for (const char* id : {"shadow.view-from-eye", "dof.antialiased"}) {
+        std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
+        tasks[0].findings.push_back({});
+        tasks[0].findings[0].id = id;
+        decision::doubtPicture(tasks, {{1.0, 70.0}}, std::nullopt);
+        EXPECT_FALSE(tasks[1].needsReview) << id;
+        decision::doubtPicture(tasks, {}, std::nullopt);
+        EXPECT_TRUE(tasks[1].needsReview) << "no picture came";
+    }
 }
 
 }  // namespace
