@@ -118,6 +118,16 @@ TEST(DoubtPicture, WantsTheApertureThatTheAnswersShow) {
     EXPECT_TRUE(tasks[1].needsReview);
 }
 
+TEST(DoubtPicture, AllowsMoreToOnePatternForAllPixels) {
+    std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
+    tasks[1].findings.push_back({});
+    tasks[1].findings[0].id = "dof.reused-pattern";
+    decision::doubtPicture(tasks, {{1.0, 1.5}}, 1.0);
+    EXPECT_FALSE(tasks[1].needsReview);
+    decision::doubtPicture(tasks, {{1.0, 2.1}}, 1.0);
+    EXPECT_TRUE(tasks[1].needsReview);
+}
+
 TEST(DoubtPicture, IsContentWithHighlightsAsSeenFromTheEyeAndWithAntialiasing) {
     for (const char* id : {"shadow.view-from-eye", "dof.antialiased"}) {
         std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
