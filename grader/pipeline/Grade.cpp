@@ -1,5 +1,6 @@
 #include <grader/pipeline/Grade.h>
 
+#include <grader/decision/bump/BumpPicture.h>
 #include <grader/decision/bump/JudgeBump.h>
 #include <grader/decision/distributed/JudgeDistributed.h>
 #include <grader/decision/distributed/PictureDoubt.h>
@@ -58,6 +59,14 @@ std::optional<double> judge(FileWork& work, SourceFile file, Questioning& questi
     return lens.apertureFactor;
 }
 
+void doubt(std::vector<TaskReport>& tasks, bool isT1, const Gallery& rendered,
+           const std::optional<double>& aperture) {
+    if (isT1)
+        decision::doubtBumps(tasks.at(0), rendered.bumpMisfit);
+    else
+        decision::doubtPicture(tasks, rendered.misfits, aperture);
+}
+
 bool isBlocked(const TaskReport& task) {
     return task.state == TaskState::blocked;
 }
@@ -114,8 +123,7 @@ public:
             const bool isUsable = std::ranges::none_of(work.tasks, isBlocked);
             if (isUsable) {
                 Gallery rendered = gallery.get();
-                if (!isT1 && !grader_.scenes.empty())
-                    decision::doubtPicture(work.tasks, rendered.misfits, aperture);
+                if (!grader_.scenes.empty()) doubt(work.tasks, isT1, rendered, aperture);
                 judged.renders = std::move(rendered).moveTo(result);
             }
             gallery = {};

@@ -1,5 +1,6 @@
 #include <grader/pipeline/SpecScenes.h>
 
+#include <grader/decision/bump/BumpPicture.h>
 #include <grader/metrics/Colours.h>
 #include <grader/metrics/Compare.h>
 #include <grader/picture/EncodePicture.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 namespace ticker::pipeline {
@@ -110,6 +112,20 @@ void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnsw
     gallery.scores.push_back(std::move(render));
 }
 
+/// The largest misfit of option 1's pictures; empty where one did not come.
+/// @param answers  To what was asked beside the pictures, in the same order.
+std::optional<double> worstMisfit(const std::vector<decision::BumpPicture>& plans,
+                                  const std::vector<std::optional<raytracer::ByteImage>>& pictures,
+                                  std::span<const probe::Answer> answers) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        if (!pictures[i]) return std::nullopt;
+        const auto& answer = std::get<probe::NormalAnswer>(answers[i]);
+        worst = std::max(worst, decision::bumpMisfit(plans[i], answer, pictures[i]->rgb));
+    }
+    return worst;
+}
+
 }  // namespace
 
 std::vector<decision::Misfit> misfitsOf(const SpecScene& scene, const probe::RenderAnswer& answer) {
@@ -177,14 +193,24 @@ Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
     }
     Gallery gallery;
     if (questions.empty()) return gallery;
+    std::vector<decision::BumpPicture> bumps;
+    for (const SpecScene* scene : asked)
+        if (isT1) {
+            bumps.push_back(decision::planBumpPicture(scene->scene, scene->settings));
+            questions.emplace_back(bumps.back().question);
+        }
     const probe::Sitting sitting = examinee.ask(questions);
+    std::vector<std::optional<raytracer::ByteImage>> pictures;
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const auto& answer = std::get<probe::RenderAnswer>(sitting.answers.at(i));
-        std::optional<raytracer::ByteImage> picture = pictureFrom(answer);
-        if (!picture) continue;
-        addRender(gallery, *asked[i], answer, *picture);
-        gallery.rendered.push_back({asked[i]->name, *std::move(picture)});
+        pictures.push_back(pictureFrom(answer));
+        if (pictures[i]) addRender(gallery, *asked[i], answer, *pictures[i]);
     }
+    if (isT1)
+        gallery.bumpMisfit =
+            worstMisfit(bumps, pictures, std::span(sitting.answers).subspan(pictures.size()));
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        if (pictures[i]) gallery.rendered.push_back({asked[i]->name, *std::move(pictures[i])});
     return gallery;
 }
 

@@ -67,13 +67,16 @@ struct Gallery {
     /// Of option 2's scene, beside each expectation that was tried. Empty where the picture did not
     /// come.
     std::vector<decision::Misfit> misfits;
+    /// Of option 1's scenes: the largest `decision::bumpMisfit`. Empty where a picture did not come.
+    std::optional<double> bumpMisfit;
 
     /// Puts scores and pictures into the result. @return  What was rendered.
     std::vector<Rendered> moveTo(SubmissionResult& result) &&;
 };
 
 /// Asks the submission for the pictures of its option. One that did not come is left out. They
-/// fail nobody; a misfit may ask for a person (see decision/distributed/PictureDoubt.h).
+/// fail nobody; a misfit may ask for a person (see decision/distributed/PictureDoubt.h and
+/// decision/bump/BumpPicture.h).
 [[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
                                        probe::Examinee& examinee);
 

@@ -2,6 +2,8 @@
 
 #include <raytracer/base/Error.h>
 
+#include <cmath>
+
 namespace ticker::probe {
 namespace {
 
@@ -27,6 +29,15 @@ raytracer::HeightMap HeightMapDescription::build() const {
         for (const double column : columns)
             heights.push_back(column + row);
     return {width, height, std::move(heights)};
+}
+
+HeightMapDescription describe(const raytracer::HeightMap& map) {
+    HeightMapDescription told{map.width(), map.height(), {}, {}, {}};
+    for (int row = 0; row < map.height(); ++row)
+        for (int column = 0; column < map.width(); ++column)
+            told.bytes.push_back(static_cast<std::uint8_t>(
+                std::lround(map.at(column, row) * 255.0 / raytracer::kBumpFactor)));
+    return told;
 }
 
 }  // namespace ticker::probe

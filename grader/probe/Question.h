@@ -30,12 +30,19 @@ struct HeightMapDescription {
     [[nodiscard]] raytracer::HeightMap build() const;
 };
 
-/// Asks `BumpySphere::getNormalAt` at some points of one sphere.
+/// A picture's map, told as bytes: heights are rounded to them.
+[[nodiscard]] HeightMapDescription describe(const raytracer::HeightMap& map);
+
+/// Asks `BumpySphere::getNormalAt` at some points of one sphere, which stands in a scene like any
+/// other: nothing tells it from the sphere of a picture.
 struct NormalQuestion {
     Vector3 centre;
     double radius = 1.0;
+    raytracer::Material material;
     HeightMapDescription map;
-    std::vector<Vector3> positions;  ///< on the sphere, world space
+    raytracer::SceneDescription company;  ///< the rest of the scene; the sphere comes last of its
+                                          ///< spheres
+    std::vector<Vector3> positions;       ///< on the sphere, world space
 };
 
 /// A point to be lit: arguments of `Renderer::illuminate`.

@@ -4,7 +4,6 @@
 #include <grader/probe/EventLog.h>
 
 #include <raytracer/base/Error.h>
-#include <raytracer/geometry/BumpySphere.h>
 #include <raytracer/math/Random.h>
 #include <raytracer/render/Renderer.h>
 #include <raytracer/scene/Scene.h>
@@ -13,9 +12,9 @@
 #include <cstring>
 #include <deque>
 #include <memory>
-#include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace ticker::probe {
 namespace {
@@ -80,20 +79,35 @@ private:
     std::uint64_t unwanted_ = 0;
 };
 
-/// A question's sphere. Its address is not used again within a sitting, just as in a render, so
-/// that what a submission keeps for each object or map stays true; the heights are freed.
-struct Stand {
-    std::optional<raytracer::HeightMap> map;
-    std::optional<raytracer::BumpySphere> sphere;
+raytracer::SceneDescription withSphere(const NormalQuestion& question,
+                                       std::shared_ptr<const raytracer::HeightMap> map) {
+    raytracer::SceneDescription scene = question.company;
+    scene.spheres.push_back({question.centre, question.radius, question.material, std::move(map)});
+    return scene;
+}
 
-    explicit Stand(const NormalQuestion& question) : map(question.map.build()) {
-        const std::shared_ptr<const raytracer::HeightMap> unowned{std::shared_ptr<void>{}, &*map};
-        sphere.emplace(question.centre, question.radius, raytracer::Material{}, unowned);
+/// A question's sphere in a scene of its own, made as a render's scene is. No address is used again
+/// within a sitting, just as in a render, so that what a submission keeps for each object or map
+/// stays true; the heights are freed.
+class Stand {
+public:
+    explicit Stand(const NormalQuestion& question)
+        : map_(std::make_shared<raytracer::HeightMap>(question.map.build())),
+          scene_(withSphere(question, map_)),
+          sphere_(question.company.spheres.size()) {}
+
+    [[nodiscard]] const raytracer::SceneObject& sphere() const {
+        return *scene_.objects()[sphere_];
     }
-    void clear() {
-        sphere.reset();
-        map.reset();
+    void freeHeights() {
+        constexpr int kSide = raytracer::HeightMap::kSmallestSide;
+        *map_ = {kSide, kSide, std::vector<double>(std::size_t{kSide} * kSide)};
     }
+
+private:
+    std::shared_ptr<raytracer::HeightMap> map_;
+    raytracer::Scene scene_;
+    std::size_t sphere_;
 };
 using Stands = std::deque<Stand>;
 
@@ -106,9 +120,9 @@ struct Reply {
         for (std::size_t i = 0; i < question.positions.size(); ++i) {
             raytracer::seedRandom(i);
             sheet.attempt(
-                [&] { sheet.write(i, stand.sphere->getNormalAt(question.positions[i])); });
+                [&] { sheet.write(i, stand.sphere().getNormalAt(question.positions[i])); });
         }
-        stand.clear();
+        stand.freeHeights();
     }
 
     void operator()(const IlluminateQuestion& question) const {

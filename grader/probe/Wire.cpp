@@ -21,7 +21,7 @@ using raytracer::SceneDescription;
 using raytracer::SphereDescription;
 
 constexpr std::uint32_t kMagic = 0x544B5051;  // "TKPQ"
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr int kLargestMapSide = 16384;  // as the picture reader: raytracer/io/ImageReader.h
 constexpr int kLargestFrame = 4096;
 constexpr int kMostRepetitions = 4096;
@@ -173,6 +173,8 @@ struct Put {
         check(question);
         writer.put(question.centre);
         writer.put(question.radius);
+        writer.put(question.material);
+        putScene(writer, question.company);
         writer.put(question.map.width);
         writer.put(question.map.height);
         writer.putAll(question.map.bytes);
@@ -200,6 +202,8 @@ NormalQuestion getNormalQuestion(ByteReader& reader) {
     NormalQuestion question;
     question.centre = reader.get<Vector3>();
     question.radius = reader.get<double>();
+    question.material = reader.get<Material>();
+    question.company = getScene(reader);
     question.map.width = reader.get<int>();
     question.map.height = reader.get<int>();
     question.map.bytes = reader.getAll<std::uint8_t>();

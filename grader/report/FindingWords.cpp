@@ -21,6 +21,7 @@ constexpr std::array kWords = std::to_array<Words>({
     {"bump.inverted-v", "inverted the bumps along v"},
     {"bump.upside-down", "laid the map upside down"},
     {"bump.wrong", "tilted normals in no known way"},
+    {"bump.picture-differs", "rendered another picture than the bumps that were answered"},
     {"bump.mirrored", "laid the map mirrored"},
     {"shadow.hard", "cast hard shadows"},
     {"shadow.too-few-rays", "cast too few shadow rays"},

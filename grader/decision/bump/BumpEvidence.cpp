@@ -85,6 +85,9 @@ Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examina
         evidence.emplace_back("finenessAlongU", examination.fineness->u);
         evidence.emplace_back("finenessAlongV", examination.fineness->v);
     }
+    evidence.emplace_back("steepOverGentleSlopes", static_cast<double>(ProportionPlan::kTimes));
+    evidence.emplace_back("steepOverGentleTilts", examination.proportion.growth);
+    if (examination.edges) evidence.emplace_back("seamOverElsewhere", examination.edges->seam);
     if (examination.ramps().fit) addLanding(evidence, *examination.ramps().fit);
     addOffence(evidence, "exception", examination.conduct.threw);
     addOffence(evidence, "notFinite", examination.conduct.notFinite);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 
 namespace ticker::decision::bump {
@@ -66,6 +67,7 @@ RampTilts meanOf(const Points& points, const Vector3& place) {
 CoarsePlan planCoarse(Draws& draws, const Ball& ball) {
     constexpr int kPlaces = 400;
     CoarsePlan plan;
+    plan.questionnaire = Questionnaire(static_cast<std::uint64_t>(draws.integer(0, 1 << 30)));
     plan.places = draws.directions(kPlaces);
     std::vector<Vector3> points;
     for (const Vector3& place : plan.places)

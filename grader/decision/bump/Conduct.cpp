@@ -178,7 +178,7 @@ double middleChange(const std::vector<Vector3>& normals) {
 Place ConductPlan::placeOf(std::size_t question) const {
     if (question == visibleMeridian) return Place::visibleMeridian;
     if (question == hiddenMeridian) return Place::hiddenMeridian;
-    if (question == smallMap || question == lastRows) return Place::rough;
+    if (question == smallMap || question == lastRows || question == steep) return Place::rough;
     if (question == nearestPoint) return Place::nearestPoint;
     if (question == poles) return Place::pole;
     if (question == tinyMap) return Place::tinyMap;

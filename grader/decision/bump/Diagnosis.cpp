@@ -42,6 +42,18 @@ bool tiltsWithoutSlope(const Examination& examination) {
     return examination.ladder.flatTilt > kFlatTilt;
 }
 
+/// Any strength is right that leaves something of the normal: on these ramps a strength of 20 tilts
+/// by 0.001.
+bool liesFlat(const Examination& examination) {
+    constexpr double kFlat = 1e3;
+    const RampStrength& strength = examination.ramps().strength;
+    return std::max(strength.alongU, strength.alongV) > kFlat;
+}
+
+bool growsWithSlope(const Examination& examination) {
+    return examination.ladder.growsWithSlope && examination.proportion.good();
+}
+
 std::optional<WrongReason> reasonOf(RampKind kind) {
     switch (kind) {
         case RampKind::silent:
@@ -122,10 +134,11 @@ std::optional<WrongReason> findWrong(const Examination& examination) {
     if (examination.mapIgnored) return WrongReason::mapIgnored;
     const Offence& inward = examination.conduct.inward;
     const RampKind kind = examination.ramps().kind;
+    if (liesFlat(examination)) return WrongReason::normalMissing;
     // Wrong tangents tip a normal over here and there; then they are what is wrong.
     if (inward.count > 0.5 * inward.asked) return WrongReason::inward;
     if (tiltsWithoutSlope(examination)) return WrongReason::flatTilted;
-    if (kind == RampKind::strangeLanding && !examination.ladder.growsWithSlope)
+    if (kind == RampKind::strangeLanding && !growsWithSlope(examination))
         return WrongReason::doesNotGrow;
     if (const auto reason = reasonOf(kind)) return reason;
     if (!hasSenses(kind)) return std::nullopt;
@@ -135,7 +148,8 @@ std::optional<WrongReason> findWrong(const Examination& examination) {
     // Tangents of the texel's corner tip a very strong tilt over at the seam's step.
     constexpr double kSomeInward = 0.01;
     if (inward.count > kSomeInward * inward.asked) return WrongReason::inward;
-    if (!examination.ladder.growsWithSlope) return WrongReason::doesNotGrow;
+    if (!growsWithSlope(examination)) return WrongReason::doesNotGrow;
+    if (examination.edges && !examination.edges->goodSeam()) return WrongReason::wallAtSeam;
     if (examination.fineness && !examination.fineness->good())
         return WrongReason::coordinatesRounded;
     if (!examination.letters || !examination.letters->good()) return WrongReason::lettersDiffer;

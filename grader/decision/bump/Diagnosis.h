@@ -33,8 +33,9 @@ enum class Fault {
 
 /// Why a submission is wrong that fits no name: the first that applies.
 enum class WrongReason {
-    chance,      ///< the same point of the same map gets another normal each time
-    mapIgnored,  ///< another map gives the same normals
+    chance,         ///< the same point of the same map gets another normal each time
+    mapIgnored,     ///< another map gives the same normals
+    normalMissing,  ///< a gentle slope lays the normal flat into the surface
     inward,
     flatTilted,
     slopeUIgnored,
@@ -48,6 +49,7 @@ enum class WrongReason {
     steepDiffers,   ///< on a ramp from black to white
     regionsDiffer,  ///< in some rows or columns of a large map
     slopesDiffer,
+    wallAtSeam,          ///< heights that the map does not have, beyond its last column
     coordinatesRounded,  ///< u or v, coarsely
     lettersDiffer
 };

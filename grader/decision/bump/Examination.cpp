@@ -62,6 +62,7 @@ MainPlan planMain(std::uint64_t seed) {
     constexpr int kPoints = 1000;
     Draws draws(seed);
     MainPlan plan;
+    plan.questionnaire = Questionnaire(seed);
     const Ball ball = drawBall(draws, 1.0);
     const std::vector<Vector3> directions = draws.directions(kPoints);
     plan.regions = planRegions(plan.questionnaire, draws, ball, directions);
@@ -70,6 +71,9 @@ MainPlan planMain(std::uint64_t seed) {
     plan.letters = planLetters(plan.questionnaire, draws);
     plan.conduct = planConduct(plan.questionnaire, draws);
     plan.fineness = planFineness(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.proportion = planProportion(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.conduct.steep = plan.proportion.steep;
+    plan.edges = planEdges(plan.questionnaire, draws, drawBall(draws, -1.0));
     return plan;
 }
 
@@ -84,6 +88,7 @@ HintPlan planHints(std::uint64_t seed) {
     constexpr double kBase = 2.0;
     Draws draws(seed + 0x5151U);
     HintPlan plan;
+    plan.questionnaire = Questionnaire(seed + 0x5151U);
     const int side = draws.integer(380, 430);
     const std::vector<Vector3> directions = draws.directions(kPoints);
     const auto ask = [&](const Ball& ball, double rise) {
@@ -120,11 +125,13 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     // What ramps of fractions showed is rounding then.
     if (coarse && tellsMore(*coarse, examination.ramps()))
         examination.ladder = {*coarse, examination.ladder.flatTilt};
+    examination.proportion = readProportion(plan.proportion, answers);
     const RampJudgement& ramps = examination.ramps();
     if (!ramps.response) return examination;
     const Landing& landing = ramps.fit->landing;
     examination.regions = readRegions(plan.regions, answers, ramps);
     examination.slopes = readSlopes(plan.slopes, answers, landing, *ramps.response);
+    examination.edges = readEdges(plan.edges, answers, landing);
     examination.letters = readLetters(plan.letters, answers, landing, *ramps.response);
     examination.fineness = readFineness(plan.fineness, answers, ramps);
     return examination;

@@ -5,6 +5,8 @@
 #include <grader/decision/bump/Conduct.h>
 #include <grader/decision/bump/Fineness.h>
 #include <grader/decision/bump/Letters.h>
+#include <grader/decision/bump/MapEdges.h>
+#include <grader/decision/bump/Proportion.h>
 #include <grader/decision/bump/RampLadder.h>
 #include <grader/decision/bump/Regions.h>
 #include <grader/decision/bump/Slopes.h>
@@ -22,6 +24,8 @@ struct MainPlan {
     RegionPlan regions;  ///< first, at the ladder's points, so that what remembers a map shows
     RampLadder ladder;
     SlopePlan slopes;
+    ProportionPlan proportion;
+    EdgePlan edges;
     LetterPlan letters;
     ConductPlan conduct;
     FinenessPlan fineness;
@@ -51,8 +55,10 @@ struct Examination {
     Conduct conduct;
     bool mapIgnored = false;  ///< two maps on the same sphere gave the same tilts
     LadderJudgement ladder;
+    Proportion proportion;
     std::optional<RegionAgreement> regions;  ///< where the map's place is known, as are the next
     std::optional<SlopeAgreement> slopes;
+    std::optional<MapEdges> edges;
     std::optional<LetterReading> letters;
     std::optional<Fineness> fineness;
 

@@ -49,8 +49,8 @@ inline constexpr double kSenseTolerance = 15.0 * std::numbers::pi / 180.0;
     return std::abs(std::remainder(angle - target, 2.0 * std::numbers::pi)) <= kSenseTolerance;
 }
 
-/// Degrees by which tangents that are turned about the axis explain the tilts; 0 where none do.
-[[nodiscard]] double findTangentTurn(const Replies& replies, const Landing& landing);
+/// Which tangents explain the tilts: those of another longitude, or of angles in degrees.
+void explainTangents(const Replies& replies, const Landing& landing, Response& response);
 
 }  // namespace ticker::decision::bump
 

@@ -150,10 +150,20 @@ double strengthRatio(std::vector<Reply> replies) {
     return most > 0.0 ? most / std::max(least, 1e-9) : 1.0;
 }
 
+void noteDead(const Vector3& at, AxisResponse& axis) {
+    const bool first = axis.deadAt == Vector3{};
+    const auto least = [](const Vector3& a, const Vector3& b) {
+        return Vector3{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+    };
+    axis.deadFrom = first ? at : least(axis.deadFrom, at);
+    axis.deadTo = first ? at : -least(-axis.deadTo, -at);
+    axis.deadAt = at;
+}
+
 void findWorst(const std::vector<Reply>& replies, double deadLength, AxisResponse& axis) {
     for (const Reply& reply : replies) {
         if (!(reply.tilt.magnitude() > deadLength)) {
-            axis.deadAt = reply.direction;
+            noteDead(reply.direction, axis);
             continue;
         }
         const double angle = reply.angle() * kDegrees;
@@ -211,7 +221,7 @@ Response measureResponse(const std::vector<RampTilts>& tilts, const Landing& lan
     const auto v = matrixRow(replies.onV);
     response.matrix = {{{u[0], u[1]}, {v[1], v[0]}}};
     if (response.u.sense == Sense::mixed || response.v.sense == Sense::mixed)
-        response.tangentTurn = findTangentTurn(replies, landing);
+        explainTangents(replies, landing, response);
     return response;
 }
 

@@ -42,6 +42,8 @@ struct AxisResponse {
     std::array<double, kBands> bandDirection{};  ///< degrees, -180 to 180
     std::array<double, kBands> bandStrength{};   ///< middle length of the tilt
     Vector3 deadAt;                              ///< a point that is not tilted
+    Vector3 deadFrom;                            ///< least components of such points
+    Vector3 deadTo;                              ///< and largest
     Vector3 worst;                               ///< where the direction is farthest from right
     double worstDirection = 0.0;                 ///< degrees
 
@@ -60,6 +62,7 @@ struct Response {
     /// Degrees by which the tangents seem to be turned about the axis; 0 where no such turn
     /// explains the tilts.
     double tangentTurn = 0.0;
+    bool tangentsInDegrees = false;  ///< sines and cosines of degrees explain the tilts
 
     /// The direction or the strength of the tilt changes round the sphere.
     [[nodiscard]] bool dependsOnLongitude() const;

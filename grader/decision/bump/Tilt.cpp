@@ -9,6 +9,43 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
+raytracer::ColourRGB drawColour(Draws& draws) {
+    return {draws.uniform(0.05, 1.0), draws.uniform(0.05, 1.0), draws.uniform(0.05, 1.0)};
+}
+
+Vector3 drawPlace(Draws& draws) {
+    return {draws.uniform(-5.0, 5.0), draws.uniform(-3.0, 3.0), draws.uniform(-2.0, 12.0)};
+}
+
+raytracer::Material drawMaterial(Draws& draws) {
+    raytracer::Material material;
+    material.colour = drawColour(draws);
+    // As in most scene files, which leave the rest at its defaults.
+    if (draws.integer(0, 1) == 0) return material;
+    material.phongKD = draws.uniform(0.3, 1.0);
+    material.phongKS = draws.uniform(0.0, 1.5);
+    material.phongAlpha = draws.uniform(2.0, 40.0);
+    material.reflectivity = draws.uniform(0.0, 0.6);
+    return material;
+}
+
+/// Lights as in the handout's scenes and, at times, other objects.
+raytracer::SceneDescription drawCompany(Draws& draws) {
+    raytracer::SceneDescription scene;
+    scene.ambientLighting = drawColour(draws) * 0.1;
+    for (int i = draws.integer(1, 3); i > 0; --i) {
+        const Vector3 place = drawPlace(draws);
+        scene.pointLights.emplace_back(place, drawColour(draws), 100.0);
+    }
+    for (int i = draws.integer(0, 2); i > 0; --i) {
+        const Vector3 place = drawPlace(draws);
+        scene.spheres.push_back({place, draws.uniform(0.2, 1.0), drawMaterial(draws), nullptr});
+    }
+    if (draws.integer(0, 2) == 0)
+        scene.planes.push_back({{0.0, -4.0, 0.0}, {0.0, 1.0, 0.0}, drawMaterial(draws)});
+    return scene;
+}
+
 }  // namespace
 
 probe::HeightMapDescription flatMap(int width, int height, double level) {
@@ -24,6 +61,8 @@ std::size_t Questionnaire::add(const Ball& ball, probe::HeightMapDescription map
     probe::NormalQuestion question;
     question.centre = ball.centre;
     question.radius = ball.radius;
+    question.material = drawMaterial(draws_);
+    question.company = drawCompany(draws_);
     question.map = std::move(map);
     question.positions.reserve(directions.size());
     for (const Vector3& direction : directions)

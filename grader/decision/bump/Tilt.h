@@ -1,6 +1,7 @@
 #ifndef TICKER_DECISION_BUMP_TILT_H
 #define TICKER_DECISION_BUMP_TILT_H
 
+#include <grader/decision/bump/Draws.h>
 #include <grader/probe/Examinee.h>
 #include <questions/BumpQuestions.h>
 
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ticker::decision::bump {
@@ -37,6 +39,11 @@ using raytracer::questions::tiltOf;
 /// Collects the questions of one sitting; a question's number finds its answer later.
 class Questionnaire {
 public:
+    /// @param seed  Draws the spheres' materials and what else is in their scenes: a submission
+    /// must
+    ///              not be able to tell a question's sphere from a picture's.
+    explicit Questionnaire(std::uint64_t seed = 0) : draws_(seed + 0xFACADEU) {}
+
     /// Asks for the normals of `ball` at the points that lie in `directions`.
     std::size_t add(const Ball& ball, probe::HeightMapDescription map,
                     const std::vector<Vector3>& directions);
@@ -45,6 +52,7 @@ public:
     [[nodiscard]] const probe::NormalQuestion& question(std::size_t number) const;
 
 private:
+    Draws draws_;
     std::vector<probe::Question> questions_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <grader/decision/bump/BumpEvidence.h>
 #include <grader/decision/bump/Phrases.h>
+#include <grader/decision/bump/SignWords.h>
 #include <grader/decision/bump/WrongWords.h>
 
 #include <fmt/format.h>
@@ -26,11 +27,12 @@ Words threwWords(const Offence& offence) {
             "value beyond 1 (divide by the radius, or normalise, first).";
     else if (lookUp)
         words.hint =
-            "Look at the line that turns (u, v) into a column and a row, and at the texels "
-            "to the right and below: columns end at width() - 1 and rows at height() - 1. "
-            "Let columns go round (modulo the width), and let rows stop at the edge. A size that "
-            "is written in as a number, or remembered from another map (a static variable), leads "
-            "outside as well: maps differ in size.";
+            "Look at the line that turns (u, v) into a column and a row, and at the neighbours: "
+            "columns end at width() - 1 and rows at height() - 1. Let columns go round with "
+            "(column + 1) % width() to the right and (column - 1 + width()) % width() to the left "
+            "(-1 % width() stays -1), and let rows stop at the edge. A size that is written in as "
+            "a number, or remembered from another map (a static variable), leads outside as well: "
+            "maps differ in size.";
     else
         words.hint = "An exception came out of getNormalAt. A render would end there.";
     return words;
@@ -42,7 +44,7 @@ Words notFiniteWords(const Offence& offence) {
                         pointsOf(offence), firstAt(offence)),
             "Look for an acos or asin of a value beyond 1 (divide by the radius, or normalise, "
             "first), a division by a slope or a sine that can be zero, and a vector of length zero "
-            "that is normalised.",
+            "that is normalised, such as a sum without n where the map is level.",
             "Option 1: What to do, steps 1 and 4"};
 }
 
@@ -76,8 +78,8 @@ Words longitudeWords(const Examination& examination) {
                           std::abs(turn));
     words.hint =
         "Pu and Pv must come from the same angles, with the same axis and the same origin, as the "
-        "(u, v) that you look up: differentiate your own F(u, v), Equation (2), at the point's own "
-        "longitude and polar angle.";
+        "(u, v) that you look up: write the point with your own longitude and polar angle, and "
+        "differentiate that.";
     words.section = "Option 1: What to do, step 2";
     return words;
 }
@@ -94,67 +96,18 @@ Words swappedWords(const Examination& examination, const std::optional<Hints>& h
     return {
         "The axes are exchanged: a slope along u tilts the normal along v, and a slope along v "
         "tilts it along u.",
-        "In Equation (1) Bu goes with n x Pv, which is a vector along Pu, and Bv with n x Pu. "
-        "Written without cross products Bu goes with Pu and Bv with Pv.",
-        "Option 1: The sign trap"};
+        "Bu goes with Pu and Bv with Pv, Equation (1); with cross products Bu goes with n x Pv and "
+        "Bv with n x Pu. Where these pairs are right by name, the tangents themselves are "
+        "exchanged: Pu is the derivative by the angle that chooses the column, along the circle of "
+        "latitude, and Pv that by the angle that chooses the row, along the meridian.",
+        "Option 1: The sign trap; What to do, step 2"};
 }
 
-constexpr const char* kOneSign =
-    " Equation (1), taken literally with both slopes measured the same way, inverts exactly one "
-    "axis.";
-
-Words invertedWords() {
-    return {
-        "The bumps are inverted along both axes: bright texels are lowered and dark ones "
-        "raised, so that H sinks and L stands out.",
-        "Both signs are wrong. Measure both slopes the other way (the neighbour minus this "
-        "texel), or change both signs where you tilt the normal, not both of these: a surface "
-        "that rises along a tangent leans back against it.",
-        "Option 1: Test it"};
-}
-
-/// What an inverted axis is called, and which of a letter's edges show it.
-struct AxisNames {
-    const char* axis;
-    const char* other;
-    const char* rise;
-    const char* wrongEdges;
-    const char* rightEdges;
-};
-constexpr AxisNames kAxisU{"u", "v", "to the right", "left and right", "upper and lower"};
-constexpr AxisNames kAxisV{"v", "u", "downwards", "upper and lower", "left and right"};
-
-Words invertedAxisWords(const AxisNames& names) {
-    return {
-        fmt::format("Along {0} the bumps are inverted: where the map gets brighter {2}, the "
-                    "normal leans that way instead of back against it. Along {1} it is right. So "
-                    "the {3} edges of an H look lowered, and its {4} edges raised.",
-                    names.axis, names.other, names.rise, names.wrongEdges, names.rightEdges),
-        fmt::format("One sign is wrong: either in the difference that makes B{0}, or before the "
-                    "term with B{0}. Change one of the two, and leave B{1} alone.{2}",
-                    names.axis, names.other, kOneSign),
-        "Option 1: The sign trap; What to do, step 3"};
-}
-
-Words upsideDownWords() {
-    return {
-        "The map stands on its head: its top row lies at the bottom of the sphere. Bumps and "
-        "hollows are right.",
-        "Row 0 is the top of the picture: v must be 0 at the top of the sphere (the largest y) "
-        "and 1 at the bottom.",
-        "Option 1: What to do, step 1"};
-}
-
-/// What is said of a sign while the map stands on its head, too: turned round, it may be right.
-Words signOnItsHeadWords(Words sign) {
-    const Words place = upsideDownWords();
-    sign.message +=
-        " The map stands on its head as well: its top row lies at the bottom of the "
-        "sphere.";
-    sign.hint = "Turn the map round first, and check again. " + place.hint +
-                " That may mend the sign, too; if it does not: " + sign.hint;
-    sign.section = "Option 1: What to do, steps 1 to 3; The sign trap";
-    return sign;
+/// What the points that were answered show is worth as much as the exception.
+void addNext(Words& words, const Words& next) {
+    words.message += " Where it answers, another mistake shows: " + next.message;
+    words.hint += " Then: " + next.hint;
+    words.section += "; " + next.section.substr(next.section.find(": ") + 2);
 }
 
 bool isSign(Fault fault) {
@@ -178,9 +131,9 @@ Words wordsFor(Fault fault, const Examination& examination, const std::optional<
         case Fault::inverted:
             return invertedWords();
         case Fault::invertedU:
-            return invertedAxisWords(kAxisU);
+            return invertedUWords();
         case Fault::invertedV:
-            return invertedAxisWords(kAxisV);
+            return invertedVWords();
         case Fault::upsideDown:
             return upsideDownWords();
         case Fault::wrong:
@@ -206,11 +159,26 @@ Finding mirroredNote() {
          "Let u grow to the right as seen from outside.", "Option 1: What to do, step 1"});
 }
 
+Finding endRowsWarning(const MapEdges& edges) {
+    return note(
+        "bump.wrong", Severity::warn,
+        {fmt::format(
+             "In the map's first or last row the normal tilts {} times as far as anywhere "
+             "else, on a map of a gentle wave: what lies beyond that row counts as a height "
+             "that the map does not have.",
+             edges.endRows < 100.0 ? fmt::format("{:.0f}", edges.endRows) : "over 100"),
+         "Below the last row there is nothing, so it is level downwards: take "
+         "std::min(row + 1, height() - 1) as its neighbour.",
+         "Option 1: What to do, step 3"});
+}
+
 }  // namespace
 
 Finding describe(const std::vector<Fault>& faults, const Examination& examination,
                  const std::optional<Hints>& hints) {
     Words words = wordsFor(faults.front(), examination, hints);
+    if (faults.front() == Fault::threw && faults.size() > 1)
+        addNext(words, wordsFor(faults[1], examination, hints));
     if (isSign(faults.front()) && standsOnItsHead(examination))
         words = signOnItsHeadWords(std::move(words));
     Finding finding = note(idOf(faults.front()), Severity::fail, std::move(words));
@@ -228,6 +196,8 @@ std::vector<Finding> sideNotes(const Examination& examination) {
             note("bump.not-finite", Severity::warn, notFiniteWords(conduct.notFiniteHidden)));
     if (conduct.notUnitHidden)
         notes.push_back(note("bump.not-unit", Severity::warn, notUnitWords(conduct.notUnitHidden)));
+    if (examination.edges && examination.edges->goodSeam() && !examination.edges->goodEndRows())
+        notes.push_back(endRowsWarning(*examination.edges));
     // What reads from right to left on its head may do so from left to right on its feet, and what
     // is seen from inside says nothing.
     const bool placed = examination.ramps().response.has_value() && !standsOnItsHead(examination) &&

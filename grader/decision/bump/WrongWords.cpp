@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -40,13 +41,41 @@ Words smallSlopesWords() {
             "Option 1: What to do, step 3"};
 }
 
-Words growthWords() {
+Words growthWords(const Examination& examination) {
+    const std::string seen =
+        examination.ladder.growsWithSlope
+            ? fmt::format(
+                  "Slopes that are {} times as steep tilt the normal only {:.2g} times as "
+                  "far (median): gentle bumps look as steep as strong ones.",
+                  ProportionPlan::kTimes, std::max(0.0, examination.proportion.growth))
+            : "A slope that is 50 times as steep tilts the normal hardly more.";
+    return {seen,
+            "Bu and Bv are differences of heights as they are: do not normalise them, do not cut "
+            "them off (clamp, min, max), and put no tanh or root over them. Only the sum of "
+            "Equation (1) is normalised.",
+            "Option 1: Theory"};
+}
+
+Words normalMissingWords() {
     return {
-        "A slope that is 50 times as steep tilts the normal hardly more: a bigger bump should "
-        "give a larger coefficient.",
-        "Do not normalise the slopes, and do not cut them off: only the sum of Equation (1) is "
-        "normalised.",
-        "Option 1: Theory"};
+        "Wherever the map slopes at all, the normal lies flat in the surface: however gentle "
+        "the slope is, the normal turns by 90 degrees.",
+        "n is missing from the sum, or hardly counts in it: return n - Bu Pu - Bv Pv, "
+        "normalised, Equation (1), with a unit vector n and slopes that no large factor "
+        "multiplies.",
+        "Option 1: Theory; What to do, step 4"};
+}
+
+Words seamWords(const MapEdges& edges) {
+    return {
+        fmt::format("On a map of a gentle wave that closes round the sphere the normal tilts {} "
+                    "times as far at the seam, where the last column meets the first, as "
+                    "anywhere else: a line runs down the sphere there.",
+                    edges.seam < 100.0 ? fmt::format("{:.0f}", edges.seam) : "over 100"),
+        "Columns go round the sphere: to the right of the last one lies column 0, "
+        "(column + 1) % width(), not a height of 0 or of another place. Below the last row "
+        "take that row again.",
+        "Option 1: What to do, step 3"};
 }
 
 Words steepWords(double agreeing) {
@@ -178,6 +207,8 @@ Words wrongWords(WrongReason reason, const Examination& examination,
             return chanceWords(examination.conduct.chance);
         case WrongReason::mapIgnored:
             return mapIgnoredWords();
+        case WrongReason::normalMissing:
+            return normalMissingWords();
         case WrongReason::inward:
             return inwardWords(examination.conduct.inward);
         case WrongReason::flatTilted:
@@ -197,13 +228,15 @@ Words wrongWords(WrongReason reason, const Examination& examination,
         case WrongReason::strangeDirection:
             return directionWords(*examination.ramps().response);
         case WrongReason::doesNotGrow:
-            return growthWords();
+            return growthWords(examination);
         case WrongReason::steepDiffers:
             return steepWords(examination.ladder.steepAgrees);
         case WrongReason::regionsDiffer:
             return regionWords(*examination.regions);
         case WrongReason::slopesDiffer:
             return slopesWords(*examination.slopes);
+        case WrongReason::wallAtSeam:
+            return seamWords(*examination.edges);
         case WrongReason::coordinatesRounded:
             return roundedWords(*examination.fineness);
         case WrongReason::lettersDiffer:

@@ -69,6 +69,53 @@ TEST(Dishonest, BumpsOnLargeSpheresAloneAreNone) {
     EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"bump.wrong"});
 }
 
+SubmissionResult gradeBumps(const std::string& atTheBeginning) {
+    intake::Submission work;
+    work.name = "somebody";
+    work.parts[0] = referenceWith("BumpySphere.cpp", "BumpySphere::getNormalAt", atTheBeginning);
+    return gradeSubmission(work, tests::testGraderWithScenes(), 1);
+}
+
+// A question's sphere once had the default material, which no scene's has.
+TEST(Dishonest, BumpsOnSpheresWithoutAMaterialAreNone) {
+    const SubmissionResult result =
+        gradeBumps("if (colour().r > 0.0) return Sphere::getNormalAt(position);");
+    EXPECT_EQ(taskOf(result, "T1").state, TaskState::failed);
+}
+
+TEST(Dishonest, BumpsThatThePictureDoesNotShowAreLeftToAPerson) {
+    for (const char* trick :
+         {"if (heightMap().width() == 1024 && heightMap().height() == 512) "
+          "return Sphere::getNormalAt(position);",
+          "static void* const first = __builtin_return_address(0);"
+          "if (__builtin_return_address(0) != first) return Sphere::getNormalAt(position);"}) {
+        const SubmissionResult result = gradeBumps(trick);
+        EXPECT_EQ(taskOf(result, "T1").state, TaskState::passed) << trick;
+        EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"bump.picture-differs"}) << trick;
+        EXPECT_EQ(result.verdict, Verdict::needsReview) << trick;
+    }
+}
+
+TEST(Dishonest, BumpsOfACodeThatLeavesBeforeThePictureAreLeftToAPerson) {
+    const SubmissionResult result = gradeBumps("if (heightMap().width() == 2048) std::abort();");
+    EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"bump.picture-differs"});
+}
+
+// Weak bumps change the picture little, and strong ones tip reflections over.
+TEST(Honest, BumpsOfAnyStrengthShowInThePicture) {
+    for (const char* strength : {"0.02", "0.2", "1.0", "20.0"}) {
+        std::string source = tests::readFile("reference_solution/exercise/BumpySphere.cpp");
+        for (const std::string term : {"Bu * normal.cross(Pv)", "Bv * normal.cross(Pu)"})
+            source.insert(source.find(term), std::string{strength} + " * ");
+        intake::Submission work;
+        work.name = "somebody";
+        work.parts[0] = source;
+        const SubmissionResult result = gradeSubmission(work, tests::testGraderWithScenes(), 1);
+        EXPECT_EQ(taskOf(result, "T1").state, TaskState::passed) << strength;
+        EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{}) << strength;
+    }
+}
+
 TEST(Honest, LightsThatAreLostBehindASurfaceAreNamed) {
     intake::Submission work;
     work.name = "somebody";

@@ -23,6 +23,9 @@ TEST(Wire, CarriesEveryFieldOfANormalQuestion) {
     const auto& got = std::get<NormalQuestion>(questions[0]);
     EXPECT_EQ(got.centre, asked.centre);
     EXPECT_EQ(got.radius, asked.radius);
+    EXPECT_EQ(got.material.colour, asked.material.colour);
+    ASSERT_EQ(got.company.spheres.size(), 1U);
+    EXPECT_EQ(got.company.spheres[0].centre, asked.company.spheres[0].centre);
     EXPECT_EQ(got.map.columns, asked.map.columns);
     EXPECT_EQ(got.map.rows, asked.map.rows);
     EXPECT_EQ(got.positions, asked.positions);

@@ -44,6 +44,8 @@ inline probe::NormalQuestion normalQuestion() {
     probe::NormalQuestion question;
     question.centre = {0.0, 0.0, 3.5};
     question.radius = 1.0;
+    question.material.colour = {0.2, 0.4, 0.6};
+    question.company.spheres.push_back({{2.0, 0.0, 5.0}, 0.5, {}, nullptr});
     question.map.width = 4;
     question.map.height = 4;
     question.map.columns = {0.0, 1.0, 2.0, 0.5};
