@@ -4,7 +4,6 @@
 #include <grader/probe/Question.h>
 #include <grader/result/SubmissionResult.h>
 
-#include <raytracer/base/RenderSettings.h>
 #include <raytracer/scene/SceneDescription.h>
 
 #include <cstddef>

@@ -20,7 +20,7 @@ constexpr double kPoleMargin = 8.0 / 180.0;
 constexpr double kSeamMargin = 0.012;
 // A tilt below this share of the usual one is none. At 8 degrees from the pole sin theta is 0.14.
 constexpr double kDeadShare = 0.01;
-// Isolated points may stray for reasons nobody thought of; a picture's worth of them may not.
+// Isolated points may stray for unknown reasons; a picture's worth of them may not.
 constexpr double kAlmostAll = 0.985;
 
 Replies ordinaryReplies(const std::vector<RampTilts>& tilts, const Landing& landing) {

@@ -47,6 +47,30 @@ TEST(DirectionWords, SayInWhichRowsASignIsWrong) {
     EXPECT_EQ(directionWords(response).hint.find("A sign changes"), std::string::npos);
 }
 
+TEST(DirectionWords, SayThatATangentTurnsWithTheRow) {
+    Response response;
+    response.v.bandDirection = {49.0, 44.0, 33.0, 13.0, -12.0, -33.0, -44.0, -49.0};
+    EXPECT_TRUE(says(response, "from 49 degrees aside at the map's top to -49 at its bottom"));
+    EXPECT_EQ(directionWords(response).hint.rfind("Pv turns away with latitude", 0), 0U);
+    response.v.bandDirection[4] = 150.0;
+    EXPECT_FALSE(says(response, "turning with the row")) << "a leap, not a turn";
+    response.v.bandDirection = {20.0, 15.0, 9.0, 3.0, -3.0, -9.0, -15.0, -19.0};
+    EXPECT_FALSE(says(response, "turning with the row")) << "less than 40 degrees in all";
+}
+
+TEST(DirectionWords, SayWhichHalfStaysSmooth) {
+    Response response;
+    response.u.shares.dead = 0.5;
+    response.u.deadFrom = {-0.9, -1.0, -0.9};
+    response.u.deadTo = {0.9, -0.01, 0.9};
+    EXPECT_NE(patchyWords(response).message.find("all of them below the equator"),
+              std::string::npos);
+    response.u.deadTo.y = 0.3;
+    EXPECT_EQ(patchyWords(response).message.find("all of them"), std::string::npos);
+    response.u.deadFrom.x = 0.0;
+    EXPECT_NE(patchyWords(response).message.find("on the right half"), std::string::npos);
+}
+
 TEST(DirectionWords, LookAtTheWorstPointOfTheWorseAxis) {
     Response response;
     response.u.worstDirection = -90.0;
