@@ -101,25 +101,18 @@ std::string setJournal(const Database& database, Journal journal) {
            "not safe: a rollback journal is used; let one machine at a time write here";
 }
 
-std::int64_t countTables(const Database& database, const char* condition) {
-    Statement count = database.prepare(
-        fmt::format("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND {}", condition));
-    return count.step() ? count.integer(0) : 0;
-}
-
-// A file of ours has our tables, or none at all where it has just been made.
-bool isForeign(const Database& database, std::int64_t version) {
-    if (version == 0) return countTables(database, "1") > 0;
-    return countTables(database, "name IN ('class', 'result', 'decision')") < 3;
-}
-
-// Before anything is written into it.
+// Before anything is written into it. A file of ours has our tables, or none where it is new.
 void refuseForeign(const Database& database, const fs::path& file) {
-    if (isForeign(database, pragma(database, "user_version")))
-        throw raytracer::InputError(
-            file.string(), 0,
-            "is a database of another program, not ticker's; move it away, then \"ticker collect "
-            "OUT\" makes ticker's own from the results beside it");
+    const bool isNew = pragma(database, "user_version") == 0;
+    Statement isOurs = database.prepare(
+        isNew ? "SELECT count(*) = 0 FROM sqlite_schema"
+              : "SELECT count(*) = 3 FROM sqlite_schema WHERE name IN ('class', 'result', "
+                "'decision')");
+    if (isOurs.step() && isOurs.integer(0) != 0) return;
+    throw raytracer::InputError(
+        file.string(), 0,
+        "is a database of another program, not ticker's; move it away, then \"ticker collect OUT\" "
+        "makes ticker's own from the results beside it");
 }
 
 void makeTables(const Database& database, const fs::path& file) {
