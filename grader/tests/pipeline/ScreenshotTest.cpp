@@ -26,7 +26,8 @@ std::string goodPicture() {
 
 /// Judged as a file: the grader knows no scenes.
 TaskReport judge(const std::optional<std::string>& bytes, SubmissionResult& result) {
-    return judgeScreenshotFile(bytes, {}, tests::testGrader(), 1, result);
+    build::TimeBudget budget{tests::testGrader().policy.submission};
+    return judgeScreenshotFile(bytes, {}, tests::testGrader(), budget, 1, result);
 }
 
 TaskReport judge(const std::optional<std::string>& bytes) {
