@@ -32,7 +32,7 @@ public:
 
     [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override;
 
-    /// How often somebody asked.
+    /// How often it was asked.
     [[nodiscard]] int sittings() const { return sittings_; }
 
 private:

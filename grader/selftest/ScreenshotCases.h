@@ -11,7 +11,7 @@
 
 namespace ticker::selftest {
 
-/// One picture that somebody hands in.
+/// One picture that is handed in.
 struct ScreenshotCase {
     std::string kind;
     std::string name;

@@ -11,7 +11,7 @@
 
 namespace ticker::selftest {
 
-/// Somebody who attempted one option: renders pictures, and hands some in.
+/// A student who attempted one option: renders pictures, and hands some in.
 class ScreenshotStudent {
 public:
     /// @param scenes, code  Must outlive this object. The code is asked for its own pictures.

@@ -26,7 +26,7 @@ public:
     /// What must turn up nowhere.
     [[nodiscard]] const std::string& secret() const { return secret_; }
 
-    /// True where somebody wrote the file that the corpus tries to write; removes it.
+    /// True where the file was written that the corpus tries to write; removes it.
     [[nodiscard]] bool takeEscaped() const;
 
 private:

@@ -62,7 +62,7 @@ std::vector<Case> pick(std::vector<Case> cases, const Arguments& arguments) {
     return picked;
 }
 
-/// How far the work is, where somebody looks.
+/// How far the work is, on a terminal.
 void showProgress(std::size_t done, std::size_t of) {
     if (isatty(STDERR_FILENO) == 0) return;
     fmt::print(stderr, "\r{} of {}{}", done, of, done == of ? "\n" : "");

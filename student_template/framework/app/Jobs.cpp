@@ -59,7 +59,7 @@ RenderSettings settingsOf(const Options& options) {
     return settings;
 }
 
-/// What a render gave, for the file and for whoever compares.
+/// What a render gave, for the file and for --compare.
 struct Rendered {
     Image linear;
     ByteImage bytes;

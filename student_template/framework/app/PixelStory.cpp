@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kRaysInFull = 3;
 
 std::string number(double value) {
-    constexpr double kNothing = 1e-9;  // powers of small cosines: nobody sees them
+    constexpr double kNothing = 1e-9;  // powers of small cosines: not visible
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.4g", std::abs(value) < kNothing ? 0.0 : value);
     return text.data();

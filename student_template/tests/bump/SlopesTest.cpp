@@ -79,7 +79,7 @@ std::string causeOf(const Leaning& leaning, const std::string& axis) {
 
 void expectLeaningBack(const BumpSurvey& survey, AxisAtPoint SurveyPoint::*axis,
                        const std::string& name) {
-    // Where one axis is flat nobody knows where the points lie; another test says so.
+    // Where one axis is flat the places of the points are unknown; another test says so.
     if (!(std::min(survey.strengthU(), survey.strengthV()) > kSomething)) return;
     const Leaning leaning = leaningOf(survey, axis);
     constexpr double kEnough = 0.85;  // the map's edges and its poles are lost

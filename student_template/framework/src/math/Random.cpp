@@ -46,7 +46,7 @@ private:
 // constinit: ready without a constructor, so that no draw has to ask whether it has run.
 constinit thread_local Generator generator;
 
-/// The thread's generator. A thread that nobody seeded gets a stream of its own: two that draw the
+/// The thread's generator. A thread that was not seeded gets a stream of its own: two that draw the
 /// same numbers would show as a pattern in the picture.
 Generator& seededGenerator() {
     static constinit std::atomic<std::uint64_t> threadsSeen{0};

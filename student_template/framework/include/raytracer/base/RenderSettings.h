@@ -36,7 +36,7 @@ struct RenderSettings {
     std::uint64_t seed = 0;  ///< `forEachPixel` reseeds the generator from it for every pixel
     int threads = 1;         ///< threads of `forEachPixel`; does not change the picture
 
-    RenderObserver* observer = nullptr;  ///< not owned; null: nobody watches
+    RenderObserver* observer = nullptr;  ///< not owned; null: no observer
     RenderMonitor* monitor = nullptr;    ///< not owned; null: no progress, no interrupt
 
     /// Width of the image that a render gives, pixels.

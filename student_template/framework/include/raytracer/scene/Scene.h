@@ -26,7 +26,7 @@ struct Nearest {
 /// share it.
 class Scene {
 public:
-    /// @param observer  Told of every ray that is cast; not owned; null: nobody.
+    /// @param observer  Told of every ray that is cast; not owned; null: no observer.
     explicit Scene(const SceneDescription& description, RenderObserver* observer = nullptr);
     ~Scene();
     Scene(Scene&&) noexcept;
