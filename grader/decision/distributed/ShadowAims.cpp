@@ -198,7 +198,8 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     verdict.between = !verdict.shape && !verdict.tooWide && !verdict.offCentre &&
                       liesBetween(seen, directions, verdict) &&
                       looksRound(far, directions, verdict.distinct);
-    if (!verdict.shapeIsRight()) findScaledShape(seen, directions, verdict);
+    // A ball a tenth too large has about the feet of an even disc: its width tells.
+    if (verdict.tooWide || !verdict.shapeIsRight()) findScaledShape(seen, directions, verdict);
     verdict.tooNarrow = !verdict.tooWide && !verdict.shapeIsRight() && verdict.widest < 0.97;
     return verdict;
 }

@@ -74,7 +74,7 @@ struct AimVerdict {
     std::optional<AimShape> shape;  ///< the accepted shape that fits at the right size
     bool between = false;           ///< there is none, but it lies between those that are accepted
     std::optional<AimShape>
-        scaledShape;        ///< where there is none, what fits at the size that was seen
+        scaledShape;  ///< where there is none, or lines pass outside, what fits at the size seen
     double widest = 0.0;    ///< largest distance of a line from a centre, in radii of the light
     double rimShare = 0.0;  ///< share of lines beyond 0.9 of the widest
     double lean = 0.0;      ///< length of the mean foot, in radii
