@@ -16,7 +16,7 @@ struct Misfit {
     double meanSquare = 0.0;
 };
 
-/// Right pictures have 0.04 (points in strata) to 0.97, hard shadows 1.5, everything sharp 3.7: see
+/// Right pictures have 0.04 (points in strata) to 1.05, hard shadows 1.5, everything sharp 3.2: see
 /// the campaign *pictures* in docs/calibration.md.
 inline constexpr double kMostMisfit = 1.1;
 

@@ -142,7 +142,7 @@ TEST(DoubtPicture, HasNothingToAddToAFailure) {
     }
 }
 
-// Of right solutions, 0.04 (points in strata) to 0.97 (each sample with its own direction).
+// Of right solutions, 0.04 (points in strata) to 1.05 (points of the surface that crowd).
 TEST(DoubtPicture, TakesNoiseForNoise) {
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
     decision::doubtPicture(tasks, {{1.0, 1.05}}, 1.0);
