@@ -5,6 +5,7 @@
 #include <grader/decision/bump/Tilt.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ struct ConductPlan {
     std::size_t poles = 0;
     std::size_t smallMap = 0;
     std::size_t tinyMap = 0;
-    std::size_t steep = 0;  ///< random texels of another part of the examination
+    std::optional<std::size_t> steep;  ///< random texels of another part of the examination
     std::size_t twice = 0;  ///< a flat map, at some points and then at the same ones again
 
     [[nodiscard]] Place placeOf(std::size_t question) const;
