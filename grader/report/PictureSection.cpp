@@ -4,7 +4,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 namespace ticker::report {
@@ -119,12 +121,18 @@ std::string ofRender(const RenderScore& render, const Album& album, PictureKeys 
     return viewer(heading, scores(render), pictures, render.scene, keys);
 }
 
-/// The scene that a screenshot should show: the handout's own of the option that was worked on.
+/// The scene that a screenshot should show: the handout's own of the file that was worked on; null
+/// where it may be either.
 const RenderScore* screenshotScene(const SubmissionResult& result) {
-    for (const RenderScore& render : result.renders)
-        if (render.scene == (result.option == "T1" ? "bump-mapping" : "distributed"))
-            return &render;
-    return nullptr;
+    const auto isWorkedOn = [&](std::string_view start) {
+        return std::ranges::any_of(result.tasks, [&](const TaskReport& task) {
+            return task.id.starts_with(start) && task.state != TaskState::notAttempted;
+        });
+    };
+    if (isWorkedOn("T1") == isWorkedOn("T2")) return nullptr;
+    const auto scene = std::ranges::find(
+        result.renders, isWorkedOn("T1") ? "bump-mapping" : "distributed", &RenderScore::scene);
+    return scene == result.renders.end() ? nullptr : &*scene;
 }
 
 std::string ofScreenshot(const SubmissionResult& result, const Album& album, PictureKeys keys) {
@@ -132,7 +140,7 @@ std::string ofScreenshot(const SubmissionResult& result, const Album& album, Pic
     if (!album.has(file)) return "";
     const Shown submitted{album.addressOf(file), "submitted", "screenshot.png as handed in",
                           "Submitted: screenshot.png as handed in"};
-    const RenderScore* scene = result.option == "both" ? nullptr : screenshotScene(result);
+    const RenderScore* scene = screenshotScene(result);
     if (scene == nullptr) return alone("screenshot.png", submitted);
     const Shown expected = expectedPicture(*scene, album);
     if (expected.source.empty()) return alone("screenshot.png", submitted);

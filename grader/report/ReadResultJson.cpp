@@ -1,3 +1,4 @@
+#include <grader/json/JsonLines.h>
 #include <grader/report/ResultJson.h>
 #include <grader/result/Names.h>
 
@@ -24,18 +25,20 @@ constexpr std::uintmax_t kLargestFile = 16U << 20U;
 
 /// A value of the file, with its place for messages.
 struct Place {
-    std::string file;
+    const std::string& file;
+    const std::string& whole;  ///< the file's text
     std::string path;
     const json* value = nullptr;
 
     [[noreturn]] void fail(const std::string& expected) const {
         throw InputError(
-            file, 0, fmt::format("{}: expected {}", path.empty() ? "the file" : path, expected));
+            file, jsonLineOf(whole, path),
+            fmt::format("{}: expected {}", path.empty() ? "the file" : path, expected));
     }
     [[nodiscard]] Place at(const char* name) const {
         if (!value->is_object() || !value->contains(name))
             fail(fmt::format("an object with a member \"{}\"", name));
-        return {file, path + "/" + name, &value->at(name)};
+        return {file, whole, path + "/" + name, &value->at(name)};
     }
     [[nodiscard]] bool has(const char* name) const {
         return value->is_object() && value->contains(name);
@@ -44,7 +47,7 @@ struct Place {
         if (!value->is_array()) fail("an array");
         std::vector<Place> places;
         for (std::size_t i = 0; i < value->size(); ++i)
-            places.push_back({file, path + "/" + std::to_string(i), &(*value)[i]});
+            places.push_back({file, whole, path + "/" + std::to_string(i), &(*value)[i]});
         return places;
     }
     [[nodiscard]] std::string text() const {
@@ -131,7 +134,7 @@ Finding readFinding(const Place& place) {
     if (!evidence.value->is_object()) evidence.fail("an object");
     for (const auto& [key, value] : evidence.value->items())
         finding.evidence.emplace_back(
-            key, readEvidence({place.file, evidence.path + "/" + key, &value}));
+            key, readEvidence({place.file, place.whole, evidence.path + "/" + key, &value}));
     readFigures(place, finding.plots, finding.rasters);
     return finding;
 }
@@ -166,6 +169,14 @@ RenderScore readRender(const Place& place) {
     return render;
 }
 
+Option readOption(const Place& place) {
+    Option option{place.at("name").text(), {}, place.at("points").number()};
+    for (const Place& task : place.at("tasks").items())
+        option.tasks.push_back(task.text());
+    if (option.tasks.empty()) place.at("tasks").fail("an array that is not empty");
+    return option;
+}
+
 std::uint64_t readSeed(const Place& place) {
     const std::string text = place.text();
     std::uint64_t seed = 0;
@@ -191,10 +202,11 @@ SubmissionResult parseResultJson(const std::string& text, const std::string& nam
     json document;
     try {
         document = json::parse(text);
-    } catch (const json::exception& problem) {
-        throw InputError(name, 0, fmt::format("not JSON: {}", problem.what()));
+    } catch (const json::parse_error& problem) {
+        throw InputError(name, lineOfByte(text, problem.byte),
+                         fmt::format("not JSON: {}", problem.what()));
     }
-    const Place top{name, "", &document};
+    const Place top{name, text, "", &document};
     if (top.at("schemaVersion").integer() != SubmissionResult::kSchemaVersion)
         top.at("schemaVersion").fail(fmt::format("{}", SubmissionResult::kSchemaVersion));
     SubmissionResult result;
@@ -203,6 +215,9 @@ SubmissionResult parseResultJson(const std::string& text, const std::string& nam
     result.score = top.at("score").number();
     result.maxScore = top.at("maxScore").number();
     result.option = top.at("option").text();
+    if (top.has("options"))
+        for (const Place& option : top.at("options").items())
+            result.options.push_back(readOption(option));
     result.seed = readSeed(top.at("seed"));
     result.sandboxLevel = top.at("sandboxLevel").text();
     result.toolVersion = top.at("toolVersion").text();

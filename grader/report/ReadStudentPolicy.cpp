@@ -1,14 +1,19 @@
+#include <grader/json/JsonLines.h>
 #include <grader/report/StudentView.h>
 
 #include <raytracer/base/Error.h>
+#include <raytracer/base/Text.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace ticker::report {
 namespace {
@@ -27,42 +32,58 @@ const std::map<std::string, bool StudentPolicy::*>& switches() {
     return kSwitches;
 }
 
-void takeMember(const std::string& file, const std::string& name, const json& value,
+struct File {
+    std::string name;
+    std::string text;
+
+    [[noreturn]] void refuse(const std::string& member, const std::string& why) const {
+        throw InputError(name, jsonLineOf(text, "/" + member), fmt::format("/{}: {}", member, why));
+    }
+};
+
+std::string unknownMember(const std::string& name) {
+    std::vector<std::string_view> known{"evidence"};
+    for (const auto& [each, unused] : switches())
+        known.push_back(each);
+    return "expected no member of this name" + raytracer::knownNamesHint(name, known);
+}
+
+void takeMember(const File& file, const std::string& name, const json& value,
                 StudentPolicy& policy) {
     if (const auto known = switches().find(name); known != switches().end()) {
-        if (!value.is_boolean())
-            throw InputError(file, 0, fmt::format("/{}: expected true or false", name));
+        if (!value.is_boolean()) file.refuse(name, "expected true or false");
         policy.*known->second = value.get<bool>();
         return;
     }
-    if (name != "evidence")
-        throw InputError(file, 0, fmt::format("/{}: expected no member of this name", name));
-    if (!value.is_array()) throw InputError(file, 0, "/evidence: expected an array of strings");
+    if (name != "evidence") file.refuse(name, unknownMember(name));
+    if (!value.is_array()) file.refuse(name, "expected an array of strings");
     for (const json& key : value) {
-        if (!key.is_string()) throw InputError(file, 0, "/evidence: expected an array of strings");
+        if (!key.is_string()) file.refuse(name, "expected an array of strings");
         policy.evidence.push_back(key.get<std::string>());
     }
 }
 
 }  // namespace
 
-StudentPolicy readStudentPolicy(const std::filesystem::path& file) {
-    std::ifstream stream{file};
-    if (!stream) throw InputError(file.string(), 0, "cannot be read; expected a student view");
+StudentPolicy readStudentPolicy(const std::filesystem::path& path) {
+    std::ifstream stream{path, std::ios::binary};
+    if (!stream) throw InputError(path.string(), 0, "cannot be read; expected a student view");
+    const File file{path.string(), {std::istreambuf_iterator<char>{stream}, {}}};
     json document;
     try {
-        document = json::parse(stream);
-    } catch (const json::exception& error) {
-        throw InputError(file.string(), 0, fmt::format("not JSON: {}", error.what()));
+        document = json::parse(file.text);
+    } catch (const json::parse_error& error) {
+        throw InputError(file.name, lineOfByte(file.text, error.byte),
+                         fmt::format("not JSON: {}", error.what()));
     }
-    if (!document.is_object()) throw InputError(file.string(), 0, "expected an object");
+    if (!document.is_object()) throw InputError(file.name, 1, "expected an object");
     // What a course forgot to say must not fall open.
     for (const auto& [name, unused] : switches())
         if (!document.contains(name))
-            throw InputError(file.string(), 0, fmt::format("expected a member \"{}\"", name));
+            throw InputError(file.name, 1, fmt::format("expected a member \"{}\"", name));
     StudentPolicy policy;
     for (const auto& [name, value] : document.items())
-        takeMember(file.string(), name, value, policy);
+        takeMember(file, name, value, policy);
     return policy;
 }
 

@@ -1,8 +1,13 @@
 #include <grader/report/Words.h>
 
+#include <grader/result/FindingWords.h>
+#include <grader/result/Names.h>
+
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cctype>
+#include <memory>
 
 namespace ticker::report {
 
@@ -36,6 +41,14 @@ std::string_view wordsFor(TaskState state) {
     return "";
 }
 
+std::string_view wordsFor(const TaskReport& task) {
+    return isNotChecked(task) ? "not checked" : wordsFor(task.state);
+}
+
+std::string_view kindOf(const TaskReport& task) {
+    return isNotChecked(task) ? "notChecked" : toString(task.state);
+}
+
 std::string_view wordsFor(Severity severity) {
     switch (severity) {
         case Severity::fail:
@@ -46,6 +59,33 @@ std::string_view wordsFor(Severity severity) {
             return "note";
     }
     return "";
+}
+
+std::string_view wordsForFinding(std::string_view id) {
+    const auto* found =
+        std::ranges::find(kFindingWords, id, [](const auto& words) { return words.first; });
+    return found != kFindingWords.end() ? found->second : id;
+}
+
+const TaskReport* saidBefore(const SubmissionResult& result, const TaskReport& task) {
+    const bool isSilent = task.findings.empty() && task.reason.empty();
+    if (isSilent || task.state == TaskState::notAttempted) return nullptr;
+    const auto isSame = [&](const TaskReport& other) {
+        return other.state == task.state && other.reason == task.reason &&
+               std::ranges::equal(other.findings, task.findings,
+                                  [](const Finding& a, const Finding& b) {
+                                      return a.id == b.id && a.message == b.message;
+                                  });
+    };
+    const TaskReport* first = std::to_address(std::ranges::find_if(result.tasks, isSame));
+    return first < &task ? first : nullptr;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
 }
 
 std::string counted(std::size_t count, std::string_view what) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ticker::report {
 
@@ -17,12 +18,25 @@ inline constexpr std::string_view kScreenshotFile = "images/screenshot.png";
 /// For people: "not attempted", ...
 [[nodiscard]] std::string_view wordsFor(TaskState state);
 
+/// For people: the words of its state, or "not checked".
+[[nodiscard]] std::string_view wordsFor(const TaskReport& task);
+/// For programs and style sheets: the state's name in result.json, or "notChecked".
+[[nodiscard]] std::string_view kindOf(const TaskReport& task);
+
 /// For people: "mistake", "warning", "note".
 [[nodiscard]] std::string_view wordsFor(Severity severity);
 
 /// What somebody did to get a finding, to go on "14 of 60 ...": "inverted the bumps along u". The
 /// id itself where there are no words for it.
 [[nodiscard]] std::string_view wordsForFinding(std::string_view id);
+
+/// An earlier task of which exactly the same is said, so that it need not be said again; null where
+/// there is none.
+/// @param task  One of the result's.
+[[nodiscard]] const TaskReport* saidBefore(const SubmissionResult& result, const TaskReport& task);
+
+/// "a", "a and b", "a, b and c".
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 /// "1 submission", "2 submissions".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view what);

@@ -160,6 +160,15 @@ std::string listsOnOneLine(const std::string& text) {
     return result;
 }
 
+ordered_json optionsJson(const std::vector<Option>& options) {
+    ordered_json list = ordered_json::array();
+    for (const Option& option : options)
+        list.push_back({{"name", cleanText(option.name)},
+                        {"tasks", option.tasks},
+                        {"points", number(option.points)}});
+    return list;
+}
+
 ordered_json pictureJson(const ResultPicture& picture) {
     return {{"file", picture.file}, {"caption", cleanText(picture.caption)}};
 }
@@ -183,7 +192,8 @@ std::string resultJson(const SubmissionResult& result) {
     json["verdict"] = toString(result.verdict);
     json["score"] = number(result.score);
     json["maxScore"] = number(result.maxScore);
-    json["option"] = result.option;
+    json["option"] = cleanText(result.option);
+    if (!result.options.empty()) json["options"] = optionsJson(result.options);
     json["seed"] = std::to_string(result.seed);
     json["sandboxLevel"] = result.sandboxLevel;
     json["toolVersion"] = result.toolVersion;

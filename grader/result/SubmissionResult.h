@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ticker {
@@ -29,6 +30,21 @@ struct TaskReport {
     bool needsReview = false;             ///< the state is the best guess, but a person should look
     std::vector<ScatterPlot> plots = {};  ///< what was seen, where no finding shows it
     std::vector<Raster> rasters = {};     ///< likewise
+};
+
+/// How the reason of a task begins that is blocked because nothing could be compared.
+inline constexpr std::string_view kNotChecked = "not checked: ";
+
+/// True where nothing was compared, which speaks neither for nor against the submission.
+[[nodiscard]] inline bool isNotChecked(const TaskReport& task) {
+    return task.state == TaskState::blocked && task.reason.starts_with(kNotChecked);
+}
+
+/// One way to earn the tick: all of its tasks must pass.
+struct Option {
+    std::string name;
+    std::vector<std::string> tasks;
+    double points = 0.0;
 };
 
 enum class Verdict { awarded, notAwarded, needsReview, notGraded };
@@ -83,7 +99,8 @@ struct SubmissionResult {
     Verdict verdict = Verdict::notGraded;
     double score = 0.0;
     double maxScore = 1.0;
-    std::string option = "none";  ///< "T1", "T2", "both" or "none"
+    std::string option = "none";  ///< the one worked on, by its name; "both", also for more; "none"
+    std::vector<Option> options;  ///< the rubric's; empty in results of older tools
     std::uint64_t seed = 0;
     std::string sandboxLevel = "none";
     std::string toolVersion;

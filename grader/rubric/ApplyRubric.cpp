@@ -57,8 +57,9 @@ Verdict verdictOf(const Rubric& rubric, const SubmissionResult& result) {
     if (any(passes)) {
         const TaskReport* screenshot = findTask(result, rubric.screenshotTask);
         const bool pictureFits =
-            rubric.screenshotTask.empty() || (screenshot != nullptr && !screenshot->needsReview &&
-                                              screenshot->state == TaskState::passed);
+            rubric.screenshotTask.empty() ||
+            (screenshot != nullptr && !screenshot->needsReview &&
+             (screenshot->state == TaskState::passed || isNotChecked(*screenshot)));
         return any(passesForSure) && pictureFits ? Verdict::awarded : Verdict::needsReview;
     }
     if (anyExercise(rubric, result,
@@ -77,10 +78,17 @@ double scoreOf(const Rubric& rubric, const SubmissionResult& result) {
     return std::min(score, rubric.maxScore);
 }
 
+/// A file that was never handed in blocks its tasks, but is no attempt.
+bool isAttempt(const TaskReport& task) {
+    return task.state != TaskState::notAttempted &&
+           std::none_of(task.findings.begin(), task.findings.end(),
+                        [](const Finding& finding) { return finding.id == "intake.missing-file"; });
+}
+
 bool attempted(const SubmissionResult& result, const Option& option) {
     return std::any_of(option.tasks.begin(), option.tasks.end(), [&](const std::string& id) {
         const TaskReport* task = findTask(result, id);
-        return task != nullptr && task->state != TaskState::notAttempted;
+        return task != nullptr && isAttempt(*task);
     });
 }
 
@@ -98,6 +106,7 @@ SubmissionResult applyRubric(const Rubric& rubric, SubmissionResult result) {
         applySeverities(rubric, task);
     result.maxScore = rubric.maxScore;
     result.option = optionOf(rubric, result);
+    result.options = rubric.options;
     result.verdict = verdictOf(rubric, result);
     result.score = scoreOf(rubric, result);
     return result;

@@ -10,13 +10,6 @@
 
 namespace ticker::rubric {
 
-/// One way to earn points: all of its tasks must pass.
-struct Option {
-    std::string name;
-    std::vector<std::string> tasks;
-    double points = 0.0;
-};
-
 /// What earns the tick, as data; see rubric.schema.json.
 struct Rubric {
     double maxScore = 1.0;
@@ -26,14 +19,16 @@ struct Rubric {
 };
 
 /// Reads a rubric file.
-/// @throws raytracer::InputError naming the file, the member and what was expected.
+/// @throws raytracer::InputError naming the file, the line, the member and what was expected: also
+///         for a finding that does not exist.
 [[nodiscard]] Rubric readRubric(const std::filesystem::path& file);
 
 /// The result with its severities, task states, option, score and verdict as the rubric has them:
 ///  - a failed task passes where the rubric softened its last finding of severity fail; a passed
 ///    one fails where the rubric made one of its findings fail;
 ///  - awarded where an option's tasks all pass; needsReview instead where a person must look: the
-///    screenshot's task has not passed, or a task of the option asks for review;
+///    screenshot's task has not passed, unless there was nothing to compare it with, or a task of
+///    the option asks for review;
 ///  - notGraded where a task was not graded for our reasons and no option passes;
 ///  - needsReview where a task that is not decided asks for it; else notAwarded.
 [[nodiscard]] SubmissionResult applyRubric(const Rubric& rubric, SubmissionResult result);

@@ -14,6 +14,8 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace ticker::report {
 namespace {
@@ -89,6 +91,28 @@ TEST(ResultJson, ComesBackAsItWentOut) {
     EXPECT_TRUE(back.tasks.at(1).needsReview);
     EXPECT_EQ(back.diagnostics.at(0).text, example().diagnostics.at(0).text);
     fs::remove(file);
+}
+
+TEST(ResultJson, TakesOptionsOfAnyName) {
+    SubmissionResult result = example();
+    result.option = "bumps & dents";
+    result.options = {{"bumps & dents", {"T1"}, 0.5}, {"light", {"T2.1", "T2.2"}, 1.0}};
+    const std::string text = resultJson(result);
+    EXPECT_TRUE(tests::fitsSchema(text, "result")) << text;
+    const SubmissionResult back = parseResultJson(text, "result.json");
+    EXPECT_EQ(back.option, "bumps & dents");
+    ASSERT_EQ(back.options.size(), 2U);
+    EXPECT_EQ(back.options[1].tasks, (std::vector<std::string>{"T2.1", "T2.2"}));
+    EXPECT_EQ(back.options[0].points, 0.5);
+}
+
+TEST(ReadResultJson, NamesTheLine) {
+    try {
+        static_cast<void>(parseResultJson("{\n\"schemaVersion\":\n 99}", "result.json"));
+        FAIL();
+    } catch (const raytracer::InputError& error) {
+        EXPECT_EQ(error.line(), 2) << error.what();
+    }
 }
 
 TEST(ResultJson, KeepsAllThatAPageShows) {

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ticker::rubric {
 namespace {
@@ -82,6 +83,29 @@ TEST(ApplyRubric, NamesTheOptionsThatWereAttempted) {
     EXPECT_EQ(apply({task("T1", kStub), task("T2.1", kStub), task("T2.2", kFailed)}).option, "two");
     EXPECT_EQ(apply({task("T1", kFailed), task("T2.2", kPassed)}).option, "both");
     EXPECT_EQ(apply({task("T1", kStub)}).option, "none");
+}
+
+TEST(ApplyRubric, TakesAFileThatWasNeverHandedInForNoAttempt) {
+    TaskReport missing = task("T1", TaskState::blocked, true);
+    missing.findings.resize(1);
+    missing.findings[0].id = "intake.missing-file";
+    EXPECT_EQ(apply({missing}).option, "none");
+    EXPECT_EQ(apply({missing, task("T2.1", kFailed)}).option, "two");
+    missing.findings[0].id = "build.failed";
+    EXPECT_EQ(apply({missing}).option, "one");
+}
+
+TEST(ApplyRubric, AsksNobodyAboutAPictureThatHadNothingToBeComparedWith) {
+    TaskReport picture = task("screenshot", TaskState::blocked);
+    picture.reason = "not checked: there is no code to compare it with";
+    EXPECT_EQ(apply({task("T1", kPassed), picture}).verdict, Verdict::awarded);
+    picture.reason = "screenshot.png is a link";
+    EXPECT_EQ(apply({task("T1", kPassed), picture}).verdict, Verdict::needsReview);
+}
+
+TEST(ApplyRubric, HandsOnWhatTheRubricAsksFor) {
+    EXPECT_EQ(apply({task("T1", kPassed)}).options.at(1).tasks,
+              (std::vector<std::string>{"T2.1", "T2.2"}));
 }
 
 TEST(ApplyRubric, ChangesTheStateOnlyByWhatFails) {

@@ -128,15 +128,61 @@ TEST(ReadRubric, TakesSeveritiesThatDifferFromTheDecisions) {
     EXPECT_EQ(rubric.severities, expected);
 }
 
+std::string messageFor(const std::string& text) {
+    try {
+        static_cast<void>(readText(text));
+    } catch (const raytracer::InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+void expectMessage(const std::string& text, const std::string& part) {
+    const std::string message = messageFor(text);
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+TEST(ReadRubric, RefusesAFindingThatDoesNotExistAndSaysWhichWasMeant) {
+    expectMessage(withSeverities("{\n\"bump.inverted-w\": \"warn\"}"),
+                  "rubric.json:3: /severities/bump.inverted-w: expected a finding of "
+                  "docs/findings.md; did you mean \"bump.inverted-");
+    expectMessage(withSeverities(R"({"shadow.harsh": "warn"})"), "did you mean \"shadow.hard\"?");
+    expectMessage(withSeverities(R"({"dof.aperturesize": "note"})"),
+                  "did you mean \"dof.aperture-size\"?");
+    expectMessage(withSeverities(R"({"everything": "fail"})"),
+                  "/severities/everything: expected a finding of docs/findings.md");
+    expectMessage(R"({"maxScore": 1, "options": [{"name": "a", "tasks": ["T1"], "points": 1}],
+        "screenshotTask": "screenshots", "severities": {}})",
+                  "rubric.json:2: /screenshotTask: expected \"screenshot\"");
+}
+
+TEST(ReadRubric, RefusesNamesOfOptionsThatSayNothing) {
+    for (const char* name : {"", "both", "none"})
+        expectMessage(R"({"maxScore": 1, "options": [{"name": ")" + std::string{name} +
+                          R"(", "tasks": ["T1"], "points": 1}],
+        "screenshotTask": "", "severities": {}})",
+                      "rubric.json:1: /options/0/name: expected a name of its own");
+    expectMessage(R"({"maxScore": 1, "options": [
+        {"name": "a", "tasks": ["T1"], "points": 1},
+        {"name": "a", "tasks": ["T2.1"], "points": 1}], "screenshotTask": "", "severities": {}})",
+                  "rubric.json:3: /options/1/name");
+}
+
+TEST(ReadRubric, NamesTheLineOfWhatDoesNotFit) {
+    expectMessage(
+        "{\n \"maxScore\": 1,\n \"options\": [\n  {\"name\": \"a\",\n   \"tasks\": "
+        "[\"T1\",\n    \"T7\"], \"points\": 1}]}",
+        "rubric.json:6: /options/0/tasks/1");
+    expectMessage("{\n\n \"maxScore\": -1\n}", "rubric.json:3: /maxScore: expected a number");
+    expectMessage("{\n \"maxscore\": 1}", "rubric.json:2: /maxscore");
+    expectMessage("{\n \"maxScore\": 1,\n}", "rubric.json:3: not JSON");
+    expectMessage("\n[]", "rubric.json:2: the whole file: expected an object");
+    // A bracket in a string, an escaped quote, and a member that comes twice: the last one counts.
+    expectMessage("{\"severities\": {\"a]}\\\"\": 1},\n \"maxScore\": 1,\n \"maxScore\": \"1\"}",
+                  "rubric.json:3: /maxScore");
+}
+
 TEST(ReadRubric, SaysWhichMemberDoesNotFit) {
-    const auto messageFor = [](const std::string& text) {
-        try {
-            static_cast<void>(readText(text));
-        } catch (const raytracer::InputError& error) {
-            return std::string{error.what()};
-        }
-        return std::string{"no error"};
-    };
     EXPECT_NE(messageFor("{").find("not JSON"), std::string::npos);
     EXPECT_NE(messageFor("[]").find("an object"), std::string::npos);
     EXPECT_NE(messageFor(R"({"maxScore": 1})").find("a member \"options\""), std::string::npos);

@@ -1,16 +1,15 @@
-#include <grader/report/Words.h>
+#ifndef TICKER_RESULT_FINDINGWORDS_H
+#define TICKER_RESULT_FINDINGWORDS_H
 
-#include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
-namespace ticker::report {
-namespace {
+namespace ticker {
 
-using Words = std::pair<std::string_view, std::string_view>;
-
-// Each goes on "14 of 60 ..."; a test holds docs/findings.md against them.
-constexpr std::array kWords = std::to_array<Words>({
+/// Every finding by its id, with words that go on "14 of 60 ..."; a test holds docs/findings.md
+/// against them.
+inline constexpr auto kFindingWords = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"bump.not-finite", "gave normals that are no numbers"},
     {"bump.not-unit", "gave normals of another length than 1"},
     {"bump.flat", "showed no bumps at all"},
@@ -85,12 +84,6 @@ constexpr std::array kWords = std::to_array<Words>({
     {"intake.too-large", "sent a file that is too large"},
 });
 
-}  // namespace
+}  // namespace ticker
 
-std::string_view wordsForFinding(std::string_view id) {
-    const auto found = std::find_if(kWords.begin(), kWords.end(),
-                                    [&](const Words& words) { return words.first == id; });
-    return found != kWords.end() ? found->second : id;
-}
-
-}  // namespace ticker::report
+#endif

@@ -1,0 +1,22 @@
+#ifndef TICKER_JSON_JSONLINES_H
+#define TICKER_JSON_JSONLINES_H
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace ticker {
+
+/// The line, from 1, of what stands at a place of a JSON text.
+/// @param text   May be no JSON from some point on.
+/// @param place  "/options/0/name": member names and numbers of array items, each after a slash, as
+///               they are; empty: the whole text.
+/// @return 0 where nothing stands there.
+[[nodiscard]] int jsonLineOf(const std::string& text, std::string_view place);
+
+/// The line, from 1, that holds the byte of this number, from 1: where a parser stopped.
+[[nodiscard]] int lineOfByte(std::string_view text, std::size_t byte);
+
+}  // namespace ticker
+
+#endif
