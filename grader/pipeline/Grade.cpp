@@ -142,7 +142,7 @@ public:
             return result.tasks.push_back(refused(*refusal));
         TaskReport report = judgeScreenshotFile(submission_.part(intake::Part::screenshot), files_,
                                                 grader_, budget_, seed_, result);
-        if (report.state == TaskState::failed &&
+        if ((report.state == TaskState::failed || isNotChecked(report)) &&
             std::ranges::all_of(result.tasks, isNotAttempted)) {
             report = blankReport("screenshot");
             report.state = TaskState::notAttempted;

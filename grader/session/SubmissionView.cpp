@@ -39,18 +39,22 @@ std::string head(const SubmissionResult& result) {
     for (const TaskReport& task : result.tasks)
         if (task.state != TaskState::notAttempted)
             html += fmt::format("<span>{} {}</span>", escapeHtml(task.title),
-                                report::badge(toString(task.state), report::wordsFor(task.state)));
+                                report::badge(report::kindOf(task), report::wordsFor(task)));
     return html +
            "<button type=\"button\" data-act=\"report\">Full report <kbd>o</kbd></button></p>" +
            told(result);
 }
 
-std::string task(const TaskReport& task, const report::Album& album) {
+std::string task(const SubmissionResult& result, const TaskReport& task,
+                 const report::Album& album) {
     if (task.state == TaskState::notAttempted && task.findings.empty()) return "";
     std::string html =
         fmt::format("<section><h2>{} {}</h2>",
                     escapeHtml(task.id.starts_with('T') ? task.id + " " + task.title : task.title),
-                    report::badge(toString(task.state), report::wordsFor(task.state)));
+                    report::badge(report::kindOf(task), report::wordsFor(task)));
+    if (const TaskReport* before = report::saidBefore(result, task))
+        return html +
+               fmt::format("<p>The same as for {}.</p></section>", escapeHtml(before->title));
     if (!task.reason.empty()) html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
     for (const Finding& finding : task.findings)
         html += report::findingCard(finding, album, "");
@@ -96,7 +100,7 @@ std::string submissionHtml(SubmissionResult result, const fs::path& codeFolder) 
     std::string html = head(result) + report::diagnosticsSection(result) +
                        report::picturesSection(result, album, report::PictureKeys::blinkAndZoom);
     for (const TaskReport& each : result.tasks)
-        html += task(each, album);
+        html += task(result, each, album);
     return html + code(result.sources) + notices(result);
 }
 

@@ -26,8 +26,12 @@ constexpr double kMostTileDifference = 10.0;
 // Beyond a thousand rays where the handout says fifty.
 constexpr double kNoNoise = 1.0 / 25.0;
 
-TaskJudgement passed(std::vector<Finding> notes, std::string reason = "") {
-    return {TaskState::passed, std::move(reason), std::move(notes), false};
+TaskJudgement passed(std::vector<Finding> notes) {
+    return {TaskState::passed, "", std::move(notes), false};
+}
+
+TaskJudgement notChecked(const char* why) {
+    return {TaskState::blocked, std::string{kNotChecked} + why, {}, false};
 }
 
 TaskJudgement passedInDoubt(Finding doubt) {
@@ -47,6 +51,8 @@ public:
     [[nodiscard]] TaskJudgement judge() const {
         if (!isSensibleSize(picture_.width, picture_.height)) return judgeOtherSize();
         const Verification verification = verify(picture_, scene_, seed_);
+        if (verification.kind == Verification::Kind::ourFault)
+            return {TaskState::notGraded, verification.why, {}, false};
         const TileDifference whole = tileDifference(scene_.likeliest(), picture_);
         const bool looksRight = scene_.hasOwn()
                                     ? whole.worst <= kMostTileDifference
@@ -105,9 +111,8 @@ private:
 
     [[nodiscard]] TaskJudgement accept(const Verification& verification) const {
         if (verification.kind == Verification::Kind::unknown)
-            return verification.why.empty()
-                       ? passed({}, "there is no code that it could be compared with")
-                       : passed({unverified(verification.why)});
+            return verification.why.empty() ? notChecked("there is no code to compare it with")
+                                            : passed({unverified(verification.why)});
         if (verification.agreement.isLossy) {
             std::optional<TaskJudgement> slight = judgeSlightColours(verification);
             return slight ? *std::move(slight) : passed({savedAgain(verification.agreement)});
@@ -224,7 +229,7 @@ TaskJudgement judgeScreenshot(const metrics::ByteView& picture,
                               const std::vector<screenshot::Scene>& scenes, std::uint64_t seed) {
     if (scenes.empty())
         return isSensibleSize(picture.width, picture.height)
-                   ? passed({}, "there is no scene that it could be compared with")
+                   ? notChecked("there is no scene to compare it with")
                    : failed(wrongSize(picture, std::nullopt));
     return Judge{picture, scenes, seed}.judge();
 }

@@ -16,7 +16,8 @@ struct Verification {
     enum class Kind {
         same,
         different,
-        unknown  ///< `why`; empty: there is no code to ask
+        unknown,  ///< `why`; empty: there is no code to ask
+        ourFault  ///< it could not be asked; `why`
     };
     Kind kind = Kind::unknown;
     std::string why;

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <random>
 #include <span>
+#include <utility>
 
 namespace ticker::decision::screenshot {
 namespace {
@@ -127,21 +128,25 @@ std::vector<probe::Question> questionsFor(const Scene& scene, const Windows& win
     return questions;
 }
 
-std::optional<Picture> renderWindows(const Scene& scene, const Windows& windows,
-                                     std::uint64_t seed) {
-    if (scene.examinee == nullptr) return std::nullopt;
+OwnRender askForWindows(const Scene& scene, const Windows& windows, std::uint64_t seed) {
     const probe::Sitting sitting = scene.examinee->ask(questionsFor(scene, windows, seed));
 
     Picture strip{windows.boxes.front().width, 0, {}};
     for (const probe::Answer& any : sitting.answers) {
         const auto* answer = std::get_if<probe::RenderAnswer>(&any);
-        if (answer == nullptr || !isWhole(*answer)) return std::nullopt;
+        if (answer == nullptr || !isWhole(*answer)) return {std::nullopt, sitting.end};
         for (const raytracer::ColourRGB& colour : answer->images.front())
             for (const std::uint8_t byte : raytracer::toneMapped(colour))
                 strip.rgb.push_back(byte);
         strip.height += answer->height;
     }
-    return strip;
+    return {std::move(strip), sitting.end};
+}
+
+std::optional<Picture> renderWindows(const Scene& scene, const Windows& windows,
+                                     std::uint64_t seed) {
+    if (scene.examinee == nullptr) return std::nullopt;
+    return askForWindows(scene, windows, seed).windows;
 }
 
 }  // namespace ticker::decision::screenshot

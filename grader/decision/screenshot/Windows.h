@@ -43,8 +43,19 @@ struct Windows {
 [[nodiscard]] std::vector<probe::Question> questionsFor(const Scene& scene, const Windows& windows,
                                                         std::uint64_t seed, int threads = 1);
 
-/// The same as a submission's code renders them, at the handout's settings, through the tone curve.
-/// Empty where some of it is missing: code that knows nothing of regions, for one.
+/// What a submission's code made of windows.
+struct OwnRender {
+    std::optional<Picture> windows;  ///< one below the other; empty where some of it is missing
+    probe::ProcessEnd end;
+};
+
+/// The windows as a submission's code renders them, at the handout's settings, through the tone
+/// curve. Code that knows nothing of regions gives none.
+/// @param scene  With an examinee.
+[[nodiscard]] OwnRender askForWindows(const Scene& scene, const Windows& windows,
+                                      std::uint64_t seed);
+
+/// The same, where it does not matter why there is none.
 [[nodiscard]] std::optional<Picture> renderWindows(const Scene& scene, const Windows& windows,
                                                    std::uint64_t seed);
 

@@ -73,7 +73,7 @@ TEST(ScreenshotFile, IsShownDecodedAndPackedAnew) {
     SubmissionResult result;
     std::string withText = goodPicture();
     withText.insert(kAfterHeader, pngChunk("tEXt", "Comment: <script>"));
-    EXPECT_EQ(judge(withText, result).state, TaskState::passed);
+    EXPECT_TRUE(isNotChecked(judge(withText, result)));
     ASSERT_EQ(result.pictures.size(), 1U);
     EXPECT_EQ(result.pictures[0].file, "images/screenshot.png");
     EXPECT_EQ(result.pictures[0].png.find("<script>"), std::string::npos);
@@ -83,7 +83,7 @@ TEST(ScreenshotFile, MayBeGreyAndLargeAndIsThenShownSmaller) {
     SubmissionResult result;
     const std::string large =
         makePng({2000, 1500, 8, PngColour::grey}, std::string(1500 * 2001, '\0'));
-    EXPECT_EQ(judge(large, result).state, TaskState::passed);
+    EXPECT_TRUE(isNotChecked(judge(large, result)));
     ASSERT_EQ(result.pictures.size(), 1U);
     EXPECT_EQ(picture::claimedSize(result.pictures[0].png), (picture::PictureSize{1280, 960}));
 }

@@ -206,6 +206,27 @@ TEST(JudgeScreenshot, PassesCodeThatRendersWholeFramesOnlyWithANote) {
     EXPECT_FALSE(judgement.needsReview);
 }
 
+/// The machine has no memory for the sandbox.
+class Unstartable final : public probe::Examinee {
+public:
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        return {std::vector<probe::Answer>(questions.size(), probe::RenderAnswer{}),
+                {probe::ProcessEnd::Kind::ourFault, "no memory for the sandbox"}};
+    }
+};
+
+TEST(JudgeScreenshot, SaysNothingAboutThePictureWhereWeFailed) {
+    OracleExaminee inner{{}, {}, false};
+    const ScreenshotStudent able{scenes(), false, inner};
+    Unstartable code;
+    const ScreenshotStudent student{scenes(), false, code};
+    double unused = 0.0;
+    const TaskJudgement judgement = student.handIn(able.render(320, kSeed), kSeed, unused);
+    EXPECT_EQ(judgement.state, TaskState::notGraded);
+    EXPECT_EQ(judgement.reason, "no memory for the sandbox");
+    EXPECT_TRUE(judgement.findings.empty());
+}
+
 /// Every picture as a whole is a little brighter or darker than the last: one pattern of points
 /// for all pixels.
 class OnePattern final : public probe::Examinee {
@@ -246,14 +267,15 @@ TEST(JudgeScreenshot, JudgesTheSceneAloneWhereThereIsNoCode) {
     OracleExaminee other{reading, {}, true};
     const TaskJudgement right =
         judgeAlone(ScreenshotStudent{scenes(), true, other}.render(640, kSeed));
-    EXPECT_EQ(right.state, TaskState::passed);
-    EXPECT_FALSE(right.reason.empty());
+    EXPECT_EQ(right.state, TaskState::blocked);
+    EXPECT_EQ(right.reason, "not checked: there is no code to compare it with");
+    EXPECT_TRUE(right.findings.empty());
     EXPECT_EQ(firstId(judgeAlone(photograph(640, 480, kSeed))), "screenshot.not-this-scene");
 }
 
 TEST(JudgeScreenshot, WithoutScenesJudgesTheSizeAlone) {
-    EXPECT_EQ(decision::judgeScreenshot(photograph(640, 480, 1).view(), {}, 1).state,
-              TaskState::passed);
+    EXPECT_EQ(decision::judgeScreenshot(photograph(640, 480, 1).view(), {}, 1).reason,
+              "not checked: there is no scene to compare it with");
     EXPECT_EQ(firstId(decision::judgeScreenshot(photograph(640, 400, 1).view(), {}, 1)),
               "screenshot.wrong-size");
 }

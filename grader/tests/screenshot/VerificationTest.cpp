@@ -73,6 +73,42 @@ Said say(const std::vector<double>& greys, bool isForT1 = false) {
     return {verify(picture.view(), scene, 5), code.sittings()};
 }
 
+/// A process that ends like this, and answers nothing.
+class Ending final : public probe::Examinee {
+public:
+    explicit Ending(probe::ProcessEnd end) : end_(std::move(end)) {}
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        return {std::vector<probe::Answer>(questions.size(), probe::RenderAnswer{}), end_};
+    }
+
+private:
+    probe::ProcessEnd end_;
+};
+
+Verification verifyBlack(probe::Examinee& code) {
+    const raytracer::SceneDescription description;
+    Scene scene;
+    scene.description = &description;
+    scene.examinee = &code;
+    const Picture picture{640, 480, std::vector<std::uint8_t>(std::size_t{3} * 640 * 480, 0)};
+    return verify(picture.view(), scene, 5);
+}
+
+TEST(Verify, TellsOurFailureFromTheCodes) {
+    using Kind = probe::ProcessEnd::Kind;
+    Ending ours{{Kind::ourFault, "no memory for the sandbox"}};
+    EXPECT_EQ(verifyBlack(ours).kind, Verification::Kind::ourFault);
+    EXPECT_EQ(verifyBlack(ours).why, "no memory for the sandbox");
+    for (const Kind kind : {Kind::crashed, Kind::timedOut, Kind::memory, Kind::exitedEarly}) {
+        Ending bad{{kind, ""}};
+        EXPECT_EQ(verifyBlack(bad).kind, Verification::Kind::unknown);
+        EXPECT_EQ(verifyBlack(bad).why,
+                  "this code did not finish when it was asked for parts of the frame");
+    }
+    Ending whole{{Kind::finished, ""}};
+    EXPECT_EQ(verifyBlack(whole).why, "this code renders whole frames only, no part of one");
+}
+
 // Each agreement is missed with a chance of 5e-4, under seeds that are fixed.
 TEST(Verify, AsksOnceWhereTheWindowsAgree) {
     const auto [verification, sittings] = say({0.3});
