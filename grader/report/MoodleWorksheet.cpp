@@ -2,6 +2,7 @@
 
 #include <grader/report/CsvFile.h>
 #include <grader/report/Escape.h>
+#include <grader/report/MoodleColumns.h>
 
 #include <raytracer/base/Error.h>
 
@@ -10,54 +11,11 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <initializer_list>
 #include <map>
 #include <set>
 
 namespace ticker::report {
 namespace {
-
-/// The columns that matter; Moodle knows them by these words.
-struct Columns {
-    std::size_t id = 0;
-    std::size_t grade = 0;
-    std::optional<std::size_t> feedback;
-    std::optional<std::size_t> maximum;
-    std::optional<std::size_t> scale;
-    std::optional<std::size_t> mayChange;
-    std::optional<std::size_t> group;
-};
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) {
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    });
-    return text;
-}
-
-std::optional<std::size_t> columnOf(const CsvFile& file, std::string_view header) {
-    for (std::size_t i = 0; i < file.columns(); ++i)
-        if (lower(file.value(0, i)) == lower(std::string{header})) return i;
-    return std::nullopt;
-}
-
-Columns columnsOf(const CsvFile& file, const std::string& name) {
-    // Moodle looks for all three, whether or not we need them.
-    for (const char* needed : {"Identifier", "Grade", "Last modified (grade)"})
-        if (!columnOf(file, needed))
-            throw raytracer::InputError(
-                name, 1,
-                fmt::format("no column \"{}\"; expected Moodle's grading worksheet as downloaded, "
-                            "in English",
-                            needed));
-    return {.id = *columnOf(file, "Identifier"),
-            .grade = *columnOf(file, "Grade"),
-            .feedback = columnOf(file, "Feedback comments"),
-            .maximum = columnOf(file, "Maximum grade"),
-            .scale = columnOf(file, "Scale"),
-            .mayChange = columnOf(file, "Grade can be changed"),
-            .group = columnOf(file, "Group")};
-}
 
 /// The digits at the end: of "Participant 123", of "Ann Lee_123"; empty where there are none.
 std::string digitsAtEnd(std::string_view text) {
@@ -132,7 +90,7 @@ public:
            const std::optional<ScaleWords>& scale)
         : file_(std::move(file)),
           name_(std::move(name)),
-          columns_(columnsOf(file_, name_)),
+          columns_(moodleColumns(file_, name_)),
           views_(views),
           scale_(scale) {
         if (columns_.scale && !scale_)
@@ -158,10 +116,20 @@ public:
                 grades_.remarks.push_back(fmt::format("{}: no row of the worksheet fits",
                                                       escapeLine(views_[i].result().submission)));
         grades_.worksheet = file_.text();
+        grades_.warnings = worksheetWarnings(file_, columns_);
+        if (!columns_.scale && zeros_ > 0) grades_.warnings.push_back(zerosWarning());
         return std::move(grades_);
     }
 
 private:
+    [[nodiscard]] std::string zerosWarning() const {
+        return fmt::format(
+            "{} of the marks {} 0, which the newest Moodle drops: look for \"Set grade ... to "
+            "0.00\" "
+            "in its preview. If that is missing, use a scale (--scale) instead of points",
+            zeros_, zeros_ == 1 ? "is" : "are");
+    }
+
     [[nodiscard]] std::optional<std::string> textAt(
         std::size_t row, const std::optional<std::size_t>& column) const {
         if (!column) return std::nullopt;
@@ -171,7 +139,8 @@ private:
     [[nodiscard]] std::string whyNot(std::size_t row, const SubmissionResult& result) const {
         if (result.verdict == Verdict::needsReview) return "a person has to decide";
         if (result.verdict == Verdict::notGraded) return "it was not graded";
-        if (lower(textAt(row, columns_.mayChange).value_or("")) == "no") return "Moodle locked it";
+        if (lowerCase(textAt(row, columns_.mayChange).value_or("")) == "no")
+            return "Moodle locked it";
         return "";
     }
 
@@ -191,17 +160,20 @@ private:
     }
 
     void grade(std::size_t row, const std::string& id, std::size_t view) {
-        file_.set(row, columns_.grade, gradeOf(row, views_[view].result()));
+        const SubmissionResult& result = views_[view].result();
+        file_.set(row, columns_.grade, gradeOf(row, result));
+        if (result.score <= 0.0) ++zeros_;
         if (columns_.feedback) file_.set(row, *columns_.feedback, feedbackHtml(views_[view]));
         grades_.graded.push_back({id, view});
     }
 
     CsvFile file_;
     std::string name_;
-    Columns columns_;
+    MoodleColumns columns_;
     const std::vector<StudentView>& views_;
     const std::optional<ScaleWords>& scale_;
     std::set<std::size_t> used_;
+    std::size_t zeros_ = 0;
     MoodleGrades grades_;
 };
 
@@ -210,6 +182,7 @@ private:
 MoodleGrades fillMoodleWorksheet(std::string_view worksheet, const std::string& name,
                                  const std::vector<StudentView>& views,
                                  const std::optional<ScaleWords>& scale) {
+    refuseIfResaved(worksheet, name);
     return Filler{CsvFile{worksheet, name}, name, views, scale}.fill();
 }
 
@@ -218,11 +191,12 @@ std::vector<NamedText> moodleFeedbackFiles(const std::vector<MoodleParticipant>&
                                            const std::vector<std::string>& pages) {
     std::vector<NamedText> files;
     for (const MoodleParticipant& participant : graded) {
-        // Moodle takes what stands between the first two underscores for the id.
+        // Moodle takes what stands between the first two underscores for the id, and before 4.1.10
+        // asks for the underscore at the end.
         std::string name = nameOf(views.at(participant.view).result().submission);
         std::ranges::replace(name, '_', ' ');
         std::ranges::replace(name, '/', ' ');
-        files.push_back({fmt::format("{}_{}_assignsubmission_file/report.html", cleanText(name),
+        files.push_back({fmt::format("{}_{}_assignsubmission_file_/student.html", cleanText(name),
                                      participant.id),
                          pages.at(participant.view)});
     }

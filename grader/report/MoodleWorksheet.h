@@ -33,14 +33,16 @@ struct MoodleParticipant {
 struct MoodleGrades {
     std::string worksheet;  ///< to be uploaded
     std::vector<MoodleParticipant> graded;
-    std::vector<std::string> remarks;  ///< whose row was left as it is, and why; one line each
+    std::vector<std::string> remarks;   ///< whose row was left as it is, and why; one line each
+    std::vector<std::string> warnings;  ///< what Moodle may do with the sheet; one line each
 };
 
 /// Fills in Moodle's grading worksheet: Grade and Feedback comments of those whose tick is awarded
 /// or not, nothing else; every other byte stays. Rows are found by the id at the end of a
 /// submission's name ("Ann Lee_123"), a team's by its name in the column Group. A grade is the
 /// share of the row's maximum, or a word of the scale. What needs a person, was not graded, or is
-/// locked stays as it is, with a remark.
+/// locked stays as it is, with a remark. Where a Moodle would lose rows, a warning says how to keep
+/// them.
 /// @param name  The worksheet's file name, for messages.
 /// @throws raytracer::InputError where a column is missing, or a scale is used and `scale` is
 /// empty.

@@ -139,7 +139,7 @@ TEST(MoodleWorksheet, EverybodyInATeamGetsItsGradeAndNobodyElseByItsNumber) {
     for (const NamedText& file : moodleFeedbackFiles(grades.graded, views, {"red", "default"}))
         EXPECT_TRUE(moodle.uploadFeedback(file.path)) << file.path;
     for (const auto& [id, record] : moodle.records)
-        EXPECT_EQ(record.files, std::vector<std::string>{"report.html"}) << id;
+        EXPECT_EQ(record.files, std::vector<std::string>{"student.html"}) << id;
 }
 
 TEST(MoodleWorksheet, LeavesLockedRowsAloneAndSaysWhoIsMissing) {
@@ -183,6 +183,70 @@ TEST(MoodleWorksheet, AnotherFileIsRefusedWithTheColumnThatItLacks) {
     }
 }
 
+bool warns(const MoodleGrades& grades, const std::string& words) {
+    return std::ranges::any_of(grades.warnings, [&](const std::string& warning) {
+        return warning.find(words) != std::string::npos;
+    });
+}
+
+TEST(MoodleWorksheet, WarnsOfZerosWhichTheNewestMoodleDropsAndAScaleKeeps) {
+    MoodleAssignment moodle = assignment();
+    moodle.dropsZeros = true;
+    const MoodleGrades points = filled(moodle.worksheet(kStudents), someViews());
+    EXPECT_EQ(moodle.upload(points.worksheet, kNow)["Participant 12"], Row::noGrade);
+    EXPECT_TRUE(warns(points, "1 of the marks is 0"));
+    EXPECT_TRUE(warns(points, "--scale"));
+
+    moodle.scale = {"Not yet", "Tick"};
+    const MoodleGrades words =
+        filled(moodle.worksheet(kStudents), someViews(), ScaleWords{"Not yet", "Tick"});
+    EXPECT_EQ(moodle.upload(words.worksheet, kNow)["Participant 12"], Row::taken);
+    EXPECT_FALSE(warns(words, "marks"));
+    EXPECT_FALSE(warns(filled(assignment().worksheet(kStudents),
+                              {viewOf(passedExample(), "Ada Countess Lovelace, jr_7")}),
+                       "marks"));
+}
+
+TEST(MoodleWorksheet, WarnsOfDatesThatAreNotInEnglish) {
+    MoodleAssignment moodle = assignment();
+    moodle.records[12].gradedAt = kNow;
+    std::string sheet = moodle.worksheet(kStudents);
+    EXPECT_FALSE(warns(filled(sheet, someViews()), "English"));
+    const std::string date = tests::moodleDate(kNow);
+    sheet.replace(sheet.find(date), date.size(), "Donnerstag, 9. Oktober 2025, 08:53");
+    EXPECT_TRUE(warns(filled(sheet, someViews()), "switch Moodle to English"));
+}
+
+TEST(MoodleWorksheet, WarnsOfARowThatMoodleItselfMisreads) {
+    MoodleAssignment moodle = assignment();
+    const std::string sheet =
+        moodle.worksheet(kStudents) + "Participant 5,\"C:\\\",x@example.org,,,100.00,Yes,-,,-,\n";
+    EXPECT_TRUE(warns(filled(sheet, someViews()), "row 6: a field ends in a backslash"));
+}
+
+TEST(MoodleWorksheet, RefusesWhatExcelSavedAndSaysWhatToHandIn) {
+    for (const std::string& sheet : {std::string{"\xFF\xFEI\0d\0", 6},
+                                     std::string{"Identifier;Full name;Grade\nParticipant 7;A;\n"},
+                                     std::string{"Identifier\tGrade\nParticipant 7\t\n"}}) {
+        try {
+            static_cast<void>(filled(sheet, {}));
+            FAIL() << sheet;
+        } catch (const raytracer::InputError& error) {
+            EXPECT_NE(std::string{error.what()}.find("as Moodle's download, untouched"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
+}
+
+TEST(MoodleFeedbackFiles, OlderMoodleFindsThemToo) {
+    MoodleAssignment moodle = assignment();
+    moodle.wantsFiveParts = true;
+    for (const NamedText& file : moodleFeedbackFiles({{"7", 0}}, someViews(), {"a"}))
+        EXPECT_TRUE(moodle.uploadFeedback(file.path)) << file.path;
+    EXPECT_FALSE(moodle.uploadFeedback("Ada_7_assignsubmission_file/student.html"));
+}
+
 TEST(MoodleFeedbackFiles, MoodleFindsEverybodyWhateverTheName) {
     MoodleAssignment moodle = assignment();
     const std::vector<StudentView> views = someViews();
@@ -191,7 +255,7 @@ TEST(MoodleFeedbackFiles, MoodleFindsEverybodyWhateverTheName) {
     ASSERT_EQ(files.size(), 3U);
     for (const NamedText& file : files)
         EXPECT_TRUE(moodle.uploadFeedback(file.path)) << file.path;
-    EXPECT_EQ(moodle.records[12].files, std::vector<std::string>{"report.html"});
+    EXPECT_EQ(moodle.records[12].files, std::vector<std::string>{"student.html"});
 }
 
 }  // namespace

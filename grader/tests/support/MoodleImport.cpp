@@ -146,7 +146,8 @@ std::map<std::string, MoodleAssignment::Row> MoodleAssignment::upload(std::strin
         const bool stale = record.gradedAt > timeOf(rows[i].at(modified)) + 60;
         char* end = nullptr;
         const double number = std::strtod(wanted.c_str(), &end);
-        if (wanted.empty() || (scale.empty() ? *end != '\0' || number < 0.0 : !isWord))
+        const bool isDropped = dropsZeros && scale.empty() && number == 0.0;
+        if (wanted.empty() || isDropped || (scale.empty() ? *end != '\0' || number < 0.0 : !isWord))
             row = Row::noGrade;
         else if (wanted == record.grade)
             row = Row::sameGrade;
@@ -180,7 +181,7 @@ bool MoodleAssignment::uploadFeedback(const std::string& path) {
         std::istringstream words{parts[i]};
         for (std::string word; info.size() < 4 && std::getline(words, word, '_');)
             info.push_back(word);
-        if (info.size() < 4) continue;
+        if (info.size() < 4 || (wantsFiveParts && !parts[i].ends_with("_file_"))) continue;
         if (info[1].empty() || info[1].find_first_not_of("0123456789") != std::string::npos)
             continue;
         const auto known = records.find(std::atoi(info[1].c_str()));

@@ -30,6 +30,8 @@ public:
     bool blind = false;
     bool teams = false;
     bool byteOrderMark = true;
+    bool dropsZeros = false;      ///< the newest code (0bd8f1fd, "multiple marking"): 0 is no grade
+    bool wantsFiveParts = false;  ///< before 4.1.10: a folder of feedback ends in an underscore
     std::map<int, MoodleRecord> records = {};  ///< by participant
 
     /// The worksheet as downloaded. In a team assignment everybody of `students` is a person and
