@@ -2,47 +2,52 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cctype>
-
 namespace ticker::report {
 namespace {
 
 using nlohmann::ordered_json;
 
-/// Autolab puts quotes around every word before a colon, also inside strings: a blank between the
-/// two keeps it from that.
-std::string withoutKeys(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == ':' && !safe.empty() && std::isalnum(static_cast<unsigned char>(safe.back())) != 0)
-            safe += ' ';
-        safe += c;
-    }
-    return safe;
-}
+// Autolab marks each entry of a stage whose entries are objects, right or wrong, and shows a stage
+// of plain words without marks.
+constexpr const char* kMarked = "Tick";
+constexpr const char* kUnmarked = "Not decided";
 
 ordered_json stepOf(const StudentView& view, const TaskReport& task) {
     ordered_json step;
     step["passed"] = task.state == TaskState::passed;
     if (task.state != TaskState::passed || !task.findings.empty())
-        step["hint"] = withoutKeys(taskText(view, task));
+        step["hint"] = shortText(view, task);
     return step;
+}
+
+ordered_json feedbackOf(const StudentView& view) {
+    ordered_json marked = ordered_json::object();
+    ordered_json unmarked = ordered_json::object();
+    for (const TaskReport& task : view.result().tasks) {
+        if (!concernsStudent(task)) continue;
+        if (isDecided(task))
+            marked[taskName(task)] = stepOf(view, task);
+        else
+            unmarked[taskName(task)] = shortText(view, task);
+    }
+    ordered_json feedback;
+    feedback["_presentation"] = "semantic";
+    feedback["stages"] = ordered_json::array({kMarked});
+    feedback[kMarked] = marked;
+    if (!unmarked.empty()) {
+        feedback["stages"].push_back(kUnmarked);
+        feedback[kUnmarked] = unmarked;
+    }
+    return feedback;
 }
 
 }  // namespace
 
-std::optional<std::string> autolabLines(const StudentView& view) {
+std::string autolabLines(const StudentView& view) {
     const SubmissionResult& result = view.result();
-    if (result.verdict == Verdict::notGraded) return std::nullopt;
-    ordered_json feedback;
-    feedback["_presentation"] = "semantic";
-    feedback["stages"] = {"Tick"};
-    feedback["Tick"] = ordered_json::object();
-    for (const TaskReport& task : result.tasks)
-        if (concernsStudent(task)) feedback["Tick"][taskName(task)] = stepOf(view, task);
     ordered_json scores;
-    scores["scores"]["Tick"] = result.score;
-    return feedback.dump() + "\n" + scores.dump() + "\n";
+    scores["scores"][kMarked] = hasScore(result) ? ordered_json(result.score) : ordered_json();
+    return wholeText(view) + "\n" + feedbackOf(view).dump() + "\n" + scores.dump() + "\n";
 }
 
 }  // namespace ticker::report

@@ -81,7 +81,7 @@ std::string stateCell(const SubmissionResult& result, std::string_view id) {
     for (const TaskReport& task : result.tasks)
         if (task.id == id && task.state != TaskState::notAttempted)
             return fmt::format("<td data-key=\"{}\">{}</td>", static_cast<int>(task.state),
-                               badge(toString(task.state), wordsFor(task.state)));
+                               badge(kindOf(task), wordsFor(task)));
     return "<td data-key=\"9\" class=\"soft\">&ndash;</td>";
 }
 
@@ -117,10 +117,13 @@ std::string row(const SubmissionResult& result) {
     if (!list.empty()) list = "<ul class=\"ids\">" + list + "</ul>";
     std::string html = fmt::format(
         "<tr data-verdict=\"{0}\" data-findings=\"{1}\"><th scope=\"row\" class=\"name\">"
-        "<a href=\"{2}#class\">{3}</a></th><td data-key=\"{4}\">{5}</td>",
+        "<a href=\"{2}#class\">{3}</a> <a class=\"student soft\" href=\"{6}\" "
+        "aria-label=\"for the student: {3}\">for the student</a></th>"
+        "<td data-key=\"{4}\">{5}</td>",
         toString(result.verdict), ids, address(result.submission + "/report.html"),
         escapeHtml(result.submission), static_cast<int>(result.verdict),
-        badge(toString(result.verdict), wordsFor(result.verdict)));
+        badge(toString(result.verdict), wordsFor(result.verdict)),
+        address(result.submission + "/student.html"));
     for (const char* task : kTasks)
         html += stateCell(result, task);
     return html +
@@ -134,7 +137,8 @@ std::string heading(std::string_view text) {
 std::string table(const std::vector<SubmissionResult>& results) {
     std::string html =
         "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of submissions\">"
-        "<table><caption>A heading sorts, a name opens the report; &ndash; means not attempted."
+        "<table><caption>A heading sorts, a name opens the report for staff; &ndash; means not "
+        "attempted."
         "</caption><thead><tr>" +
         heading("Submission") + heading("Verdict");
     for (const char* task : kTasks)

@@ -1,5 +1,8 @@
 #include <grader/report/PlatformFormats.h>
 
+#include <grader/report/Escape.h>
+
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -8,7 +11,7 @@ namespace ticker::report {
 namespace {
 
 const char* statusOf(const SubmissionResult& result) {
-    if (result.verdict == Verdict::notGraded) return "error";
+    if (!hasScore(result)) return "error";
     return result.verdict == Verdict::awarded ? "pass" : "fail";
 }
 
@@ -20,7 +23,9 @@ std::string classroomJson(const StudentView& view) {
     test["name"] = "Tick";
     test["status"] = statusOf(result);
     test["score"] = result.score;
-    test["message"] = wholeText(view);
+    // The reporter prints the message of an error, and GitHub takes printed lines for commands: no
+    // word of a student may be among them.
+    test["message"] = hasScore(result) ? wholeText(view) : verdictText(view);
     test["test_code"] = "";
     test["filename"] = "";
     test["line_no"] = 0;
@@ -28,9 +33,14 @@ std::string classroomJson(const StudentView& view) {
     nlohmann::ordered_json json;
     json["version"] = 1;
     json["status"] = statusOf(result);
-    json["max_score"] = result.maxScore;
+    // Without a maximum the reporter sends no points.
+    json["max_score"] = hasScore(result) ? result.maxScore : 0.0;
     json["tests"] = nlohmann::ordered_json::array({test});
     return json.dump(2) + "\n";
+}
+
+std::string classroomSummary(const StudentView& view) {
+    return fmt::format("<pre>\n{}\n</pre>\n", escapeHtml(wholeText(view)));
 }
 
 }  // namespace ticker::report

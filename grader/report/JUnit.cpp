@@ -10,7 +10,7 @@
 namespace ticker::report {
 namespace {
 
-enum class Outcome { passed, failed, skipped, error };
+enum class Outcome { passed, failed, skipped };
 
 struct Case {
     std::string name;
@@ -19,79 +19,37 @@ struct Case {
 };
 
 Outcome outcomeOf(const TaskReport& task) {
-    if (task.needsReview) return Outcome::skipped;
-    switch (task.state) {
-        case TaskState::passed:
-            return Outcome::passed;
-        case TaskState::failed:
-        case TaskState::blocked:
-            return Outcome::failed;
-        case TaskState::notAttempted:
-            return Outcome::skipped;
-        case TaskState::notGraded:
-            break;
-    }
-    return Outcome::error;
+    if (!isDecided(task) || task.state == TaskState::notAttempted) return Outcome::skipped;
+    return task.state == TaskState::passed ? Outcome::passed : Outcome::failed;
 }
 
-Outcome outcomeOf(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::awarded:
-            return Outcome::passed;
-        case Verdict::notAwarded:
-            return Outcome::failed;
-        case Verdict::needsReview:
-            return Outcome::skipped;
-        case Verdict::notGraded:
-            break;
-    }
-    return Outcome::error;
+Outcome outcomeOf(const SubmissionResult& result) {
+    if (!hasScore(result)) return Outcome::skipped;
+    return result.verdict == Verdict::awarded ? Outcome::passed : Outcome::failed;
 }
 
-/// Readers turn newlines of an attribute into blanks unless they are written as references.
-std::string attribute(std::string_view text) {
-    std::string escaped;
-    for (const char c : escapeHtml(text)) {
-        if (c == '\n')
-            escaped += "&#10;";
-        else if (c == '\t')
-            escaped += "&#9;";
-        else
-            escaped += c;
-    }
-    return escaped;
+/// Artemis and Jenkins show the attribute, GitLab shows the text alone.
+std::string withReason(std::string_view element, const std::string& text) {
+    return fmt::format("      <{0} message=\"{1}\">{2}</{0}>\n", element,
+                       escapeHtml(text.substr(0, text.find('\n'))), escapeHtml(text));
 }
 
-/// Artemis and Jenkins show the attribute, GitLab shows the body: both hold everything.
 std::string caseXml(const Case& test) {
-    const auto with = [&](std::string_view element) {
-        return fmt::format("      <{0} message=\"{1}\" type=\"ticker\">{2}</{0}>\n", element,
-                           attribute(test.text), escapeHtml(test.text));
-    };
     std::string inside;
-    switch (test.outcome) {
-        case Outcome::passed:
-            if (!test.text.empty())
-                inside = fmt::format("      <system-out>{}</system-out>\n", escapeHtml(test.text));
-            break;
-        case Outcome::failed:
-            inside = with("failure");
-            break;
-        case Outcome::error:
-            inside = with("error");
-            break;
-        case Outcome::skipped:
-            inside = fmt::format("      <skipped message=\"{}\"/>\n", attribute(test.text));
-            break;
-    }
+    if (test.outcome == Outcome::failed)
+        inside = withReason("failure", test.text);
+    else if (test.outcome == Outcome::skipped)
+        inside = withReason("skipped", test.text);
+    else if (!test.text.empty())
+        inside = fmt::format("      <system-out>{}</system-out>\n", escapeHtml(test.text));
     const std::string start = fmt::format(
-        "    <testcase classname=\"tick1star\" name=\"{}\" time=\"0\"", attribute(test.name));
+        "    <testcase classname=\"tick1star\" name=\"{}\" time=\"0\"", escapeHtml(test.name));
     return inside.empty() ? start + "/>\n" : start + ">\n" + inside + "    </testcase>\n";
 }
 
 std::vector<Case> casesOf(const StudentView& view) {
     const SubmissionResult& result = view.result();
-    const Outcome verdict = outcomeOf(result.verdict);
+    const Outcome verdict = outcomeOf(result);
     std::vector<Case> cases{{"Tick", verdict, verdict == Outcome::passed ? "" : verdictText(view)}};
     for (const TaskReport& task : result.tasks) {
         const bool silent = task.state == TaskState::passed && task.findings.empty();
@@ -102,9 +60,10 @@ std::vector<Case> casesOf(const StudentView& view) {
 
 }  // namespace
 
-std::string junitXml(const StudentView& view) {
+std::optional<std::string> junitXml(const StudentView& view) {
+    if (view.result().verdict == Verdict::notGraded) return std::nullopt;
     std::string inside;
-    std::array<int, 4> counts{};
+    std::array<int, 3> counts{};
     int tests = 0;
     for (const Case& test : casesOf(view)) {
         inside += caseXml(test);
@@ -116,9 +75,9 @@ std::string junitXml(const StudentView& view) {
     };
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
-        "  <testsuite name=\"tick1star\" tests=\"{}\" failures=\"{}\" errors=\"{}\" "
+        "  <testsuite name=\"tick1star\" tests=\"{}\" failures=\"{}\" errors=\"0\" "
         "skipped=\"{}\" time=\"{:.3f}\">\n{}  </testsuite>\n</testsuites>\n",
-        tests, count(Outcome::failed), count(Outcome::error), count(Outcome::skipped),
+        tests, count(Outcome::failed), count(Outcome::skipped),
         view.result().timing.totalMs / 1000.0, inside);
 }
 

@@ -1,5 +1,8 @@
 #include <grader/report/PlatformFormats.h>
 
+#include <grader/report/Words.h>
+
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 namespace ticker::report {
@@ -7,17 +10,16 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Points only colour the line; the score is the rubric's. PrairieLearn shows a test without
-/// possible points as neither right nor wrong.
-ordered_json testOf(const StudentView& view, const TaskReport& task) {
-    const bool isOpen = task.needsReview || task.state == TaskState::notGraded ||
-                        task.state == TaskState::notAttempted;
-    ordered_json test;
-    test["name"] = taskName(task);
-    test["points"] = !isOpen && task.state == TaskState::passed ? 1 : 0;
-    test["max_points"] = isOpen ? 0 : 1;
-    test["output"] = taskText(view, task);
-    return test;
+/// PrairieLearn heads the result with the sum of all tests' points beside the score: one test has
+/// them all. A test without possible points is marked as neither right nor wrong.
+ordered_json test(const std::string& name, double points, double maxPoints,
+                  const std::string& output) {
+    return {{"name", name}, {"points", points}, {"max_points", maxPoints}, {"output", output}};
+}
+
+std::string nameWithState(const TaskReport& task) {
+    return fmt::format("{}: {}", taskName(task),
+                       task.needsReview ? wordsFor(Verdict::needsReview) : wordsFor(task));
 }
 
 }  // namespace
@@ -25,15 +27,18 @@ ordered_json testOf(const StudentView& view, const TaskReport& task) {
 std::string prairieLearnJson(const StudentView& view) {
     const SubmissionResult& result = view.result();
     ordered_json json;
-    json["gradable"] = result.verdict != Verdict::notGraded;
+    json["gradable"] = hasScore(result);
     json["message"] = verdictText(view);
-    if (result.verdict != Verdict::notGraded) {
-        json["score"] = result.maxScore > 0.0 ? result.score / result.maxScore : 0.0;
-        ordered_json tests = ordered_json::array();
-        for (const TaskReport& task : result.tasks)
-            if (concernsStudent(task)) tests.push_back(testOf(view, task));
-        json["tests"] = tests;
+    ordered_json tests = ordered_json::array();
+    if (hasScore(result)) {
+        const double share = result.maxScore > 0.0 ? result.score / result.maxScore : 0.0;
+        json["score"] = share;
+        tests.push_back(test("Tick", share, 1.0, verdictText(view)));
     }
+    for (const TaskReport& task : result.tasks)
+        if (concernsStudent(task))
+            tests.push_back(test(nameWithState(task), 0.0, 0.0, taskText(view, task)));
+    json["tests"] = tests;
     return json.dump(2) + "\n";
 }
 

@@ -44,20 +44,21 @@ std::string shortReason(const TaskReport& task) {
 class Grouped {
 public:
     void add(const std::string& task, const std::string& what) {
-        for (auto& [tasks, said] : groups_)
-            if (said == what) {
-                tasks += " and " + task;
-                return;
-            }
-        groups_.emplace_back(task, what);
+        const auto known =
+            std::ranges::find(groups_, what, [](const auto& group) { return group.second; });
+        if (known != groups_.end())
+            known->first.push_back(task);
+        else
+            groups_.push_back({{task}, what});
     }
     /// Pairs of tasks and what is said of them.
-    [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& groups() const {
+    [[nodiscard]] const std::vector<std::pair<std::vector<std::string>, std::string>>& groups()
+        const {
         return groups_;
     }
 
 private:
-    std::vector<std::pair<std::string, std::string>> groups_;
+    std::vector<std::pair<std::vector<std::string>, std::string>> groups_;
 };
 
 /// The verdict as a sentence.
@@ -74,18 +75,21 @@ std::string lead(const SubmissionResult& result) {
             wrong.add(nameOf(task), shortReason(task));
     }
     std::string text;
-    for (const auto& [tasks, what] : wrong.groups())
-        text += fmt::format("{}: {}{}", tasks, what, what.ends_with('.') ? " " : ". ");
+    for (const auto& [tasks, what] : wrong.groups()) {
+        const bool isAll = tasks.size() > 1 && tasks.size() + 1 == result.tasks.size();
+        text += fmt::format("{}{}", isAll ? sentence(what) : listed(tasks) + ": " + what,
+                            what.ends_with('.') ? " " : ". ");
+    }
     if (!right.empty()) text += right + ".";
     return text.empty() ? "No task was attempted." : text;
 }
 
 std::string overviewItem(const TaskReport& task) {
     const std::string name = escapeHtml(nameOf(task));
-    std::string html = fmt::format("<li class=\"{}\">", toString(task.state));
+    std::string html = fmt::format("<li class=\"{}\">", kindOf(task));
     html += hasSection(task) ? fmt::format("<a href=\"#{}\">{}</a>", anchor(task.id), name)
                              : fmt::format("<strong>{}</strong>", name);
-    html += badge(toString(task.state), wordsFor(task.state));
+    html += badge(kindOf(task), wordsFor(task));
     if (const std::string reason = shortReason(task); !reason.empty())
         html += fmt::format("<span class=\"reason\">{}</span>", escapeHtml(sentence(reason)));
     return html + "</li>";
@@ -94,8 +98,7 @@ std::string overviewItem(const TaskReport& task) {
 std::string reviewReason(const TaskReport& task) {
     if (!task.reason.empty()) return task.reason;
     if (const Finding* finding = firstFail(task)) return finding->message;
-    return task.findings.empty() ? std::string{wordsFor(task.state)}
-                                 : task.findings.front().message;
+    return task.findings.empty() ? std::string{wordsFor(task)} : task.findings.front().message;
 }
 
 /// Why a person should look, where one should.
@@ -103,14 +106,15 @@ std::string reviewReasons(const SubmissionResult& result) {
     if (result.verdict != Verdict::needsReview) return "";
     Grouped reasons;
     for (const TaskReport& task : result.tasks)
-        if (task.needsReview || (task.id == "screenshot" && task.state != TaskState::passed))
+        if (task.needsReview ||
+            (task.id == "screenshot" && task.state != TaskState::passed && !isNotChecked(task)))
             reasons.add(nameOf(task), reviewReason(task));
     if (reasons.groups().empty()) return "";
     std::string html =
         "<section class=\"why\" aria-labelledby=\"why\"><h2 id=\"why\">A person should look "
         "before this counts</h2><ul>";
     for (const auto& [tasks, reason] : reasons.groups())
-        html += fmt::format("<li><strong>{}:</strong> {}</li>", escapeHtml(tasks),
+        html += fmt::format("<li><strong>{}:</strong> {}</li>", escapeHtml(listed(tasks)),
                             escapeHtml(sentence(reason)));
     return html + "</ul></section>";
 }
@@ -163,8 +167,10 @@ std::string taskSection(const SubmissionResult& result, const TaskReport& task,
     std::string html = fmt::format(
         "<section id=\"{0}\" aria-labelledby=\"{0}-head\"><h2 id=\"{0}-head\">{1} {2}"
         "</h2>",
-        anchor(task.id), escapeHtml(nameOf(task)),
-        badge(toString(task.state), wordsFor(task.state)));
+        anchor(task.id), escapeHtml(nameOf(task)), badge(kindOf(task), wordsFor(task)));
+    if (const TaskReport* before = saidBefore(result, task))
+        return html + fmt::format("<p>The same as for <a href=\"#{}\">{}</a>.</p></section>",
+                                  anchor(before->id), escapeHtml(nameOf(*before)));
     // Findings say it better.
     if (task.findings.empty() && !task.reason.empty())
         html += fmt::format("<p>{}</p>", escapeHtml(sentence(task.reason)));

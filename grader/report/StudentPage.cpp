@@ -11,11 +11,11 @@
 namespace ticker::report {
 namespace {
 
-std::string section(const TaskReport& task, const Album& album) {
-    std::string html = fmt::format("<section><h2>{} {}</h2>", escapeHtml(taskName(task)),
-                                   badge(toString(task.state), wordsFor(task.state)));
+std::string section(const StudentView& view, const TaskReport& task, const Album& album) {
+    std::string html = fmt::format("<section><h2>{} {}</h2>", escapeHtml(headingOf(view, task)),
+                                   badge(kindOf(task), wordsFor(task)));
     if (task.findings.empty() && !task.reason.empty())
-        html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
+        html += fmt::format("<p>{}</p>", escapeHtml(sentence(task.reason)));
     for (const Finding& finding : task.findings)
         html += findingCard(finding, album, "");
     return html + "</section>";
@@ -42,7 +42,8 @@ std::string studentPage(const StudentView& view) {
         toString(result.verdict), escapeHtml(result.submission),
         badge(toString(result.verdict), wordsFor(result.verdict)), escapeHtml(verdictText(view)));
     for (const TaskReport& task : result.tasks)
-        if (concernsStudent(task)) body += section(task, album);
+        if (concernsStudent(task) && saidBefore(result, task) == nullptr)
+            body += section(view, task, album);
     body += diagnosticsSection(result) + pictures(result, album) + "</main>";
     return page(fmt::format("Tick 1*: {}", wordsFor(result.verdict)), reportCss(), reportJs(),
                 body);

@@ -68,15 +68,15 @@ void withholdPictures(SubmissionResult& result, const StudentPolicy& policy) {
 }
 
 /// Which file a task is solved in.
-std::string_view fileOf(const TaskReport& task) {
-    if (task.id == "T1") return "BumpySphere.cpp";
-    return task.id.starts_with("T2") ? "Renderer.cpp" : "";
+std::string_view fileOf(std::string_view task) {
+    if (task == "T1") return "BumpySphere.cpp";
+    return task.starts_with("T2") ? "Renderer.cpp" : "";
 }
 
 std::string compilerText(const SubmissionResult& result, const TaskReport& task) {
     if (task.state != TaskState::blocked) return "";
     for (const Diagnostics& said : result.diagnostics)
-        if (said.file == fileOf(task) && !said.text.empty())
+        if (said.file == fileOf(task.id) && !said.text.empty())
             return fmt::format("What the compiler said about {}:\n{}\n", said.file, said.text);
     return "";
 }
@@ -89,7 +89,26 @@ std::string findingText(const Finding& finding) {
     return text;
 }
 
-std::string_view sentenceFor(const StudentView& view) {
+/// "T1, or T2.1 and T2.2 together": what the rubric asks for.
+std::string ruleOf(const std::vector<Option>& options) {
+    std::string ways;
+    for (const Option& option : options)
+        ways += fmt::format("{}{}{}", ways.empty() ? "" : ", or ", listed(option.tasks),
+                            option.tasks.size() > 1 ? " together" : "");
+    if (ways.empty()) return "";
+    return (options.size() > 1 ? " One option is enough: " : " It takes ") + ways + ".";
+}
+
+/// " Edit BumpySphere.cpp (T1) or Renderer.cpp (T2.1 and T2.2)."
+std::string filesOf(const std::vector<Option>& options) {
+    std::string text;
+    for (const Option& option : options)
+        text += fmt::format("{}{} ({})", text.empty() ? " Edit " : " or ",
+                            fileOf(option.tasks.front()), listed(option.tasks));
+    return text.empty() ? text : text + ".";
+}
+
+std::string sentenceFor(const StudentView& view) {
     const SubmissionResult& result = view.result();
     if (result.verdict == Verdict::awarded && view.proposed() == Verdict::notAwarded)
         return "Tick awarded by your ticker, against the automatic check. What the check says "
@@ -101,9 +120,8 @@ std::string_view sentenceFor(const StudentView& view) {
             return "Tick awarded.";
         case Verdict::notAwarded:
             return std::ranges::any_of(result.tasks, concernsStudent)
-                       ? "No tick yet. One option is enough: T1, or T2.1 and T2.2 together."
-                       : "No tick yet: no task was worked on. Edit BumpySphere.cpp (T1) or "
-                         "Renderer.cpp (T2).";
+                       ? "No tick yet." + ruleOf(result.options)
+                       : "No tick yet: no task was worked on." + filesOf(result.options);
         case Verdict::needsReview:
             return "A person will look at this before it counts.";
         case Verdict::notGraded:
@@ -137,32 +155,56 @@ bool concernsStudent(const TaskReport& task) {
     return task.state != TaskState::notAttempted || !task.findings.empty();
 }
 
+bool isDecided(const TaskReport& task) {
+    return !task.needsReview && task.state != TaskState::notGraded && !isNotChecked(task);
+}
+
+bool hasScore(const SubmissionResult& result) {
+    return result.verdict == Verdict::awarded || result.verdict == Verdict::notAwarded;
+}
+
 std::string taskName(const TaskReport& task) {
     return task.id == "screenshot" ? "Screenshot" : task.id + " " + task.title;
 }
 
-std::string taskText(const StudentView& view, const TaskReport& task) {
+std::string shortText(const StudentView& view, const TaskReport& task) {
+    if (const TaskReport* before = saidBefore(view.result(), task))
+        return fmt::format("The same as for {}.", taskName(*before));
     std::string text;
     if (task.findings.empty() && !task.reason.empty()) text += task.reason + "\n";
     for (const Finding& finding : task.findings)
         text += (text.empty() ? "" : "\n") + findingText(finding);
-    text += compilerText(view.result(), task);
-    if (text.empty()) text = fmt::format("{}\n", wordsFor(task.state));
-    return withoutNewlinesAtEnd(cleanText(text));
+    return withoutNewlinesAtEnd(cleanText(text.empty() ? std::string{wordsFor(task)} : text));
+}
+
+std::string taskText(const StudentView& view, const TaskReport& task) {
+    const std::string text = shortText(view, task);
+    if (saidBefore(view.result(), task) != nullptr) return text;
+    return withoutNewlinesAtEnd(text + "\n" + cleanText(compilerText(view.result(), task)));
+}
+
+std::string headingOf(const StudentView& view, const TaskReport& task) {
+    std::vector<std::string> names;
+    for (const TaskReport& other : view.result().tasks)
+        if (&other == &task || saidBefore(view.result(), other) == &task)
+            names.push_back(taskName(other));
+    return listed(names);
 }
 
 std::string verdictText(const StudentView& view) {
-    const std::string sentence{sentenceFor(view)};
+    const std::string sentence = sentenceFor(view);
     if (view.comment().empty()) return sentence;
     return cleanText(fmt::format("{}\nYour ticker says: {}", sentence, view.comment()));
 }
 
 std::string wholeText(const StudentView& view) {
     std::string text = verdictText(view) + "\n";
-    for (const TaskReport& task : view.result().tasks)
-        if (concernsStudent(task))
-            text += fmt::format("\n{}, {}\n{}\n", taskName(task), wordsFor(task.state),
-                                taskText(view, task));
+    for (const TaskReport& task : view.result().tasks) {
+        if (!concernsStudent(task) || saidBefore(view.result(), task) != nullptr) continue;
+        text += fmt::format("\n{}, {}\n", headingOf(view, task), wordsFor(task));
+        if (const std::string said = taskText(view, task); said != wordsFor(task))
+            text += said + "\n";
+    }
     return withoutNewlinesAtEnd(cleanText(text));
 }
 

@@ -47,18 +47,32 @@ private:
 /// True where the student worked on this task, or something is to be said about it.
 [[nodiscard]] bool concernsStudent(const TaskReport& task);
 
+/// True where the task is right or wrong, and neither a person's business nor unchecked.
+[[nodiscard]] bool isDecided(const TaskReport& task);
+
+/// True where the verdict is one: a score that a platform may store and release.
+[[nodiscard]] bool hasScore(const SubmissionResult& result);
+
 /// "T1 Bump mapping", "Screenshot": stable and unique in a result.
 [[nodiscard]] std::string taskName(const TaskReport& task);
 
-/// Everything that is said about one task, as plain text over several lines; not escaped for any
-/// format but free of control characters. Never empty.
+/// The findings of one task with their hints, as plain text over several lines; not escaped for any
+/// format but free of control characters. What was said of an earlier task is not said again. Never
+/// empty.
+[[nodiscard]] std::string shortText(const StudentView& view, const TaskReport& task);
+
+/// The same, and what the compiler said.
 [[nodiscard]] std::string taskText(const StudentView& view, const TaskReport& task);
+
+/// The names of a task and of all later ones of which the same is said.
+[[nodiscard]] std::string headingOf(const StudentView& view, const TaskReport& task);
 
 /// One or two sentences on the verdict, and the person's comment, as plain text without control
 /// characters.
 [[nodiscard]] std::string verdictText(const StudentView& view);
 
-/// verdictText, then the text of each task that concerns the student, under its name.
+/// verdictText, then the text of each task that concerns the student, under its name; what is the
+/// same for several tasks once, under all names.
 [[nodiscard]] std::string wholeText(const StudentView& view);
 
 }  // namespace ticker::report

@@ -1,8 +1,11 @@
 #include <grader/report/Escape.h>
 #include <grader/report/SummaryCsv.h>
+#include <grader/report/Tally.h>
+#include <grader/report/Words.h>
 #include <grader/result/Names.h>
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -14,17 +17,12 @@ constexpr std::array kTasks{"T1", "T2.1", "T2.2", "screenshot"};
 
 std::string stateOf(const SubmissionResult& result, const std::string& id) {
     for (const TaskReport& task : result.tasks)
-        if (task.id == id) return std::string{toString(task.state)};
+        if (task.id == id) return std::string{kindOf(task)};
     return "";
 }
 
 std::string findingsOf(const SubmissionResult& result) {
-    std::string ids;
-    for (const TaskReport& task : result.tasks)
-        for (const Finding& finding : task.findings)
-            if (finding.severity != Severity::note)
-                ids += fmt::format("{}{}", ids.empty() ? "" : " ", finding.id);
-    return ids;
+    return fmt::format("{}", fmt::join(findingIds(result), " "));
 }
 
 std::string decisionOf(const SubmissionResult& result, const std::vector<Decision>& decisions) {

@@ -4,11 +4,13 @@
 
 namespace ticker::report {
 
-std::set<std::string> findingIds(const SubmissionResult& result) {
-    std::set<std::string> ids;
+std::vector<std::string> findingIds(const SubmissionResult& result) {
+    std::vector<std::string> ids;
     for (const TaskReport& task : result.tasks)
         for (const Finding& finding : task.findings)
-            if (finding.severity != Severity::note) ids.insert(finding.id);
+            if (finding.severity != Severity::note &&
+                std::ranges::find(ids, finding.id) == ids.end())
+                ids.push_back(finding.id);
     return ids;
 }
 

@@ -4,7 +4,6 @@
 #include <grader/result/SubmissionResult.h>
 
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,8 +23,8 @@ struct Tally {
 
 [[nodiscard]] Tally tallyOf(const std::vector<SubmissionResult>& results);
 
-/// The findings of a submission that are more than a note, each once.
-[[nodiscard]] std::set<std::string> findingIds(const SubmissionResult& result);
+/// The findings of a submission that are more than a note, each once, in the order of its tasks.
+[[nodiscard]] std::vector<std::string> findingIds(const SubmissionResult& result);
 
 }  // namespace ticker::report
 

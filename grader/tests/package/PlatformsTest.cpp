@@ -157,7 +157,8 @@ TEST_F(Platforms, ClassroomsStepHandsTheResultOverAndPrintsNothing) {
         .bindReadOnly(image("source/ticker"), "/opt/ticker")
         .bindReadOnly(TICKER_SOURCE_DIR "/grader/integrations/classroom", "/classroom")
         .set("TICKER", "/opt/ticker/bin/ticker")
-        .set("GITHUB_OUTPUT", "/desk/output");
+        .set("GITHUB_OUTPUT", "/desk/output")
+        .set("GITHUB_STEP_SUMMARY", "/desk/summary");
     const RootRun ran = root.run("cd /desk && /classroom/grade");
     ASSERT_EQ(ran.status, 0) << ran.errors;
     EXPECT_EQ(ran.output, "") << "GitHub takes lines for commands";
@@ -165,6 +166,8 @@ TEST_F(Platforms, ClassroomsStepHandsTheResultOverAndPrintsNothing) {
         tests::runHere("sed -n 's/^result=//p' " + (box / "output").string() + " | base64 -d");
     EXPECT_TRUE(tests::fitsSchema(decoded.output, "classroom")) << decoded.output;
     EXPECT_EQ(json::parse(decoded.output).at("status"), "pass");
+    const std::string summary = tests::textOf(box / "summary");
+    EXPECT_TRUE(summary.starts_with("<pre>\nTick awarded.\n")) << summary;
 }
 
 TEST(Docker, TheImageInstallsEveryPackageWhoseLibrariesTickerNeeds) {

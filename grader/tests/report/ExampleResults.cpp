@@ -109,6 +109,7 @@ SubmissionResult base(const std::string& name) {
     result.sandboxLevel = "A";
     result.toolVersion = "0.1.0";
     result.timing = {3120.0, 840.0, 4410.0};
+    result.options = {{"T1", {"T1"}, 1.0}, {"T2", {"T2.1", "T2.2"}, 1.0}};
     return result;
 }
 
@@ -157,6 +158,14 @@ Finding clustered() {
     finding.severity = Severity::warn;
     finding.message = "Aim points crowd at the light's centre. This is accepted.";
     finding.section = "Soft shadows (T2.1)";
+    return finding;
+}
+
+Finding oneOf(const char* id, const char* message) {
+    Finding finding;
+    finding.id = id;
+    finding.message = message;
+    finding.hint = "Look once more.";
     return finding;
 }
 
@@ -261,6 +270,64 @@ SubmissionResult hostileExample() {
         picture.caption = hostile;
     result.renders[0].scene = hostile;
     result.toolVersion = hostile;
+    return result;
+}
+
+SubmissionResult notCheckedExample() {
+    SubmissionResult result = saidTwiceExample();
+    result.submission = "nothing-to-compare-with";
+    result.tasks[2] = task("T2.2", TaskState::notAttempted, "the stub still stands");
+    return result;
+}
+
+SubmissionResult saidTwiceExample() {
+    SubmissionResult result = base("renderer-does-not-compile");
+    result.verdict = Verdict::notAwarded;
+    result.option = "T2";
+    const std::string message = "Renderer.cpp does not compile: error: expected ';'";
+    result.tasks = {
+        task("T1", TaskState::notAttempted, "there is no BumpySphere.cpp"),
+        task("T2.1", TaskState::blocked, message), task("T2.2", TaskState::blocked, message),
+        task("screenshot", TaskState::blocked, "not checked: there is no code to compare it with")};
+    for (const std::size_t i : {1U, 2U})
+        result.tasks[i].findings = {oneOf("build.failed", message.c_str())};
+    result.diagnostics = {{"Renderer.cpp", "Renderer.cpp:7:3: error: expected ';'\n"}};
+    return result;
+}
+
+SubmissionResult textOnlyExample() {
+    SubmissionResult result = base("text-only");
+    result.verdict = Verdict::needsReview;
+    for (const char* id : {"T1", "T2.1", "T2.2", "screenshot"}) {
+        const char* message = "There is a text, but no file.";
+        result.tasks.push_back(task(id, TaskState::blocked, message));
+        result.tasks.back().findings = {oneOf("intake.missing-file", message)};
+        result.tasks.back().needsReview = true;
+    }
+    return result;
+}
+
+SubmissionResult reviewExample() {
+    SubmissionResult result = passedExample();
+    result.submission = "no-screenshot";
+    result.verdict = Verdict::needsReview;
+    result.score = 0.0;
+    result.tasks[3] = task("screenshot", TaskState::failed);
+    result.tasks[3].findings = {oneOf("screenshot.missing", "There is no screenshot.png.")};
+    return result;
+}
+
+SubmissionResult notGradedExample() {
+    SubmissionResult result = failedBumpExample();
+    result.verdict = Verdict::notGraded;
+    result.tasks[0] = task("T1", TaskState::notGraded, "no memory on this machine");
+    return result;
+}
+
+SubmissionResult nothingGradedExample() {
+    SubmissionResult result = base("no-memory");
+    for (const char* id : {"T1", "T2.1", "T2.2", "screenshot"})
+        result.tasks.push_back(task(id, TaskState::notGraded, "no memory on this machine"));
     return result;
 }
 

@@ -46,7 +46,7 @@ ReadSuite readBack(const std::string& xml) {
 }
 
 ReadSuite readBack(const SubmissionResult& result) {
-    return readBack(junitXml(StudentView{result, {}}));
+    return readBack(junitXml(StudentView{result, {}}).value());
 }
 
 TEST(JUnitXml, AlwaysHasTheSameCases) {
@@ -74,26 +74,16 @@ TEST(JUnitXml, CountsAndKindsAreThoseOfTheResult) {
     EXPECT_EQ(readBack(passedExample()).counts["failures"], 0);
 }
 
-TEST(JUnitXml, WhatWeFailedIsAnErrorAndWhatAPersonDecidesIsSkipped) {
+TEST(JUnitXml, WhatWeFailedOrAPersonDecidesIsSkipped) {
     SubmissionResult result = failedBumpExample();
-    result.verdict = Verdict::notGraded;
-    result.tasks[0].state = TaskState::notGraded;
-    EXPECT_EQ(readBack(result).cases["Tick"].kind, "error");
-    EXPECT_EQ(readBack(result).cases["T1 Bump mapping"].kind, "error");
     result.verdict = Verdict::needsReview;
+    result.tasks[0].state = TaskState::notGraded;
     EXPECT_EQ(readBack(result).cases["Tick"].kind, "skipped");
-}
-
-TEST(JUnitXml, MessageAndBodyBothHoldTheWholeFeedback) {
-    ReadSuite read = readBack(failedBumpExample());
-    const ReadCase& failed = read.cases["T1 Bump mapping"];
-    EXPECT_NE(failed.message.find("bump.inverted-u"), std::string::npos);
-    EXPECT_NE(failed.message.find("\nHint: "), std::string::npos) << "lines survive an attribute";
-    EXPECT_EQ(failed.message, failed.body);
+    EXPECT_EQ(readBack(result).cases["T1 Bump mapping"].kind, "skipped");
 }
 
 TEST(JUnitXml, IsWellFormedWhateverAStudentWrote) {
-    const std::string xml = junitXml(StudentView{hostileExample(), {}});
+    const std::string xml = junitXml(StudentView{hostileExample(), {}}).value();
     const ReadSuite read = readBack(xml);
     EXPECT_NE(read.cases.at("T1 Bump mapping").message.find("<script>"), std::string::npos)
         << "kept, as text";

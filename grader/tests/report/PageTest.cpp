@@ -1,5 +1,6 @@
 #include <grader/report/ClassPage.h>
 #include <grader/report/ReportPage.h>
+#include <grader/report/SummaryCsv.h>
 #include <grader/report/Words.h>
 
 #include "ExampleResults.h"
@@ -216,6 +217,46 @@ TEST(ClassPage, IsWellFormedAndNeedsNothingButItsFolders) {
     EXPECT_EQ(tagsOf(html, "h1").size(), 1U);
     EXPECT_EQ(html.find("<img src=x"), std::string::npos);
     EXPECT_EQ(count(html, "</script>"), 1U);
+}
+
+TEST(ReportPage, ShowsWhatWasNotCheckedAsThatAndNotAsPassed) {
+    const std::string html = reportPage(notCheckedExample());
+    EXPECT_NE(html.find("<span class=\"badge notChecked\">not checked</span>"), std::string::npos);
+    EXPECT_EQ(html.find("badge passed"), std::string::npos);
+    const std::string whole = classPage({notCheckedExample()});
+    EXPECT_NE(whole.find("badge notChecked"), std::string::npos);
+    EXPECT_EQ(whole.find("badge passed"), std::string::npos);
+    EXPECT_NE(summaryCsv({notCheckedExample()}, {}).find(",blocked,notAttempted,notChecked,"),
+              std::string::npos);
+}
+
+TEST(ReportPage, SaysOnceWhatIsTheSameForSeveralTasks) {
+    const std::string html = reportPage(textOnlyExample());
+    expectBalanced(html);
+    EXPECT_EQ(count(html, "class=\"card fail\""), 1U);
+    EXPECT_EQ(count(html, "The same as for <a href=\"#task-T1\">T1 Bump mapping</a>"), 3U);
+    EXPECT_NE(html.find("<p class=\"lead\">Left a file out. </p>"), std::string::npos);
+    EXPECT_EQ(count(classPage({textOnlyExample()}), "<li title=\"intake.missing-file\">"), 1U);
+}
+
+TEST(ReportPage, ShowsTheScreenshotsSceneWhateverTheOptionIsCalled) {
+    const std::string viewer = "Submitted: screenshot.png as handed in";
+    SubmissionResult result = failedBumpExample();
+    const std::string usual = reportPage(result);
+    ASSERT_NE(usual.find(viewer), std::string::npos);
+    result.option = "bumps";
+    result.options = {{"bumps", {"T1"}, 1.0}};
+    const std::string html = reportPage(result);
+    EXPECT_EQ(count(html, "expected-bump-mapping"), count(usual, "expected-bump-mapping"));
+    EXPECT_EQ(html.substr(html.find("id=\"pictures\""), 200),
+              usual.substr(usual.find("id=\"pictures\""), 200));
+    EXPECT_EQ(count(html, "class=\"viewer"), count(usual, "class=\"viewer"));
+}
+
+TEST(ClassPage, LinksToTheReportOfStaffAndToThePageOfTheStudent) {
+    const std::string html = classPage({passedExample()});
+    EXPECT_NE(html.find("href=\"Ada%20Lovelace/report.html#class\""), std::string::npos);
+    EXPECT_NE(html.find("href=\"Ada%20Lovelace/student.html\""), std::string::npos);
 }
 
 TEST(ClassPage, CountsVerdictsAndFindings) {

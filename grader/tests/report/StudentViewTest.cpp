@@ -23,7 +23,8 @@ const fs::path kPolicy{TICKER_SOURCE_DIR "/grader/report/student-view.json"};
 std::string everythingShown(const SubmissionResult& result, const StudentPolicy& policy) {
     const StudentView view{result, policy};
     return gradescopeJson(view).value_or("") + prairieLearnJson(view) + classroomJson(view) +
-           autolabLines(view).value_or("") + junitXml(view) + wholeText(view) + studentPage(view);
+           autolabLines(view) + junitXml(view).value_or("") + classroomSummary(view) +
+           wholeText(view) + studentPage(view);
 }
 
 bool holds(const std::string& text, const std::string& part) {
@@ -106,6 +107,51 @@ TEST(StudentView, HoldsWhatThePersonSaidWhoDecided) {
     EXPECT_FALSE(holds(verdictText(view), "\x1B"));
 }
 
+std::size_t countOf(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
+TEST(StudentView, SaysOnceWhatIsTheSameForSeveralTasks) {
+    const StudentView nothing{textOnlyExample(), {}};
+    EXPECT_EQ(countOf(wholeText(nothing), "There is a text, but no file."), 1U);
+    EXPECT_TRUE(holds(wholeText(nothing),
+                      "T1 Bump mapping, T2.1 Soft shadows, T2.2 Depth of field and Screenshot, "
+                      "blocked\n"));
+    EXPECT_EQ(countOf(studentPage(nothing), "There is a text, but no file."), 1U);
+    EXPECT_EQ(countOf(*gradescopeJson(nothing), "There is a text, but no file."), 1U);
+    EXPECT_EQ(countOf(*gradescopeJson(nothing), "The same as for T1 Bump mapping."), 3U);
+
+    const StudentView twice{saidTwiceExample(), {}};
+    EXPECT_EQ(countOf(wholeText(twice), "Renderer.cpp:7:3: error"), 1U);
+    EXPECT_TRUE(holds(wholeText(twice), "T2.1 Soft shadows and T2.2 Depth of field, blocked\n"));
+    EXPECT_EQ(countOf(wholeText(StudentView{nothingGradedExample(), {}}), "not yours"), 2U)
+        << "of the verdict, and of the tasks";
+}
+
+TEST(StudentView, DoesNotSayTwiceThatATaskPassed) {
+    const std::string text = wholeText(StudentView{passedExample(), {}});
+    EXPECT_TRUE(holds(text, "T1 Bump mapping, passed\n\nT2.1")) << text;
+}
+
+TEST(StudentView, TellsTheRuleOfTheRubric) {
+    SubmissionResult result = failedBumpExample();
+    const auto told = [&] { return verdictText(StudentView{result, {}}); };
+    EXPECT_EQ(told(), "No tick yet. One option is enough: T1, or T2.1 and T2.2 together.");
+    result.options = {{"all of it", {"T1", "T2.1", "T2.2"}, 1.0}};
+    EXPECT_EQ(told(), "No tick yet. It takes T1, T2.1 and T2.2 together.");
+    result.options = {{"a", {"T1"}, 1.0}, {"b", {"T2.1"}, 1.0}, {"c", {"T2.2"}, 1.0}};
+    EXPECT_EQ(told(), "No tick yet. One option is enough: T1, or T2.1, or T2.2.");
+    result.options.clear();
+    EXPECT_EQ(told(), "No tick yet.") << "a result of an older ticker";
+    for (TaskReport& task : result.tasks)
+        task = {task.id, task.title, TaskState::notAttempted, "", {}};
+    result.options = {{"lens", {"T2.1", "T2.2"}, 1.0}};
+    EXPECT_EQ(told(), "No tick yet: no task was worked on. Edit Renderer.cpp (T2.1 and T2.2).");
+}
+
 TEST(StudentView, TextHasNoControlCharacter) {
     for (const char c : wholeText(StudentView{hostileExample(), {}}))
         EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t');
@@ -121,13 +167,15 @@ TEST(StudentPolicy, AFileThatForgetsAMemberOrInventsOneIsRefused) {
     EXPECT_NE(errorOf("{}").find("expected a member"), std::string::npos);
     EXPECT_NE(errorOf("[]").find("object"), std::string::npos);
     EXPECT_NE(errorOf("{").find("not JSON"), std::string::npos);
+    EXPECT_NE(errorOf("{\n  \"hints\": maybe\n}").find("view.json:2: not JSON"), std::string::npos);
     std::ifstream stream{kPolicy};
     std::string text{std::istreambuf_iterator<char>{stream}, {}};
     EXPECT_EQ(errorOf(text), "");
     const std::size_t brace = text.find('{') + 1;
     EXPECT_NE(errorOf(std::string{text}.insert(brace, "\"seed\": true,")).find("/seed"),
               std::string::npos);
-    EXPECT_NE(errorOf(text.replace(text.find("true"), 4, "1")).find("true or false"),
+    EXPECT_NE(errorOf(text.replace(text.find("true"), 4, "1"))
+                  .find("view.json:2: /hints: expected true or false"),
               std::string::npos);
 }
 
