@@ -1,4 +1,5 @@
 #include <grader/cli/Output.h>
+#include <grader/cli/StudentPages.h>
 #include <grader/cli/Verb.h>
 #include <grader/report/Words.h>
 #include <grader/store/ClassFolder.h>
@@ -13,7 +14,13 @@
 namespace ticker::cli {
 namespace {
 
-raytracer::ExitCode collect(const std::string& out, const Voice& voice) {
+struct CollectOptions {
+    std::string out;
+    std::string studentView;
+};
+
+raytracer::ExitCode collect(const CollectOptions& options, const Voice& voice) {
+    const std::string& out = options.out;
     if (!std::filesystem::is_directory(out))
         throw raytracer::InputError(out, 0, "is no folder; expected one with results below");
     store::Store store{out};
@@ -22,6 +29,7 @@ raytracer::ExitCode collect(const std::string& out, const Voice& voice) {
     for (const std::string& problem : collected.unreadable)
         fmt::print(stderr, "ticker: {}\n", problem);
     writeClass(out);
+    writeStudentPages(out, store::readClass(out), options.studentView);
     if (!voice.quiet)
         fmt::print(stderr, "{} taken in, {} known already\nopen {}/index.html\n",
                    report::counted(collected.taken, "result"), collected.known, out);
@@ -32,11 +40,12 @@ raytracer::ExitCode collect(const std::string& out, const Voice& voice) {
 }  // namespace
 
 Run addCollect(CLI::App& app, const Voice& voice) {
-    auto out = std::make_shared<std::string>();
+    auto options = std::make_shared<CollectOptions>();
     CLI::App* verb = app.add_subcommand(
         "collect", "Take in results that were written into OUT elsewhere, by a cluster's nodes");
-    verb->add_option("out", *out, "Folder with <submission>/result.json files")->required();
-    return [out, &voice] { return collect(*out, voice); };
+    verb->add_option("out", options->out, "Folder with <submission>/result.json files")->required();
+    addStudentView(*verb, options->studentView);
+    return [options, &voice] { return collect(*options, voice); };
 }
 
 }  // namespace ticker::cli

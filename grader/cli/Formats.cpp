@@ -1,12 +1,11 @@
 #include <grader/cli/Formats.h>
 
-#include <grader/cli/Home.h>
 #include <grader/cli/Output.h>
+#include <grader/cli/StudentPages.h>
 #include <grader/report/ClassPage.h>
 #include <grader/report/MoodleWorksheet.h>
 #include <grader/report/PlatformFormats.h>
 #include <grader/report/ResultJson.h>
-#include <grader/report/StudentPage.h>
 #include <grader/zip/ZipWriter.h>
 
 #include <raytracer/base/Error.h>
@@ -31,18 +30,19 @@ namespace fs = std::filesystem;
 using report::StudentView;
 
 /// A file of each submission.
-struct EachFormat {
-    const char* file;
+struct EachFile {
+    const char* name;
     std::function<std::optional<std::string>(const StudentView&)> render;
 };
 
-const std::map<std::string, EachFormat>& eachFormats() {
-    static const std::map<std::string, EachFormat> kFormats{
-        {"gradescope", {"gradescope.json", report::gradescopeJson}},
-        {"prairielearn", {"prairielearn.json", report::prairieLearnJson}},
-        {"classroom", {"classroom.json", report::classroomJson}},
-        {"autolab", {"autolab.txt", report::autolabLines}},
-        {"junit", {"junit.xml", report::junitXml}},
+const std::map<std::string, std::vector<EachFile>>& eachFormats() {
+    static const std::map<std::string, std::vector<EachFile>> kFormats{
+        {"gradescope", {{"gradescope.json", report::gradescopeJson}}},
+        {"prairielearn", {{"prairielearn.json", report::prairieLearnJson}}},
+        {"classroom",
+         {{"classroom.json", report::classroomJson}, {"classroom.md", report::classroomSummary}}},
+        {"autolab", {{"autolab.txt", report::autolabLines}}},
+        {"junit", {{"junit.xml", report::junitXml}}},
     };
     return kFormats;
 }
@@ -65,11 +65,6 @@ const std::map<std::string, ClassFormat>& classFormats() {
     return kFormats;
 }
 
-report::StudentPolicy policyOf(const FormatOptions& options) {
-    return report::readStudentPolicy(options.studentView.empty() ? Home::find().studentView()
-                                                                 : fs::path{options.studentView});
-}
-
 std::string readText(const fs::path& file, const char* expected) {
     std::ifstream stream{file, std::ios::binary};
     if (!stream)
@@ -78,40 +73,38 @@ std::string readText(const fs::path& file, const char* expected) {
     return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
-/// The result as it counts: as a person decided, or as the tool proposes.
-SubmissionResult decided(const store::ClassEntry& entry) {
-    SubmissionResult result = entry.result;
-    if (!entry.decision || entry.decision->ruling == Ruling::undecided) return result;
-    const bool isAwarded = entry.decision->ruling == Ruling::awarded;
-    result.verdict = isAwarded ? Verdict::awarded : Verdict::notAwarded;
-    if (!isAwarded)
-        result.score = 0.0;
-    else if (result.score <= 0.0)
-        result.score = result.maxScore;
-    return result;
+void tell(const report::MoodleGrades& grades, const std::vector<store::ClassEntry>& entries) {
+    for (const std::string& remark : grades.remarks)
+        fmt::print(stderr, "{}\n", remark);
+    for (const std::string& warning : grades.warnings)
+        fmt::print(stderr, "ticker: {}\n", warning);
+    const auto proposals = std::ranges::count_if(
+        grades.graded, [&](const auto& graded) { return !isDecided(entries.at(graded.view)); });
+    if (proposals > 0)
+        fmt::print(stderr,
+                   "ticker: {} of the {} marks are proposals of ticker, about which nobody has "
+                   "decided; --decided-only leaves them out\n",
+                   proposals, grades.graded.size());
+    fmt::print(stderr,
+               "{} graded. Upload the worksheet first, then the zip; before any later upload "
+               "download a fresh worksheet, or Moodle silently skips rows.\n",
+               grades.graded.size());
 }
 
-StudentView viewOf(SubmissionResult result, const store::ClassEntry& entry,
-                   const report::StudentPolicy& policy) {
-    return {std::move(result), policy, entry.decision ? entry.decision->comment : "",
-            entry.result.verdict};
-}
-
-std::vector<fs::path> writeMoodle(const fs::path& out,
-                                  const std::vector<store::ClassEntry>& entries,
+std::vector<fs::path> writeMoodle(const fs::path& out, std::vector<store::ClassEntry> entries,
                                   const report::StudentPolicy& policy,
                                   const FormatOptions& options) {
     if (options.worksheet.empty())
         throw raytracer::InputError("--format moodle", 0,
                                     "needs --worksheet FILE: Moodle's grading worksheet, freshly "
                                     "downloaded");
+    if (options.decidedOnly)
+        std::erase_if(entries, [](const store::ClassEntry& entry) { return !isDecided(entry); });
     std::vector<StudentView> views;
     std::vector<std::string> pages;
     for (const store::ClassEntry& entry : entries) {
-        SubmissionResult result = decided(entry);
-        views.push_back(viewOf(result, entry, policy));
-        fetchFiles(out, result);
-        pages.push_back(report::studentPage(viewOf(std::move(result), entry, policy)));
+        views.push_back(studentViewOf(entry, policy));
+        pages.push_back(studentPageOf(out, entry, policy));
     }
     std::optional<report::ScaleWords> scale;
     if (!options.scale.empty())
@@ -125,19 +118,14 @@ std::vector<fs::path> writeMoodle(const fs::path& out,
     for (const report::NamedText& file : report::moodleFeedbackFiles(grades.graded, views, pages))
         zip.add(file.path, file.text);
     zip.finish();
-    for (const std::string& remark : grades.remarks)
-        fmt::print(stderr, "{}\n", remark);
-    fmt::print(stderr,
-               "{} graded. Upload the worksheet first, then the zip; before any later upload "
-               "download a fresh worksheet, or Moodle silently skips rows.\n",
-               grades.graded.size());
+    tell(grades, entries);
     return {sheet, feedback};
 }
 
-/// The page of each submission, and that of the whole class.
-std::vector<fs::path> writePages(const fs::path& out,
-                                 const std::vector<store::ClassEntry>& entries) {
-    std::vector<fs::path> written;
+/// The pages of each submission, and that of the whole class.
+std::vector<fs::path> writePages(const fs::path& out, const std::vector<store::ClassEntry>& entries,
+                                 const FormatOptions& options) {
+    std::vector<fs::path> written = writeStudentPages(out, entries, options.studentView);
     for (const store::ClassEntry& entry : entries)
         written.push_back(rewriteReport(out, entry.result));
     written.push_back(out / "index.html");
@@ -146,12 +134,12 @@ std::vector<fs::path> writePages(const fs::path& out,
 }
 
 std::vector<fs::path> writeEach(const fs::path& out, const std::vector<store::ClassEntry>& entries,
-                                const report::StudentPolicy& policy, const EachFormat& format) {
+                                const report::StudentPolicy& policy, const EachFile& format) {
     std::vector<fs::path> written;
     for (const store::ClassEntry& entry : entries) {
-        const fs::path file = out / entry.result.submission / format.file;
+        const fs::path file = out / entry.result.submission / format.name;
         std::error_code ignored;
-        if (const auto text = format.render(viewOf(decided(entry), entry, policy))) {
+        if (const auto text = format.render(studentViewOf(entry, policy))) {
             report::writeAtomically(*text, file);
             written.push_back(file);
         } else {
@@ -170,8 +158,9 @@ void addFormatOptions(CLI::App& verb, FormatOptions& options) {
                     "For moodle, where a scale is used: its words for not awarded and awarded")
         ->delimiter(',')
         ->expected(2);
-    verb.add_option("--student-view", options.studentView,
-                    "What students may see, instead of the kit's own policy");
+    verb.add_flag("--decided-only", options.decidedOnly,
+                  "For moodle: only those about whom a person has decided");
+    addStudentView(verb, options.studentView);
 }
 
 std::vector<std::string> formatNames() {
@@ -194,11 +183,13 @@ std::vector<fs::path> writeFormats(const fs::path& out,
             files = {out / whole->second.file};
             report::writeAtomically(whole->second.render(entries), files.front());
         } else if (name == "html") {
-            files = writePages(out, entries);
+            files = writePages(out, entries, options);
         } else if (name == "moodle") {
-            files = writeMoodle(out, entries, policyOf(options), options);
+            files = writeMoodle(out, entries, policyFrom(options.studentView), options);
         } else {
-            files = writeEach(out, entries, policyOf(options), eachFormats().at(name));
+            for (const EachFile& file : eachFormats().at(name))
+                std::ranges::move(writeEach(out, entries, policyFrom(options.studentView), file),
+                                  std::back_inserter(files));
         }
         std::ranges::move(files, std::back_inserter(written));
     }

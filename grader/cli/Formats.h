@@ -18,10 +18,11 @@ struct FormatOptions {
     std::vector<std::string> names;
     std::string worksheet;           ///< moodle's
     std::vector<std::string> scale;  ///< moodle's words for "not awarded" and "awarded"
+    bool decidedOnly = false;        ///< moodle: no mark that is only the tool's proposal
     std::string studentView;         ///< empty: the kit's own
 };
 
-/// Adds what formats need to a verb: --worksheet, --scale, --student-view.
+/// Adds what formats need to a verb: --worksheet, --scale, --decided-only, --student-view.
 void addFormatOptions(CLI::App& verb, FormatOptions& options);
 
 /// "autolab", "classroom", ...: what `writeFormats` knows.

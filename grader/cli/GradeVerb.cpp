@@ -6,6 +6,7 @@
 #include <grader/cli/Interrupt.h>
 #include <grader/cli/Output.h>
 #include <grader/cli/Progress.h>
+#include <grader/cli/StudentPages.h>
 #include <grader/cli/Verb.h>
 #include <grader/report/Words.h>
 #include <grader/result/Names.h>
@@ -156,6 +157,8 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
                  }});
     }
     run.finish();
+    if (run.size() > 0)
+        writeStudentPages(options.out, store::readClass(options.out), options.formats.studentView);
     if (!options.formats.names.empty())
         writeFormats(options.out, store::readClass(options.out), options.formats);
     report(tally, submissions.size(), options, voice, stop);

@@ -4,6 +4,7 @@
 #include <grader/report/ReportPage.h>
 #include <grader/report/ResultJson.h>
 #include <grader/report/SummaryCsv.h>
+#include <grader/report/Tally.h>
 #include <grader/result/Names.h>
 #include <grader/store/ClassFolder.h>
 
@@ -40,9 +41,8 @@ void clear(const fs::path& folder) {
 
 std::string findingsText(const SubmissionResult& result) {
     std::string text;
-    for (const TaskReport& task : result.tasks)
-        for (const Finding& finding : task.findings)
-            if (finding.severity != Severity::note) text += " " + finding.id;
+    for (const std::string& id : report::findingIds(result))
+        text += " " + id;
     return text;
 }
 

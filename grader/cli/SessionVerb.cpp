@@ -1,4 +1,5 @@
 #include <grader/cli/Output.h>
+#include <grader/cli/StudentPages.h>
 #include <grader/cli/Verb.h>
 #include <grader/report/Words.h>
 #include <grader/session/Server.h>
@@ -18,6 +19,7 @@ namespace {
 struct SessionOptions {
     std::string out;
     int port = 0;
+    std::string studentView;
 };
 
 /// Blocks the signals that end a session, for this thread and those that it starts.
@@ -53,6 +55,7 @@ raytracer::ExitCode run(const SessionOptions& options, const Voice& voice) {
     server.stop();
     // Decisions are in the store; this is for whoever reads the table.
     writeClass(options.out);
+    writeStudentPages(options.out, store::readClass(options.out), options.studentView);
     return raytracer::ExitCode::success;
 }
 
@@ -65,6 +68,7 @@ Run addSession(CLI::App& app, const Voice& voice) {
     verb->add_option("out", options->out, "Folder that ticker grade wrote")->required();
     verb->add_option("--port", options->port, "Port of 127.0.0.1; the last session's, or any")
         ->check(CLI::Range(1, 65535));
+    addStudentView(*verb, options->studentView);
     return [options, &voice] { return run(*options, voice); };
 }
 

@@ -1,5 +1,6 @@
 #include <grader/store/Store.h>
 
+#include <grader/report/Tally.h>
 #include <grader/result/Names.h>
 
 #include <raytracer/base/Error.h>
@@ -36,9 +37,8 @@ constexpr const char* kDecisionColumns = "submission, version, ruling, comment, 
 
 std::string findingsOf(const SubmissionResult& result) {
     std::string ids;
-    for (const TaskReport& task : result.tasks)
-        for (const Finding& finding : task.findings)
-            if (finding.severity != Severity::note) ids += (ids.empty() ? "" : " ") + finding.id;
+    for (const std::string& id : report::findingIds(result))
+        ids += (ids.empty() ? "" : " ") + id;
     return ids;
 }
 

@@ -1,3 +1,4 @@
+#include <grader/tests/support/FitsSchema.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
 #include "RunTicker.h"
@@ -43,8 +44,9 @@ TEST_F(Verbs, GradeWritesEverythingThatTheContractNames) {
     EXPECT_EQ(ran.status, 0) << ran.errors;
     EXPECT_NE(ran.output.find("bump.inverted-u"), std::string::npos) << ran.output;
     EXPECT_EQ(ran.errors.find("1 submission:"), 0U) << ran.errors;
-    for (const char* file : {"index.html", "summary.csv", "bump-inverted-u/result.json",
-                             "bump-inverted-u/report.html", "bump-inverted-u/images"})
+    for (const char* file :
+         {"index.html", "summary.csv", "bump-inverted-u/result.json", "bump-inverted-u/report.html",
+          "bump-inverted-u/student.html", "bump-inverted-u/images"})
         EXPECT_TRUE(fs::exists(fs::path{out} / file)) << file;
 }
 
@@ -55,7 +57,8 @@ TEST_F(Verbs, ReportWritesTheSamePagesAgainFromTheResultAlone) {
                   .status,
               0);
     std::map<fs::path, std::string> pages;
-    for (const char* name : {"index.html", "distributed-off-centre/report.html"}) {
+    for (const char* name : {"index.html", "distributed-off-centre/report.html",
+                             "distributed-off-centre/student.html"}) {
         pages[out / name] = readBytes(out / name);
         fs::remove(out / name);
     }
@@ -66,6 +69,37 @@ TEST_F(Verbs, ReportWritesTheSamePagesAgainFromTheResultAlone) {
         EXPECT_NE(ran.output.find(file.string()), std::string::npos) << ran.output;
     }
     EXPECT_EQ(run("report '" + out.string() + "' --format html --submission nobody").status, 2);
+}
+
+TEST_F(Verbs, GradeSaysOnceThatThereIsATextAndNoFile) {
+    fs::create_directories(at("class/ann"));
+    std::ofstream{at("class/ann/notes.txt")} << "I could not finish.";
+    const Ran ran =
+        run("grade '" + at("class/ann").string() + "' --single -o '" + at("out").string() + "'");
+    ASSERT_EQ(ran.status, 0) << ran.errors;
+    const std::size_t first = ran.output.find("intake.missing-file");
+    ASSERT_NE(first, std::string::npos) << ran.output;
+    EXPECT_EQ(ran.output.find("intake.missing-file", first + 1), std::string::npos) << ran.output;
+    const auto result = nlohmann::json::parse(readBytes(at("out/ann/result.json")));
+    EXPECT_EQ(result.at("option"), "none");
+}
+
+TEST_F(Verbs, GradeTakesARubricWhoseOptionsHaveNamesOfTheirOwn) {
+    std::ofstream{at("rubric.json")} << R"({"maxScore": 1, "screenshotTask": "screenshot",
+        "options": [{"name": "bumps", "tasks": ["T1"], "points": 1}], "severities": {}})";
+    const fs::path out = at("out");
+    const Ran ran = run("grade " + repository("grader/samples/notAwarded/bump-inverted-u") +
+                        " -o '" + out.string() + "' --rubric '" + at("rubric.json").string() + "'");
+    ASSERT_EQ(ran.status, 0) << ran.errors;
+    const std::string result = readBytes(out / "bump-inverted-u/result.json");
+    EXPECT_TRUE(tests::fitsSchema(result, "result")) << result;
+    EXPECT_NE(result.find("\"option\": \"bumps\""), std::string::npos) << result;
+    const std::string page = readBytes(out / "bump-inverted-u/student.html");
+    EXPECT_NE(page.find("It takes T1."), std::string::npos);
+    const std::string seed = nlohmann::json::parse(result).at("seed").get<std::string>();
+    EXPECT_EQ(page.find(seed), std::string::npos);
+    EXPECT_NE(readBytes(out / "bump-inverted-u/report.html").find(seed), std::string::npos)
+        << "that one is for staff";
 }
 
 TEST_F(Verbs, GradeGivesTheSameResultForTheSameSeedButForTiming) {

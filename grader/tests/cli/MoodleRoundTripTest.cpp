@@ -1,3 +1,4 @@
+#include <grader/store/Store.h>
 #include <grader/tests/support/MoodleImport.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
@@ -89,9 +90,51 @@ TEST_P(MoodleRoundTrip, MoodleTakesEveryRowAndEveryFile) {
         }
     for (const auto& [id, record] : moodle.records) {
         EXPECT_EQ(record.grade, "0.00") << id;
-        EXPECT_EQ(record.files, std::vector<std::string>{"report.html"}) << id;
+        EXPECT_EQ(record.files, std::vector<std::string>{"student.html"}) << id;
     }
 }
+
+/// Ann's submission decided, the others only proposed.
+class MoodleDecisions : public MoodleRoundTrip {};
+
+TEST_P(MoodleDecisions, AreToldFromProposalsWhichOneMayLeaveOut) {
+    const std::vector<MoodleStudent> people = someClass();
+    MoodleAssignment moodle;
+    for (const MoodleStudent& person : people)
+        moodle.records[person.id] = {};
+    tests::writeZip(at("export.zip"), tests::moodleExport(people, GetParam().layout));
+    folder_.write("sheet.csv", moodle.worksheet(people));
+    ASSERT_EQ(run("grade '" + at("export.zip") + "' -o '" + at("out") + "' --seed 7").status, 0);
+    {
+        store::Store store{at("out")};
+        Decision decision;
+        decision.submission = store.results().front().submission;
+        decision.version = 0;
+        decision.ruling = Ruling::awarded;
+        static_cast<void>(store.decide(decision));
+    }
+    const std::string report =
+        "report '" + at("out") + "' --format moodle --worksheet '" + at("sheet.csv") + "'";
+    const Ran all = run(report);
+    ASSERT_EQ(all.status, 0) << all.errors;
+    EXPECT_NE(all.errors.find("3 of the 4 marks are proposals of ticker"), std::string::npos)
+        << all.errors;
+    EXPECT_NE(all.errors.find("3 of the marks are 0"), std::string::npos) << all.errors;
+
+    const Ran decided = run(report + " --decided-only");
+    ASSERT_EQ(decided.status, 0) << decided.errors;
+    EXPECT_EQ(decided.errors.find("proposal"), std::string::npos) << decided.errors;
+    std::size_t taken = 0;
+    for (const auto& [who, row] :
+         moodle.upload(bytesOf(at("out/moodle-worksheet.csv")), 1'760'000'000))
+        taken += row == MoodleAssignment::Row::taken ? 1 : 0;
+    EXPECT_EQ(taken, 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(OneLayout, MoodleDecisions, testing::Values(Case{"folders", {}}),
+                         [](const testing::TestParamInfo<Case>& chosen) {
+                             return std::string{chosen.param.name};
+                         });
 
 INSTANTIATE_TEST_SUITE_P(
     AllLayouts, MoodleRoundTrip,
