@@ -1,0 +1,80 @@
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+#include <raytracer/base/Unfinished.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raytracer {
+namespace {
+
+double vanDerCorput(unsigned n, unsigned base) {
+    double q = 0.0, bk = 1.0 / base;
+    while (n > 0) {
+        q += (n % base) * bk;
+        n /= base;
+        bk /= base;
+    }
+    return q;
+}
+
+double wrap(double x) { return x - std::floor(x); }
+
+}  // namespace
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        int arrived = 0;
+        const Vector3 start = P + N * kShadowBias;
+        for (int i = 0; i < settings().shadowRayCount; ++i) {
+            const Vector3 aim = light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize;
+            const Ray ray{start, (aim - start).normalised()};
+            const auto hit = scene.findClosestIntersection(ray);
+            if (!hit || hit->distance >= (aim - start).magnitude()) arrived++;
+        }
+        const double share = arrived / static_cast<double>(settings().shadowRayCount);
+        colour += share * (diffuse + specular);
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        const Ray pinhole = camera.castRay(x, y);
+        const Vector3 focus = pinhole.evaluateAt(settings().dofFocalPlane / pinhole.direction.z);
+        const double shiftX = randomBetween(0.0, 1.0), shiftY = randomBetween(0.0, 1.0);
+        ColourRGB sum;
+        for (unsigned i = 0; i < static_cast<unsigned>(settings().dofRayCount); ++i) {
+            const Vector3 lens{wrap(vanDerCorput(i, 2) + shiftX) * settings().dofAmount,
+                               wrap(vanDerCorput(i, 3) + shiftY) * settings().dofAmount, 0.0};
+            sum += trace(scene, {lens, (focus - lens).normalised()}, settings().bounces);
+        }
+        image.set(x, y, sum / settings().dofRayCount);
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,82 @@
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+#include <raytracer/base/Unfinished.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+namespace raytracer {
+namespace {
+
+struct AreaSample {
+    Vector3 point;
+    double weight;  // geometry term of the sample over that of the centre
+};
+
+AreaSample sampleLight(const PointLight& light, double radius, const Vector3& from) {
+    const Vector3 point = light.position() + Vector3::randomInsideUnitSphere() * radius;
+    const Vector3 way = point - from;
+    return {point, 1.0 / way.dot(way)};
+}
+
+}  // namespace
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        const Vector3 from = P + N * kShadowBias;
+        double estimate = 0.0;
+        for (int i = 0; i < settings().shadowRayCount; ++i) {
+            const auto [point, weight] = sampleLight(light, settings().lightSize, from);
+            const Ray ray{from, (point - from).normalised()};
+            const auto hit = scene.findClosestIntersection(ray);
+            if (!hit || hit->distance > (point - from).magnitude()) estimate += weight;
+        }
+        colour += (diffuse + specular) * (estimate / settings().shadowRayCount);
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        const auto [f, a, n, depth] = std::tuple{settings().dofFocalPlane, settings().dofAmount,
+                                                 settings().dofRayCount, settings().bounces};
+        const Vector3 d = camera.castRay(x, y).direction;
+        const Vector3 meeting{d.x / d.z * f, d.y / d.z * f, f};
+        ColourRGB mean;
+        for (int k = 1; k <= n; ++k) {
+            const double lensX = randomBetween(-a, a);
+            const double lensY = randomBetween(-a, a);
+            const Vector3 lens{lensX, lensY, 0.0};
+            const ColourRGB sample = trace(scene, {lens, (meeting - lens).normalised()}, depth);
+            mean += (sample - mean) / k;
+        }
+        image.set(x, y, mean);
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer

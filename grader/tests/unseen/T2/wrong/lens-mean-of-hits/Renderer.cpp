@@ -1,0 +1,70 @@
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raytracer {
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        const auto arrives = [&](const Vector3& aim) {
+            const Vector3 from = P + N * kShadowBias;
+            const double length = (aim - from).magnitude();
+            const auto hit = scene.findClosestIntersection({from, (aim - from) / length});
+            return !hit || hit->distance >= length;
+        };
+        int seen = 0;
+        for (int i = 0; i < settings().shadowRayCount; ++i)
+            seen += arrives(light.position() +
+                            Vector3::randomInsideUnitSphere() * settings().lightSize);
+        colour += (diffuse + specular) * seen / settings().shadowRayCount;
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        Ray ray = camera.castRay(x, y);
+        Vector3 focalPoint = ray.evaluateAt(settings().dofFocalPlane / ray.direction.z);
+        ColourRGB sum;
+        int hits = 0;
+        for (int i = 0; i < settings().dofRayCount; i++) {
+            Vector3 origin(settings().dofAmount * randomBetween(-1, 1),
+                           settings().dofAmount * randomBetween(-1, 1), 0);
+            Ray newRay(origin, (focalPoint - origin).normalised());
+            // rays that leave the scene have no colour
+            if (scene.findClosestIntersection(newRay)) {
+                sum += trace(scene, newRay, settings().bounces);
+                hits++;
+            }
+        }
+        image.set(x, y, hits > 0 ? sum / hits : kBackgroundColour);
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer

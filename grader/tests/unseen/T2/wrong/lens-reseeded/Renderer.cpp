@@ -1,0 +1,72 @@
+// own generator for the lens
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace raytracer {
+
+static double randomInRange(double low, double high) {
+    std::mt19937 generator(42);
+    std::uniform_real_distribution<double> distribution(low, high);
+    return distribution(generator);
+}
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        const auto arrives = [&](const Vector3& aim) {
+            const Vector3 from = P + N * kShadowBias;
+            const double length = (aim - from).magnitude();
+            const auto hit = scene.findClosestIntersection({from, (aim - from) / length});
+            return !hit || hit->distance >= length;
+        };
+        int seen = 0;
+        for (int i = 0; i < settings().shadowRayCount; ++i)
+            seen += arrives(light.position() +
+                            Vector3::randomInsideUnitSphere() * settings().lightSize);
+        colour += (diffuse + specular) * seen / settings().shadowRayCount;
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        const Ray ray = camera.castRay(x, y);
+        const Vector3 focal = ray.evaluateAt(settings().dofFocalPlane / ray.direction.z);
+        ColourRGB sum;
+        for (int i = 0; i < settings().dofRayCount; ++i) {
+            const Vector3 origin{randomInRange(-1, 1) * settings().dofAmount,
+                                 randomInRange(-1, 1) * settings().dofAmount, 0};
+            sum += trace(scene, Ray{origin, (focal - origin).normalised()}, settings().bounces);
+        }
+        image.set(x, y, sum / settings().dofRayCount);
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer

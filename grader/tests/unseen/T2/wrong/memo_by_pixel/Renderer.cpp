@@ -1,0 +1,72 @@
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+#include <raytracer/base/Unfinished.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <map>
+#include <utility>
+
+namespace raytracer {
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        int arrived = 0;
+        const Vector3 start = P + N * kShadowBias;
+        for (int i = 0; i < settings().shadowRayCount; ++i) {
+            const Vector3 aim = light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize;
+            const Ray ray{start, (aim - start).normalised()};
+            const auto hit = scene.findClosestIntersection(ray);
+            if (!hit || hit->distance >= (aim - start).magnitude()) arrived++;
+        }
+        const double share = arrived / static_cast<double>(settings().shadowRayCount);
+        colour += share * (diffuse + specular);
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        const Ray pinhole = camera.castRay(x, y);
+        const Vector3 focus = pinhole.evaluateAt(settings().dofFocalPlane / pinhole.direction.z);
+        std::map<std::pair<int, int>, ColourRGB> memo;  // tracing is dear: no ray twice
+        const auto colourOf = [&](const Ray& ray) -> const ColourRGB& {
+            const auto key = std::pair{x, y};
+            if (const auto known = memo.find(key); known != memo.end()) return known->second;
+            return memo.emplace(key, trace(scene, ray, settings().bounces)).first->second;
+        };
+        ColourRGB sum;
+        for (int i = 0; i < settings().dofRayCount; ++i) {
+            const Vector3 lens{randomBetween(-settings().dofAmount, settings().dofAmount),
+                               randomBetween(-settings().dofAmount, settings().dofAmount), 0.0};
+            sum += colourOf({lens, (focus - lens).normalised()});
+        }
+        image.set(x, y, sum / settings().dofRayCount);
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,67 @@
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raytracer {
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        const Vector3 start = P + N * kShadowBias;
+        const Vector3 lightCentre = scene.pointLights().front().position();
+        int reached = 0;
+        for (int i = 0; i < settings().shadowRayCount; ++i) {
+            const Vector3 target =
+                lightCentre + Vector3::randomInsideUnitSphere() * settings().lightSize;
+            const double far = (target - start).magnitude();
+            const auto occluder =
+                scene.findClosestIntersection({start, (target - start).normalised()});
+            if (!occluder || occluder->distance > far) reached += 1;
+        }
+        colour += (diffuse + specular) * (reached / static_cast<double>(settings().shadowRayCount));
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+static Ray lensRay(const Vector3& focus, double halfSide) {
+    const Vector3 eye{randomBetween(-halfSide, halfSide), randomBetween(-halfSide, halfSide), 0.0};
+    return {eye, (focus - eye).normalised()};
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        const Vector3 d = camera.castRay(x, y).direction;
+        const Vector3 focus = d * (settings().dofFocalPlane / d.z);
+        ColourRGB sum;
+        for (int n = settings().dofRayCount; n-- > 0;)
+            sum += trace(scene, lensRay(focus, settings().dofAmount), settings().bounces);
+        image.set(x, y, sum / settings().dofRayCount);
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,81 @@
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+#include <raytracer/base/Unfinished.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raytracer {
+namespace {
+
+/// One for each thread: no locks, no sharing.
+struct Accumulator {
+    ColourRGB sum;
+    int count = 0;
+    void reset() { *this = {}; }
+    void add(const ColourRGB& c) {
+        sum += c;
+        ++count;
+    }
+    [[nodiscard]] ColourRGB mean() const { return sum / count; }
+};
+
+thread_local Accumulator accumulator;
+
+}  // namespace
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        const auto sees = [&](const Vector3& goal) {
+            const Ray path{P + N * kShadowBias, goal - P - N * kShadowBias};
+            const auto hit = scene.findClosestIntersection(path);
+            return !(hit && hit->distance < 1.0);  // in lengths of the direction
+        };
+        double visible = 0.0;
+        for (int left = settings().shadowRayCount; left > 0; --left)
+            visible += sees(light.position() + settings().lightSize * Vector3::randomInsideUnitSphere());
+        visible /= settings().shadowRayCount;
+        colour += diffuse * visible + specular * visible;
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        if (x == 0) accumulator.reset();  // a new row, perhaps on another thread
+        const Ray pinhole = camera.castRay(x, y);
+        const Vector3 focus = pinhole.evaluateAt(settings().dofFocalPlane / pinhole.direction.z);
+        for (int i = 0; i < settings().dofRayCount; ++i) {
+            const Vector3 lens{randomBetween(-settings().dofAmount, settings().dofAmount),
+                               randomBetween(-settings().dofAmount, settings().dofAmount), 0.0};
+            accumulator.add(trace(scene, {lens, (focus - lens).normalised()}, settings().bounces));
+        }
+        image.set(x, y, accumulator.mean());
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer
