@@ -74,7 +74,10 @@ CsvFile::CsvFile(std::string_view text, const std::string& name) {
         if (record.fields.size() != columns())
             throw raytracer::InputError(
                 name, record.line,
-                fmt::format("{} fields; the header has {}", record.fields.size(), columns()));
+                fmt::format(
+                    "{} fields; the header has {}. Hand in the file as it was downloaded; a "
+                    "field that ends in a backslash breaks its row for every reader",
+                    record.fields.size(), columns()));
 }
 
 std::string CsvFile::value(std::size_t row, std::size_t column) const {

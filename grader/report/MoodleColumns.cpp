@@ -27,27 +27,6 @@ bool isEnglishDate(const std::string& text) {
     return std::ranges::any_of(kDays, [&](const char* day) { return text.starts_with(day); });
 }
 
-/// Empty where all dates are such as Moodle reads them: in English.
-std::string dateWarning(const CsvFile& file, std::size_t column) {
-    for (std::size_t row = 1; row < file.rows(); ++row) {
-        const std::string& date = file.value(row, column);
-        if (!date.empty() && date != "-" && !isEnglishDate(date))
-            return fmt::format(
-                "row {}: \"{}\" is no date in English, and Moodle skips such rows: switch Moodle "
-                "to English for download and upload",
-                row + 1, escapeLine(date));
-    }
-    return "";
-}
-
-/// A field that ends in a backslash, and all up to the next quotation mark: Moodle writes the one
-/// and reads the other.
-bool hasSwallowed(const CsvFile& file, std::size_t row) {
-    for (std::size_t column = 0; column < file.columns(); ++column)
-        if (file.value(row, column).find("\\\",") != std::string::npos) return true;
-    return false;
-}
-
 }  // namespace
 
 std::string lowerCase(std::string text) {
@@ -89,17 +68,16 @@ void refuseIfResaved(std::string_view worksheet, const std::string& name) {
                         isUtf16 ? "UTF-16 text" : "no comma in the first line"));
 }
 
-std::vector<std::string> worksheetWarnings(const CsvFile& file, const MoodleColumns& columns) {
-    std::vector<std::string> warnings;
-    if (std::string warning = dateWarning(file, columns.gradedAt); !warning.empty())
-        warnings.push_back(std::move(warning));
-    for (std::size_t row = 1; row < file.rows(); ++row)
-        if (hasSwallowed(file, row))
-            warnings.push_back(fmt::format(
-                "row {}: a field ends in a backslash, so that Moodle reads this row and the next "
-                "as one: grade both by hand",
-                row + 1));
-    return warnings;
+std::string dateWarning(const CsvFile& file, const MoodleColumns& columns) {
+    for (std::size_t row = 1; row < file.rows(); ++row) {
+        const std::string& date = file.value(row, columns.gradedAt);
+        if (!date.empty() && date != "-" && !isEnglishDate(date))
+            return fmt::format(
+                "row {}: \"{}\" is no date in English, and Moodle skips such rows: switch Moodle "
+                "to English for download and upload",
+                row + 1, escapeLine(date));
+    }
+    return "";
 }
 
 }  // namespace ticker::report

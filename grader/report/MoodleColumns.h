@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace ticker::report {
 
@@ -31,9 +30,8 @@ struct MoodleColumns {
 /// @throws raytracer::InputError saying what to hand in instead.
 void refuseIfResaved(std::string_view worksheet, const std::string& name);
 
-/// What Moodle will misread in a worksheet as it was downloaded; one line each.
-[[nodiscard]] std::vector<std::string> worksheetWarnings(const CsvFile& file,
-                                                         const MoodleColumns& columns);
+/// A line about dates that Moodle will not read; empty where all are in English.
+[[nodiscard]] std::string dateWarning(const CsvFile& file, const MoodleColumns& columns);
 
 /// ASCII letters only.
 [[nodiscard]] std::string lowerCase(std::string text);

@@ -116,7 +116,8 @@ public:
                 grades_.remarks.push_back(fmt::format("{}: no row of the worksheet fits",
                                                       escapeLine(views_[i].result().submission)));
         grades_.worksheet = file_.text();
-        grades_.warnings = worksheetWarnings(file_, columns_);
+        if (std::string warning = dateWarning(file_, columns_); !warning.empty())
+            grades_.warnings.push_back(std::move(warning));
         if (!columns_.scale && zeros_ > 0) grades_.warnings.push_back(zerosWarning());
         return std::move(grades_);
     }

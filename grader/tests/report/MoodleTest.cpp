@@ -217,13 +217,17 @@ TEST(MoodleWorksheet, WarnsOfDatesThatAreNotInEnglish) {
     EXPECT_TRUE(warns(filled(sheet, someViews()), "switch Moodle to English"));
 }
 
-TEST(MoodleWorksheet, WarnsOfARowThatMoodleItselfMisreads) {
-    MoodleAssignment moodle = assignment();
+TEST(MoodleWorksheet, RefusesARowThatABackslashBreaksForMoodle) {
     std::vector<MoodleStudent> people = kStudents;
-    EXPECT_FALSE(warns(filled(moodle.worksheet(people), someViews()), "backslash"));
-    people.insert(people.end(), {{"Eve \\", 5, {}, {}, {}}, {"Max Six", 6, {}, {}, {}}});
-    EXPECT_TRUE(
-        warns(filled(moodle.worksheet(people), someViews()), "row 6: a field ends in a backslash"));
+    people.push_back({"Eve \\", 5, {}, {}, {}});
+    try {
+        static_cast<void>(filled(assignment().worksheet(people), someViews()));
+        FAIL();
+    } catch (const raytracer::InputError& error) {
+        EXPECT_NE(std::string{error.what()}.find("a field that ends in a backslash"),
+                  std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(MoodleWorksheet, RefusesWhatExcelSavedAndSaysWhatToHandIn) {
