@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <regex>
 #include <string>
 
 namespace ticker::rubric {
@@ -154,6 +157,19 @@ TEST(ReadRubric, RefusesAFindingThatDoesNotExistAndSaysWhichWasMeant) {
     expectMessage(R"({"maxScore": 1, "options": [{"name": "a", "tasks": ["T1"], "points": 1}],
         "screenshotTask": "screenshots", "severities": {}})",
                   "rubric.json:2: /screenshotTask: expected \"screenshot\"");
+}
+
+// The kit's own decision must not know a finding that a rubric may not name.
+TEST(ReadRubric, TakesEveryFindingOfTheDocumentation) {
+    std::ifstream stream{TICKER_SOURCE_DIR "/docs/findings.md"};
+    const std::string text{std::istreambuf_iterator<char>{stream}, {}};
+    const std::regex id{"\\| ((bump|shadow|dof|screenshot)\\.[a-z-]+) \\|"};
+    int count = 0;
+    for (std::sregex_iterator row{text.begin(), text.end(), id}, end; row != end; ++row, ++count)
+        EXPECT_NO_THROW(
+            static_cast<void>(readText(withSeverities("{\"" + (*row)[1].str() + "\": \"warn\"}"))))
+            << (*row)[1].str();
+    EXPECT_GT(count, 40);
 }
 
 TEST(ReadRubric, RefusesNamesOfOptionsThatSayNothing) {
