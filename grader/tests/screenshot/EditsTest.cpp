@@ -42,9 +42,10 @@ Picture painted(const Box& box) {
 
 TEST(AgreeingWindows, CountsEachByItself) {
     const OwnWindows own = windowsOf(false);
-    EXPECT_EQ(agreeingWindows(photo().view(), own), 8);
-    EXPECT_EQ(agreeingWindows(painted(own.windows.boxes[5]).view(), own), 7);
-    EXPECT_EQ(agreeingWindows(painted(own.windows.boxes[0]).view(), own), 7);
+    const int all = static_cast<int>(own.windows.boxes.size());
+    EXPECT_EQ(agreeingWindows(photo().view(), own), all);
+    EXPECT_EQ(agreeingWindows(painted(own.windows.boxes[5]).view(), own), all - 1);
+    EXPECT_EQ(agreeingWindows(painted(own.windows.boxes[0]).view(), own), all - 1);
     EXPECT_EQ(agreeingWindows(selftest::photograph(320, 240, 8).view(), own), 0);
 }
 
