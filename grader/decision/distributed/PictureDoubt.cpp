@@ -1,7 +1,6 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/PictureDoubt.h>
-
-#include <raytracer/base/RenderSettings.h>
+#include <grader/probe/Question.h>
 
 #include <fmt/core.h>
 
