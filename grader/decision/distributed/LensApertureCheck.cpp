@@ -134,6 +134,21 @@ bool usesPartOfLens(const LensLog& log, const Lens& lens) {
     return false;
 }
 
+// All points lie on one straight line. Ten independent points of a square do so, within a thousandth
+// of its half-width, with a chance below 1e-20.
+bool isLine(const Lens& lens) {
+    constexpr std::size_t kEnough = 10;
+    constexpr double kWidth = 1e-3;
+    if (lens.distinct < kEnough) return false;
+    const Vector3 from = lens.points.front();
+    const auto farthest = std::ranges::max_element(
+        lens.points, {}, [&](const Vector3& point) { return (point - from).magnitude(); });
+    const Vector3 along = (*farthest - from).normalised();
+    return std::ranges::all_of(lens.points, [&](const Vector3& point) {
+        return along.cross(point - from).magnitude() < kWidth * lens.halfWidth();
+    });
+}
+
 // Half of all points lie within a small part of the range along each axis: a few far ones make it
 // as wide as it is.
 bool crowdInTheMiddle(const Lens& lens) {
@@ -199,6 +214,13 @@ ApertureVerdict checkAperture(const LensLog& log) {
             "dof.disc", Severity::fail,
             "The rays of each pixel were expected to start all over the aperture; those of one "
             "pixel start in a part of it, on a line perhaps.");
+    } else if (isLine(lens)) {
+        verdict.finding = distributedFinding(
+            "dof.disc", Severity::fail,
+            "The rays were expected to start all over a square; all of them start on one straight "
+            "line.");
+        verdict.finding->hint += " Draw a number of its own for y: one that is computed from that "
+                                 "of x stays on a line.";
     } else if (aside > 2.0 * shortfall * half + 1e-7 && (shape.square || leansAside(lens))) {
         verdict.finding = distributedFinding(
             "dof.off-centre", Severity::fail,

@@ -127,6 +127,8 @@ probe::RenderQuestion drawThreadsQuestion(std::uint64_t seed) {
     Draw draw{seed, 25};
     raytracer::RenderSettings settings = handoutSettings();
     settings.threads = 2;
+    // An odd number of rows: code that gives each thread height / threads rows leaves one out.
+    settings.height = kHeight + 1;
     return drawQuestion(draw, settings, 1);
 }
 
