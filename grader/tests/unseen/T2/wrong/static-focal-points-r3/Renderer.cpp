@@ -1,0 +1,73 @@
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+// Fill in what stands between the TASK marks.
+#include <raytracer/base/Unfinished.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace raytracer {
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        int reached = 0;
+        const Vector3 start = P + N * kShadowBias;
+        for (int i = 0; i < settings().shadowRayCount; i++) {
+            Vector3 target = light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize;
+            Vector3 d = target - start;
+            auto hit = scene.findClosestIntersection(Ray{start, d.normalised()});
+            if (!hit || hit->distance > d.magnitude()) reached++;
+        }
+        colour += (diffuse + specular) * ((double)reached / settings().shadowRayCount);
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    static std::vector<Vector3> focus;     // same for each frame
+    const std::size_t all = (std::size_t)image.width() * image.height();
+    if (focus.size() != all) {
+        focus.clear();
+        for (int y = 0; y < image.height(); y++)
+            for (int x = 0; x < image.width(); x++) {
+                const Ray r = camera.castRay(x, y);
+                focus.push_back(r.evaluateAt(settings().dofFocalPlane / r.direction.z));
+            }
+    }
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        const Vector3 F = focus[(std::size_t)y * image.width() + x];
+        ColourRGB sum;
+        for (int i = 0; i < settings().dofRayCount; i++) {
+            const Vector3 L{settings().dofAmount * randomBetween(-1, 1), settings().dofAmount * randomBetween(-1, 1), 0};
+            sum += trace(scene, Ray{L, (F - L).normalised()}, settings().bounces);
+        }
+        image.set(x, y, sum / settings().dofRayCount);
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer
