@@ -164,6 +164,27 @@ private:
     std::uint32_t exceptionsSeen_ = 0;
 };
 
+/// One map, then another, at the same point of the same sphere.
+void addOtherMaps(ConductPlan& plan, Questionnaire& questionnaire, Draws& draws) {
+    constexpr int kPoints = 8;
+    const HeightMapDescription one = noise(draws, 90, 70);
+    const HeightMapDescription other = noise(draws, 90, 70);
+    for (const Vector3& point : draws.directions(kPoints)) {
+        static_cast<void>(questionnaire.add(kSceneBall, one, {point}));
+        plan.afterOtherMap.push_back(questionnaire.add(kSceneBall, other, {point, -point, point}));
+    }
+}
+
+double largestChange(const ConductPlan& plan, const Answers& answers) {
+    double largest = 0.0;
+    for (const std::size_t question : plan.afterOtherMap) {
+        const std::vector<Vector3>& normals = answers.answer(question).normals;
+        const double change = (normals.front() - normals.back()).magnitude();
+        if (change > largest) largest = change;
+    }
+    return largest;
+}
+
 /// Between the first half and the second.
 double middleChange(const std::vector<Vector3>& normals) {
     const std::size_t half = normals.size() / 2;
@@ -179,6 +200,10 @@ Place ConductPlan::placeOf(std::size_t question) const {
     if (question == visibleMeridian) return Place::visibleMeridian;
     if (question == hiddenMeridian) return Place::hiddenMeridian;
     if (question == smallMap || question == lastRows || question == steep) return Place::rough;
+    const auto isOfTwoMaps = [&](std::size_t after) {
+        return question == after || question + 1 == after;
+    };
+    if (std::ranges::any_of(afterOtherMap, isOfTwoMaps)) return Place::rough;
     if (question == nearestPoint) return Place::nearestPoint;
     if (question == poles) return Place::pole;
     if (question == tinyMap) return Place::tinyMap;
@@ -200,6 +225,7 @@ ConductPlan planConduct(Questionnaire& questionnaire, Draws& draws) {
     std::vector<Vector3> twice = draws.directions(kPoints / 2);
     twice.insert(twice.end(), twice.begin(), twice.begin() + kPoints / 2);
     plan.twice = questionnaire.add(kSceneBall, flatMap(90, 70), twice);
+    addOtherMaps(plan, questionnaire, draws);
     return plan;
 }
 
@@ -209,6 +235,7 @@ Conduct readConduct(const ConductPlan& plan, const Answers& answers) {
     for (std::size_t i = 0; i < asked.questions().size(); ++i)
         QuestionReader(asked.question(i), answers.answer(i), plan.placeOf(i), conduct).read();
     conduct.chance = middleChange(answers.answer(plan.twice).normals);
+    conduct.memory = largestChange(plan, answers);
     return conduct;
 }
 

@@ -33,6 +33,9 @@ struct ConductPlan {
     std::size_t tinyMap = 0;
     std::optional<std::size_t> steep;  ///< random texels of another part of the examination
     std::size_t twice = 0;  ///< a flat map, at some points and then at the same ones again
+    /// A point of another map of the same size was asked for just before: this point, one far from
+    /// it, and this point again.
+    std::vector<std::size_t> afterOtherMap;
 
     [[nodiscard]] Place placeOf(std::size_t question) const;
 };
@@ -64,6 +67,9 @@ struct Conduct {
     Offence missing;           ///< never answered, though the process ended well
     double largestTilt = 0.0;  ///< over all ordinary points and maps
     double chance = 0.0;       ///< median change of the normal where a point is asked for again
+    /// Largest change of a normal by what was asked just before: the same point on another map, or
+    /// another point on this one.
+    double memory = 0.0;
 };
 
 [[nodiscard]] Conduct readConduct(const ConductPlan& plan, const Answers& answers);

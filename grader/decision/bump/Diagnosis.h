@@ -35,6 +35,7 @@ enum class Fault {
 enum class WrongReason {
     chance,         ///< the same point of the same map gets another normal each time
     mapIgnored,     ///< another map gives the same normals
+    remembers,      ///< a point's normal depends on the map that was asked about just before
     normalMissing,  ///< a gentle slope lays the normal flat into the surface
     inward,
     flatTilted,

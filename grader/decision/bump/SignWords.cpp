@@ -41,8 +41,9 @@ Words invertedWords() {
         "The bumps are inverted along both axes: bright texels are lowered and dark ones "
         "raised, so that H sinks and L stands out.",
         "Both signs are wrong. If your slopes are the neighbour minus this texel, leave them and "
-        "change the sign before both terms of the sum: Equation (1) subtracts Bu Pu and Bv Pv, and "
-        "with cross products take (2) in place of (3), or (3) in place of (2). If they are this "
+        "change the sign before both terms of the sum: Equation (1) subtracts Bu Pu and Bv Pv. "
+        "With "
+        "cross products take (2) in place of (3), or (3) in place of (2). If they are this "
         "texel minus the neighbour, turn both differences round instead.",
         "Option 1: Test it"};
 }

@@ -98,6 +98,17 @@ Words mapIgnoredWords() {
         "Option 1: What to do, step 3"};
 }
 
+Words remembersWords() {
+    return {
+        "The same point of the same map gets another normal where another sphere's map was asked "
+        "about just before.",
+        "What is kept between calls (a static or thread_local variable with the last texel, "
+        "heights, "
+        "slopes or normal) must not outlive its map: read heightMap() in each call, or ask whether "
+        "it is still the same map.",
+        "Option 1: What to do, step 3"};
+}
+
 Words orderWords() {
     return {
         "The same point of the same map gets another normal when the points are asked for in "
@@ -207,6 +218,8 @@ Words wrongWords(WrongReason reason, const Examination& examination,
             return chanceWords(examination.conduct.chance);
         case WrongReason::mapIgnored:
             return mapIgnoredWords();
+        case WrongReason::remembers:
+            return remembersWords();
         case WrongReason::normalMissing:
             return normalMissingWords();
         case WrongReason::inward:

@@ -71,12 +71,11 @@ TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
     ShadowOutcome outcome = judgeSoftShadows(logs);
     bool needsReview = judgeUnseenShadows(examinee, seed, outcome);
     if (outcome.reading && !outcome.cut && !hasFailure(outcome.findings))
-        needsReview =
-            keepRepeated(outcome.findings,
-                         [&](std::uint64_t stage) {
-                             return judgeLitRender(examinee, *outcome.reading, seed, stage);
-                         }) ||
-            needsReview;
+        needsReview = keepRepeated(outcome.findings,
+                                   [&](std::uint64_t stage) {
+                                       return judgeLitRender(examinee, seed, stage);
+                                   }) ||
+                      needsReview;
     // The steps at the edges of shadows are for a person to see.
     needsReview = needsReview || contains(outcome.findings, "shadow.fixed-samples");
     TaskJudgement judgement = judgementOf(std::move(outcome.findings), needsReview);

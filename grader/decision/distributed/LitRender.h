@@ -28,10 +28,8 @@ struct LitRender {
                                       const probe::RenderAnswer& answer);
 
 /// How the shadows of a render differ from those of single points, in words; empty where they do
-/// not, or where too little can be seen. Exact.
-/// @param reading  What fits when single points are asked for.
-[[nodiscard]] std::optional<std::string> litDifference(const LitRender& lit,
-                                                       const ShadowReading& reading);
+/// not, or where too little can be seen. Exact: one accepted reading has to fit every point.
+[[nodiscard]] std::optional<std::string> litDifference(const LitRender& lit);
 
 }  // namespace ticker::decision
 

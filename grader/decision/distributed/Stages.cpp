@@ -98,22 +98,21 @@ Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t s
     return {judgeWithThreads(log), std::nullopt};
 }
 
-Stage judgeLitRender(probe::Examinee& examinee, const ShadowReading& reading, std::uint64_t seed,
-                     std::uint64_t stage) {
+Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
     const std::uint64_t own = seedOf(seed, stage);
     const std::array asked{drawLitQuestion(own, 1), drawLitQuestion(own, 2)};
     const probe::Sitting sitting = examinee.ask({asked[0], asked[1]});
     // What render itself does wrong is no matter of shadows.
     const auto* alone = answeredBy<probe::RenderAnswer>(sitting);
     if (alone == nullptr) return {};
-    if (const auto said = litDifference(readLitRender(asked[0], *alone), reading))
+    if (const auto said = litDifference(readLitRender(asked[0], *alone)))
         return doubtful("shadow.not-in-renders",
                         "Asked about single points, illuminate casts the shadow rays that were "
                         "expected; inside of render, " +
                             *said + ": a person has to compare the two.");
     const auto* together = answeredBy<probe::RenderAnswer>(sitting, 1);
     if (together == nullptr) return unanswered(sitting, "render, with two threads,");
-    if (const auto said = litDifference(readLitRender(asked[1], *together), reading))
+    if (const auto said = litDifference(readLitRender(asked[1], *together)))
         return {distributedFinding("shadow.threads-mixed", Severity::fail,
                                    "With one thread the shadows are right; with two, and "
                                    "forEachPixel has as many as the machine has cores, " +

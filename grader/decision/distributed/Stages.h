@@ -33,9 +33,8 @@ struct Stage {
 
 /// `illuminate` inside of `render`: with one thread it does what it did at single points, else a
 /// person has to look; with two it still does, or fails.
-/// @param reading  What fits at single points.
-[[nodiscard]] Stage judgeLitRender(probe::Examinee& examinee, const ShadowReading& reading,
-                                   std::uint64_t seed, std::uint64_t stage);
+[[nodiscard]] Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed,
+                                   std::uint64_t stage);
 
 /// Asks once, and again on other questions where that failed: a failure that does not come again is
 /// none, but a person should look.

@@ -26,7 +26,7 @@ std::optional<std::string> differenceAfter(const Change& change) {
     const probe::RenderQuestion asked = drawLitQuestion(3, 1);
     probe::RenderAnswer answer = render(asked, reference);
     change(answer);
-    return litDifference(readLitRender(asked, answer), {});
+    return litDifference(readLitRender(asked, answer));
 }
 
 // Exact: no seed may differ.
@@ -38,7 +38,7 @@ TEST(LitRender, IsAsTheQuestionsWhereRenderIsRight) {
             const LitRender lit = readLitRender(asked, render(asked, reference));
             EXPECT_EQ(lit.answer.colours.size(), 1200U)
                 << seed << ": every lens ray meets the wall";
-            EXPECT_FALSE(litDifference(lit, {})) << seed << ' ' << *litDifference(lit, {});
+            EXPECT_FALSE(litDifference(lit)) << seed << ' ' << *litDifference(lit);
         }
 }
 
@@ -63,7 +63,7 @@ TEST(LitRender, SaysThatRaysAreMissing) {
     tests::LocalExaminee reference;
     selftest::AlteredExaminee hard{reference, [](auto& settings) { settings.shadowRayCount = 1; }};
     const probe::RenderQuestion asked = drawLitQuestion(3, 1);
-    EXPECT_EQ(litDifference(readLitRender(asked, render(asked, hard)), {}),
+    EXPECT_EQ(litDifference(readLitRender(asked, render(asked, hard))),
               "some points get 1 of 10 shadow rays to a light");
 }
 
