@@ -63,7 +63,7 @@ test("headings sort both ways", async () => {
 
 test("coming back from a report finds the filters as they were", async () => {
   await page.getByLabel("Verdict").selectOption("needsReview");
-  await page.getByRole("link", { name: "two-versions" }).click();
+  await page.getByRole("link", { name: "two-versions", exact: true }).click();
   await page.waitForURL(/two-versions\/report\.html/);
   await page.goBack();
   await page.waitForURL(/index\.html/);
