@@ -69,13 +69,15 @@ std::string seenAlong(const AxisResponse& axis) {
 
 /// What to look at first; empty where the shares tell nothing.
 std::string hintOf(const Response& response) {
+    if (!invertedRows(response.u).empty() || !invertedRows(response.v).empty())
+        return "A sign changes on the way down. Look for a comparison or an abs that turns the "
+               "sign of Bu or Bv; if there is none, compare the tangents: with polar angle t and "
+               "longitude p, Pv is (sin p cos t, -sin t, -cos p cos t) where rows grow downwards, "
+               "so that its y is negative on both halves and cos t changes sign at the equator. "
+               "Pu has no polar angle in it.";
     if (response.tangentsInDegrees)
         return "The tangents are those of angles in degrees: std::sin and std::cos take radians, "
                "so leave the factor 180 / pi out of everything that goes into them.";
-    if (!invertedRows(response.u).empty() || !invertedRows(response.v).empty())
-        return "A sign changes on the way down. With polar angle t and longitude p, Pv is (sin p "
-               "cos t, -sin t, -cos p cos t) where rows grow downwards: its y is negative on both "
-               "halves, and cos t changes sign at the equator. Pu has no polar angle in it.";
     const std::string names = twist(response.u).empty()   ? "Pv turns"
                               : twist(response.v).empty() ? "Pu turns"
                                                           : "Pu and Pv turn";

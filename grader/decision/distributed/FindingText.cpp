@@ -25,14 +25,19 @@ constexpr std::string_view kLens3 = "Depth of field (T2.2), step 3";
 // In the order of contract.md: the first that applies is reported.
 constexpr std::array kTexts{
     Text{"shadow.hard",
-         "Aim each shadow ray at light.position() + Vector3::randomInsideUnitSphere() * "
-         "settings().lightSize, a new point for every ray.",
+         "Cast settings().shadowRayCount rays at every point for every light, aim each at "
+         "light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize, a new point "
+         "for every ray, and divide the number of rays that arrive by that count.",
          kShadow1},
-    Text{"shadow.too-few-rays",
-         "Cast settings().shadowRayCount rays for every light, each to a new point.", kShadow1},
+    Text{
+        "shadow.too-few-rays",
+        "Cast settings().shadowRayCount rays for every light, each to a new point within lightSize "
+        "of that light, do not leave the loop early, and divide by the same number.",
+        kShadow1},
     Text{"shadow.fixed-samples",
-         "Draw new points in every call: a generator must not be started again with the same seed "
-         "for each point.",
+         "Draw a new point for every ray, inside of the loop over the rays, and keep none in a "
+         "static variable. A generator must not be started again with the same seed for each "
+         "point.",
          kShadow1},
     Text{"shadow.inverted",
          "The light that arrives is the share of rays that reach the light, not of those that are "
@@ -52,29 +57,34 @@ constexpr std::array kTexts{
     Text{"shadow.lights-mixed",
          "Start counts and sums anew for each light, inside of the loop over the lights, aim at "
          "that light's own position, and divide by the number of its rays alone, not by that of "
-         "the lights. No return before every light has had its turn.",
+         "the lights. Add to the colour with +=; no return before every light has had its turn. "
+         "Every object of the scene may stand in the way: findClosestIntersection asks all.",
          kShadow2},
     Text{"shadow.beyond-light",
          "An object casts a shadow only if it is nearer than the light: compare the distance of "
-         "the hit with that of the light. The distance of a hit counts in lengths of the ray's "
+         "the hit with that of the point that the ray aims at, (target - start).magnitude(). The "
+         "distance of a hit counts in lengths of the ray's "
          "direction, so give that unit length; and ask with < or >, since two doubles are hardly "
          "ever equal (==).",
          kShadow1},
     Text{"shadow.point-jittered",
-         "All shadow rays start at the point itself, a tiny step along N away from the surface; "
-         "only their targets are random.",
+         "All shadow rays start at P + N * kShadowBias. The random offset belongs to their target: "
+         "light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize.",
          kShadow1},
     Text{"shadow.direction-offset",
-         "Add the random offset to the light's position, before the direction is normalised.",
+         "Aim at light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize: the "
+         "offset belongs to the light's position, with lightSize as its radius, before the "
+         "direction is normalised.",
          kShadow1},
     Text{"shadow.light-size",
          "A point in the light is light.position() + Vector3::randomInsideUnitSphere() * "
          "settings().lightSize: lightSize is the radius.",
          kShadow1},
     Text{"shadow.not-a-ball",
-         "The light is a ball around light.position(): Vector3::randomInsideUnitSphere() gives "
-         "points of the unit ball. Numbers of your own must go from -1 to 1 in x, y and z, not "
-         "from 0 to 1, each drawn anew, and what lies outside of the unit ball is drawn again.",
+         "The light is a ball around light.position(): take Vector3::randomInsideUnitSphere() as "
+         "it is, without normalised() and without adding anything, times settings().lightSize. "
+         "Numbers of your own must go from -1 to 1 in x, y and z, not from 0 to 1, each drawn "
+         "anew, and what lies outside of the unit ball is drawn again.",
          kShadow1},
     Text{"shadow.clustered",
          "Vector3::randomInsideUnitSphere() of this kit gives points that fill the ball evenly.",
@@ -94,24 +104,32 @@ constexpr std::array kTexts{
          "illuminate, which casts settings().shadowRayCount rays to every light, always.",
          kShadow1},
     Text{"shadow.wrong",
-         "Compare with the steps of the handout: diffuse and specular light are added once for "
-         "each light (not for each ray), times the number of rays that arrive, divided once by the "
-         "number of rays that the loop casts.",
+         "Compare with the steps of the handout. A ray runs from the point to the light and is "
+         "blocked if any object is nearer than its target. Diffuse and specular light are added "
+         "once for each light (not for each ray), times one share: the number of rays that arrive, "
+         "divided once by the number of rays that the loop casts. Nothing else depends on them.",
          kShadow3},
     Text{"dof.none",
-         "Start every ray at a random point of the aperture and send it through the focal point.",
+         "Start every ray, in every pixel, at a random point of the aperture (x and y each from "
+         "-dofAmount to dofAmount, z 0) and send it through the focal point.",
          kLens2},
-    Text{"dof.too-few-rays", "Cast settings().dofRayCount rays for every pixel.", kLens2},
+    Text{"dof.too-few-rays",
+         "Cast settings().dofRayCount rays for every pixel, and divide their sum by the same "
+         "number.",
+         kLens2},
     Text{"dof.shared-samples",
          "Draw the point of the aperture inside of the loop over the rays, a new one for each. If "
          "it is drawn there, look for a generator that is started again on the way (a seed set in "
          "the loop or in illuminate, a generator made anew): then the numbers repeat.",
          kLens2},
-    Text{"dof.not-averaged", "Add the colours of all rays of the pixel and divide by their number.",
+    Text{"dof.not-averaged",
+         "Add, with +=, what trace returns for each of the dofRayCount lens rays, as it is: no "
+         "std::min, pow or tone curve, and the background counts as well. Divide once by their "
+         "number. The ray straight from the eye is none of them, and the sum is not static.",
          kLens3},
     Text{"dof.threads-mixed",
-         "forEachPixel works on several rows at the same time. What a pixel adds up must be its "
-         "own: declare the sum and the counters inside of the function that is given to "
+         "forEachPixel works on several rows at the same time. All that a pixel computes must be "
+         "its own: declare focal point, sum and counters inside of the function that is given to "
          "forEachPixel, not before it, and neither static nor as members.",
          kLens3},
     Text{"dof.focal-distance",
@@ -119,14 +137,17 @@ constexpr std::array kTexts{
          "dofFocalPlane / direction.z, not by dofFocalPlane.",
          kLens1},
     Text{"dof.focal-plane",
-         "All rays of a pixel must meet the pinhole ray at z = settings().dofFocalPlane.", kLens1},
+         "All rays of a pixel must meet the pinhole ray at z = settings().dofFocalPlane, in every "
+         "pixel: aim each exactly at that point, with nothing random added to it.",
+         kLens1},
     Text{"dof.off-centre",
          "The aperture is centred on the eye: random numbers between -1 and 1, not between 0 and "
          "1.",
          kLens2},
     Text{"dof.disc",
-         "The aperture is a square in the xy-plane: x and y are drawn independently, each evenly, "
-         "and z is 0.",
+         "The aperture is a square in the xy-plane: x and y are two random numbers, each even over "
+         "[-dofAmount, dofAmount] (no radius and angle, no product, no normal distribution), both "
+         "drawn inside of the loop over the rays, and z is 0.",
          kLens2},
     Text{"dof.aperture-size",
          "The half-width of the aperture is settings().dofAmount (or half of it).", kLens2},
@@ -141,7 +162,10 @@ constexpr std::array kTexts{
          "anew, so that all rays of a pixel start at one point of the lens; and for anything that "
          "depends on the size of the picture or on the number of lights.",
          "Test and submit"},
-    Text{"dof.wrong", "Compare with the steps of the handout.", kLens3},
+    Text{"dof.wrong",
+         "Compare with the steps of the handout: for every pixel dofRayCount calls of trace(scene, "
+         "ray, settings().bounces), which adds the reflections, their mean, and one image.set.",
+         kLens3},
     Text{"settings.hard-coded",
          "Take the numbers from settings(): shadowRayCount, lightSize, dofRayCount, "
          "dofFocalPlane, dofAmount, bounces.",

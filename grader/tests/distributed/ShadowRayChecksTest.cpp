@@ -72,7 +72,7 @@ TEST(CheckStarts, WantsRaysToStartAtThePoint) {
     const auto atViewer = judgeStarts({-1.0, 3.0, -1.0}, {-1.0, 3.0, -1.0});
     ASSERT_EQ(idOf(atViewer), "shadow.wrong");
     EXPECT_NE(atViewer->hint.find("start there"), std::string::npos) << atViewer->hint;
-    EXPECT_EQ(jittered->hint.find("P + N * kShadowBias"), std::string::npos);
+    EXPECT_NE(jittered->hint.find("belongs to their target"), std::string::npos);
     EXPECT_EQ(idOf(judgeStarts({0.0, 1.51e-3, 0.0}, {0.0, 1.51e-3, 0.0})), "shadow.wrong");
 }
 
