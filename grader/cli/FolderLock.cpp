@@ -40,6 +40,10 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
             folder.string(), 0,
             "another ticker is grading into it; let it finish, or give another folder with -o");
     removeLeftOvers(folder);
+    // Pages are also written into the folders of submissions that are not graded again.
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator{folder, error})
+        if (!entry.is_symlink() && entry.is_directory()) removeLeftOvers(entry.path());
 }
 
 }  // namespace ticker::cli

@@ -71,13 +71,15 @@ TEST_F(Resume, WaitsForNobodyWhoGradesIntoTheSameFolder) {
 
 // No process has the first number: they end at 4194304.
 TEST_F(Resume, RemovesWhatAKilledOneWasWriting) {
-    fs::create_directory(at("out"));
+    fs::create_directories(at("out") / "ann");
     const fs::path leftOver = at("out") / ".summary.csv.999999999.part";
+    const fs::path page = at("out") / "ann" / ".student.html.999999999.part";
     const fs::path written = at("out") / (".summary.csv." + std::to_string(getpid()) + ".part");
-    for (const fs::path& file : {leftOver, written})
+    for (const fs::path& file : {leftOver, page, written})
         std::ofstream{file} << "submission,";
     const FolderLock lock{at("out")};
     EXPECT_FALSE(fs::exists(leftOver));
+    EXPECT_FALSE(fs::exists(page)) << "a submission's page";
     EXPECT_TRUE(fs::exists(written)) << "somebody is still at it";
 }
 
