@@ -53,8 +53,9 @@ TEST(Windows, HaveNoPixelTwice) {
                 drawWindows(false, width, width * 3 / 4, seed, 1).boxes;
             for (std::size_t i = 0; i < boxes.size(); ++i)
                 for (std::size_t j = 0; j < later.size(); ++j)
-                    if (i == j || width < 480)
+                    if (i == j || width < 480) {
                         EXPECT_FALSE(overlap(boxes[i], later[j])) << width << " " << i << " " << j;
+                    }
         }
 }
 
