@@ -21,7 +21,7 @@ namespace {
 
 using probe::ProcessEnd;
 using sandbox::Outcome;
-using Kind = ProcessEnd::Kind;
+using EndKind = ProcessEnd::Kind;
 
 constexpr const char* kBadAlloc = "std::bad_alloc";
 
@@ -63,21 +63,21 @@ ProcessEnd endBySignal(const Outcome& outcome) {
     const std::string name = signalName(outcome.code);
     switch (outcome.code) {
         case SIGSYS:
-            return {Kind::forbiddenCall, "ended at a forbidden system call"};
+            return {EndKind::forbiddenCall, "ended at a forbidden system call"};
         case SIGXCPU:
         case SIGKILL:
-            return {Kind::timedOut,
+            return {EndKind::timedOut,
                     fmt::format("stopped after {:.1f} s of computing", outcome.cpuMs / 1000.0)};
         case SIGXFSZ:
-            return {Kind::outputLimit, "wrote more than a file may hold"};
+            return {EndKind::outputLimit, "wrote more than a file may hold"};
         case SIGABRT:
-            return {Kind::crashed, name + ": abort, by std::terminate or the like"};
+            return {EndKind::crashed, name + ": abort, by std::terminate or the like"};
         case SIGSEGV:
-            return {Kind::crashed, name +
+            return {EndKind::crashed, name +
                                        ": a bad pointer, an index out of range, or a recursion "
                                        "without end"};
         default:
-            return {Kind::crashed, name};
+            return {EndKind::crashed, name};
     }
 }
 
@@ -86,9 +86,9 @@ constexpr int kNotExecutable = 126;
 
 ProcessEnd endByExit(int status) {
     if (status == kNotExecutable)
-        return {Kind::exitedEarly,
+        return {EndKind::exitedEarly,
                 "could not be started at all, or left with exit status 126 of its own"};
-    return {Kind::exitedEarly, fmt::format("left with exit status {}", status)};
+    return {EndKind::exitedEarly, fmt::format("left with exit status {}", status)};
 }
 
 std::string ofTheBudget(const sandbox::TimeLimits& all) {
@@ -113,22 +113,22 @@ bool hasFinished(const Outcome& outcome, bool isMarked, const std::vector<probe:
 ProcessEnd endOf(const Outcome& outcome, bool finished, const Program& program,
                  const sandbox::Limits& limits) {
     if (outcome.end == Outcome::End::failed)
-        return {Kind::ourFault, intake::asUtf8(outcome.output)};
+        return {EndKind::ourFault, intake::asUtf8(outcome.output)};
     if (finished) return {};
     const bool mayNeverHaveBegun =
         outcome.end == Outcome::End::signalled ||
         (outcome.end == Outcome::End::exited && outcome.code == kNotExecutable);
     if (const std::uint64_t bytes = program.staticBytes();
         mayNeverHaveBegun && bytes >= limits.addressSpaceBytes)
-        return {Kind::memory, "its global and static variables take " + ofTheLimit(bytes, limits)};
+        return {EndKind::memory, "its global and static variables take " + ofTheLimit(bytes, limits)};
     switch (outcome.end) {
         case Outcome::End::wallLimit:
-            return {Kind::timedOut, fmt::format("stopped after {:.0f} s", limits.wallSeconds)};
+            return {EndKind::timedOut, fmt::format("stopped after {:.0f} s", limits.wallSeconds)};
         case Outcome::End::outputLimit:
-            return {Kind::outputLimit,
+            return {EndKind::outputLimit,
                     fmt::format("printed more than {} bytes", limits.outputBytes)};
         case Outcome::End::signalled:
-            if (auto why = wantOfMemory(outcome, limits)) return {Kind::memory, std::move(*why)};
+            if (auto why = wantOfMemory(outcome, limits)) return {EndKind::memory, std::move(*why)};
             return endBySignal(outcome);
         default:
             return endByExit(outcome.code);
@@ -169,11 +169,11 @@ probe::Sitting SandboxedExaminee::ask(const std::vector<probe::Question>& questi
     const bool finished =
         hasFinished(outcome, probe::saysFinished(memory.bytes()), sitting.answers);
     sitting.end = endOf(outcome, finished, program_, command.limits);
-    if (sitting.end.kind == Kind::timedOut && budget_ != nullptr && budget_->isSpent())
+    if (sitting.end.kind == EndKind::timedOut && budget_ != nullptr && budget_->isSpent())
         sitting.end.detail = ofTheBudget(budget_->all());
-    madeForbiddenCall_ = madeForbiddenCall_ || sitting.end.kind == Kind::forbiddenCall;
-    if (sitting.end.kind == Kind::finished && std::ranges::any_of(sitting.answers, saysOutOfMemory))
-        sitting.end = {Kind::memory, kBadAlloc};
+    madeForbiddenCall_ = madeForbiddenCall_ || sitting.end.kind == EndKind::forbiddenCall;
+    if (sitting.end.kind == EndKind::finished && std::ranges::any_of(sitting.answers, saysOutOfMemory))
+        sitting.end = {EndKind::memory, kBadAlloc};
     return sitting;
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uint64_t kBlock = 10;
+constexpr std::uint64_t kRendersPerUnit = 10;
 
 // What the doubt is there for has to be seen each time; the others are measured.
 constexpr std::array<std::string_view, 2> kToBeSeen{"T2.1/hard-centre", "T2.2/none"};
@@ -46,7 +46,7 @@ double smallestOf(const std::vector<decision::Misfit>& misfits) {
 }
 
 /// Renders of one kind of subject.
-struct Tally {
+struct PictureTally {
     std::vector<double> misfits;
 
     void add(const json& record) {
@@ -91,7 +91,7 @@ std::string PictureCampaign::run(std::size_t unit) {
     const sandbox::Limits limits;
     build::SandboxedExaminee examinee{programs_.of(subject), programs_.sandbox(), limits};
     std::vector<double> misfits;
-    for (std::uint64_t i = 0; i < kBlock; ++i) {
+    for (std::uint64_t i = 0; i < kRendersPerUnit; ++i) {
         raytracer::RenderSettings settings = scene_.settings;
         settings.seed = seedOf("picture " + subject.name) + i;
         const probe::Sitting sitting =
@@ -117,7 +117,7 @@ bool PictureCampaign::agrees(const std::string& before, const std::string& now) 
 }
 
 Summary PictureCampaign::summarise(const std::vector<std::string>& records) const {
-    Tally right;
+    PictureTally right;
     std::string others;
     Summary summary;
     for (const std::string& text : records) {
@@ -126,7 +126,7 @@ Summary PictureCampaign::summarise(const std::vector<std::string>& records) cons
             right.add(record);
             continue;
         }
-        Tally wrong;
+        PictureTally wrong;
         wrong.add(record);
         const auto name = record.at("subject").get<std::string>();
         others += wrong.line(name);

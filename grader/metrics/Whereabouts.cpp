@@ -8,13 +8,13 @@
 namespace ticker::metrics {
 namespace {
 
-constexpr std::size_t kChannels = 3;
+constexpr std::size_t kColours = 3;
 constexpr int kSketchColumns = 40;
 // The box leaves out a tenth of the tiles on each side.
 constexpr double kLeftOut = 0.1;
 
 /// A tile that differs.
-struct Tile {
+struct GridTile {
     int column = 0;
     int row = 0;
 };
@@ -24,8 +24,8 @@ bool differs(const TileTest& noise, int column, int row) {
     return static_cast<double>(noise.probability.values[i]) < noise.threshold;
 }
 
-std::vector<Tile> differingTiles(const TileTest& noise) {
-    std::vector<Tile> tiles;
+std::vector<GridTile> differingTiles(const TileTest& noise) {
+    std::vector<GridTile> tiles;
     for (int row = 0; row < noise.score.height; ++row)
         for (int column = 0; column < noise.score.width; ++column)
             if (differs(noise, column, row)) tiles.push_back({column, row});
@@ -48,7 +48,7 @@ struct Sums {
     [[nodiscard]] double rms() const { return count > 0.0 ? std::sqrt(squares / count) : 0.0; }
 };
 
-Patch pixelsOf(const Tile& tile, const ByteView& picture, int tileSize) {
+Patch pixelsOf(const GridTile& tile, const ByteView& picture, int tileSize) {
     return {tile.column * tileSize, tile.row * tileSize,
             std::min((tile.column + 1) * tileSize, picture.width),
             std::min((tile.row + 1) * tileSize, picture.height)};
@@ -58,11 +58,11 @@ Sums sumsOver(const Patch& patch, const ByteView& reference, const ByteView& tes
     Sums sums;
     for (int y = patch.top; y < patch.bottom; ++y)
         for (int x = patch.left; x < patch.right; ++x)
-            for (std::size_t channel = 0; channel < kChannels; ++channel) {
+            for (std::size_t channel = 0; channel < kColours; ++channel) {
                 const std::size_t i =
                     (static_cast<std::size_t>(y) * static_cast<std::size_t>(test.width) +
                      static_cast<std::size_t>(x)) *
-                        kChannels +
+                        kColours +
                     channel;
                 const double difference = int{test.rgb[i]} - int{reference.rgb[i]};
                 sums += {difference, difference * difference, 1.0};
@@ -77,10 +77,10 @@ std::pair<int, int> middleOf(std::vector<int> numbers) {
     return {numbers[cut], numbers[numbers.size() - 1 - cut]};
 }
 
-std::string wordsFor(const std::vector<Tile>& tiles, const TileTest& noise) {
+std::string wordsFor(const std::vector<GridTile>& tiles, const TileTest& noise) {
     double x = 0.0;
     double y = 0.0;
-    for (const Tile& tile : tiles) {
+    for (const GridTile& tile : tiles) {
         x += (tile.column + 0.5) / noise.score.width;
         y += (tile.row + 0.5) / noise.score.height;
     }
@@ -105,13 +105,13 @@ char symbolFor(const Sums& sums) {
 }  // namespace
 
 Whereabouts whereabouts(const ByteView& reference, const ByteView& test, const TileTest& noise) {
-    const std::vector<Tile> tiles = differingTiles(noise);
+    const std::vector<GridTile> tiles = differingTiles(noise);
     Whereabouts where;
     if (tiles.empty()) return where;
     std::vector<int> columns;
     std::vector<int> rows;
     Sums all;
-    for (const Tile& tile : tiles) {
+    for (const GridTile& tile : tiles) {
         Patch patch = pixelsOf(tile, test, noise.tileSize);
         const Sums sums = sumsOver(patch, reference, test);
         patch.meanDifference = sums.mean();

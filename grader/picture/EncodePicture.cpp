@@ -10,7 +10,7 @@
 namespace ticker::picture {
 namespace {
 
-constexpr std::size_t kChannels = 3;
+constexpr std::size_t kPngChannels = 3;
 constexpr int kBits = 8;
 
 void appendBytes(png_structp png, png_bytep bytes, std::size_t size) {
@@ -44,7 +44,7 @@ public:
         png_set_compression_strategy(png_, Z_RLE);
         png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
         png_write_info(png_, info_);
-        const std::size_t rowBytes = kChannels * static_cast<std::size_t>(image.width);
+        const std::size_t rowBytes = kPngChannels * static_cast<std::size_t>(image.width);
         for (std::size_t at = 0; at < image.rgb.size(); at += rowBytes)
             png_write_row(png_, &image.rgb[at]);
         png_write_end(png_, nullptr);
@@ -60,7 +60,7 @@ private:
 
 std::string encodePicture(const raytracer::ByteImage& image) {
     const bool isWhole = image.width >= 1 && image.height >= 1 &&
-                         image.rgb.size() == kChannels * static_cast<std::size_t>(image.width) *
+                         image.rgb.size() == kPngChannels * static_cast<std::size_t>(image.width) *
                                                  static_cast<std::size_t>(image.height);
     std::string file;
     if (!isWhole || !Encoder{file}.write(image))

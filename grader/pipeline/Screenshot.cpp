@@ -39,7 +39,7 @@ Finding finding(const char* id, std::string message, std::string hint) {
     return result;
 }
 
-void settle(TaskReport& report, TaskJudgement judgement) {
+void settleScreenshot(TaskReport& report, TaskJudgement judgement) {
     report.state = judgement.state;
     report.reason = std::move(judgement.reason);
     report.findings = std::move(judgement.findings);
@@ -47,7 +47,7 @@ void settle(TaskReport& report, TaskJudgement judgement) {
 }
 
 void fail(TaskReport& report, Finding finding) {
-    settle(report, {TaskState::failed, "", {std::move(finding)}, false});
+    settleScreenshot(report, {TaskState::failed, "", {std::move(finding)}, false});
 }
 
 Finding unreadable(const picture::DecodeFailure& failure) {
@@ -161,11 +161,11 @@ TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
     const ByteImage& image = std::get<ByteImage>(decoded);
     show(image, result);
     const Scenes scenes{files, grader, budget, result.tasks};
-    settle(report, decision::judgeScreenshot(viewOf(image), scenes.all(), seed));
+    settleScreenshot(report, decision::judgeScreenshot(viewOf(image), scenes.all(), seed));
     result.timing.probeMs += scenes.wallMs();
     if (scenes.madeForbiddenCall()) {
         const Finding call = forbiddenCallFinding();
-        settle(report, {TaskState::blocked, call.message, {call}, true});
+        settleScreenshot(report, {TaskState::blocked, call.message, {call}, true});
     }
     return report;
 }

@@ -19,17 +19,17 @@ namespace ticker::pipeline {
 namespace {
 
 // Free to choose: it only makes pictures repeat.
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kSpecSeed = 1;
 
 raytracer::RenderSettings settingsOf(int width, int height) {
     raytracer::RenderSettings settings;
     settings.width = width;
     settings.height = height;
-    settings.seed = kSeed;
+    settings.seed = kSpecSeed;
     return settings;
 }
 
-metrics::ByteView viewOf(const raytracer::ByteImage& image) {
+metrics::ByteView bytesOf(const raytracer::ByteImage& image) {
     return {image.width, image.height, image.rgb};
 }
 
@@ -84,7 +84,7 @@ void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnsw
     constexpr double kFullZ = 6.0;
     const Comparison compared = bestFitting(scene, answer, gallery.misfits);
     const raytracer::ByteImage& expected = compared.expected->picture;
-    const metrics::Scores scores = metrics::score(viewOf(expected), viewOf(picture));
+    const metrics::Scores scores = metrics::score(bytesOf(expected), bytesOf(picture));
     const metrics::Map& errors = scores.errors;
     RenderScore render;
     render.scene = scene.name;

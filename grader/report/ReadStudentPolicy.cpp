@@ -18,7 +18,7 @@
 namespace ticker::report {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using raytracer::InputError;
 
 /// The members that are true or false.
@@ -48,7 +48,7 @@ std::string unknownMember(const std::string& name) {
     return "expected no member of this name" + raytracer::knownNamesHint(name, known);
 }
 
-void takeMember(const File& file, const std::string& name, const json& value,
+void takeMember(const File& file, const std::string& name, const Json& value,
                 StudentPolicy& policy) {
     if (const auto known = switches().find(name); known != switches().end()) {
         if (!value.is_boolean()) file.refuse(name, "expected true or false");
@@ -57,7 +57,7 @@ void takeMember(const File& file, const std::string& name, const json& value,
     }
     if (name != "evidence") file.refuse(name, unknownMember(name));
     if (!value.is_array()) file.refuse(name, "expected an array of strings");
-    for (const json& key : value) {
+    for (const Json& key : value) {
         if (!key.is_string()) file.refuse(name, "expected an array of strings");
         policy.evidence.push_back(key.get<std::string>());
     }
@@ -69,10 +69,10 @@ StudentPolicy readStudentPolicy(const std::filesystem::path& path) {
     std::ifstream stream{path, std::ios::binary};
     if (!stream) throw InputError(path.string(), 0, "cannot be read; expected a student view");
     const File file{path.string(), {std::istreambuf_iterator<char>{stream}, {}}};
-    json document;
+    Json document;
     try {
-        document = json::parse(file.text);
-    } catch (const json::parse_error& error) {
+        document = Json::parse(file.text);
+    } catch (const Json::parse_error& error) {
         throw InputError(file.name, lineOfByte(file.text, error.byte),
                          fmt::format("not JSON: {}", error.what()));
     }

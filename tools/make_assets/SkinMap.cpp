@@ -16,8 +16,8 @@ namespace {
 
 using raytracer::Vector3;
 
-constexpr int kWidth = 1024;
-constexpr int kHeight = 512;
+constexpr int kMapWidth = 1024;
+constexpr int kMapHeight = 512;
 constexpr int kScales = 1100;
 constexpr std::uint64_t kSeed = 1978;
 
@@ -138,7 +138,7 @@ std::uint8_t byteAt(const Skin& skin, int column, int row) {
     constexpr double kGrainFrequency = 45.0;
     constexpr double kGrain = 0.06;
     constexpr double kMiddle = 0.5;
-    const Vector3 position = onSphere((column + 0.5) / kWidth, (row + 0.5) / (2.0 * kHeight));
+    const Vector3 position = onSphere((column + 0.5) / kMapWidth, (row + 0.5) / (2.0 * kMapHeight));
     const double grain = kGrain * (valueNoise(position * kGrainFrequency, kSeed) - 0.5);
     const double height = 0.2 + 0.6 * skin.heightAt(position) + grain;
     // 1 up to 70 degrees of latitude, 0 from 85 degrees on.
@@ -152,10 +152,10 @@ std::uint8_t byteAt(const Skin& skin, int column, int row) {
 
 raytracer::ByteImage makeSkinMap() {
     const Skin skin;
-    raytracer::ByteImage map{kWidth, kHeight, {}};
-    map.rgb.reserve(std::size_t{3} * kWidth * kHeight);
-    for (int row = 0; row < kHeight; ++row)
-        for (int column = 0; column < kWidth; ++column)
+    raytracer::ByteImage map{kMapWidth, kMapHeight, {}};
+    map.rgb.reserve(std::size_t{3} * kMapWidth * kMapHeight);
+    for (int row = 0; row < kMapHeight; ++row)
+        for (int column = 0; column < kMapWidth; ++column)
             map.rgb.insert(map.rgb.end(), 3, byteAt(skin, column, row));
     return map;
 }

@@ -17,10 +17,10 @@ Ball drawBall(Draws& draws, double side) {
 /// Flat, but for its last two fifths: teeth of so many bytes for each texel that even code which
 /// rounds heights or tilts little shows them.
 std::vector<double> lateTeeth(int count) {
-    constexpr int kBytesPerTexel = 8;
+    constexpr int kToothSlope = 8;
     std::vector<double> heights(static_cast<std::size_t>(count), 0.0);
     for (int i = count * 3 / 5; i < count; ++i)
-        heights[static_cast<std::size_t>(i)] = kByte * (i * kBytesPerTexel % 256);
+        heights[static_cast<std::size_t>(i)] = kByte * (i * kToothSlope % 256);
     return heights;
 }
 

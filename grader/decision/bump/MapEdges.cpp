@@ -8,7 +8,7 @@
 namespace ticker::decision::bump {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr int kWidth = 64;
 constexpr int kHeight = 48;
 
@@ -18,7 +18,7 @@ std::vector<double> waves(int count, double base, double phase) {
     constexpr double kLift = 0.3;
     std::vector<double> heights;
     for (int i = 0; i < count; ++i)
-        heights.push_back(base + kLift * std::cos(kTurn * (i + 0.5) / count + phase));
+        heights.push_back(base + kLift * std::cos(kFullTurn * (i + 0.5) / count + phase));
     return heights;
 }
 
@@ -28,7 +28,7 @@ void addEndRows(std::vector<Vector3>& directions) {
     constexpr double kFromPole = 0.03;  // radians; a row has 0.065
     for (const Vector3& axis : {Vector3{0, 1, 0}, Vector3{0, 0, 1}, Vector3{1, 0, 0}})
         for (int i = 0; i < kPoints; ++i) {
-            const double turn = kTurn * (i + 0.3) / kPoints;
+            const double turn = kFullTurn * (i + 0.3) / kPoints;
             const Vector3 across{axis.y, axis.z, axis.x};
             const Vector3 beside = across * std::cos(turn) + axis.cross(across) * std::sin(turn);
             directions.push_back((axis + beside * kFromPole).normalised());

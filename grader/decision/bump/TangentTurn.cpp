@@ -5,7 +5,7 @@
 namespace ticker::decision::bump {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegreesInRadian = 180.0 / std::numbers::pi;
 
 /// How a tangent of each axis becomes a tilt.
 enum class Form {
@@ -73,7 +73,7 @@ double findTangentTurn(const Replies& replies, const Landing& landing) {
         if (std::abs(turn) < 20) continue;
         for (const Form form : {Form::direct, Form::crossProducts})
             if (shareExplained(replies, landing, form, [turn](const Reply&) {
-                    return Angles{turn / kDegrees, 1.0};
+                    return Angles{turn / kDegreesInRadian, 1.0};
                 }) >= kExplained)
                 return turn;
     }
@@ -85,7 +85,7 @@ double findTangentTurn(const Replies& replies, const Landing& landing) {
 bool areInDegrees(const Replies& replies, const Landing& landing) {
     // Half a texel's uncertainty in u is 5 degrees then; by chance a twelfth fits.
     constexpr double kExplained = 0.7;
-    constexpr double kFaster = kDegrees - 1.0;
+    constexpr double kFaster = kDegreesInRadian - 1.0;
     for (const double start : {0.5, 0.0, 0.25, 0.75})
         for (const auto& [longitude, polar] :
              {std::pair{true, false}, std::pair{false, true}, std::pair{true, true}})
@@ -94,7 +94,7 @@ bool areInDegrees(const Replies& replies, const Landing& landing) {
                     const double fromStart = 2.0 * std::numbers::pi * (reply.u - start);
                     const double sense = landing.mirrored() ? -1.0 : 1.0;
                     return Angles{longitude ? sense * kFaster * fromStart : 0.0,
-                                  polar ? kDegrees : 1.0};
+                                  polar ? kDegreesInRadian : 1.0};
                 };
                 if (shareExplained(replies, landing, form, anglesOf) >= kExplained) return true;
             }

@@ -13,7 +13,7 @@
 namespace ticker::decision::bump {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 Words inwardWords(const Offence& inward) {
     return {fmt::format("The normal points into the sphere at {}; the first is {}.",
@@ -28,7 +28,7 @@ Words flatTiltedWords(double tilt) {
     return {
         fmt::format("On a map without any slope the normal should be the smooth sphere's, but "
                     "it is tilted by {:.0f} degrees (median).",
-                    std::atan(tilt) * kDegrees),
+                    std::atan(tilt) * kDegreesPerRadian),
         "The tilt must come from differences of heights, not from heights, and must be added to "
         "the unit normal, (position - centre) / radius.",
         "Option 1: What to do, steps 1 and 3"};
@@ -122,7 +122,7 @@ Words orderWords() {
 Words chanceWords(double change) {
     return {fmt::format("The same point of a map without any slope gets another normal each time: "
                         "they differ by {:.0f} degrees (median).",
-                        change * kDegrees),
+                        change * kDegreesPerRadian),
             "Nothing in Equation (1) is random, and nothing of an earlier call may be used.",
             "Option 1: Theory"};
 }

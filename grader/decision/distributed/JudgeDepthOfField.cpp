@@ -12,7 +12,7 @@
 namespace ticker::decision {
 namespace {
 
-void keep(std::vector<Finding>& findings, std::optional<Finding> finding) {
+void keepLens(std::vector<Finding>& findings, std::optional<Finding> finding) {
     if (finding) findings.push_back(std::move(*finding));
 }
 
@@ -52,23 +52,23 @@ void checkRays(const LensLog& log, LensOutcome& outcome) {
     std::optional<Finding> counts = checkLensCounts(log);
     const bool none = counts && counts->id == "dof.none";
     const bool shared = counts && counts->id == "dof.shared-samples";
-    keep(outcome.findings, std::move(counts));
-    keep(outcome.findings, checkAverage(log));
-    keep(outcome.findings, checkBounces(log));
+    keepLens(outcome.findings, std::move(counts));
+    keepLens(outcome.findings, checkAverage(log));
+    keepLens(outcome.findings, checkBounces(log));
     if (none) return;
-    keep(outcome.findings, checkFocus(log));
+    keepLens(outcome.findings, checkFocus(log));
     if (shared) return;
     ApertureVerdict aperture = checkAperture(log);
     outcome.apertureFactor = aperture.factor;
-    keep(outcome.findings, std::move(aperture.finding));
-    keep(outcome.findings, checkPattern(log));
+    keepLens(outcome.findings, std::move(aperture.finding));
+    keepLens(outcome.findings, checkPattern(log));
 }
 
 // What is wrong with a picture whose questions were answered rightly under other conditions.
 std::optional<Finding> firstFailure(const LensLog& log) {
     LensOutcome outcome;
     if (lacksRays(log))
-        keep(outcome.findings, checkComplete(log));
+        keepLens(outcome.findings, checkComplete(log));
     else
         checkRays(log, outcome);
     const auto wrong = std::ranges::find(outcome.findings, Severity::fail, &Finding::severity);
@@ -127,7 +127,7 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
     if (outcome.rayless) return outcome;
     outcome.valueless = !handout.pixels.front().rays.front().value.has_value();
     checkRays(handout, outcome);
-    if (!hasFailure(outcome.findings)) keep(outcome.findings, checkOtherSettings(other));
+    if (!hasFailure(outcome.findings)) keepLens(outcome.findings, checkOtherSettings(other));
     outcome.plots = unshown({plotLens(handout), plotFocus(handout)}, outcome.findings);
     return outcome;
 }

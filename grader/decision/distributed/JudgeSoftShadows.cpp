@@ -9,7 +9,7 @@
 namespace ticker::decision {
 namespace {
 
-void keep(std::vector<Finding>& findings, std::optional<Finding> finding) {
+void keepShadow(std::vector<Finding>& findings, std::optional<Finding> finding) {
     if (finding) findings.push_back(std::move(*finding));
 }
 
@@ -44,33 +44,33 @@ void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     // Rays from another place than the point go elsewhere, miss the light by more and meet other
     // things than they should: all that follows from the start.
     const bool misplaced = starts && starts->id == "shadow.wrong";
-    keep(findings, starts);
+    keepShadow(findings, starts);
     std::optional<Finding> fixed = checkFixedSamples(logs);
     std::optional<Finding> counts = checkRayCounts(logs, fixed.has_value());
     // Rays that start all around the point and go to the centre are no hard shadow; aims that are
     // all the centre are fixed, but that is not what went wrong.
     const bool hard = counts && counts->id == "shadow.hard";
-    if (!counts && !misplaced) keep(findings, checkSeveralCounts(logs, fixed.has_value()));
+    if (!counts && !misplaced) keepShadow(findings, checkSeveralCounts(logs, fixed.has_value()));
     const AimVerdict aims = judgeAims(logs.farLight);
     const bool copied = counts.has_value() || fixed.has_value();
     if (!copied && !misplaced) fixed = checkSmallPool(aims);
-    if (counts && !(hard && starts)) keep(findings, std::move(counts));
-    if (!hard) keep(findings, std::move(fixed));
+    if (counts && !(hard && starts)) keepShadow(findings, std::move(counts));
+    if (!hard) keepShadow(findings, std::move(fixed));
     if (misplaced) return;
-    keep(findings, checkEveryLight(logs));
-    keep(findings, checkDirectionOffset(logs));
+    keepShadow(findings, checkEveryLight(logs));
+    keepShadow(findings, checkDirectionOffset(logs));
     // Copies of a few rays crowd wherever they go.
     std::optional<Finding> shape = checkAims(logs, aims);
     const bool astray = shape && shape->severity == Severity::fail;
     const bool copies = copied || repeatsItself(aims);
-    if (shape && (astray || !copies)) keep(findings, std::move(shape));
-    if (aims.shapeIsRight()) keep(findings, checkSeveralSizes(logs, aims));
+    if (shape && (astray || !copies)) keepShadow(findings, std::move(shape));
+    if (aims.shapeIsRight()) keepShadow(findings, checkSeveralSizes(logs, aims));
 
     ArithmeticVerdict arithmetic = checkArithmetic(logs);
     // Aims that miss the ball meet what stands around the light, rightly.
     const bool follows =
         astray && arithmetic.finding && arithmetic.finding->id == "shadow.beyond-light";
-    if (!follows) keep(findings, std::move(arithmetic.finding));
+    if (!follows) keepShadow(findings, std::move(arithmetic.finding));
     outcome.reading = arithmetic.reading;
 }
 
@@ -87,14 +87,14 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
     outcome.cut = std::ranges::any_of(all, &ShadowLog::cut);
     if (outcome.rayless) {
         ArithmeticVerdict values = checkValues(logs);
-        keep(outcome.findings, std::move(values.finding));
+        keepShadow(outcome.findings, std::move(values.finding));
         outcome.reading = values.reading;
     } else {
         judgeRays(logs, outcome);
     }
     if (outcome.reading) warnOfReading(*outcome.reading, outcome.findings);
     if (outcome.reading && !outcome.rayless && !hasFailure(outcome.findings))
-        keep(outcome.findings, checkOtherSettings(logs));
+        keepShadow(outcome.findings, checkOtherSettings(logs));
     outcome.plots = unshown({plotAims(logs.farLight)}, outcome.findings);
     return outcome;
 }

@@ -14,7 +14,7 @@ namespace {
 using probe::Event;
 
 // What a ray that hits nothing gives.
-constexpr ColourRGB kBackground{0.001};
+constexpr ColourRGB kNothingHit{0.001};
 
 /// A lens ray with all that may tell its pixel; -1 where nothing does.
 struct PlacedRay {
@@ -94,7 +94,7 @@ private:
     }
     [[nodiscard]] ColourRGB ambientOf(int object) const {
         const auto objects = static_cast<int>(scene_.spheres.size() + scene_.planes.size());
-        if (object < 0 || object >= objects) return kBackground;
+        if (object < 0 || object >= objects) return kNothingHit;
         return materialOf(scene_, object).colour * scene_.ambientLighting;
     }
     void begin(const Event& event) {
@@ -120,7 +120,7 @@ private:
         cast_.push_back(cast);
         if (event.object >= 0) return;
         cast.untraced = true;
-        cast.ray.value = kBackground;
+        cast.ray.value = kNothingHit;
         entered_.push_back(cast);
     }
     void set(const Event& event) {

@@ -9,9 +9,9 @@ namespace ticker::decision {
 namespace {
 
 // 1200 lens rays, each with ten shadow rays to two lights; six times as many have room.
-constexpr int kWidth = 6;
-constexpr int kHeight = 4;
-constexpr std::size_t kEventsForEachRay = 6 * 25;
+constexpr int kLitWidth = 6;
+constexpr int kLitHeight = 4;
+constexpr std::size_t kLitEventsForEachRay = 6 * 25;
 
 }  // namespace
 
@@ -37,12 +37,12 @@ probe::RenderQuestion drawLitQuestion(std::uint64_t seed, int threads) {
     wall.reflectivity = 0.0;
     const Vector3 normal = draw.directionAround({0.0, 0.0, -1.0}, 0.15);
     scene.planes.push_back({foot, normal, wall});
-    question.settings.width = kWidth;
-    question.settings.height = kHeight;
+    question.settings.width = kLitWidth;
+    question.settings.height = kLitHeight;
     question.settings.threads = threads;
     question.settings.seed = draw.word() >> 1U;
-    const auto rays = static_cast<std::size_t>(kWidth * kHeight * question.settings.dofRayCount);
-    question.eventCapacity = static_cast<std::uint32_t>(rays * kEventsForEachRay);
+    const auto rays = static_cast<std::size_t>(kLitWidth * kLitHeight * question.settings.dofRayCount);
+    question.eventCapacity = static_cast<std::uint32_t>(rays * kLitEventsForEachRay);
     return question;
 }
 

@@ -15,7 +15,7 @@ namespace {
 using oracle::Reading;
 
 // Eight pictures of 24 x 18 pixels, or one of as many pixels together.
-constexpr int kWidth = 24;
+constexpr int kPictureWidth = 24;
 constexpr int kRepetitions = 8;
 constexpr int kLargeWidth = 68;
 
@@ -123,7 +123,7 @@ Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen, d
 probe::RenderQuestion drawPictureQuestion(std::uint64_t seed, bool onePicture) {
     Draw draw{seed, 23};
     probe::RenderQuestion question;
-    question.settings.width = onePicture ? kLargeWidth : kWidth;
+    question.settings.width = onePicture ? kLargeWidth : kPictureWidth;
     question.settings.height = question.settings.width * 3 / 4;
     question.settings.seed = draw.word() >> 1U;
     question.repetitions = onePicture ? 1 : kRepetitions;

@@ -9,9 +9,6 @@
 namespace ticker::decision::screenshot {
 namespace {
 
-// Two stages must fail, on other pixels, so that an honest picture fails with 2.5e-7.
-constexpr double kSmallestChance = 5e-4;
-
 // Compilers and processors round differently; a texel's border may fall on the other side of a
 // pixel. Measured on the right solutions of the samples and of grader/tests/unseen: none.
 constexpr int kSteps = 3;

@@ -8,6 +8,9 @@
 
 namespace ticker::decision::screenshot {
 
+/// Two stages must fail, on other pixels, so that an honest picture fails with 2.5e-7.
+inline constexpr double kSmallestChance = 5e-4;
+
 /// Whether windows of a picture are what some code renders, which is known from one render.
 struct Agreement {
     bool agrees = false;

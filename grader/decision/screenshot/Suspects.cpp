@@ -1,5 +1,6 @@
 #include <grader/decision/screenshot/Suspects.h>
 
+#include <grader/decision/screenshot/Agreement.h>
 #include <grader/metrics/NoiseEnergy.h>
 #include <grader/oracle/Oracle.h>
 
@@ -117,7 +118,6 @@ Picture render(const Suspect& suspect, const Scene& scene, const Windows& window
 
 std::optional<Suspicion> suspectDistributed(const ByteView& picture, const Scene& scene,
                                             const Windows& windows, std::uint64_t seed) {
-    constexpr double kSmallestChance = 5e-4;
     constexpr double kByFar = 0.35;
     std::vector<Suspect> all = rightPictures();
     for (std::vector<Suspect>& more : std::array{wrongShadows(), wrongLenses()})

@@ -16,7 +16,7 @@ using probe::AnswerState;
 using probe::NormalAnswer;
 using probe::ProcessEnd;
 using probe::Sitting;
-using Kind = ProcessEnd::Kind;
+using EndKind = ProcessEnd::Kind;
 
 /// Builds a submission and asks it, under limits that keep the test short.
 Sitting ask(SourceFile file, const std::string& source,
@@ -54,7 +54,7 @@ TEST(SandboxedExaminee, AnswersAsTheSolutionDoes) {
         ask(SourceFile::renderer, tests::readFile("reference_solution/exercise/Renderer.cpp"),
             {tests::normalQuestion(), tests::illuminateQuestion(100), tests::renderQuestion(50)});
 
-    EXPECT_EQ(sitting.end.kind, Kind::finished) << sitting.end.detail;
+    EXPECT_EQ(sitting.end.kind, EndKind::finished) << sitting.end.detail;
     ASSERT_EQ(sitting.answers.size(), 3U);
     EXPECT_EQ(std::get<NormalAnswer>(sitting.answers[0]).state, AnswerState::answered);
     EXPECT_EQ(std::get<probe::IlluminateAnswer>(sitting.answers[1]).events.size(), 4U);
@@ -70,7 +70,7 @@ TEST(SandboxedExaminee, LetsThreadsRun) {
     const Sitting one = ask(SourceFile::renderer, source, {question});
     question.settings.threads = 2;
     const Sitting two = ask(SourceFile::renderer, source, {question});
-    EXPECT_EQ(two.end.kind, Kind::finished) << two.end.detail;
+    EXPECT_EQ(two.end.kind, EndKind::finished) << two.end.detail;
     EXPECT_EQ(std::get<probe::RenderAnswer>(one.answers.at(0)).images,
               std::get<probe::RenderAnswer>(two.answers.at(0)).images);
 }
@@ -80,7 +80,7 @@ TEST(SandboxedExaminee, KeepsWhatWasAnsweredBeforeACrash) {
         "if (position.x > 0.9) *static_cast<volatile int*>(nullptr) = 1;\n"
         "return Sphere::getNormalAt(position);");
 
-    EXPECT_EQ(sitting.end.kind, Kind::crashed);
+    EXPECT_EQ(sitting.end.kind, EndKind::crashed);
     EXPECT_NE(sitting.end.detail.find("SIGSEGV"), std::string::npos) << sitting.end.detail;
     const auto& answer = std::get<NormalAnswer>(sitting.answers.at(0));
     EXPECT_EQ(answer.state, AnswerState::missing);
@@ -94,7 +94,7 @@ TEST(SandboxedExaminee, CountsExceptionsAndGoesOn) {
         "return Sphere::getNormalAt(position);",
         "#include <stdexcept>");
 
-    EXPECT_EQ(sitting.end.kind, Kind::finished);
+    EXPECT_EQ(sitting.end.kind, EndKind::finished);
     const auto& answer = std::get<NormalAnswer>(sitting.answers.at(0));
     EXPECT_EQ(answer.state, AnswerState::threw);
     EXPECT_EQ(answer.exceptions, 1U);
@@ -109,7 +109,7 @@ TEST(SandboxedExaminee, SaysHowMuchMemoryItHadUsed) {
         "std::memset(kept, 1, 300'000'000);\n"
         "std::abort();",
         "#include <cstring>\nstatic char* volatile kept;");
-    EXPECT_EQ(sitting.end.kind, Kind::memory);
+    EXPECT_EQ(sitting.end.kind, EndKind::memory);
     EXPECT_NE(sitting.end.detail.find("may have 400 MB"), std::string::npos) << sitting.end.detail;
 }
 
@@ -128,7 +128,7 @@ TEST(SandboxedExaminee, RunsNothingOfTheSubmissionAfterTheLastAnswer) {
         "static const int registered = std::atexit([] { fork(); });\n"
         "return registered == 0 ? Sphere::getNormalAt(position) : Vector3{};",
         "struct AtTheEnd { ~AtTheEnd() { fork(); } };\nstatic AtTheEnd atTheEnd;");
-    EXPECT_EQ(sitting.end.kind, Kind::finished) << sitting.end.detail;
+    EXPECT_EQ(sitting.end.kind, EndKind::finished) << sitting.end.detail;
 }
 
 TEST(SandboxedExaminee, SharesOneBudgetAmongItsSittings) {
@@ -141,11 +141,11 @@ TEST(SandboxedExaminee, SharesOneBudgetAmongItsSittings) {
     TimeBudget budget{{2.0, 600.0}};
     SandboxedExaminee examinee{*built.program, theSandbox, sandbox::defaultPolicy().run, &budget};
 
-    EXPECT_EQ(examinee.ask({tests::normalQuestion()}).end.kind, Kind::timedOut);
+    EXPECT_EQ(examinee.ask({tests::normalQuestion()}).end.kind, EndKind::timedOut);
     EXPECT_TRUE(budget.isSpent());
     const double before = examinee.wallMs();
     const Sitting second = examinee.ask({tests::normalQuestion()});
-    EXPECT_EQ(second.end.kind, Kind::timedOut);
+    EXPECT_EQ(second.end.kind, EndKind::timedOut);
     EXPECT_NE(second.end.detail.find("all runs of a submission together may take 600 s"),
               std::string::npos)
         << second.end.detail;
@@ -173,7 +173,7 @@ struct Ending {
     const char* name;
     const char* body;
     const char* before;
-    Kind expected;
+    EndKind expected;
 };
 
 void PrintTo(const Ending& ending, std::ostream* out) {
@@ -192,36 +192,36 @@ TEST_P(SandboxedExamineeEnds, AsTheKernelSaysAndWithNothingAnswered) {
 INSTANTIATE_TEST_SUITE_P(
     EveryWay, SandboxedExamineeEnds,
     testing::Values(
-        Ending{"ALoopWithoutEnd", "for (volatile int i = 0;; i = i + 1) {}", "", Kind::timedOut},
-        Ending{"AnExit", "std::exit(0);", "", Kind::exitedEarly},
-        Ending{"AnExitThatImitatesASignal", "_exit(137);", "", Kind::exitedEarly},
+        Ending{"ALoopWithoutEnd", "for (volatile int i = 0;; i = i + 1) {}", "", EndKind::timedOut},
+        Ending{"AnExit", "std::exit(0);", "", EndKind::exitedEarly},
+        Ending{"AnExitThatImitatesASignal", "_exit(137);", "", EndKind::exitedEarly},
         Ending{"AnExitBeforeMain", "return {};", "static int x = (_exit(0), 1);",
-               Kind::exitedEarly},
-        Ending{"AnAbort", "std::abort();", "", Kind::crashed},
+               EndKind::exitedEarly},
+        Ending{"AnAbort", "std::abort();", "", EndKind::crashed},
         Ending{"AVectorWithoutEnd",
                "std::vector<double> v; for (;;) v.resize(v.size() * 2 + 1000);",
-               "#include <vector>", Kind::memory},
+               "#include <vector>", EndKind::memory},
         Ending{"MemoryThatIsGivenUpOnWithoutAWord",
                "for (;;) { auto* room = static_cast<char*>(std::malloc(1 << 20));\n"
                "std::memset(room, 1, 1 << 20); }",
-               "#include <cstring>", Kind::memory},
+               "#include <cstring>", EndKind::memory},
         Ending{"ARequestForFarTooMuch", "kept = new char[1ULL << 40]; return {};",
-               "static char* volatile kept;", Kind::memory},
+               "static char* volatile kept;", EndKind::memory},
         Ending{"TooMuchRoomForItsVariables", "room[0] = 1; return {};",
-               "static volatile char room[500'000'000];", Kind::memory},
+               "static volatile char room[500'000'000];", EndKind::memory},
         Ending{"AnAbortThatSpeaksOfOtherThings",
                "std::fputs(\"bad memory\", stderr); std::abort();", "#include <cstdio>",
-               Kind::crashed},
-        Ending{"AStatusLikeThatOfNoProgram", "_exit(126);", "", Kind::exitedEarly},
-        Ending{"AFork", "fork(); return {};", "", Kind::forbiddenCall},
+               EndKind::crashed},
+        Ending{"AStatusLikeThatOfNoProgram", "_exit(126);", "", EndKind::exitedEarly},
+        Ending{"AFork", "fork(); return {};", "", EndKind::forbiddenCall},
         Ending{"ASocket", "socket(AF_INET, SOCK_STREAM, 0); return {};", "#include <sys/socket.h>",
-               Kind::forbiddenCall},
-        Ending{"AForkAfterAForgedMark", "mark(); fork(); return {};", kMark, Kind::forbiddenCall},
-        Ending{"ACrashAfterAForgedMark", "mark(); __builtin_trap();", kMark, Kind::crashed},
-        Ending{"AnExitAfterAForgedMark", "mark(); _exit(0);", kMark, Kind::exitedEarly},
+               EndKind::forbiddenCall},
+        Ending{"AForkAfterAForgedMark", "mark(); fork(); return {};", kMark, EndKind::forbiddenCall},
+        Ending{"ACrashAfterAForgedMark", "mark(); __builtin_trap();", kMark, EndKind::crashed},
+        Ending{"AnExitAfterAForgedMark", "mark(); _exit(0);", kMark, EndKind::exitedEarly},
         Ending{"ALoopAfterAForgedMark", "mark(); for (volatile int i = 0;; i = i + 1) {}", kMark,
-               Kind::timedOut},
-        Ending{"AFlood", "for (;;) write(2, \"0123456789abcdef\", 16);", "", Kind::outputLimit}),
+               EndKind::timedOut},
+        Ending{"AFlood", "for (;;) write(2, \"0123456789abcdef\", 16);", "", EndKind::outputLimit}),
     [](const auto& ending) { return ending.param.name; });
 
 }  // namespace

@@ -203,7 +203,7 @@ TEST(JudgeAims, AcceptsRaysThatSpread) {
 }
 
 // A pool of ten aims says little about where aims lie: nothing may be concluded.
-TEST(JudgeAims, CountsAimsThatComeAgainOnce) {
+TEST(JudgeAims, FindsFewAimsThatComeAgain) {
     Draw pool{15, 2};
     std::vector<Vector3> aims;
     for (int i = 0; i < 10; ++i)

@@ -24,7 +24,7 @@ ColourRGB meanOf(const Values& values) {
 
 /// Two pixels with these rays, each of the colour that `colourOf` makes of them.
 template <typename ColourOf>
-std::optional<Finding> judge(const ColourOf& colourOf, int asked = 2) {
+std::optional<Finding> judgeAverageOf(const ColourOf& colourOf, int asked = 2) {
     LensByHand lens;
     lens.asked.settings.dofRayCount = asked;
     for (const Values& values : {kBright, kCorner}) {
@@ -44,15 +44,15 @@ bool says(const std::optional<Finding>& finding, const std::string& words) {
 }
 
 TEST(Average, IsThatOfAllRaysOrOfAllButAnExtraOne) {
-    EXPECT_FALSE(judge(meanOf));
-    EXPECT_FALSE(judge([](Values values) {
+    EXPECT_FALSE(judgeAverageOf(meanOf));
+    EXPECT_FALSE(judgeAverageOf([](Values values) {
         values.resize(2);
         return meanOf(values);
     })) << "an extra ray at the end";
-    EXPECT_FALSE(judge([](const Values& values) {
+    EXPECT_FALSE(judgeAverageOf([](const Values& values) {
         return meanOf({values.end() - 2, values.end()});
     })) << "at the beginning";
-    EXPECT_TRUE(judge(
+    EXPECT_TRUE(judgeAverageOf(
         [](const Values& values) {
             return meanOf({values.end() - 2, values.end()});
         },
@@ -92,18 +92,18 @@ TEST(Average, HoldsInEveryChannelUpToSinglePrecision) {
 }
 
 TEST(Average, IsMultipliedByAFactor) {
-    const auto finding = judge([](const Values& values) { return meanOf(values) * 0.7; });
+    const auto finding = judgeAverageOf([](const Values& values) { return meanOf(values) * 0.7; });
     ASSERT_TRUE(says(finding, "0.7 times"));
     EXPECT_NEAR(numberIn(*finding, "factor"), 0.7, 1e-9);
 }
 
 TEST(Average, IsOneRayAlone) {
-    EXPECT_TRUE(says(judge([](const Values& values) { return values.back(); }), "last ray"));
-    EXPECT_TRUE(says(judge([](const Values& values) { return values.front(); }), "first ray"));
+    EXPECT_TRUE(says(judgeAverageOf([](const Values& values) { return values.back(); }), "last ray"));
+    EXPECT_TRUE(says(judgeAverageOf([](const Values& values) { return values.front(); }), "first ray"));
 }
 
 TEST(Average, LosesWhatIsTooBrightOrWhatHitNothing) {
-    EXPECT_TRUE(says(judge(
+    EXPECT_TRUE(says(judgeAverageOf(
                          [](Values values) {
                              for (ColourRGB& value : values)
                                  value = {std::min(1.0, value.r), value.g, value.b};
@@ -111,7 +111,7 @@ TEST(Average, LosesWhatIsTooBrightOrWhatHitNothing) {
                          },
                          3),
                      "cut off"));
-    EXPECT_TRUE(says(judge(
+    EXPECT_TRUE(says(judgeAverageOf(
                          [](Values values) {
                              if (values.size() > 2) values.pop_back();
                              return meanOf(values);
@@ -121,7 +121,7 @@ TEST(Average, LosesWhatIsTooBrightOrWhatHitNothing) {
 }
 
 TEST(Average, IsOfToneMappedBytesOrBlack) {
-    EXPECT_TRUE(says(judge([](Values values) {
+    EXPECT_TRUE(says(judgeAverageOf([](Values values) {
                          for (ColourRGB& value : values) {
                              const auto bytes = raytracer::toneMapped(value);
                              value = {bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0};
@@ -129,12 +129,12 @@ TEST(Average, IsOfToneMappedBytesOrBlack) {
                          return meanOf(values);
                      }),
                      "tone curve"));
-    EXPECT_TRUE(says(judge([](const Values&) { return ColourRGB{}; }), "1 / n"));
+    EXPECT_TRUE(says(judgeAverageOf([](const Values&) { return ColourRGB{}; }), "1 / n"));
 }
 
 TEST(Average, IsOfColoursThatWentThroughACurve) {
     const auto through = [](double (*curve)(double), double factor) {
-        return judge([=](Values values) {
+        return judgeAverageOf([=](Values values) {
             for (ColourRGB& c : values)
                 c = ColourRGB{curve(c.r), curve(c.g), curve(c.b)} * factor;
             return meanOf(values);
@@ -153,7 +153,7 @@ TEST(Average, IsOfColoursThatWentThroughACurve) {
 }
 
 TEST(Average, HasAHintWhereNothingExplainsIt) {
-    const auto strange = judge([](const Values&) { return ColourRGB{9.0, 0.0, 4.0}; });
+    const auto strange = judgeAverageOf([](const Values&) { return ColourRGB{9.0, 0.0, 4.0}; });
     ASSERT_EQ(idOf(strange), "dof.wrong");
     EXPECT_NE(strange->hint.find("start at 0"), std::string::npos);
 }
@@ -162,12 +162,12 @@ TEST(Average, WeighsItsRaysUnevenlyOrIsSomethingElse) {
     const auto weighed = [](const Values& values) {
         return values.front() * 0.8 + values[1] * 0.2;
     };
-    EXPECT_TRUE(says(judge(weighed), "count more"));
+    EXPECT_TRUE(says(judgeAverageOf(weighed), "count more"));
     for (const ColourRGB& channel :
          {ColourRGB{1.0, 0.0, 0.0}, ColourRGB{0.0, 1.0, 0.0}, ColourRGB{0.0, 0.0, 1.0}})
         for (const double side : {-1.0, 1.0}) {
             const ColourRGB off = channel * (2.0 * side);
-            EXPECT_EQ(idOf(judge([&](const Values& v) { return weighed(v) + off; })), "dof.wrong");
+            EXPECT_EQ(idOf(judgeAverageOf([&](const Values& v) { return weighed(v) + off; })), "dof.wrong");
         }
 }
 

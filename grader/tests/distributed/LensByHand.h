@@ -2,6 +2,7 @@
 #define TICKER_TESTS_DISTRIBUTED_LENSBYHAND_H
 
 #include <grader/decision/distributed/LensChecks.h>
+#include <grader/tests/distributed/InFinding.h>
 
 #include <optional>
 #include <stdexcept>
@@ -35,17 +36,6 @@ inline LensRay rayThrough(const Vector3& origin, const Vector3& target) {
     ray.origin = origin;
     ray.direction = (target - origin).normalised();
     return ray;
-}
-
-inline std::string idOf(const std::optional<Finding>& finding) {
-    return finding ? finding->id : std::string{};
-}
-
-/// A number among the evidence; throws where there is none.
-inline double numberIn(const Finding& finding, const std::string& key) {
-    for (const auto& [name, value] : finding.evidence)
-        if (name == key) return std::get<double>(value);
-    throw std::out_of_range(key);
 }
 
 }  // namespace ticker::decision

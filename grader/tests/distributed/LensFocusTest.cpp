@@ -12,7 +12,7 @@ const double kPlane = raytracer::RenderSettings{}.dofFocalPlane;
 
 /// Two pixels whose rays start at the corners of the lens and go to `target(focal point)`.
 template <typename Target>
-std::optional<Finding> judge(const Target& target) {
+std::optional<Finding> judgeFocusOf(const Target& target) {
     LensByHand lens;
     for (const Vector3& pinhole : {Vector3{0.1, 0.2, 1.0}, Vector3{-0.3, 0.1, 1.0}}) {
         LensPixel& pixel = lens.pixel(pinhole);
@@ -26,7 +26,7 @@ std::optional<Finding> judge(const Target& target) {
 }
 
 TEST(Focus, IsWhereThePinholeRayMeetsTheFocalPlane) {
-    EXPECT_EQ(idOf(judge([](const Vector3& focal, const Vector3&) { return focal; })), "");
+    EXPECT_EQ(idOf(judgeFocusOf([](const Vector3& focal, const Vector3&) { return focal; })), "");
     LensByHand lens;
     const Vector3 focal = focalPointOf(lens.pixel({0.3, 0.4, 2.0}), lens.asked.settings);
     EXPECT_NEAR(focal.x, 0.15 * kPlane, 1e-12);
@@ -49,7 +49,7 @@ TEST(Focus, MayBeMissedBySinglePrecisionOnly) {
 
 TEST(Focus, LiesOnAnotherPlane) {
     const auto finding =
-        judge([](const Vector3& focal, const Vector3&) { return focal * (4.0 / kPlane); });
+        judgeFocusOf([](const Vector3& focal, const Vector3&) { return focal * (4.0 / kPlane); });
     ASSERT_EQ(idOf(finding), "dof.focal-plane");
     EXPECT_NEAR(numberIn(*finding, "meetingZ"), 4.0, 1e-9);
     EXPECT_EQ(numberIn(*finding, "focalPlaneExpected"), kPlane);
@@ -59,14 +59,14 @@ TEST(Focus, LiesOnAnotherPlane) {
 
 TEST(Focus, LiesAtThatDistanceInsteadOfOnThatPlane) {
     const auto finding =
-        judge([](const Vector3& focal, const Vector3&) { return focal.normalised() * kPlane; });
+        judgeFocusOf([](const Vector3& focal, const Vector3&) { return focal.normalised() * kPlane; });
     ASSERT_EQ(idOf(finding), "dof.focal-distance");
     EXPECT_NEAR(numberIn(*finding, "meetingZ"), kPlane / Vector3(-0.3, 0.1, 1.0).magnitude(), 1e-9);
 }
 
 TEST(Focus, LiesBesideThePinholeRay) {
     const auto beside = [](double distance) {
-        return judge([=](const Vector3& focal, const Vector3&) {
+        return judgeFocusOf([=](const Vector3& focal, const Vector3&) {
             return focal + Vector3{0.0, 0.0, 1.0}.cross(focal).normalised() * distance;
         });
     };
@@ -77,7 +77,7 @@ TEST(Focus, LiesBesideThePinholeRay) {
 }
 
 TEST(Focus, IsNowhereWhereRaysAreParallelOrPassEachOther) {
-    const auto parallel = judge([](const Vector3&, const Vector3& origin) {
+    const auto parallel = judgeFocusOf([](const Vector3&, const Vector3& origin) {
         return origin + Vector3{0.1, 0.0, 1.0};
     });
     EXPECT_EQ(idOf(parallel), "dof.focal-plane");
@@ -111,7 +111,7 @@ TEST(Focus, IsLeftBehindByRaysThatRunBackwards) {
 
 TEST(Focus, HasCoordinatesThatWereNotDividedByZ) {
     const auto besides = [](const auto& change) {
-        return judge([&](const Vector3& focal, const Vector3&) {
+        return judgeFocusOf([&](const Vector3& focal, const Vector3&) {
             Vector3 point = focal;
             change(point, focal.normalised() * kPlane);
             return point;

@@ -15,7 +15,7 @@ const ColourRGB kFull = kDiffuse + kSpecular;
 using enum Sight;
 
 /// A ray for each of these sights.
-ReplayCase seeing(const std::vector<Sight>& sights) {
+ReplayCase replayOf(const std::vector<Sight>& sights) {
     ReplayCase made;
     made.answer(std::vector<double>(sights.size(), 0.1), {});
     for (std::size_t i = 0; i < sights.size(); ++i)
@@ -41,7 +41,7 @@ void expectShares(const ReplayCase& made, ShadowArithmetic arithmetic, double le
 }
 
 TEST(ReplayIntervals, LeaveOpenWhatRoundingDecides) {
-    const ReplayCase made = seeing({open, blocked, unsure, blocked});
+    const ReplayCase made = replayOf({open, blocked, unsure, blocked});
     const auto lit = [](double s) { return kAmbient + kFull * s; };
     expectShares(made, ShadowArithmetic::right, 0.25, 0.5, lit);
     expectShares(made, ShadowArithmetic::inverted, 0.5, 0.75, lit);
@@ -76,14 +76,14 @@ TEST(ReplayIntervals, DecideByAllByAnyAndByHalf) {
           Row{ShadowArithmetic::litIfHalf, {open, open, open, blocked}, false, true},
           Row{ShadowArithmetic::litIfHalf, {open, open, blocked, blocked}, true, true},
           Row{ShadowArithmetic::litIfHalf, {open, blocked, blocked, blocked}, true, false}}) {
-        const ReplayCase made = seeing(sights);
+        const ReplayCase made = replayOf(sights);
         EXPECT_EQ(dark(made, arithmetic), mayBeDark) << static_cast<int>(arithmetic);
         EXPECT_EQ(light(made, arithmetic), mayBeLight) << static_cast<int>(arithmetic);
     }
 }
 
 TEST(ReplayIntervals, CountWhatStandsBehindTheLightOnlyWhereAsked) {
-    ReplayCase made = seeing({open, open});
+    ReplayCase made = replayOf({open, open});
     for (AimLine& line : made.log.points[0].lines[0])
         line.endlessly = Sight::blocked;
     EXPECT_TRUE(fitsIn(made, kAmbient, ShadowArithmetic::endless));
@@ -91,7 +91,7 @@ TEST(ReplayIntervals, CountWhatStandsBehindTheLightOnlyWhereAsked) {
 }
 
 TEST(ReplayIntervals, HoldInEveryChannelUpToTheTolerance) {
-    const ReplayCase made = seeing({open});
+    const ReplayCase made = replayOf({open});
     const ColourRGB exact = kAmbient + kFull;
     const ColourRGB slack = toleranceAt(made.log.points[0], made.log.scene(), false);
     for (const ColourRGB& channel :
@@ -104,7 +104,7 @@ TEST(ReplayIntervals, HoldInEveryChannelUpToTheTolerance) {
 }
 
 TEST(ReplayIntervals, AreWholeWhereNoRayWasLogged) {
-    ReplayCase made = seeing({});
+    ReplayCase made = replayOf({});
     const auto lit = [](double s) { return kAmbient + kFull * s; };
     expectShares(made, ShadowArithmetic::right, 0.0, 1.0, lit);
     expectShares(made, ShadowArithmetic::inverted, 0.0, 1.0, lit);
@@ -116,7 +116,7 @@ TEST(ReplayIntervals, AreWholeWhereNoRayWasLogged) {
 }
 
 TEST(ReplayReadings, LeaveOutRaysToTheCentre) {
-    ReplayCase made = seeing({open, open, blocked, blocked});
+    ReplayCase made = replayOf({open, open, blocked, blocked});
     std::vector<AimLine>& lines = made.log.points[0].lines[0];
     const ShadowReading without{Phong::central, false, true, false};
     lines[0].miss = 1.005e-4;  // the rays start 1e-4 from the point
@@ -128,13 +128,13 @@ TEST(ReplayReadings, LeaveOutRaysToTheCentre) {
 }
 
 TEST(ReplayReadings, CastForEachTermApart) {
-    ReplayCase made = seeing({open, blocked, open, open});
+    ReplayCase made = replayOf({open, blocked, open, open});
     made.question.question.settings.shadowRayCount = 2;
     const ShadowReading apart{Phong::central, false, false, true};
     const ColourRGB colour = kAmbient + kDiffuse * 0.5 + kSpecular;
     EXPECT_TRUE(fitsIn(made, colour, ShadowArithmetic::right, apart));
     EXPECT_FALSE(fitsIn(made, colour, ShadowArithmetic::right));
-    ReplayCase few = seeing({open, blocked, blocked});
+    ReplayCase few = replayOf({open, blocked, blocked});
     few.question.question.settings.shadowRayCount = 2;
     EXPECT_TRUE(fitsIn(few, kAmbient + kFull * (1.0 / 3.0), ShadowArithmetic::right, apart));
 }
@@ -187,7 +187,7 @@ TEST(ReplayReadings, LeaveTheSamplesPlaceOnItsLineOpen) {
 }
 
 TEST(Unshadowed, IsTheLightOfTheCentreForEitherViewer) {
-    ReplayCase made = seeing({open});
+    ReplayCase made = replayOf({open});
     PointLog& point = made.log.points[0];
     const ColourRGB here = unshadowed(point, made.log.scene(), 0, false);
     EXPECT_NEAR(here.r, kFull.r, 1e-9);
@@ -206,7 +206,7 @@ TEST(Unshadowed, IsTheLightOfTheCentreForEitherViewer) {
 }
 
 TEST(Tolerance, GrowsWithTheBiasOverTheNearestDistance) {
-    ReplayCase made = seeing({open});
+    ReplayCase made = replayOf({open});
     PointLog& point = made.log.points[0];
     const auto tolerance = [&] { return toleranceAt(point, made.log.scene(), false).r; };
     const double most = kAmbient.r + kFull.r;

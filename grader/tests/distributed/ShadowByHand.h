@@ -2,6 +2,7 @@
 #define TICKER_TESTS_DISTRIBUTED_SHADOWBYHAND_H
 
 #include <grader/decision/distributed/ShadowChecks.h>
+#include <grader/tests/distributed/InFinding.h>
 
 #include <cmath>
 #include <deque>
@@ -67,17 +68,6 @@ private:
     std::deque<ShadowQuestion> questions_;
     std::vector<ShadowLog> logs_;
 };
-
-inline std::string idOf(const std::optional<Finding>& finding) {
-    return finding ? finding->id : std::string{};
-}
-
-/// A number among the evidence; throws where there is none.
-inline double numberIn(const Finding& finding, const std::string& key) {
-    for (const auto& [name, value] : finding.evidence)
-        if (name == key) return std::get<double>(value);
-    throw std::out_of_range(key);
-}
 
 }  // namespace ticker::decision
 

@@ -8,7 +8,7 @@
 namespace raytracer {
 namespace {
 
-constexpr double kRounding = 1e-15;  // a few steps of a double near 1
+constexpr double kPixelRounding = 1e-15;  // a few steps of a double near 1
 
 RenderSettings sized(int width, int height) {
     RenderSettings settings;
@@ -28,8 +28,8 @@ TEST(Camera, CastsThroughThePixelsMiddle) {
     EXPECT_EQ(Camera{sized(1, 1)}.castRay(0, 0).direction, Vector3(0, 0, 1));
     const Vector3 left = Camera{sized(2, 2)}.castRay(0, 0).direction;
     const double half = std::tan(std::numbers::pi / 8.0) / 2.0;  // middle of the left half
-    EXPECT_NEAR(left.x / left.z, -half, kRounding);
-    EXPECT_NEAR(left.y / left.z, half, kRounding);
+    EXPECT_NEAR(left.x / left.z, -half, kPixelRounding);
+    EXPECT_NEAR(left.y / left.z, half, kPixelRounding);
 }
 
 TEST(Camera, SpansFortyFiveDegreesAcrossTheWidthWhateverTheHeight) {
@@ -53,13 +53,13 @@ TEST(Camera, HasSquarePixelsAndTheTopRowFirst) {
     const double toTheRight = right.x / right.z - here.x / here.z;
     const double downwards = here.y / here.z - below.y / below.z;
     EXPECT_GT(toTheRight, 0.0);
-    EXPECT_NEAR(toTheRight, downwards, kRounding);
+    EXPECT_NEAR(toTheRight, downwards, kPixelRounding);
 }
 
 TEST(Camera, GivesUnitDirections) {
     const Camera camera{sized(64, 48)};
     for (int x = 0; x < 64; x += 7)
-        EXPECT_NEAR(camera.castRay(x, x % 48).direction.magnitude(), 1.0, kRounding);
+        EXPECT_NEAR(camera.castRay(x, x % 48).direction.magnitude(), 1.0, kPixelRounding);
 }
 
 TEST(Camera, OfARegionEqualsTheSamePixelsOfTheWhole) {

@@ -15,7 +15,7 @@
 namespace raytracer {
 namespace {
 
-constexpr double kRounding = 1e-12;
+constexpr double kReferenceRounding = 1e-12;
 const Vector3 kPoint{0, 0, 0};
 const Vector3 kUp{0, 1, 0};
 const Vector3 kViewer{1, 3, -2};
@@ -69,9 +69,9 @@ TEST(ReferenceIlluminate, IsPhongsModelWhereTheLightIsFree) {
     const auto wanted = [&](double light) {
         return 0.5 * 0.02 + 0.5 * light * arriving * 0.8 + light * light * arriving * 1.2 * gleam;
     };
-    EXPECT_NEAR(lit.colour.r, wanted(1.0), kRounding);
-    EXPECT_NEAR(lit.colour.g, wanted(0.8), kRounding);
-    EXPECT_NEAR(lit.colour.b, wanted(0.6), kRounding);
+    EXPECT_NEAR(lit.colour.r, wanted(1.0), kReferenceRounding);
+    EXPECT_NEAR(lit.colour.g, wanted(0.8), kReferenceRounding);
+    EXPECT_NEAR(lit.colour.b, wanted(0.6), kReferenceRounding);
 }
 
 TEST(ReferenceIlluminate, LeavesTheAmbientLightInFullShadow) {
@@ -127,7 +127,7 @@ TEST(ReferenceIlluminate, ScalesDiffuseAndSpecularByTheVisibleShare) {
     // Two shares of 1e5 samples: standard deviation of the difference at most 0.0022; six of them
     // are passed with probability 2e-9.
     EXPECT_NEAR(measured, share, 0.0134);
-    EXPECT_NEAR((lit.colour.r - ambient) / (free.colour.r - ambient), measured, kRounding);
+    EXPECT_NEAR((lit.colour.r - ambient) / (free.colour.r - ambient), measured, kReferenceRounding);
 }
 
 // One pixel off the middle of the frame, so that distances along the ray and along z differ.
@@ -154,7 +154,7 @@ TEST(ReferenceRender, CastsItsRaysFromTheSquareThroughOneFocalPoint) {
         EXPECT_EQ(ray.origin.z, 0.0);
         EXPECT_LE(std::max(std::abs(ray.origin.x), std::abs(ray.origin.y)), settings.dofAmount);
         const Vector3 onPlane = ray.evaluateAt(settings.dofFocalPlane / ray.direction.z);
-        EXPECT_LT((onPlane - focalPoint).magnitude(), kRounding);
+        EXPECT_LT((onPlane - focalPoint).magnitude(), kReferenceRounding);
         mean += ray.origin / 400;
         widest = std::max(widest, ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y);
     }
@@ -175,8 +175,8 @@ TEST(ReferenceRender, AveragesLinearColours) {
     for (const ColourRGB& colour : observer.tracedColours)
         sum += colour;
     ASSERT_EQ(observer.tracedColours.size(), 50U);
-    EXPECT_NEAR(image.at(0, 0).r, sum.r / 50, kRounding);
-    EXPECT_NEAR(image.at(0, 0).b, sum.b / 50, kRounding);
+    EXPECT_NEAR(image.at(0, 0).r, sum.r / 50, kReferenceRounding);
+    EXPECT_NEAR(image.at(0, 0).b, sum.b / 50, kReferenceRounding);
 }
 
 TEST(ReferenceRender, RepeatsUnderASeedWhateverTheThreads) {

@@ -11,7 +11,7 @@
 namespace raytracer {
 namespace {
 
-constexpr double kRounding = 1e-12;
+constexpr double kGeometryRounding = 1e-12;
 
 const Sphere kSphere{{0, 0, 5}, 2.0, {}};
 const Plane kFloor{{0, -1, 0}, {0, 3, 0}, {}};
@@ -20,24 +20,24 @@ TEST(SphereIntersection, IsTheNearSideSeenFromOutside) {
     const std::optional<RaycastHit> hit = kSphere.intersectionWith({{0, 0, 0}, {0, 0, 1}});
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->object, &kSphere);
-    EXPECT_NEAR(hit->distance, 3.0, kRounding);
-    EXPECT_NEAR((hit->location - Vector3{0, 0, 3}).magnitude(), 0.0, kRounding);
-    EXPECT_NEAR((hit->normal - Vector3{0, 0, -1}).magnitude(), 0.0, kRounding);
+    EXPECT_NEAR(hit->distance, 3.0, kGeometryRounding);
+    EXPECT_NEAR((hit->location - Vector3{0, 0, 3}).magnitude(), 0.0, kGeometryRounding);
+    EXPECT_NEAR((hit->normal - Vector3{0, 0, -1}).magnitude(), 0.0, kGeometryRounding);
 }
 
 TEST(SphereIntersection, IsTheFarSideSeenFromInside) {
     const std::optional<RaycastHit> hit = kSphere.intersectionWith({{0, 1, 5}, {0, 1, 0}});
     ASSERT_TRUE(hit);
-    EXPECT_NEAR(hit->distance, 1.0, kRounding);
-    EXPECT_NEAR((hit->normal - Vector3{0, 1, 0}).magnitude(), 0.0, kRounding);  // still outwards
+    EXPECT_NEAR(hit->distance, 1.0, kGeometryRounding);
+    EXPECT_NEAR((hit->normal - Vector3{0, 1, 0}).magnitude(), 0.0, kGeometryRounding);  // still outwards
 }
 
 TEST(SphereIntersection, CountsInLengthsOfTheDirection) {
     for (const double length : {1e-6, 0.25, 1.0, 3.0, 1e6}) {
         const std::optional<RaycastHit> hit = kSphere.intersectionWith({{}, {0, 0, length}});
         ASSERT_TRUE(hit) << length;
-        EXPECT_NEAR(hit->distance * length, 3.0, kRounding) << length;
-        EXPECT_NEAR(hit->location.z, 3.0, kRounding) << length;
+        EXPECT_NEAR(hit->distance * length, 3.0, kGeometryRounding) << length;
+        EXPECT_NEAR(hit->location.z, 3.0, kGeometryRounding) << length;
     }
 }
 
@@ -53,7 +53,7 @@ TEST(SphereIntersection, ExistsForARayThatGrazes) {
     EXPECT_FALSE(kSphere.intersectionWith({{0, 2.0 + 1e-7, 0}, {0, 0, 1}}));
     const std::optional<RaycastHit> hit = kSphere.intersectionWith({{0, 2, 0}, {0, 0, 1}});
     ASSERT_TRUE(hit);  // all terms are exact here
-    EXPECT_NEAR(hit->distance, 5.0, kRounding);
+    EXPECT_NEAR(hit->distance, 5.0, kGeometryRounding);
 }
 
 TEST(SphereIntersection, DoesNotFindTheSurfaceThatARayLeaves) {
@@ -64,12 +64,12 @@ TEST(SphereIntersection, DoesNotFindTheSurfaceThatARayLeaves) {
 TEST(PlaneIntersection, IsFoundFromBothSidesWithTheNormalUnturned) {
     const std::optional<RaycastHit> above = kFloor.intersectionWith({{0, 1, 0}, {0, -0.5, 0.5}});
     ASSERT_TRUE(above);
-    EXPECT_NEAR(above->distance, 4.0, kRounding);
-    EXPECT_NEAR((above->location - Vector3{0, -1, 2}).magnitude(), 0.0, kRounding);
+    EXPECT_NEAR(above->distance, 4.0, kGeometryRounding);
+    EXPECT_NEAR((above->location - Vector3{0, -1, 2}).magnitude(), 0.0, kGeometryRounding);
     EXPECT_EQ(above->normal, Vector3(0, 1, 0));  // of unit length
     const std::optional<RaycastHit> below = kFloor.intersectionWith({{0, -3, 0}, {0, 1, 0}});
     ASSERT_TRUE(below);
-    EXPECT_NEAR(below->distance, 2.0, kRounding);
+    EXPECT_NEAR(below->distance, 2.0, kGeometryRounding);
     EXPECT_EQ(below->normal, Vector3(0, 1, 0));
 }
 

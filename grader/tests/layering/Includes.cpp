@@ -9,13 +9,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot{TICKER_SOURCE_DIR};
+const fs::path kTop{TICKER_SOURCE_DIR};
 
 }  // namespace
 
 std::optional<std::string> layerOf(const fs::path& file) {
     std::vector<std::string> parts;
-    for (const fs::path& part : fs::relative(file, kRoot))
+    for (const fs::path& part : fs::relative(file, kTop))
         parts.push_back(part.string());
     const auto at = [&](std::size_t i) { return i < parts.size() ? parts[i] : std::string{}; };
     if (at(0) == "student_template" && at(1) == "framework") {
@@ -42,7 +42,7 @@ std::optional<std::string> folderOf(const std::string& header) {
 std::vector<fs::path> sources() {
     std::vector<fs::path> files;
     for (const char* top : {"student_template", "reference_solution", "grader", "tools"})
-        for (const auto& entry : fs::recursive_directory_iterator{kRoot / top})
+        for (const auto& entry : fs::recursive_directory_iterator{kTop / top})
             if (entry.is_regular_file() &&
                 (entry.path().extension() == ".h" || entry.path().extension() == ".cpp"))
                 files.push_back(entry.path());

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tests;
 
-const fs::path kRoot{TICKER_SOURCE_DIR};
+const fs::path kSources{TICKER_SOURCE_DIR};
 
 struct Layer {
     std::set<std::string> folders;
@@ -30,7 +30,7 @@ struct Layer {
 };
 
 std::map<std::string, Layer> readLayers() {
-    std::ifstream file{kRoot / "grader/tests/layering/layers.txt"};
+    std::ifstream file{kSources / "grader/tests/layering/layers.txt"};
     std::map<std::string, Layer> layers;
     for (std::string line; std::getline(file, line);) {
         if (line.empty() || line.front() == '#') continue;
@@ -133,7 +133,7 @@ TEST(Layering, EveryHeaderHasAnIncludeGuardNamedAfterItsPath) {
 
 TEST(Layering, EveryFolderOfTheGraderSaysInAFewLinesWhatItIs) {
     int folders = 0;
-    for (const auto& entry : fs::directory_iterator{kRoot / "grader"}) {
+    for (const auto& entry : fs::directory_iterator{kSources / "grader"}) {
         if (!entry.is_directory()) continue;
         ++folders;
         const fs::path readme = entry.path() / "README.md";

@@ -7,35 +7,35 @@ namespace {
 
 using intake::Part;
 
-intake::Submission submission(const std::string& renderer) {
+intake::Submission submissionOf(const std::string& renderer) {
     intake::Submission result;
     result.name = "ann";
     result.parts[static_cast<std::size_t>(Part::renderer)] = renderer;
     return result;
 }
 
-constexpr std::uint64_t kSeed = 7;
+constexpr std::uint64_t kClassSeed = 7;
 
 TEST(QuestionSeed, IsTheSameForTheSameFilesUnderTheSameSeed) {
-    intake::Submission again = submission("x");
+    intake::Submission again = submissionOf("x");
     again.name = "bob";
     again.ignored = {"notes.txt"};
-    EXPECT_EQ(questionSeed(submission("x"), kSeed), questionSeed(again, kSeed));
+    EXPECT_EQ(questionSeed(submissionOf("x"), kClassSeed), questionSeed(again, kClassSeed));
 }
 
 TEST(QuestionSeed, IsAnotherForEveryOtherFile) {
     intake::Submission moved;
     moved.parts[static_cast<std::size_t>(Part::bumpySphere)] = "x";
-    intake::Submission more = submission("x");
+    intake::Submission more = submissionOf("x");
     more.parts[static_cast<std::size_t>(Part::screenshot)] = "";
-    const std::uint64_t first = questionSeed(submission("x"), kSeed);
-    for (const intake::Submission& other : {submission("x "), submission(""), moved, more})
-        EXPECT_NE(questionSeed(other, kSeed), first);
+    const std::uint64_t first = questionSeed(submissionOf("x"), kClassSeed);
+    for (const intake::Submission& other : {submissionOf("x "), submissionOf(""), moved, more})
+        EXPECT_NE(questionSeed(other, kClassSeed), first);
 }
 
 TEST(QuestionSeed, IsAnotherForEveryClass) {
-    EXPECT_NE(questionSeed(submission("x"), kSeed), questionSeed(submission("x"), kSeed + 1));
-    EXPECT_NE(questionSeed(submission("x"), kSeed), kSeed);
+    EXPECT_NE(questionSeed(submissionOf("x"), kClassSeed), questionSeed(submissionOf("x"), kClassSeed + 1));
+    EXPECT_NE(questionSeed(submissionOf("x"), kClassSeed), kClassSeed);
 }
 
 }  // namespace

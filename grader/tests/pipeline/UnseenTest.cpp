@@ -24,13 +24,13 @@ std::vector<fs::path> unseenFolders() {
     return folders;
 }
 
-std::string unseenName(const testing::TestParamInfo<fs::path>& unseen) {
+std::string unseenName(const ::testing::TestParamInfo<fs::path>& unseen) {
     std::string name = unseen.param.filename().string();
     std::ranges::replace(name, '-', '_');
     return name;
 }
 
-class Unseen : public testing::TestWithParam<fs::path> {};
+class Unseen : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(Unseen, GetsItsStateAndOneOfItsFindings) {
     const fs::path folder = GetParam();
@@ -53,7 +53,7 @@ TEST_P(Unseen, GetsItsStateAndOneOfItsFindings) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(EverySolution, Unseen, testing::ValuesIn(unseenFolders()), unseenName);
+INSTANTIATE_TEST_SUITE_P(EverySolution, Unseen, ::testing::ValuesIn(unseenFolders()), unseenName);
 
 }  // namespace
 }  // namespace ticker::pipeline

@@ -17,7 +17,7 @@ namespace {
 
 const std::filesystem::path kDefault{TICKER_SOURCE_DIR "/grader/rubric/rubric.json"};
 
-TaskReport task(const std::string& id, TaskState state, std::vector<Finding> findings = {}) {
+TaskReport taskOf(const std::string& id, TaskState state, std::vector<Finding> findings = {}) {
     TaskReport report;
     report.id = id;
     report.state = state;
@@ -35,35 +35,35 @@ Finding finding(const std::string& id, Severity severity) {
 SubmissionResult submission(TaskState t1, TaskState t21, TaskState t22,
                             TaskState screenshot = TaskState::passed) {
     SubmissionResult result;
-    result.tasks = {task("T1", t1), task("T2.1", t21), task("T2.2", t22),
-                    task("screenshot", screenshot)};
+    result.tasks = {taskOf("T1", t1), taskOf("T2.1", t21), taskOf("T2.2", t22),
+                    taskOf("screenshot", screenshot)};
     return result;
 }
 
-constexpr auto kPassed = TaskState::passed;
-constexpr auto kFailed = TaskState::failed;
-constexpr auto kStub = TaskState::notAttempted;
+constexpr auto kPassedState = TaskState::passed;
+constexpr auto kFailedState = TaskState::failed;
+constexpr auto kStubState = TaskState::notAttempted;
 
 TEST(DefaultRubric, AwardsEitherOptionAndNoMoreThanOneForBoth) {
     const Rubric rubric = readRubric(kDefault);
-    const auto t1 = applyRubric(rubric, submission(kPassed, kStub, kStub));
+    const auto t1 = applyRubric(rubric, submission(kPassedState, kStubState, kStubState));
     EXPECT_EQ(t1.verdict, Verdict::awarded);
     EXPECT_EQ(t1.option, "T1");
     EXPECT_EQ(t1.score, 1.0);
-    const auto t2 = applyRubric(rubric, submission(kStub, kPassed, kPassed));
+    const auto t2 = applyRubric(rubric, submission(kStubState, kPassedState, kPassedState));
     EXPECT_EQ(t2.verdict, Verdict::awarded);
     EXPECT_EQ(t2.option, "T2");
-    const auto both = applyRubric(rubric, submission(kPassed, kPassed, kPassed));
+    const auto both = applyRubric(rubric, submission(kPassedState, kPassedState, kPassedState));
     EXPECT_EQ(both.option, "both");
     EXPECT_EQ(both.score, 1.0);
 }
 
 TEST(DefaultRubric, DoesNotAwardHalfAnOptionOrAnUntouchedTemplate) {
     const Rubric rubric = readRubric(kDefault);
-    EXPECT_EQ(applyRubric(rubric, submission(kFailed, kPassed, kFailed)).verdict,
+    EXPECT_EQ(applyRubric(rubric, submission(kFailedState, kPassedState, kFailedState)).verdict,
               Verdict::notAwarded);
-    EXPECT_EQ(applyRubric(rubric, submission(kStub, kPassed, kStub)).verdict, Verdict::notAwarded);
-    const auto untouched = applyRubric(rubric, submission(kStub, kStub, kStub));
+    EXPECT_EQ(applyRubric(rubric, submission(kStubState, kPassedState, kStubState)).verdict, Verdict::notAwarded);
+    const auto untouched = applyRubric(rubric, submission(kStubState, kStubState, kStubState));
     EXPECT_EQ(untouched.verdict, Verdict::notAwarded);
     EXPECT_EQ(untouched.option, "none");
     EXPECT_EQ(untouched.score, 0.0);
@@ -71,29 +71,29 @@ TEST(DefaultRubric, DoesNotAwardHalfAnOptionOrAnUntouchedTemplate) {
 
 TEST(DefaultRubric, AwardsOneGoodOptionThoughTheOtherFailed) {
     EXPECT_EQ(
-        applyRubric(readRubric(kDefault), submission(kPassed, kFailed, TaskState::blocked)).verdict,
+        applyRubric(readRubric(kDefault), submission(kPassedState, kFailedState, TaskState::blocked)).verdict,
         Verdict::awarded);
 }
 
 TEST(DefaultRubric, SendsAMissingScreenshotToAPersonOnlyWhereItMatters) {
     const Rubric rubric = readRubric(kDefault);
-    EXPECT_EQ(applyRubric(rubric, submission(kPassed, kStub, kStub, kStub)).verdict,
+    EXPECT_EQ(applyRubric(rubric, submission(kPassedState, kStubState, kStubState, kStubState)).verdict,
               Verdict::needsReview);
-    EXPECT_EQ(applyRubric(rubric, submission(kFailed, kStub, kStub, kStub)).verdict,
+    EXPECT_EQ(applyRubric(rubric, submission(kFailedState, kStubState, kStubState, kStubState)).verdict,
               Verdict::notAwarded);
 }
 
 TEST(DefaultRubric, NeverTurnsOurFaultIntoAScore) {
     const Rubric rubric = readRubric(kDefault);
-    const auto ours = applyRubric(rubric, submission(TaskState::notGraded, kStub, kStub));
+    const auto ours = applyRubric(rubric, submission(TaskState::notGraded, kStubState, kStubState));
     EXPECT_EQ(ours.verdict, Verdict::notGraded);
     EXPECT_EQ(ours.score, 0.0);
-    EXPECT_EQ(applyRubric(rubric, submission(TaskState::notGraded, kPassed, kPassed)).verdict,
+    EXPECT_EQ(applyRubric(rubric, submission(TaskState::notGraded, kPassedState, kPassedState)).verdict,
               Verdict::awarded);
 }
 
 TEST(DefaultRubric, SendsADoubtfulTaskToAPerson) {
-    SubmissionResult doubtful = submission(kStub, kPassed, kPassed);
+    SubmissionResult doubtful = submission(kStubState, kPassedState, kPassedState);
     doubtful.tasks[2].needsReview = true;
     EXPECT_EQ(applyRubric(readRubric(kDefault), doubtful).verdict, Verdict::needsReview);
 }
@@ -102,10 +102,10 @@ TEST(RubricSeverities, ChangeWhatAFindingDoesToItsTask) {
     Rubric rubric = readRubric(kDefault);
     rubric.severities["bump.inverted-u"] = Severity::warn;
     rubric.severities["bump.mirrored"] = Severity::fail;
-    SubmissionResult lenient = submission(kFailed, kStub, kStub);
+    SubmissionResult lenient = submission(kFailedState, kStubState, kStubState);
     lenient.tasks[0].findings = {finding("bump.inverted-u", Severity::fail)};
     EXPECT_EQ(applyRubric(rubric, lenient).verdict, Verdict::awarded);
-    SubmissionResult strict = submission(kPassed, kStub, kStub);
+    SubmissionResult strict = submission(kPassedState, kStubState, kStubState);
     strict.tasks[0].findings = {finding("bump.mirrored", Severity::note)};
     EXPECT_EQ(applyRubric(rubric, strict).tasks[0].state, TaskState::failed);
 }

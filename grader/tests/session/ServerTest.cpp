@@ -23,7 +23,7 @@
 namespace ticker::session {
 namespace {
 
-const std::string kOddName = "J\xC3\xBCrgen, 100% \"x\" #1?_12";
+const std::string kNameToEscape = "J\xC3\xBCrgen, 100% \"x\" #1?_12";
 const std::string kToken = "0123456789abcdef0123456789abcdef";
 
 /// A session on a free port, and a browser.
@@ -55,7 +55,7 @@ protected:
     }
     [[nodiscard]] bool isDecided() const { return !store::Store{class_.out()}.decisions().empty(); }
 
-    tests::ClassOnDisk class_{{kOddName, "bob"}};
+    tests::ClassOnDisk class_{{kNameToEscape, "bob"}};
     ClassView view_{class_.out()};
     Server server_{view_, {kToken, 0}, 0};
     std::jthread serving_{[this] { server_.serve(); }};

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 const std::string kNow = "2026-11-21T16:05:36Z";
 const std::string kOddName = "J\xC3\xBCrgen \"<b>\" O'Neill, =1+1_12";
 
-SubmissionResult resultOf(const std::string& name, Verdict verdict = Verdict::notAwarded) {
+SubmissionResult judgedResult(const std::string& name, Verdict verdict = Verdict::notAwarded) {
     SubmissionResult result;
     result.submission = name;
     result.verdict = verdict;
@@ -41,7 +41,7 @@ Decision decisionOn(const std::string& name, Ruling ruling, std::int64_t version
 
 TEST(Store, KeepsResultsForTheNextWhoOpensIt) {
     const tests::TemporaryFolder out;
-    Store{out.path()}.put(resultOf(kOddName), kNow);
+    Store{out.path()}.put(judgedResult(kOddName), kNow);
     const Store store{out.path()};
     ASSERT_EQ(store.results().size(), 1U);
     const auto row = store.find(kOddName);
@@ -58,8 +58,8 @@ TEST(Store, KeepsResultsForTheNextWhoOpensIt) {
 TEST(Store, CountsHowOftenASubmissionWasGradedAndKeepsTheLast) {
     const tests::TemporaryFolder out;
     Store store{out.path()};
-    store.put(resultOf("ann"), kNow);
-    store.put(resultOf("ann", Verdict::awarded), kNow);
+    store.put(judgedResult("ann"), kNow);
+    store.put(judgedResult("ann", Verdict::awarded), kNow);
     EXPECT_EQ(store.find("ann")->verdict, Verdict::awarded);
     EXPECT_EQ(store.find("ann")->timesGraded, 2);
 }
@@ -68,7 +68,7 @@ TEST(Store, ListsResultsByName) {
     const tests::TemporaryFolder out;
     Store store{out.path()};
     for (const char* name : {"cy", "ann", "bob"})
-        store.put(resultOf(name), kNow);
+        store.put(judgedResult(name), kNow);
     std::vector<std::string> names;
     for (const ResultRow& row : store.results())
         names.push_back(row.submission);
@@ -153,7 +153,7 @@ TEST(Store, SaysSoWhereItUsesARollbackJournal) {
     const tests::TemporaryFolder shared;
     Store store{shared.path(), Journal::rollback};
     EXPECT_NE(store.notice().find("rollback journal"), std::string::npos);
-    store.put(resultOf("ann"), kNow);
+    store.put(judgedResult("ann"), kNow);
     EXPECT_FALSE(fs::exists(shared.path() / "results.sqlite-wal"));
     EXPECT_EQ((Store{shared.path(), Journal::rollback}.results().size()), 1U);
 }

@@ -132,7 +132,7 @@ int raiseLimits(std::span<char*>) {
     return setrlimit(RLIMIT_CPU, &more) == 0 ? kSucceeded : kRefused;
 }
 
-constexpr Trick kTricks[] = {{"loop", loop},
+constexpr Trick kGreedyTricks[] = {{"loop", loop},
                              {"busy-threads", busyThreads},
                              {"ignore-cpu-limit", ignoreCpuLimit},
                              {"block-all-signals", blockAllSignals},
@@ -150,7 +150,7 @@ constexpr Trick kTricks[] = {{"loop", loop},
 }  // namespace
 
 std::span<const Trick> greedy() {
-    return kTricks;
+    return kGreedyTricks;
 }
 
 }  // namespace tricks

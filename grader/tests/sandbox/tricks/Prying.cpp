@@ -137,7 +137,7 @@ int becomeRoot(std::span<char*>) {
     return result(setresuid(0, 0, 0) == 0);
 }
 
-constexpr Trick kTricks[] = {{"daemon", daemonise},
+constexpr Trick kPryingTricks[] = {{"daemon", daemonise},
                              {"kill-parent", killParent},
                              {"kill-all", killAll},
                              {"trace-parent", traceParent},
@@ -160,7 +160,7 @@ constexpr Trick kTricks[] = {{"daemon", daemonise},
 }  // namespace
 
 std::span<const Trick> prying() {
-    return kTricks;
+    return kPryingTricks;
 }
 
 }  // namespace tricks

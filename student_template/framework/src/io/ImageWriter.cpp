@@ -13,7 +13,7 @@
 namespace raytracer {
 namespace {
 
-constexpr int kChannels = 3;
+constexpr int kRgbChannels = 3;
 
 void append(void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data),
@@ -32,7 +32,7 @@ void appendFloat(std::string& bytes, double value) {
 
 ByteImage toBytes(const Image& image) {
     ByteImage bytes{image.width(), image.height(), {}};
-    bytes.rgb.reserve(image.pixels().size() * kChannels);
+    bytes.rgb.reserve(image.pixels().size() * kRgbChannels);
     for (const ColourRGB& colour : image.pixels())
         for (const std::uint8_t channel : toneMapped(colour))
             bytes.rgb.push_back(channel);
@@ -41,8 +41,8 @@ ByteImage toBytes(const Image& image) {
 
 std::string encodePng(const ByteImage& image) {
     std::string bytes;
-    const int written = stbi_write_png_to_func(append, &bytes, image.width, image.height, kChannels,
-                                               image.rgb.data(), image.width * kChannels);
+    const int written = stbi_write_png_to_func(append, &bytes, image.width, image.height, kRgbChannels,
+                                               image.rgb.data(), image.width * kRgbChannels);
     if (written == 0) throw Error("a picture cannot be packed as PNG");
     return bytes;
 }

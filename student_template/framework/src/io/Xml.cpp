@@ -14,7 +14,7 @@
 namespace raytracer {
 namespace {
 
-constexpr std::size_t kLargestFile = 1024UL * 1024UL;
+constexpr std::size_t kLargestXml = 1024UL * 1024UL;
 constexpr int kMostElements = 10'000;
 constexpr int kDeepestLevel = 8;
 
@@ -98,7 +98,7 @@ std::string wrapHint(std::string_view bytes) {
 }  // namespace
 
 XmlElement readXml(const std::filesystem::path& file) {
-    const std::string bytes = readFileBytes(file, kLargestFile);
+    const std::string bytes = readFileBytes(file, kLargestXml);
     Converter converter{file.string()};
     refuseOtherEncodings(bytes, converter);
 
