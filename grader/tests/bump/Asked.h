@@ -31,6 +31,9 @@ struct Place {
     double alongV;
 };
 
+/// The reference's: axis upwards, u from the back, not mirrored.
+inline const decision::bump::Landing kLanding({0.0, 1.0, 0.0}, 0.5, false);
+
 /// A submission that tilts in proportion to the slope: `times` has a factor for either axis, 1 for
 /// right.
 inline selftest::NormalFunction inProportion(

@@ -12,8 +12,6 @@ namespace {
 
 using tests::Place;
 
-const Landing kLanding({0.0, 1.0, 0.0}, 0.5, false);
-
 using Times = std::function<std::pair<double, double>(const Place&, const selftest::Point&)>;
 
 /// Coarse ramps' judgement, known again by its shape.
@@ -21,7 +19,7 @@ RampJudgement coarse(RampKind kind, bool responds) {
     RampJudgement judgement;
     judgement.kind = kind;
     judgement.shape.rise = 77.0;
-    judgement.fit = LandingFit{kLanding};
+    judgement.fit = LandingFit{tests::kLanding};
     if (responds) {
         judgement.response = Response{};
         judgement.response->u.bandStrength.fill(1.0);
@@ -34,7 +32,7 @@ RampJudgement coarse(RampKind kind, bool responds) {
 bool coarseCounts(const Times& times, RampKind kind, bool responds) {
     const MainPlan plan = planMain(8);
     const Answers answers =
-        tests::answersOf(plan.questionnaire, tests::inProportion(kLanding, times));
+        tests::answersOf(plan.questionnaire, tests::inProportion(tests::kLanding, times));
     const Examination examination = examine(plan, answers, coarse(kind, responds));
     EXPECT_EQ(examination.regions.has_value(), examination.ramps().response.has_value());
     return examination.ramps().shape.rise == 77.0;
@@ -59,7 +57,7 @@ Hints hintsOf(const selftest::NormalFunction& function) {
 }
 
 Hints hintsOf(const Times& times) {
-    return hintsOf(tests::inProportion(kLanding, times));
+    return hintsOf(tests::inProportion(tests::kLanding, times));
 }
 
 TEST(ReadHints, FindNothingInARightReading) {
@@ -104,7 +102,8 @@ TEST(ReadHints, TellThatTheOrderOfThePointsMatters) {
     const auto dependsOn = [](int every, double by) {
         int asked = 0;
         const auto plain = tests::inProportion(
-            kLanding, [](const Place&, const selftest::Point&) { return std::pair(5.0, 5.0); });
+            tests::kLanding,
+            [](const Place&, const selftest::Point&) { return std::pair(5.0, 5.0); });
         return hintsOf([&, plain](const selftest::Point& point) {
                    const double more = asked++ % every == 0 ? by : 0.0;
                    return plain(point) + Vector3{0.0, 0.0, more};

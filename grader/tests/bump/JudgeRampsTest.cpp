@@ -11,8 +11,6 @@
 namespace ticker::decision::bump {
 namespace {
 
-const Landing kLanding({0.0, 1.0, 0.0}, 0.5, false);
-
 /// The tilts at one place: along u and along v on either ramp; `bowU` and `bowV` are what a bow
 /// tilts, as a multiple of its ramp.
 struct Tilts {
@@ -27,12 +25,14 @@ struct Tilts {
 RampJudgement judge(const std::function<void(double u, double v, Tilts&)>& change) {
     std::vector<RampTilts> all;
     for (const Vector3& n : tests::spread(900)) {
-        const double u = kLanding.u(n);
-        const double v = kLanding.v(n);
+        const double u = tests::kLanding.u(n);
+        const double v = tests::kLanding.v(n);
         Tilts at{.bowU = 1.0 - 2.0 * u, .bowV = 1.0 - 2.0 * v};
         change(u, v, at);
-        const Vector3 onU = -at.onU * kLanding.alongU(n) - at.acrossU * kLanding.alongV(n);
-        const Vector3 onV = -at.onV * kLanding.alongV(n) - at.acrossV * kLanding.alongU(n);
+        const Vector3 onU =
+            -at.onU * tests::kLanding.alongU(n) - at.acrossU * tests::kLanding.alongV(n);
+        const Vector3 onV =
+            -at.onV * tests::kLanding.alongV(n) - at.acrossV * tests::kLanding.alongU(n);
         all.push_back({n, onU, onU * at.bowU, onV, onV * at.bowV});
     }
     return judgeRamps({}, all);
@@ -143,7 +143,7 @@ LadderJudgement judgeSubmission(const std::function<double(double, bool isU)>& t
     const RampLadder ladder = planLadder(questionnaire, draws, ball, tests::spread(400));
     const Answers answers = tests::answersOf(
         questionnaire,
-        tests::inProportion(kLanding, [&](const tests::Place& at, const selftest::Point&) {
+        tests::inProportion(tests::kLanding, [&](const tests::Place& at, const selftest::Point&) {
             const auto times = [&](double slope, bool isU) {
                 return slope == 0.0 ? 0.0 : tilted(slope, isU) / slope;
             };

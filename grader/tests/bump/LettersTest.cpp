@@ -14,8 +14,6 @@ namespace {
 
 using tests::Place;
 
-const Landing kLanding({0.0, 1.0, 0.0}, 0.5, false);
-
 TEST(LetterMap, HasTwoRowsOfEightLettersByTurns) {
     EXPECT_EQ(letterAt(0, 79), Letter::none);
     EXPECT_EQ(letterAt(0, 80), Letter::h);
@@ -74,10 +72,10 @@ struct Sitting {
     explicit Sitting(const Times& times)
         : plan(planned(questionnaire)),
           answers(tests::answersOf(
-              questionnaire,
-              tests::inProportion(kLanding, [times](const Place& at, const selftest::Point&) {
-                  return times(at);
-              }))) {
+              questionnaire, tests::inProportion(tests::kLanding,
+                                                 [times](const Place& at, const selftest::Point&) {
+                                                     return times(at);
+                                                 }))) {
         response.u.bandStrength.fill(1.0);
         response.v.bandStrength.fill(2.0);
     }
@@ -86,7 +84,7 @@ struct Sitting {
         return planLetters(questionnaire, draws);
     }
     [[nodiscard]] LetterReading read() const {
-        return readLetters(plan, answers, kLanding, response);
+        return readLetters(plan, answers, tests::kLanding, response);
     }
 };
 
@@ -161,7 +159,7 @@ TEST(ReadLetters, TakesHardlyAnyChangeForNone) {
 TEST(DrawRelief, ShowsTheMapAndTheSameReliefOfARightReading) {
     const Sitting sitting(right);
     const std::vector<Raster> rasters =
-        drawRelief(sitting.plan, sitting.answers, kLanding, sitting.response);
+        drawRelief(sitting.plan, sitting.answers, tests::kLanding, sitting.response);
     ASSERT_EQ(rasters.size(), 2U);
     for (const Raster& raster : rasters) {
         ASSERT_EQ(raster.values.size(), 128U * 64U);
@@ -171,8 +169,8 @@ TEST(DrawRelief, ShowsTheMapAndTheSameReliefOfARightReading) {
     double off = 0.0;
     for (std::size_t i = 0; i < rasters[0].values.size(); ++i) {
         const Vector3& n = sitting.plan.directions[i];
-        const double height = letterHeight(static_cast<int>(kLanding.u(n) * 640),
-                                           static_cast<int>(kLanding.v(n) * 320));
+        const double height = letterHeight(static_cast<int>(tests::kLanding.u(n) * 640),
+                                           static_cast<int>(tests::kLanding.v(n) * 320));
         ASSERT_NEAR(rasters[0].values[i], 0.5 + 0.4 * height, 1e-6) << i;
         off += std::abs(rasters[1].values[i] - rasters[0].values[i]) / (128.0 * 64.0);
     }

@@ -1,5 +1,6 @@
 // How tilts answer slopes, measured on tilts that are made by hand.
 #include <grader/decision/bump/Response.h>
+#include <grader/tests/bump/Asked.h>
 #include <grader/tests/bump/Spread.h>
 
 #include <gtest/gtest.h>
@@ -13,8 +14,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-const Landing kLanding({0.0, 1.0, 0.0}, 0.5, false);
-
 /// The tilt on each ramp at a place of the map: towards the slope (positive: raised), and along the
 /// other axis.
 struct Tilt {
@@ -26,7 +25,7 @@ Tilt turned(double degrees, double strength = 1.0) {
 }
 
 template <typename OnU, typename OnV>
-Response measure(const OnU& onU, const OnV& onV, const Landing& landing = kLanding) {
+Response measureTilts(const OnU& onU, const OnV& onV, const Landing& landing = tests::kLanding) {
     std::vector<RampTilts> tilts;
     for (const Vector3& n : tests::spread(1600)) {
         const double u = landing.u(n);
@@ -44,14 +43,15 @@ Response measure(const OnU& onU, const OnV& onV, const Landing& landing = kLandi
     return measureResponse(tilts, landing);
 }
 
-Tilt right(double, double) {
+Tilt rightTilt(double, double) {
     return turned(0.0);
 }
 
 TEST(Response, OfARightReadingIsTheIdentity) {
     for (const bool mirrored : {false, true}) {
-        const Response response = measure([](double, double) { return turned(0.0, 3.0); }, right,
-                                          Landing(Vector3{0.6, 0.0, 0.8}, 0.2, mirrored));
+        const Response response =
+            measureTilts([](double, double) { return turned(0.0, 3.0); }, rightTilt,
+                         Landing(Vector3{0.6, 0.0, 0.8}, 0.2, mirrored));
         EXPECT_EQ(response.u.sense, Sense::right);
         EXPECT_EQ(response.v.sense, Sense::right);
         EXPECT_EQ(response.u.shares.right, 1.0);
@@ -72,28 +72,28 @@ TEST(Response, KnowsInvertedAcrossAndDead) {
     const auto inverted = [](double, double) { return turned(180.0); };
     const auto across = [](double u, double) { return turned(u < 0.5 ? 90.0 : -90.0); };
     const auto dead = [](double, double) { return turned(0.0, 0.9e-4); };
-    const Response one = measure(inverted, across);
+    const Response one = measureTilts(inverted, across);
     EXPECT_EQ(one.u.sense, Sense::inverted);
     EXPECT_EQ(one.u.sign(), -1.0);
     EXPECT_NEAR(one.matrix[0][0], -1.0, 1e-9);
     EXPECT_EQ(one.v.sense, Sense::across);
     EXPECT_NEAR(one.v.shares.across, 1.0, 1e-9);
-    const Response two = measure(dead, right);
+    const Response two = measureTilts(dead, rightTilt);
     EXPECT_EQ(two.u.sense, Sense::dead);
     EXPECT_EQ(two.u.shares.dead, 1.0);
     const auto faint = [](double, double) { return turned(0.0, 1.1e-4); };
-    EXPECT_EQ(measure(faint, right).u.sense, Sense::right);
+    EXPECT_EQ(measureTilts(faint, rightTilt).u.sense, Sense::right);
 }
 
 TEST(Response, HasTheDirectionOfEveryBandAndTheFarthest) {
-    const Response response =
-        measure([](double, double v) { return turned(v < 0.5 ? 40.0 : -50.0, 2.0); }, right);
+    const Response response = measureTilts(
+        [](double, double v) { return turned(v < 0.5 ? 40.0 : -50.0, 2.0); }, rightTilt);
     EXPECT_EQ(response.u.sense, Sense::mixed);
     EXPECT_EQ(response.u.shares.right + response.u.shares.across, 0.0) << "in between";
     EXPECT_NEAR(response.u.bandDirection[1], 40.0, 1e-6);
     EXPECT_NEAR(response.u.bandDirection[6], -50.0, 1e-6);
     EXPECT_NEAR(response.u.worstDirection, -50.0, 1e-6);
-    EXPECT_GT(kLanding.v(response.u.worst), 0.5);
+    EXPECT_GT(tests::kLanding.v(response.u.worst), 0.5);
     EXPECT_EQ(response.u.bandsThatTurn, 0);
     EXPECT_FALSE(response.dependsOnLongitude());
     const double mean = 0.5 * (std::cos(40.0 * kPi / 180.0) + std::cos(50.0 * kPi / 180.0));
@@ -106,7 +106,8 @@ TEST(Response, AllowsFifteenDegreesEitherWay) {
     for (const double middle : {0.0, 180.0, 90.0, -90.0})
         for (const double side : {-1.0, 1.0}) {
             const auto off = [&](double by) {
-                return measure([&](double, double) { return turned(middle + side * by); }, right)
+                return measureTilts([&](double, double) { return turned(middle + side * by); },
+                                    rightTilt)
                     .u.sense;
             };
             EXPECT_NE(off(14.9), Sense::mixed) << middle;
@@ -116,13 +117,13 @@ TEST(Response, AllowsFifteenDegreesEitherWay) {
 
 TEST(Response, ForgivesAPointInAHundredButNoMore) {
     const auto deadWhere = [](double below, double strength = 0.009) {
-        return measure([=](double u, double) { return turned(0.0, u < below ? strength : 1.0); },
-                       right);
+        return measureTilts(
+            [=](double u, double) { return turned(0.0, u < below ? strength : 1.0); }, rightTilt);
     };
     const Response few = deadWhere(0.022);  // of which the first 0.012 are left out
     EXPECT_GT(few.u.shares.dead, 0.005);
     EXPECT_EQ(few.u.sense, Sense::right);
-    EXPECT_LT(kLanding.u(few.u.deadAt), 0.022);
+    EXPECT_LT(tests::kLanding.u(few.u.deadAt), 0.022);
     const Response many = deadWhere(0.04);
     EXPECT_EQ(many.u.sense, Sense::mixed);
     EXPECT_NEAR(many.u.shares.dead, 0.028, 0.006);
@@ -132,8 +133,8 @@ TEST(Response, ForgivesAPointInAHundredButNoMore) {
 TEST(Response, LeavesOutSeamAndPoles) {
     const auto wrongWhere = [](auto isWrong) {
         return 1.0 -
-               measure([&](double u, double v) { return turned(isWrong(u, v) ? 180.0 : 0.0); },
-                       right)
+               measureTilts([&](double u, double v) { return turned(isWrong(u, v) ? 180.0 : 0.0); },
+                            rightTilt)
                    .u.shares.right;
     };
     EXPECT_EQ(wrongWhere([](double u, double) { return u < 0.0119; }), 0.0);
@@ -147,38 +148,39 @@ TEST(Response, LeavesOutSeamAndPoles) {
 
 TEST(Response, LeavesOutWhatIsNoNumber) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const Response response = measure(
+    const Response response = measureTilts(
         [&](double u, double) {
             return u < 0.3 ? Tilt{nan, 0.0} : turned(0.0);
         },
-        right);
+        rightTilt);
     EXPECT_EQ(response.u.shares.right, 1.0);
 }
 
 TEST(Response, SeesASignThatChangesRoundTheSphere) {
     const Response response =
-        measure([](double u, double) { return turned(u < 0.5 ? 0.0 : 180.0); }, right);
+        measureTilts([](double u, double) { return turned(u < 0.5 ? 0.0 : 180.0); }, rightTilt);
     EXPECT_EQ(response.u.bandsThatTurn, 8);
     EXPECT_TRUE(response.dependsOnLongitude());
     const Response other =
-        measure(right, [](double u, double) { return turned(u < 0.5 ? 0.0 : 180.0); });
+        measureTilts(rightTilt, [](double u, double) { return turned(u < 0.5 ? 0.0 : 180.0); });
     EXPECT_TRUE(other.dependsOnLongitude());
     const auto bands = [](double most) {
-        return measure(
-            [=](double u, double v) { return turned(u < 0.5 && v < most ? 180.0 : 0.0); }, right);
+        return measureTilts(
+            [=](double u, double v) { return turned(u < 0.5 && v < most ? 180.0 : 0.0); },
+            rightTilt);
     };
     EXPECT_FALSE(bands(2.0 / 8.0).dependsOnLongitude()) << "in two bands";
     EXPECT_TRUE(bands(3.0 / 8.0).dependsOnLongitude()) << "in three";
-    const Response one =
-        measure([](double u, double) { return turned(u < 1.0 / 8.0 ? 180.0 : 0.0); }, right);
+    const Response one = measureTilts(
+        [](double u, double) { return turned(u < 1.0 / 8.0 ? 180.0 : 0.0); }, rightTilt);
     EXPECT_EQ(one.u.bandsThatTurn, 0) << "in one sector of eight";
 }
 
 TEST(Response, SeesAStrengthThatChangesRoundTheSphere) {
     const auto ratio = [](double times) {
-        return measure(
+        return measureTilts(
             [=](double u, double v) { return turned(0.0, (u < 0.25 ? times : 1.0) * (1.0 + v)); },
-            right);
+            rightTilt);
     };
     EXPECT_NEAR(ratio(2.0).u.strengthRatio, 2.0, 0.1);
     EXPECT_TRUE(ratio(2.0).dependsOnLongitude());
@@ -186,7 +188,7 @@ TEST(Response, SeesAStrengthThatChangesRoundTheSphere) {
     EXPECT_NEAR(ratio(0.5).u.strengthRatio, 2.0, 0.1);
     EXPECT_NEAR(ratio(9.0).u.strengthRatio, 4.0, 0.1) << "single points count up to four times";
     const Response other =
-        measure(right, [](double u, double) { return turned(0.0, u < 0.25 ? 2.0 : 1.0); });
+        measureTilts(rightTilt, [](double u, double) { return turned(0.0, u < 0.25 ? 2.0 : 1.0); });
     EXPECT_TRUE(other.dependsOnLongitude());
     EXPECT_NEAR(ratio(1.0).u.strengthRatio, 1.0, 0.02) << "latitude does not count";
 }
@@ -212,7 +214,7 @@ TEST(Response, FindsTangentsOfAnotherLongitudeToTenDegrees) {
                 EXPECT_NEAR(measureResponse(tilts, landing).tangentTurn, degrees, 10.0)
                     << mirrored << crossed;
             }
-    EXPECT_EQ(measure(right, right).tangentTurn, 0.0);
+    EXPECT_EQ(measureTilts(rightTilt, rightTilt).tangentTurn, 0.0);
 }
 
 TEST(StrengthAt, LiesOnTheLineBetweenTheMiddlesOfTheBands) {

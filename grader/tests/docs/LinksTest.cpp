@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = TICKER_SOURCE_DIR;
+const fs::path kProject = TICKER_SOURCE_DIR;
 
 /// The lines of a document that are no code.
 std::vector<std::string> proseOf(const fs::path& file) {
-    std::istringstream lines{tests::readFile(file.lexically_relative(kRoot).string())};
+    std::istringstream lines{tests::readFile(file.lexically_relative(kProject).string())};
     std::vector<std::string> prose;
     bool inCode = false;
     for (std::string line; std::getline(lines, line);) {
@@ -90,7 +90,7 @@ TEST(Pictures, InDocsAreAllShown) {
     for (const fs::path& document : tests::documents())
         for (const std::string& link : linksIn(document))
             shown.insert((document.parent_path() / link).lexically_normal().filename());
-    for (const fs::directory_entry& picture : fs::directory_iterator{kRoot / "docs/images"})
+    for (const fs::directory_entry& picture : fs::directory_iterator{kProject / "docs/images"})
         EXPECT_TRUE(shown.contains(picture.path().filename())) << picture.path();
 }
 

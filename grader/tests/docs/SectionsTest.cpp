@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = TICKER_SOURCE_DIR;
+const fs::path kTopFolder = TICKER_SOURCE_DIR;
 
 std::set<std::string> headings() {
     std::set<std::string> found;
@@ -45,10 +45,10 @@ TEST(Sections, OfTheHandoutThatMessagesNameAreThere) {
     int cited = 0;
     for (const char* folder : {"grader/decision", "grader/intake", "grader/pipeline",
                                "grader/build", "student_template/tests"})
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{kRoot / folder}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{kTopFolder / folder}) {
             if (!entry.is_regular_file()) continue;
             const std::string text =
-                tests::readFile(entry.path().lexically_relative(kRoot).string());
+                tests::readFile(entry.path().lexically_relative(kTopFolder).string());
             for (std::sregex_iterator at{text.begin(), text.end(), kCited};
                  at != std::sregex_iterator{}; ++at, ++cited)
                 for (const std::string& section : sectionsIn((*at)[1]))

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = TICKER_SOURCE_DIR;
+const fs::path kCheckout = TICKER_SOURCE_DIR;
 
 /// What students wrote may name what it likes, and so may this test.
 bool isForeign(const std::string& name) {
@@ -33,8 +33,8 @@ std::vector<std::string> texts() {
     std::vector<std::string> found;
     for (const char* folder :
          {"docs", "grader", "reference_solution", "scenes", "student_template", "tools"})
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{kRoot / folder}) {
-            const std::string name = entry.path().lexically_relative(kRoot);
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{kCheckout / folder}) {
+            const std::string name = entry.path().lexically_relative(kCheckout);
             if (entry.is_regular_file() && kKinds.contains(entry.path().extension()) &&
                 !isForeign(name))
                 found.push_back(name);

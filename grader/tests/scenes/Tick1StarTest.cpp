@@ -22,7 +22,7 @@ using testing::bytesOf;
 using testing::ProgramResult;
 using testing::TemporaryFolder;
 
-const std::string kScenes = std::string(TICKER_SOURCE_DIR) + "/scenes/";
+const std::string kSceneFiles = std::string(TICKER_SOURCE_DIR) + "/scenes/";
 
 class Tick1Star : public ::testing::Test {
 protected:
@@ -35,8 +35,8 @@ protected:
     /// Renders a scene small and quickly, with a seed; gives the file's bytes.
     std::string render(const std::string& scene, std::vector<std::string> more) const {
         std::vector<std::string> arguments{
-            "-i", kScenes + scene, "-o",         file("a.png"), "--seed",        "7",
-            "-r", "80x60",         "--dof-rays", "8",           "--shadow-rays", "4"};
+            "-i",    kSceneFiles + scene, "-o", file("a.png"),   "--seed", "7", "-r",
+            "80x60", "--dof-rays",        "8",  "--shadow-rays", "4"};
         std::ranges::move(more, std::back_inserter(arguments));
         const ProgramResult result = run(arguments);
         EXPECT_EQ(result.exitCode, 0) << result.err;
@@ -64,8 +64,8 @@ TEST_F(Tick1Star, GivesTheSameBytesWhateverTheThreads) {
 TEST_F(Tick1Star, TakesAFreshSeedWhereNoneIsGiven) {
     // Two seeds of 64 bits are equal with probability 5e-20.
     const auto seedSaid = [this] {
-        const ProgramResult result =
-            run({"-i", kScenes + "lens-grid.xml", "-o", file("a.png"), "-r", "4x4", "--verbose"});
+        const ProgramResult result = run(
+            {"-i", kSceneFiles + "lens-grid.xml", "-o", file("a.png"), "-r", "4x4", "--verbose"});
         return result.err.substr(0, result.err.find(','));
     };
     const std::string first = seedSaid();
@@ -101,8 +101,8 @@ TEST_F(Tick1Star, TakesTheHandoutsConstantsAsOptions) {
 
 TEST_F(Tick1Star, FindsTheAssetsFromItsOwnPlaceAndWhereItIsTold) {
     EXPECT_FALSE(render("bump-mapping.xml", {}).empty());
-    const ProgramResult result =
-        run({"-i", kScenes + "bump-mapping.xml", "-o", file("b.png"), "--assets", folder_.path()});
+    const ProgramResult result = run(
+        {"-i", kSceneFiles + "bump-mapping.xml", "-o", file("b.png"), "--assets", folder_.path()});
     EXPECT_EQ(result.exitCode, 2);
     EXPECT_NE(result.err.find("bump-mapping.xml:6: bump-map=\"bumpmap.png\""), std::string::npos)
         << result.err;
@@ -128,7 +128,7 @@ TEST_F(Tick1Star, WritesLinearColoursThatGiveThePicture) {
 
 TEST_F(Tick1Star, IsSilentWhereNobodyWatches) {
     const ProgramResult result =
-        run({"-i", kScenes + "lens-grid.xml", "-o", file("a.png"), "-r", "16x12"});
+        run({"-i", kSceneFiles + "lens-grid.xml", "-o", file("a.png"), "-r", "16x12"});
 
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.out + result.err, "");
@@ -136,9 +136,9 @@ TEST_F(Tick1Star, IsSilentWhereNobodyWatches) {
 
 TEST_F(Tick1Star, RemindsOnlyOfTheStubsOfTheScenesOwnOption) {
     const auto said = [this](const std::string& scene, const std::string& more) {
-        const ProgramResult result =
-            testing::runTick1Star({"-i", kScenes + scene, "-o", file("a.png"), "-r", "16x12", more},
-                                  folder_.path(), "template");
+        const ProgramResult result = testing::runTick1Star(
+            {"-i", kSceneFiles + scene, "-o", file("a.png"), "-r", "16x12", more}, folder_.path(),
+            "template");
         EXPECT_EQ(result.exitCode, 0) << result.err;
         return result.out + result.err;
     };
@@ -177,7 +177,7 @@ TEST_F(Tick1Star, ExplainsWrongUsage) {
         std::vector<std::string> arguments;
         std::string expected;
     };
-    const std::string scene = kScenes + "lens-grid.xml";
+    const std::string scene = kSceneFiles + "lens-grid.xml";
     const std::string image = file("a.png");
     const std::vector<Usage> wrong{
         {{}, "no scene given; add -i SCENE"},
@@ -186,8 +186,8 @@ TEST_F(Tick1Star, ExplainsWrongUsage) {
         {{"-i", scene, "-o", file("a.jpg")}, "a name that ends in .png"},
         {{"-i", scene, "-o", file("no/a.png")}, "does not exist; make it first"},
         {{"-i", file("no.xml"), "-o", image}, "there is no such file"},
-        {{"-i", kScenes + "lens-gird.xml", "-o", image}, "did you mean lens-grid.xml?"},
-        {{"-i", kScenes + "bump-mappin.xml", "-o", image}, "did you mean bump-mapping.xml?"},
+        {{"-i", kSceneFiles + "lens-gird.xml", "-o", image}, "did you mean lens-grid.xml?"},
+        {{"-i", kSceneFiles + "bump-mappin.xml", "-o", image}, "did you mean bump-mapping.xml?"},
         {{"--sed", "1"}, "did you mean --seed?"},
         {{"extra"}, "unknown option \"extra\""},
         {{"--quiet=yes"}, "takes no value"},
@@ -214,7 +214,7 @@ TEST_F(Tick1Star, ExplainsWrongUsage) {
 
 std::vector<std::string> longRender(const std::string& image) {
     // Some 30 ms for each of 480 rows, so that a signal after the first one comes in time.
-    return {"-i",         kScenes + "distributed.xml",
+    return {"-i",         kSceneFiles + "distributed.xml",
             "-o",         image,
             "-r",         "64x480",
             "--threads",  "1",
@@ -240,7 +240,7 @@ TEST_F(Tick1Star, KeepsTheRowsSoFarWhenItIsInterrupted) {
 
 TEST_F(Tick1Star, DrawsNoProgressBarWhereColourIsUnwanted) {
     testing::Tick1StarOnTerminal program(
-        {"-i", kScenes + "lens-grid.xml", "-o", file("a.png"), "-r", "16x12"}, {"NO_COLOR=1"});
+        {"-i", kSceneFiles + "lens-grid.xml", "-o", file("a.png"), "-r", "16x12"}, {"NO_COLOR=1"});
 
     EXPECT_EQ(program.read(), "");
     EXPECT_EQ(program.wait(), 0);
