@@ -48,13 +48,18 @@ void BumpMapping::SetUp() {
 }
 
 const std::optional<BumpSurvey>& BumpMapping::survey() {
-    static const std::optional<BumpSurvey> found = surveyOn(kGentle);
+    static const std::optional<BumpSurvey> found = [] {
+        const std::optional<BumpSurvey> gentle = surveyOn(kGentle);
+        if (!gentle || !gentle->isLevel()) return gentle;
+        const std::optional<BumpSurvey> coarse = surveyOn(kCoarse);
+        return coarse && !coarse->isLevel() ? coarse : gentle;
+    }();
     return found;
 }
 
-std::optional<BumpSurvey> BumpMapping::surveyOn(double rise) {
+std::optional<BumpSurvey> BumpMapping::surveyOn(const Slope& slope) {
     try {
-        return BumpSurvey{rise};
+        return BumpSurvey{slope};
     } catch (const std::exception&) {
         return std::nullopt;
     }

@@ -13,8 +13,10 @@
 
 namespace raytracer::tests::bump {
 
-/// Height of a gentle slope, from end to end of a map.
-constexpr double kGentle = 0.3;
+/// So little that nothing saturates, for all of a map.
+inline constexpr Slope kGentle{0.3, 0};
+/// What code that rounds heights to bytes sees of a slope.
+inline constexpr Slope kCoarse{0.0, 12};
 
 /// Fails the running test.
 void complain(const std::string& asked, const std::string& expected, const std::string& got,
@@ -35,10 +37,10 @@ protected:
     /// Skips what is not attempted.
     void SetUp() override;
 
-    /// What the solution does on gentle slopes; empty where it throws, which a test of its own
-    /// says.
+    /// What the solution does on gentle slopes, or on those of whole bytes where only these tilt
+    /// along both axes. Empty where it throws, which a test of its own says.
     static const std::optional<BumpSurvey>& survey();
-    static std::optional<BumpSurvey> surveyOn(double rise);
+    static std::optional<BumpSurvey> surveyOn(const Slope& slope);
 
     /// Where there is no survey the first test complains, and others could not be asked.
     static bool couldSurvey();

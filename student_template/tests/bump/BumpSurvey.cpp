@@ -1,3 +1,4 @@
+#include <bump/AxisAnswers.h>
 #include <bump/BumpSurvey.h>
 #include <questions/BumpQuestions.h>
 #include <raytracer/geometry/BumpySphere.h>
@@ -15,9 +16,6 @@ namespace {
 constexpr int kPoints = 240;
 // Radians between neighbours: wide against a texel, narrow against the sphere.
 constexpr double kStep = 0.1;
-// Long ramps, so that a texel's rounding does not show.
-constexpr int kAlong = 1500;
-constexpr int kAcross = 90;
 
 // Not at the origin, not of radius 1, and so large that heights are small beside it.
 const Vector3 kCentre{1.3, -0.7, 25.0};
@@ -46,25 +44,6 @@ std::vector<Vector3> groupsAround(const std::vector<Vector3>& middles) {
             all.push_back((middle + side * std::tan(kStep)).normalised());
     }
     return all;
-}
-
-/// Places on the map and tilts on the ramp, at all points, for one axis.
-struct AxisAnswers {
-    std::vector<double> places;
-    std::vector<Vector3> tilts;
-};
-
-AxisAnswers askAlong(bool u, double rise, const std::vector<Vector3>& directions) {
-    const std::vector<double> across = questions::level(kAcross);
-    const std::vector<double> ramp = questions::ramp(kAlong, rise);
-    const std::vector<double> bow = questions::bow(kAlong, rise);
-    AxisAnswers answers;
-    answers.tilts = tiltsBeyondFlat(u ? mapOf(ramp, across) : mapOf(across, ramp), directions);
-    const std::vector<Vector3> onBow =
-        tiltsBeyondFlat(u ? mapOf(bow, across) : mapOf(across, bow), directions);
-    for (std::size_t i = 0; i < directions.size(); ++i)
-        answers.places.push_back(questions::placeFromTilts(answers.tilts[i], onBow[i]));
-    return answers;
 }
 
 /// From the places of a group's points: the way in which they grow. False where it is not clear.
@@ -136,14 +115,14 @@ std::vector<Vector3> tiltsBeyondFlat(const HeightMap& map, const std::vector<Vec
     return tilts;
 }
 
-BumpSurvey::BumpSurvey(double rise) : asked_(kPoints) {
+BumpSurvey::BumpSurvey(const Slope& slope) : slope_(slope), asked_(kPoints) {
     Draws draws{20};
     std::vector<Vector3> middles;
     for (int i = 0; i < kPoints; ++i)
         middles.push_back(draws.direction());
     const std::vector<Vector3> directions = groupsAround(middles);
-    const AxisAnswers alongU = askAlong(true, rise, directions);
-    const AxisAnswers alongV = askAlong(false, rise, directions);
+    const AxisAnswers alongU = askAlong(true, slope, directions);
+    const AxisAnswers alongV = askAlong(false, slope, directions);
     for (std::size_t group = 0; group < middles.size(); ++group) {
         SurveyPoint point;
         point.direction = middles[group];
@@ -154,8 +133,13 @@ BumpSurvey::BumpSurvey(double rise) : asked_(kPoints) {
     }
     strengthU_ = middleLength(alongU.tilts);
     strengthV_ = middleLength(alongV.tilts);
-    strengthOnFlat_ = middleLength(
-        tiltsOn(mapOf(questions::level(kAlong, 2.5), questions::level(kAlong / 2)), middles));
+    strengthOnFlat_ = middleLength(tiltsOn(
+        mapOf(questions::level(kRampTexels, 2.5), questions::level(kRampTexels / 2)), middles));
+}
+
+bool BumpSurvey::isLevel() const {
+    constexpr double kSomething = 1e-6;  // radians
+    return !(std::min(strengthU_, strengthV_) > kSomething);
 }
 
 Vector3 BumpSurvey::top() const {

@@ -24,18 +24,26 @@ struct SurveyPoint {
     AxisAtPoint v;
 };
 
+/// How steeply the survey's maps rise.
+struct Slope {
+    double rise = 0.3;      ///< height from end to end
+    int bytesPerTexel = 0;  ///< if any: in whole bytes, as a picture's, from 0 again after 255
+};
+
 /// Asks a solution for normals on ramps and bows along u and along v, around many points. Nothing
 /// is assumed about how it lays the map on the sphere: its own answers tell.
 class BumpSurvey {
 public:
-    /// @param rise  Height of the ramps from end to end.
     /// @throws Whatever the solution throws.
-    explicit BumpSurvey(double rise);
+    explicit BumpSurvey(const Slope& slope);
 
     /// Points at which both axes are known: not those at the map's edges, or where nothing tilts.
     [[nodiscard]] const std::vector<SurveyPoint>& points() const { return points_; }
     /// Points that were asked about.
     [[nodiscard]] int asked() const { return asked_; }
+    /// Whether one axis does not tilt: the places of the points are unknown.
+    [[nodiscard]] bool isLevel() const;
+    [[nodiscard]] const Slope& slope() const { return slope_; }
     /// Middle length of the tilt on the ramp along u, along v, and on a flat map.
     [[nodiscard]] double strengthU() const { return strengthU_; }
     [[nodiscard]] double strengthV() const { return strengthV_; }
@@ -44,6 +52,7 @@ public:
     [[nodiscard]] Vector3 top() const;
 
 private:
+    Slope slope_;
     std::vector<SurveyPoint> points_;
     int asked_ = 0;
     double strengthU_ = 0.0;

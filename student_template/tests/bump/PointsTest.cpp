@@ -77,7 +77,7 @@ TEST_F(BumpMapping, NormalsHaveUnitLength) {
 TEST_F(BumpMapping, NormalsPointOutwards) {
     if (!couldSurvey()) return;
     const BumpySphere& sphere = keptSphere(
-        {1.3, -0.7, 25.0}, 14.0, mapOf(questions::ramp(1500, kGentle), questions::level(90)));
+        {1.3, -0.7, 25.0}, 14.0, mapOf(questions::ramp(1500, kGentle.rise), questions::level(90)));
     const std::vector<Vector3> directions = telltaleDirections();
     const auto inward = std::ranges::count_if(directions, [&](const Vector3& direction) {
         return sphere.getNormalAt(sphere.centre() + direction * 14.0).dot(direction) <= 0.0;

@@ -15,8 +15,7 @@
 namespace raytracer::tests::bump {
 namespace {
 
-// Radians.
-constexpr double kSomething = 1e-6;
+constexpr double kSomething = 1e-6;  // radians
 
 TEST_F(BumpMapping, TheNormalStaysSmoothWhereTheMapIsFlat) {
     if (!couldSurvey()) return;
@@ -34,11 +33,14 @@ TEST_F(BumpMapping, TheNormalTiltsWhereTheMapSlopes) {
         const double strength = u ? survey()->strengthU() : survey()->strengthV();
         if (strength > kSomething) continue;
         const std::string axis = u ? "u" : "v";
-        complain("a map that rises evenly along " + axis + ", by " + inWords(kGentle) +
-                     " over 1500 texels",
-                 "normals that are tilted", "a tilt of " + inWords(strength) + " radians",
-                 "B_" + axis + " is always 0 (whole numbers in place of double?) or never added",
-                 "Option 1: What to do, steps 3 and 4");
+        complain(
+            "maps that rise evenly along " + axis + ", by " + inWords(kGentle.rise) +
+                " over 1500 texels, and by " + std::to_string(kCoarse.bytesPerTexel) +
+                " of 255 grey levels for each texel",
+            "normals that are tilted on one of them at least",
+            "a tilt of " + inWords(strength) + " radians",
+            "B_" + axis + " is always 0 (a difference of heights kept in an int?) or never added",
+            "Option 1: What to do, steps 3 and 4");
     }
 }
 
@@ -80,7 +82,7 @@ std::string causeOf(const Leaning& leaning, const std::string& axis) {
 void expectLeaningBack(const BumpSurvey& survey, AxisAtPoint SurveyPoint::*axis,
                        const std::string& name) {
     // Where one axis is flat the places of the points are unknown; another test says so.
-    if (!(std::min(survey.strengthU(), survey.strengthV()) > kSomething)) return;
+    if (survey.isLevel()) return;
     const Leaning leaning = leaningOf(survey, axis);
     constexpr double kEnough = 0.85;  // the map's edges and its poles are lost
     if (leaning.back >= kEnough) return;
@@ -101,14 +103,18 @@ TEST_F(BumpMapping, TheNormalLeansBackFromWhatIsHigherAlongV) {
 
 TEST_F(BumpMapping, TheTiltIsStrongerWhereTheMapIsSteeper) {
     if (!couldSurvey() || survey()->points().empty()) return;
-    const std::optional<BumpSurvey> steep = surveyOn(kBumpFactor);
+    const Slope& slope = survey()->slope();
+    const int times = slope.bytesPerTexel > 0 ? 3 : 16;
+    const std::optional<BumpSurvey> steep =
+        surveyOn({slope.rise * times, slope.bytesPerTexel * times});
     if (!steep) return;
     constexpr double kGrows = 2.0;
     for (const auto& [axis, gentle, strong] :
          {std::tuple{"u", survey()->strengthU(), steep->strengthU()},
           std::tuple{"v", survey()->strengthV(), steep->strengthV()}}) {
-        if (!(gentle > 1e-6) || strong > kGrows * gentle) continue;
-        complain(std::string("two maps, one rising 17 times as fast as the other along ") + axis,
+        if (!(gentle > kSomething) || strong > kGrows * gentle) continue;
+        complain("two maps, one rising " + std::to_string(times) +
+                     " times as fast as the other along " + axis,
                  "a stronger tilt on the steeper one",
                  "tilts of " + inWords(gentle) + " and " + inWords(strong),
                  std::string("B_") + axis +

@@ -25,6 +25,10 @@ void complain(const std::string& asked, const std::string& expected, const std::
     ADD_FAILURE() << Complaint{asked, expected, got, cause, section};
 }
 
+Vector3 inPlane(const Ray& ray, double z) {
+    return ray.evaluateAt((z - ray.origin.z) / ray.direction.z);
+}
+
 SceneDescription wall() {
     SceneDescription scene;
     scene.planes.push_back({{0.0, 0.0, 10.0}, {0.0, 0.0, -1.0}, plain({0.3, 0.5, 0.7})});
@@ -68,13 +72,13 @@ ColourRGB Trial::meanOfRays(std::size_t pixel) const {
     return sum / static_cast<double>(rays_[pixel].size());
 }
 
-// Whatever starts before the first object comes from the camera. The pixels look to the left
-// and to the right by more than any lens point can turn a ray.
+// Whatever starts before the first object comes from the camera. The pixels' squares of the focal
+// plane lie to the left and to the right, and each ray passes through that of its own pixel.
 void Trial::sortRays() {
     std::array<std::size_t, 2> counts{};
     for (const Ray& ray : log_.rays()) {
         if (ray.origin.z > kNearestSurface) continue;
-        const std::size_t pixel = ray.direction.x < 0.0 ? 0 : 1;
+        const std::size_t pixel = inPlane(ray, twoPixels().dofFocalPlane).x < 0.0 ? 0 : 1;
         rays_[pixel].push_back(ray);
         ++counts[pixel];
     }

@@ -4,6 +4,7 @@
 #include <raytracer/base/RenderSettings.h>
 #include <raytracer/image/ColourRGB.h>
 #include <raytracer/math/Ray.h>
+#include <raytracer/math/Vector3.h>
 #include <raytracer/scene/Scene.h>
 #include <raytracer/scene/SceneDescription.h>
 #include <support/RayLog.h>
@@ -24,6 +25,9 @@ inline const std::string kAsked = "a frame of 2 x 1 pixels, rendered 40 times";
 /// Fails the running test.
 void complain(const std::string& asked, const std::string& expected, const std::string& got,
               const std::string& cause, const std::string& section);
+
+/// Where the ray's line meets the plane at z.
+[[nodiscard]] Vector3 inPlane(const Ray& ray, double z);
 
 /// A wall of one colour. No light but the ambient one, so that nothing that `illuminate` does wrong
 /// can be held against `render`.

@@ -2,10 +2,15 @@
 #include <lens/DepthOfField.h>
 #include <lens/LensPoints.h>
 #include <questions/RayGeometry.h>
+#include <raytracer/base/RenderSettings.h>
+#include <raytracer/image/Image.h>
 #include <raytracer/math/Ray.h>
 #include <raytracer/math/Vector3.h>
+#include <raytracer/render/Renderer.h>
 #include <raytracer/scene/Camera.h>
+#include <raytracer/scene/Scene.h>
 #include <support/Complaint.h>
+#include <support/RayLog.h>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +52,7 @@ public:
 
     /// False where the rays are parallel, or one and the same.
     [[nodiscard]] bool clear() const { return clear_; }
+    [[nodiscard]] bool isPoint() const { return clear_ && farthest_ <= 2e-3; }
     [[nodiscard]] const Vector3& point() const { return point_; }
     /// Of all rays' lines from the point.
     [[nodiscard]] double farthest() const { return farthest_; }
@@ -59,9 +65,54 @@ private:
 
 const std::string kSection = "Depth of field (T2.2), steps 1 and 2";
 
+/// Whether all rays pass through the pixel's own square of the focal plane.
+bool stayInPixel(const std::vector<Ray>& rays, const RenderSettings& settings, int x) {
+    const Camera camera{settings};
+    const double plane = settings.dofFocalPlane;
+    const Vector3 middle = inPlane(camera.castRay(x, 0), plane);
+    const double half = (inPlane(camera.castRay(x + 1, 0), plane) - middle).magnitude() / 2.0;
+    constexpr double kRounding = 2e-4;
+    return std::ranges::all_of(rays, [&](const Ray& ray) {
+        const Vector3 beside = inPlane(ray, plane) - middle;
+        return std::max(std::abs(beside.x), std::abs(beside.y)) <= half + kRounding;
+    });
+}
+
+/// Of a frame with pixels as small as the handout's.
+bool stayInFinePixel(int x) {
+    RayLog log;
+    RenderSettings settings;
+    settings.height = 1;
+    settings.region = {x, 0, 1, 1};
+    settings.observer = &log;
+    static_cast<void>(Renderer{settings}.render(Scene{twoBalls(), &log}));
+    std::vector<Ray> rays = log.rays();
+    std::erase_if(rays, [](const Ray& ray) { return ray.origin.z > kNearestSurface; });
+    return stayInPixel(rays, settings, 0);  // counted inside of the region
+}
+
+/// Whether each ray goes through another place of its own pixel, which smooths the edges and is
+/// right. A wrong focal point may stay inside of a large pixel: it leaves a small one.
+bool antialiases(const Trial& trial) {
+    const RenderSettings large = Trial::twoPixels();
+    return stayInPixel(trial.rays(0), large, 0) && stayInPixel(trial.rays(1), large, 1) &&
+           stayInFinePixel(0) && stayInFinePixel(RenderSettings{}.width - 1);
+}
+
+/// Complains where rays run away from what they are to see.
+void judgeHeading(const std::vector<Ray>& rays, const std::string& asked) {
+    const auto away =
+        std::ranges::count_if(rays, [](const Ray& ray) { return !(ray.direction.z > 0.0); });
+    if (away == 0) return;
+    complain(asked, "rays that run from the lens to the focal point",
+             std::to_string(away) + " of " + std::to_string(rays.size()) + " run the other way",
+             "the difference is the wrong way round: direction = focal point minus lens point",
+             kSection);
+}
+
 /// Complains where the rays do not meet in one point of the pinhole camera's ray.
 void judgeMeeting(const Meeting& meeting, const Vector3& pinhole, const std::string& asked) {
-    if (!meeting.clear() || meeting.farthest() > 2e-3) {
+    if (!meeting.isPoint()) {
         complain(asked, "rays that come together in one point",
                  meeting.clear()
                      ? "rays that pass the best point at up to " + inWords(meeting.farthest())
@@ -99,6 +150,8 @@ TEST_F(DepthOfField, RaysOfAPixelMeetInTheFocalPlane) {
         const std::string asked = std::string("the rays of the ") +
                                   (pixel == 0 ? "left" : "right") +
                                   " of two pixels, from all renders";
+        judgeHeading(rays, asked);
+        if (HasFailure() || (!meeting.isPoint() && antialiases(trial()))) return;
         judgeMeeting(meeting, camera.castRay(static_cast<int>(pixel), 0).direction, asked);
         if (!HasFailure()) judgeDepth(meeting.point(), handout_.dofFocalPlane, asked);
         if (HasFailure()) return;
