@@ -1,0 +1,75 @@
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+// Fill in what stands between the TASK marks.
+#include <raytracer/base/Unfinished.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raytracer {
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        const Vector3 start = P + N * kShadowBias;
+        // Most points are fully lit: if the middle of the light can be seen, no more rays are needed
+        const auto first = scene.findClosestIntersection(Ray{start, (light.position() - start).normalised()});
+        if (!first || first->distance > (light.position() - start).magnitude()) {
+            colour += diffuse + specular;
+            continue;
+        }
+        int reached = 0;
+        for (int i = 0; i < settings().shadowRayCount; ++i) {
+            const Vector3 target =
+                light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize;
+            const Vector3 towards = target - start;
+            const auto hit = scene.findClosestIntersection(Ray{start, towards.normalised()});
+            if (!hit || hit->distance > towards.magnitude()) ++reached;
+        }
+        colour += (diffuse + specular) * (static_cast<double>(reached) / settings().shadowRayCount);
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        Ray ray = camera.castRay(x, y);
+        double t = settings().dofFocalPlane / ray.direction.z;
+        Vector3 focus = ray.evaluateAt(t);
+        ColourRGB total(0, 0, 0);
+        for (int i = 0; i < settings().dofRayCount; i++) {
+            double dx = settings().dofAmount * randomBetween(-1, 1);
+            double dy = settings().dofAmount * randomBetween(-1, 1);
+            Vector3 origin(dx, dy, 0);
+            Ray newRay(origin, (focus - origin).normalised());
+            total += trace(scene, newRay, settings().bounces);
+        }
+        total /= settings().dofRayCount;
+        image.set(x, y, total);
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer

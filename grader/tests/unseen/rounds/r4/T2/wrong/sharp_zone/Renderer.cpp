@@ -1,0 +1,76 @@
+// Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
+// Fill in what stands between the TASK marks.
+#include <raytracer/base/Unfinished.h>
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raytracer {
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+
+        // TASK T2.1 begin
+        int hits = 0;
+        for (int i = 0; i < settings().shadowRayCount; i++) {
+            Vector3 target = light.position() + settings().lightSize * Vector3::randomInsideUnitSphere();
+            Vector3 start = P + N * kShadowBias;
+            double d = (target - start).magnitude();
+            Ray r{start, (target - start).normalised()};
+            auto hit = scene.findClosestIntersection(r);
+            if (hit.has_value() && hit->distance < d) {
+                hits++;
+            }
+        }
+        double lit = 1.0 - (double)hits / settings().shadowRayCount;
+        colour += diffuse * lit + specular * lit;
+        // TASK T2.1 end
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        // TASK T2.2 begin
+        const Ray ray = camera.castRay(x, y);
+        const Vector3 focus = ray.evaluateAt(settings().dofFocalPlane / ray.direction.z);
+
+        // what is nearly in focus needs only one ray
+        const auto seen = scene.findClosestIntersection(ray);
+        if (seen && std::abs(seen->location.z - settings().dofFocalPlane) < 0.6) {
+            image.set(x, y, trace(scene, ray, settings().bounces));
+            return;
+        }
+
+        ColourRGB sum;
+        for (int i = 0; i < settings().dofRayCount; ++i) {
+            const Vector3 lens{randomBetween(-settings().dofAmount, settings().dofAmount),
+                               randomBetween(-settings().dofAmount, settings().dofAmount), 0.0};
+            sum += trace(scene, Ray{lens, (focus - lens).normalised()}, settings().bounces);
+        }
+        image.set(x, y, sum / settings().dofRayCount);
+        // TASK T2.2 end
+    });
+    return image;
+}
+
+}  // namespace raytracer

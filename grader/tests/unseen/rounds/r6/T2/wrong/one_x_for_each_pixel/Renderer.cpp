@@ -1,0 +1,61 @@
+// Option 2, tasks T2.1 and T2.2.
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <future>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <ranges>
+#include <utility>
+#include <vector>
+
+namespace raytracer {
+
+/// Every sample is a little light of its own: own direction, own distance, own highlight.
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 V = (O - P).normalised();
+    const Vector3 start = P + N * kShadowBias;
+    ColourRGB total = object.colour() * scene.ambientLighting();
+    for (const PointLight& light : scene.pointLights()) {
+        ColourRGB sum;
+        for (int k = 0; k < settings().shadowRayCount; ++k) {
+            const Vector3 Q = light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize;
+            const Vector3 D = Q - start;
+            const std::optional<RaycastHit> hit = scene.findClosestIntersection({start, D.normalised()});
+            if (hit && hit->distance < D.magnitude()) continue;
+            const Vector3 L = (Q - P).normalised();
+            const ColourRGB I = light.illuminationAt((Q - P).magnitude());
+            const double cosine = std::max(0.0, N.dot(L));
+            const double lobe = std::pow(std::max(0.0, L.reflectIn(N).dot(V)), object.phongAlpha());
+            sum += object.colour() * I * (object.phongKD() * cosine) + light.colour() * I * (object.phongKS() * lobe);
+        }
+        total += sum / settings().shadowRayCount;
+    }
+    return total;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        const Ray pin = camera.castRay(x, y);
+        const Vector3 focal = pin.evaluateAt(settings().dofFocalPlane / pin.direction.z);
+        ColourRGB sum;
+        Vector3 lens{settings().dofAmount * randomBetween(-1, 1), 0, 0};
+        for (int i = 0; i < settings().dofRayCount; ++i) {
+            lens.y = settings().dofAmount * randomBetween(-1, 1);
+            sum += trace(scene, Ray{lens, (focal - lens).normalised()}, settings().bounces);
+        }
+        image.set(x, y, sum / settings().dofRayCount);
+    });
+    return image;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,68 @@
+// Option 2, tasks T2.1 and T2.2.
+#include <raytracer/math/Random.h>
+#include <raytracer/render/Renderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <future>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <ranges>
+#include <utility>
+#include <vector>
+
+namespace raytracer {
+
+ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
+                               const Vector3& N, const Vector3& O) const {
+    const Vector3 toViewer = (O - P).normalised();
+    ColourRGB colour = object.colour() * scene.ambientLighting();
+
+    for (const PointLight& light : scene.pointLights()) {
+        const double distance = (light.position() - P).magnitude();
+        const Vector3 toLight = (light.position() - P).normalised();
+        const ColourRGB arriving = light.illuminationAt(distance);
+
+        const double facing = std::max(0.0, N.dot(toLight));
+        const ColourRGB diffuse = object.colour() * arriving * (object.phongKD() * facing);
+
+        const double mirrored = std::max(0.0, toLight.reflectIn(N).dot(toViewer));
+        const ColourRGB specular = light.colour() * arriving *
+                                   (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
+        const ColourRGB light_ = diffuse + specular;
+        if (light_.r + light_.g + light_.b <= 0.0) continue;  // nothing that could be shadowed
+        double share = 0.0;
+        for (int i = 1; i <= settings().shadowRayCount; ++i) {
+            const Vector3 start = P + N * kShadowBias;
+            const Vector3 way = light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize - start;
+            const auto hit = scene.findClosestIntersection(Ray{start, way.normalised()});
+            const double arrived = (hit && hit->distance < way.magnitude()) ? 0.0 : 1.0;
+            share += (arrived - share) / i;   // running mean
+        }
+        colour += light_ * share;
+    }
+    return colour;
+}
+
+Image Renderer::render(const Scene& scene) const {
+    const Camera camera{settings()};
+    Image image{settings()};
+    forEachPixel(image, [&](int x, int y) {
+        const Ray pin = camera.castRay(x, y);
+        const Vector3 focal = pin.evaluateAt(settings().dofFocalPlane / pin.direction.z);
+        ColourRGB mean;
+        for (int i = 0; i < settings().dofRayCount; ++i) {
+            const Vector3 lens{settings().dofAmount * randomBetween(-1, 1), settings().dofAmount * randomBetween(-1, 1), 0};
+            const ColourRGB c = trace(scene, Ray{lens, (focal - lens).normalised()}, settings().bounces);
+            mean = i == 0 ? c : (mean + c) * 0.5;   // running mean
+        }
+        image.set(x, y, mean);
+    });
+    return image;
+}
+
+}  // namespace raytracer
