@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -65,7 +66,30 @@ Words flatWords() {
         "Option 1: What to do, steps 3 and 4"};
 }
 
+// Where the direction is right, or inverted, at every longitude, only a factor can change.
+bool onlyStrengthChanges(const Response& response) {
+    const auto keepsDirection = [](const AxisResponse& axis) {
+        return axis.bandsThatTurn == 0 &&
+               (axis.sense == Sense::right || axis.sense == Sense::inverted);
+    };
+    return keepsDirection(response.u) && keepsDirection(response.v);
+}
+
+Words strengthWords(const Response& response) {
+    return {fmt::format("The normal tilts along the right lines, but not as far everywhere: the "
+                        "same slope tilts it {:.1f} times as far at one longitude as at another.",
+                        std::max(response.u.strengthRatio, response.v.strengthRatio)),
+            "Leave Pu and Pv as they are. Bu and Bv, or the terms of Equation (1), are multiplied "
+            "or divided by something that changes round the sphere: the distance to the camera "
+            "(position.magnitude()), a coordinate of the position or of the normal, an angle. "
+            "Take that factor out: the slope is a difference of texels, and nothing else scales "
+            "it.",
+            "Option 1: What to do, steps 3 and 4"};
+}
+
 Words longitudeWords(const Examination& examination) {
+    if (onlyStrengthChanges(*examination.ramps().response))
+        return strengthWords(*examination.ramps().response);
     const double turn = examination.ramps().response->tangentTurn;
     Words words;
     words.message =

@@ -8,6 +8,7 @@
 #include <complex>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 
 namespace ticker::decision {
 namespace {
@@ -41,6 +42,28 @@ Agreement agreementOf(const std::vector<AimLine>& lines, const Perpendiculars& s
     const auto count = static_cast<double>(lines.size());
     return {(x * x + y * y) / (count * squares),
             (cosine * cosine + sine * sine) / (squares * squares)};
+}
+
+// Of feet as complex numbers z: z, z^2, z^3, z^4 and |z|^2.
+constexpr std::size_t kMoments = 5;
+using Moments = std::array<std::complex<double>, kMoments>;
+
+void addMoments(const Vector3& foot, const Perpendiculars& sides, Moments& sums) {
+    const std::complex<double> z{foot.dot(sides.first), foot.dot(sides.second)};
+    std::complex<double> power = z;
+    for (std::size_t k = 0; k + 1 < kMoments; ++k, power *= z)
+        sums[k] += power;
+    sums.back() += std::norm(z);
+}
+
+Moments expectedMoments(AimShape shape, const Perpendiculars& sides) {
+    constexpr int kLattice = 4096;
+    Moments means{};
+    for (int i = 0; i < kLattice; ++i)
+        addMoments(aimOf(shape, i), sides, means);
+    for (std::complex<double>& mean : means)
+        mean /= kLattice;
+    return means;
 }
 
 }  // namespace
@@ -77,31 +100,41 @@ bool goTogether(const std::vector<const ShadowLog*>& far, const std::vector<Vect
     return sum.direction / points > 0.125 + bound || sum.line / points > 0.4 + bound;
 }
 
-// With n lines at independent angles, n |mean of exp(i k angle)|^2 follows the exponential law of
-// mean 1, and the sum over three views the Gamma law: above x with a chance of e^-x (1 + x +
-// x^2/2). Pairs of opposite lines count half: 42 is exceeded with a chance of 2e-7 for each k. An
-// evenly filled disc that keeps its place in the world has 144 in the mean, or more.
-bool looksRound(const std::vector<const ShadowLog*>& far, const std::vector<Vector3>& directions,
-                std::size_t distinct) {
+// The sum of z^k over a point's lines, less what is expected, has the same chance to be turned the
+// one way as the other, however the point's own lines depend on each other. For sums over
+// independent points, exp(t |sum|^2 / sum of squares) then has a mean of at most (1 - 2 t)^-1/2
+// (Rademacher sums; where all directions are as likely it is less): with three views, 42 is
+// exceeded with a chance of at most (42 / 3)^1.5 e^-19.5 = 1.8e-7 for each k. An evenly filled disc
+// that keeps its place in the world has 90 in the mean, or more, and so has a square or an ellipse
+// of 2 : 3 that faces the point. What has poles may look like such an ellipse but for its size,
+// which |z|^2 measures; what has none looks alike from all sides, whatever its density.
+bool turnsAs(const std::vector<const ShadowLog*>& far, const std::vector<Vector3>& directions,
+             std::size_t distinct, std::optional<AimShape> shape, double size) {
     constexpr double kMost = 42.0;
-    constexpr std::array kFolds{1.0, 2.0, 3.0, 4.0};
-    std::array<double, kFolds.size()> uneven{};
+    const bool poles = shape && shape->poles != AimShape::Poles::none;
+    const std::size_t moments = poles ? kMoments : kMoments - 1;
+    std::array<double, kMoments> uneven{};
     std::size_t lines = 0;
     for (std::size_t i = 0; i < far.size(); ++i) {
         const Perpendiculars sides = perpendicularsOf(directions[i]);
-        std::array<std::complex<double>, kFolds.size()> sums{};
-        std::size_t count = 0;
-        for (const PointLog& point : far[i]->points)
-            for (const AimLine& line : samplesOf(point, far[i]->settings())) {
-                const double angle =
-                    std::atan2(line.foot.dot(sides.second), line.foot.dot(sides.first));
-                for (std::size_t k = 0; k < kFolds.size(); ++k)
-                    sums[k] += std::polar(1.0, kFolds[k] * angle);
-                ++count;
+        const double radius = far[i]->settings().lightSize * size;
+        const Moments expected = poles ? expectedMoments(*shape, sides) : Moments{};
+        Moments sums{};
+        std::array<double, kMoments> squares{};
+        for (const PointLog& point : far[i]->points) {
+            const std::vector<AimLine> samples = samplesOf(point, far[i]->settings());
+            Moments here{};
+            for (const AimLine& line : samples)
+                addMoments(line.foot / radius, sides, here);
+            for (std::size_t k = 0; k < moments; ++k) {
+                here[k] -= expected[k] * static_cast<double>(samples.size());
+                sums[k] += here[k];
+                squares[k] += std::norm(here[k]);
             }
-        for (std::size_t k = 0; k < kFolds.size(); ++k)
-            uneven[k] += std::norm(sums[k]) / static_cast<double>(std::max<std::size_t>(count, 1));
-        lines += count;
+            lines += samples.size();
+        }
+        for (std::size_t k = 0; k < moments; ++k)
+            if (squares[k] > 0.0) uneven[k] += std::norm(sums[k]) / squares[k];
     }
     const double share =
         static_cast<double>(distinct) / static_cast<double>(std::max<std::size_t>(lines, 1));

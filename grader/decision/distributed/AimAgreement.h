@@ -1,8 +1,10 @@
 #ifndef TICKER_DECISION_DISTRIBUTED_AIMAGREEMENT_H
 #define TICKER_DECISION_DISTRIBUTED_AIMAGREEMENT_H
 
-#include <grader/decision/distributed/ShadowLog.h>
+#include <grader/decision/distributed/ShadowAims.h>
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace ticker::decision {
@@ -19,12 +21,15 @@ namespace ticker::decision {
 [[nodiscard]] bool goTogether(const std::vector<const ShadowLog*>& far,
                               const std::vector<Vector3>& directions);
 
-/// Whether the lines of each question lie round its light's centre as evenly as they must where the
-/// light looks the same from all sides: no two, three or four directions are preferred. Lines in
-/// such directions at random, or in pairs of opposite ones, fail with a chance below 1e-6.
+/// Whether the lines of each question lie round their light's centre as evenly as those to a shape
+/// do: no direction, no line, no three and no four directions are preferred more than there. Lines
+/// that do, in points that are independent of each other, fail with a chance below 1e-6.
 /// @param distinct  Lines that can count as independent.
-[[nodiscard]] bool looksRound(const std::vector<const ShadowLog*>& far,
-                              const std::vector<Vector3>& directions, std::size_t distinct);
+/// @param shape     None: any that looks the same from all sides.
+/// @param size      By which the shape is multiplied.
+[[nodiscard]] bool turnsAs(const std::vector<const ShadowLog*>& far,
+                           const std::vector<Vector3>& directions, std::size_t distinct,
+                           std::optional<AimShape> shape = std::nullopt, double size = 1.0);
 
 }  // namespace ticker::decision
 

@@ -35,6 +35,14 @@ struct Parts {
     double diffuse = 0.0;
     double highlight = 0.0;
     double fullHighlight = 0.0;
+    double alpha = 1.0;
+    double toLight = 0.0;  ///< lengths
+    double toViewer = 0.0;
+
+    /// By which the cosine in the highlight is too large.
+    [[nodiscard]] double stretch(double expected) const {
+        return std::pow(highlight / expected, 1.0 / alpha);
+    }
 };
 
 // Two numbers from three channels; empty where the third is not explained by them.
@@ -60,8 +68,40 @@ std::optional<Parts> partsSeen(const PointLog& point, const ShadowLog& log) {
         return std::nullopt;
     return Parts{seen.cross(highlight).dot(normal) / across,
                  diffuse.cross(seen).dot(normal) / across,
-                 asVector(terms.specular).magnitude() / highlight.magnitude()};
+                 asVector(terms.specular).magnitude() / highlight.magnitude(),
+                 materialOf(log.scene(), point.point.object).phongAlpha,
+                 distance,
+                 (point.point.viewer - point.point.position).magnitude()};
 }
+
+/// Whether the way to the light, or to the viewer, stands for the direction at every point.
+struct Lengths {
+    bool light = true;
+    bool viewer = true;
+
+    // A dim highlight says nothing.
+    void look(const Parts& seen, double expected) {
+        constexpr double kDim = 1e-3;
+        constexpr double kSame = 0.01;
+        if (expected < kDim) return;
+        const double stretch = seen.stretch(expected);
+        light = light && std::abs(stretch / seen.toLight - 1.0) < kSame;
+        viewer = viewer && std::abs(stretch / seen.toViewer - 1.0) < kSame;
+    }
+    void explain(Finding& finding) const {
+        if (light == viewer) return;
+        finding.message += light
+                               ? " It is as with a direction to the light that is as long as the "
+                                 "way there."
+                               : " It is as with a direction to the viewer that is as long as the "
+                                 "way there.";
+        finding.hint = light ? "Reflect the unit vector to the light: (light.position() - "
+                               "P).normalised().reflectIn(N), not (light.position() - "
+                               "P).reflectIn(N). The direction to the viewer is right."
+                             : "The direction to the viewer has unit length: (O - P).normalised(). "
+                               "That to the light is right.";
+    }
+};
 
 }  // namespace
 
@@ -71,6 +111,7 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
     std::size_t points = 0;
     Parts worst;
     double expected = 0.0;
+    Lengths lengths;
     for (const ShadowLog* log : logs)
         for (const PointLog& point : log->points) {
             const std::optional<double> share = shareAt(point);
@@ -79,6 +120,7 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
             if (!seen || std::abs(seen->diffuse - *share) > kRight) return std::nullopt;
             ++points;
             const double here = *share * seen->fullHighlight;
+            lengths.look(*seen, here);
             if (std::abs(seen->highlight - here) <= std::abs(worst.highlight - expected)) continue;
             worst = *seen;
             expected = here;
@@ -92,6 +134,7 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
         "Both directions in the highlight have unit length: (O - P).normalised() to the viewer, "
         "and the direction to the light reflected in N. Their product, at least 0, is raised to "
         "object.phongAlpha() and multiplied by object.phongKS().";
+    lengths.explain(finding);
     finding.evidence.emplace_back("highlightExpected", expected);
     finding.evidence.emplace_back("highlightSeen", worst.highlight);
     return finding;

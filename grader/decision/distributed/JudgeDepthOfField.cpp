@@ -132,6 +132,20 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
     return outcome;
 }
 
+std::optional<Finding> judgeNextRender(const LensLog& log) {
+    std::optional<Finding> wrong = firstFailure(log);
+    if (!wrong) return std::nullopt;
+    Finding finding = renamed("dof.wrong", Severity::fail,
+                              "The first picture of a program is right; the next one of the same "
+                              "size, through a camera of its own, keeps something of the first. ",
+                              *std::move(wrong));
+    finding.hint =
+        "Nothing of one render may be kept for the next: camera, rays, focal points and sums are "
+        "neither static nor thread_local nor global, and are made anew in every call of render.";
+    finding.section = "Depth of field (T2.2), step 1";
+    return finding;
+}
+
 std::optional<Finding> judgeWithThreads(const LensLog& log) {
     std::optional<Finding> wrong = firstFailure(log);
     if (!wrong) return std::nullopt;

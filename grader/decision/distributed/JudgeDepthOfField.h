@@ -27,6 +27,9 @@ struct LensOutcome {
 /// Judges `render` with several threads, where all was right with one.
 [[nodiscard]] std::optional<Finding> judgeWithThreads(const LensLog& log);
 
+/// Judges `render` after another one in the same program, where all was right in the first.
+[[nodiscard]] std::optional<Finding> judgeNextRender(const LensLog& log);
+
 }  // namespace ticker::decision
 
 #endif

@@ -83,7 +83,8 @@ TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
     return judgement;
 }
 
-// Looks at pictures where the rays do not tell all, and at threads where they do.
+// Looks at pictures where the rays do not tell all, and at threads and a second render where they
+// do.
 // @return  Whether a person has to look.
 bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntialias,
                   LensOutcome& outcome) {
@@ -99,9 +100,15 @@ bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntiali
         });
     }
     if (hasFailure(outcome.findings)) return false;
-    return keepRepeated(outcome.findings, [&](std::uint64_t stage) {
+    const bool threads = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
         return judgeThreads(examinee, mayAntialias, seed, stage);
     });
+    if (hasFailure(outcome.findings)) return threads;
+    return keepRepeated(outcome.findings,
+                        [&](std::uint64_t stage) {
+                            return judgeNext(examinee, mayAntialias, seed, stage);
+                        }) ||
+           threads;
 }
 
 // Whether rays that stay inside of the large pixels of a tiny frame do so in small ones, too.

@@ -72,6 +72,8 @@ void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
         astray && arithmetic.finding && arithmetic.finding->id == "shadow.beyond-light";
     if (!follows) keepShadow(findings, std::move(arithmetic.finding));
     outcome.reading = arithmetic.reading;
+    if (outcome.reading && !hasFailure(findings))
+        keep(findings, checkHorizon(logs, aims, *outcome.reading));
 }
 
 }  // namespace

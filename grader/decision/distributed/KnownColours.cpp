@@ -122,12 +122,27 @@ Finding ambientForEachLight() {
     return finding;
 }
 
+Finding oneObjectCasts() {
+    Finding finding = distributedFinding(
+        "shadow.lights-mixed", Severity::fail,
+        "With one sphere in the scene its shadow is right; with two spheres the shadow of one is "
+        "there, and the other casts none.");
+    finding.hint =
+        "Every object of the scene may stand in the way, not the first alone: ask "
+        "scene.findClosestIntersection(shadowRay), which looks at all of them.";
+    finding.section = "Soft shadows (T2.1), step 1";
+    return finding;
+}
+
 Finding planesCastNothing() {
     Finding finding = distributedFinding(
         "shadow.wrong", Severity::fail,
         "Spheres cast the shadows that were expected; a plane between a point and the light does "
         "not.");
-    finding.hint = "Whatever a shadow ray hits before the light stops it, planes as well.";
+    finding.hint =
+        "Whatever a shadow ray hits before the light stops it, planes as well: ask "
+        "scene.findClosestIntersection(shadowRay), which looks at every object, not the first "
+        "object alone nor the spheres alone.";
     return finding;
 }
 

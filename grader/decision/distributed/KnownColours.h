@@ -33,6 +33,9 @@ namespace ticker::decision {
 /// The ambient light is there once for each light.
 [[nodiscard]] Finding ambientForEachLight();
 
+/// Of several objects one casts its shadow alone.
+[[nodiscard]] Finding oneObjectCasts();
+
 /// Planes cast no shadow, spheres do.
 [[nodiscard]] Finding planesCastNothing();
 

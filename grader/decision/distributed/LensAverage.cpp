@@ -70,6 +70,14 @@ bool isOneOf(const LensPixel& pixel, Which which) {
            isNear(pixel.colour, which == Which::first ? values.front() : values.back());
 }
 
+// One ray's colour, divided by the number of all.
+bool isOneDivided(const LensPixel& pixel, Which which) {
+    const std::vector<ColourRGB> values = valuesOf(pixel);
+    if (values.empty()) return false;
+    const ColourRGB& one = which == Which::first ? values.front() : values.back();
+    return isNear(pixel.colour, one * (1.0 / static_cast<double>(values.size())));
+}
+
 // The sum of all but one, divided by the number of all.
 bool lacksOne(const LensPixel& pixel, Which which) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
@@ -101,6 +109,11 @@ std::string knownMistake(const LensLog& log) {
         return "it is the colour of the last ray alone";
     if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::first); }))
         return "it is the colour of the first ray alone";
+    if (everyPixel(log, [](const LensPixel& p) { return isOneDivided(p, Which::last); }))
+        return "it is the colour of the last ray alone, divided by the number of rays: each ray "
+               "takes the place of those before it (= in place of +=)";
+    if (everyPixel(log, [](const LensPixel& p) { return isOneDivided(p, Which::first); }))
+        return "it is the colour of the first ray alone, divided by the number of rays";
     if (everyPixel(log, [](const LensPixel& p) { return isMeanOf(p, cutOff); }))
         return "each of them is cut off at 1 before";
     if (everyPixel(log, [](const LensPixel& p) { return isMeanOf(p, unlessMissed); }))

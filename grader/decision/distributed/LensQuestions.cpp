@@ -132,6 +132,18 @@ probe::RenderQuestion drawThreadsQuestion(std::uint64_t seed) {
     return drawQuestion(draw, settings, 1);
 }
 
+NextRender drawNextRender(std::uint64_t seed) {
+    Draw draw{seed, 27};
+    NextRender renders;
+    renders.next = drawQuestion(draw, handoutSettings(), 1);
+    renders.before = drawQuestion(draw, handoutSettings(), 1);
+    raytracer::RenderSettings& before = renders.before.settings;
+    before.width = 3 * kWidth;
+    before.height = 3 * kHeight;
+    before.region = {draw.whole(0, 2 * kWidth), 2 * kHeight, kWidth, kHeight};
+    return renders;
+}
+
 probe::RenderQuestion drawFineQuestion(std::uint64_t seed) {
     // A few rays for each of so many pixels are enough; as many as the handout's, typed in, fit
     // into the log.

@@ -21,6 +21,14 @@ struct LensQuestions {
 /// of two cores.
 [[nodiscard]] probe::RenderQuestion drawThreadsQuestion(std::uint64_t seed);
 
+/// The handout's settings once more, and before that a picture as large of another part of a frame:
+/// what is kept from the one is wrong in the other.
+struct NextRender {
+    probe::RenderQuestion before;
+    probe::RenderQuestion next;
+};
+[[nodiscard]] NextRender drawNextRender(std::uint64_t seed);
+
 /// Two rows of a picture as wide as the handout's: whether rays stay inside of pixels so small.
 [[nodiscard]] probe::RenderQuestion drawFineQuestion(std::uint64_t seed);
 

@@ -29,21 +29,59 @@ std::set<Key> originsOf(const LensPixel& pixel) {
     return keys;
 }
 
+bool startsAtEye(const LensPixel& pixel) {
+    return std::ranges::all_of(pixel.rays,
+                               [](const LensRay& ray) { return ray.origin.magnitude() < 1e-7; });
+}
+
+// Where the rays of some pixels start at the eye, and those of all others do not: empty elsewhere.
+std::optional<Finding> someAtEye(const LensLog& log) {
+    const auto at = std::ranges::count_if(log.pixels, startsAtEye);
+    const bool restDiffers = std::ranges::all_of(log.pixels, [&](const LensPixel& pixel) {
+        return startsAtEye(pixel) || 2 * originsOf(pixel).size() > pixel.rays.size();
+    });
+    if (at == 0 || !restDiffers) return std::nullopt;
+    const auto first = std::ranges::find_if(log.pixels, startsAtEye) - log.pixels.begin();
+    const auto index = static_cast<int>(first);
+    const raytracer::RenderSettings& settings = log.asked->settings;
+    Finding finding = distributedFinding(
+        "dof.shared-samples", Severity::fail,
+        fmt::format("Rays from all over the aperture were expected in every pixel; in {} of {} "
+                    "pixels, the first in column {}, row {}, all rays start at the eye.",
+                    at, log.pixels.size(), index % settings.width,
+                    index / settings.width % settings.height));
+    finding.hint =
+        "Every pixel draws its points of the aperture in the same way, from "
+        "-settings().dofAmount to settings().dofAmount: take out what sets another size, or no "
+        "lens, for a part of the picture (an if, a ?: or a factor that depends on x, y or "
+        "what the pixel shows).";
+    return finding;
+}
+
+Finding sharedSamples(std::size_t asked, std::size_t distinct) {
+    Finding finding = distributedFinding(
+        "dof.shared-samples", Severity::fail,
+        fmt::format("A new point of the aperture was expected for each of the {} rays; those of a "
+                    "pixel start at only {} different ones.",
+                    asked, distinct));
+    if (distinct > 2)
+        finding.hint +=
+            " If it is drawn there, the random numbers are too coarse (whole numbers perhaps).";
+    return finding;
+}
+
 }  // namespace
 
 std::optional<Finding> checkLensCounts(const LensLog& log) {
     const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
     std::size_t fewest = static_cast<std::size_t>(-1);
     std::size_t fewestDistinct = fewest;
-    bool atEye = true;
     for (const LensPixel& pixel : log.pixels) {
         fewest = std::min(fewest, pixel.rays.size());
         fewestDistinct = std::min(fewestDistinct, originsOf(pixel).size());
-        for (const LensRay& ray : pixel.rays)
-            atEye = atEye && ray.origin.magnitude() < 1e-7;
     }
     std::optional<Finding> finding;
-    if (atEye) {
+    if (std::ranges::all_of(log.pixels, startsAtEye)) {
         finding = distributedFinding(
             "dof.none", Severity::fail,
             "Rays from all over the aperture were expected; every ray starts at the eye.");
@@ -52,14 +90,8 @@ std::optional<Finding> checkLensCounts(const LensLog& log) {
             "dof.too-few-rays", Severity::fail,
             fmt::format("{} rays for each pixel were expected; there are {}.", asked, fewest));
     } else if (fewestDistinct <= asked / 2) {
-        finding = distributedFinding(
-            "dof.shared-samples", Severity::fail,
-            fmt::format("A new point of the aperture was expected for each of the {} rays; those "
-                        "of a pixel start at only {} different ones.",
-                        asked, fewestDistinct));
-        if (fewestDistinct > 2)
-            finding->hint +=
-                " If it is drawn there, the random numbers are too coarse (whole numbers perhaps).";
+        finding = someAtEye(log);
+        if (!finding) finding = sharedSamples(asked, fewestDistinct);
     }
     if (finding) {
         finding->evidence.emplace_back("raysExpected", static_cast<double>(asked));

@@ -126,7 +126,8 @@ bool mayFit(const Views& seen, AimShape shape, const std::vector<Vector3>& direc
            (dkwBound(verdict.distinct) + 2.0 * kLatticeError) * std::max(1.0, verdict.widest);
 }
 
-void findShape(const Views& seen, const std::vector<Vector3>& directions, AimVerdict& verdict) {
+void findShape(const Views& seen, const std::vector<const ShadowLog*>& far,
+               const std::vector<Vector3>& directions, AimVerdict& verdict) {
     const bool repeated = verdict.distinct < verdict.lines;
     double best = std::numeric_limits<double>::infinity();
     for (const AimShape shape : kAcceptedAimShapes) {
@@ -138,14 +139,15 @@ void findShape(const Views& seen, const std::vector<Vector3>& directions, AimVer
         const std::optional<double> fit =
             fitOf(seen, expected, 1.0, 0.0, verdict.distinct, repeated);
         if (!fit || verdict.widest < rim - kLatticeError || *fit >= best) continue;
+        if (!turnsAs(far, directions, verdict.distinct, shape)) continue;
         best = *fit;
         verdict.shape = shape;
     }
 }
 
 // Another size of the same shape: the mean says which, and no line passes outside of it.
-void findScaledShape(const Views& seen, const std::vector<Vector3>& directions,
-                     AimVerdict& verdict) {
+void findScaledShape(const Views& seen, const std::vector<const ShadowLog*>& far,
+                     const std::vector<Vector3>& directions, AimVerdict& verdict) {
     const bool repeated = verdict.distinct < verdict.lines;
     double best = std::numeric_limits<double>::infinity();
     for (const AimShape shape : kAcceptedAimShapes) {
@@ -154,6 +156,7 @@ void findScaledShape(const Views& seen, const std::vector<Vector3>& directions,
         const std::optional<double> fit =
             fitOf(seen, expected, size, 0.02, verdict.distinct, repeated);
         if (!fit || verdict.widest > 1.05 * size || *fit >= best) continue;
+        if (!turnsAs(far, directions, verdict.distinct, shape, size)) continue;
         best = *fit;
         verdict.scaledShape = shape;
     }
@@ -190,16 +193,16 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     verdict.tooWide = verdict.widest > 1.0 + 1e-6 + kBiasAllowance / radius;
     verdict.offCentre = verdict.lean > leanBound(verdict.distinct) * std::max(1.0, verdict.widest);
     verdict.together = verdict.distinct == verdict.lines && goTogether(far, directions);
-    findShape(seen, directions, verdict);
+    findShape(seen, far, directions, verdict);
     // Eight aims that are drawn once for all points: within a fifth of the radius, as seen from
     // three sides, with a chance of at most 0.2^8 (uniform radius) for code that earns a warning
     // anyway.
     verdict.huddled = verdict.distinct >= 8 && verdict.widest < 0.2;
     verdict.between = !verdict.shape && !verdict.tooWide && !verdict.offCentre &&
                       liesBetween(seen, directions, verdict) &&
-                      looksRound(far, directions, verdict.distinct);
+                      turnsAs(far, directions, verdict.distinct);
     // A ball a tenth too large has about the feet of an even disc: its width tells.
-    if (verdict.tooWide || !verdict.shapeIsRight()) findScaledShape(seen, directions, verdict);
+    if (verdict.tooWide || !verdict.shapeIsRight()) findScaledShape(seen, far, directions, verdict);
     verdict.tooNarrow = !verdict.tooWide && !verdict.shapeIsRight() && verdict.widest < 0.97;
     return verdict;
 }

@@ -19,9 +19,10 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> farLight;
     std::vector<const ShadowLog*> lightBehind;
     std::vector<const ShadowLog*> otherSettings;
+    std::vector<const ShadowLog*> horizon;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
-    /// All but otherSettings.
+    /// All but otherSettings and horizon, where rays may be spared.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
@@ -43,6 +44,10 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);
 [[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs);
+/// Whether the rays that would go below the surface's horizon count as blocked.
+/// @param reading  The one that fits everywhere else.
+[[nodiscard]] std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,
+                                                  const ShadowReading& reading);
 
 /// Replays every value; the reading that fits, or the mistake.
 struct ArithmeticVerdict {

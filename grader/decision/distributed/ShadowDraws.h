@@ -42,6 +42,9 @@ void setCapacity(ShadowQuestion& question);
 /// loop there loses a light, whichever end he begins at.
 [[nodiscard]] ShadowQuestion drawLightBehind(Draw& draw);
 
+/// A floor, and a light of which about a third is below it: rays there do not arrive.
+[[nodiscard]] ShadowQuestion drawHorizon(Draw& draw);
+
 }  // namespace ticker::decision
 
 #endif

@@ -241,6 +241,7 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
     questions.push_back(drawPlaneShadow(draw));
     questions.push_back(drawLightBehind(draw));
+    questions.push_back(drawHorizon(draw));
     return questions;
 }
 

@@ -20,7 +20,8 @@ struct ShadowQuestion {
         planeShadow,    ///< a wall through the floor keeps the light from what lies behind it
         farLight,       ///< a lonely light, a hundred units away: where the rays aim
         lightBehind,    ///< three lights, the second behind the surface: the others light it
-        otherSettings   ///< like oneLight, with other ray counts and light size
+        otherSettings,  ///< like oneLight, with other ray counts and light size
+        horizon         ///< a light so low above a floor that part of it is below the horizon
     };
     Purpose purpose = Purpose::oneLight;
     probe::IlluminateQuestion question;

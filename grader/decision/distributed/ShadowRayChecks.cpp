@@ -81,6 +81,9 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
             case Purpose::otherSettings:
                 otherSettings.push_back(&log);
                 break;
+            case Purpose::horizon:
+                horizon.push_back(&log);
+                break;
         }
     }
 }

@@ -3,6 +3,7 @@
 #include <grader/decision/distributed/KnownColours.h>
 #include <grader/decision/distributed/Phong.h>
 #include <grader/decision/distributed/ShadowChecks.h>
+#include <grader/decision/distributed/ShadowDraws.h>
 
 #include <fmt/core.h>
 
@@ -86,12 +87,32 @@ bool ambientIsThereForEachLight(const Logs& logs) {
     return true;
 }
 
+// Whether all is right as if one of the spheres were the only thing in the way.
+bool oneSphereCasts(const Logs& logs) {
+    const auto castsAlone = [](const ShadowLog& log, std::size_t sphere) {
+        raytracer::SceneDescription alone = log.scene();
+        alone.spheres = {log.scene().spheres[sphere]};
+        const Surfaces surfaces{alone};
+        return std::ranges::all_of(log.points, [&](PointLog point) {
+            point.zones = zonesOf(alone, surfaces, point.point.position, point.point.normal,
+                                  log.settings().lightSize);
+            return isNearKnown(point, log, false);
+        });
+    };
+    return std::ranges::all_of(logs, [&](const ShadowLog* log) {
+        for (std::size_t i = 0; i < log->scene().spheres.size(); ++i)
+            if (castsAlone(*log, i)) return true;
+        return false;
+    });
+}
+
 // Without rays, mistakes are known by what they leave in full shadow.
 std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
     if (allNearKnown(logs.oneLight, false)) {
         if (!allNearKnown(logs.beyondLight, false)) return darkBeyond(logs.beyondLight);
         if (!allNearKnown(logs.severalLights, false)) {
             if (ambientIsThereForEachLight(logs.severalLights)) return ambientForEachLight();
+            if (oneSphereCasts(logs.severalLights)) return oneObjectCasts();
             return distributedFinding("shadow.lights-mixed", Severity::fail,
                                       "With one light the colours are right; with three lights "
                                       "they are not.");

@@ -98,6 +98,19 @@ Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t s
     return {judgeWithThreads(log), std::nullopt};
 }
 
+// What goes wrong in the picture before is no matter here: it is of a part of a frame, and code
+// that draws the whole one leaves nothing to compare.
+Stage judgeNext(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
+                std::uint64_t stage) {
+    const NextRender asked = drawNextRender(seedOf(seed, stage));
+    const probe::Sitting sitting = examinee.ask({asked.before, asked.next});
+    const auto* answer = answeredBy<probe::RenderAnswer>(sitting, 1);
+    if (answer == nullptr || answer->wrongSize) return {};
+    LensLog log = readLensLog(asked.next, *answer);
+    log.mayAntialias = mayAntialias;
+    return {judgeNextRender(log), std::nullopt};
+}
+
 Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
     const std::uint64_t own = seedOf(seed, stage);
     const std::array asked{drawLitQuestion(own, 1), drawLitQuestion(own, 2)};

@@ -31,6 +31,10 @@ struct Stage {
 [[nodiscard]] Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
                                  std::uint64_t stage);
 
+/// `render` after another picture of the same size, where all was right in a first one.
+[[nodiscard]] Stage judgeNext(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
+                              std::uint64_t stage);
+
 /// `illuminate` inside of `render`: with one thread it does what it did at single points, else a
 /// person has to look; with two it still does, or fails.
 [[nodiscard]] Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed,

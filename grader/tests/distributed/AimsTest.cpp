@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -271,6 +272,57 @@ TEST(JudgeAims, CatchesFacingShapesThatAreNoLight) {
             const AimVerdict verdict = judgeFacing(wrong[i], draw.direction(), seed);
             EXPECT_TRUE(verdict.tooWide || !verdict.shapeIsRight()) << i << ' ' << seed;
         }
+}
+
+/// Evenly over what faces the point: `inside` says of places from -1 to 1 which are part of it.
+FacingAim facingShape(const std::function<bool(double, double)>& inside) {
+    return [inside](Draw& draw, const Vector3& axis) {
+        const Perpendiculars sides = perpendicularsOf(axis);
+        double x = 2.0;
+        double y = 2.0;
+        while (!inside(x, y)) {
+            x = draw.between(-1.0, 1.0);
+            y = draw.between(-1.0, 1.0);
+        }
+        return sides.first * x + sides.second * y;
+    };
+}
+
+// None passes as a light; a square does not pass as one of another size, either. An ellipse may: by
+// as much as it differs from points that crowd at two poles.
+TEST(JudgeAims, NamesWhatIsNotRoundByItsShape) {
+    const std::vector<FacingAim> wrong{
+        facingShape([](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 0.7071; }),
+        facingShape([](double x, double y) { return std::abs(x) + std::abs(y) < 1.0; }),
+        facingShape([](double x, double y) { return x * x + 2.25 * y * y < 1.0; }),
+        facingShape(
+            [](double x, double y) { return 2.25 * (x + y) * (x + y) + (x - y) * (x - y) < 2.0; })};
+    Draw draw{24, 2};
+    for (std::size_t i = 0; i < wrong.size(); ++i)
+        for (unsigned seed = 800; seed < 820; ++seed) {
+            const AimVerdict verdict = judgeFacing(wrong[i], draw.direction(), seed);
+            EXPECT_FALSE(verdict.shapeIsRight()) << i << ' ' << seed;
+            if (i < 2) EXPECT_FALSE(verdict.scaledShape) << i << ' ' << seed;
+        }
+}
+
+// Points of a lattice turned by an angle of its own for each point: all ten lines of a point turn
+// alike when their angles are taken four times (the plastic number's lattice).
+TEST(JudgeAims, AcceptsLinesThatDependOnEachOtherWithinAPoint) {
+    int ray = 0;
+    double turn = 0.0;
+    const Aim lattice = [&](Draw& draw) {
+        if (ray % 10 == 0) turn = draw.between(0.0, 1.0);
+        const double n = ray++ % 10;
+        const double angle = 2.0 * std::numbers::pi * (turn + n * 0.7548776662466927);
+        const double z = draw.between(-1.0, 1.0);
+        const double ring = std::sqrt(1.0 - z * z);
+        return Vector3{ring * std::cos(angle), ring * std::sin(angle), z} *
+               std::cbrt(draw.between(0.0, 1.0));
+    };
+    Draw draw{25, 2};
+    for (unsigned seed = 900; seed < 920; ++seed)
+        EXPECT_TRUE(judge(lattice, draw.direction(), seed).shapeIsRight()) << seed;
 }
 
 }  // namespace

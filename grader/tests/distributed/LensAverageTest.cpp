@@ -102,6 +102,16 @@ TEST(Average, IsOneRayAlone) {
     EXPECT_TRUE(says(judgeAverageOf([](const Values& values) { return values.front(); }), "first ray"));
 }
 
+TEST(Average, IsOneRayAloneDividedByTheirNumber) {
+    const auto part = [](const ColourRGB& one, const Values& values) {
+        return one / static_cast<double>(values.size());
+    };
+    EXPECT_TRUE(says(judge([&](const Values& v) { return part(v.back(), v); }),
+                     "of the last ray alone, divided by"));
+    EXPECT_TRUE(says(judge([&](const Values& v) { return part(v.front(), v); }),
+                     "of the first ray alone, divided by"));
+}
+
 TEST(Average, LosesWhatIsTooBrightOrWhatHitNothing) {
     EXPECT_TRUE(says(judgeAverageOf(
                          [](Values values) {

@@ -49,6 +49,19 @@ TEST(LensCounts, FindNoLensWhereEveryRayStartsAtTheEye) {
     EXPECT_EQ(idOf(checkLensCounts(lens.log)), "dof.too-few-rays");
 }
 
+TEST(LensCounts, TellPixelsWithoutALens) {
+    LensByHand lens;
+    add(lens, 50, 50);
+    lens.pixel().rays.assign(50, rayThrough({}, {0.0, 0.0, 3.5}));
+    const auto some = checkLensCounts(lens.log);
+    ASSERT_EQ(idOf(some), "dof.shared-samples");
+    EXPECT_NE(some->message.find("in 1 of 2 pixels, the first in column 1, row 0"),
+              std::string::npos)
+        << some->message;
+    add(lens, 50, 2);
+    EXPECT_EQ(checkLensCounts(lens.log)->message.find("at the eye"), std::string::npos);
+}
+
 TEST(LensBounces, AreThoseOfTheSettings) {
     const auto judge = [](int bounces) {
         LensByHand lens;

@@ -173,6 +173,16 @@ TEST(ShadowQuestions, OfWhatIsBehindTheLightHaveABallThere) {
     });
 }
 
+TEST(ShadowQuestions, OfTheHorizonHaveAPartOfTheLightBelowTheFloor) {
+    forEach(Purpose::horizon, [](const ShadowQuestion& question) {
+        for (const probe::LitPoint& point : question.question.points) {
+            const double height = (lightOf(question) - point.position).dot(point.normal);
+            EXPECT_GE(height, 0.15 * question.question.settings.lightSize);
+            EXPECT_LE(height, 0.25 * question.question.settings.lightSize + 1e-9);
+        }
+    });
+}
+
 TEST(ShadowQuestions, OfAWallHaveAPointOnEitherSideInTurn) {
     std::vector<double> facing;
     forEach(Purpose::planeShadow, [&](const ShadowQuestion& question) {
