@@ -302,7 +302,7 @@ TEST(JudgeAims, NamesWhatIsNotRoundByItsShape) {
         for (unsigned seed = 800; seed < 820; ++seed) {
             const AimVerdict verdict = judgeFacing(wrong[i], draw.direction(), seed);
             EXPECT_FALSE(verdict.shapeIsRight()) << i << ' ' << seed;
-            if (i < 2) EXPECT_FALSE(verdict.scaledShape) << i << ' ' << seed;
+            EXPECT_FALSE(i < 2 && verdict.scaledShape) << i << ' ' << seed;
         }
 }
 
