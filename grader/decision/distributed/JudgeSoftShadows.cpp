@@ -73,7 +73,7 @@ void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     if (!follows) keepShadow(findings, std::move(arithmetic.finding));
     outcome.reading = arithmetic.reading;
     if (outcome.reading && !hasFailure(findings))
-        keep(findings, checkHorizon(logs, aims, *outcome.reading));
+        keepShadow(findings, checkHorizon(logs, aims, *outcome.reading));
 }
 
 }  // namespace
