@@ -98,17 +98,19 @@ TEST(Average, IsMultipliedByAFactor) {
 }
 
 TEST(Average, IsOneRayAlone) {
-    EXPECT_TRUE(says(judgeAverageOf([](const Values& values) { return values.back(); }), "last ray"));
-    EXPECT_TRUE(says(judgeAverageOf([](const Values& values) { return values.front(); }), "first ray"));
+    EXPECT_TRUE(
+        says(judgeAverageOf([](const Values& values) { return values.back(); }), "last ray"));
+    EXPECT_TRUE(
+        says(judgeAverageOf([](const Values& values) { return values.front(); }), "first ray"));
 }
 
 TEST(Average, IsOneRayAloneDividedByTheirNumber) {
     const auto part = [](const ColourRGB& one, const Values& values) {
         return one / static_cast<double>(values.size());
     };
-    EXPECT_TRUE(says(judge([&](const Values& v) { return part(v.back(), v); }),
+    EXPECT_TRUE(says(judgeAverageOf([&](const Values& v) { return part(v.back(), v); }),
                      "of the last ray alone, divided by"));
-    EXPECT_TRUE(says(judge([&](const Values& v) { return part(v.front(), v); }),
+    EXPECT_TRUE(says(judgeAverageOf([&](const Values& v) { return part(v.front(), v); }),
                      "of the first ray alone, divided by"));
 }
 
@@ -177,7 +179,8 @@ TEST(Average, WeighsItsRaysUnevenlyOrIsSomethingElse) {
          {ColourRGB{1.0, 0.0, 0.0}, ColourRGB{0.0, 1.0, 0.0}, ColourRGB{0.0, 0.0, 1.0}})
         for (const double side : {-1.0, 1.0}) {
             const ColourRGB off = channel * (2.0 * side);
-            EXPECT_EQ(idOf(judgeAverageOf([&](const Values& v) { return weighed(v) + off; })), "dof.wrong");
+            EXPECT_EQ(idOf(judgeAverageOf([&](const Values& v) { return weighed(v) + off; })),
+                      "dof.wrong");
         }
 }
 
