@@ -144,7 +144,7 @@ private:
 
     void copySample(const std::string& sample, const fs::path& target) const {
         fs::create_directories(target.parent_path());
-        fs::copy(options_.root / "grader/samples" / sample, target, fs::copy_options::recursive);
+        fs::copy(options_.root / "grader/corpus/samples" / sample, target, fs::copy_options::recursive);
     }
 
     /// @return what ticker said
@@ -186,7 +186,7 @@ private:
     [[nodiscard]] Words bareCommand(const std::string& sample, std::size_t place) const {
         Words words{"/usr/bin/g++", "-O2", "-std=c++20", "-I" + (kit_ / "include").string()};
         for (const char* file : {"BumpySphere.cpp", "Renderer.cpp"}) {
-            const fs::path own = options_.root / "grader/samples/awarded" / sample / file;
+            const fs::path own = options_.root / "grader/corpus/samples/awarded" / sample / file;
             words.push_back((fs::exists(own) ? own : kit_ / "template" / file).string());
         }
         words.push_back((kit_ / "lib/probe.o").string());
@@ -224,7 +224,7 @@ private:
         std::vector<std::string> samples;
         for (const char* verdict : {"awarded", "notAwarded", "needsReview"})
             for (const auto& entry :
-                 fs::directory_iterator{options_.root / "grader/samples" / verdict})
+                 fs::directory_iterator{options_.root / "grader/corpus/samples" / verdict})
                 if (entry.is_directory() && entry.path().filename() != "loops-for-ever")
                     samples.push_back(std::string{verdict} + "/" +
                                       entry.path().filename().string());

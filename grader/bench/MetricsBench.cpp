@@ -13,7 +13,7 @@ namespace {
 
 std::vector<Figure> measure(const std::filesystem::path& project, int rounds) {
     const auto read = [&](const char* sample) {
-        return raytracer::readImage(project / "grader/samples" / sample / "screenshot.png");
+        return raytracer::readImage(project / "grader/corpus/samples" / sample / "screenshot.png");
     };
     const raytracer::ByteImage right = read("awarded/reference-bump");
     const raytracer::ByteImage wrong = read("notAwarded/bump-inverted-u");

@@ -1,6 +1,6 @@
 // Benchmarks of the oracle, as ratios in one run: CPU time, medians of interleaved rounds.
 #include <grader/bench/Harness.h>
-#include <grader/oracle/HiddenScene.h>
+#include <grader/oracle/references/HiddenScene.h>
 #include <grader/oracle/Oracle.h>
 
 #include <raytracer/base/Error.h>

@@ -89,7 +89,7 @@ std::vector<Figure> compiling(const sandbox::Sandbox& jail, const Options& optio
 
 std::vector<Figure> decoding(const sandbox::Sandbox& jail, const Options& options) {
     const std::string bytes =
-        readAll(options.project / "grader/samples/awarded/reference-bump/screenshot.png");
+        readAll(options.project / "grader/corpus/samples/awarded/reference-bump/screenshot.png");
     const sandbox::Limits limits = sandbox::defaultPolicy().decode;
     const Pair pair = measurePair(
         options.rounds,

@@ -1,11 +1,11 @@
 #include <grader/cli/Formats.h>
 
 #include <grader/cli/Output.h>
-#include <grader/cli/StudentPages.h>
+#include <grader/cli/verbs/StudentPages.h>
 #include <grader/report/ClassPage.h>
-#include <grader/report/MoodleWorksheet.h>
-#include <grader/report/PlatformFormats.h>
-#include <grader/report/ResultJson.h>
+#include <grader/report/platforms/MoodleWorksheet.h>
+#include <grader/report/platforms/PlatformFormats.h>
+#include <grader/result/ResultJson.h>
 #include <grader/zip/ZipWriter.h>
 
 #include <raytracer/base/Error.h>

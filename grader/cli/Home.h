@@ -9,7 +9,7 @@ namespace ticker::cli {
 /// an installation works wherever it is.
 struct Home {
     std::filesystem::path programs;  ///< ticker, tick1star-reference, tick1star-template
-    std::filesystem::path data;      ///< holds scenes/, assets/, grader/samples/, ...
+    std::filesystem::path data;      ///< holds scenes/, assets/, grader/corpus/samples/, ...
 
     /// From the environment's TICKER_HOME (data alone), else the checkout or the installation that
     /// the running program belongs to.

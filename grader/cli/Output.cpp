@@ -2,7 +2,7 @@
 #include <grader/report/ClassPage.h>
 #include <grader/report/Escape.h>
 #include <grader/report/ReportPage.h>
-#include <grader/report/ResultJson.h>
+#include <grader/result/ResultJson.h>
 #include <grader/report/SummaryCsv.h>
 #include <grader/report/Tally.h>
 #include <grader/result/Names.h>

@@ -1,4 +1,4 @@
-#include <grader/cli/Verb.h>
+#include <grader/cli/verbs/Verb.h>
 
 #include <CLI/CLI.hpp>
 

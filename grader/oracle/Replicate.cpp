@@ -1,8 +1,8 @@
 #include <grader/oracle/Replicate.h>
 
-#include <grader/oracle/Kernel.h>
-#include <grader/oracle/Lattice.h>
-#include <grader/oracle/Paths.h>
+#include <grader/oracle/kernel/Kernel.h>
+#include <grader/oracle/kernel/Lattice.h>
+#include <grader/oracle/kernel/Paths.h>
 #include <grader/oracle/Tiles.h>
 
 namespace ticker::oracle {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kNodes = 12;
 
-float toFloat(double value) {
+float narrowed(double value) {
     return static_cast<float>(value);
 }
 
@@ -55,7 +55,7 @@ std::vector<Setup::Node> crowdedNodes(int count) {
         const double slope = legendre(count, x).second;
         const double weight = 1.0 / ((1.0 - x * x) * slope * slope);
         const double rest = 0.5 * (1.0 + x);  // 1 - z
-        nodes.push_back({toFloat(1.0 - rest * rest), toFloat(weight * 2.0 * rest)});
+        nodes.push_back({narrowed(1.0 - rest * rest), narrowed(weight * 2.0 * rest)});
     }
     return nodes;
 }
@@ -77,22 +77,22 @@ Setup::Setup(const raytracer::SceneDescription& description,
     check(settings);
     const double step = 2.0 * std::tan(std::numbers::pi / 8.0) / settings.width;
     const bool whole = settings.region.isWholeFrame();
-    pitch = toFloat(step);
-    leftmost = toFloat(((whole ? 0 : settings.region.x) + 0.5 - settings.width / 2.0) * step);
-    topmost = toFloat((settings.height / 2.0 - (whole ? 0 : settings.region.y) - 0.5) * step);
-    focal = toFloat(settings.dofFocalPlane * mistake.focalFactor);
+    pitch = narrowed(step);
+    leftmost = narrowed(((whole ? 0 : settings.region.x) + 0.5 - settings.width / 2.0) * step);
+    topmost = narrowed((settings.height / 2.0 - (whole ? 0 : settings.region.y) - 0.5) * step);
+    focal = narrowed(settings.dofFocalPlane * mistake.focalFactor);
 
     const double half = settings.dofAmount * reading.apertureFactor;
-    lensHalf = toFloat(mistake.aperture == Mistake::Aperture::none ? 0.0 : half);
-    lensOffsetX = toFloat(half * mistake.lensOffsetX);
-    lensOffsetY = toFloat(half * mistake.lensOffsetY);
+    lensHalf = narrowed(mistake.aperture == Mistake::Aperture::none ? 0.0 : half);
+    lensOffsetX = narrowed(half * mistake.lensOffsetX);
+    lensOffsetY = narrowed(half * mistake.lensOffsetY);
 
     const double radius = settings.lightSize * mistake.lightSizeFactor;
-    lightRadius = toFloat(radius);
-    aimBound = toFloat(radius * boundOf(reading.lightShape));
+    lightRadius = narrowed(radius);
+    aimBound = narrowed(radius * boundOf(reading.lightShape));
     for (int axis = 0; axis < 3; ++axis)
-        aimOffset[axis] = toFloat(settings.lightSize * mistake.lightOffset[axis]);
-    shadowBias = toFloat(reading.shadowBias);
+        aimOffset[axis] = narrowed(settings.lightSize * mistake.lightOffset[axis]);
+    shadowBias = narrowed(reading.shadowBias);
     shadowRays = aimBound > 0.0F || mistake.pointJitter > 0.0 ? settings.shadowRayCount : 1;
 
     contributionIsShare = reading.phong == PhongReading::central;

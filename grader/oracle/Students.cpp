@@ -1,7 +1,7 @@
 #include <grader/oracle/Students.h>
 
-#include <grader/oracle/Kernel.h>
-#include <grader/oracle/Paths.h>
+#include <grader/oracle/kernel/Kernel.h>
+#include <grader/oracle/kernel/Paths.h>
 #include <grader/oracle/Tiles.h>
 
 #include <array>

@@ -1,7 +1,7 @@
 #ifndef TICKER_ORACLE_TILES_H
 #define TICKER_ORACLE_TILES_H
 
-#include <grader/oracle/Workspace.h>
+#include <grader/oracle/kernel/Workspace.h>
 
 #include <raytracer/base/RenderSettings.h>
 

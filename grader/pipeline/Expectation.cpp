@@ -1,5 +1,5 @@
 #include <grader/oracle/Oracle.h>
-#include <grader/oracle/References.h>
+#include <grader/oracle/references/References.h>
 #include <grader/pipeline/Expectation.h>
 
 #include <raytracer/image/Image.h>

@@ -1,9 +1,9 @@
 #include <grader/pipeline/Grade.h>
 
-#include <grader/decision/bump/BumpPicture.h>
-#include <grader/decision/bump/JudgeBump.h>
-#include <grader/decision/distributed/JudgeDistributed.h>
-#include <grader/decision/distributed/PictureDoubt.h>
+#include <grader/tasks/bump/BumpPicture.h>
+#include <grader/tasks/bump/JudgeBump.h>
+#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/tasks/support/PictureDoubt.h>
 #include <grader/pipeline/DrawRasters.h>
 #include <grader/pipeline/FileWork.h>
 #include <grader/pipeline/Inputs.h>
@@ -20,7 +20,7 @@ namespace ticker::pipeline {
 namespace {
 
 using build::SourceFile;
-using decision::TaskJudgement;
+using tasks::TaskJudgement;
 
 using Clock = std::chrono::steady_clock;
 
@@ -43,13 +43,13 @@ std::optional<double> judge(FileWork& work, SourceFile file, Questioning& questi
                             std::uint64_t seed) {
     if (file == SourceFile::bumpySphere) {
         settle(work.tasks.at(0), questioning.run([&](probe::Examinee& examinee) {
-            return decision::judgeBump(examinee, seed);
+            return tasks::judgeBump(examinee, seed);
         }));
         return std::nullopt;
     }
     const auto attempt = [&](bool shadows, bool lens) {
         return [=](probe::Examinee& examinee) {
-            return decision::judgeDistributed(examinee, {shadows, lens}, seed);
+            return tasks::judgeDistributed(examinee, {shadows, lens}, seed);
         };
     };
     auto shadows = questioning.begin(attempt(isOpen(work.tasks.at(0)), false));
@@ -62,9 +62,9 @@ std::optional<double> judge(FileWork& work, SourceFile file, Questioning& questi
 void doubt(std::vector<TaskReport>& tasks, bool isT1, const Gallery& rendered,
            const std::optional<double>& aperture) {
     if (isT1)
-        decision::doubtBumps(tasks.at(0), rendered.bumpMisfit);
+        tasks::doubtBumps(tasks.at(0), rendered.bumpMisfit);
     else
-        decision::doubtPicture(tasks, rendered.misfits, aperture);
+        tasks::doubtPicture(tasks, rendered.misfits, aperture);
 }
 
 bool isBlocked(const TaskReport& task) {

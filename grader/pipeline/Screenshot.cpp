@@ -1,7 +1,7 @@
 #include <grader/pipeline/Screenshot.h>
 
 #include <grader/build/SandboxedExaminee.h>
-#include <grader/decision/screenshot/JudgeScreenshot.h>
+#include <grader/tasks/screenshot/JudgeScreenshot.h>
 #include <grader/metrics/Alignment.h>
 #include <grader/picture/DecodePicture.h>
 #include <grader/picture/EncodePicture.h>
@@ -21,8 +21,8 @@
 namespace ticker::pipeline {
 namespace {
 
-using decision::TaskJudgement;
-using decision::screenshot::Scene;
+using tasks::TaskJudgement;
+using tasks::screenshot::Scene;
 using raytracer::ByteImage;
 
 metrics::ByteView viewOf(const ByteImage& image) {
@@ -161,7 +161,7 @@ TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
     const ByteImage& image = std::get<ByteImage>(decoded);
     show(image, result);
     const Scenes scenes{files, grader, budget, result.tasks};
-    settleScreenshot(report, decision::judgeScreenshot(viewOf(image), scenes.all(), seed));
+    settleScreenshot(report, tasks::judgeScreenshot(viewOf(image), scenes.all(), seed));
     result.timing.probeMs += scenes.wallMs();
     if (scenes.madeForbiddenCall()) {
         const Finding call = forbiddenCallFinding();

@@ -1,6 +1,6 @@
 #include <grader/pipeline/SpecScenes.h>
 
-#include <grader/decision/bump/BumpPicture.h>
+#include <grader/tasks/bump/BumpPicture.h>
 #include <grader/metrics/Colours.h>
 #include <grader/metrics/Compare.h>
 #include <grader/picture/EncodePicture.h>
@@ -54,7 +54,7 @@ Comparison compare(const Expectation& expected, const probe::RenderAnswer& answe
 }
 
 Comparison bestFitting(const SpecScene& scene, const probe::RenderAnswer& answer,
-                       std::vector<decision::Misfit>& misfits) {
+                       std::vector<tasks::Misfit>& misfits) {
     // What is farther off is no accepted reading of the light.
     constexpr double kNearMiss = 2.0;
     Comparison best = compare(scene.expected(), answer);
@@ -62,7 +62,7 @@ Comparison bestFitting(const SpecScene& scene, const probe::RenderAnswer& answer
     for (std::size_t i = 0; i < scene.readings.size(); ++i) {
         const bool isOfLight = i >= kAcceptedApertures.size();
         const double own = scene.readings[i].apertureFactor;
-        if (i > 0 && best.misfit <= decision::kMostMisfit) break;
+        if (i > 0 && best.misfit <= tasks::kMostMisfit) break;
         if (isOfLight && (best.misfit > kNearMiss || own != factor)) continue;
         Comparison other = compare(scene.expected(i), answer);
         misfits.push_back({own, other.misfit});
@@ -114,22 +114,22 @@ void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnsw
 
 /// The largest misfit of option 1's pictures; empty where one did not come.
 /// @param answers  To what was asked beside the pictures, in the same order.
-std::optional<double> worstMisfit(const std::vector<decision::BumpPicture>& plans,
+std::optional<double> worstMisfit(const std::vector<tasks::BumpPicture>& plans,
                                   const std::vector<std::optional<raytracer::ByteImage>>& pictures,
                                   std::span<const probe::Answer> answers) {
     double worst = 0.0;
     for (std::size_t i = 0; i < plans.size(); ++i) {
         if (!pictures[i]) return std::nullopt;
         const auto& answer = std::get<probe::NormalAnswer>(answers[i]);
-        worst = std::max(worst, decision::bumpMisfit(plans[i], answer, pictures[i]->rgb));
+        worst = std::max(worst, tasks::bumpMisfit(plans[i], answer, pictures[i]->rgb));
     }
     return worst;
 }
 
 }  // namespace
 
-std::vector<decision::Misfit> misfitsOf(const SpecScene& scene, const probe::RenderAnswer& answer) {
-    std::vector<decision::Misfit> misfits;
+std::vector<tasks::Misfit> misfitsOf(const SpecScene& scene, const probe::RenderAnswer& answer) {
+    std::vector<tasks::Misfit> misfits;
     static_cast<void>(bestFitting(scene, answer, misfits));
     return misfits;
 }
@@ -193,10 +193,10 @@ Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
     }
     Gallery gallery;
     if (questions.empty()) return gallery;
-    std::vector<decision::BumpPicture> bumps;
+    std::vector<tasks::BumpPicture> bumps;
     for (const SpecScene* scene : asked)
         if (isT1) {
-            bumps.push_back(decision::planBumpPicture(scene->scene, scene->settings));
+            bumps.push_back(tasks::planBumpPicture(scene->scene, scene->settings));
             questions.emplace_back(bumps.back().question);
         }
     const probe::Sitting sitting = examinee.ask(questions);

@@ -1,7 +1,7 @@
 #ifndef TICKER_PIPELINE_SPECSCENES_H
 #define TICKER_PIPELINE_SPECSCENES_H
 
-#include <grader/decision/distributed/PictureDoubt.h>
+#include <grader/tasks/support/PictureDoubt.h>
 #include <grader/pipeline/Expectation.h>
 #include <grader/result/SubmissionResult.h>
 
@@ -53,7 +53,7 @@ struct Rendered {
 
 /// How far a picture of option 2's scene is from the accepted readings; those that come later are
 /// tried only where the ones before do not fit.
-[[nodiscard]] std::vector<decision::Misfit> misfitsOf(const SpecScene& scene,
+[[nodiscard]] std::vector<tasks::Misfit> misfitsOf(const SpecScene& scene,
                                                       const probe::RenderAnswer& answer);
 
 /// The picture that came, through the tone curve; empty where some of it is missing.
@@ -66,8 +66,8 @@ struct Gallery {
     std::vector<ResultPicture> pictures;  ///< that the scores name
     /// Of option 2's scene, beside each expectation that was tried. Empty where the picture did not
     /// come.
-    std::vector<decision::Misfit> misfits;
-    /// Of option 1's scenes: the largest `decision::bumpMisfit`. Empty where a picture did not come.
+    std::vector<tasks::Misfit> misfits;
+    /// Of option 1's scenes: the largest `tasks::bumpMisfit`. Empty where a picture did not come.
     std::optional<double> bumpMisfit;
 
     /// Puts scores and pictures into the result. @return  What was rendered.
@@ -75,8 +75,8 @@ struct Gallery {
 };
 
 /// Asks the submission for the pictures of its option. One that did not come is left out. They
-/// fail nobody; a misfit may ask for a person (see decision/distributed/PictureDoubt.h and
-/// decision/bump/BumpPicture.h).
+/// fail nobody; a misfit may ask for a person (see tasks/support/PictureDoubt.h and
+/// tasks/bump/BumpPicture.h).
 [[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
                                        probe::Examinee& examinee);
 

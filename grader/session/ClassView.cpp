@@ -32,7 +32,7 @@ json jsonOf(const Decision& decision) {
 
 json jsonOf(const store::ResultRow& row) {
     return {{"name", row.submission},
-            {"shown", report::cleanText(row.submission)},
+            {"shown", cleanText(row.submission)},
             {"verdict", toString(row.verdict)},
             {"option", row.option},
             {"findings", row.findings}};
@@ -70,7 +70,7 @@ std::optional<Decision> readDecision(const std::string& body) {
     decision.submission = request["submission"];
     decision.version = request["version"];
     decision.ruling = *ruling;
-    decision.comment = report::cleanText(request["comment"].get<std::string>());
+    decision.comment = cleanText(request["comment"].get<std::string>());
     decision.who = report::escapeLine(request["who"].get<std::string>());
     if (decision.comment.size() > kLongestComment || decision.who.size() > kLongestName)
         return std::nullopt;

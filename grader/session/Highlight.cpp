@@ -141,7 +141,7 @@ void append(std::string& html, const Token& token) {
 }  // namespace
 
 std::string highlightCpp(std::string_view source) {
-    const std::string clean = report::cleanText(source);
+    const std::string clean = cleanText(source);
     std::string_view text{clean};
     if (text.ends_with('\n')) text.remove_suffix(1);
     std::string html = "<span class=\"line\">";

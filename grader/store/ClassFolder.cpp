@@ -1,7 +1,7 @@
 #include <grader/store/ClassFolder.h>
 
 #include <grader/report/Escape.h>
-#include <grader/report/ResultJson.h>
+#include <grader/result/ResultJson.h>
 
 #include <raytracer/base/Error.h>
 
@@ -38,7 +38,7 @@ bool hasResult(const fs::path& out, const std::string& submission) {
 SubmissionResult readNamed(const fs::path& out, const std::string& submission) {
     const fs::path file = resultFile(out, submission);
     SubmissionResult result = report::readResultJson(file);
-    if (result.submission != report::cleanText(submission))
+    if (result.submission != cleanText(submission))
         throw raytracer::InputError(
             file.string(), 0,
             fmt::format("is the result of \"{}\", not of its folder", result.submission));

@@ -1,7 +1,7 @@
 // golden_class ROOT CLASS [EVERY]: writes samples, unseen solutions, and a third of the catalogue
 // and of the hostile cases into CLASS, one folder each. EVERY 30 keeps one entry of thirty.
-#include <grader/hostile/HostileCase.h>
-#include <grader/mistakes/Catalogue.h>
+#include <grader/corpus/HostileCase.h>
+#include <grader/corpus/Catalogue.h>
 
 #include <raytracer/base/Error.h>
 
@@ -70,7 +70,7 @@ void addFolders(const fs::path& root, const std::string& kind, const Class& to) 
 }
 
 void addMistakes(const fs::path& root, const Class& to) {
-    for (const mistakes::Mistake& mistake : mistakes::readCatalogue(root / "grader/mistakes")) {
+    for (const mistakes::Mistake& mistake : mistakes::readCatalogue(root / "grader/corpus")) {
         const std::string name = fmt::format("mistake-{}-{}", mistake.task, mistake.id);
         if (!to.wants(name, 3)) continue;
         const std::string reference = readText(root / "reference_solution/exercise" / mistake.file);
@@ -88,7 +88,7 @@ bool endsByItself(const hostile::HostileCase& each) {
 
 void addHostile(const fs::path& root, const Class& to) {
     for (const hostile::HostileCase& each :
-         hostile::listHostileCases(root / "grader/hostile/cases")) {
+         hostile::listHostileCases(root / "grader/corpus/hostile/cases")) {
         const std::string name = "hostile-" + each.name;
         if (to.wants(name, 3) && endsByItself(each))
             hostile::writeSubmission(each, "/nowhere/secret", to.open(name));
@@ -102,8 +102,8 @@ int run(const std::vector<std::string>& arguments) {
     }
     const fs::path root{arguments[0]};
     const Class to{arguments[1], arguments.size() > 2 ? std::stoul(arguments[2]) : 1};
-    addFolders(root / "grader/samples", "sample", to);
-    addFolders(root / "grader/tests/unseen", "unseen", to);
+    addFolders(root / "grader/corpus/samples", "sample", to);
+    addFolders(root / "grader/corpus/unseen", "unseen", to);
     addMistakes(root, to);
     addHostile(root, to);
     return 0;

@@ -1,6 +1,6 @@
 #include "Case.h"
 
-#include <grader/mistakes/Catalogue.h>
+#include <grader/corpus/Catalogue.h>
 
 #include <raytracer/base/Error.h>
 
@@ -25,7 +25,7 @@ std::vector<fs::path> foldersIn(const fs::path& folder) {
 }
 
 void addCatalogue(const fs::path& root, std::vector<Case>& cases) {
-    for (const mistakes::Mistake& mistake : mistakes::readCatalogue(root / "grader/mistakes")) {
+    for (const mistakes::Mistake& mistake : mistakes::readCatalogue(root / "grader/corpus")) {
         const std::string reference = readText(root / "reference_solution/exercise" / mistake.file);
         cases.push_back({mistake.task,
                          mistake.id,
@@ -55,14 +55,14 @@ std::string firstLineOf(const fs::path& file) {
 }
 
 void addSamples(const fs::path& root, std::vector<Case>& cases) {
-    for (const fs::path& verdict : foldersIn(root / "grader/samples"))
+    for (const fs::path& verdict : foldersIn(root / "grader/corpus/samples"))
         for (const fs::path& sample : foldersIn(verdict))
             addFolder(sample, "sample", firstLineOf(sample / "README.txt"),
                       verdict.filename() != "notAwarded", cases);
 }
 
 void addUnseen(const fs::path& root, std::vector<Case>& cases) {
-    for (const fs::path& task : foldersIn(root / "grader/tests/unseen"))
+    for (const fs::path& task : foldersIn(root / "grader/corpus/unseen"))
         for (const fs::path& merit : foldersIn(task))
             for (const fs::path& solution : foldersIn(merit))
                 addFolder(solution, "unseen",

@@ -1,4 +1,4 @@
-#include <grader/calibrate/Bounds.h>
+#include <grader/lab/calibrate/Bounds.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #ifndef TICKER_TESTS_CALIBRATE_COUNTINGCAMPAIGN_H
 #define TICKER_TESTS_CALIBRATE_COUNTINGCAMPAIGN_H
 
-#include <grader/calibrate/Campaign.h>
+#include <grader/lab/calibrate/Campaign.h>
 
 #include <atomic>
 

@@ -1,4 +1,4 @@
-#include <grader/calibrate/Document.h>
+#include <grader/lab/calibrate/Document.h>
 
 #include <gtest/gtest.h>
 

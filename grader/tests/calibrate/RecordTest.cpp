@@ -1,4 +1,4 @@
-#include <grader/calibrate/Record.h>
+#include <grader/lab/calibrate/Record.h>
 #include <grader/tests/calibrate/CountingCampaign.h>
 #include <grader/tests/support/TemporaryFolder.h>
 

@@ -1,4 +1,4 @@
-#include <grader/calibrate/RunCampaign.h>
+#include <grader/lab/calibrate/RunCampaign.h>
 #include <grader/tests/calibrate/CountingCampaign.h>
 #include <grader/tests/support/TemporaryFolder.h>
 

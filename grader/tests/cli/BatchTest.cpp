@@ -1,6 +1,6 @@
 #include <grader/cli/Batch.h>
-#include <grader/hostile/HostileCase.h>
-#include <grader/report/ResultJson.h>
+#include <grader/corpus/HostileCase.h>
+#include <grader/result/ResultJson.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
@@ -29,12 +29,12 @@ std::string nameOf(std::size_t place) {
 
 std::vector<intake::Located> makeClass(const fs::path& folder, bool withHostile) {
     const fs::path root{TICKER_SOURCE_DIR};
-    const auto corpus = hostile::listHostileCases(root / "grader/hostile/cases");
+    const auto corpus = hostile::listHostileCases(root / "grader/corpus/hostile/cases");
     std::size_t honest = 0;
     for (std::size_t place = 0; place < kHonest.size() + kHostile.size(); ++place) {
         const fs::path target = folder / nameOf(place);
         if (place % 3 != 2) {
-            fs::copy(root / "grader/samples" / kHonest.at(honest++), target);
+            fs::copy(root / "grader/corpus/samples" / kHonest.at(honest++), target);
         } else if (withHostile) {
             fs::create_directory(target);
             const auto found =

@@ -39,7 +39,7 @@ protected:
 
 TEST_F(Verbs, GradeWritesEverythingThatTheContractNames) {
     const std::string out = at("out").string();
-    const Ran ran = run("grade " + repository("grader/samples/notAwarded/bump-inverted-u") +
+    const Ran ran = run("grade " + repository("grader/corpus/samples/notAwarded/bump-inverted-u") +
                         " -o '" + out + "' --seed 7");
     EXPECT_EQ(ran.status, 0) << ran.errors;
     EXPECT_NE(ran.output.find("bump.inverted-u"), std::string::npos) << ran.output;
@@ -52,7 +52,7 @@ TEST_F(Verbs, GradeWritesEverythingThatTheContractNames) {
 
 TEST_F(Verbs, ReportWritesTheSamePagesAgainFromTheResultAlone) {
     const fs::path out = at("out");
-    ASSERT_EQ(run("grade " + repository("grader/samples/notAwarded/distributed-off-centre") +
+    ASSERT_EQ(run("grade " + repository("grader/corpus/samples/notAwarded/distributed-off-centre") +
                   " -o '" + out.string() + "'")
                   .status,
               0);
@@ -88,7 +88,7 @@ TEST_F(Verbs, GradeTakesARubricWhoseOptionsHaveNamesOfTheirOwn) {
     std::ofstream{at("rubric.json")} << R"({"maxScore": 1, "screenshotTask": "screenshot",
         "options": [{"name": "bumps", "tasks": ["T1"], "points": 1}], "severities": {}})";
     const fs::path out = at("out");
-    const Ran ran = run("grade " + repository("grader/samples/notAwarded/bump-inverted-u") +
+    const Ran ran = run("grade " + repository("grader/corpus/samples/notAwarded/bump-inverted-u") +
                         " -o '" + out.string() + "' --rubric '" + at("rubric.json").string() + "'");
     ASSERT_EQ(ran.status, 0) << ran.errors;
     const std::string result = readBytes(out / "bump-inverted-u/result.json");
@@ -104,7 +104,7 @@ TEST_F(Verbs, GradeTakesARubricWhoseOptionsHaveNamesOfTheirOwn) {
 
 TEST_F(Verbs, GradeGivesTheSameResultForTheSameSeedButForTiming) {
     const auto resultOf = [&](const std::string& out) {
-        const Ran ran = run("grade " + repository("grader/samples/awarded/reference-distributed") +
+        const Ran ran = run("grade " + repository("grader/corpus/samples/awarded/reference-distributed") +
                             " -o '" + at(out).string() + "' --seed 11");
         EXPECT_EQ(ran.status, 0) << ran.errors;
         auto result =
@@ -123,7 +123,7 @@ TEST_F(Verbs, CheckSaysThatNothingIsAttemptedInTheTemplate) {
 }
 
 TEST_F(Verbs, CheckExitsWithOneWhereATaskFails) {
-    const Ran ran = run("check " + repository("grader/samples/notAwarded/bump-inverted"));
+    const Ran ran = run("check " + repository("grader/corpus/samples/notAwarded/bump-inverted"));
     EXPECT_EQ(ran.status, 1) << ran.errors;
     EXPECT_NE(ran.output.find("bump.inverted"), std::string::npos) << ran.output;
 }
@@ -141,7 +141,7 @@ TEST_F(Verbs, RenderRepeatsUnderASeedWhateverTheThreads) {
 TEST_F(Verbs, RenderTakesASubmissionOrTheOracle) {
     const std::string scene = "render " + repository("scenes/bump-mapping.xml") + " -r 32x24 -o '";
     const Ran submission = run(scene + at("a.png").string() + "' --seed 1 --solution " +
-                               repository("grader/samples/awarded/reference-bump"));
+                               repository("grader/corpus/samples/awarded/reference-bump"));
     EXPECT_EQ(submission.status, 0) << submission.errors;
     const Ran oracle = run(scene + at("b.png").string() + "' --engine oracle");
     EXPECT_EQ(oracle.status, 0) << oracle.errors;
@@ -164,7 +164,7 @@ TEST_F(Verbs, WrongUsageAndUnreadableInputExitWithTwoAndOneLine) {
 
 TEST_F(Verbs, ReportReadsBackWhatGradeWrote) {
     const std::string out = at("out").string();
-    ASSERT_EQ(run("grade " + repository("grader/samples/notAwarded/template-untouched") + " -o '" +
+    ASSERT_EQ(run("grade " + repository("grader/corpus/samples/notAwarded/template-untouched") + " -o '" +
                   out + "' --seed 7")
                   .status,
               0);
@@ -179,7 +179,7 @@ protected:
     ClassOfStubs() {
         for (const char* name : {"ann", "bob", "cyd"}) {
             fs::create_directories(at("class"));
-            fs::copy(fs::path{TICKER_SOURCE_DIR} / "grader/samples/notAwarded/template-untouched",
+            fs::copy(fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples/notAwarded/template-untouched",
                      at("class") / name);
         }
     }

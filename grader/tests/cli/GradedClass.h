@@ -22,7 +22,7 @@ protected:
     GradedClass() {
         namespace fs = std::filesystem;
         fs::create_directory(at("class"));
-        const fs::path samples = fs::path{TICKER_SOURCE_DIR} / "grader/samples";
+        const fs::path samples = fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples";
         // One that costs something and has a finding; the rest is quick.
         for (const char* name : {"ann", "bob, jr", "J\xC3\xBCrgen \"<b>\"_7", "zo\xC3\xAB"})
             fs::copy(samples / "notAwarded/template-untouched", at("class") / name,

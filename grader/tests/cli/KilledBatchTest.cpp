@@ -110,7 +110,7 @@ int numberOfKills() {
 }
 
 TEST_F(KilledBatch, GivesWhenResumedWhatAnUninterruptedRunGives) {
-    fs::copy(fs::path{TICKER_SOURCE_DIR} / "grader/samples/awarded/reference-bump",
+    fs::copy(fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples/awarded/reference-bump",
              at("class") / "right", fs::copy_options::recursive);
     run(gradeCommand("whole", {"--seed", "5"}));
     const auto command = gradeCommand("cut", {"--seed", "5", "--resume"});

@@ -26,11 +26,11 @@ protected:
         for (const char* name : {"assets", "reference_solution", "docs", "student_template"})
             link(name);
         fs::create_directories(home() / "grader");
-        for (const char* name : {"grader/rubric", "grader/report", "grader/samples"})
+        for (const char* name : {"grader/rubric", "grader/report", "grader/corpus/samples"})
             link(name);
         fs::copy(kRoot / "scenes", home() / "scenes");
         for (const char* name : {"T1/inverted-u", "T1/inverted-v", "T2.1/hard-centre"})
-            keep("grader/mistakes/" + std::string{name} + ".json");
+            keep("grader/corpus/mistakes/" + std::string{name} + ".json");
         setenv("TICKER_HOME", home().c_str(), 1);
     }
     ~LabVerbs() override { unsetenv("TICKER_HOME"); }
@@ -41,7 +41,7 @@ protected:
     void addMistake(const std::string& task, const std::string& id, const std::string& more,
                     const std::string& finding = "bump.inverted-u") const {
         const std::string file = task == "T1" ? "BumpySphere.cpp" : "Renderer.cpp";
-        folder_.write("home/grader/mistakes/" + task + "/" + id + ".json",
+        folder_.write("home/grader/corpus/mistakes/" + task + "/" + id + ".json",
                       R"({"id": ")" + id + R"(", "task": ")" + task + R"(", "file": ")" + file +
                           R"(", "title": "t", )" + more +
                           R"(, "expect": {"state": "failed", "finding": ")" + finding + "\"}}");
@@ -102,7 +102,7 @@ TEST_F(LabVerbs, SelftestRefusesAnEntryThatDoesNotFit) {
             ran.errors.find(task + "/zz-misfit.json: \"edits\"[0]: its \"find\" must stand once"),
             std::string::npos)
             << ran.errors;
-        fs::remove(home() / "grader/mistakes" / task / "zz-misfit.json");
+        fs::remove(home() / "grader/corpus/mistakes" / task / "zz-misfit.json");
     }
 }
 

@@ -35,7 +35,7 @@ std::string bytesOf(const fs::path& file) {
 }
 
 tests::NamedBytes sampleFile(const std::string& sample, const std::string& file) {
-    return {file, bytesOf(fs::path{TICKER_SOURCE_DIR} / "grader/samples" / sample / file)};
+    return {file, bytesOf(fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples" / sample / file)};
 }
 
 /// A class in which nothing has to be compiled: quick to grade.

@@ -34,7 +34,7 @@ protected:
     }
 
     [[nodiscard]] static fs::path sample(const std::string& name) {
-        return fs::path{TICKER_SOURCE_DIR} / "grader/samples" / name;
+        return fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples" / name;
     }
     [[nodiscard]] fs::path at(const std::string& path) const { return folder_.path() / path; }
     [[nodiscard]] fs::path out() const { return at("out"); }

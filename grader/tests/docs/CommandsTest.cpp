@@ -57,7 +57,7 @@ private:
         std::vector<tests::MoodleStudent> students;
         int id = 100;
         for (const char* sample : {"awarded/reference-bump", "notAwarded/bump-inverted-u"}) {
-            const std::string folder = "grader/samples/" + std::string{sample} + "/";
+            const std::string folder = "grader/corpus/samples/" + std::string{sample} + "/";
             tests::MoodleStudent student{"Ann Lee " + std::to_string(id), id};
             for (const char* name : {"BumpySphere.cpp", "screenshot.png"})
                 if (fs::exists(kRoot / (folder + name)))

@@ -1,5 +1,5 @@
 // docs/for-instructors.md says of every known mistake whether the public tests notice it.
-#include <grader/mistakes/Catalogue.h>
+#include <grader/corpus/Catalogue.h>
 #include <grader/tests/support/Files.h>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 TEST(CoverageTable, HasARowForNearlyEveryKnownMistake) {
     const std::string page = tests::readFile("docs/for-instructors.md");
     const std::filesystem::path catalogue =
-        std::filesystem::path{TICKER_SOURCE_DIR} / "grader/mistakes";
+        std::filesystem::path{TICKER_SOURCE_DIR} / "grader/corpus";
     int mistakes = 0;
     std::string missing;
     int missed = 0;

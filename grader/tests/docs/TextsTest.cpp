@@ -21,9 +21,9 @@ const fs::path kCheckout = TICKER_SOURCE_DIR;
 /// What students wrote may name what it likes, and so may this test.
 bool isForeign(const std::string& name) {
     for (const char* folder :
-         {"grader/tests/docs/", "grader/tests/unseen/", "grader/hostile/cases/"})
+         {"grader/tests/docs/", "grader/corpus/unseen/", "grader/corpus/hostile/cases/"})
         if (name.starts_with(folder)) return true;
-    return name.starts_with("grader/samples/") && name.ends_with(".cpp");
+    return name.starts_with("grader/corpus/samples/") && name.ends_with(".cpp");
 }
 
 /// The project's texts: documents, figures, comments, messages.

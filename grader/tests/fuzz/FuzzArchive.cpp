@@ -3,7 +3,7 @@
 #include "../support/TemporaryFolder.h"
 #include "Fuzz.h"
 
-#include <grader/hostile/HostileCase.h>
+#include <grader/corpus/HostileCase.h>
 #include <grader/intake/Intake.h>
 #include <grader/intake/Utf8.h>
 

@@ -3,8 +3,8 @@
 #include "../support/LocalExaminee.h"
 #include "Fuzz.h"
 
-#include <grader/decision/bump/JudgeBump.h>
-#include <grader/decision/distributed/JudgeDistributed.h>
+#include <grader/tasks/bump/JudgeBump.h>
+#include <grader/tasks/support/JudgeDistributed.h>
 
 #include <algorithm>
 #include <array>
@@ -80,7 +80,7 @@ private:
     std::vector<Change> changes_;
 };
 
-bool isSound(const decision::TaskJudgement& judgement) {
+bool isSound(const tasks::TaskJudgement& judgement) {
     const bool hasFailure = std::ranges::any_of(
         judgement.findings, [](const Finding& f) { return f.severity == Severity::fail; });
     return judgement.state != TaskState::failed || hasFailure;
@@ -93,11 +93,11 @@ bool give(std::string_view input) {
     Liar liar{changesIn(input.substr(1))};
     const auto seed = static_cast<unsigned char>(input.front());
     if (seed % 2 == 0) {
-        const decision::TaskJudgement bump = decision::judgeBump(liar, seed / 2U % 4U);
+        const tasks::TaskJudgement bump = tasks::judgeBump(liar, seed / 2U % 4U);
         require(isSound(bump), "a failed task has a finding");
         return bump.state == TaskState::passed;
     }
-    const auto both = decision::judgeDistributed(liar, {}, seed / 2U % 4U);
+    const auto both = tasks::judgeDistributed(liar, {}, seed / 2U % 4U);
     require(isSound(both.softShadows) && isSound(both.depthOfField), "a failed task has a finding");
     return both.softShadows.state == TaskState::passed &&
            both.depthOfField.state == TaskState::passed;

@@ -3,7 +3,7 @@
 #include "../support/TemporaryFolder.h"
 #include "Fuzz.h"
 
-#include <grader/report/ResultJson.h>
+#include <grader/result/ResultJson.h>
 
 #include <raytracer/base/Error.h>
 

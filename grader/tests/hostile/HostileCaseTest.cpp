@@ -1,4 +1,4 @@
-#include <grader/hostile/HostileCase.h>
+#include <grader/corpus/HostileCase.h>
 
 #include <raytracer/base/Error.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kCases = fs::path{TICKER_SOURCE_DIR} / "grader/hostile/cases";
+const fs::path kCases = fs::path{TICKER_SOURCE_DIR} / "grader/corpus/hostile/cases";
 
 class TemporaryFolder {
 public:

@@ -1,5 +1,5 @@
-#include <grader/selftest/HostileTables.h>
-#include <grader/selftest/Traces.h>
+#include <grader/lab/selftest/HostileTables.h>
+#include <grader/lab/selftest/Traces.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ const fs::path kRoot{TICKER_SOURCE_DIR};
 
 pipeline::Grader graderOf(sandbox::Sandbox sandbox) {
     pipeline::Grader grader{build::Kit::besideProgram(), sandbox,
-                            sandbox::readPolicy(kRoot / "grader/hostile/limits.json"),
+                            sandbox::readPolicy(kRoot / "grader/corpus/hostile/limits.json"),
                             rubric::readRubric(kRoot / "grader/rubric/rubric.json"), "test"};
     // Some answer rightly and render something else.
     grader.scenes = pipeline::readSpecScenes(kRoot / "scenes", kRoot / "assets");
@@ -28,7 +28,7 @@ pipeline::Grader graderOf(sandbox::Sandbox sandbox) {
 
 std::vector<hostile::HostileCase> casesNamed(const std::vector<std::string>& names) {
     std::vector<hostile::HostileCase> cases;
-    for (hostile::HostileCase& each : hostile::listHostileCases(kRoot / "grader/hostile/cases"))
+    for (hostile::HostileCase& each : hostile::listHostileCases(kRoot / "grader/corpus/hostile/cases"))
         if (std::ranges::find(names, each.name) != names.end()) cases.push_back(std::move(each));
     return cases;
 }
@@ -38,7 +38,7 @@ TEST(HostileTables, APartOfTheCorpusComesOutAsExpected) {
     run.fraction = 0.03;
     run.rounds = 2;
     const HostileTables tables =
-        runHostileTables(hostile::listHostileCases(kRoot / "grader/hostile/cases"),
+        runHostileTables(hostile::listHostileCases(kRoot / "grader/corpus/hostile/cases"),
                          graderOf(sandbox::Sandbox::best()), run);
     EXPECT_GE(tables.rows.size(), 10U);
     EXPECT_TRUE(tables.passed()) << tables.table();

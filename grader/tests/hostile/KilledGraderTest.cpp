@@ -2,7 +2,7 @@
 // submission goes on. TICKER_KILLS=50 tries it so often instead of a few times.
 #include "../support/TemporaryFolder.h"
 
-#include <grader/hostile/HostileCase.h>
+#include <grader/corpus/HostileCase.h>
 #include <grader/sandbox/FileDescriptor.h>
 #include <grader/sandbox/Spawner.h>
 #include <grader/sandbox/StagingFolder.h>
@@ -34,7 +34,7 @@ const fs::path kRoot{TICKER_SOURCE_DIR};
 
 // Loops, bombs and those that try to outlive the grader, between honest ones.
 void writeClass(const fs::path& folder) {
-    for (const HostileCase& each : listHostileCases(kRoot / "grader/hostile/cases"))
+    for (const HostileCase& each : listHostileCases(kRoot / "grader/corpus/hostile/cases"))
         for (const char* name : {"blocks-all-signals", "busy-threads", "constexpr-endless",
                                  "daemon", "fork-bomb", "ignores-the-limit", "render-endless"})
             if (each.name == name) {
@@ -42,7 +42,7 @@ void writeClass(const fs::path& folder) {
                 writeSubmission(each, "/nowhere", folder / name);
             }
     for (const char* name : {"reference-bump", "reference-distributed"})
-        fs::copy(kRoot / "grader/samples/awarded" / name, folder / name);
+        fs::copy(kRoot / "grader/corpus/samples/awarded" / name, folder / name);
 }
 
 // Its orphans become our children: their end can be waited for.

@@ -24,9 +24,9 @@ std::optional<std::string> layerOf(const fs::path& file) {
     }
     if (at(0) == "student_template" && at(1) == "tests" && at(2) == "questions") return "questions";
     if (at(1) == "exercise") return "exercise";
-    const bool cases = at(1) == "hostile" && at(2) == "cases";
-    if (at(0) == "grader" && at(1) != "tests" && at(1) != "bench" && at(1) != "samples" &&
-        at(1) != "integrations" && !cases)
+    const bool isSubmission = at(1) == "corpus" && parts.size() > 3;
+    if (at(0) == "grader" && at(1) != "tests" && at(1) != "bench" && at(1) != "integrations" &&
+        !isSubmission)
         return "grader/" + at(1);
     return std::nullopt;
 }

@@ -11,7 +11,7 @@ namespace ticker::tests {
 /// The layer that a source file belongs to; empty for tests, benchmarks and tools.
 [[nodiscard]] std::optional<std::string> layerOf(const std::filesystem::path& file);
 
-/// "raytracer/math" of "raytracer/math/Ray.h", "grader/decision" of "grader/decision/bump/Fit.h".
+/// "raytracer/math" of "raytracer/math/Ray.h", "grader/tasks" of "grader/tasks/bump/Fit.h".
 [[nodiscard]] std::optional<std::string> folderOf(const std::string& header);
 
 /// Headers and sources of the whole project, sorted.

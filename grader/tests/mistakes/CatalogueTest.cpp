@@ -1,4 +1,4 @@
-#include <grader/mistakes/Catalogue.h>
+#include <grader/corpus/Catalogue.h>
 
 #include <raytracer/base/Error.h>
 
@@ -26,8 +26,8 @@ public:
     explicit OneMistake(const std::string& text, const std::string& id = "example")
         : folder_(fs::path(testing::TempDir()) /
                   testing::UnitTest::GetInstance()->current_test_info()->name()) {
-        fs::create_directories(folder_ / "T1");
-        std::ofstream(folder_ / "T1" / (id + ".json")) << text;
+        fs::create_directories(folder_ / "mistakes" / "T1");
+        std::ofstream(folder_ / "mistakes" / "T1" / (id + ".json")) << text;
     }
     ~OneMistake() { fs::remove_all(folder_); }
     OneMistake(const OneMistake&) = delete;
@@ -60,7 +60,7 @@ std::string exampleWith(const std::string& find, const std::string& replace) {
 TEST(Catalogue, EveryMistakeFitsTheReferenceAndChangesIt) {
     const fs::path root = TICKER_SOURCE_DIR;
     std::set<std::string> ids;
-    for (const Mistake& mistake : readCatalogue(root / "grader" / "mistakes")) {
+    for (const Mistake& mistake : readCatalogue(root / "grader" / "corpus")) {
         SCOPED_TRACE(mistake.path);
         const std::string reference =
             readText(root / "reference_solution" / "exercise" / mistake.file);

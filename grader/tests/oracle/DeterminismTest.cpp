@@ -1,4 +1,4 @@
-#include <grader/oracle/Kernel.h>
+#include <grader/oracle/kernel/Kernel.h>
 #include <grader/oracle/Oracle.h>
 #include <grader/tests/oracle/TestScenes.h>
 

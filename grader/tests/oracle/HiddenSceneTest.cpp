@@ -1,4 +1,4 @@
-#include <grader/oracle/HiddenScene.h>
+#include <grader/oracle/references/HiddenScene.h>
 #include <grader/tests/oracle/TestScenes.h>
 
 #include <gtest/gtest.h>

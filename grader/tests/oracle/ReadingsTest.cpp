@@ -1,5 +1,5 @@
 #include <grader/build/Kit.h>
-#include <grader/calibrate/OracleAgreement.h>
+#include <grader/lab/agreement/OracleAgreement.h>
 #include <grader/sandbox/Sandbox.h>
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ protected:
         plan.assets = kSource / "assets";
         plan.reference = kSource / "reference_solution/exercise";
         for (AgreementCase& one :
-             agreementCases(mistakes::readCatalogue(kSource / "grader/mistakes")))
+             agreementCases(mistakes::readCatalogue(kSource / "grader/corpus")))
             if (wanted(one)) plan.cases.push_back(std::move(one));
         return {std::move(plan), kit_, sandbox_};
     }

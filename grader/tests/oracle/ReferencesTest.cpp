@@ -1,6 +1,6 @@
-#include <grader/oracle/FloatTiff.h>
-#include <grader/oracle/Manifest.h>
-#include <grader/oracle/References.h>
+#include <grader/oracle/references/FloatTiff.h>
+#include <grader/oracle/references/Manifest.h>
+#include <grader/oracle/references/References.h>
 #include <grader/tests/oracle/TestScenes.h>
 
 #include <raytracer/base/Error.h>

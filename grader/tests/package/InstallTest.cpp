@@ -20,7 +20,7 @@ TEST(Install, TheInstalledTickerGradesWhereNoCheckoutIs) {
     const tests::RootRun installed = tests::runHere(
         CMAKE_PROGRAM " --install " TICKER_BINARY_DIR " --prefix " + prefix.string());
     ASSERT_EQ(installed.status, 0) << installed.errors;
-    fs::copy(TICKER_SOURCE_DIR "/grader/samples/notAwarded/bump-inverted-u", work / "ann");
+    fs::copy(TICKER_SOURCE_DIR "/grader/corpus/samples/notAwarded/bump-inverted-u", work / "ann");
 
     tests::CleanRoot root;
     root.bindReadOnly(prefix, "/opt/ticker").bind(work, "/desk").withSystemLibraries();

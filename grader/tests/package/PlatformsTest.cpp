@@ -23,7 +23,7 @@ using tests::RootRun;
 const std::string kTicker = TICKER_BINARY_DIR "/bin/ticker";
 
 fs::path sample(const std::string& name) {
-    return fs::path{TICKER_SOURCE_DIR} / "grader/samples" / name;
+    return fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples" / name;
 }
 
 /// A package, unpacked, for which the platform has built its image: made once for all tests.

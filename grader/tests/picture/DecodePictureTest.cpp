@@ -87,7 +87,7 @@ TEST(DecodePicture, ReadsEveryKindOfPixel) {
 
 TEST(DecodePicture, ReadsWhatTheFrameworksReaderReads) {
     for (const char* name :
-         {"/assets/bumpmap.png", "/grader/samples/awarded/bump-z-up/screenshot.png"}) {
+         {"/assets/bumpmap.png", "/grader/corpus/samples/awarded/bump-z-up/screenshot.png"}) {
         const std::string file = std::string{TICKER_SOURCE_DIR} + name;
         const Decoded decoded = decode(readFile(file));
         const auto* image = std::get_if<ByteImage>(&decoded);

@@ -1,5 +1,5 @@
 // Code that answers questions and renders something else.
-#include <grader/decision/distributed/PictureDoubt.h>
+#include <grader/tasks/support/PictureDoubt.h>
 #include <grader/pipeline/Grade.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>
@@ -136,7 +136,7 @@ TEST(DoubtPicture, HasNothingToAddToAFailure) {
                                         std::pair{TaskState::passed, TaskState::failed},
                                         std::pair{TaskState::passed, TaskState::notAttempted}}) {
         std::vector<TaskReport> tasks = reports(shadows, lens);
-        decision::doubtPicture(tasks, {{1.0, 100.0}}, std::nullopt);
+        tasks::doubtPicture(tasks, {{1.0, 100.0}}, std::nullopt);
         EXPECT_TRUE(tasks[1].findings.empty());
         EXPECT_FALSE(tasks[1].needsReview);
     }
@@ -145,19 +145,19 @@ TEST(DoubtPicture, HasNothingToAddToAFailure) {
 // Of right solutions, 0.04 (points in strata) to 1.05 (points of the surface that crowd).
 TEST(DoubtPicture, TakesNoiseForNoise) {
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
-    decision::doubtPicture(tasks, {{1.0, 1.05}}, 1.0);
+    tasks::doubtPicture(tasks, {{1.0, 1.05}}, 1.0);
     EXPECT_TRUE(tasks[1].findings.empty());
-    decision::doubtPicture(tasks, {{1.0, 1.2}, {0.5, 4.0}}, 1.0);
+    tasks::doubtPicture(tasks, {{1.0, 1.2}, {0.5, 4.0}}, 1.0);
     EXPECT_EQ(findingIds(tasks[1]), Ids{"dof.picture-differs"});
 }
 
 TEST(DoubtPicture, WantsTheApertureThatTheAnswersShow) {
-    const std::vector<decision::Misfit> half{{1.0, 5.0}, {0.5, 0.7}};
+    const std::vector<tasks::Misfit> half{{1.0, 5.0}, {0.5, 0.7}};
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
-    decision::doubtPicture(tasks, half, 0.5);
-    decision::doubtPicture(tasks, half, std::nullopt);
+    tasks::doubtPicture(tasks, half, 0.5);
+    tasks::doubtPicture(tasks, half, std::nullopt);
     EXPECT_TRUE(tasks[1].findings.empty());
-    decision::doubtPicture(tasks, half, 1.0);
+    tasks::doubtPicture(tasks, half, 1.0);
     ASSERT_EQ(findingIds(tasks[1]), Ids{"dof.picture-differs"});
     EXPECT_NE(tasks[1].findings[0].message.find("half-width 0.2 in small pictures, the picture of "
                                                 "the handout's scene has the blur of 0.1"),
@@ -169,9 +169,9 @@ TEST(DoubtPicture, AllowsMoreToOnePatternForAllPixels) {
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
     tasks[1].findings.push_back({});
     tasks[1].findings[0].id = "dof.reused-pattern";
-    decision::doubtPicture(tasks, {{1.0, 1.5}}, 1.0);
+    tasks::doubtPicture(tasks, {{1.0, 1.5}}, 1.0);
     EXPECT_FALSE(tasks[1].needsReview);
-    decision::doubtPicture(tasks, {{1.0, 2.1}}, 1.0);
+    tasks::doubtPicture(tasks, {{1.0, 2.1}}, 1.0);
     EXPECT_TRUE(tasks[1].needsReview);
 }
 
@@ -180,9 +180,9 @@ TEST(DoubtPicture, IsContentWithHighlightsAsSeenFromTheEyeAndWithAntialiasing) {
         std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
         tasks[0].findings.push_back({});
         tasks[0].findings[0].id = id;
-        decision::doubtPicture(tasks, {{1.0, 70.0}}, std::nullopt);
+        tasks::doubtPicture(tasks, {{1.0, 70.0}}, std::nullopt);
         EXPECT_FALSE(tasks[1].needsReview) << id;
-        decision::doubtPicture(tasks, {}, std::nullopt);
+        tasks::doubtPicture(tasks, {}, std::nullopt);
         EXPECT_TRUE(tasks[1].needsReview) << "no picture came";
     }
 }

@@ -62,7 +62,7 @@ TEST(GradeSubmission, CompilesNothingWhereEveryStubStillStands) {
 TEST(GradeSubmission, RendersThePicturesOfCodeWithAThreadForEachRow) {
     const SubmissionResult result = gradeSubmission(
         submission({}, tests::readFile(
-                           "grader/tests/unseen/T2/right/async-sobol-antithetic/Renderer.cpp")),
+                           "grader/corpus/unseen/T2/right/async-sobol-antithetic/Renderer.cpp")),
         tests::testGraderWithScenes(), kSeed);
     EXPECT_EQ(taskOf(result, "T2.2").state, TaskState::passed);
     ASSERT_EQ(result.renders.size(), 1U);
@@ -193,7 +193,7 @@ TEST(GradeSubmission, ShowsWhatTheCodeRendersBesideWhatWasExpected) {
     intake::Submission work =
         submission(tests::readFile("reference_solution/exercise/BumpySphere.cpp"),
                    tests::readFile("reference_solution/exercise/Renderer.cpp"));
-    work.parts[2] = tests::readFile("grader/samples/awarded/reference-bump/screenshot.png");
+    work.parts[2] = tests::readFile("grader/corpus/samples/awarded/reference-bump/screenshot.png");
 
     const SubmissionResult result = gradeSubmission(work, tests::testGraderWithScenes(), kSeed);
 

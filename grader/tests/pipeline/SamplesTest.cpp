@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> sampleFolders() {
     std::vector<fs::path> folders;
-    const fs::path root = fs::path{TICKER_SOURCE_DIR} / "grader/samples";
+    const fs::path root = fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples";
     for (const char* verdict : {"awarded", "notAwarded", "needsReview"})
         for (const auto& entry : fs::directory_iterator{root / verdict})
             folders.push_back(entry.path());

@@ -21,7 +21,7 @@ using ticker::testing::PngColour;
 constexpr std::size_t kAfterHeader = 33;
 
 std::string goodPicture() {
-    return readFile("grader/samples/awarded/reference-bump/screenshot.png");
+    return readFile("grader/corpus/samples/awarded/reference-bump/screenshot.png");
 }
 
 /// Judged as a file: the grader knows no scenes.

@@ -18,7 +18,7 @@ std::vector<fs::path> unseenFolders() {
     std::vector<fs::path> folders;
     for (const char* kind : {"T1/right", "T1/wrong", "T2/right", "T2/wrong"})
         for (const auto& entry :
-             fs::directory_iterator{fs::path{TICKER_SOURCE_DIR} / "grader/tests/unseen" / kind})
+             fs::directory_iterator{fs::path{TICKER_SOURCE_DIR} / "grader/corpus/unseen" / kind})
             folders.push_back(entry.path());
     std::ranges::sort(folders);
     return folders;

@@ -1,5 +1,5 @@
 // Our files as the platforms' own code takes them; the rules are in ClientRules.h.
-#include <grader/report/PlatformFormats.h>
+#include <grader/report/platforms/PlatformFormats.h>
 
 #include "ClientRules.h"
 #include "ExampleResults.h"

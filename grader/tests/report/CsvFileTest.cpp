@@ -1,4 +1,4 @@
-#include <grader/report/CsvFile.h>
+#include <grader/report/platforms/CsvFile.h>
 
 #include <raytracer/base/Error.h>
 

@@ -1,4 +1,4 @@
-#include <grader/report/PlatformFormats.h>
+#include <grader/report/platforms/PlatformFormats.h>
 
 #include "ExampleResults.h"
 

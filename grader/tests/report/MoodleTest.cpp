@@ -1,4 +1,4 @@
-#include <grader/report/MoodleWorksheet.h>
+#include <grader/report/platforms/MoodleWorksheet.h>
 #include <grader/tests/support/MoodleImport.h>
 
 #include <raytracer/base/Error.h>

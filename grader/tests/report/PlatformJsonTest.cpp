@@ -1,4 +1,4 @@
-#include <grader/report/PlatformFormats.h>
+#include <grader/report/platforms/PlatformFormats.h>
 #include <grader/tests/support/FitsSchema.h>
 
 #include "ExampleResults.h"

@@ -1,6 +1,6 @@
 #include "ExampleResults.h"
 
-#include <grader/report/ResultJson.h>
+#include <grader/result/ResultJson.h>
 #include <grader/report/SummaryCsv.h>
 #include <grader/result/Names.h>
 #include <grader/tests/support/FitsSchema.h>

@@ -1,4 +1,4 @@
-#include <grader/report/PlatformFormats.h>
+#include <grader/report/platforms/PlatformFormats.h>
 #include <grader/report/StudentPage.h>
 #include <grader/report/StudentView.h>
 

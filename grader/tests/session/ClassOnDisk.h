@@ -1,7 +1,7 @@
 #ifndef TICKER_TESTS_SESSION_CLASSONDISK_H
 #define TICKER_TESTS_SESSION_CLASSONDISK_H
 
-#include <grader/report/ResultJson.h>
+#include <grader/result/ResultJson.h>
 #include <grader/store/ClassFolder.h>
 #include <grader/tests/support/TemporaryFolder.h>
 

@@ -1,4 +1,4 @@
-#include <grader/report/ResultJson.h>
+#include <grader/result/ResultJson.h>
 #include <grader/store/ClassFolder.h>
 #include <grader/tests/support/TemporaryFolder.h>
 

@@ -1,4 +1,4 @@
-#include <grader/mistakes/Catalogue.h>
+#include <grader/corpus/Catalogue.h>
 #include <grader/tests/student/UnpackedPackage.h>
 #include <grader/tests/support/Files.h>
 
@@ -73,7 +73,7 @@ std::set<std::string> secretStatements() {
     const std::string framework = frameworkText();
     for (const std::string& answer : secret)
         EXPECT_EQ(framework.find(answer), std::string::npos) << answer;
-    const fs::path folder = fs::path{TICKER_SOURCE_DIR} / "grader/mistakes";
+    const fs::path folder = fs::path{TICKER_SOURCE_DIR} / "grader/corpus";
     for (const mistakes::Mistake& mistake : mistakes::readCatalogue(folder))
         for (const mistakes::Edit& edit : mistake.edits)
             addStatements(edit.replace, secret);
@@ -144,7 +144,7 @@ TEST_F(StudentPackage, NamesNothingOfTheGrader) {
     for (const auto& [name, text] : contents()) {
         if (name.ends_with(".png")) continue;
         for (const char* word :
-             {"reference_solution", "tick1star-reference", "<grader/", "grader/mistakes",
+             {"reference_solution", "tick1star-reference", "<grader/", "grader/corpus/mistakes",
               "namespace ticker", "hiddenScene", "HiddenScene", "bump.inverted", "shadow.hard",
               "dof.none", "expected.json"})
             EXPECT_EQ(text.find(word), std::string::npos) << name << " says " << word;

@@ -149,7 +149,7 @@ TEST_F(PackageAlone, TellsClangdWhereTheCompileCommandsAre) {
 TEST_F(PackageAlone, SaysWhatIsLikelyWrong) {
     putSolution("student_template/exercise");
     put("BumpySphere.cpp",
-        tests::readFile("grader/samples/notAwarded/bump-inverted-u/BumpySphere.cpp"));
+        tests::readFile("grader/corpus/samples/notAwarded/bump-inverted-u/BumpySphere.cpp"));
     const tests::CommandResult checked = package().runAlone("./check --quick");
 
     EXPECT_EQ(checked.status, 1) << checked.output;

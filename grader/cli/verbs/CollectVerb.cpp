@@ -1,0 +1,51 @@
+#include <grader/cli/Output.h>
+#include <grader/cli/verbs/StudentPages.h>
+#include <grader/cli/verbs/Verb.h>
+#include <grader/report/Words.h>
+#include <grader/store/ClassFolder.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace ticker::cli {
+namespace {
+
+struct CollectOptions {
+    std::string out;
+    std::string studentView;
+};
+
+raytracer::ExitCode collect(const CollectOptions& options, const Voice& voice) {
+    const std::string& out = options.out;
+    if (!std::filesystem::is_directory(out))
+        throw raytracer::InputError(out, 0, "is no folder; expected one with results below");
+    store::Store store{out};
+    if (!store.notice().empty()) fmt::print(stderr, "ticker: {}\n", store.notice());
+    const store::Collected collected = store::collect(out, store);
+    for (const std::string& problem : collected.unreadable)
+        fmt::print(stderr, "ticker: {}\n", problem);
+    writeClass(out);
+    writeStudentPages(out, store::readClass(out), options.studentView);
+    if (!voice.quiet)
+        fmt::print(stderr, "{} taken in, {} known already\nopen {}/index.html\n",
+                   report::counted(collected.taken, "result"), collected.known, out);
+    return collected.unreadable.empty() ? raytracer::ExitCode::success
+                                        : raytracer::ExitCode::notGradable;
+}
+
+}  // namespace
+
+Run addCollect(CLI::App& app, const Voice& voice) {
+    auto options = std::make_shared<CollectOptions>();
+    CLI::App* verb = app.add_subcommand(
+        "collect", "Take in results that were written into OUT elsewhere, by a cluster's nodes");
+    verb->add_option("out", options->out, "Folder with <submission>/result.json files")->required();
+    addStudentView(*verb, options->studentView);
+    return [options, &voice] { return collect(*options, voice); };
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,87 @@
+#include <grader/build/Kit.h>
+#include <grader/cli/Home.h>
+#include <grader/cli/verbs/Verb.h>
+#include <grader/sandbox/Diagnosis.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+
+namespace ticker::cli {
+namespace {
+
+void row(const std::string& what, bool good, const std::string& detail) {
+    fmt::print("{:<12} {:<4} {}\n", what, good ? "ok" : "--", detail);
+}
+
+bool showCompiler() {
+    try {
+        const build::Kit kit = build::Kit::besideProgram();
+        row("compiler", true, fmt::format("{}, kit in {}", kit.compiler(), kit.folder().string()));
+        return true;
+    } catch (const raytracer::Error& error) {
+        row("compiler", false, error.what());
+        return false;
+    }
+}
+
+/// True where some level locks submissions in.
+bool showSandbox() {
+    bool locked = false;
+    for (const sandbox::Diagnosis& level : sandbox::diagnose()) {
+        const std::string advice = level.advice.empty() ? "" : "; " + level.advice;
+        row("sandbox " + sandbox::toString(level.level), level.available, level.reason + advice);
+        locked = locked || (level.available && level.level != sandbox::Level::none);
+    }
+    return locked;
+}
+
+void showProcessor() {
+    std::ifstream stream{"/proc/cpuinfo"};
+    std::string flags;
+    for (std::string line; std::getline(stream, line) && flags.empty();)
+        if (line.rfind("flags", 0) == 0 || line.rfind("Features", 0) == 0) flags = line + " ";
+    std::string known;
+    for (const char* flag : {"avx512f", "avx2", "sse4_1", "asimd"})
+        if (flags.find(" " + std::string{flag} + " ") != std::string::npos)
+            known += fmt::format(" {}", flag);
+    row("processor", true,
+        fmt::format("{} threads,{}", std::thread::hardware_concurrency(),
+                    known.empty() ? " no vector unit that the oracle knows" : known));
+}
+
+bool showDisk() {
+    constexpr std::uintmax_t kEnough = 1U << 30U;
+    std::error_code error;
+    const auto space = std::filesystem::space(std::filesystem::temp_directory_path(), error);
+    const bool enough = !error && space.available >= kEnough;
+    row("disk", enough,
+        fmt::format("{:.1f} GB free for temporary files",
+                    error ? 0.0 : static_cast<double>(space.available) / 1e9));
+    return enough;
+}
+
+raytracer::ExitCode examine() {
+    row("data", true, Home::find().data.string());
+    const bool compiler = showCompiler();
+    const bool sandbox = showSandbox();
+    showProcessor();
+    const bool disk = showDisk();
+    return compiler && sandbox && disk ? raytracer::ExitCode::success
+                                       : raytracer::ExitCode::checkFailed;
+}
+
+}  // namespace
+
+Run addDoctor(CLI::App& app, const Voice& /*voice*/) {
+    app.add_subcommand("doctor", "What this machine offers: compiler, sandbox, processor, disk");
+    return [] { return examine(); };
+}
+
+}  // namespace ticker::cli

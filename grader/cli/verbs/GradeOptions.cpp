@@ -1,0 +1,66 @@
+#include <grader/build/Kit.h>
+#include <grader/cli/verbs/GradeOptions.h>
+#include <grader/cli/Home.h>
+#include <grader/pipeline/Inputs.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <random>
+
+namespace ticker::cli {
+namespace {
+
+const std::map<std::string, pipeline::OptionChoice>& choices() {
+    static const std::map<std::string, pipeline::OptionChoice> kChoices{
+        {"auto", pipeline::OptionChoice::automatic},
+        {"T1", pipeline::OptionChoice::t1},
+        {"T2", pipeline::OptionChoice::t2}};
+    return kChoices;
+}
+
+}  // namespace
+
+sandbox::Sandbox openSandbox(const std::string& level) {
+    for (const sandbox::Level known : {sandbox::Level::namespaces, sandbox::Level::ownUser,
+                                       sandbox::Level::sameUser, sandbox::Level::none})
+        if (sandbox::toString(known) == level) return sandbox::Sandbox::at(known);
+    return sandbox::Sandbox::best();
+}
+
+void addGradeOptions(CLI::App& verb, GradeOptions& options) {
+    verb.add_option("--seed", options.seed,
+                    "Whole number that the hidden questions are drawn from");
+    verb.add_option("--option", options.option, "Which option to judge: T1, T2 or auto (both)")
+        ->check(CLI::IsMember({"auto", "T1", "T2"}));
+    verb.add_option("--sandbox", options.sandbox, "Level A, B or C, auto (the best), or none")
+        ->check(CLI::IsMember({"auto", "A", "B", "C", "none"}));
+    verb.add_option("--rubric", options.rubric, "Another rubric than the kit's own");
+}
+
+pipeline::Grader makeGrader(const GradeOptions& options) {
+    const Home home = Home::find();
+    const std::filesystem::path rubric =
+        options.rubric.empty() ? home.rubric() : std::filesystem::path{options.rubric};
+    pipeline::Grader grader{.kit = build::Kit::besideProgram(),
+                            .sandbox = openSandbox(options.sandbox),
+                            .policy = sandbox::defaultPolicy(),
+                            .rubric = rubric::readRubric(rubric),
+                            .toolVersion = TICKER_VERSION,
+                            .option = choices().at(options.option),
+                            .scenes = pipeline::readSpecScenes(home.scenes(), home.assets())};
+    grader.build = pipeline::toolBuild(grader.kit, {home.scenes(), home.assets()});
+    std::ifstream stream{rubric};
+    grader.rubricText.assign(std::istreambuf_iterator<char>{stream}, {});
+    return grader;
+}
+
+std::uint64_t seedOf(const GradeOptions& options) {
+    if (options.seed) return *options.seed;
+    std::random_device system;
+    return (static_cast<std::uint64_t>(system()) << 32U) | system();
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,205 @@
+#include <grader/cli/Batch.h>
+#include <grader/cli/ClassPaths.h>
+#include <grader/cli/ClassRun.h>
+#include <grader/cli/Formats.h>
+#include <grader/cli/verbs/GradeOptions.h>
+#include <grader/cli/Interrupt.h>
+#include <grader/cli/Output.h>
+#include <grader/cli/Progress.h>
+#include <grader/cli/verbs/StudentPages.h>
+#include <grader/cli/verbs/Verb.h>
+#include <grader/report/Words.h>
+#include <grader/result/Names.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace ticker::cli {
+namespace {
+
+struct BatchOptions {
+    ClassPaths from;
+    std::string out;
+    int workers = 0;
+    bool expectFolders = false;
+    bool resume = false;
+    bool resultsOnly = false;
+    std::string share;
+    std::vector<std::string> regrade;
+    GradeOptions grade;
+    FormatOptions formats;
+
+    [[nodiscard]] bool keepsResults() const { return resume || !regrade.empty(); }
+};
+
+/// For the sample class, whose folders are named after the verdicts they must get.
+bool asItsFolderSays(const intake::Located& located, const SubmissionResult& result) {
+    return located.path.parent_path().filename() == toString(result.verdict);
+}
+
+/// What has come of the submissions so far.
+struct Tally {
+    std::map<Verdict, std::size_t> verdicts;
+    std::size_t kept = 0;
+    std::size_t unexpected = 0;
+
+    [[nodiscard]] std::size_t all() const {
+        std::size_t sum = 0;
+        for (const auto& [verdict, count] : verdicts)
+            sum += count;
+        return sum;
+    }
+};
+
+std::string closingLine(const Tally& tally) {
+    std::string line = report::counted(tally.all(), "submission") + ":";
+    for (const auto& [verdict, count] : tally.verdicts)
+        line += fmt::format(" {} {}", count, toString(verdict));
+    if (tally.kept > 0)
+        line += fmt::format("\n{} kept from before: their inputs have not changed", tally.kept);
+    return line;
+}
+
+raytracer::ExitCode exitCodeOf(const Tally& tally, bool stopped) {
+    if (stopped) return raytracer::ExitCode::interrupted;
+    if (tally.verdicts.contains(Verdict::notGraded)) return raytracer::ExitCode::notGradable;
+    return tally.unexpected > 0 ? raytracer::ExitCode::checkFailed : raytracer::ExitCode::success;
+}
+
+void report(const Tally& tally, std::size_t total, const BatchOptions& options, const Voice& voice,
+            bool stopped) {
+    if (!voice.quiet) fmt::print(stderr, "{}\n", closingLine(tally));
+    if (!voice.quiet && !options.resultsOnly)
+        fmt::print(stderr, "open {0}/index.html, or decide in a browser: {1} session {0}\n",
+                   options.out, voice.command);
+    if (tally.unexpected > 0)
+        fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
+                   tally.unexpected, tally.all());
+    if (stopped && tally.all() == total)
+        fmt::print(stderr, "ticker: stopped, but everything was graded: nothing is left to do\n");
+    else if (stopped)
+        fmt::print(stderr, "ticker: stopped after {} of {}; they are kept. Go on with\n  {}{}\n",
+                   tally.all(), total, voice.commandLine, options.resume ? "" : " --resume");
+}
+
+/// Prints and counts one result.
+void take(const intake::Located& located, const SubmissionResult& result, bool isKept,
+          const BatchOptions& options, Progress& progress, Tally& tally) {
+    std::string line = tableLine(result);
+    if (isKept) line += "  [kept]";
+    if (options.expectFolders && !asItsFolderSays(located, result)) {
+        ++tally.unexpected;
+        line += fmt::format("  [expected {}]", located.path.parent_path().filename().string());
+    }
+    progress.print(line);
+    progress.finished(result.verdict, isKept);
+    ++tally.verdicts[result.verdict];
+    if (isKept) ++tally.kept;
+}
+
+// Of this process alone, without those that it started.
+long peakMegabytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
+}
+
+int workersOf(const BatchOptions& options) {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    return options.workers > 0 ? options.workers : std::max(1, cores);
+}
+
+void warnOfStore(const ClassRun& run, const BatchOptions& options, const Voice& voice) {
+    if (!run.notice().empty()) fmt::print(stderr, "ticker: {}\n", run.notice());
+    const std::size_t earlier = run.size();
+    if (!voice.quiet && earlier > 0 && !options.keepsResults() && !options.grade.seed)
+        fmt::print(stderr,
+                   "ticker: {} holds {}; all are made anew with a fresh seed (--resume "
+                   "keeps them)\n",
+                   options.out, report::counted(earlier, "result"));
+}
+
+raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
+    std::vector<intake::Located> submissions = locate(options.from);
+    if (!options.share.empty()) submissions = shareOf(std::move(submissions), options.share);
+    const std::string skipped = skippedLine(options.from);
+    pipeline::Grader grader = makeGrader(options.grade);
+    grader.isAlone = submissions.size() == 1;
+    ClassRun run{options.out, {options.regrade, grader.build}, !options.resultsOnly};
+    run.checkRegrade(submissions);
+    warnOfStore(run, options, voice);
+    const std::uint64_t seed =
+        run.settleSeed(options.grade.seed, options.keepsResults(), seedOf(options.grade));
+    const std::atomic<bool>& stop = catchInterrupts();
+
+    Tally tally;
+    {
+        Progress progress{submissions.size(), mayDraw(voice.quiet)};
+        gradeAll(
+            submissions, grader, seed, workersOf(options), stop,
+            {.known = [&](const intake::Located& located,
+                          const Inputs& inputs) { return run.known(located.name, inputs); },
+             .write = [&](const SubmissionResult& result) { run.write(result); },
+             .take =
+                 [&](const intake::Located& located, const SubmissionResult& result, bool isKept) {
+                     run.index(result, isKept);
+                     take(located, result, isKept, options, progress, tally);
+                 }});
+    }
+    run.finish();
+    if (run.size() > 0)
+        writeStudentPages(options.out, store::readClass(options.out), options.formats.studentView);
+    if (!options.formats.names.empty())
+        writeFormats(options.out, store::readClass(options.out), options.formats);
+    report(tally, submissions.size(), options, voice, stop);
+    if (!skipped.empty()) fmt::print(stderr, "ticker: {}\n", skipped);
+    if (voice.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
+    return exitCodeOf(tally, stop);
+}
+
+}  // namespace
+
+Run addGrade(CLI::App& app, const Voice& voice) {
+    auto options = std::make_shared<BatchOptions>();
+    CLI::App* verb = app.add_subcommand("grade", "Judge submissions and write results and pages");
+    verb->add_option("path", options->from.paths,
+                     "Folders with the files, zips, folders of such, or a Moodle export")
+        ->required();
+    verb->add_option("-o,--output", options->out, "Folder for the results")->required();
+    verb->add_option("--jobs", options->workers, "Submissions at a time; all cores if not given")
+        ->check(CLI::PositiveNumber);
+    verb->add_flag("--expect-folders", options->expectFolders,
+                   "Exit 1 unless each verdict is the name of the folder that it lies in");
+    verb->add_flag("--resume", options->resume,
+                   "Keep the results in OUT whose inputs have not changed; grade the rest");
+    verb->add_option("--regrade", options->regrade,
+                     "Keep what is in OUT, but grade again: all, older (graded by another ticker "
+                     "than this), a submission, or all with a finding");
+    verb->add_flag("--results-only", options->resultsOnly,
+                   "Write the submissions' folders alone, for a node of a cluster; ticker collect "
+                   "takes them in");
+    verb->add_option("--share", options->share,
+                     "I/N: every N-th submission alone, beginning with the I-th, for a task of a "
+                     "cluster");
+    verb->add_flag("--single", options->from.single,
+                   "The path is one submission, whatever folders it holds");
+    verb->add_option("--format", options->formats.names,
+                     "Write these formats, too, as ticker report does")
+        ->delimiter(',')
+        ->check(CLI::IsMember(formatNames()));
+    addFormatOptions(*verb, options->formats);
+    addGradeOptions(*verb, options->grade);
+    return [options, &voice] { return grade(*options, voice); };
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,111 @@
+#include <grader/build/Kit.h>
+#include <grader/cli/Home.h>
+#include <grader/cli/verbs/Verb.h>
+#include <grader/package/Platforms.h>
+#include <grader/package/StudentPackage.h>
+#include <grader/sandbox/HelperProgram.h>
+
+#include <raytracer/base/Error.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace ticker::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PackageOptions {
+    std::string kind;
+    std::string file;
+    std::string rubric;
+    std::string studentView;
+};
+
+/// Everything that runs, from wherever this ticker lies.
+package::Parts partsOf(const PackageOptions& options) {
+    const Home home = Home::find();
+    const build::Kit kit = build::Kit::besideProgram();
+    return {.program = home.programs / "ticker",
+            .helper = sandbox::findProgram("ticker-jail"),
+            .decoder = sandbox::findProgram("ticker-decode"),
+            .kit = kit.folder(),
+            .compiler = kit.compiler(),
+            .compileFlags = kit.compileFlags(),
+            .linkFlags = kit.linkFlags(),
+            .data = home.data,
+            .rubric = options.rubric.empty() ? home.rubric() : fs::path{options.rubric},
+            .studentView =
+                options.studentView.empty() ? home.studentView() : fs::path{options.studentView}};
+}
+
+void packGradescope(const PackageOptions& options) {
+    package::writeGradescope(partsOf(options), options.file);
+}
+
+void packPrairieLearn(const PackageOptions& options) {
+    package::writePrairieLearn(partsOf(options), options.file);
+}
+
+void packStudent(const PackageOptions& options) {
+    package::writeStudentPackage(Home::find().data, options.file);
+}
+
+/// One kind of package: a line here is all that a new one needs.
+struct Kind {
+    const char* name;
+    const char* whatItIs;
+    void (*write)(const PackageOptions& options);
+};
+
+constexpr std::array kKinds{
+    Kind{"student", "a zip for students: template, public tests, scenes, handout", packStudent},
+    Kind{"gradescope", "a zip for Gradescope's autograder page", packGradescope},
+    Kind{"prairielearn", "a zip with an image's Dockerfile and a sample question",
+         packPrairieLearn},
+};
+
+raytracer::ExitCode pack(const PackageOptions& options, const Voice& voice) {
+    const auto* const kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& known) {
+        return known.name == options.kind;
+    });
+    const fs::path folder = fs::path{options.file}.parent_path();
+    std::error_code error;
+    if (!folder.empty() && !fs::is_directory(folder)) fs::create_directories(folder, error);
+    if (error)
+        throw raytracer::InputError(folder.string(), 0, "cannot be made: " + error.message());
+    kind->write(options);
+    if (!voice.quiet)
+        fmt::print(stderr, "{}: {}, {:.1f} MB\n", options.file, kind->whatItIs,
+                   static_cast<double>(fs::file_size(options.file)) / 1e6);
+    return raytracer::ExitCode::success;
+}
+
+}  // namespace
+
+Run addPackage(CLI::App& app, const Voice& voice) {
+    auto options = std::make_shared<PackageOptions>();
+    std::vector<std::string> names;
+    std::string help = "What to make:";
+    for (const Kind& kind : kKinds) {
+        names.emplace_back(kind.name);
+        help += fmt::format(" {} ({})", kind.name, kind.whatItIs);
+    }
+    CLI::App* verb = app.add_subcommand("package", "Make what is uploaded or handed out");
+    verb->add_option("kind", options->kind, help)->required()->check(CLI::IsMember(names));
+    verb->add_option("-o,--output", options->file, "The file to write")->required();
+    verb->add_option("--rubric", options->rubric, "Carry another rubric than the kit's own");
+    verb->add_option("--student-view", options->studentView,
+                     "Carry another policy of what students may see than the kit's own");
+    return [options, &voice] { return pack(*options, voice); };
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,122 @@
+#include <grader/cli/verbs/GradeOptions.h>
+#include <grader/cli/Home.h>
+#include <grader/cli/verbs/Verb.h>
+#include <grader/intake/Intake.h>
+#include <grader/oracle/references/References.h>
+#include <grader/pipeline/RenderSubmission.h>
+
+#include <raytracer/io/ImageWriter.h>
+#include <raytracer/io/SceneReader.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <random>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace ticker::cli {
+namespace {
+
+struct RenderOptions {
+    std::string scene;
+    std::string image;
+    std::string size;
+    std::string solution;
+    std::string engine = "solution";
+    int samples = 0;
+    int threads = 0;
+    std::optional<std::uint64_t> seed;
+};
+
+raytracer::RenderSettings settingsOf(const RenderOptions& options) {
+    raytracer::RenderSettings settings;
+    char x = 'x';
+    std::istringstream size{options.size.empty() ? "640x480" : options.size};
+    if (!(size >> settings.width >> x >> settings.height) || x != 'x' || !size.eof() ||
+        settings.width < 1 || settings.height < 1)
+        throw raytracer::InputError("", 0,
+                                    fmt::format("-r {}: expected WIDTHxHEIGHT", options.size));
+    settings.threads = options.threads > 0
+                           ? options.threads
+                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return settings;
+}
+
+raytracer::ExitCode renderByOracle(const RenderOptions& options) {
+    const Home home = Home::find();
+    raytracer::checkWritable(options.image);
+    const auto scene = raytracer::readScene(options.scene, home.assets());
+    raytracer::writePng(oracle::renderWithOracle(scene, settingsOf(options),
+                                                 options.seed.value_or(0), options.samples),
+                        options.image);
+    return raytracer::ExitCode::success;
+}
+
+/// A picture by a submission's code, made in the sandbox.
+raytracer::ExitCode renderBySubmission(const RenderOptions& options) {
+    const Home home = Home::find();
+    raytracer::checkWritable(options.image);
+    const auto scene = raytracer::readScene(options.scene, home.assets());
+    raytracer::RenderSettings settings = settingsOf(options);
+    settings.seed = options.seed.value_or(std::random_device{}());
+    if (options.samples > 0) settings.dofRayCount = options.samples;
+    const raytracer::ByteImage picture = pipeline::renderSubmission(
+        intake::readSubmission({"solution", options.solution}), makeGrader({}), scene, settings);
+    raytracer::writePng(picture, options.image);
+    return raytracer::ExitCode::success;
+}
+
+// tick1star is the renderer: the same program that students run, with its progress bar and Ctrl-C.
+raytracer::ExitCode becomeTick1star(const RenderOptions& options, const Voice& voice) {
+    const Home home = Home::find();
+    const std::string program = (home.programs / "tick1star-reference").string();
+    std::vector<std::string> words{program,       "-i",       options.scene,         "-o",
+                                   options.image, "--assets", home.assets().string()};
+    const auto pass = [&](const char* name, const std::string& value) {
+        if (!value.empty()) words.insert(words.end(), {name, value});
+    };
+    pass("-r", options.size);
+    pass("--seed", options.seed ? std::to_string(*options.seed) : "");
+    pass("--threads", options.threads > 0 ? std::to_string(options.threads) : "");
+    pass("--dof-rays", options.samples > 0 ? std::to_string(options.samples) : "");
+    if (voice.quiet) words.emplace_back("--quiet");
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    ::execv(program.c_str(), arguments.data());
+    throw raytracer::Error(fmt::format("cannot run {}; is it built?", program));
+}
+
+}  // namespace
+
+Run addRender(CLI::App& app, const Voice& voice) {
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* verb = app.add_subcommand("render", "Render a scene");
+    verb->add_option("scene", options->scene, "Scene file")->required();
+    verb->add_option("-o,--output", options->image, "PNG file to write")->required();
+    verb->add_option("-r,--resolution", options->size, "WIDTHxHEIGHT, 640x480 if not given");
+    verb->add_option("--samples", options->samples, "Camera rays for each pixel")
+        ->check(CLI::PositiveNumber);
+    verb->add_option("--threads", options->threads, "Threads; the picture does not depend on them")
+        ->check(CLI::PositiveNumber);
+    verb->add_option("--seed", options->seed, "Whole number; the same seed, the same picture");
+    verb->add_option("--solution", options->solution, "A submission's folder; else the reference");
+    verb->add_option("--engine", options->engine, "solution, or the grader's own oracle")
+        ->check(CLI::IsMember({"solution", "oracle"}));
+    return [options, &voice] {
+        if (options->engine == "oracle") return renderByOracle(*options);
+        if (!options->solution.empty()) return renderBySubmission(*options);
+        return becomeTick1star(*options, voice);
+    };
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,75 @@
+#include <grader/cli/Output.h>
+#include <grader/cli/verbs/StudentPages.h>
+#include <grader/cli/verbs/Verb.h>
+#include <grader/report/Words.h>
+#include <grader/session/Server.h>
+#include <grader/store/ClassFolder.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace ticker::cli {
+namespace {
+
+struct SessionOptions {
+    std::string out;
+    int port = 0;
+    std::string studentView;
+};
+
+/// Blocks the signals that end a session, for this thread and those that it starts.
+sigset_t blockEnding() {
+    sigset_t ending;
+    sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        sigaddset(&ending, signal);
+    pthread_sigmask(SIG_BLOCK, &ending, nullptr);
+    return ending;
+}
+
+raytracer::ExitCode run(const SessionOptions& options, const Voice& voice) {
+    if (!store::Store::isIn(options.out))
+        throw raytracer::InputError(options.out, 0,
+                                    "holds no results.sqlite; expected the OUT of ticker grade");
+    const sigset_t ending = blockEnding();
+    store::expectResults(options.out, store::Store{options.out});
+    session::ClassView view{options.out};
+    session::Server server{view, session::readAccess(options.out), options.port};
+    session::writeAccess(server.access(), options.out);
+    if (!view.notice().empty()) fmt::print(stderr, "ticker: {}\n", view.notice());
+    fmt::print("{}\n", server.address());
+    std::fflush(stdout);
+    if (!voice.quiet)
+        fmt::print(stderr,
+                   "{}. Open the address in a browser on this machine; it lets in "
+                   "whoever has it. Ctrl-C ends the session.\n",
+                   report::counted(view.size(), "submission"));
+    const std::jthread serving{[&] { server.serve(); }};
+    int signal = 0;
+    sigwait(&ending, &signal);
+    server.stop();
+    // Decisions are in the store; this is for whoever reads the table.
+    writeClass(options.out);
+    writeStudentPages(options.out, store::readClass(options.out), options.studentView);
+    return raytracer::ExitCode::success;
+}
+
+}  // namespace
+
+Run addSession(CLI::App& app, const Voice& voice) {
+    auto options = std::make_shared<SessionOptions>();
+    CLI::App* verb =
+        app.add_subcommand("session", "Decide about the submissions in OUT, in a browser");
+    verb->add_option("out", options->out, "Folder that ticker grade wrote")->required();
+    verb->add_option("--port", options->port, "Port of 127.0.0.1; the last session's, or any")
+        ->check(CLI::Range(1, 65535));
+    addStudentView(*verb, options->studentView);
+    return [options, &voice] { return run(*options, voice); };
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,75 @@
+#include <grader/cli/verbs/StudentPages.h>
+
+#include <grader/cli/Home.h>
+#include <grader/cli/Output.h>
+#include <grader/result/ResultJson.h>
+#include <grader/report/StudentPage.h>
+
+#include <CLI/CLI.hpp>
+
+#include <utility>
+
+namespace ticker::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The result as it counts: as a person decided, or as the tool proposes.
+SubmissionResult decided(const store::ClassEntry& entry) {
+    SubmissionResult result = entry.result;
+    if (!isDecided(entry)) return result;
+    const bool isAwarded = entry.decision->ruling == Ruling::awarded;
+    result.verdict = isAwarded ? Verdict::awarded : Verdict::notAwarded;
+    if (!isAwarded)
+        result.score = 0.0;
+    else if (result.score <= 0.0)
+        result.score = result.maxScore;
+    return result;
+}
+
+report::StudentView viewOf(SubmissionResult result, const store::ClassEntry& entry,
+                           const report::StudentPolicy& policy) {
+    return {std::move(result), policy, entry.decision ? entry.decision->comment : "",
+            entry.result.verdict};
+}
+
+}  // namespace
+
+void addStudentView(CLI::App& verb, std::string& file) {
+    verb.add_option("--student-view", file,
+                    "What students may see, instead of the kit's own policy");
+}
+
+report::StudentPolicy policyFrom(const std::string& file) {
+    return report::readStudentPolicy(file.empty() ? Home::find().studentView() : fs::path{file});
+}
+
+bool isDecided(const store::ClassEntry& entry) {
+    return entry.decision && entry.decision->ruling != Ruling::undecided;
+}
+
+report::StudentView studentViewOf(const store::ClassEntry& entry,
+                                  const report::StudentPolicy& policy) {
+    return viewOf(decided(entry), entry, policy);
+}
+
+std::string studentPageOf(const fs::path& out, const store::ClassEntry& entry,
+                          const report::StudentPolicy& policy) {
+    SubmissionResult result = decided(entry);
+    fetchFiles(out, result);
+    return report::studentPage(viewOf(std::move(result), entry, policy));
+}
+
+std::vector<fs::path> writeStudentPages(const fs::path& out,
+                                        const std::vector<store::ClassEntry>& entries,
+                                        const std::string& studentView) {
+    const report::StudentPolicy policy = policyFrom(studentView);
+    std::vector<fs::path> written;
+    for (const store::ClassEntry& entry : entries) {
+        written.push_back(out / entry.result.submission / "student.html");
+        report::writeAtomically(studentPageOf(out, entry, policy), written.back());
+    }
+    return written;
+}
+
+}  // namespace ticker::cli

@@ -1,0 +1,30 @@
+#ifndef TICKER_CALIBRATE_AGREEMENTCASES_H
+#define TICKER_CALIBRATE_AGREEMENTCASES_H
+
+#include <grader/build/Kit.h>
+#include <grader/corpus/Catalogue.h>
+#include <grader/oracle/Reading.h>
+
+#include <string>
+#include <vector>
+
+namespace ticker::calibrate {
+
+/// One accepted reading in both languages: an edit of the reference solution, and what the oracle
+/// is told.
+struct AgreementCase {
+    std::string name;        ///< "surface"
+    build::SourceFile file;  ///< which file of the reference is edited
+    std::vector<mistakes::Edit> edits;
+    oracle::Reading reading;
+};
+
+/// The accepted readings of design, sections 5.2 to 5.4, one at a time, and all at once.
+/// @param catalogue  Where the edits of T2.1 and T2.2 stand, as "accepted-...".
+/// @throws raytracer::InputError where the catalogue has no such entry.
+[[nodiscard]] std::vector<AgreementCase> agreementCases(
+    const std::vector<mistakes::Mistake>& catalogue);
+
+}  // namespace ticker::calibrate
+
+#endif

@@ -1,0 +1,79 @@
+#ifndef TICKER_CALIBRATE_ORACLEAGREEMENT_H
+#define TICKER_CALIBRATE_ORACLEAGREEMENT_H
+
+#include <grader/build/Kit.h>
+#include <grader/build/Program.h>
+#include <grader/lab/agreement/AgreementCases.h>
+#include <grader/lab/calibrate/Campaign.h>
+#include <grader/sandbox/Sandbox.h>
+
+#include <raytracer/scene/SceneDescription.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ticker::calibrate {
+
+/// What the oracle is held against.
+struct AgreementPlan {
+    std::filesystem::path scenes;     ///< every *.xml in it
+    std::filesystem::path assets;     ///< maps of the scenes
+    std::filesystem::path reference;  ///< the reference solution's two files
+    std::vector<AgreementCase> cases;
+    int rounds = 1;  ///< of each case with noise and scene, with fresh seeds
+};
+
+/// Who grades the grader: the oracle against the reference solution, edited to each accepted
+/// reading, compiled and asked in the sandbox like any submission, on every scene.
+///
+/// With noise: means of tiles of 6 x 6 pixels and the variance of the whole picture, as z of a
+/// normal variable. Bump readings have none: pixel by pixel.
+class OracleAgreement final : public Campaign {
+public:
+    /// `kit` and `sandbox` must outlive this object.
+    /// @throws raytracer::InputError where a scene cannot be read.
+    OracleAgreement(AgreementPlan plan, const build::Kit& kit, const sandbox::Sandbox& sandbox);
+
+    [[nodiscard]] std::string name() const override { return "oracle"; }
+    [[nodiscard]] std::size_t units() const override { return units_.size(); }
+    [[nodiscard]] std::string unitName(std::size_t unit) const override;
+    [[nodiscard]] std::vector<std::size_t> checkUnits() const override;
+    [[nodiscard]] std::string run(std::size_t unit) override;
+    [[nodiscard]] bool agrees(const std::string& before, const std::string& now) const override;
+    [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
+
+    /// Names of the reading and of the scene of one unit.
+    [[nodiscard]] std::pair<std::string, std::string> nameOf(std::size_t unit) const;
+
+private:
+    struct Scene {
+        std::string name;
+        raytracer::SceneDescription description;
+    };
+    struct Unit {
+        std::size_t reading = 0;
+        std::size_t scene = 0;
+        int round = 0;
+    };
+
+    [[nodiscard]] std::shared_ptr<const build::Program> programOf(std::size_t reading);
+    [[nodiscard]] std::string runNoisy(std::size_t number, const build::Program& program) const;
+    [[nodiscard]] std::string runBump(const Unit& unit, const build::Program& program) const;
+
+    AgreementPlan plan_;
+    const build::Kit& kit_;
+    const sandbox::Sandbox& sandbox_;
+    std::vector<Scene> scenes_;
+    std::vector<Unit> units_;
+    std::mutex mutex_;
+    std::map<std::size_t, std::shared_ptr<const build::Program>> programs_;
+};
+
+}  // namespace ticker::calibrate
+
+#endif

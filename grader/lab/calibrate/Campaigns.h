@@ -1,0 +1,22 @@
+#ifndef TICKER_CALIBRATE_CAMPAIGNS_H
+#define TICKER_CALIBRATE_CAMPAIGNS_H
+
+#include <grader/lab/calibrate/Campaign.h>
+#include <grader/lab/calibrate/Subject.h>
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace ticker::calibrate {
+
+/// All campaigns, in the order in which docs/calibration.md tells them.
+/// @param data      The kit's folder, see cli/Home.h.
+/// @param programs  Must outlive the campaigns.
+/// @throws raytracer::InputError where the catalogue cannot be read.
+[[nodiscard]] std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& data,
+                                                               Programs& programs);
+
+}  // namespace ticker::calibrate
+
+#endif

@@ -1,0 +1,132 @@
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/lab/calibrate/DecisionCampaign.h>
+#include <grader/lab/calibrate/DecisionTables.h>
+#include <grader/lab/calibrate/Seed.h>
+#include <grader/tasks/support/JudgeDistributed.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <time.h>
+
+namespace ticker::calibrate {
+namespace {
+
+using tasks::DistributedJudgement;
+using tasks::TaskJudgement;
+
+constexpr std::size_t kBlock = 50;
+
+double threadCpuMs() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+std::string firstOf(const TaskJudgement& task) {
+    return task.findings.empty() ? "nothing" : task.findings.front().id;
+}
+
+void count(const TaskJudgement& task, const mistakes::Expectation& expect, bool anyWarning,
+           BlockRecord& record) {
+    const std::string wanted = expect.finding.empty() ? "nothing" : expect.finding;
+    const bool rightState = task.state == expect.state;
+    const bool rightName = firstOf(task) == wanted || (anyWarning && rightState);
+    if (!rightState) ++record.wrongState;
+    if (rightState && !rightName) ++record.wrongName;
+    if (task.needsReview) ++record.reviews;
+    if (!rightState || !rightName || task.needsReview) ++record.seen[firstOf(task)];
+}
+
+void count(const Subject& subject, const DistributedJudgement& judgement, BlockRecord& record) {
+    const mistakes::Expectation passes{TaskState::passed, ""};
+    const bool anyWarning = subject.task.empty();
+    ++record.decisions;
+    if (judgement.softShadows.state != TaskState::notAttempted)
+        count(judgement.softShadows, subject.task == "T2.1" ? subject.expect : passes, anyWarning,
+              record);
+    if (judgement.depthOfField.state != TaskState::notAttempted)
+        count(judgement.depthOfField, subject.task == "T2.2" ? subject.expect : passes, anyWarning,
+              record);
+}
+
+}  // namespace
+
+DecisionCampaign::DecisionCampaign(std::string name, std::vector<Subject> subjects,
+                                   const std::function<std::size_t(const Subject&)>& decisions,
+                                   Programs& programs)
+    : name_(std::move(name)), subjects_(std::move(subjects)), programs_(programs) {
+    std::vector<std::size_t> rounds;
+    for (const Subject& subject : subjects_)
+        rounds.push_back((decisions(subject) + kBlock - 1) / kBlock);
+    const std::size_t most = rounds.empty() ? 0 : *std::max_element(rounds.begin(), rounds.end());
+    for (std::size_t round = 0; round < most; ++round)
+        for (std::size_t i = 0; i < subjects_.size(); ++i)
+            if (round < rounds[i]) blocks_.push_back({i, round});
+}
+
+std::string DecisionCampaign::unitName(std::size_t unit) const {
+    const Block& block = blocks_.at(unit);
+    return fmt::format("{} {}", subjects_[block.subject].name, block.round);
+}
+
+// The quick ones that draw every number from the kit's generator, spread over the first round.
+std::vector<std::size_t> DecisionCampaign::checkUnits() const {
+    std::vector<std::size_t> units;
+    for (const char* wanted : {"T2.1/accepted-per-sample", "T2.1/light-size-0.36",
+                               "T2.2/accepted-stratified", "T2.2/aperture-size-0.9"})
+        for (std::size_t unit = 0; unit < blocks_.size(); ++unit)
+            if (blocks_[unit].round == 0 && subjects_[blocks_[unit].subject].name == wanted)
+                units.push_back(unit);
+    return units;
+}
+
+// What a subject does with the other task is the reference's: it is judged in the first round, and
+// always where the subject has to pass.
+std::string DecisionCampaign::run(std::size_t unit) {
+    const Block& block = blocks_.at(unit);
+    const Subject& subject = subjects_[block.subject];
+    const build::Program& program = programs_.of(subject);
+    const bool whole = subject.isRight() || block.round == 0;
+    const tasks::DistributedAttempt attempt{.softShadows = whole || subject.task != "T2.2",
+                                               .depthOfField = whole || subject.task != "T2.1"};
+    const sandbox::Limits limits;
+    BlockRecord record;
+    record.subject = subject.name;
+    record.seed = seedOf(subject.name) + block.round * kBlock;
+    record.whole = whole;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+        build::SandboxedExaminee examinee{program, programs_.sandbox(), limits};
+        const double before = threadCpuMs();
+        const DistributedJudgement judgement =
+            tasks::judgeDistributed(examinee, attempt, record.seed + i);
+        count(subject, judgement, record);
+        const double cpuMs = threadCpuMs() - before + examinee.cpuMs();
+        ++record.cpu[static_cast<int>(std::lround(cpuMs / kCpuStep)) * kCpuStep];
+    }
+    return record.json();
+}
+
+Summary DecisionCampaign::summarise(const std::vector<std::string>& records) const {
+    return tablesOf(subjects_, records);
+}
+
+std::vector<Subject> rightOnes(const std::vector<Subject>& subjects) {
+    std::vector<Subject> some;
+    std::copy_if(subjects.begin(), subjects.end(), std::back_inserter(some),
+                 [](const Subject& subject) { return subject.isRight(); });
+    return some;
+}
+
+std::vector<Subject> wrongOnes(const std::vector<Subject>& subjects) {
+    std::vector<Subject> some;
+    std::copy_if(subjects.begin(), subjects.end(), std::back_inserter(some),
+                 [](const Subject& subject) { return !subject.isRight(); });
+    return some;
+}
+
+}  // namespace ticker::calibrate

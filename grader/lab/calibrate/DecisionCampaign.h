@@ -1,0 +1,47 @@
+#ifndef TICKER_CALIBRATE_DECISIONCAMPAIGN_H
+#define TICKER_CALIBRATE_DECISIONCAMPAIGN_H
+
+#include <grader/lab/calibrate/Campaign.h>
+#include <grader/lab/calibrate/Subject.h>
+
+#include <functional>
+
+namespace ticker::calibrate {
+
+/// Judges subjects again and again, each time with another seed. A unit is a block of decisions on
+/// one subject. Rounds go over all subjects, so that a campaign that was stopped has tried them
+/// all.
+class DecisionCampaign final : public Campaign {
+public:
+    /// @param decisions  How often to judge a subject; rounded up to whole blocks; 0: never.
+    /// @param programs   Must outlive this object.
+    DecisionCampaign(std::string name, std::vector<Subject> subjects,
+                     const std::function<std::size_t(const Subject&)>& decisions,
+                     Programs& programs);
+
+    [[nodiscard]] std::string name() const override { return name_; }
+    [[nodiscard]] std::size_t units() const override { return blocks_.size(); }
+    [[nodiscard]] std::string unitName(std::size_t unit) const override;
+    [[nodiscard]] std::vector<std::size_t> checkUnits() const override;
+    [[nodiscard]] std::string run(std::size_t unit) override;
+    [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
+
+private:
+    struct Block {
+        std::size_t subject;
+        std::size_t round;
+    };
+    std::string name_;
+    std::vector<Subject> subjects_;
+    std::vector<Block> blocks_;
+    Programs& programs_;
+};
+
+/// Subjects that have to pass. Expected: none fails, at most 0.1 % go to a person.
+[[nodiscard]] std::vector<Subject> rightOnes(const std::vector<Subject>& subjects);
+/// Subjects that have to fail. Expected: none passes, at least 98 % get their name.
+[[nodiscard]] std::vector<Subject> wrongOnes(const std::vector<Subject>& subjects);
+
+}  // namespace ticker::calibrate
+
+#endif

@@ -1,0 +1,205 @@
+#include <grader/lab/calibrate/Bounds.h>
+#include <grader/lab/calibrate/DecisionTables.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace ticker::calibrate {
+namespace {
+
+using nlohmann::json;
+using Histogram = std::map<int, std::size_t>;
+
+/// Blocks of one subject, or of many, together.
+struct Tally {
+    std::size_t decisions = 0;
+    std::size_t wrongState = 0;
+    std::size_t wrongName = 0;
+    std::size_t reviews = 0;
+    std::size_t passed = 0;  // in the wrong state, less those of the block that are for a person
+    std::map<std::string, std::size_t> seen;
+    Histogram cpu;  // of whole decisions
+
+    void add(const BlockRecord& block) {
+        decisions += block.decisions;
+        wrongState += block.wrongState;
+        wrongName += block.wrongName;
+        reviews += block.reviews;
+        passed += block.wrongState - std::min(block.wrongState, block.reviews);
+        for (const auto& [id, times] : block.seen)
+            seen[id] += times;
+        if (!block.whole) return;
+        for (const auto& [ms, times] : block.cpu)
+            cpu[ms] += times;
+    }
+    void add(const Tally& other) {
+        decisions += other.decisions;
+        wrongState += other.wrongState;
+        wrongName += other.wrongName;
+        reviews += other.reviews;
+        passed += other.passed;
+        for (const auto& [ms, times] : other.cpu)
+            cpu[ms] += times;
+    }
+};
+
+int quantile(const Histogram& histogram, double share) {
+    std::size_t all = 0;
+    for (const auto& [ms, times] : histogram)
+        all += times;
+    std::size_t below = 0;
+    for (const auto& [ms, times] : histogram) {
+        below += times;
+        if (static_cast<double>(below) >= share * static_cast<double>(all)) return ms;
+    }
+    return 0;
+}
+
+std::string cpuLine(const char* what, const Histogram& histogram) {
+    if (histogram.empty()) return "";
+    return fmt::format("| {} | {} | {} | {} | {} |\n", what, quantile(histogram, 0.5),
+                       quantile(histogram, 0.9), quantile(histogram, 0.99),
+                       histogram.rbegin()->first);
+}
+
+std::string boundLine(const char* what, std::size_t hits, std::size_t count) {
+    return fmt::format("| {} | {} | {} | {:.2g} |\n", what, count, hits, upperBound(hits, count));
+}
+
+std::string listOf(const std::map<std::string, std::size_t>& seen) {
+    std::string text;
+    for (const auto& [id, times] : seen)
+        text += fmt::format("{}{} {} x", text.empty() ? "" : ", ", id, times);
+    return text;
+}
+
+/// All subjects, and those of a kind.
+struct Sums {
+    Tally all;
+    Tally unseen;
+    Tally seen;
+    Tally statistical;
+    Tally exact;
+};
+
+Summary rightTables(const Sums& sums, const std::string& rows) {
+    const Tally& all = sums.all;
+    Summary summary;
+    summary.asExpected = all.wrongState == 0 && 1000 * all.reviews <= all.decisions;
+    summary.text =
+        "| what | decisions | times | 95 % bound |\n|---|---|---|---|\n" +
+        boundLine("right ones that failed", all.wrongState, all.decisions) +
+        boundLine("right ones that a person should look at", all.reviews, all.decisions) +
+        boundLine("right ones with another finding than expected", all.wrongName, all.decisions) +
+        boundLine("of these, whose rays cannot be seen: failed", sums.unseen.wrongState,
+                  sums.unseen.decisions) +
+        boundLine("likewise: to be looked at", sums.unseen.reviews, sums.unseen.decisions) +
+        "\nCPU of one verdict, submission and judgement together, without compiling, ms:\n\n"
+        "| which | median | 90 % | 99 % | most |\n|---|---|---|---|---|\n" +
+        cpuLine("all", all.cpu) + cpuLine("rays seen", sums.seen.cpu) +
+        cpuLine("rays not seen", sums.unseen.cpu) +
+        "\n| right one | decisions | failed | to be looked at | saw instead |\n"
+        "|---|---|---|---|---|\n" +
+        rows;
+    return summary;
+}
+
+Summary wrongTables(const Sums& sums, const std::string& rows) {
+    const Tally& all = sums.all;
+    Summary summary;
+    const std::size_t caught = all.decisions - all.wrongState;
+    summary.asExpected = all.wrongState == 0 && 50 * all.wrongName <= caught;
+    summary.text =
+        "| what | decisions | times | 95 % bound |\n|---|---|---|---|\n" +
+        boundLine("exact mistakes that passed", sums.exact.passed, sums.exact.decisions) +
+        boundLine("mistakes of a distribution that passed", sums.statistical.passed,
+                  sums.statistical.decisions) +
+        boundLine("of these, whose rays cannot be seen", sums.unseen.passed,
+                  sums.unseen.decisions) +
+        boundLine("not caught, but for a person", all.wrongState - all.passed, all.decisions) +
+        boundLine("caught, but with another name", all.wrongName, caught) +
+        "\nCPU of one verdict, submission and judgement together, without compiling, ms:\n\n"
+        "| which | median | 90 % | 99 % | most |\n|---|---|---|---|---|\n" +
+        cpuLine("all", all.cpu) + cpuLine("rays seen", sums.seen.cpu) +
+        cpuLine("rays not seen", sums.unseen.cpu) +
+        "\n| mistake | decisions | passed | 95 % bound | right name | saw instead |\n"
+        "|---|---|---|---|---|---|\n" +
+        rows;
+    return summary;
+}
+
+std::string rightRow(const Subject& subject, const Tally& tally) {
+    return fmt::format("| {} | {} | {} | {} | {} |\n", subject.name, tally.decisions,
+                       tally.wrongState, tally.reviews, listOf(tally.seen));
+}
+
+std::string wrongRow(const Subject& subject, const Tally& tally) {
+    const std::size_t caught = tally.decisions - tally.wrongState;
+    const double named = caught == 0 ? 0.0
+                                     : 100.0 * static_cast<double>(caught - tally.wrongName) /
+                                           static_cast<double>(caught);
+    return fmt::format("| {} | {} | {} | {:.2g} | {:.1f} % | {} |\n", subject.name, tally.decisions,
+                       tally.passed, upperBound(tally.passed, tally.decisions), named,
+                       listOf(tally.seen));
+}
+
+}  // namespace
+
+std::string BlockRecord::json() const {
+    nlohmann::json object{{"subject", subject},       {"seed", seed},
+                          {"whole", whole},           {"decisions", decisions},
+                          {"wrongState", wrongState}, {"wrongName", wrongName},
+                          {"reviews", reviews}};
+    if (!seen.empty()) object["seen"] = seen;
+    for (const auto& [ms, times] : cpu)
+        object["cpu"][std::to_string(ms)] = times;
+    return object.dump();
+}
+
+BlockRecord BlockRecord::parse(const std::string& text) {
+    try {
+        const nlohmann::json object = nlohmann::json::parse(text);
+        BlockRecord record;
+        record.subject = object.at("subject");
+        record.seed = object.at("seed");
+        record.whole = object.at("whole");
+        record.decisions = object.at("decisions");
+        record.wrongState = object.at("wrongState");
+        record.wrongName = object.at("wrongName");
+        record.reviews = object.at("reviews");
+        if (object.contains("seen"))
+            record.seen = object["seen"].get<std::map<std::string, std::size_t>>();
+        for (const auto& [ms, times] : object.at("cpu").items())
+            record.cpu[std::stoi(ms)] = times.get<std::size_t>();
+        return record;
+    } catch (const nlohmann::json::exception& error) {
+        throw raytracer::Error(fmt::format("no record of decisions: {}", error.what()));
+    }
+}
+
+Summary tablesOf(const std::vector<Subject>& subjects, const std::vector<std::string>& records) {
+    std::map<std::string, Tally> tallies;
+    for (const std::string& text : records) {
+        const BlockRecord block = BlockRecord::parse(text);
+        tallies[block.subject].add(block);
+    }
+    Sums sums;
+    std::string rows;
+    bool right = true;
+    for (const Subject& subject : subjects) {
+        const Tally& tally = tallies[subject.name];
+        sums.all.add(tally);
+        (subject.isUnseen() ? sums.unseen : sums.seen).add(tally);
+        (subject.isStatistical() ? sums.statistical : sums.exact).add(tally);
+        right = subject.isRight();
+        if (tally.decisions == 0) continue;
+        rows += right ? rightRow(subject, tally) : wrongRow(subject, tally);
+    }
+    return right ? rightTables(sums, rows) : wrongTables(sums, rows);
+}
+
+}  // namespace ticker::calibrate

@@ -1,0 +1,145 @@
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/lab/calibrate/Bounds.h>
+#include <grader/lab/calibrate/PictureCampaign.h>
+#include <grader/lab/calibrate/Seed.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace ticker::calibrate {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uint64_t kRendersPerUnit = 10;
+
+// What the doubt is there for has to be seen each time; the others are measured.
+constexpr std::array<std::string_view, 2> kToBeSeen{"T2.1/hard-centre", "T2.2/none"};
+constexpr std::array<std::string_view, 8> kMeasured{
+    "T2.1/light-size-0.3",    "T2.1/light-size-0.5",    "T2.1/light-size-0.8",
+    "T2.2/aperture-size-0.7", "T2.2/aperture-size-1.4", "T2.2/disc",
+    "T2.2/focal-plane-0.9",   "T2.2/off-centre-quarter"};
+
+bool isAmong(const auto& names, const Subject& subject) {
+    return std::ranges::find(names, subject.name) != names.end();
+}
+
+// Their pictures are explained by the warning, or one pattern for all pixels leaves no noise to
+// measure them by.
+bool isCompared(const Subject& subject) {
+    constexpr std::array<std::string_view, 4> kOthers{"shadow.view-from-eye", "dof.antialiased",
+                                                      "shadow.fixed-samples", "dof.reused-pattern"};
+    return std::ranges::find(kOthers, subject.expect.finding) == kOthers.end();
+}
+
+double smallestOf(const std::vector<tasks::Misfit>& misfits) {
+    return std::ranges::min_element(misfits, {}, &tasks::Misfit::meanSquare)->meanSquare;
+}
+
+/// Renders of one kind of subject.
+struct PictureTally {
+    std::vector<double> misfits;
+
+    void add(const json& record) {
+        for (const json& misfit : record.at("misfits"))
+            misfits.push_back(misfit.get<double>());
+    }
+    [[nodiscard]] std::size_t doubted() const {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            misfits, [](double misfit) { return misfit > tasks::kMostMisfit; }));
+    }
+    [[nodiscard]] std::string line(const std::string& what) {
+        if (misfits.empty()) return "";
+        std::ranges::sort(misfits);
+        return fmt::format("| {} | {} | {} | {:.2g} | {:.2f} | {:.2f} | {:.2f} |\n", what,
+                           misfits.size(), doubted(), upperBound(doubted(), misfits.size()),
+                           misfits.front(), misfits[misfits.size() / 2], misfits.back());
+    }
+};
+
+}  // namespace
+
+PictureCampaign::PictureCampaign(const std::vector<Subject>& subjects, pipeline::SpecScene scene,
+                                 Programs& programs)
+    : scene_(std::move(scene)), programs_(programs) {
+    for (const Subject& subject : subjects)
+        if ((subject.isRight() && isCompared(subject)) || isAmong(kToBeSeen, subject) ||
+            isAmong(kMeasured, subject))
+            subjects_.push_back(subject);
+}
+
+std::vector<std::size_t> PictureCampaign::checkUnits() const {
+    std::vector<std::size_t> units;
+    for (std::size_t unit = 0; unit < subjects_.size(); ++unit)
+        if (subjects_[unit].name == "T2.1/accepted-per-sample" ||
+            subjects_[unit].name == "T2.1/hard-centre")
+            units.push_back(unit);
+    return units;
+}
+
+std::string PictureCampaign::run(std::size_t unit) {
+    const Subject& subject = subjects_.at(unit);
+    const sandbox::Limits limits;
+    build::SandboxedExaminee examinee{programs_.of(subject), programs_.sandbox(), limits};
+    std::vector<double> misfits;
+    for (std::uint64_t i = 0; i < kRendersPerUnit; ++i) {
+        raytracer::RenderSettings settings = scene_.settings;
+        settings.seed = seedOf("picture " + subject.name) + i;
+        const probe::Sitting sitting =
+            examinee.ask({probe::RenderQuestion{scene_.scene, settings, 1, 0}});
+        const auto& answer = std::get<probe::RenderAnswer>(sitting.answers.at(0));
+        if (answer.state != probe::AnswerState::answered || answer.images.empty())
+            throw raytracer::Error(subject.name + " gave no picture: " + sitting.end.detail);
+        misfits.push_back(std::round(1e4 * smallestOf(pipeline::misfitsOf(scene_, answer))) / 1e4);
+    }
+    return json{{"subject", subject.name}, {"right", subject.isRight()}, {"misfits", misfits}}
+        .dump();
+}
+
+// A render with the kit's generator differs in its last digits between processors.
+bool PictureCampaign::agrees(const std::string& before, const std::string& now) const {
+    constexpr double kShare = 0.01;
+    const json then = json::parse(before).at("misfits");
+    const json again = json::parse(now).at("misfits");
+    return then.size() == again.size() &&
+           std::equal(then.begin(), then.end(), again.begin(), [](const json& a, const json& b) {
+               return std::abs(a.get<double>() - b.get<double>()) <= kShare * a.get<double>();
+           });
+}
+
+Summary PictureCampaign::summarise(const std::vector<std::string>& records) const {
+    PictureTally right;
+    std::string others;
+    Summary summary;
+    for (const std::string& text : records) {
+        const json record = json::parse(text);
+        if (record.at("right").get<bool>()) {
+            right.add(record);
+            continue;
+        }
+        PictureTally wrong;
+        wrong.add(record);
+        const auto name = record.at("subject").get<std::string>();
+        others += wrong.line(name);
+        if (std::ranges::find(kToBeSeen, name) != kToBeSeen.end())
+            summary.asExpected = summary.asExpected && wrong.doubted() == wrong.misfits.size();
+    }
+    summary.asExpected = summary.asExpected && right.doubted() == 0;
+    summary.text = fmt::format(
+                       "| pictures of | renders | above {} | 95 % bound | least | median | most |\n"
+                       "|---|---|---|---|---|---|---|\n",
+                       tasks::kMostMisfit) +
+                   right.line("right ones") + others;
+    return summary;
+}
+
+}  // namespace ticker::calibrate

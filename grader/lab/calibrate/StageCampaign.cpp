@@ -1,0 +1,164 @@
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/lab/calibrate/Bounds.h>
+#include <grader/lab/calibrate/Seed.h>
+#include <grader/lab/calibrate/StageCampaign.h>
+#include <grader/tasks/shadows/checks/PenumbraCheck.h>
+#include <grader/tasks/lens/PictureCheck.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <variant>
+
+namespace ticker::calibrate {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kBlock = 10;
+
+// Statistics are counted in hundredths.
+constexpr double kHundred = 100.0;
+
+struct Stage {
+    bool failed = false;
+    double statistic = 0.0;  // in units of the limit
+};
+
+template <class Answer>
+Answer answerOf(probe::Examinee& examinee, const probe::Question& question) {
+    const probe::Sitting sitting = examinee.ask({question});
+    const auto* answer =
+        sitting.answers.empty() ? nullptr : std::get_if<Answer>(&sitting.answers.front());
+    if (answer == nullptr || answer->state != probe::AnswerState::answered)
+        throw raytracer::Error("a right submission did not answer: " + sitting.end.detail);
+    return *answer;
+}
+
+Stage shadowStage(probe::Examinee& examinee, std::uint64_t seed) {
+    const tasks::PenumbraQuestion asked = tasks::drawPenumbraQuestion(seed);
+    const tasks::PenumbraVerdict verdict =
+        tasks::checkPenumbra(asked, answerOf<probe::IlluminateAnswer>(examinee, asked.question));
+    return {verdict.finding.has_value() || verdict.ambiguous, verdict.timesTheBound};
+}
+
+Stage pictureStage(probe::Examinee& examinee, std::uint64_t seed) {
+    const probe::RenderQuestion asked = tasks::drawPictureQuestion(seed);
+    const tasks::PictureVerdict verdict =
+        tasks::judgePictures(asked, answerOf<probe::RenderAnswer>(examinee, asked), seed);
+    return {verdict.finding.has_value() || verdict.ambiguous, verdict.timesTheLimit};
+}
+
+/// All stages of one kind.
+struct Tally {
+    std::size_t stages = 0;
+    std::size_t failed = 0;
+    std::map<int, std::size_t> statistics;
+
+    [[nodiscard]] double quantile(double share) const {
+        std::size_t below = 0;
+        for (const auto& [hundredths, times] : statistics) {
+            below += times;
+            if (static_cast<double>(below) >= share * static_cast<double>(stages))
+                return hundredths / kHundred;
+        }
+        return 0.0;
+    }
+    void add(const json& record) {
+        stages += record.at("stages").get<std::size_t>();
+        failed += record.at("failed").get<std::size_t>();
+        for (const auto& [hundredths, times] : record.at("statistics").items())
+            statistics[std::stoi(hundredths)] += times.get<std::size_t>();
+    }
+    [[nodiscard]] std::string line(const char* what) const {
+        if (stages == 0) return "";
+        return fmt::format(
+            "| {} | {} | {} | {:.2g} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", what,
+            stages, failed, upperBound(failed, stages), quantile(0.5), quantile(0.9),
+            quantile(0.99), quantile(0.999), quantile(1.0));
+    }
+};
+
+bool isSuited(const Subject& subject) {
+    // A fixed seed gives one sample of its noise: it is judged in another way.
+    return subject.isRight() && subject.isUnseen() && !subject.task.empty() &&
+           subject.name.find("fixed") == std::string::npos;
+}
+
+}  // namespace
+
+StageCampaign::StageCampaign(const std::vector<Subject>& subjects, std::size_t units,
+                             Programs& programs)
+    : units_(units), programs_(programs) {
+    for (const Subject& subject : subjects)
+        if (isSuited(subject)) (subject.task == "T2.1" ? shadows_ : pictures_).push_back(subject);
+}
+
+const Subject& StageCampaign::subjectOf(std::size_t unit) const {
+    const std::vector<Subject>& subjects = unit % 2 == 1 ? pictures_ : shadows_;
+    return subjects.at(unit / 2 % subjects.size());
+}
+
+std::string StageCampaign::unitName(std::size_t unit) const {
+    const std::size_t subjects = unit % 2 == 1 ? pictures_.size() : shadows_.size();
+    return fmt::format("{} {}", subjectOf(unit).name, unit / 2 / subjects);
+}
+
+std::string StageCampaign::run(std::size_t unit) {
+    const bool picture = unit % 2 == 1;
+    const Subject& subject = subjectOf(unit);
+    const build::Program& program = programs_.of(subject);
+    const sandbox::Limits limits;
+    build::SandboxedExaminee examinee{program, programs_.sandbox(), limits};
+    std::size_t failed = 0;
+    std::map<std::string, std::size_t> statistics;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+        const std::uint64_t seed = seedOf("stage " + unitName(unit)) + i;
+        const Stage stage = picture ? pictureStage(examinee, seed) : shadowStage(examinee, seed);
+        if (stage.failed) ++failed;
+        ++statistics[std::to_string(std::lround(stage.statistic * kHundred))];
+    }
+    return json{{"kind", picture ? "picture" : "shadow"},
+                {"subject", subject.name},
+                {"stages", kBlock},
+                {"failed", failed},
+                {"statistics", statistics}}
+        .dump();
+}
+
+// How near a stage came to its limit differs in the last digits between processors.
+bool StageCampaign::agrees(const std::string& before, const std::string& now) const {
+    const json then = json::parse(before);
+    const json again = json::parse(now);
+    const auto same = [&](const char* name) { return then.at(name) == again.at(name); };
+    return same("kind") && same("subject") && same("stages") && same("failed");
+}
+
+Summary StageCampaign::summarise(const std::vector<std::string>& records) const {
+    std::map<std::string, Tally> kinds;
+    Tally all;
+    for (const std::string& text : records) {
+        const json record = json::parse(text);
+        kinds[record.at("kind")].add(record);
+        all.add(record);
+    }
+    // What the budget of two stages rests on.
+    constexpr double kTail = 5e-4;
+    Summary summary;
+    summary.asExpected = upperBound(all.failed, all.stages) <= kTail;
+    summary.text =
+        "| stage | times | failed | 95 % bound | median | 90 % | 99 % | 99.9 % | most |\n"
+        "|---|---|---|---|---|---|---|---|---|\n" +
+        kinds["shadow"].line("values at shadows' edges") + kinds["picture"].line("pictures") +
+        all.line("both");
+    return summary;
+}
+
+}  // namespace ticker::calibrate

@@ -1,0 +1,40 @@
+#ifndef TICKER_CALIBRATE_STAGECAMPAIGN_H
+#define TICKER_CALIBRATE_STAGECAMPAIGN_H
+
+#include <grader/lab/calibrate/Campaign.h>
+#include <grader/lab/calibrate/Subject.h>
+
+#include <cstdint>
+
+namespace ticker::calibrate {
+
+/// Single stages of the statistical layers, of which a failure needs two: how far right
+/// submissions, whose rays cannot be seen, come to the limits. A unit is a block of stages of one
+/// kind on one subject.
+class StageCampaign final : public Campaign {
+public:
+    /// @param subjects  All; those that are right and unseen are used.
+    /// @param units     Of each kind of stage.
+    /// @param programs  Must outlive this object.
+    StageCampaign(const std::vector<Subject>& subjects, std::size_t units, Programs& programs);
+
+    [[nodiscard]] std::string name() const override { return "stages"; }
+    [[nodiscard]] std::size_t units() const override { return 2 * units_; }
+    [[nodiscard]] std::string unitName(std::size_t unit) const override;
+    [[nodiscard]] std::vector<std::size_t> checkUnits() const override { return {0, 1}; }
+    [[nodiscard]] std::string run(std::size_t unit) override;
+    [[nodiscard]] bool agrees(const std::string& before, const std::string& now) const override;
+    [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
+
+private:
+    [[nodiscard]] const Subject& subjectOf(std::size_t unit) const;
+
+    std::vector<Subject> shadows_;   // judged by values
+    std::vector<Subject> pictures_;  // judged by pictures
+    std::size_t units_;
+    Programs& programs_;
+};
+
+}  // namespace ticker::calibrate
+
+#endif

@@ -1,0 +1,64 @@
+#ifndef TICKER_CALIBRATE_SUBJECT_H
+#define TICKER_CALIBRATE_SUBJECT_H
+
+#include <grader/build/Kit.h>
+#include <grader/build/Program.h>
+#include <grader/corpus/Catalogue.h>
+#include <grader/sandbox/Sandbox.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace ticker::calibrate {
+
+/// A Renderer.cpp that the decision is tried on, and what has to come out.
+struct Subject {
+    std::string name;  ///< "T2.1/light-size-0.36"
+    std::string source;
+    std::string task;  ///< "T2.1" or "T2.2": where `expect` belongs; empty: both have to pass
+    mistakes::Expectation expect;
+
+    [[nodiscard]] bool isRight() const { return expect.state == TaskState::passed; }
+    /// Its rays cannot be seen, so that it is judged by values or pictures.
+    [[nodiscard]] bool isUnseen() const;
+    /// Nothing but a distribution is wrong: what is left to statistics.
+    [[nodiscard]] bool isStatistical() const;
+};
+
+/// The catalogue's entries of T2.1 and T2.2 made in the reference, and the right solutions of
+/// grader/corpus/unseen/T2 and grader/corpus/samples.
+/// @param data  The kit's folder, see cli/Home.h.
+/// @throws raytracer::InputError where one cannot be read.
+[[nodiscard]] std::vector<Subject> readSubjects(const std::filesystem::path& data);
+
+/// Compiles each subject once, when it is first asked for. Threads may share it.
+class Programs {
+public:
+    Programs(const build::Kit& kit, const sandbox::Sandbox& sandbox)
+        : kit_(kit), sandbox_(sandbox) {}
+
+    /// Lives as long as this object.
+    /// @throws raytracer::Error where the subject does not compile.
+    [[nodiscard]] const build::Program& of(const Subject& subject);
+
+    [[nodiscard]] const build::Kit& kit() const { return kit_; }
+    [[nodiscard]] const sandbox::Sandbox& sandbox() const { return sandbox_; }
+
+private:
+    struct Slot {
+        std::once_flag once;
+        std::unique_ptr<build::Program> program;
+    };
+    const build::Kit& kit_;
+    const sandbox::Sandbox& sandbox_;
+    std::mutex mutex_;
+    std::map<std::string, Slot> slots_;
+};
+
+}  // namespace ticker::calibrate
+
+#endif

@@ -1,0 +1,112 @@
+#include <grader/lab/selftest/BumpReadings.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace ticker::selftest {
+namespace {
+
+// What the cross product does not run through takes turns, so that all of it occurs.
+void takeTurns(std::vector<Reading>& readings) {
+    constexpr std::array kOrigins{0.5, 0.25, 0.0, 0.75, 0.5, 0.137};
+    constexpr std::array kEdges{Reading::Edge::wrap, Reading::Edge::clamp, Reading::Edge::mirror};
+    constexpr std::array kStrengths{0.2, 1.0, 5.0, 20.0};
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        Reading& reading = readings[i];
+        reading.uOrigin = kOrigins[i % kOrigins.size()];
+        reading.edge = kEdges[(i / 2) % kEdges.size()];
+        reading.strength = kStrengths[(i / 3) % kStrengths.size()];
+        reading.lessOne = i % 5 == 1;
+        reading.singlePrecision = i % 7 >= 4;
+        reading.top = i % 11 == 3   ? Reading::Top::z
+                      : i % 11 == 7 ? Reading::Top::x
+                                    : Reading::Top::y;
+        reading.tangents = i % 4 == 2 ? Reading::Tangents::numeric : Reading::Tangents::formula;
+        reading.angle = i % 3 == 2 ? Reading::PolarAngle::arcTangent : Reading::PolarAngle::cosine;
+        reading.heights = i % 13 == 5   ? Reading::Heights::rounded
+                          : i % 13 == 9 ? Reading::Heights::gamma
+                                        : Reading::Heights::given;
+        // A surface that is displaced by more than its radius is none.
+        if (reading.gain == Reading::Gain::displaced)
+            reading.strength = std::min(reading.strength, 1.0);
+    }
+}
+
+constexpr std::array kGains{Reading::Gain::unit,        Reading::Gain::sine,
+                            Reading::Gain::inverseSine, Reading::Gain::mapUnits,
+                            Reading::Gain::blinn,       Reading::Gain::equation,
+                            Reading::Gain::displaced,   Reading::Gain::displacedUnit};
+constexpr std::array kSamplings{Reading::Sampling::floor, Reading::Sampling::round,
+                                Reading::Sampling::bilinear, Reading::Sampling::bicubic};
+constexpr std::array kDifferences{Reading::Difference::forward, Reading::Difference::backward,
+                                  Reading::Difference::central, Reading::Difference::wide,
+                                  Reading::Difference::sobel};
+
+}  // namespace
+
+std::vector<Reading> acceptedReadings() {
+    constexpr int kRounds = 2;  // each with its own turn of everything else
+    std::vector<Reading> readings;
+    for (const Reading::Gain gain : kGains)
+        for (const Reading::Sampling sampling : kSamplings)
+            for (const Reading::Difference difference : kDifferences)
+                for (const bool mirrored : {false, true})
+                    for (int round = 0; round < kRounds; ++round) {
+                        Reading reading;
+                        reading.gain = gain;
+                        reading.sampling = sampling;
+                        reading.difference = difference;
+                        reading.mirrored = mirrored;
+                        readings.push_back(reading);
+                    }
+    takeTurns(readings);
+    return readings;
+}
+
+std::vector<Reading> readingsForMistakes() {
+    std::vector<Reading> readings;
+    const std::vector<Reading> all = acceptedReadings();
+    constexpr std::size_t kStep = 19;
+    for (std::size_t i = 0; i < all.size(); i += kStep)
+        readings.push_back(all[i]);
+    return readings;
+}
+
+std::vector<Slip> allSlips() {
+    std::vector<Slip> slips;
+    for (int i = 1; i <= static_cast<int>(kLastSlip); ++i)
+        slips.push_back(static_cast<Slip>(i));
+    return slips;
+}
+
+/// The reading, changed where a mistake would be none, or another one, in it.
+Reading fittingFor(Slip slip, Reading reading) {
+    // Which way up a map stands round another axis is anybody's choice.
+    if (slip == Slip::upsideDown) reading.top = Reading::Top::y;
+    // A sixth of a difference is never a whole number: that sphere is flat.
+    if (slip == Slip::wholeNumbers) reading.difference = Reading::Difference::forward;
+    // Three times as far, it would reach over the seam from a tenth of the map.
+    if (slip == Slip::farNeighbour) reading.difference = Reading::Difference::forward;
+    // Turned tangents have no area at the equator, which Blinn's form divides by.
+    if (slip == Slip::otherOrigin && reading.gain == Reading::Gain::blinn)
+        reading.gain = Reading::Gain::equation;
+    // A polar angle that is no number makes a row that is none: clamped, the tangents show it.
+    if (slip == Slip::acosBeyondOne) reading.edge = Reading::Edge::clamp;
+    // These are mistakes of the height itself.
+    if (slip == Slip::darkHalf || slip == Slip::signedBytes || slip == Slip::byteDifference)
+        reading.heights = Reading::Heights::given;
+    // Numeric tangents have no length at the poles, where this angle often is.
+    if (slip == Slip::clampedAcos) reading.tangents = Reading::Tangents::formula;
+    return reading;
+}
+
+/// What a displaced surface's normal has no place for: tangents, the sum, single differences.
+bool canHaveSlip(const Reading& reading, Slip slip) {
+    constexpr std::array kOfAnySurface{Slip::invertedU, Slip::invertedV, Slip::inverted,
+                                       Slip::swapped, Slip::swappedHalf};
+    return !isDisplaced(reading) ||
+           std::find(kOfAnySurface.begin(), kOfAnySurface.end(), slip) != kOfAnySurface.end();
+}
+
+}  // namespace ticker::selftest

@@ -1,0 +1,153 @@
+#ifndef TICKER_SELFTEST_BUMPSAMPLER_INC_H
+#define TICKER_SELFTEST_BUMPSAMPLER_INC_H
+
+// Heights of the model's map and their differences, for any precision.
+#include <grader/lab/selftest/BumpModel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace ticker::selftest {
+namespace {
+
+/// The map as a reading looks at it, with a mistake made in that.
+template <typename Real>
+class BumpSampler {
+public:
+    BumpSampler(const Reading& reading, Slip slip, const HeightMap& map)
+        : reading_(reading), slip_(slip), map_(map) {}
+
+    /// By what u and v are multiplied.
+    [[nodiscard]] int columnsUsed() const { return used(map_.width()); }
+    [[nodiscard]] int rowsUsed() const { return used(map_.height()); }
+
+    /// Height at a place between texels, counted in texels.
+    [[nodiscard]] Real heightAt(Real column, Real row) const {
+        switch (reading_.sampling) {
+            case Reading::Sampling::floor:
+                return height(whole(column), whole(row));
+            case Reading::Sampling::round:
+                return height(whole(column + Real(0.5)), whole(row + Real(0.5)));
+            case Reading::Sampling::bilinear:
+                return interpolated(column, row, 0, 1);
+            case Reading::Sampling::bicubic:
+                return interpolated(column, row, -1, 2);
+        }
+        return 0;
+    }
+
+    /// Slope in the direction (dc, dr), heights per texel.
+    [[nodiscard]] Real difference(Real column, Real row, Real dc, Real dr) const {
+        const auto at = [&](Real steps) { return heightAt(column + steps * dc, row + steps * dr); };
+        switch (reading_.difference) {
+            case Reading::Difference::forward:
+                return at(1) - at(0);
+            case Reading::Difference::backward:
+                return at(0) - at(-1);
+            case Reading::Difference::central:
+                return (at(1) - at(-1)) / 2;
+            case Reading::Difference::wide:
+                return (at(3) - at(-3)) / 6;
+            case Reading::Difference::sobel:
+                break;
+        }
+        Real sum = 0;
+        for (int side = -1; side <= 1; ++side) {
+            const Real w = side == 0 ? Real(2) : Real(1);
+            const Real c = column + Real(side) * dr;
+            const Real r = row + Real(side) * dc;
+            sum += w * (heightAt(c + dc, r + dr) - heightAt(c - dc, r - dr));
+        }
+        return sum / 8;
+    }
+
+private:
+    /// What is no number becomes a place far below the map, as on the processors that students
+    /// have; their int has no room for a neighbour there, ours has.
+    static int whole(Real value) {
+        constexpr int kFar = 1'000'000'000;
+        const Real floor = std::floor(value);
+        return std::abs(floor) < Real(kFar) ? static_cast<int>(floor) : -kFar;
+    }
+
+    /// Catmull-Rom over four texels, or linear over two.
+    static Real weight(Real distance, bool cubic) {
+        const Real d = std::abs(distance);
+        if (!cubic) return std::max(Real(0), 1 - d);
+        if (d < 1) return 1 + d * d * (Real(1.5) * d - Real(2.5));
+        return d < 2 ? 2 + d * (-4 + d * (Real(2.5) - Real(0.5) * d)) : Real(0);
+    }
+
+    [[nodiscard]] Real interpolated(Real column, Real row, int first, int last) const {
+        const bool cubic = last > 1;
+        const int c = whole(column);
+        const int r = whole(row);
+        Real sum = 0;
+        for (int j = first; j <= last; ++j)
+            for (int i = first; i <= last; ++i)
+                sum += height(c + i, r + j) * weight(column - Real(c + i), cubic) *
+                       weight(row - Real(r + j), cubic);
+        return sum;
+    }
+
+    [[nodiscard]] int used(int side) const {
+        const int longer = std::max(map_.width(), map_.height());
+        return (slip_ == Slip::longerSide ? longer : side) - (reading_.lessOne ? 1 : 0);
+    }
+
+    static int mirror(int index, int count) {
+        if (index < 0) return std::min(-index, count - 1);
+        return index < count ? index : std::max(0, 2 * count - 2 - index);
+    }
+
+    [[nodiscard]] Real height(int column, int row) const {
+        const int w = map_.width();
+        const int h = map_.height();
+        int c = column;
+        int r = row;
+        const bool bareColumn = slip_ == Slip::noWrap;
+        const bool bareRow = slip_ == Slip::noLastRow;
+        switch (reading_.edge) {
+            case Reading::Edge::wrap:
+                c = (c % w + w) % w, r = (r % h + h) % h;
+                break;
+            case Reading::Edge::clamp:
+                c = std::clamp(c, 0, w - 1), r = std::clamp(r, 0, h - 1);
+                break;
+            case Reading::Edge::mirror:
+                c = mirror(c, w), r = mirror(r, h);
+                break;
+        }
+        if (bareColumn) c = column;
+        if (bareRow) r = row;
+        if (slip_ == Slip::rowsEnd) r = std::min(r, 511);
+        if (slip_ == Slip::transposed) return valueOf(map_.at(r % w, c % h));
+        return valueOf(map_.at(c, r));
+    }
+
+    /// What the reading makes of a height.
+    [[nodiscard]] Real valueOf(double height) const {
+        const auto byte = static_cast<int>(std::lround(height * 51.0));
+        if (slip_ == Slip::signedBytes) return Real(static_cast<std::int8_t>(byte)) / 51;
+        if (slip_ == Slip::darkHalf) return std::abs(Real(height) - Real(2.5));
+        switch (reading_.heights) {
+            case Reading::Heights::given:
+                break;
+            case Reading::Heights::rounded:
+                return Real(byte) / 51;
+            case Reading::Heights::gamma:
+                return 5 * std::pow(Real(height) / 5, Real(2.2));
+        }
+        return Real(height);
+    }
+
+    const Reading& reading_;
+    Slip slip_;
+    const HeightMap& map_;
+};
+
+}  // namespace
+}  // namespace ticker::selftest
+
+#endif

@@ -1,0 +1,250 @@
+#include <grader/lab/selftest/HostileTables.h>
+
+#include <grader/intake/Intake.h>
+#include <grader/picture/DecodePicture.h>
+#include <grader/result/ResultJson.h>
+#include <grader/result/Names.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+
+namespace ticker::selftest {
+namespace fs = std::filesystem;
+namespace {
+
+using hostile::HostileCase;
+
+std::vector<HostileCase> pick(const std::vector<HostileCase>& corpus, double fraction) {
+    const auto wanted = static_cast<std::size_t>(fraction * static_cast<double>(corpus.size()));
+    const std::size_t count = std::clamp<std::size_t>(wanted, 1, corpus.size());
+    std::vector<HostileCase> picked;
+    for (std::size_t i = 0; i < count; ++i)
+        picked.push_back(corpus[i * corpus.size() / count]);
+    return picked;
+}
+
+bool holds(const std::vector<std::string>& list, const std::string& value) {
+    return std::ranges::find(list, value) != list.end();
+}
+
+std::vector<std::string> findingsOf(const SubmissionResult& result) {
+    std::vector<std::string> ids;
+    for (const TaskReport& task : result.tasks)
+        for (const Finding& finding : task.findings)
+            if (!holds(ids, finding.id)) ids.push_back(finding.id);
+    return ids;
+}
+
+std::string expectedOf(const HostileCase& hostileCase) {
+    return fmt::format("{} {} [{}] {}", hostileCase.task, fmt::join(hostileCase.states, "|"),
+                       fmt::join(hostileCase.findings, "|"), fmt::join(hostileCase.verdicts, "|"));
+}
+
+// A case whose task has to pass is about what else is found, such as a picture's fault.
+bool mustBeNamed(const HostileCase& hostileCase, const std::string& state) {
+    if (hostileCase.findings.empty()) return false;
+    const bool passesOnly = hostileCase.states == std::vector<std::string>{"passed"};
+    return passesOnly || state == "failed" || state == "blocked";
+}
+
+// What the class has in OUT: a submission's folder of this name would take its place. Some systems
+// tell no capitals.
+bool takesAPlaceInOut(std::string name) {
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return name == "index.html" || name == "summary.csv" || name == "results.sqlite";
+}
+
+// A notice is one line for terminals and logs, whatever names are in it. Above ASCII, the control
+// characters are those that are written C2 80 to C2 9F.
+bool holdsControls(const std::string& notice) {
+    unsigned char before = 0;
+    for (const char c : notice) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7F || (before == 0xC2 && byte < 0xA0)) return true;
+        before = byte;
+    }
+    return false;
+}
+
+void compare(const HostileCase& hostileCase, const SubmissionResult& result, HostileRow& row) {
+    const auto task = std::ranges::find(result.tasks, hostileCase.task, &TaskReport::id);
+    const std::string state{task == result.tasks.end() ? "none" : toString(task->state)};
+    const std::string verdict{toString(result.verdict)};
+    const std::vector<std::string> ids = findingsOf(result);
+    row.got = fmt::format("{} {} [{}] {}", hostileCase.task, state, fmt::join(ids, "|"), verdict);
+    if (!holds(hostileCase.states, state)) row.faults.push_back("state " + state);
+    if (!holds(hostileCase.verdicts, verdict)) row.faults.push_back("verdict " + verdict);
+    if (std::ranges::any_of(result.notices, holdsControls))
+        row.faults.emplace_back("a control character in a notice");
+    if (takesAPlaceInOut(result.submission)) row.faults.push_back("named " + result.submission);
+    const bool isNamed = std::ranges::any_of(hostileCase.findings,
+                                             [&](const std::string& id) { return holds(ids, id); });
+    if (mustBeNamed(hostileCase, state) && !isNamed) {
+        const std::string why = task == result.tasks.end() ? "" : task->reason;
+        row.faults.push_back("not named as expected: " + why);
+    }
+}
+
+// Everything of a result that anybody may come to read.
+bool tells(const SubmissionResult& result, const std::string& secret) {
+    if (report::resultJson(result).find(secret) != std::string::npos) return true;
+    for (const Diagnostics& said : result.diagnostics)
+        if (said.text.find(secret) != std::string::npos) return true;
+    for (const SourceText& source : result.sources)
+        if (source.bytes.find(secret) != std::string::npos) return true;
+    return std::ranges::any_of(result.pictures, [&](const ResultPicture& picture) {
+        return picture.png.find(secret) != std::string::npos;
+    });
+}
+
+/// The cases written out as a class, and the rows as they come.
+class HostileClass {
+public:
+    HostileClass(std::vector<HostileCase> cases, const pipeline::Grader& grader,
+                 const HostileRun& run)
+        : cases_(std::move(cases)),
+          grader_(grader),
+          run_(run),
+          rows_(cases_.size() * static_cast<std::size_t>(std::max(1, run.rounds))) {
+        const fs::path folder = traces_.folder() / "class";
+        fs::create_directory(folder);
+        for (const HostileCase& hostileCase : cases_) {
+            const fs::path own = folder / hostileCase.handedInAs;
+            fs::create_directory(own);
+            hostile::writeSubmission(hostileCase, traces_.secretFile(), own);
+        }
+        for (const intake::Located& located : intake::findSubmissions(folder))
+            located_[located.path.lexically_relative(folder).begin()->string()] = located;
+    }
+
+    [[nodiscard]] HostileTables grade() {
+        HostileTables tables;
+        warmUp();
+        tables.before = footprint(grader_.policy.users);
+        {
+            std::vector<std::jthread> threads;
+            for (int i = 0; i < run_.jobs; ++i)
+                threads.emplace_back([this] { work(); });
+        }
+        if (failure_) std::rethrow_exception(failure_);
+        tables.after = footprint(grader_.policy.users);
+        tables.rows = std::move(rows_);
+        return tables;
+    }
+
+private:
+    // What is made once for all is no litter: the first grading's, and the decoder's copy.
+    void warmUp() const {
+        constexpr std::string_view kBeginning{"\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1", 24};
+        static_cast<void>(gradeOne(cases_.front()));
+        static_cast<void>(
+            picture::decodePicture(kBeginning, grader_.sandbox, grader_.policy.decode));
+    }
+
+    void work() {
+        for (std::size_t i = next_++; i < rows_.size(); i = next_++) {
+            try {
+                rows_[i] = gradeOne(cases_[i % cases_.size()]);
+                rows_[i].round = static_cast<int>(i / cases_.size());
+            } catch (...) {
+                const std::lock_guard lock{mutex_};
+                failure_ = std::current_exception();
+                next_ = rows_.size();
+                return;
+            }
+            const std::lock_guard lock{mutex_};
+            ++done_;
+            if (run_.progress) run_.progress(done_, rows_.size());
+        }
+    }
+
+    [[nodiscard]] HostileRow gradeOne(const HostileCase& hostileCase) const {
+        HostileRow row{hostileCase.name, 0, expectedOf(hostileCase), "", {}};
+        const auto located = located_.find(hostileCase.handedInAs);
+        // What is found nowhere is in nobody's list: as good as refused.
+        if (located == located_.end()) {
+            row.got = "no submission found";
+            if (!holds(hostileCase.states, "notAttempted")) row.faults.push_back(row.got);
+            return row;
+        }
+        try {
+            const SubmissionResult result = pipeline::gradeSubmission(
+                intake::readSubmission(located->second), grader_, run_.seed);
+            compare(hostileCase, result, row);
+            if (tells(result, traces_.secret())) row.faults.emplace_back("the secret is out");
+        } catch (const raytracer::Error& error) {
+            row.got = error.what();
+            row.faults.push_back("stopped the grader: " + row.got);
+        }
+        if (traces_.takeEscaped()) row.faults.emplace_back("a file outside");
+        for (const std::string& process : processesLeft(grader_.policy.users))
+            row.faults.push_back("a process is left: " + process);
+        return row;
+    }
+
+    Traces traces_;
+    std::vector<HostileCase> cases_;
+    const pipeline::Grader& grader_;
+    const HostileRun& run_;
+    std::map<std::string, intake::Located> located_;
+    std::vector<HostileRow> rows_;
+    std::atomic<std::size_t> next_{0};
+    std::mutex mutex_;
+    std::size_t done_ = 0;
+    std::exception_ptr failure_;
+};
+
+}  // namespace
+
+std::size_t HostileTables::right() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(rows, [](const HostileRow& row) { return row.faults.empty(); }));
+}
+
+bool HostileTables::passed() const {
+    return !rows.empty() && right() == rows.size() && leftBehind(before, after).empty();
+}
+
+std::string HostileTables::table() const {
+    std::string text;
+    for (const HostileRow& row : rows) {
+        if (row.round > 0 && row.faults.empty()) continue;
+        text += fmt::format("{:<5} {:<30} {}\n", row.faults.empty() ? "ok" : "WRONG", row.name,
+                            row.got);
+        if (row.faults.empty()) continue;
+        text += fmt::format("      expected {}\n", row.expected);
+        for (const std::string& fault : row.faults)
+            text += fmt::format("      {}\n", fault);
+    }
+    text += fmt::format("{} of {} hostile submissions as expected\n", right(), rows.size());
+    const auto line = [&](const char* when, const Footprint& at) {
+        text += fmt::format(
+            "{:<6} {} processes, {} files, {} mounts; {:.0f} MB of our own, {:.0f} MB shared, "
+            "{:.0f} MB available\n",
+            when, at.processes, at.files, at.mounts, at.residentMb, at.sharedMb, at.availableMb);
+    };
+    line("before", before);
+    line("after", after);
+    for (const std::string& left : leftBehind(before, after))
+        text += fmt::format("WRONG {}\n", left);
+    return text;
+}
+
+HostileTables runHostileTables(const std::vector<HostileCase>& corpus,
+                               const pipeline::Grader& grader, const HostileRun& run) {
+    if (corpus.empty()) return {};
+    return HostileClass{pick(corpus, run.fraction), grader, run}.grade();
+}
+
+}  // namespace ticker::selftest

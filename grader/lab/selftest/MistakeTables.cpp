@@ -1,0 +1,233 @@
+#include <grader/build/Build.h>
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/tasks/bump/JudgeBump.h>
+#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/lab/selftest/MistakeTables.h>
+
+#include <raytracer/base/Error.h>
+#include <raytracer/base/Text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include <time.h>
+
+namespace ticker::selftest {
+namespace {
+
+namespace fs = std::filesystem;
+using tasks::TaskJudgement;
+using mistakes::Mistake;
+
+const char* nameOf(TaskState state) {
+    switch (state) {
+        case TaskState::passed:
+            return "passed";
+        case TaskState::failed:
+            return "failed";
+        case TaskState::notAttempted:
+            return "notAttempted";
+        case TaskState::blocked:
+            return "blocked";
+        case TaskState::notGraded:
+            return "notGraded";
+    }
+    return "";
+}
+
+std::string firstFinding(const TaskJudgement& judgement) {
+    return judgement.findings.empty() ? "" : judgement.findings.front().id;
+}
+
+std::string told(const TaskJudgement& judgement) {
+    std::string text = nameOf(judgement.state);
+    if (!judgement.findings.empty()) text += " " + firstFinding(judgement);
+    if (judgement.needsReview) text += " (review)";
+    return text;
+}
+
+std::string told(const mistakes::Expectation& expected) {
+    std::string text = nameOf(expected.state);
+    if (!expected.finding.empty()) text += " " + expected.finding;
+    return expected.needsReview ? text + " (review)" : text;
+}
+
+std::string readText(const fs::path& file) {
+    std::ifstream stream{file, std::ios::binary};
+    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
+    return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+/// An entry, and the file that it makes of the reference.
+struct Made {
+    Mistake entry;
+    std::string source;
+};
+
+std::vector<Made> make(const std::vector<Mistake>& entries, const fs::path& reference) {
+    std::vector<Made> made;
+    for (const Mistake& entry : entries) {
+        const std::string text = readText(reference / entry.file);
+        made.push_back({entry, mistakes::makeMistake(entry, text)});
+        if (made.back().source == text)
+            throw raytracer::InputError(entry.path, 0, "its \"edits\" change nothing");
+    }
+    return made;
+}
+
+std::vector<Made> pick(std::vector<Made> all, const MistakeRun& run) {
+    std::vector<Made> picked;
+    double owed = static_cast<double>(run.seed % 97) / 97.0;
+    for (Made& made : all) {
+        owed += run.fraction;
+        if (owed < 1.0) continue;
+        owed -= 1.0;
+        picked.push_back(std::move(made));
+    }
+    if (picked.empty() && !all.empty()) picked.push_back(std::move(all.front()));
+    return picked;
+}
+
+double threadCpuMs() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+bool isAsExpected(const TaskJudgement& own, const mistakes::Expectation& expected) {
+    return own.state == expected.state && firstFinding(own) == expected.finding &&
+           own.needsReview == expected.needsReview;
+}
+
+void judgeT1(probe::Examinee& examinee, std::uint64_t seed, MistakeRow& row) {
+    const TaskJudgement own = tasks::judgeBump(examinee, seed);
+    row.seen = told(own);
+    row.asExpected = isAsExpected(own, row.entry.expect);
+}
+
+void judgeT2(probe::Examinee& examinee, std::uint64_t seed, MistakeRow& row) {
+    const auto judgement = tasks::judgeDistributed(examinee, {}, seed);
+    const bool shadows = row.entry.task == "T2.1";
+    const TaskJudgement& own = shadows ? judgement.softShadows : judgement.depthOfField;
+    const TaskJudgement& other = shadows ? judgement.depthOfField : judgement.softShadows;
+    const bool otherPassed =
+        other.state == TaskState::passed && other.findings.empty() && !other.needsReview;
+    row.seen = told(own);
+    if (!otherPassed) row.seen += ", other task " + told(other);
+    row.asExpected = isAsExpected(own, row.entry.expect) && otherPassed;
+}
+
+/// The first line in which the compiler speaks of an error.
+std::string firstError(const std::string& diagnostics) {
+    const std::size_t error = std::min(diagnostics.find("error"), diagnostics.size());
+    const std::size_t newline = diagnostics.rfind('\n', error);
+    const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
+    return diagnostics.substr(begin, diagnostics.find('\n', error) - begin);
+}
+
+MistakeRow runOne(const Made& made, const build::Kit& kit, const sandbox::Sandbox& sandbox,
+                  std::uint64_t seed) {
+    const sandbox::Limits limits;
+    const bool bump = made.entry.task == "T1";
+    const build::BuildResult built = build::buildProgram(
+        kit, sandbox, limits, bump ? build::SourceFile::bumpySphere : build::SourceFile::renderer,
+        made.source);
+    MistakeRow row;
+    row.entry = made.entry;
+    if (!built.program) {
+        row.seen = "does not compile: " + firstError(built.diagnostics);
+        return row;
+    }
+    build::SandboxedExaminee examinee{*built.program, sandbox, limits};
+    const double before = threadCpuMs();
+    (bump ? judgeT1 : judgeT2)(examinee, seed, row);
+    row.judgeMs = threadCpuMs() - before;
+    row.probeMs = examinee.cpuMs();
+    return row;
+}
+
+}  // namespace
+
+std::vector<Mistake> mistakesOf(const std::vector<Mistake>& catalogue, const std::string& task) {
+    std::vector<Mistake> found;
+    std::ranges::copy_if(catalogue, std::back_inserter(found),
+                         [&](const Mistake& entry) { return entry.task.starts_with(task); });
+    return found;
+}
+
+std::vector<Mistake> mistakesCalled(const std::vector<Mistake>& catalogue,
+                                    const std::vector<std::string>& ids) {
+    std::vector<Mistake> found;
+    for (const std::string& id : ids) {
+        const std::size_t before = found.size();
+        std::ranges::copy_if(catalogue, std::back_inserter(found), [&](const Mistake& entry) {
+            return entry.id == id || entry.task + "/" + entry.id == id;
+        });
+        if (found.size() > before) continue;
+        std::vector<std::string_view> known;
+        for (const Mistake& entry : catalogue)
+            known.push_back(entry.id);
+        const auto nearest = raytracer::nearestName(id, known);
+        throw raytracer::InputError(
+            "--case " + id, 0,
+            "no mistake is called so" +
+                (nearest ? fmt::format("; did you mean {}?", *nearest) : std::string{}));
+    }
+    return found;
+}
+
+std::vector<MistakeRow> runMistakes(const std::vector<Mistake>& entries, const fs::path& reference,
+                                    const build::Kit& kit, const sandbox::Sandbox& sandbox,
+                                    const MistakeRun& run) {
+    const std::vector<Made> picked = pick(make(entries, reference), run);
+    std::vector<MistakeRow> rows(picked.size());
+    std::atomic<std::size_t> next{0};
+    std::size_t done = 0;
+    std::mutex mutex;
+    std::exception_ptr error;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < picked.size(); i = next++) {
+            try {
+                rows[i] = runOne(picked[i], kit, sandbox, run.seed);
+            } catch (...) {
+                const std::lock_guard lock{mutex};
+                if (!error) error = std::current_exception();
+                return;
+            }
+            const std::lock_guard lock{mutex};
+            if (run.progress) run.progress(++done, picked.size());
+        }
+    };
+    {
+        std::vector<std::jthread> helpers;
+        for (int i = 1; i < run.jobs; ++i)
+            helpers.emplace_back(work);
+        work();
+    }
+    if (error) std::rethrow_exception(error);
+    return rows;
+}
+
+std::string tableOf(const std::vector<MistakeRow>& rows) {
+    std::string table;
+    std::size_t differing = 0;
+    for (const MistakeRow& row : rows) {
+        if (!row.asExpected) ++differing;
+        table += fmt::format("{} {:<5} {:<34} {:<38} {:4.0f} + {:3.0f} ms{}\n",
+                             row.asExpected ? " " : "!", row.entry.task, row.entry.id,
+                             told(row.entry.expect), row.probeMs, row.judgeMs,
+                             row.asExpected ? "" : "   saw: " + row.seen);
+    }
+    return table + fmt::format("{} entries, {} not as expected\n", rows.size(), differing);
+}
+
+}  // namespace ticker::selftest

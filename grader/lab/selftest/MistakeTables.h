@@ -1,0 +1,58 @@
+#ifndef TICKER_SELFTEST_MISTAKETABLES_H
+#define TICKER_SELFTEST_MISTAKETABLES_H
+
+#include <grader/build/Kit.h>
+#include <grader/corpus/Catalogue.h>
+#include <grader/sandbox/Sandbox.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ticker::selftest {
+
+/// How much of the catalogue to run, and how.
+struct MistakeRun {
+    double fraction = 1.0;   ///< share of the entries, evenly picked; at least one
+    std::uint64_t seed = 1;  ///< of the decision, and of which entries are picked
+    int jobs = 2;
+    std::function<void(std::size_t done, std::size_t of)>
+        progress;  ///< one call at a time; or null
+};
+
+/// What became of one entry.
+struct MistakeRow {
+    mistakes::Mistake entry;
+    std::string seen;         ///< "failed shadow.hard", or the compiler's first words
+    bool asExpected = false;  ///< and, for T2, the other task passed without review
+    double probeMs = 0.0;     ///< CPU of the submission's process
+    double judgeMs = 0.0;     ///< CPU of the judgement itself
+};
+
+/// The entries of `catalogue` that belong to T1 or to T2 ("T2" stands for both of its tasks), or to
+/// either where `task` is empty.
+[[nodiscard]] std::vector<mistakes::Mistake> mistakesOf(
+    const std::vector<mistakes::Mistake>& catalogue, const std::string& task);
+
+/// The entries with these ids; "T2.1/hard" names the task as well.
+/// @throws raytracer::InputError where there is none, with the nearest id.
+[[nodiscard]] std::vector<mistakes::Mistake> mistakesCalled(
+    const std::vector<mistakes::Mistake>& catalogue, const std::vector<std::string>& ids);
+
+/// Makes each mistake or accepted reading in its file of `reference`, the folder of the reference
+/// solution, compiles it and judges it. An entry that does not compile is not as expected.
+/// @throws raytracer::InputError where an edit does not fit, whether or not the entry is picked.
+[[nodiscard]] std::vector<MistakeRow> runMistakes(const std::vector<mistakes::Mistake>& entries,
+                                                  const std::filesystem::path& reference,
+                                                  const build::Kit& kit,
+                                                  const sandbox::Sandbox& sandbox,
+                                                  const MistakeRun& run);
+
+/// One line for each row, those that differ marked, and a summary.
+[[nodiscard]] std::string tableOf(const std::vector<MistakeRow>& rows);
+
+}  // namespace ticker::selftest
+
+#endif

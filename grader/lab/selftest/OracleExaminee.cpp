@@ -1,0 +1,52 @@
+#include <grader/lab/selftest/OracleExaminee.h>
+
+#include <grader/oracle/Oracle.h>
+
+#include <variant>
+
+namespace ticker::selftest {
+namespace {
+
+struct Reply {
+    const OracleExaminee& student;
+
+    probe::Answer operator()(const probe::RenderQuestion& question) const {
+        probe::RenderAnswer answer;
+        answer.state = probe::AnswerState::answered;
+        answer.width = question.settings.imageWidth();
+        answer.height = question.settings.imageHeight();
+        raytracer::RenderSettings settings = question.settings;
+        for (int i = 0; i < question.repetitions; ++i, ++settings.seed)
+            answer.images.push_back(student.render(question.scene, settings));
+        return answer;
+    }
+    probe::Answer operator()(const probe::NormalQuestion& /*question*/) const {
+        return probe::NormalAnswer{};
+    }
+    probe::Answer operator()(const probe::IlluminateQuestion& /*question*/) const {
+        return probe::IlluminateAnswer{};
+    }
+};
+
+}  // namespace
+
+probe::Sitting OracleExaminee::ask(const std::vector<probe::Question>& questions) {
+    probe::Sitting sitting;
+    for (const probe::Question& question : questions)
+        sitting.answers.push_back(std::visit(Reply{*this}, question));
+    return sitting;
+}
+
+std::vector<raytracer::ColourRGB> OracleExaminee::render(const raytracer::SceneDescription& scene,
+                                                         raytracer::RenderSettings settings) const {
+    oracle::Reading reading = reading_;
+    oracle::Mistake mistake = mistake_;
+    if (isPinhole_) {
+        settings.dofRayCount = settings.shadowRayCount = 1;
+        reading.lightShape = oracle::LightShape::centre;
+        mistake.aperture = oracle::Mistake::Aperture::none;
+    }
+    return oracle::Oracle{scene, settings, reading, mistake}.studentRender(settings.seed).pixels();
+}
+
+}  // namespace ticker::selftest

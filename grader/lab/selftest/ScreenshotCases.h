@@ -1,0 +1,32 @@
+#ifndef TICKER_SELFTEST_SCREENSHOTCASES_H
+#define TICKER_SELFTEST_SCREENSHOTCASES_H
+
+#include <grader/tasks/TaskJudgement.h>
+#include <grader/lab/selftest/ScreenshotTables.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ticker::selftest {
+
+/// One picture that is handed in.
+struct ScreenshotCase {
+    std::string kind;
+    std::string name;
+    std::string expected;  ///< finding; empty: none above a note
+    /// Makes the picture and has it judged. Tells the CPU that the judgement took, without that of
+    /// other processes.
+    std::function<tasks::TaskJudgement(double& judgeMs)> judge;
+};
+
+/// @param bench  Must outlive the cases.
+[[nodiscard]] std::vector<ScreenshotCase> honestScreenshots(const ScreenshotBench& bench,
+                                                            std::uint64_t seed);
+[[nodiscard]] std::vector<ScreenshotCase> badScreenshots(const ScreenshotBench& bench,
+                                                         std::uint64_t seed);
+
+}  // namespace ticker::selftest
+
+#endif

@@ -1,0 +1,89 @@
+#include <grader/lab/selftest/ScreenshotStudent.h>
+
+#include <grader/tasks/screenshot/JudgeScreenshot.h>
+
+#include <raytracer/base/Error.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include <time.h>
+
+namespace ticker::selftest {
+namespace {
+
+using tasks::screenshot::Scene;
+using metrics::Picture;
+using pipeline::SpecScene;
+
+raytracer::ByteImage asked(probe::Examinee& code, const SpecScene& scene,
+                           const raytracer::RenderSettings& settings) {
+    const probe::Sitting sitting = code.ask({probe::RenderQuestion{scene.scene, settings, 1, 0}});
+    std::optional<raytracer::ByteImage> image =
+        pipeline::pictureFrom(std::get<probe::RenderAnswer>(sitting.answers.at(0)));
+    if (!image)
+        throw raytracer::Error("a student of the selftest gave no picture: " + sitting.end.detail);
+    return *std::move(image);
+}
+
+double threadCpuMs() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+metrics::ByteView viewOf(const raytracer::ByteImage& image) {
+    return {image.width, image.height, image.rgb};
+}
+
+}  // namespace
+
+ScreenshotStudent::ScreenshotStudent(const std::vector<SpecScene>& scenes, bool isForT1,
+                                     probe::Examinee& code)
+    : scenes_(scenes), isForT1_(isForT1), code_(code) {
+    for (const SpecScene& scene : scenes) {
+        if (scene.isForT1 != isForT1) continue;
+        if (scene.isHandedIn) scene_ = &scene;
+        own_.push_back({scene.name, asked(code, scene, scene.settings)});
+    }
+}
+
+Picture ScreenshotStudent::render(int width, std::uint64_t seed, int rays) const {
+    return render(*scene_, width, width * 3 / 4, seed, rays);
+}
+
+Picture ScreenshotStudent::render(const SpecScene& scene, int width, int height, std::uint64_t seed,
+                                  int rays) const {
+    raytracer::RenderSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.seed = seed;
+    settings.dofRayCount = rays;
+    raytracer::ByteImage image = asked(code_, scene, settings);
+    return {image.width, image.height, std::move(image.rgb)};
+}
+
+tasks::TaskJudgement ScreenshotStudent::handIn(const Picture& picture, std::uint64_t seed,
+                                                  double& judgeMs) const {
+    std::vector<Scene> scenes;
+    for (const SpecScene& spec : scenes_) {
+        Scene scene;
+        scene.name = spec.name;
+        scene.isForT1 = spec.isForT1;
+        scene.isWanted = spec.isHandedIn && spec.isForT1 == isForT1_;
+        scene.description = &spec.scene;
+        scene.expected = [&spec] { return viewOf(spec.expected().picture); };
+        if (spec.isForT1 == isForT1_) scene.examinee = &code_;
+        const auto own = std::ranges::find(own_, spec.name, &pipeline::Rendered::scene);
+        if (own != own_.end()) scene.own = viewOf(own->picture);
+        scenes.push_back(scene);
+    }
+    const double before = threadCpuMs();
+    tasks::TaskJudgement judgement = tasks::judgeScreenshot(picture.view(), scenes, seed);
+    judgeMs = threadCpuMs() - before;
+    return judgement;
+}
+
+}  // namespace ticker::selftest

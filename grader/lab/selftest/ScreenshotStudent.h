@@ -1,0 +1,46 @@
+#ifndef TICKER_SELFTEST_SCREENSHOTSTUDENT_H
+#define TICKER_SELFTEST_SCREENSHOTSTUDENT_H
+
+#include <grader/tasks/TaskJudgement.h>
+#include <grader/metrics/View.h>
+#include <grader/pipeline/SpecScenes.h>
+#include <grader/probe/Examinee.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace ticker::selftest {
+
+/// A student who attempted one option: renders pictures, and hands some in.
+class ScreenshotStudent {
+public:
+    /// @param scenes, code  Must outlive this object. The code is asked for its own pictures.
+    ScreenshotStudent(const std::vector<pipeline::SpecScene>& scenes, bool isForT1,
+                      probe::Examinee& code);
+
+    /// The option's scene at a width of so many pixels, as its code renders it.
+    /// @param rays  For each pixel; option 2.
+    [[nodiscard]] metrics::Picture render(int width, std::uint64_t seed, int rays = 50) const;
+    /// The same for any scene and shape.
+    [[nodiscard]] metrics::Picture render(const pipeline::SpecScene& scene, int width, int height,
+                                          std::uint64_t seed, int rays = 50) const;
+
+    /// What the grader says when this picture comes with the code.
+    /// @param judgeMs  Told the CPU that it took this thread.
+    [[nodiscard]] tasks::TaskJudgement handIn(const metrics::Picture& picture,
+                                                 std::uint64_t seed, double& judgeMs) const;
+
+    /// The option's own scene.
+    [[nodiscard]] const pipeline::SpecScene& scene() const { return *scene_; }
+
+private:
+    const std::vector<pipeline::SpecScene>& scenes_;
+    bool isForT1_;
+    probe::Examinee& code_;
+    const pipeline::SpecScene* scene_ = nullptr;
+    std::vector<pipeline::Rendered> own_;
+};
+
+}  // namespace ticker::selftest
+
+#endif

@@ -1,0 +1,98 @@
+// Compiled once for each instruction set: see Kernel.cpp.
+#if defined(TICKER_ORACLE_INTERSECT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TICKER_ORACLE_INTERSECT_INL_H
+#undef TICKER_ORACLE_INTERSECT_INL_H
+#else
+#define TICKER_ORACLE_INTERSECT_INL_H
+#endif
+
+#include <grader/oracle/SceneSoA.h>
+#include <grader/oracle/kernel/Vec3-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ticker::oracle::HWY_NAMESPACE {
+
+inline constexpr float kNowhere = 1e30F;
+
+/// Where rays start and which object each of them left, at which height above it. The height makes
+/// the test against that object exact, however small the bias is against the rounding of `point`.
+struct Start {
+    Vec3 point;
+    VI object;
+    VF clearance;
+};
+
+/// |start - centre|^2 - radius^2: positive outside.
+HWY_INLINE VF powerOf(const SceneSoA& scene, std::size_t sphere, const Vec3& toCentre,
+                      const Start& start) {
+    const VF radius = all(scene.spheres.radius[sphere]);
+    const MF own =
+        hn::RebindMask(F(), hn::Eq(start.object, hn::Set(I(), static_cast<std::int32_t>(sphere))));
+    const VF exact = hn::Mul(start.clearance, hn::MulAdd(radius, all(2.0F), start.clearance));
+    return hn::IfThenElse(own, exact, hn::NegMulAdd(radius, radius, squared(toCentre)));
+}
+
+/// Height of the start above a plane, on the side of its normal.
+HWY_INLINE VF heightAbove(const SceneSoA& scene, std::size_t plane, const Start& start) {
+    const Vec3 normal = all3(scene.planes.x[plane], scene.planes.y[plane], scene.planes.z[plane]);
+    const auto number = static_cast<std::int32_t>(scene.spheres.size() + plane);
+    const MF own = hn::RebindMask(F(), hn::Eq(start.object, hn::Set(I(), number)));
+    return hn::IfThenElse(own, start.clearance,
+                          hn::Sub(dot(normal, start.point), all(scene.planes.offset[plane])));
+}
+
+HWY_INLINE Vec3 centreOf(const SceneSoA& scene, std::size_t sphere) {
+    return all3(scene.spheres.x[sphere], scene.spheres.y[sphere], scene.spheres.z[sphere]);
+}
+
+struct Closest {
+    VF distance;  ///< kNowhere or more for a miss
+    VI object;
+};
+
+/// The first object in front of each ray; directions have unit length.
+HWY_INLINE Closest closest(const SceneSoA& scene, const Start& start, const Vec3& direction) {
+    const VF zero = hn::Zero(F());
+    Closest result{all(kNowhere), hn::Set(I(), -1)};
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+        const Vec3 toCentre = centreOf(scene, i) - start.point;
+        const VF along = dot(toCentre, direction);
+        const VF power = powerOf(scene, i, toCentre, start);
+        const VF discriminant = hn::MulSub(along, along, power);
+        const MF meets = hn::Ge(discriminant, zero);
+        if (hn::AllFalse(F(), meets)) continue;
+        const VF root = hn::Sqrt(positive(discriminant));
+        // From inside the far side is seen.
+        const VF distance =
+            hn::IfThenElse(hn::Gt(power, zero), hn::Sub(along, root), hn::Add(along, root));
+        const MF nearer =
+            hn::And(meets, hn::And(hn::Gt(distance, zero), hn::Lt(distance, result.distance)));
+        result.distance = hn::IfThenElse(nearer, distance, result.distance);
+        result.object = hn::IfThenElse(hn::RebindMask(I(), nearer),
+                                       hn::Set(I(), static_cast<std::int32_t>(i)), result.object);
+    }
+    for (std::size_t i = 0; i < scene.planes.size(); ++i) {
+        const Vec3 normal = all3(scene.planes.x[i], scene.planes.y[i], scene.planes.z[i]);
+        const VF height = heightAbove(scene, i, start);
+        const VF distance = hn::Div(hn::Neg(height), dot(normal, direction));
+        const MF nearer = hn::And(hn::Gt(distance, zero), hn::Lt(distance, result.distance));
+        result.distance = hn::IfThenElse(nearer, distance, result.distance);
+        const auto number = static_cast<std::int32_t>(scene.spheres.size() + i);
+        result.object =
+            hn::IfThenElse(hn::RebindMask(I(), nearer), hn::Set(I(), number), result.object);
+    }
+    return result;
+}
+
+/// One property of each lane's object; any value where there is none.
+HWY_INLINE VF ofObject(const SceneSoA& scene, const std::vector<float>& table, VI object) {
+    const VI known = hn::Max(object, hn::Zero(I()));
+    if (scene.heightMaps.size() <= width())
+        return hn::TableLookupLanes(hn::LoadU(F(), table.data()), hn::IndicesFromVec(F(), known));
+    return hn::GatherIndex(F(), table.data(), known);
+}
+
+}  // namespace ticker::oracle::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

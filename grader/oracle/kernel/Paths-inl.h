@@ -1,0 +1,118 @@
+// Compiled once for each instruction set: see Kernel.cpp.
+#if defined(TICKER_ORACLE_PATHS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TICKER_ORACLE_PATHS_INL_H
+#undef TICKER_ORACLE_PATHS_INL_H
+#else
+#define TICKER_ORACLE_PATHS_INL_H
+#endif
+
+#include <grader/oracle/kernel/Closed-inl.h>
+#include <grader/oracle/kernel/Lens-inl.h>
+#include <grader/oracle/kernel/Lights-inl.h>
+#include <grader/oracle/kernel/PerSample-inl.h>
+#include <grader/oracle/kernel/Shares-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ticker::oracle::HWY_NAMESPACE {
+
+/// Height of a reflected ray's start above its surface; the framework's kShadowBias.
+inline constexpr float kReflectionBias = 1e-4F;
+inline constexpr float kBackground = 0.001F;
+
+/// Mirrors the rays of one vector in their surfaces. A point's rounding makes a small sphere's
+/// normal longer or shorter; of unit length again, the ray does not hand that on to the next
+/// sphere, which would make it larger.
+HWY_INLINE void reflect(const Surface& surface, const Vec3& direction, VF weight, std::size_t at,
+                        Workspace& work) {
+    store(weight, work.weight, at);
+    const VF twice = hn::Mul(all(-2.0F), dot(direction, surface.normal));
+    store(normalised(moved(direction, surface.normal, twice)), work.direction, at);
+    store(moved(surface.point, surface.normal, all(kReflectionBias)), work.origin, at);
+    store(surface.object, work.object, at);
+    store(hn::Mul(all(kReflectionBias), dot(surface.geometric, surface.normal)), work.clearance,
+          at);
+}
+
+/// Next hit of one vector of rays: adds what needs no shadow ray and queues the rest.
+/// @return  False where no lane of the vector lives.
+template <typename Aims>
+HWY_INLINE bool stepVector(const Setup& setup, int depth, std::size_t at, Aims& aims, bool paired,
+                           Workspace& work) {
+    const VF zero = hn::Zero(F());
+    const VF weight = load(work.weight, at);
+    for (LightWork& lamp : work.lights) {
+        store(all3(0.0F, 0.0F, 0.0F), lamp.contribution, at);
+        store(zero, lamp.share, at);
+        store(zero, lamp.pairedShare, at);
+        store(zero, lamp.shareNoise, at);
+    }
+    if (hn::AllFalse(F(), hn::Gt(weight, zero))) return false;
+
+    const Start start{load(work.origin, at), load(work.object, at), load(work.clearance, at)};
+    const Vec3 direction = load(work.direction, at);
+    const Closest nearest = closest(setup.scene, start, direction);
+    const MF hit = hn::Lt(nearest.distance, all(kNowhere));
+    const VF distance = hn::IfThenElseZero(hit, nearest.distance);
+    const Surface surface =
+        surfaceAt(setup, moved(start.point, direction, distance), direction, nearest.object);
+
+    const VF mirrored = depth < setup.settings.bounces
+                            ? hn::IfThenElseZero(hit, positive(surface.reflectivity))
+                            : zero;
+    const VF share = hn::Mul(weight, hn::Sub(all(1.0F), mirrored));
+    const VF lit = hn::IfThenElseZero(hit, share);
+    const Vec3 ambient{hn::Mul(surface.colour.x, all(setup.scene.ambient[0])),
+                       hn::Mul(surface.colour.y, all(setup.scene.ambient[1])),
+                       hn::Mul(surface.colour.z, all(setup.scene.ambient[2]))};
+    const VF missed = hn::IfThenZeroElse(hit, hn::Mul(weight, all(kBackground)));
+    Vec3 colour = moved({missed, missed, missed}, ambient, lit);
+    for (std::size_t light = 0; light < work.lights.size(); ++light) {
+        if (setup.contributionIsShare)
+            lookAtLight(setup, light, surface, lit, ambient, at, paired, work, colour);
+        else
+            sampleLight(setup, light, static_cast<std::size_t>(depth), surface, lit, ambient, at,
+                        paired, aims, work);
+    }
+    addColour(work.colour, at, colour);
+    if (paired) addColour(work.pairedColour, at, colour);
+    reflect(surface, direction, hn::Mul(weight, mirrored), at, work);
+    return true;
+}
+
+/// Adds every light's contribution, now that its share is known.
+HWY_INLINE void addLights(Workspace& work, bool paired) {
+    for (const LightWork& lamp : work.lights) {
+        for (std::size_t at = 0; at < work.paths; at += width()) {
+            const Vec3 all = load(lamp.contribution, at);
+            addColour(work.colour, at, all * load(lamp.share, at));
+            if (!paired) continue;
+            addColour(work.pairedColour, at, all * load(lamp.pairedShare, at));
+            addNoise(work, at, all, load(lamp.shareNoise, at));
+        }
+    }
+}
+
+template <typename Lens, typename Aims>
+HWY_INLINE void traceAll(const Setup& setup, Drawing drawing, Lens& lens, Aims& aims,
+                         Workspace& work) {
+    const bool paired = drawing == Drawing::paired;
+    work.lights.resize(setup.scene.lights.size());
+    for (std::size_t at = 0; at < work.paths; at += width())
+        beginVector(setup, lens, at, paired, work);
+    for (int depth = 0; depth <= setup.settings.bounces; ++depth) {
+        bool alive = false;
+        for (std::size_t at = 0; at < work.paths; at += width())
+            alive = stepVector(setup, depth, at, aims, paired, work) || alive;
+        if (!alive) break;
+        for (std::size_t light = 0; light < work.lights.size(); ++light) {
+            settleClosed(setup, light, work);
+            settle(setup, light, static_cast<std::size_t>(depth), paired, aims, work);
+        }
+        addLights(work, paired);
+    }
+}
+
+}  // namespace ticker::oracle::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

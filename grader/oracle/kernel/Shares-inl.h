@@ -1,0 +1,131 @@
+// Compiled once for each instruction set: see Kernel.cpp.
+#if defined(TICKER_ORACLE_SHARES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TICKER_ORACLE_SHARES_INL_H
+#undef TICKER_ORACLE_SHARES_INL_H
+#else
+#define TICKER_ORACLE_SHARES_INL_H
+#endif
+
+#include <grader/oracle/kernel/Aims-inl.h>
+#include <grader/oracle/kernel/Shadow-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ticker::oracle::HWY_NAMESPACE {
+
+/// The queued points of one vector, and one light.
+struct Waiting {
+    Start start;
+    VU slot;
+    VU nearSpheres, otherSpheres, planes;
+    Aim aim;
+    VF centreDistance;
+};
+
+HWY_INLINE Waiting waitingAt(const Setup& setup, const SceneSoA::Light& light,
+                             const ShadowQueue& queue, std::size_t at) {
+    Waiting waiting;
+    waiting.start = {load(queue.start, at), load(queue.object, at), load(queue.clearance, at)};
+    waiting.slot = load(queue.slot, at);
+    waiting.nearSpheres = load(queue.nearSpheres, at);
+    waiting.otherSpheres = load(queue.otherSpheres, at);
+    waiting.planes = load(queue.planes, at);
+    waiting.aim = aimAt(setup, light, waiting.start.point);
+    const Vec3 centre = all3(light.position[0], light.position[1], light.position[2]);
+    waiting.centreDistance = hn::Sqrt(squared(centre - waiting.start.point));
+    return waiting;
+}
+
+/// Lanes in which shadow ray `i` is stopped.
+template <typename Aims>
+HWY_INLINE MF rayStopped(const Setup& setup, const Waiting& waiting, Occluding& occluding,
+                         Aims& aims, std::size_t i) {
+    Vec3 towards = moved(waiting.aim.centre, aims.point(i), waiting.aim.spread);
+    if (setup.mistake.pointJitter > 0.0) {
+        constexpr std::size_t kJitter = 4100;  // far from every other number's dimensions
+        const VF jitter =
+            all(static_cast<float>(setup.mistake.pointJitter) / std::max(setup.lightRadius, 1e-6F));
+        const Vec3 away = aims.point(i + kJitter) * jitter;
+        const Start start{waiting.start.point + away, hn::Set(I(), -1), waiting.start.clearance};
+        occluding.prepare(start, waiting.nearSpheres, waiting.otherSpheres, waiting.planes);
+        towards = towards - away;
+    }
+    const VF length2 = squared(towards);
+    return occluding.stops(towards, length2, reachOf(setup, length2, waiting.centreDistance));
+}
+
+/// The student's share: of `shadowRays` rays, how many arrive.
+template <typename Aims>
+HWY_INLINE VF countedShare(const Setup& setup, const Waiting& waiting, Occluding& occluding,
+                           Aims& aims) {
+    VF arrived = hn::Zero(F());
+    for (int i = 0; i < setup.shadowRays; ++i) {
+        const MF stopped = rayStopped(setup, waiting, occluding, aims, static_cast<std::size_t>(i));
+        arrived = hn::Add(arrived, hn::IfThenZeroElse(stopped, all(1.0F)));
+    }
+    const VF rays = all(static_cast<float>(setup.shadowRays));
+    if (setup.mistake.allOrNothing) return hn::IfThenElseZero(hn::Ge(arrived, rays), all(1.0F));
+    if (setup.mistake.litIfAny)
+        return hn::IfThenElseZero(hn::Gt(arrived, hn::Zero(F())), all(1.0F));
+    return hn::Mul(arrived, all(1.0F / static_cast<float>(setup.shadowRays)));
+}
+
+HWY_INLINE void scatter(VF value, Lanes<float>& to, VU slot) {
+    hn::ScatterIndex(value, F(), to.data(), hn::BitCast(I(), slot));
+}
+
+template <typename Aims>
+HWY_INLINE void settleCounted(const Setup& setup, const Waiting& waiting, Occluding& occluding,
+                              Aims& aims, LightWork& lamp) {
+    const VF share = countedShare(setup, waiting, occluding, aims);
+    scatter(share, lamp.share, waiting.slot);
+    scatter(share, lamp.pairedShare, waiting.slot);
+}
+
+/// Two rays are enough for mean and variance: E[a b] of independent estimates is the square of the
+/// mean, and (a - b)^2 / 2 is on average the variance of one ray.
+template <typename Aims>
+HWY_INLINE void settlePaired(const Setup& setup, const Waiting& waiting, Occluding& occluding,
+                             Aims& aims, LightWork& lamp) {
+    const VF one = all(1.0F);
+    const MF first = rayStopped(setup, waiting, occluding, aims, 0);
+    const MF second = rayStopped(setup, waiting, occluding, aims, 1);
+    const VF a = hn::IfThenZeroElse(first, one);
+    const VF b = hn::IfThenZeroElse(second, one);
+    scatter(a, lamp.share, waiting.slot);
+    scatter(b, lamp.pairedShare, waiting.slot);
+    const float noise = 0.5F / static_cast<float>(setup.settings.shadowRayCount);
+    scatter(hn::IfThenElseZero(hn::Xor(first, second), all(noise)), lamp.shareNoise, waiting.slot);
+}
+
+/// Idle lanes of the last vector write behind the last path.
+HWY_INLINE void fillIdleLanes(ShadowQueue& queue) {
+    for (std::size_t i = queue.size; i < queue.size + width(); ++i) {
+        queue.slot[i] = static_cast<std::uint32_t>(kPaths);
+        queue.nearSpheres[i] = queue.otherSpheres[i] = queue.planes[i] = 0;
+    }
+}
+
+/// Settles every queued point of a light and empties the queue.
+template <typename Aims>
+HWY_INLINE void settle(const Setup& setup, std::size_t light, std::size_t depth, bool paired,
+                       Aims& aims, Workspace& work) {
+    LightWork& lamp = work.lights[light];
+    ShadowQueue& queue = lamp.queue;
+    fillIdleLanes(queue);
+    Occluding occluding{setup.scene, work.occluders};
+    for (std::size_t at = 0; at < queue.size; at += width()) {
+        const Waiting waiting = waitingAt(setup, setup.scene.lights[light], queue, at);
+        occluding.prepare(waiting.start, waiting.nearSpheres, waiting.otherSpheres, waiting.planes);
+        aims.begin(waiting.slot, light, depth);
+        if (paired)
+            settlePaired(setup, waiting, occluding, aims, lamp);
+        else
+            settleCounted(setup, waiting, occluding, aims, lamp);
+    }
+    queue.size = 0;
+}
+
+}  // namespace ticker::oracle::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

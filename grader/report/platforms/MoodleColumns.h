@@ -1,0 +1,41 @@
+#ifndef TICKER_REPORT_MOODLECOLUMNS_H
+#define TICKER_REPORT_MOODLECOLUMNS_H
+
+#include <grader/report/platforms/CsvFile.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ticker::report {
+
+/// The columns of Moodle's grading worksheet that matter; Moodle knows them by their English words.
+struct MoodleColumns {
+    std::size_t id = 0;
+    std::size_t grade = 0;
+    std::size_t gradedAt = 0;
+    std::optional<std::size_t> feedback;
+    std::optional<std::size_t> maximum;
+    std::optional<std::size_t> scale;
+    std::optional<std::size_t> mayChange;
+    std::optional<std::size_t> group;
+};
+
+/// @param name  The worksheet's file name, for messages.
+/// @throws raytracer::InputError naming the column that is missing.
+[[nodiscard]] MoodleColumns moodleColumns(const CsvFile& file, const std::string& name);
+
+/// Refuses what programs for tables make of a worksheet when they save it: Moodle takes none of it.
+/// @throws raytracer::InputError saying what to hand in instead.
+void refuseIfResaved(std::string_view worksheet, const std::string& name);
+
+/// A line about dates that Moodle will not read; empty where all are in English.
+[[nodiscard]] std::string dateWarning(const CsvFile& file, const MoodleColumns& columns);
+
+/// ASCII letters only.
+[[nodiscard]] std::string lowerCase(std::string text);
+
+}  // namespace ticker::report
+
+#endif

@@ -1,0 +1,207 @@
+#include <grader/report/platforms/MoodleWorksheet.h>
+
+#include <grader/report/platforms/CsvFile.h>
+#include <grader/report/Escape.h>
+#include <grader/report/platforms/MoodleColumns.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <map>
+#include <set>
+
+namespace ticker::report {
+namespace {
+
+/// The digits at the end: of "Participant 123", of "Ann Lee_123"; empty where there are none.
+std::string digitsAtEnd(std::string_view text) {
+    const std::size_t last = text.find_last_not_of("0123456789");
+    return std::string{last == std::string_view::npos ? text : text.substr(last + 1)};
+}
+
+std::string idOf(const std::string& submission) {
+    const std::string digits = digitsAtEnd(submission);
+    const std::size_t mark = submission.size() - digits.size();
+    return !digits.empty() && mark > 0 && submission[mark - 1] == '_' ? digits : "";
+}
+
+std::string nameOf(const std::string& submission) {
+    const std::string id = idOf(submission);
+    return id.empty() ? submission : submission.substr(0, submission.size() - id.size() - 1);
+}
+
+/// What two spellings of a team's name have in common: Moodle and file systems drop punctuation.
+std::string comparable(std::string_view name) {
+    std::string letters;
+    for (const char c : name)
+        if (const auto byte = static_cast<unsigned char>(c);
+            byte >= 0x80 || std::isalnum(byte) != 0)
+            letters += c;
+    return letters;
+}
+
+/// Whose submission a row speaks of.
+class Finder {
+public:
+    explicit Finder(const std::vector<StudentView>& views) {
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const std::string& submission = views[i].result().submission;
+            if (const std::string id = idOf(submission); !id.empty()) byId_[id] = i;
+            byTeam_[comparable(nameOf(submission))] = i;
+        }
+    }
+
+    [[nodiscard]] std::optional<std::size_t> find(const std::string& id,
+                                                  const std::optional<std::string>& team) const {
+        // In a team assignment the number in a submission's name is the team's, not a person's.
+        const auto& known = team ? byTeam_ : byId_;
+        const auto found = known.find(team ? comparable(*team) : id);
+        if (found == known.end()) return std::nullopt;
+        return found->second;
+    }
+
+private:
+    std::map<std::string, std::size_t> byId_;
+    std::map<std::string, std::size_t> byTeam_;
+};
+
+/// Moodle shows feedback as HTML. Quotes and backslashes become references, so that no two readers
+/// of CSV can differ on where the field ends.
+std::string feedbackHtml(const StudentView& view) {
+    std::string html;
+    for (const char c : escapeHtml(wholeText(view))) {
+        if (c == '\n')
+            html += "<br>";
+        else if (c == '\\')
+            html += "&#92;";
+        else
+            html += c;
+    }
+    return html;
+}
+
+class Filler {
+public:
+    Filler(CsvFile file, std::string name, const std::vector<StudentView>& views,
+           const std::optional<ScaleWords>& scale)
+        : file_(std::move(file)),
+          name_(std::move(name)),
+          columns_(moodleColumns(file_, name_)),
+          views_(views),
+          scale_(scale) {
+        if (columns_.scale && !scale_)
+            throw raytracer::InputError(
+                name_, 1, "this assignment is graded by a scale; say its words with --scale");
+    }
+
+    MoodleGrades fill() {
+        const Finder finder{views_};
+        for (std::size_t row = 1; row < file_.rows(); ++row) {
+            const std::string id = digitsAtEnd(file_.value(row, columns_.id));
+            const auto view = finder.find(id, textAt(row, columns_.group));
+            if (!view) continue;
+            used_.insert(*view);
+            if (const std::string why = whyNot(row, views_[*view].result()); !why.empty())
+                grades_.remarks.push_back(fmt::format(
+                    "{}: left as it is, {}", escapeLine(views_[*view].result().submission), why));
+            else
+                grade(row, id, *view);
+        }
+        for (std::size_t i = 0; i < views_.size(); ++i)
+            if (!used_.contains(i))
+                grades_.remarks.push_back(fmt::format("{}: no row of the worksheet fits",
+                                                      escapeLine(views_[i].result().submission)));
+        grades_.worksheet = file_.text();
+        if (std::string warning = dateWarning(file_, columns_); !warning.empty())
+            grades_.warnings.push_back(std::move(warning));
+        if (!columns_.scale && zeros_ > 0) grades_.warnings.push_back(zerosWarning());
+        return std::move(grades_);
+    }
+
+private:
+    [[nodiscard]] std::string zerosWarning() const {
+        return fmt::format(
+            "{} of the marks {} 0, which the newest Moodle drops: look for \"Set grade ... to "
+            "0.00\" "
+            "in its preview. If that is missing, use a scale (--scale) instead of points",
+            zeros_, zeros_ == 1 ? "is" : "are");
+    }
+
+    [[nodiscard]] std::optional<std::string> textAt(
+        std::size_t row, const std::optional<std::size_t>& column) const {
+        if (!column) return std::nullopt;
+        return file_.value(row, *column);
+    }
+
+    [[nodiscard]] std::string whyNot(std::size_t row, const SubmissionResult& result) const {
+        if (result.verdict == Verdict::needsReview) return "a person has to decide";
+        if (result.verdict == Verdict::notGraded) return "it was not graded";
+        if (lowerCase(textAt(row, columns_.mayChange).value_or("")) == "no")
+            return "Moodle locked it";
+        return "";
+    }
+
+    [[nodiscard]] std::string gradeOf(std::size_t row, const SubmissionResult& result) const {
+        if (columns_.scale)
+            return result.verdict == Verdict::awarded ? scale_->awarded : scale_->notAwarded;
+        double maximum = result.maxScore;
+        if (const auto text = textAt(row, columns_.maximum)) {
+            const auto [end, error] =
+                std::from_chars(text->data(), text->data() + text->size(), maximum);
+            if (error != std::errc{} || !(maximum > 0.0))
+                throw raytracer::InputError(
+                    name_, 0, fmt::format("\"{}\" is no maximum grade", escapeLine(*text)));
+        }
+        const double share = result.maxScore > 0.0 ? result.score / result.maxScore : 0.0;
+        return fmt::format("{:.2f}", share * maximum);
+    }
+
+    void grade(std::size_t row, const std::string& id, std::size_t view) {
+        const SubmissionResult& result = views_[view].result();
+        file_.set(row, columns_.grade, gradeOf(row, result));
+        if (result.score <= 0.0) ++zeros_;
+        if (columns_.feedback) file_.set(row, *columns_.feedback, feedbackHtml(views_[view]));
+        grades_.graded.push_back({id, view});
+    }
+
+    CsvFile file_;
+    std::string name_;
+    MoodleColumns columns_;
+    const std::vector<StudentView>& views_;
+    const std::optional<ScaleWords>& scale_;
+    std::set<std::size_t> used_;
+    std::size_t zeros_ = 0;
+    MoodleGrades grades_;
+};
+
+}  // namespace
+
+MoodleGrades fillMoodleWorksheet(std::string_view worksheet, const std::string& name,
+                                 const std::vector<StudentView>& views,
+                                 const std::optional<ScaleWords>& scale) {
+    refuseIfResaved(worksheet, name);
+    return Filler{CsvFile{worksheet, name}, name, views, scale}.fill();
+}
+
+std::vector<NamedText> moodleFeedbackFiles(const std::vector<MoodleParticipant>& graded,
+                                           const std::vector<StudentView>& views,
+                                           const std::vector<std::string>& pages) {
+    std::vector<NamedText> files;
+    for (const MoodleParticipant& participant : graded) {
+        // Moodle takes what stands between the first two underscores for the id, and before 4.1.10
+        // asks for the underscore at the end.
+        std::string name = nameOf(views.at(participant.view).result().submission);
+        std::ranges::replace(name, '_', ' ');
+        std::ranges::replace(name, '/', ' ');
+        files.push_back({fmt::format("{}_{}_assignsubmission_file_/student.html", cleanText(name),
+                                     participant.id),
+                         pages.at(participant.view)});
+    }
+    return files;
+}
+
+}  // namespace ticker::report

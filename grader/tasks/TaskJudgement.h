@@ -1,0 +1,25 @@
+#ifndef TICKER_TASKS_TASKJUDGEMENT_H
+#define TICKER_TASKS_TASKJUDGEMENT_H
+
+#include <grader/result/SubmissionResult.h>
+
+#include <vector>
+
+namespace ticker::tasks {
+
+/// What the decision says about one task. `state` is passed, failed, blocked (crashed, timed out)
+/// or notGraded; notAttempted and build failures are known before anybody asks. `findings` begins
+/// with the one that is reported first (contract.md's order); a failed task has at least one
+/// finding of severity fail.
+struct TaskJudgement {
+    TaskState state = TaskState::notGraded;
+    std::string reason;
+    std::vector<Finding> findings;
+    bool needsReview = false;  ///< a person should look: the reason is among the findings
+    std::vector<ScatterPlot> plots = {};  ///< what was seen, where no finding shows it
+    std::vector<Raster> rasters = {};     ///< likewise
+};
+
+}  // namespace ticker::tasks
+
+#endif

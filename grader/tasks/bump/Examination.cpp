@@ -1,0 +1,152 @@
+#include <grader/tasks/bump/Examination.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace ticker::tasks::bump {
+namespace {
+
+/// Spheres on either side of every plane through the eye: `side` is 1 in front, -1 behind.
+/// So large that their far side is about four times as far away as their near side.
+Ball drawBall(Draws& draws, double side) {
+    const double distance = draws.uniform(20.0, 30.0);
+    return {{-side * draws.uniform(0.7, 2.0), side * draws.uniform(0.3, 1.5), side * distance},
+            distance * draws.uniform(0.55, 0.65)};
+}
+
+/// Flat, but for its last two fifths: teeth of so many bytes for each texel that even code which
+/// rounds heights or tilts little shows them.
+std::vector<double> lateTeeth(int count) {
+    constexpr int kToothSlope = 8;
+    std::vector<double> heights(static_cast<std::size_t>(count), 0.0);
+    for (int i = count * 3 / 5; i < count; ++i)
+        heights[static_cast<std::size_t>(i)] = kByte * (i * kToothSlope % 256);
+    return heights;
+}
+
+/// Whether slopes at the map's end tilt at any place.
+bool seesSlope(const Answers& answers, std::size_t flat, std::size_t question) {
+    constexpr double kSomeTilt = 2e-5;  // single precision leaves half of it
+    constexpr double kSomePoints = 0.02;
+    double seen = 0.0;
+    const std::vector<Vector3> tilts = answers.tiltsBeyond(flat, question);
+    for (const Vector3& tilt : tilts)
+        if (tilt.magnitude() > kSomeTilt) seen += 1.0;
+    return seen > kSomePoints * static_cast<double>(tilts.size());
+}
+
+/// Ramps of whole bytes tell where the map lies, or anything at all where most points of the others
+/// are not tilted.
+bool tellsMore(const RampJudgement& coarse, const RampJudgement& ramps) {
+    constexpr double kNothing = 1e-13;
+    const bool mostlyLevel = !(std::max(ramps.strength.alongU, ramps.strength.alongV) > kNothing);
+    return coarse.response || (mostlyLevel && coarse.kind != RampKind::silent);
+}
+
+/// Whether the order of the points makes a difference to more than a few.
+bool differs(const Answers& answers, std::size_t forwards, std::size_t backwards) {
+    constexpr double kRounding = 1e-9;
+    constexpr double kSomePoints = 0.02;
+    const std::vector<Vector3> one = answers.tilts(forwards);
+    std::vector<Vector3> two = answers.tilts(backwards);
+    std::reverse(two.begin(), two.end());
+    double differing = 0.0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        if ((one[i] - two[i]).magnitude() > kRounding) differing += 1.0;
+    return differing > kSomePoints * static_cast<double>(one.size());
+}
+
+}  // namespace
+
+MainPlan planMain(std::uint64_t seed) {
+    constexpr int kPoints = 1000;
+    Draws draws(seed);
+    MainPlan plan;
+    plan.questionnaire = Questionnaire(seed);
+    const Ball ball = drawBall(draws, 1.0);
+    const std::vector<Vector3> directions = draws.directions(kPoints);
+    plan.regions = planRegions(plan.questionnaire, draws, ball, directions);
+    plan.ladder = planLadder(plan.questionnaire, draws, ball, directions);
+    plan.slopes = planSlopes(plan.questionnaire, draws, drawBall(draws, -1.0));
+    plan.letters = planLetters(plan.questionnaire, draws);
+    plan.conduct = planConduct(plan.questionnaire, draws);
+    plan.fineness = planFineness(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.proportion = planProportion(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.conduct.steep = plan.proportion.steep;
+    plan.edges = planEdges(plan.questionnaire, draws, drawBall(draws, -1.0));
+    return plan;
+}
+
+CoarsePlan planCoarse(std::uint64_t seed) {
+    Draws draws(seed + 0xC0A5EU);
+    return planCoarse(draws, drawBall(draws, 1.0));
+}
+
+HintPlan planHints(std::uint64_t seed) {
+    constexpr int kPoints = 500;
+    constexpr double kRise = 0.1;
+    constexpr double kBase = 2.0;
+    Draws draws(seed + 0x5151U);
+    HintPlan plan;
+    plan.questionnaire = Questionnaire(seed + 0x5151U);
+    const int side = draws.integer(380, 430);
+    const std::vector<Vector3> directions = draws.directions(kPoints);
+    const auto ask = [&](const Ball& ball, double rise) {
+        return planRamps(plan.questionnaire, ball, {side, side, side, rise, kBase}, directions);
+    };
+    // All maps of one size, so that code which remembers a size does well; lower ramps on smaller
+    // spheres.
+    const Ball ball = drawBall(draws, 1.0);
+    plan.square = ask(ball, kRise);
+    plan.unitSphere = ask({{}, 1.0}, 0.2 * kRise);
+    plan.sceneSphere = ask({{0.0, 0.0, 3.5}, 0.7}, 0.1 * kRise);
+    const std::vector<double> late = lateTeeth(side);
+    const std::vector<double> level = raytracer::questions::level(side);
+    plan.lastColumns = plan.questionnaire.add(ball, {side, side, {}, late, level}, directions);
+    plan.lastRows = plan.questionnaire.add(ball, {side, side, {}, level, late}, directions);
+    plan.forwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, directions);
+    const std::vector<Vector3> reversed(directions.rbegin(), directions.rend());
+    plan.backwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, reversed);
+    return plan;
+}
+
+bool Examination::agreesWithRamps() const {
+    constexpr double kAlmostAll = 0.95;
+    return ladder.steepAgrees >= kAlmostAll && regions && regions->good() && slopes &&
+           slopes->good();
+}
+
+Examination examine(const MainPlan& plan, const Answers& answers,
+                    const std::optional<RampJudgement>& coarse) {
+    Examination examination;
+    examination.conduct = readConduct(plan.conduct, answers);
+    examination.mapIgnored = areTheSame(answers, plan.regions.question, plan.ladder.gentle.uFlat);
+    examination.ladder = judgeLadder(plan.ladder, answers);
+    // What ramps of fractions showed is rounding then.
+    if (coarse && tellsMore(*coarse, examination.ramps()))
+        examination.ladder = {*coarse, examination.ladder.flatTilt};
+    examination.proportion = readProportion(plan.proportion, answers);
+    const RampJudgement& ramps = examination.ramps();
+    if (!ramps.response) return examination;
+    const Landing& landing = ramps.fit->landing;
+    examination.regions = readRegions(plan.regions, answers, ramps);
+    examination.slopes = readSlopes(plan.slopes, answers, landing, *ramps.response);
+    examination.edges = readEdges(plan.edges, answers, landing);
+    examination.letters = readLetters(plan.letters, answers, landing, *ramps.response);
+    examination.fineness = readFineness(plan.fineness, answers, ramps);
+    return examination;
+}
+
+Hints readHints(const HintPlan& plan, const Answers& answers) {
+    const auto judge = [&](const RampPlan& ramps) {
+        return judgeRamps(ramps.shape, readRamps(ramps, answers));
+    };
+    return {judge(plan.square),
+            judge(plan.unitSphere),
+            judge(plan.sceneSphere),
+            seesSlope(answers, plan.square.uFlat, plan.lastColumns),
+            seesSlope(answers, plan.square.vFlat, plan.lastRows),
+            differs(answers, plan.forwards, plan.backwards)};
+}
+
+}  // namespace ticker::tasks::bump

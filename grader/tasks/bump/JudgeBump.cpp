@@ -1,0 +1,136 @@
+#include <grader/tasks/bump/JudgeBump.h>
+
+#include <grader/tasks/bump/words/Diagnosis.h>
+#include <grader/tasks/bump/Examination.h>
+#include <grader/tasks/bump/words/Words.h>
+
+#include <fmt/core.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+using namespace bump;
+using probe::ProcessEnd;
+
+struct EndWords {
+    const char* id;
+    const char* message;
+    const char* hint;
+};
+
+EndWords wordsFor(ProcessEnd::Kind kind) {
+    switch (kind) {
+        case ProcessEnd::Kind::crashed:
+            return {"run.crashed", "The program crashed while it answered questions for normals",
+                    "Run it in a debugger, or with sanitizers on. Look for an index beyond the end "
+                    "of an array or a vector, and for a function that calls itself without end."};
+        case ProcessEnd::Kind::exitedEarly:
+            return {"run.exited-early", "The program left before the last question",
+                    "Do not call exit() or the like."};
+        case ProcessEnd::Kind::timedOut:
+            return {"run.timed-out", "getNormalAt took too long: the time was up",
+                    "Look for a loop that does not end."};
+        case ProcessEnd::Kind::memory:
+            return {
+                "run.memory", "The program needs more memory than it may have",
+                "Look for a container that only grows, and for an array that is far too large."};
+        case ProcessEnd::Kind::outputLimit:
+            return {"run.output-limit", "The program printed too much",
+                    "Remove the debugging output."};
+        case ProcessEnd::Kind::forbiddenCall:
+            return {"run.forbidden-call",
+                    "The program asked the system for something that a renderer does not need",
+                    "No files, processes or network connections are needed here."};
+        case ProcessEnd::Kind::finished:
+        case ProcessEnd::Kind::ourFault:
+            break;
+    }
+    return {"run.no-answer", "The program ended without answering every question",
+            "Make sure that getNormalAt returns."};
+}
+
+TaskJudgement blocked(EndWords words, const std::string& detail) {
+    Finding finding;
+    finding.id = words.id;
+    finding.message =
+        fmt::format("{}{}.", words.message, detail.empty() ? "" : fmt::format(" ({})", detail));
+    finding.hint = words.hint;
+    if (!detail.empty()) finding.evidence.emplace_back("detail", detail);
+    return {TaskState::blocked, finding.message, {finding}, false};
+}
+
+/// The judgement where the process did not come to an honest end; empty where it did.
+std::optional<TaskJudgement> judgeEnd(const Answers& answers, const Conduct& conduct) {
+    const ProcessEnd& end = answers.end();
+    if (end.kind == ProcessEnd::Kind::ourFault)
+        return TaskJudgement{TaskState::notGraded, end.detail, {}, false};
+    if (end.kind != ProcessEnd::Kind::finished || conduct.missing)
+        return blocked(wordsFor(end.kind), end.detail);
+    return std::nullopt;
+}
+
+/// What ramps of whole bytes say; empty where the process ends badly.
+std::optional<RampJudgement> askForCoarseRamps(probe::Examinee& examinee, std::uint64_t seed) {
+    const CoarsePlan plan = planCoarse(seed);
+    const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));
+    if (answers.end().kind != ProcessEnd::Kind::finished) return std::nullopt;
+    return judgeRamps(plan.ramps.shape, readCoarse(plan, answers));
+}
+
+/// Asks again where that helps to explain a fault. A process that ends badly explains nothing.
+std::optional<Hints> askForHints(probe::Examinee& examinee, std::uint64_t seed) {
+    const HintPlan plan = planHints(seed);
+    const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));
+    if (answers.end().kind != ProcessEnd::Kind::finished) return std::nullopt;
+    return readHints(plan, answers);
+}
+
+TaskJudgement failed(const std::vector<Fault>& faults, const Examination& examination,
+                     const std::optional<Hints>& hints, const MainPlan& plan,
+                     const Answers& answers) {
+    Finding finding = describe(faults, examination, hints);
+    if (examination.ramps().response)
+        finding.rasters = drawRelief(plan.letters, answers, examination.ramps().fit->landing,
+                                     *examination.ramps().response);
+    TaskJudgement judgement;
+    judgement.state = faults.front() == Fault::threw ? TaskState::blocked : TaskState::failed;
+    judgement.reason = finding.message;
+    judgement.findings.push_back(std::move(finding));
+    return judgement;
+}
+
+/// A failure at points that show says all that a warning of others could.
+void addNotes(TaskJudgement& judgement, std::vector<Finding> notes) {
+    const bool failed = !judgement.findings.empty();
+    for (Finding& note : notes)
+        if (!failed || judgement.findings.front().id != note.id)
+            judgement.findings.push_back(std::move(note));
+}
+
+}  // namespace
+
+TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed) {
+    const MainPlan plan = planMain(seed);
+    const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));
+    Examination examination = examine(plan, answers);
+    if (auto ended = judgeEnd(answers, examination.conduct)) return *std::move(ended);
+    if (!examination.ramps().response)
+        examination = examine(plan, answers, askForCoarseRamps(examinee, seed));
+
+    TaskJudgement judgement{TaskState::passed, {}, {}, false};
+    if (!diagnose(examination, std::nullopt).empty()) {
+        const std::optional<Hints> hints = askForHints(examinee, seed);
+        judgement = failed(diagnose(examination, hints), examination, hints, plan, answers);
+    } else if (examination.ramps().response) {
+        judgement.rasters = drawRelief(plan.letters, answers, examination.ramps().fit->landing,
+                                       *examination.ramps().response);
+    }
+    addNotes(judgement, sideNotes(examination));
+    return judgement;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,19 @@
+#ifndef TICKER_TASKS_BUMP_JUDGEBUMP_H
+#define TICKER_TASKS_BUMP_JUDGEBUMP_H
+
+#include <grader/tasks/TaskJudgement.h>
+#include <grader/probe/Examinee.h>
+
+#include <cstdint>
+
+namespace ticker::tasks {
+
+/// Judges task T1 by asking the submission for normals.
+///
+/// @param seed  The hidden questions are drawn from it; equal seeds give equal findings.
+/// @return      Findings of task T1 (bump.*, run.*), most important first.
+[[nodiscard]] TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed);
+
+}  // namespace ticker::tasks
+
+#endif

@@ -1,0 +1,254 @@
+#include <grader/tasks/bump/answers/Letters.h>
+
+#include <grader/tasks/bump/answers/Poisson.h>
+#include <grader/tasks/bump/questions/LetterMap.h>
+#include <grader/tasks/bump/questions/Numbers.h>
+#include <grader/tasks/bump/questions/Slopes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ticker::tasks::bump {
+namespace {
+
+using probe::HeightMapDescription;
+
+/// One point of the grid: where it lies on the map, what the map holds there, what was recovered.
+struct Cell {
+    double column = 0.0;  // texels, not rounded
+    double row = 0.0;
+    double height = 0.0;  // -1 to 1
+    Letter kind = Letter::none;
+    double trueU = 0.0;  // height per texel
+    double trueV = 0.0;
+    double seenU = 0.0;  // likewise, from the tilt
+    double seenV = 0.0;
+};
+
+Cell placeCell(const HeightMapDescription& map, const Landing& landing, const Vector3& direction) {
+    Cell cell;
+    const double u = landing.u(direction);
+    const double v = landing.v(direction);
+    cell.column = u * kLetterMapWidth;
+    cell.row = v * kLetterMapHeight;
+    const int column = std::min(static_cast<int>(cell.column), kLetterMapWidth - 1);
+    const int row = std::min(static_cast<int>(cell.row), kLetterMapHeight - 1);
+    cell.height = letterHeight(column, row);
+    cell.kind = letterAt(column, row);
+    cell.trueU = slopeAlongU(map, u, v) / (kByte * kLetterLift);
+    cell.trueV = slopeAlongV(map, u, v) / (kByte * kLetterLift);
+    return cell;
+}
+
+/// Brings recovered slopes to the size of the true ones, keeping their signs.
+void scale(std::vector<Cell>& cells, double Cell::*seen, double Cell::*expected) {
+    double seenSquares = 0.0;
+    double trueSquares = 0.0;
+    for (Cell& cell : cells) {
+        if (!std::isfinite(cell.*seen)) cell.*seen = 0.0;
+        seenSquares += (cell.*seen) * (cell.*seen);
+        trueSquares += (cell.*expected) * (cell.*expected);
+    }
+    const double factor = seenSquares > 0.0 ? std::sqrt(trueSquares / seenSquares) : 0.0;
+    for (Cell& cell : cells)
+        cell.*seen *= factor;
+}
+
+using CellGrid = std::vector<Cell>;
+
+CellGrid recover(const LetterPlan& plan, const Answers& answers, const Landing& landing,
+                 const Response& response) {
+    const HeightMapDescription& map = answers.asked().question(plan.question).map;
+    const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.flat, plan.question);
+    CellGrid grid;
+    grid.reserve(tilts.size());
+    for (std::size_t i = 0; i < tilts.size(); ++i) {
+        const Vector3& n = plan.directions[i];
+        Cell cell = placeCell(map, landing, n);
+        const double v = landing.v(n);
+        cell.seenU = -tilts[i].dot(landing.alongU(n)) / strengthAt(response.u, v);
+        cell.seenV = -tilts[i].dot(landing.alongV(n)) / strengthAt(response.v, v);
+        grid.push_back(cell);
+    }
+    scale(grid, &Cell::seenU, &Cell::trueU);
+    scale(grid, &Cell::seenV, &Cell::trueV);
+    return grid;
+}
+
+/// Height differences from one cell to a neighbour.
+struct Step {
+    double trueU = 0.0;  // part of the slope along u
+    double trueV = 0.0;
+    double seen = 0.0;
+};
+
+Step stepBetween(const Cell& from, const Cell& to) {
+    const double columns = std::remainder(to.column - from.column, kLetterMapWidth);
+    const double rows = to.row - from.row;
+    return {0.5 * (from.trueU + to.trueU) * columns, 0.5 * (from.trueV + to.trueV) * rows,
+            0.5 * ((from.seenU + to.seenU) * columns + (from.seenV + to.seenV) * rows)};
+}
+
+constexpr double kFull = 0.95;  // of the letter's height
+constexpr double kNone = 0.05;
+// Share of the true change that is a change at all. The exact normal of the displaced surface keeps
+// less of an H, which stands high, than of an L.
+constexpr double kSure = 0.1;
+
+/// Follows one row or column of the grid and counts the edges that it crosses.
+class Path {
+public:
+    explicit Path(LetterReading& reading) : reading_(reading) {}
+
+    void follow(const Cell& from, const Cell& to) {
+        if (isLevel(from)) start_ = &from;
+        if (isLevel(from)) sum_ = {};
+        const Step step = stepBetween(from, to);
+        sum_.trueU += step.trueU;
+        sum_.trueV += step.trueV;
+        sum_.seen += step.seen;
+        if (start_ != nullptr && isLevel(to) && isFull(*start_) != isFull(to))
+            count(isFull(to) ? to.kind : start_->kind, to.height - start_->height);
+    }
+
+private:
+    static bool isFull(const Cell& cell) { return std::abs(cell.height) >= kFull; }
+    static bool isLevel(const Cell& cell) { return isFull(cell) || std::abs(cell.height) <= kNone; }
+
+    void count(Letter kind, double change) {
+        // Only crossings that run along one axis say something about that axis.
+        constexpr double kMostly = 0.8;
+        LetterCount& letter = kind == Letter::h ? reading_.h : reading_.l;
+        const bool alongU = std::abs(sum_.trueU) > kMostly;
+        const bool alongV = std::abs(sum_.trueV) > kMostly;
+        if (alongU == alongV) return;
+        EdgeCount& edges = alongU ? letter.alongU : letter.alongV;
+        const double share = sum_.seen / change;
+        if (share >= kSure)
+            ++edges.right;
+        else if (share <= -kSure)
+            ++edges.opposite;
+        else
+            ++edges.lost;
+    }
+
+    LetterReading& reading_;
+    const Cell* start_ = nullptr;
+    Step sum_;
+};
+
+std::size_t cellIndex(int column, int row) {
+    return static_cast<std::size_t>(row * LetterPlan::kColumns + column);
+}
+
+LetterReading countEdges(const CellGrid& grid) {
+    LetterReading reading;
+    for (int row = 0; row < LetterPlan::kRows; ++row) {
+        Path path(reading);
+        for (int column = 0; column + 1 < LetterPlan::kColumns; ++column)
+            path.follow(grid[cellIndex(column, row)], grid[cellIndex(column + 1, row)]);
+    }
+    for (int column = 0; column < LetterPlan::kColumns; ++column) {
+        Path path(reading);
+        for (int row = 0; row + 1 < LetterPlan::kRows; ++row)
+            path.follow(grid[cellIndex(column, row)], grid[cellIndex(column, row + 1)]);
+    }
+    return reading;
+}
+
+GridDifferences differencesOf(const CellGrid& grid) {
+    GridDifferences differences{LetterPlan::kColumns, LetterPlan::kRows,
+                                std::vector<double>(grid.size(), 0.0),
+                                std::vector<double>(grid.size(), 0.0)};
+    for (int row = 0; row < LetterPlan::kRows; ++row)
+        for (int column = 0; column < LetterPlan::kColumns; ++column) {
+            const std::size_t cell = cellIndex(column, row);
+            if (column + 1 < LetterPlan::kColumns)
+                differences.right[cell] = stepBetween(grid[cell], grid[cell + 1]).seen;
+            if (row + 1 < LetterPlan::kRows)
+                differences.down[cell] =
+                    stepBetween(grid[cell], grid[cellIndex(column, row + 1)]).seen;
+        }
+    return differences;
+}
+
+Raster raster(const std::string& title, const std::vector<double>& heights) {
+    Raster picture{title, LetterPlan::kColumns, LetterPlan::kRows, {}, Raster::Colours::grey};
+    const double ground = median(heights);
+    picture.values.reserve(heights.size());
+    for (const double height : heights)
+        picture.values.push_back(
+            static_cast<float>(std::clamp(0.5 + 0.4 * (height - ground), 0.0, 1.0)));
+    return picture;
+}
+
+/// Ramps have shown that slopes tilt on larger spheres; here a change the wrong way speaks against
+/// the code, and that there is hardly any. A coarse step may miss many of these short edges, though
+/// it finds those of a larger map.
+bool agrees(const EdgeCount& edges) {
+    constexpr int kOneOf = 20;
+    return 9 * edges.opposite <= edges.right && kOneOf * edges.right >= edges.crossed();
+}
+
+bool agrees(const LetterCount& count) {
+    return agrees(count.alongU) && agrees(count.alongV);
+}
+
+}  // namespace
+
+LetterPlan planLetters(Questionnaire& questionnaire, Draws& draws) {
+    LetterPlan plan;
+    // Steps of no simple fraction of a texel, so that the grid's points lie anywhere in texels.
+    const double width = draws.uniform(0.975, 0.985) * std::numbers::pi;
+    const double height = draws.uniform(0.485, 0.495) * std::numbers::pi;
+    for (int row = 0; row < LetterPlan::kRows; ++row)
+        for (int column = 0; column < LetterPlan::kColumns; ++column) {
+            const double longitude = ((column + 0.5) / LetterPlan::kColumns - 0.5) * width;
+            const double latitude = (0.5 - (row + 0.5) / LetterPlan::kRows) * height;
+            plan.directions.emplace_back(std::sin(longitude) * std::cos(latitude),
+                                         std::sin(latitude),
+                                         -std::cos(longitude) * std::cos(latitude));
+        }
+    const Ball ball{{0.0, 0.0, 3.5}, 0.7};
+    plan.flat =
+        questionnaire.add(ball, flatMap(kLetterMapWidth, kLetterMapHeight), plan.directions);
+    plan.question = questionnaire.add(ball, letterMap(), plan.directions);
+    return plan;
+}
+
+bool LetterReading::good() const {
+    return agrees(h) && agrees(l);
+}
+
+std::string look(const LetterCount& count, bool lowered) {
+    const std::string right = lowered ? "lowered" : "raised";
+    const std::string opposite = lowered ? "raised" : "lowered";
+    const EdgeCount& u = count.alongU;
+    const EdgeCount& v = count.alongV;
+    if (u.crossed() == 0 || v.crossed() == 0) return "unclear";
+    if (u.mostlyRight() && v.mostlyRight()) return right;
+    if (u.mostlyOpposite() && v.mostlyOpposite()) return opposite;
+    const bool half =
+        (u.mostlyRight() && v.mostlyOpposite()) || (u.mostlyOpposite() && v.mostlyRight());
+    return half ? "half" : "unclear";
+}
+
+LetterReading readLetters(const LetterPlan& plan, const Answers& answers, const Landing& landing,
+                          const Response& response) {
+    return countEdges(recover(plan, answers, landing, response));
+}
+
+std::vector<Raster> drawRelief(const LetterPlan& plan, const Answers& answers,
+                               const Landing& landing, const Response& response) {
+    const CellGrid grid = recover(plan, answers, landing, response);
+    std::vector<double> heights;
+    heights.reserve(grid.size());
+    for (const Cell& cell : grid)
+        heights.push_back(cell.height);
+    return {raster("expected relief, where your u and v lay the map: H raised, L lowered", heights),
+            raster("relief that your normals show", integrate(differencesOf(grid)))};
+}
+
+}  // namespace ticker::tasks::bump

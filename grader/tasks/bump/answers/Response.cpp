@@ -1,0 +1,231 @@
+#include <grader/tasks/bump/answers/Response.h>
+
+#include <grader/tasks/bump/answers/Replies.h>
+#include <grader/tasks/bump/questions/Numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <iterator>
+
+namespace ticker::tasks::bump {
+namespace {
+
+// Poles and the seam have rules of their own. Differences over a hundredth of the map reach so far.
+constexpr double kPoleMargin = 8.0 / 180.0;
+constexpr double kSeamMargin = 0.012;
+// A tilt below this share of the usual one is none. At 8 degrees from the pole sin theta is 0.14.
+constexpr double kDeadShare = 0.01;
+// Isolated points may stray for unknown reasons; a picture's worth of them may not.
+constexpr double kAlmostAll = 0.985;
+
+Replies ordinaryReplies(const std::vector<RampTilts>& tilts, const Landing& landing) {
+    Replies replies;
+    for (const RampTilts& tilt : tilts) {
+        const double u = landing.u(tilt.direction);
+        const double v = landing.v(tilt.direction);
+        if (std::min(v, 1.0 - v) < kPoleMargin || turnDistance(u, 0.0) < kSeamMargin) continue;
+        const Vector3 alongU = landing.alongU(tilt.direction);
+        const Vector3 alongV = landing.alongV(tilt.direction);
+        if (isFinite(tilt.onURamp))
+            replies.onU.push_back({tilt.direction, u, v, alongU, alongV, tilt.onURamp});
+        if (isFinite(tilt.onVRamp))
+            replies.onV.push_back({tilt.direction, u, v, alongV, alongU, tilt.onVRamp});
+    }
+    return replies;
+}
+
+double middleLength(const std::vector<Reply>& replies) {
+    std::vector<double> lengths;
+    lengths.reserve(replies.size());
+    for (const Reply& reply : replies)
+        lengths.push_back(reply.tilt.magnitude());
+    return median(lengths);
+}
+
+SenseShares countSenses(const std::vector<Reply>& replies, double deadLength) {
+    SenseShares shares;
+    for (const Reply& reply : replies) {
+        const double angle = reply.angle();
+        if (!(reply.tilt.magnitude() > deadLength))
+            shares.dead += 1.0;
+        else if (near(angle, 0.0))
+            shares.right += 1.0;
+        else if (near(angle, kPi))
+            shares.inverted += 1.0;
+        else if (near(angle, 0.5 * kPi) || near(angle, -0.5 * kPi))
+            shares.across += 1.0;
+    }
+    const double count = std::max<double>(1.0, static_cast<double>(replies.size()));
+    return {shares.right / count, shares.inverted / count, shares.across / count,
+            shares.dead / count};
+}
+
+Sense senseOf(const SenseShares& shares) {
+    if (shares.right >= kAlmostAll) return Sense::right;
+    if (shares.inverted >= kAlmostAll) return Sense::inverted;
+    if (shares.across >= kAlmostAll) return Sense::across;
+    if (shares.dead >= kAlmostAll) return Sense::dead;
+    return Sense::mixed;
+}
+
+/// Mean unit vectors of the directions, for each band and sector.
+using Cells = std::array<std::array<std::complex<double>, kSectors>, kBands>;
+
+Cells meanDirections(const std::vector<Reply>& replies, double deadLength) {
+    Cells sums{};
+    std::array<std::array<double, kSectors>, kBands> counts{};
+    for (const Reply& reply : replies) {
+        counts[reply.band()][reply.sector()] += 1.0;
+        if (reply.tilt.magnitude() > deadLength)
+            sums[reply.band()][reply.sector()] += std::polar(1.0, reply.angle());
+    }
+    for (std::size_t band = 0; band < kBands; ++band)
+        for (std::size_t sector = 0; sector < kSectors; ++sector)
+            sums[band][sector] /= std::max(1.0, counts[band][sector]);
+    return sums;
+}
+
+/// How far the sectors of a band disagree: 0 where all agree, or where none has a direction of its
+/// own (as where the direction changes with latitude); 1 where their directions cancel out.
+double disagreement(const std::array<std::complex<double>, kSectors>& sectors) {
+    double lengths = 0.0;
+    std::complex<double> sum;
+    for (const std::complex<double>& sector : sectors) {
+        lengths += std::abs(sector);
+        sum += sector;
+    }
+    return (lengths - std::abs(sum)) / static_cast<double>(kSectors);
+}
+
+void describeBands(const std::vector<Reply>& replies, double deadLength, AxisResponse& axis) {
+    // Directions that turn with longitude leave 0.5 and more; a direction that flips within a band
+    // leaves 0.25 (the mean of some 15 signs); honest code less than 0.02.
+    constexpr double kDisagree = 0.35;
+    const Cells cells = meanDirections(replies, deadLength);
+    for (std::size_t band = 0; band < kBands; ++band) {
+        if (disagreement(cells[band]) > kDisagree) ++axis.bandsThatTurn;
+        std::complex<double> sum;
+        for (const std::complex<double>& cell : cells[band])
+            sum += cell;
+        axis.bandDirection[band] = std::arg(sum) * kDegrees;
+        std::vector<Reply> members;
+        std::copy_if(replies.begin(), replies.end(), std::back_inserter(members),
+                     [band](const Reply& reply) { return reply.band() == band; });
+        axis.bandStrength[band] = middleLength(members);
+    }
+}
+
+/// The largest ratio of two sectors' mean strengths. Every strength is first divided by the middle
+/// one of its neighbours in polar angle, so that latitude does not count.
+double strengthRatio(std::vector<Reply> replies) {
+    constexpr std::size_t kHalfWindow = 12;
+    constexpr std::size_t kStrengthSectors = 16;
+    if (replies.size() < 8 * kHalfWindow) return 1.0;
+    std::sort(replies.begin(), replies.end(),
+              [](const Reply& a, const Reply& b) { return a.v < b.v; });
+    std::array<std::vector<double>, kStrengthSectors> sectors;
+    for (std::size_t i = kHalfWindow; i + kHalfWindow < replies.size(); ++i) {
+        std::vector<double> window;
+        for (std::size_t j = i - kHalfWindow; j <= i + kHalfWindow; ++j)
+            window.push_back(replies[j].tilt.magnitude());
+        const auto sector = std::min(kStrengthSectors - 1,
+                                     static_cast<std::size_t>(replies[i].u * kStrengthSectors));
+        sectors[sector].push_back(replies[i].tilt.magnitude() / median(window));
+    }
+    double least = 1e300;
+    double most = 0.0;
+    for (const std::vector<double>& sector : sectors) {
+        if (sector.size() < 10) continue;
+        double sum = 0.0;
+        for (const double value : sector)
+            sum += std::min(value, 4.0);
+        least = std::min(least, sum / static_cast<double>(sector.size()));
+        most = std::max(most, sum / static_cast<double>(sector.size()));
+    }
+    return most > 0.0 ? most / std::max(least, 1e-9) : 1.0;
+}
+
+void noteDead(const Vector3& at, AxisResponse& axis) {
+    const bool first = axis.deadAt == Vector3{};
+    const auto least = [](const Vector3& a, const Vector3& b) {
+        return Vector3{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+    };
+    axis.deadFrom = first ? at : least(axis.deadFrom, at);
+    axis.deadTo = first ? at : -least(-axis.deadTo, -at);
+    axis.deadAt = at;
+}
+
+void findWorst(const std::vector<Reply>& replies, double deadLength, AxisResponse& axis) {
+    for (const Reply& reply : replies) {
+        if (!(reply.tilt.magnitude() > deadLength)) {
+            noteDead(reply.direction, axis);
+            continue;
+        }
+        const double angle = reply.angle() * kDegrees;
+        if (std::abs(angle) < std::abs(axis.worstDirection)) continue;
+        axis.worstDirection = angle;
+        axis.worst = reply.direction;
+    }
+}
+
+AxisResponse measureAxis(const std::vector<Reply>& replies, double usualLength) {
+    AxisResponse axis;
+    const double own = middleLength(replies);
+    // An axis whose every tilt is a ten-thousandth of the other's does not answer at all.
+    const double deadLength = std::max(kDeadShare * own, 1e-4 * usualLength);
+    axis.shares = countSenses(replies, deadLength);
+    axis.sense = senseOf(axis.shares);
+    if (axis.sense == Sense::dead) return axis;
+    describeBands(replies, deadLength, axis);
+    axis.strengthRatio = strengthRatio(replies);
+    findWorst(replies, deadLength, axis);
+    return axis;
+}
+
+std::array<double, 2> matrixRow(const std::vector<Reply>& replies) {
+    double towards = 0.0;
+    double sideways = 0.0;
+    double length = 0.0;
+    for (const Reply& reply : replies) {
+        towards += reply.towards();
+        sideways += reply.sideways();
+        length += reply.tilt.magnitude();
+    }
+    if (!(length > 0.0)) return {0.0, 0.0};
+    return {towards / length, sideways / length};
+}
+
+}  // namespace
+
+bool Response::dependsOnLongitude() const {
+    constexpr int kFewestBands = 3;
+    // Honest code: 1.1 (the exact normal of the displaced surface is weaker where that is higher),
+    // and 10 percent of noise where differences take now one texel, now two.
+    constexpr double kUnequal = 1.8;
+    return u.bandsThatTurn >= kFewestBands || v.bandsThatTurn >= kFewestBands ||
+           u.strengthRatio > kUnequal || v.strengthRatio > kUnequal || tangentTurn != 0.0;
+}
+
+Response measureResponse(const std::vector<RampTilts>& tilts, const Landing& landing) {
+    const Replies replies = ordinaryReplies(tilts, landing);
+    const double usual = std::max(middleLength(replies.onU), middleLength(replies.onV));
+    Response response;
+    response.u = measureAxis(replies.onU, usual);
+    response.v = measureAxis(replies.onV, usual);
+    const auto u = matrixRow(replies.onU);
+    const auto v = matrixRow(replies.onV);
+    response.matrix = {{{u[0], u[1]}, {v[1], v[0]}}};
+    if (response.u.sense == Sense::mixed || response.v.sense == Sense::mixed)
+        explainTangents(replies, landing, response);
+    return response;
+}
+
+double strengthAt(const AxisResponse& axis, double v) {
+    const double at = std::clamp(v * kBands - 0.5, 0.0, static_cast<double>(kBands - 1));
+    const auto low = std::min(kBands - 2, static_cast<std::size_t>(at));
+    const double share = at - static_cast<double>(low);
+    return axis.bandStrength[low] * (1.0 - share) + axis.bandStrength[low + 1] * share;
+}
+
+}  // namespace ticker::tasks::bump

@@ -1,0 +1,95 @@
+#include <grader/tasks/bump/questions/CoarseRamps.h>
+
+#include <grader/tasks/bump/questions/Numbers.h>
+#include <grader/tasks/bump/questions/RampLadder.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+namespace ticker::tasks::bump {
+namespace {
+
+constexpr std::size_t kPointsPerPlace = 16;
+// Of 6 bytes for each texel the mean of 16 rounded slopes knows a bow's place to a hundredth.
+constexpr int kBytesPerTexel = 6;
+
+/// A point within some thirty texels, most of a tooth.
+Vector3 beside(const Vector3& place, Draws& draws) {
+    constexpr double kReach = 0.08;  // radians
+    return (place + draws.direction() * kReach).normalised();
+}
+
+using Points = std::vector<RampTilts>;
+using Which = Vector3 RampTilts::*;
+
+template <typename Part>
+double medianOf(const Points& points, Part part) {
+    std::vector<double> values;
+    values.reserve(points.size());
+    std::transform(points.begin(), points.end(), std::back_inserter(values), part);
+    return median(values);
+}
+
+/// The mean of the tilts that are within `reach` of the middle one: all but those at a step.
+Vector3 steadyMean(const Points& points, Which which, double reach) {
+    const Vector3 middle{medianOf(points, [which](const RampTilts& t) { return (t.*which).x; }),
+                         medianOf(points, [which](const RampTilts& t) { return (t.*which).y; }),
+                         medianOf(points, [which](const RampTilts& t) { return (t.*which).z; })};
+    Vector3 sum;
+    double count = 0.0;
+    for (const RampTilts& tilt : points) {
+        if (!((tilt.*which - middle).magnitude() <= reach)) continue;
+        sum += tilt.*which;
+        count += 1.0;
+    }
+    return sum / count;
+}
+
+/// Two bytes, as the ramp shows them: rounding makes one, the sphere's curvature less than another.
+double reachOf(const Points& points, Which ramp) {
+    return 2.0 / kBytesPerTexel *
+           medianOf(points, [ramp](const RampTilts& t) { return (t.*ramp).magnitude(); });
+}
+
+RampTilts meanOf(const Points& points, const Vector3& place) {
+    const double reachU = reachOf(points, &RampTilts::onURamp);
+    const double reachV = reachOf(points, &RampTilts::onVRamp);
+    return {place, steadyMean(points, &RampTilts::onURamp, reachU),
+            steadyMean(points, &RampTilts::onUBow, reachU),
+            steadyMean(points, &RampTilts::onVRamp, reachV),
+            steadyMean(points, &RampTilts::onVBow, reachV)};
+}
+
+}  // namespace
+
+CoarsePlan planCoarse(Draws& draws, const Ball& ball) {
+    constexpr int kPlaces = 400;
+    CoarsePlan plan;
+    plan.questionnaire = Questionnaire(static_cast<std::uint64_t>(draws.integer(0, 1 << 30)));
+    plan.places = draws.directions(kPlaces);
+    std::vector<Vector3> points;
+    for (const Vector3& place : plan.places)
+        for (std::size_t i = 0; i < kPointsPerPlace; ++i)
+            points.push_back(beside(place, draws));
+    RampShape shape = drawShape(draws, raytracer::kBumpFactor);
+    shape.bytesPerTexel = kBytesPerTexel;
+    plan.ramps = planRamps(plan.questionnaire, ball, shape, std::move(points));
+    return plan;
+}
+
+std::vector<RampTilts> readCoarse(const CoarsePlan& plan, const Answers& answers) {
+    const std::vector<RampTilts> all = readRamps(plan.ramps, answers);
+    std::vector<RampTilts> means;
+    means.reserve(plan.places.size());
+    auto next = all.begin();
+    for (const Vector3& place : plan.places) {
+        const auto end = next + kPointsPerPlace;
+        means.push_back(meanOf(Points(next, end), place));
+        next = end;
+    }
+    return means;
+}
+
+}  // namespace ticker::tasks::bump

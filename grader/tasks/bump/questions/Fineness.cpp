@@ -1,0 +1,100 @@
+#include <grader/tasks/bump/questions/Fineness.h>
+
+#include <grader/tasks/bump/questions/Numbers.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace ticker::tasks::bump {
+namespace {
+
+constexpr int kAcross = 64;
+constexpr double kRise = 20.0 * kByte;  // for each texel
+
+/// Up by `kHalf` texels, down by as many.
+std::vector<double> zigzag(int count) {
+    constexpr int kPeriod = 2 * FinenessPlan::kHalf;
+    std::vector<double> heights;
+    heights.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+        heights.push_back(kRise *
+                          (FinenessPlan::kHalf - std::abs(i % kPeriod - FinenessPlan::kHalf)));
+    return heights;
+}
+
+Vector3 at(double longitude, double polarAngle) {
+    const double ring = std::sin(polarAngle);
+    return {ring * std::sin(longitude), std::cos(polarAngle), -ring * std::cos(longitude)};
+}
+
+LevelPair addPair(Questionnaire& questionnaire, const Ball& ball, probe::HeightMapDescription map,
+                  const std::vector<Vector3>& directions) {
+    const std::size_t flat = questionnaire.add(ball, flatMap(map.width, map.height), directions);
+    return {flat, questionnaire.add(ball, std::move(map), directions)};
+}
+
+/// @param along  The tangent of either point that the tilts are measured along.
+/// @param usual  The tilt on a ramp of this slope.
+template <typename Along, typename Usual>
+double opposition(const std::vector<Vector3>& pairs, const std::vector<Vector3>& tilts, Along along,
+                  Usual usual) {
+    double opposite = 0.0;
+    double size = 0.0;
+    double expected = 0.0;
+    for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
+        const double one = tilts[i].dot(along(pairs[i]));
+        const double two = tilts[i + 1].dot(along(pairs[i + 1]));
+        if (!std::isfinite(one * two)) continue;
+        opposite -= one * two;
+        size += std::abs(one * two);
+        expected += usual(pairs[i]) * usual(pairs[i]);
+    }
+    constexpr double kHardly = 0.02;  // of the usual tilt
+    return size > kHardly * kHardly * expected ? opposite / size : 1.0;
+}
+
+}  // namespace
+
+FinenessPlan planFineness(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
+    constexpr int kPairs = 60;
+    constexpr double kStepU = 2.0 * kPi * FinenessPlan::kHalf / FinenessPlan::kColumns;
+    constexpr double kStepV = kPi * FinenessPlan::kHalf / FinenessPlan::kRows;
+    FinenessPlan plan;
+    for (int i = 0; i < kPairs; ++i) {
+        const double longitude = draws.uniform(0.0, 2.0 * kPi);
+        const double polarAngle = draws.uniform(0.25, 0.75) * kPi;
+        plan.pairsU.push_back(at(longitude, polarAngle));
+        plan.pairsU.push_back(at(longitude + kStepU, polarAngle));
+        plan.pairsV.push_back(at(longitude, polarAngle));
+        plan.pairsV.push_back(at(longitude, polarAngle + kStepV));
+    }
+    const std::vector<double> level = raytracer::questions::level(kAcross);
+    plan.zigzagU = addPair(
+        questionnaire, ball,
+        {FinenessPlan::kColumns, kAcross, {}, zigzag(FinenessPlan::kColumns), level}, plan.pairsU);
+    plan.zigzagV = addPair(questionnaire, ball,
+                           {kAcross, FinenessPlan::kRows, {}, level, zigzag(FinenessPlan::kRows)},
+                           plan.pairsV);
+    return plan;
+}
+
+Fineness readFineness(const FinenessPlan& plan, const Answers& answers,
+                      const RampJudgement& ramps) {
+    constexpr double kUpright = 0.998;
+    const Landing& landing = ramps.fit->landing;
+    if (std::abs(landing.axis().y) < kUpright) return {};
+    const double timesU = kRise / ramps.shape.slope(ramps.shape.columns);
+    const double timesV = kRise / ramps.shape.slope(ramps.shape.rows);
+    const AxisResponse& onU = ramps.response->u;
+    const AxisResponse& onV = ramps.response->v;
+    return {opposition(
+                plan.pairsU, answers.tiltsBeyond(plan.zigzagU.flat, plan.zigzagU.map),
+                [&](const Vector3& n) { return landing.alongU(n); },
+                [&](const Vector3& n) { return timesU * strengthAt(onU, landing.v(n)); }),
+            opposition(
+                plan.pairsV, answers.tiltsBeyond(plan.zigzagV.flat, plan.zigzagV.map),
+                [&](const Vector3& n) { return landing.alongV(n); },
+                [&](const Vector3& n) { return timesV * strengthAt(onV, landing.v(n)); })};
+}
+
+}  // namespace ticker::tasks::bump

@@ -1,0 +1,20 @@
+#ifndef TICKER_TASKS_BUMP_NUMBERS_H
+#define TICKER_TASKS_BUMP_NUMBERS_H
+
+#include <numbers>
+#include <vector>
+
+namespace ticker::tasks::bump {
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kTurn = 2.0 * kPi;
+inline constexpr double kDegrees = 180.0 / kPi;  ///< of one radian
+
+/// The value below which a share of the values lies, without NaNs; NaN if nothing is left.
+[[nodiscard]] double quantile(std::vector<double> values, double share);
+
+[[nodiscard]] double median(std::vector<double> values);
+
+}  // namespace ticker::tasks::bump
+
+#endif

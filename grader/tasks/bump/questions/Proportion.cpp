@@ -1,0 +1,59 @@
+#include <grader/tasks/bump/questions/Proportion.h>
+
+#include <grader/tasks/bump/questions/Numbers.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace ticker::tasks::bump {
+namespace {
+
+using probe::HeightMapDescription;
+
+// A hundredth of the map is four texels: any difference is one of random texels, too.
+constexpr int kWidth = 400;
+constexpr int kHeight = 200;
+constexpr int kLevels = 5;  // random texels: 0 to 5 of these
+
+HeightMapDescription scaled(const std::vector<int>& texels, int base, int bytesPerLevel) {
+    HeightMapDescription map{kWidth, kHeight, {}, {}, {}};
+    map.bytes.reserve(texels.size());
+    for (const int level : texels)
+        map.bytes.push_back(static_cast<std::uint8_t>(base + level * bytesPerLevel));
+    return map;
+}
+
+}  // namespace
+
+ProportionPlan planProportion(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
+    constexpr int kPoints = 600;
+    ProportionPlan plan;
+    plan.directions = draws.directions(kPoints);
+    std::vector<int> texels;
+    for (int i = 0; i < kWidth * kHeight; ++i)
+        texels.push_back(draws.integer(0, kLevels));
+    const int lowest = draws.integer(20, 255 - 20 - ProportionPlan::kTimes * kLevels);
+    const int middle = lowest + ProportionPlan::kTimes * kLevels / 2;
+    plan.flat = questionnaire.add(ball, flatMap(kWidth, kHeight, kByte * middle), plan.directions);
+    plan.gentle = questionnaire.add(ball, scaled(texels, middle - kLevels / 2, 1), plan.directions);
+    plan.steep =
+        questionnaire.add(ball, scaled(texels, lowest, ProportionPlan::kTimes), plan.directions);
+    return plan;
+}
+
+Proportion readProportion(const ProportionPlan& plan, const Answers& answers) {
+    // Single precision leaves a tenth of this.
+    constexpr double kSomeTilt = 5e-6;
+    constexpr double kSomePoints = 0.1;
+    const std::vector<Vector3> gentle = answers.tiltsBeyond(plan.flat, plan.gentle);
+    const std::vector<Vector3> steep = answers.tiltsBeyond(plan.flat, plan.steep);
+    std::vector<double> growth;
+    for (std::size_t i = 0; i < gentle.size(); ++i)
+        if (gentle[i].magnitude() > kSomeTilt)
+            growth.push_back(steep[i].dot(gentle[i]) / gentle[i].dot(gentle[i]));
+    if (static_cast<double>(growth.size()) < kSomePoints * static_cast<double>(gentle.size()))
+        return {};
+    return {median(growth)};
+}
+
+}  // namespace ticker::tasks::bump

@@ -1,0 +1,72 @@
+#ifndef TICKER_TASKS_BUMP_RAMPS_H
+#define TICKER_TASKS_BUMP_RAMPS_H
+
+#include <grader/tasks/bump/answers/Landing.h>
+#include <grader/tasks/bump/questions/Tilt.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace ticker::tasks::bump {
+
+/// Size and steepness of a set of ramps.
+struct RampShape {
+    int columns = 2080;     ///< of those along u
+    int rows = 1536;        ///< of those along v
+    int across = 96;        ///< texels at a right angle to the slope
+    double rise = 5.0;      ///< height from end to end
+    double base = 0.0;      ///< height of the lowest texel
+    int bytesPerTexel = 0;  ///< if any: the slope in whole bytes, beginning anew after each 255
+
+    /// Height per texel of a ramp that is so long.
+    [[nodiscard]] double slope(int texels) const {
+        return bytesPerTexel == 0 ? rise / (texels - 1) : kByte * bytesPerTexel;
+    }
+};
+
+/// Six questions at the same points of the same sphere: a ramp, a bow (a parabola of the same slope
+/// at its start, falling again from the middle) and a flat map of their size, along u and along v.
+struct RampPlan {
+    RampShape shape;
+    std::vector<Vector3> directions;
+    std::size_t uFlat = 0;
+    std::size_t uRamp = 0;
+    std::size_t uBow = 0;
+    std::size_t vFlat = 0;
+    std::size_t vRamp = 0;
+    std::size_t vBow = 0;
+};
+
+[[nodiscard]] RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball,
+                                 const RampShape& shape, std::vector<Vector3> directions);
+
+/// The same sides at the same points, of another steepness: the flat maps serve both.
+[[nodiscard]] RampPlan planMoreRamps(Questionnaire& questionnaire, const Ball& ball,
+                                     const RampPlan& first, double rise);
+
+/// Tilts at one point, less the tilt on the flat map of that size; not finite where an answer is
+/// missing.
+struct RampTilts {
+    Vector3 direction;
+    Vector3 onURamp;
+    Vector3 onUBow;
+    Vector3 onVRamp;
+    Vector3 onVBow;
+};
+
+[[nodiscard]] std::vector<RampTilts> readRamps(const RampPlan& plan, const Answers& answers);
+
+/// Where on the map each point lies: a bow's slope is that of the ramp times 1 - 2 x, so the ratio
+/// of the two tilts tells x whatever their sign, their direction and their strength.
+[[nodiscard]] std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts);
+
+/// The length of the tilt on each ramp that this share of the points does not exceed.
+struct RampStrength {
+    double alongU = 0.0;
+    double alongV = 0.0;
+};
+[[nodiscard]] RampStrength strength(const std::vector<RampTilts>& tilts, double share = 0.5);
+
+}  // namespace ticker::tasks::bump
+
+#endif

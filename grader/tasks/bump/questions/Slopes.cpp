@@ -1,0 +1,193 @@
+#include <grader/tasks/bump/questions/Slopes.h>
+
+#include <grader/tasks/bump/questions/Numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace ticker::tasks::bump {
+namespace {
+
+using probe::HeightMapDescription;
+
+constexpr int kBytesPerTexel = 4;
+constexpr int kTooth = 64;  // texels: 63 steps of 4 bytes
+
+std::vector<double> sawtooth(int count) {
+    std::vector<double> heights;
+    for (int i = 0; i < count; ++i)
+        heights.push_back(kByte * kBytesPerTexel * (i % kTooth));
+    return heights;
+}
+
+/// cos and sin of a phase that grows evenly over `count` texels.
+struct Phases {
+    std::vector<double> cosines;
+    std::vector<double> sines;
+
+    Phases(int count, double times, double start) {
+        for (int i = 0; i < count; ++i) {
+            const double phase = kTurn * times * (i + 0.5) / count + start;
+            cosines.push_back(std::cos(phase));
+            sines.push_back(std::sin(phase));
+        }
+    }
+};
+
+/// Adds cos(column phase + row phase) to every texel.
+void addWave(std::vector<double>& values, const Phases& columns, const Phases& rows) {
+    std::size_t at = 0;
+    for (std::size_t row = 0; row < rows.cosines.size(); ++row)
+        for (std::size_t column = 0; column < columns.cosines.size(); ++column)
+            values[at++] += rows.cosines[row] * columns.cosines[column] -
+                            rows.sines[row] * columns.sines[column];
+}
+
+/// Bytes from 32 to 224. Waves close round the sphere; the shortest are 45 texels long.
+HeightMapDescription randomField(Draws& draws) {
+    constexpr int kFieldWidth = 420;
+    constexpr int kFieldHeight = 230;
+    constexpr int kWaves = 6;
+    std::vector<double> values(static_cast<std::size_t>(kFieldWidth) * kFieldHeight, 0.0);
+    for (int wave = 0; wave < kWaves; ++wave) {
+        // The first two see to it that there is some slope along each axis.
+        const double round = wave == 0 ? 7.0 : draws.integer(-8, 8);
+        const double down = wave == 1 ? 4.0 : draws.uniform(-4.5, 4.5);
+        addWave(values, Phases(kFieldWidth, round, draws.uniform(0.0, kTurn)),
+                Phases(kFieldHeight, down, 0.0));
+    }
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const double low = *least;
+    const double scale = 192.0 / (*most - low);
+    HeightMapDescription map{kFieldWidth, kFieldHeight, {}, {}, {}};
+    map.bytes.reserve(values.size());
+    for (const double value : values)
+        map.bytes.push_back(static_cast<std::uint8_t>(32.5 + (value - low) * scale));
+    return map;
+}
+
+double byteAt(const HeightMapDescription& map, int column, int row) {
+    const int c = (column + map.width) % map.width;
+    const int r = std::clamp(row, 0, map.height - 1);
+    return map.bytes[static_cast<std::size_t>(r * map.width + c)];
+}
+
+int texel(double coordinate, int count) {
+    return std::clamp(static_cast<int>(coordinate * count), 0, count - 1);
+}
+
+/// How well what was seen has the sign of what was expected: 1 always, -1 never. Big pairs count
+/// for more; how much was seen does not matter, since that is the code's choice.
+class SignAgreement {
+public:
+    void add(double expected, double seen) {
+        if (!std::isfinite(seen)) return;
+        sum_ += expected * seen;
+        size_ += std::abs(expected * seen);
+    }
+    [[nodiscard]] double value() const { return size_ > 0.0 ? sum_ / size_ : 0.0; }
+
+private:
+    double sum_ = 0.0;
+    double size_ = 0.0;
+};
+
+/// The share for which `leans(tilt, direction)` holds, of the ordinary points that are tilted at
+/// all.
+template <typename Leans>
+double share(const std::vector<Vector3>& directions, const std::vector<Vector3>& tilts,
+             const Landing& landing, Leans leans) {
+    constexpr double kNothing = 1e-9;
+    double right = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        if (!isOrdinary(landing, directions[i])) continue;
+        if (!(tilts[i].magnitude() > kNothing)) continue;
+        count += 1.0;
+        if (leans(tilts[i], directions[i])) right += 1.0;
+    }
+    return right / std::max(1.0, count);
+}
+
+LevelPair addPair(Questionnaire& questionnaire, const Ball& ball, HeightMapDescription map,
+                  const std::vector<Vector3>& directions) {
+    const std::size_t flat = questionnaire.add(ball, flatMap(map.width, map.height), directions);
+    return {flat, questionnaire.add(ball, std::move(map), directions)};
+}
+
+void readField(const SlopePlan& plan, const Answers& answers, const Landing& landing,
+               const Response& response, SlopeAgreement& agreement) {
+    const HeightMapDescription& map = answers.asked().question(plan.field.map).map;
+    const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.field.flat, plan.field.map);
+    SignAgreement alongU;
+    SignAgreement alongV;
+    for (std::size_t i = 0; i < tilts.size(); ++i) {
+        const Vector3& n = plan.fieldDirections[i];
+        if (!isOrdinary(landing, n)) continue;
+        const double u = landing.u(n);
+        const double v = landing.v(n);
+        alongU.add(slopeAlongU(map, u, v) * strengthAt(response.u, v),
+                   -response.u.sign() * tilts[i].dot(landing.alongU(n)));
+        alongV.add(slopeAlongV(map, u, v) * strengthAt(response.v, v),
+                   -response.v.sign() * tilts[i].dot(landing.alongV(n)));
+    }
+    agreement.fieldU = alongU.value();
+    agreement.fieldV = alongV.value();
+}
+
+}  // namespace
+
+SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
+    constexpr int kPoints = 250;
+    constexpr int kFieldPoints = 800;
+    constexpr int kAlong = 1024;
+    // A step of one texel across, taken along the teeth too, smears a fifth of each tooth.
+    constexpr int kAcross = 160;
+    SlopePlan plan;
+    plan.directions = draws.directions(kPoints);
+    plan.fieldDirections = draws.directions(kFieldPoints);
+    plan.sawtoothU =
+        addPair(questionnaire, ball,
+                {kAlong, kAcross, {}, sawtooth(kAlong), raytracer::questions::level(kAcross)},
+                plan.directions);
+    plan.sawtoothV =
+        addPair(questionnaire, ball,
+                {kAcross, kAlong, {}, raytracer::questions::level(kAcross), sawtooth(kAlong)},
+                plan.directions);
+    plan.field = addPair(questionnaire, ball, randomField(draws), plan.fieldDirections);
+    return plan;
+}
+
+SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers, const Landing& landing,
+                          const Response& response) {
+    const auto leansU = [&](const Vector3& tilt, const Vector3& n) {
+        return -response.u.sign() * tilt.dot(landing.alongU(n)) > 0.5 * tilt.magnitude();
+    };
+    const auto leansV = [&](const Vector3& tilt, const Vector3& n) {
+        return -response.v.sign() * tilt.dot(landing.alongV(n)) > 0.5 * tilt.magnitude();
+    };
+    const auto measure = [&](const LevelPair& pair, const auto& leans) {
+        return share(plan.directions, answers.tiltsBeyond(pair.flat, pair.map), landing, leans);
+    };
+    SlopeAgreement agreement;
+    agreement.sawtoothU = measure(plan.sawtoothU, leansU);
+    agreement.sawtoothV = measure(plan.sawtoothV, leansV);
+    readField(plan, answers, landing, response, agreement);
+    return agreement;
+}
+
+double slopeAlongU(const HeightMapDescription& map, double u, double v) {
+    const int column = texel(u, map.width);
+    const int row = texel(v, map.height);
+    return 0.5 * kByte * (byteAt(map, column + 1, row) - byteAt(map, column - 1, row));
+}
+
+double slopeAlongV(const HeightMapDescription& map, double u, double v) {
+    const int column = texel(u, map.width);
+    const int row = texel(v, map.height);
+    return 0.5 * kByte * (byteAt(map, column, row + 1) - byteAt(map, column, row - 1));
+}
+
+}  // namespace ticker::tasks::bump

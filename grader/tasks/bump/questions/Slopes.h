@@ -1,0 +1,58 @@
+#ifndef TICKER_TASKS_BUMP_SLOPES_H
+#define TICKER_TASKS_BUMP_SLOPES_H
+
+#include <grader/tasks/bump/questions/Draws.h>
+#include <grader/tasks/bump/answers/Landing.h>
+#include <grader/tasks/bump/answers/Response.h>
+#include <grader/tasks/bump/questions/Tilt.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace ticker::tasks::bump {
+
+/// A map, and the flat one of its size at the same points.
+struct LevelPair {
+    std::size_t flat = 0;
+    std::size_t map = 0;
+};
+
+/// Slopes as pictures have them: sawtooth ramps of whole bytes along u and along v, and a smooth
+/// random field of bytes.
+struct SlopePlan {
+    std::vector<Vector3> directions;
+    std::vector<Vector3> fieldDirections;
+    LevelPair sawtoothU;
+    LevelPair sawtoothV;
+    LevelPair field;  ///< at `fieldDirections`
+};
+
+[[nodiscard]] SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& ball);
+
+/// How well the tilts keep to what they are on ramps, each axis with its sign there.
+struct SlopeAgreement {
+    double sawtoothU = 0.0;  ///< share of the points whose tilt leans the same way
+    double sawtoothV = 0.0;
+    double fieldU = 0.0;  ///< of the tilt along u: the share that leans as the slope along u says,
+                          ///< weighted by both, less the share that leans the other way
+    double fieldV = 0.0;
+
+    /// Sawtooth: the teeth's edges and what a wide difference smears of them are a third at most.
+    /// Field: an interpolated or widely differenced slope keeps 0.97.
+    [[nodiscard]] bool good() const {
+        return sawtoothU >= 0.6 && sawtoothV >= 0.6 && fieldAgrees();
+    }
+    [[nodiscard]] bool fieldAgrees() const { return fieldU >= 0.9 && fieldV >= 0.9; }
+};
+
+[[nodiscard]] SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers,
+                                        const Landing& landing, const Response& response);
+
+/// The slope of a byte map along u at a point, heights per texel, over two texels.
+[[nodiscard]] double slopeAlongU(const probe::HeightMapDescription& map, double u, double v);
+/// Likewise along v.
+[[nodiscard]] double slopeAlongV(const probe::HeightMapDescription& map, double u, double v);
+
+}  // namespace ticker::tasks::bump
+
+#endif

@@ -1,0 +1,81 @@
+#ifndef TICKER_TASKS_BUMP_TILT_H
+#define TICKER_TASKS_BUMP_TILT_H
+
+#include <grader/tasks/bump/questions/Draws.h>
+#include <grader/probe/Examinee.h>
+#include <questions/BumpQuestions.h>
+
+#include <raytracer/math/Vector3.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ticker::tasks::bump {
+
+using raytracer::Vector3;
+
+/// One grey step of a picture, as a height.
+inline constexpr double kByte = raytracer::kBumpFactor / 255.0;
+
+/// The sphere of a question.
+struct Ball {
+    Vector3 centre;
+    double radius = 1.0;
+
+    [[nodiscard]] Vector3 at(const Vector3& direction) const { return centre + direction * radius; }
+};
+
+[[nodiscard]] inline bool isFinite(const Vector3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+using raytracer::questions::tiltOf;
+
+/// A map without slope, of half the greatest height unless another is given.
+[[nodiscard]] probe::HeightMapDescription flatMap(int width, int height, double level = 2.5);
+
+/// Collects the questions of one sitting; a question's number finds its answer later.
+class Questionnaire {
+public:
+    /// @param seed  Draws the spheres' materials and what else is in their scenes: a submission
+    /// must
+    ///              not be able to tell a question's sphere from a picture's.
+    explicit Questionnaire(std::uint64_t seed = 0) : draws_(seed + 0xFACADEU) {}
+
+    /// Asks for the normals of `ball` at the points that lie in `directions`.
+    std::size_t add(const Ball& ball, probe::HeightMapDescription map,
+                    const std::vector<Vector3>& directions);
+
+    [[nodiscard]] const std::vector<probe::Question>& questions() const { return questions_; }
+    [[nodiscard]] const probe::NormalQuestion& question(std::size_t number) const;
+
+private:
+    Draws draws_;
+    std::vector<probe::Question> questions_;
+};
+
+/// What came back, put beside what was asked.
+class Answers {
+public:
+    Answers(const Questionnaire& asked, probe::Sitting sitting);
+
+    [[nodiscard]] const probe::ProcessEnd& end() const { return sitting_.end; }
+    [[nodiscard]] const Questionnaire& asked() const { return *asked_; }
+    /// The answer to a question; its normals are as many as were asked for, and not finite where
+    /// none came.
+    [[nodiscard]] const probe::NormalAnswer& answer(std::size_t number) const;
+    [[nodiscard]] std::vector<Vector3> tilts(std::size_t number) const;
+    /// Likewise, less the tilts on a flat map of the same size at the same points: the chords of
+    /// a displaced surface lean even there, by half of their step.
+    [[nodiscard]] std::vector<Vector3> tiltsBeyond(std::size_t flat, std::size_t number) const;
+
+private:
+    const Questionnaire* asked_;
+    probe::Sitting sitting_;
+};
+
+}  // namespace ticker::tasks::bump
+
+#endif

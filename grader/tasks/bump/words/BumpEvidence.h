@@ -1,0 +1,16 @@
+#ifndef TICKER_TASKS_BUMP_BUMPEVIDENCE_H
+#define TICKER_TASKS_BUMP_BUMPEVIDENCE_H
+
+#include <grader/tasks/bump/words/Diagnosis.h>
+#include <grader/result/Finding.h>
+
+#include <vector>
+
+namespace ticker::tasks::bump {
+
+/// Everything that was measured, as result.json has it. docs/findings explains the keys.
+[[nodiscard]] Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examination);
+
+}  // namespace ticker::tasks::bump
+
+#endif

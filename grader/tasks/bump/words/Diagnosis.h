@@ -1,0 +1,68 @@
+#ifndef TICKER_TASKS_BUMP_DIAGNOSIS_H
+#define TICKER_TASKS_BUMP_DIAGNOSIS_H
+
+#include <grader/tasks/bump/Examination.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ticker::tasks::bump {
+
+/// What is wrong with a submission, in the order in which it is reported: the first that applies.
+enum class Fault {
+    threw,
+    notFinite,
+    notUnit,
+    flat,
+    longitudeDependent,
+    swapped,
+    inverted,
+    invertedU,
+    invertedV,
+    upsideDown,
+    wrong
+};
+
+/// The finding's id: "bump.inverted-u".
+[[nodiscard]] std::string idOf(Fault fault);
+
+/// Every fault that applies, most important first; empty for a right submission.
+[[nodiscard]] std::vector<Fault> diagnose(const Examination& examination,
+                                          const std::optional<Hints>& hints);
+
+/// Why a submission is wrong that fits no name: the first that applies.
+enum class WrongReason {
+    chance,         ///< the same point of the same map gets another normal each time
+    mapIgnored,     ///< another map gives the same normals
+    remembers,      ///< a point's normal depends on the map that was asked about just before
+    normalMissing,  ///< a gentle slope lays the normal flat into the surface
+    inward,
+    flatTilted,
+    slopeUIgnored,
+    slopeVIgnored,
+    signLost,
+    strangeLanding,
+    smallSlopesLost,  ///< ramps tilt nothing, steps do
+    patchy,
+    strangeDirection,
+    doesNotGrow,
+    steepDiffers,   ///< on a ramp from black to white
+    regionsDiffer,  ///< in some rows or columns of a large map
+    slopesDiffer,
+    wallAtSeam,          ///< heights that the map does not have, beyond its last column
+    coordinatesRounded,  ///< u or v, coarsely
+    lettersDiffer
+};
+
+/// Row 0 lies at the bottom of the sphere.
+[[nodiscard]] bool standsOnItsHead(const Examination& examination);
+
+/// Nearly every normal points into the sphere: nothing else that is seen then means what it says.
+[[nodiscard]] bool pointsInwards(const Examination& examination);
+
+[[nodiscard]] std::optional<WrongReason> findWrong(const Examination& examination);
+
+}  // namespace ticker::tasks::bump
+
+#endif

@@ -1,0 +1,156 @@
+#include <grader/tasks/bump/words/DirectionWords.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace ticker::tasks::bump {
+namespace {
+
+std::string directionInWords(const AxisResponse& axis) {
+    return fmt::format("{} right, {} inverted, {} along the other axis, {} not at all",
+                       percent(axis.shares.right), percent(axis.shares.inverted),
+                       percent(axis.shares.across), percent(axis.shares.dead));
+}
+
+/// ", everywhere 30 degrees off", where every band of an axis agrees on that.
+std::string commonTurn(const AxisResponse& axis) {
+    constexpr double kAgree = 10.0;
+    const auto [least, most] =
+        std::minmax_element(axis.bandDirection.begin(), axis.bandDirection.end());
+    const double middle = std::abs(0.5 * (*least + *most));
+    if (*most - *least > kAgree || middle < kAgree) return {};
+    return fmt::format(", everywhere {:.0f} degrees off", middle);
+}
+
+/// ", inverted from 50 % to 100 % of the map's height", where the sign changes with the row alone.
+std::string invertedRows(const AxisResponse& axis) {
+    constexpr double kNear = 30.0;
+    std::size_t first = kBands;
+    std::size_t last = 0;
+    for (std::size_t band = 0; band < kBands; ++band) {
+        const double off = std::abs(axis.bandDirection[band]);
+        if (off > kNear && off < 180.0 - kNear) return {};
+        if (off <= kNear) continue;
+        first = std::min(first, band);
+        last = band;
+    }
+    if (first == kBands || (first == 0 && last + 1 == kBands)) return {};
+    const auto share = [](std::size_t band) { return static_cast<double>(band) / kBands; };
+    return fmt::format(", inverted from {} to {} of the map's height", percent(share(first)),
+                       percent(share(last + 1)));
+}
+
+/// ", by 49 degrees at the map's top, -49 at its bottom", where the direction turns with the row.
+std::string twist(const AxisResponse& axis) {
+    constexpr double kClearly = 40.0;
+    const double top = axis.bandDirection.front();
+    double turned = 0.0;
+    for (std::size_t band = 1; band < kBands; ++band) {
+        const double step =
+            std::remainder(axis.bandDirection[band] - axis.bandDirection[band - 1], 360.0);
+        // One way all along, and in small steps: a sign that changes is a step of 180.
+        if (std::abs(step) > 60.0 || (std::abs(step) > 3.0 && step * turned < 0.0)) return {};
+        turned += step;
+    }
+    if (axis.bandsThatTurn > 0 || std::abs(turned) < kClearly) return {};
+    return fmt::format(
+        ", turning with the row from {:.0f} degrees aside at the map's top to {:.0f} "
+        "at its bottom",
+        top, std::remainder(top + turned, 360.0));
+}
+
+std::string seenAlong(const AxisResponse& axis) {
+    return directionInWords(axis) + commonTurn(axis) + invertedRows(axis) + twist(axis);
+}
+
+/// What to look at first; empty where the shares tell nothing.
+std::string hintOf(const Response& response) {
+    if (!invertedRows(response.u).empty() || !invertedRows(response.v).empty())
+        return "A sign changes on the way down. Look for a comparison or an abs that turns the "
+               "sign of Bu or Bv; if there is none, compare the tangents: with polar angle t and "
+               "longitude p, Pv is (sin p cos t, -sin t, -cos p cos t) where rows grow downwards, "
+               "so that its y is negative on both halves and cos t changes sign at the equator. "
+               "Pu has no polar angle in it.";
+    if (response.tangentsInDegrees)
+        return "The tangents are those of angles in degrees: std::sin and std::cos take radians, "
+               "so leave the factor 180 / pi out of everything that goes into them.";
+    const std::string names = twist(response.u).empty()   ? "Pv turns"
+                              : twist(response.v).empty() ? "Pu turns"
+                                                          : "Pu and Pv turn";
+    if (!twist(response.u).empty() || !twist(response.v).empty())
+        return names +
+               " away with latitude. Pu runs along the circle of latitude, has no y, and does not "
+               "depend on the polar angle; Pv runs straight down the meridian: its x and z are "
+               "those of n times the cosine over the sine of the polar angle.";
+    return {};
+}
+
+/// "below the equator", where all points that are not tilted lie in one half of the sphere.
+std::string halfOf(const AxisResponse& axis) {
+    constexpr double kBeyond = 0.05;
+    constexpr double kWide = 0.5;
+    struct Half {
+        double from;
+        double to;
+        const char* low;
+        const char* high;
+    };
+    const Vector3& from = axis.deadFrom;
+    const Vector3& to = axis.deadTo;
+    for (const Half& half :
+         {Half{from.y, to.y, "below the equator", "above the equator"},
+          Half{from.x, to.x, "on the left half of the sphere", "on the right half of the sphere"},
+          Half{from.z, to.z, "on the half that faces the camera",
+               "on the half that the camera does not see"}}) {
+        if (half.to - half.from < kWide) continue;
+        if (half.to < kBeyond) return half.low;
+        if (half.from > -kBeyond) return half.high;
+    }
+    return {};
+}
+
+}  // namespace
+
+Words directionWords(const Response& response) {
+    const AxisResponse& farthest =
+        std::abs(response.u.worstDirection) > std::abs(response.v.worstDirection) ? response.u
+                                                                                  : response.v;
+    std::string hint = hintOf(response);
+    if (hint.empty())
+        hint = fmt::format(
+            "The farthest off is {}. Work out Pu, Pv, Bu and Bv there by hand and "
+            "compare.",
+            placeInWords(farthest.worst));
+    return {fmt::format("The tilt fits no reading of Equation (1). A slope along u tilts the "
+                        "normal: {}. A slope along v: {}.",
+                        seenAlong(response.u), seenAlong(response.v)),
+            hint, "Option 1: What to do, steps 2 and 3"};
+}
+
+Words patchyWords(const Response& response) {
+    const AxisResponse& axis =
+        response.u.shares.dead > response.v.shares.dead ? response.u : response.v;
+    const std::string half = halfOf(axis);
+    Words words;
+    words.message = fmt::format(
+        "On an even slope many points are not tilted at all: {} of them along u, {} along v{}. "
+        "Elsewhere the direction is right.",
+        percent(response.u.shares.dead), percent(response.v.shares.dead),
+        half.empty() ? "" : fmt::format(", all of them {}", half));
+    words.hint = half.empty()
+                     ? fmt::format(
+                           "One of them lies {}. A step in u or v that is smaller than a texel "
+                           "often reads the same texel twice; a tangent may have no length there.",
+                           placeInWords(axis.deadAt))
+                     : "Look for an if, a max or a clamp that leaves that half out: a comparison "
+                       "of an angle, "
+                       "of u or v, or of a coordinate of the normal.";
+    words.section = "Option 1: What to do, steps 2 and 3";
+    return words;
+}
+
+}  // namespace ticker::tasks::bump

@@ -1,0 +1,238 @@
+#include <grader/tasks/bump/words/Words.h>
+
+#include <grader/tasks/bump/words/BumpEvidence.h>
+#include <grader/tasks/bump/words/Phrases.h>
+#include <grader/tasks/bump/words/SignWords.h>
+#include <grader/tasks/bump/words/WrongWords.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ticker::tasks::bump {
+namespace {
+
+Words threwWords(const Offence& offence) {
+    const bool lookUp = offence.message.find("outside the map") != std::string::npos;
+    // What a double that is not a number, or far too large, becomes as an int.
+    const bool overflow = offence.message.find("2147483648") != std::string::npos;
+    Words words;
+    words.message = fmt::format("The program stops at {}: \"{}\". The first is {}.",
+                                pointsOf(offence), quoted(offence.message), firstAt(offence));
+    words.section = "Option 1: What to do, step 3";
+    if (overflow)
+        words.hint =
+            "A u or v that is not a number became a column or row: look for an acos of a "
+            "value beyond 1 (divide by the radius, or normalise, first).";
+    else if (lookUp)
+        words.hint =
+            "Look at the line that turns (u, v) into a column and a row, and at the neighbours: "
+            "columns end at width() - 1 and rows at height() - 1. Let columns go round with "
+            "(column + 1) % width() to the right and (column - 1 + width()) % width() to the left "
+            "(-1 % width() stays -1), and let rows stop at the edge. A size that is written in as "
+            "a number, or remembered from another map (a static variable), leads outside as well: "
+            "maps differ in size.";
+    else
+        words.hint = "An exception came out of getNormalAt. A render would end there.";
+    return words;
+}
+
+Words notFiniteWords(const Offence& offence) {
+    return {fmt::format("The normal is not a number at {}; the first is {}. Every point of the "
+                        "sphere needs a unit vector.",
+                        pointsOf(offence), firstAt(offence)),
+            "Look for an acos or asin of a value beyond 1 (divide by the radius, or normalise, "
+            "first), a division by a slope or a sine that can be zero, and a vector of length zero "
+            "that is normalised, such as a sum without n where the map is level.",
+            "Option 1: What to do, steps 1 and 4"};
+}
+
+Words notUnitWords(const Offence& offence) {
+    return {fmt::format("The normal should have length 1, but at {} it does not: the length is off "
+                        "by up to {:.2g}.",
+                        pointsOf(offence), offence.value),
+            "Equation (1) normalises the sum: call normalised() on what you return.",
+            "Option 1: The sign trap"};
+}
+
+Words flatWords() {
+    return {
+        "The sphere is smooth: no slope of the bump map tilts the normal, not even a step from "
+        "black to white.",
+        "Check that Bu and Bv are used in the vector that is returned, and that they are not "
+        "always zero (a texel minus itself, a division of integers).",
+        "Option 1: What to do, steps 3 and 4"};
+}
+
+// Where the direction is right, or inverted, at every longitude, only a factor can change.
+bool onlyStrengthChanges(const Response& response) {
+    const auto keepsDirection = [](const AxisResponse& axis) {
+        return axis.bandsThatTurn == 0 &&
+               (axis.sense == Sense::right || axis.sense == Sense::inverted);
+    };
+    return keepsDirection(response.u) && keepsDirection(response.v);
+}
+
+Words strengthWords(const Response& response) {
+    return {fmt::format("The normal tilts along the right lines, but not as far everywhere: the "
+                        "same slope tilts it {:.1f} times as far at one longitude as at another.",
+                        std::max(response.u.strengthRatio, response.v.strengthRatio)),
+            "Leave Pu and Pv as they are. Bu and Bv, or the terms of Equation (1), are multiplied "
+            "or divided by something that changes round the sphere: the distance to the camera "
+            "(position.magnitude()), a coordinate of the position or of the normal, an angle. "
+            "Take that factor out: the slope is a difference of texels, and nothing else scales "
+            "it.",
+            "Option 1: What to do, steps 3 and 4"};
+}
+
+Words longitudeWords(const Examination& examination) {
+    if (onlyStrengthChanges(*examination.ramps().response))
+        return strengthWords(*examination.ramps().response);
+    const double turn = examination.ramps().response->tangentTurn;
+    Words words;
+    words.message =
+        turn == 0.0 ? "The same slope tilts the normal differently at different longitudes: the "
+                      "tilt should turn with the point round the sphere."
+                    : fmt::format(
+                          "The normal tilts as it should at a longitude that is {:.0f} "
+                          "degrees away: the tangents belong to another parametrisation "
+                          "than the place where the map is looked up.",
+                          std::abs(turn));
+    words.hint =
+        "Pu and Pv must come from the same angles, with the same axis and the same origin, as the "
+        "(u, v) that you look up: write the point with your own longitude and polar angle, and "
+        "differentiate that.";
+    words.section = "Option 1: What to do, step 2";
+    return words;
+}
+
+Words swappedWords(const Examination& examination, const std::optional<Hints>& hints) {
+    const bool transposed = examination.ramps().transposed || (hints && hints->square.transposed);
+    if (transposed)
+        return {
+            "Columns and rows are exchanged: moving round the sphere reads other rows of the "
+            "map, moving down reads other columns.",
+            "heightMap().at takes the column first: at(column, row); u chooses the column, v "
+            "the row.",
+            "Option 1: What to do, step 1"};
+    return {
+        "The axes are exchanged: a slope along u tilts the normal along v, and a slope along v "
+        "tilts it along u.",
+        "Bu goes with Pu and Bv with Pv, Equation (1); with cross products Bu goes with n x Pv and "
+        "Bv with n x Pu. Where these pairs are right by name, the tangents themselves are "
+        "exchanged: Pu is the derivative by the angle that chooses the column, along the circle of "
+        "latitude, and Pv that by the angle that chooses the row, along the meridian.",
+        "Option 1: The sign trap; What to do, step 2"};
+}
+
+/// What the points that were answered show is worth as much as the exception.
+void addNext(Words& words, const Words& next) {
+    words.message += " Where it answers, another mistake shows: " + next.message;
+    words.hint += " Then: " + next.hint;
+    words.section += "; " + next.section.substr(next.section.find(": ") + 2);
+}
+
+bool isSign(Fault fault) {
+    return fault == Fault::inverted || fault == Fault::invertedU || fault == Fault::invertedV;
+}
+
+Words wordsFor(Fault fault, const Examination& examination, const std::optional<Hints>& hints) {
+    switch (fault) {
+        case Fault::threw:
+            return threwWords(examination.conduct.threw);
+        case Fault::notFinite:
+            return notFiniteWords(examination.conduct.notFinite);
+        case Fault::notUnit:
+            return notUnitWords(examination.conduct.notUnit);
+        case Fault::flat:
+            return flatWords();
+        case Fault::longitudeDependent:
+            return longitudeWords(examination);
+        case Fault::swapped:
+            return swappedWords(examination, hints);
+        case Fault::inverted:
+            return invertedWords();
+        case Fault::invertedU:
+            return invertedUWords();
+        case Fault::invertedV:
+            return invertedVWords();
+        case Fault::upsideDown:
+            return upsideDownWords();
+        case Fault::wrong:
+            return wrongWords(*findWrong(examination), examination, hints);
+    }
+    return {};
+}
+
+Finding note(const std::string& id, Severity severity, Words words) {
+    Finding finding;
+    finding.id = id;
+    finding.severity = severity;
+    finding.message = std::move(words.message);
+    finding.hint = std::move(words.hint);
+    finding.section = std::move(words.section);
+    return finding;
+}
+
+Finding mirroredNote() {
+    return note(
+        "bump.mirrored", Severity::note,
+        {"The map is mirrored: text on it reads from right to left. That alone is accepted.",
+         "Let u grow to the right as seen from outside.", "Option 1: What to do, step 1"});
+}
+
+Finding endRowsWarning(const MapEdges& edges) {
+    return note(
+        "bump.wrong", Severity::warn,
+        {fmt::format(
+             "In the map's first or last row the normal tilts {} times as far as anywhere "
+             "else, on a map of a gentle wave: what lies beyond that row counts as a height "
+             "that the map does not have.",
+             edges.endRows < 100.0 ? fmt::format("{:.0f}", edges.endRows) : "over 100"),
+         "Below the last row there is nothing, so it is level downwards: take "
+         "std::min(row + 1, height() - 1) as its neighbour.",
+         "Option 1: What to do, step 3"});
+}
+
+}  // namespace
+
+Finding describe(const std::vector<Fault>& faults, const Examination& examination,
+                 const std::optional<Hints>& hints) {
+    Words words = wordsFor(faults.front(), examination, hints);
+    if (faults.front() == Fault::threw && faults.size() > 1)
+        addNext(words, wordsFor(faults[1], examination, hints));
+    if (isSign(faults.front()) && standsOnItsHead(examination))
+        words = signOnItsHeadWords(std::move(words));
+    Finding finding = note(idOf(faults.front()), Severity::fail, std::move(words));
+    finding.evidence = evidenceOf(faults, examination);
+    return finding;
+}
+
+std::vector<Finding> sideNotes(const Examination& examination) {
+    const Conduct& conduct = examination.conduct;
+    std::vector<Finding> notes;
+    if (conduct.threwHidden)
+        notes.push_back(note("run.crashed", Severity::warn, threwWords(conduct.threwHidden)));
+    if (conduct.notFiniteHidden)
+        notes.push_back(
+            note("bump.not-finite", Severity::warn, notFiniteWords(conduct.notFiniteHidden)));
+    if (conduct.notUnitHidden)
+        notes.push_back(note("bump.not-unit", Severity::warn, notUnitWords(conduct.notUnitHidden)));
+    if (examination.edges && examination.edges->goodSeam() && !examination.edges->goodEndRows())
+        notes.push_back(endRowsWarning(*examination.edges));
+    // What reads from right to left on its head may do so from left to right on its feet, and what
+    // is seen from inside says nothing.
+    const bool placed = examination.ramps().response.has_value() && !standsOnItsHead(examination) &&
+                        !pointsInwards(examination);
+    if (placed && examination.ramps().fit->landing.mirrored()) notes.push_back(mirroredNote());
+    for (Finding& finding : notes)
+        if (finding.severity == Severity::warn)
+            finding.message +=
+                " No usual picture shows these points (poles, the far side's exact "
+                "middle, maps of 4 x 4 texels), so this alone fails nothing.";
+    return notes;
+}
+
+}  // namespace ticker::tasks::bump

@@ -1,0 +1,24 @@
+#ifndef TICKER_TASKS_BUMP_WORDS_H
+#define TICKER_TASKS_BUMP_WORDS_H
+
+#include <grader/tasks/bump/words/Diagnosis.h>
+#include <grader/tasks/bump/Examination.h>
+#include <grader/result/Finding.h>
+
+#include <optional>
+#include <vector>
+
+namespace ticker::tasks::bump {
+
+/// The finding that a student reads: message, hint, section and evidence.
+/// @param faults  Everything that `diagnose` found; the first is described, the others stand in
+///                the evidence.
+[[nodiscard]] Finding describe(const std::vector<Fault>& faults, const Examination& examination,
+                               const std::optional<Hints>& hints);
+
+/// What does no harm but should be known: mirrored text, trouble at poles.
+[[nodiscard]] std::vector<Finding> sideNotes(const Examination& examination);
+
+}  // namespace ticker::tasks::bump
+
+#endif

@@ -1,0 +1,259 @@
+#include <grader/tasks/bump/words/WrongWords.h>
+
+#include <grader/tasks/bump/questions/Numbers.h>
+#include <grader/tasks/bump/words/DirectionWords.h>
+#include <grader/tasks/bump/words/LandingWords.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ticker::tasks::bump {
+namespace {
+
+Words inwardWords(const Offence& inward) {
+    return {fmt::format("The normal points into the sphere at {}; the first is {}.",
+                        pointsOf(inward), firstAt(inward)),
+            "The smooth normal is position minus centre, not the other way round; with a cross "
+            "product of two tangents, mind their order. Do not turn the normal towards the camera: "
+            "mirrors see the far side.",
+            "Option 1: What to do, step 1"};
+}
+
+Words flatTiltedWords(double tilt) {
+    return {
+        fmt::format("On a map without any slope the normal should be the smooth sphere's, but "
+                    "it is tilted by {:.0f} degrees (median).",
+                    std::atan(tilt) * kDegrees),
+        "The tilt must come from differences of heights, not from heights, and must be added to "
+        "the unit normal, (position - centre) / radius.",
+        "Option 1: What to do, steps 1 and 3"};
+}
+
+Words smallSlopesWords() {
+    return {"Steps of the map tilt the normal, but even slopes tilt nothing.",
+            "Heights are fractions from 0 to 5: look for an int that cuts a difference off, for a "
+            "threshold, or for a step that reads the same texel twice.",
+            "Option 1: What to do, step 3"};
+}
+
+Words growthWords(const Examination& examination) {
+    const std::string seen =
+        examination.ladder.growsWithSlope
+            ? fmt::format(
+                  "Slopes that are {} times as steep tilt the normal only {:.2g} times as "
+                  "far (median): gentle bumps look as steep as strong ones.",
+                  ProportionPlan::kTimes, std::max(0.0, examination.proportion.growth))
+            : "A slope that is 50 times as steep tilts the normal hardly more.";
+    return {seen,
+            "Bu and Bv are differences of heights as they are: do not normalise them, do not cut "
+            "them off (clamp, min, max), and put no tanh or root over them. Only the sum of "
+            "Equation (1) is normalised.",
+            "Option 1: Theory"};
+}
+
+Words normalMissingWords() {
+    return {
+        "Wherever the map slopes at all, the normal lies flat in the surface: however gentle "
+        "the slope is, the normal turns by 90 degrees.",
+        "n is missing from the sum, or hardly counts in it: return n - Bu Pu - Bv Pv, "
+        "normalised, Equation (1), with a unit vector n and slopes that no large factor "
+        "multiplies.",
+        "Option 1: Theory; What to do, step 4"};
+}
+
+Words seamWords(const MapEdges& edges) {
+    return {
+        fmt::format("On a map of a gentle wave that closes round the sphere the normal tilts {} "
+                    "times as far at the seam, where the last column meets the first, as "
+                    "anywhere else: a line runs down the sphere there.",
+                    edges.seam < 100.0 ? fmt::format("{:.0f}", edges.seam) : "over 100"),
+        "Columns go round the sphere: to the right of the last one lies column 0, "
+        "(column + 1) % width(), not a height of 0 or of another place. Below the last row "
+        "take that row again.",
+        "Option 1: What to do, step 3"};
+}
+
+Words steepWords(double agreeing) {
+    return {
+        fmt::format("On a ramp from black to white the normal tilts in another direction than on "
+                    "a gentle one, at {} of the points.",
+                    percent(1.0 - agreeing)),
+        "Bu and Bv should be in proportion to the differences of the heights, whatever the heights "
+        "are: look for an abs, or for a special case for dark, bright or steep texels.",
+        "Option 1: What to do, step 3"};
+}
+
+Words mapIgnoredWords() {
+    return {
+        "Another bump map on the same sphere gives the very same normals: the map that the sphere "
+        "has now is not the one that is used.",
+        "Look for what is remembered between calls (a static variable that holds a map, heights, "
+        "slopes or normals) and for a tilt that uses no height at all. A scene may have several "
+        "bumpy spheres, each with a map of its own: read heightMap() in each call.",
+        "Option 1: What to do, step 3"};
+}
+
+Words remembersWords() {
+    return {
+        "The same point of the same map gets another normal where another sphere's map was asked "
+        "about just before.",
+        "What is kept between calls (a static or thread_local variable with the last texel, "
+        "heights, "
+        "slopes or normal) must not outlive its map: read heightMap() in each call, or ask whether "
+        "it is still the same map.",
+        "Option 1: What to do, step 3"};
+}
+
+Words orderWords() {
+    return {
+        "The same point of the same map gets another normal when the points are asked for in "
+        "another order.",
+        "getNormalAt must know its own point alone, since pixels come in any order: look for a "
+        "static or thread_local variable that keeps a height, a texel or a normal of the call "
+        "before, and for chance.",
+        "Option 1: What to do, step 3"};
+}
+
+Words chanceWords(double change) {
+    return {fmt::format("The same point of a map without any slope gets another normal each time: "
+                        "they differ by {:.0f} degrees (median).",
+                        change * kDegrees),
+            "Nothing in Equation (1) is random, and nothing of an earlier call may be used.",
+            "Option 1: Theory"};
+}
+
+/// ", mostly in columns 0 to 310", or nothing where they are all over the map.
+std::string rangeInWords(const char* what, const std::optional<TexelRange>& range) {
+    if (!range) return {};
+    return fmt::format(", mostly in {} {} to {}", what, range->first, range->last);
+}
+
+std::string strayInWords(const char* axis, const RegionShares& shares) {
+    return fmt::format("along {} at {} of the points{}{}", axis, percent(1.0 - shares.asOnRamps),
+                       rangeInWords("columns", shares.columns), rangeInWords("rows", shares.rows));
+}
+
+Words regionWords(const RegionAgreement& regions) {
+    const bool onU = !regions.u.good();
+    const bool onV = !regions.v.good();
+    std::string where;
+    if (onU) where = strayInWords("u", regions.u);
+    if (onU && onV) where += "; ";
+    if (onV) where += strayInWords("v", regions.v);
+    return {
+        fmt::format("On a large map, {} x {} texels, the tilt is not everywhere what it is on "
+                    "narrow ramps. It differs {}.",
+                    regions.width, regions.height, where),
+        "Look for a number that a column, a row or an angle is compared with, for a type that is "
+        "too small for a column or a row, and for width() in the place of height().",
+        "Option 1: What to do, step 3"};
+}
+
+Words ignoredWords(const std::string& axis, const std::string& what) {
+    return {fmt::format("A slope along {} alone tilts nothing: the normal does not change where "
+                        "only {} differ.",
+                        axis, what),
+            fmt::format("Check that B{0} is a difference of neighbouring {1}, and that the term "
+                        "with B{0} is added.",
+                        axis, what),
+            "Option 1: What to do, step 3"};
+}
+
+Words roundedWords(const Fineness& fineness) {
+    const char* both = "u and v are";
+    const char* one = fineness.goodV() ? "u is" : "v is";
+    return {fmt::format("On a large map, {} x {} texels, points that are {} texels apart read the "
+                        "same texel, or one that is too far away: {} rounded too coarsely.",
+                        FinenessPlan::kColumns, FinenessPlan::kRows, FinenessPlan::kHalf,
+                        fineness.goodU() || fineness.goodV() ? one : both),
+            "Keep angles, u and v as fractions (double), not as whole degrees or percent; only the "
+            "column, u * width(), and the row, v * height(), become whole numbers.",
+            "Option 1: What to do, steps 1 and 3"};
+}
+
+Words teethWords(const SlopeAgreement& slopes) {
+    return {fmt::format("On a map of sawteeth the tilt is not what it is on even ramps: {} of the "
+                        "points along u and {} along v keep to it (right code: more than 90 %).",
+                        percent(slopes.sawtoothU), percent(slopes.sawtoothV)),
+            "Check that Bu and Bv compare texels that are next to each other, and that nothing "
+            "depends on how bright the texels are.",
+            "Option 1: What to do, step 3"};
+}
+
+Words slopesWords(const SlopeAgreement& slopes) {
+    if (slopes.fieldAgrees()) return teethWords(slopes);
+    return {
+        fmt::format("On pictures the tilt is not what it is on even ramps: on a smooth random map "
+                    "{} of the tilt along u and {} of that along v keep to it (right code: all but "
+                    "a few percent).",
+                    percent(0.5 + 0.5 * slopes.fieldU), percent(0.5 + 0.5 * slopes.fieldV)),
+        "Check that Bu compares two neighbouring texels of the point's own row, and Bv two of its "
+        "own column; that columns are counted by width() and rows by height(); and that nothing "
+        "depends on how bright or how steep the texels are.",
+        "Option 1: What to do, step 3"};
+}
+
+Words lettersWords(const LetterReading& letters) {
+    return {
+        fmt::format("On ramps the tilt is right, but on the letter map the H looks {} and the L "
+                    "looks {}: expected are raised H and lowered L.",
+                    look(letters.h, false), look(letters.l, true)),
+        "Look for anything that treats steep slopes unlike gentle ones, or falling ones unlike "
+        "rising ones.",
+        "Option 1: Test it"};
+}
+
+}  // namespace
+
+Words wrongWords(WrongReason reason, const Examination& examination,
+                 const std::optional<Hints>& hints) {
+    if (reason != WrongReason::chance && hints && hints->dependsOnOrder) return orderWords();
+    switch (reason) {
+        case WrongReason::chance:
+            return chanceWords(examination.conduct.chance);
+        case WrongReason::mapIgnored:
+            return mapIgnoredWords();
+        case WrongReason::remembers:
+            return remembersWords();
+        case WrongReason::normalMissing:
+            return normalMissingWords();
+        case WrongReason::inward:
+            return inwardWords(examination.conduct.inward);
+        case WrongReason::flatTilted:
+            return flatTiltedWords(examination.ladder.flatTilt);
+        case WrongReason::slopeUIgnored:
+            return ignoredWords("u", "columns");
+        case WrongReason::slopeVIgnored:
+            return ignoredWords("v", "rows");
+        case WrongReason::signLost:
+        case WrongReason::strangeLanding:
+            return landingWords(examination, hints);
+        case WrongReason::smallSlopesLost:
+            return smallSlopesWords();
+        case WrongReason::patchy:
+            if (hints && hints->square.kind == RampKind::right) return sizeWords();
+            return patchyWords(*examination.ramps().response);
+        case WrongReason::strangeDirection:
+            return directionWords(*examination.ramps().response);
+        case WrongReason::doesNotGrow:
+            return growthWords(examination);
+        case WrongReason::steepDiffers:
+            return steepWords(examination.ladder.steepAgrees);
+        case WrongReason::regionsDiffer:
+            return regionWords(*examination.regions);
+        case WrongReason::slopesDiffer:
+            return slopesWords(*examination.slopes);
+        case WrongReason::wallAtSeam:
+            return seamWords(*examination.edges);
+        case WrongReason::coordinatesRounded:
+            return roundedWords(*examination.fineness);
+        case WrongReason::lettersDiffer:
+            return lettersWords(*examination.letters);
+    }
+    return {};
+}
+
+}  // namespace ticker::tasks::bump

@@ -1,0 +1,158 @@
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/lens/JudgeDepthOfField.h>
+#include <grader/tasks/lens/LensChecks.h>
+#include <grader/tasks/support/Plots.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ticker::tasks {
+namespace {
+
+void keepLens(std::vector<Finding>& findings, std::optional<Finding> finding) {
+    if (finding) findings.push_back(std::move(*finding));
+}
+
+bool isFinite(const LensLog& log) {
+    return std::all_of(log.pixels.begin(), log.pixels.end(), [](const LensPixel& pixel) {
+        return std::isfinite(pixel.colour.r + pixel.colour.g + pixel.colour.b);
+    });
+}
+
+// Where pixels have no rays at all nothing can be said about their rays.
+bool lacksRays(const LensLog& log) {
+    return std::any_of(log.pixels.begin(), log.pixels.end(),
+                       [](const LensPixel& pixel) { return pixel.rays.empty(); });
+}
+
+// Every picture shows light or the background: pure black is what nobody has set.
+std::optional<Finding> checkComplete(const LensLog& log) {
+    const auto unset = [](const LensPixel& pixel) {
+        return pixel.rays.empty() && pixel.colour == ColourRGB{};
+    };
+    const auto first = std::find_if(log.pixels.begin(), log.pixels.end(), unset);
+    const auto black = std::count_if(log.pixels.begin(), log.pixels.end(), unset);
+    if (black == 0) return std::nullopt;
+    const auto at = static_cast<int>(first - log.pixels.begin());
+    const raytracer::RenderSettings& settings = log.asked->settings;
+    Finding finding = distributedFinding(
+        "dof.wrong", Severity::fail,
+        fmt::format("Every pixel was expected to be set; {} of {} have no ray and stay black, the "
+                    "first in column {}, row {}.",
+                    black, log.pixels.size(), at % settings.width,
+                    at / settings.width % settings.height));
+    finding.hint = "Go through all columns from 0 and all rows from 0 to the last, and set each.";
+    return finding;
+}
+
+void checkRays(const LensLog& log, LensOutcome& outcome) {
+    std::optional<Finding> counts = checkLensCounts(log);
+    const bool none = counts && counts->id == "dof.none";
+    const bool shared = counts && counts->id == "dof.shared-samples";
+    keepLens(outcome.findings, std::move(counts));
+    keepLens(outcome.findings, checkAverage(log));
+    keepLens(outcome.findings, checkBounces(log));
+    if (none) return;
+    keepLens(outcome.findings, checkFocus(log));
+    if (shared) return;
+    ApertureVerdict aperture = checkAperture(log);
+    outcome.apertureFactor = aperture.factor;
+    keepLens(outcome.findings, std::move(aperture.finding));
+    keepLens(outcome.findings, checkPattern(log));
+}
+
+// What is wrong with a picture whose questions were answered rightly under other conditions.
+std::optional<Finding> firstFailure(const LensLog& log) {
+    LensOutcome outcome;
+    if (lacksRays(log))
+        keepLens(outcome.findings, checkComplete(log));
+    else
+        checkRays(log, outcome);
+    const auto wrong = std::ranges::find(outcome.findings, Severity::fail, &Finding::severity);
+    if (wrong == outcome.findings.end()) return std::nullopt;
+    return *wrong;
+}
+
+// `wrong` under the name of the condition that brings it about.
+Finding renamed(const char* id, Severity severity, const std::string& condition, Finding wrong) {
+    Finding finding = distributedFinding(id, severity, condition + wrong.message);
+    if (finding.section.empty()) finding.section = "Depth of field (T2.2)";
+    finding.evidence = std::move(wrong.evidence);
+    finding.evidence.emplace_back("otherwise", wrong.id);
+    return finding;
+}
+
+std::size_t fewestRays(const LensLog& log) {
+    const auto fewest = std::ranges::min_element(
+        log.pixels, {}, [](const LensPixel& pixel) { return pixel.rays.size(); });
+    return fewest == log.pixels.end() ? 0 : fewest->rays.size();
+}
+
+std::optional<Finding> checkOtherSettings(const LensLog& log) {
+    std::optional<Finding> wrong = firstFailure(log);
+    if (!wrong) return std::nullopt;
+    Finding finding = renamed("settings.hard-coded", Severity::warn,
+                              "render does not follow settings(): asked for other numbers than the "
+                              "handout's, it is wrong. ",
+                              *std::move(wrong));
+    const auto handoutRays = static_cast<std::size_t>(raytracer::RenderSettings{}.dofRayCount);
+    if (const std::size_t rays = fewestRays(log);
+        rays > handoutRays && rays < static_cast<std::size_t>(log.asked->settings.dofRayCount))
+        finding.message +=
+            fmt::format(" The handout says {} rays; more are accepted.", handoutRays);
+    return finding;
+}
+
+}  // namespace
+
+LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
+    LensOutcome outcome;
+    if (!isFinite(handout)) {
+        outcome.findings.push_back(
+            distributedFinding("dof.wrong", Severity::fail,
+                               "Colours were expected; some pixels hold a value that is no "
+                               "number."));
+        return outcome;
+    }
+    if (std::optional<Finding> incomplete = checkComplete(handout);
+        incomplete && handout.rayCount() > 0) {
+        outcome.findings.push_back(*std::move(incomplete));
+        return outcome;
+    }
+    outcome.rayless = lacksRays(handout);
+    outcome.cut = handout.cut;
+    if (outcome.rayless) return outcome;
+    outcome.valueless = !handout.pixels.front().rays.front().value.has_value();
+    checkRays(handout, outcome);
+    if (!hasFailure(outcome.findings)) keepLens(outcome.findings, checkOtherSettings(other));
+    outcome.plots = unshown({plotLens(handout), plotFocus(handout)}, outcome.findings);
+    return outcome;
+}
+
+std::optional<Finding> judgeNextRender(const LensLog& log) {
+    std::optional<Finding> wrong = firstFailure(log);
+    if (!wrong) return std::nullopt;
+    Finding finding = renamed("dof.wrong", Severity::fail,
+                              "The first picture of a program is right; the next one of the same "
+                              "size, through a camera of its own, keeps something of the first. ",
+                              *std::move(wrong));
+    finding.hint =
+        "Nothing of one render may be kept for the next: camera, rays, focal points and sums are "
+        "neither static nor thread_local nor global, and are made anew in every call of render.";
+    finding.section = "Depth of field (T2.2), step 1";
+    return finding;
+}
+
+std::optional<Finding> judgeWithThreads(const LensLog& log) {
+    std::optional<Finding> wrong = firstFailure(log);
+    if (!wrong) return std::nullopt;
+    return renamed("dof.threads-mixed", Severity::fail,
+                   "With one thread all is right; with two, and forEachPixel has as many as the "
+                   "machine has cores, it no longer is. ",
+                   *std::move(wrong));
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,261 @@
+#include <grader/tasks/lens/LensLog.h>
+#include <grader/tasks/support/Surfaces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace ticker::tasks {
+namespace {
+
+using probe::Event;
+
+// What a ray that hits nothing gives.
+constexpr ColourRGB kNothingHit{0.001};
+
+/// A lens ray with all that may tell its pixel; -1 where nothing does.
+struct PlacedRay {
+    LensRay ray;
+    bool untraced = false;  // the scene was asked about it, and it hit nothing
+    int repetition = 0;
+    int bySet = -1;
+    int byCamera = -1;
+};
+
+bool isUsable(const Event& event) {
+    const auto finite = [](const Vector3& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    return finite(event.a) && finite(event.b) && event.b.magnitude() > 0.0;
+}
+
+bool isSameRay(const LensRay& a, const LensRay& b) {
+    constexpr double kSame = 1e-9;
+    return (a.origin - b.origin).magnitude() < kSame &&
+           (a.direction - b.direction).magnitude() < kSame;
+}
+
+// Follows one thread of one repetition.
+class ThreadReader {
+public:
+    ThreadReader(const probe::RenderQuestion& asked, const Surfaces& surfaces, int repetition)
+        : scene_(asked.scene),
+          settings_(asked.settings),
+          surfaces_(surfaces),
+          repetition_(repetition) {}
+
+    void read(const Event& event) {
+        switch (event.kind) {
+            case Event::Kind::cameraRayAsked:
+                camera_ = indexOf(event);
+                break;
+            case Event::Kind::traceBegan:
+                begin(event);
+                break;
+            case Event::Kind::traceEnded:
+                end(event);
+                break;
+            case Event::Kind::rayCast:
+                cast(event);
+                break;
+            case Event::Kind::pixelSet:
+                set(event);
+                break;
+            case Event::Kind::illuminateBegan:
+            case Event::Kind::illuminateEnded:
+                break;
+        }
+    }
+    [[nodiscard]] const std::vector<PlacedRay>& entered() const { return entered_; }
+    [[nodiscard]] const std::vector<PlacedRay>& cast() const { return cast_; }
+
+private:
+    [[nodiscard]] int indexOf(const Event& event) const {
+        const bool inside =
+            event.x >= 0 && event.x < settings_.width && event.y >= 0 && event.y < settings_.height;
+        return inside ? event.y * settings_.width + event.x : -1;
+    }
+    [[nodiscard]] PlacedRay placed(const Event& event) const {
+        PlacedRay placed;
+        placed.ray.origin = event.a;
+        placed.ray.direction = event.b.normalised();
+        placed.repetition = repetition_;
+        placed.byCamera = camera_;
+        return placed;
+    }
+    // Rays that start on a surface are shadow rays and reflections, unless they are traced with all
+    // bounces: a lens that is far too large may reach the floor.
+    [[nodiscard]] bool isFromOutside(const Event& event) const {
+        constexpr double kOnSurface = 0.01;
+        return isUsable(event) && surfaces_.distanceToNearest(event.a) > kOnSurface;
+    }
+    [[nodiscard]] ColourRGB ambientOf(int object) const {
+        const auto objects = static_cast<int>(scene_.spheres.size() + scene_.planes.size());
+        if (object < 0 || object >= objects) return kNothingHit;
+        return materialOf(scene_, object).colour * scene_.ambientLighting;
+    }
+    void begin(const Event& event) {
+        if (depth_++ > 0) return;
+        const bool whole = event.bounces == settings_.bounces && isUsable(event);
+        open_ = whole || isFromOutside(event);
+        if (!open_) return;
+        PlacedRay traced = placed(event);
+        traced.ray.bounces = event.bounces;
+        const bool asked = !entered_.empty() && entered_.back().untraced &&
+                           isSameRay(entered_.back().ray, traced.ray);
+        if (asked) entered_.pop_back();
+        entered_.push_back(traced);
+    }
+    void end(const Event& event) {
+        if (depth_ == 0 || --depth_ > 0 || !open_) return;
+        entered_.back().ray.value = ColourRGB{event.a.x, event.a.y, event.a.z};
+    }
+    void cast(const Event& event) {
+        if (depth_ > 0 || !isFromOutside(event)) return;
+        PlacedRay cast = placed(event);
+        cast.ray.ambient = ambientOf(event.object);
+        cast_.push_back(cast);
+        if (event.object >= 0) return;
+        cast.untraced = true;
+        cast.ray.value = kNothingHit;
+        entered_.push_back(cast);
+    }
+    void set(const Event& event) {
+        const int index = indexOf(event);
+        for (auto* list : {&entered_, &cast_})
+            for (auto ray = list->rbegin(); ray != list->rend() && ray->bySet < 0; ++ray)
+                ray->bySet = index;
+    }
+
+    const raytracer::SceneDescription& scene_;
+    const raytracer::RenderSettings& settings_;
+    const Surfaces& surfaces_;
+    int repetition_;
+    int depth_ = 0;
+    bool open_ = false;
+    int camera_ = -1;
+    std::vector<PlacedRay> entered_;
+    std::vector<PlacedRay> cast_;
+};
+
+struct ReadRays {
+    std::vector<PlacedRay> entered;  // traced, or hit nothing and were not
+    std::vector<PlacedRay> cast;     // the scene was asked about them outside of any trace
+};
+
+ReadRays readThreads(const probe::RenderQuestion& asked, const std::vector<Event>& events) {
+    const Surfaces surfaces{asked.scene};
+    std::map<std::pair<std::uint32_t, std::uint32_t>, ThreadReader> threads;
+    for (const Event& event : events) {
+        if (event.ask >= static_cast<std::uint32_t>(asked.repetitions)) continue;
+        threads.try_emplace({event.ask, event.thread}, asked, surfaces, static_cast<int>(event.ask))
+            .first->second.read(event);
+    }
+    ReadRays rays;
+    for (const auto& [key, reader] : threads) {
+        rays.entered.insert(rays.entered.end(), reader.entered().begin(), reader.entered().end());
+        rays.cast.insert(rays.cast.end(), reader.cast().begin(), reader.cast().end());
+    }
+    return rays;
+}
+
+int nearestByFocus(const LensRay& ray, const LensLog& log) {
+    const raytracer::RenderSettings& settings = log.asked->settings;
+    const double along = (settings.dofFocalPlane - ray.origin.z) / ray.direction.z;
+    const Vector3 meets = ray.origin + ray.direction * along;
+    const int count = settings.width * settings.height;
+    int nearest = -1;
+    double best = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < count; ++i) {
+        const Vector3 focal = focalPointOf(log.pixels[static_cast<std::size_t>(i)], settings);
+        const double distance = (focal - meets).magnitude();
+        if (distance < best) {
+            best = distance;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+// Succeeds only where every pixel gets a ray.
+bool distribute(LensLog& log, const std::vector<PlacedRay>& rays,
+                const std::function<int(const PlacedRay&)>& pixelOf) {
+    for (LensPixel& pixel : log.pixels)
+        pixel.rays.clear();
+    const int count = log.asked->settings.width * log.asked->settings.height;
+    for (const PlacedRay& placed : rays) {
+        const int pixel = pixelOf(placed);
+        if (pixel < 0) continue;
+        log.pixels[static_cast<std::size_t>(placed.repetition * count + pixel)].rays.push_back(
+            placed.ray);
+    }
+    return std::none_of(log.pixels.begin(), log.pixels.end(),
+                        [](const LensPixel& pixel) { return pixel.rays.empty(); });
+}
+
+void place(LensLog& log, const std::vector<PlacedRay>& rays) {
+    if (rays.empty()) return;
+    if (distribute(log, rays, [](const PlacedRay& placed) { return placed.bySet; })) return;
+    if (distribute(log, rays, [](const PlacedRay& placed) { return placed.byCamera; })) return;
+    distribute(log, rays, [&](const PlacedRay& placed) { return nearestByFocus(placed.ray, log); });
+}
+
+bool hasAllRays(const LensLog& log) {
+    const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
+    return std::all_of(log.pixels.begin(), log.pixels.end(),
+                       [&](const LensPixel& pixel) { return pixel.rays.size() >= asked; });
+}
+
+}  // namespace
+
+std::size_t LensLog::rayCount() const {
+    std::size_t count = 0;
+    for (const LensPixel& pixel : pixels)
+        count += pixel.rays.size();
+    return count;
+}
+
+Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y) {
+    const double pitch = 2.0 * std::tan(std::numbers::pi / 8.0) / settings.width;
+    return Vector3{(x + 0.5 - settings.width / 2.0) * pitch,
+                   (settings.height / 2.0 - y - 0.5) * pitch, 1.0}
+        .normalised();
+}
+
+Vector3 focalPointOf(const LensPixel& pixel, const raytracer::RenderSettings& settings) {
+    return pixel.pinhole * (settings.dofFocalPlane / pixel.pinhole.z);
+}
+
+LensLog readLensLog(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer) {
+    LensLog log;
+    log.asked = &asked;
+    log.cut = answer.eventsCut;
+    for (int repetition = 0; repetition < asked.repetitions; ++repetition)
+        for (int y = 0; y < asked.settings.height; ++y)
+            for (int x = 0; x < asked.settings.width; ++x) {
+                LensPixel pixel;
+                pixel.repetition = repetition;
+                pixel.pinhole = pinholeDirection(asked.settings, x, y);
+                const auto image = static_cast<std::size_t>(repetition);
+                const auto at = static_cast<std::size_t>(y * asked.settings.width + x);
+                if (image < answer.images.size() && at < answer.images[image].size())
+                    pixel.colour = answer.images[image][at];
+                log.pixels.push_back(std::move(pixel));
+            }
+    const ReadRays rays = readThreads(asked, answer.events);
+    std::vector<PlacedRay> traced = rays.entered;
+    std::erase_if(traced, [](const PlacedRay& placed) { return placed.untraced; });
+    if (traced.empty()) {
+        place(log, rays.cast);
+        return log;
+    }
+    place(log, traced);
+    // A ray that only looked where something is, besides all that were traced, is no sample.
+    if (traced.size() < rays.entered.size() && !hasAllRays(log)) place(log, rays.entered);
+    return log;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,42 @@
+#ifndef TICKER_TASKS_DISTRIBUTED_PICTURESUSPECTS_H
+#define TICKER_TASKS_DISTRIBUTED_PICTURESUSPECTS_H
+
+#include <grader/tasks/lens/Pictures.h>
+#include <grader/oracle/Reading.h>
+#include <grader/probe/Question.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace ticker::tasks {
+
+/// A mistake in T2.2 that changes pictures in a known way.
+struct Suspect {
+    const char* id;    ///< of the finding
+    const char* seen;  ///< what a person sees of it
+    oracle::Reading reading;
+    oracle::Mistake mistake;
+    bool withoutBounces = false;
+};
+
+/// @param factor  Of the accepted aperture.
+[[nodiscard]] std::vector<Suspect> suspectsFor(double factor);
+
+/// What the matched filters of all suspects say.
+struct Bank {
+    const Suspect* best = nullptr;  ///< null where none fits
+    const Suspect* second = nullptr;
+    Match bestMatch;
+    double bestLeaves = 1.0;  ///< share of the squared difference that it does not explain
+    double largest = 0.0;     ///< |z|
+    double squares = 0.0;     ///< of all z
+    double spread = 0.0;      ///< largest of all `Match::spread`
+};
+/// @param suspects  Must outlive the answer.
+[[nodiscard]] Bank tryAll(const std::vector<Suspect>& suspects, const probe::RenderQuestion& asked,
+                          const SeenPictures& seen, const ExpectedPicture& expected,
+                          std::uint64_t seed);
+
+}  // namespace ticker::tasks
+
+#endif

@@ -1,0 +1,188 @@
+#include <grader/tasks/screenshot/Suspects.h>
+
+#include <grader/tasks/screenshot/Agreement.h>
+#include <grader/metrics/NoiseEnergy.h>
+#include <grader/oracle/Oracle.h>
+
+#include <raytracer/image/ToneCurve.h>
+
+#include <array>
+#include <tuple>
+#include <vector>
+
+namespace ticker::tasks::screenshot {
+namespace {
+
+using oracle::Mistake;
+using oracle::Reading;
+
+struct Suspect {
+    Suspicion suspicion;
+    Reading reading;
+    Mistake mistake;
+};
+
+template <class Change>
+Suspect make(const char* id, const char* words, const Change& change) {
+    Suspect suspect{{id, words}, {}, {}};
+    change(suspect.reading, suspect.mistake);
+    return suspect;
+}
+
+// As the template renders: what bump maps are seen with.
+void asPinhole(Reading& reading, Mistake& mistake) {
+    reading.lightShape = oracle::LightShape::centre;
+    mistake.aperture = Mistake::Aperture::none;
+}
+
+std::vector<Suspect> rightPictures() {
+    using oracle::LightShape;
+    const auto none = [](Reading&, Mistake&) {};
+    std::vector<Suspect> all{make("", "what the handout asks for", none)};
+    for (const LightShape shape :
+         {LightShape::surface, LightShape::uniformRadius, LightShape::polarHelper})
+        all.push_back(make("", "what the handout asks for",
+                           [&](Reading& r, Mistake&) { r.lightShape = shape; }));
+    all.push_back(make("", "what the handout asks for",
+                       [](Reading& r, Mistake&) { r.phong = oracle::PhongReading::perSample; }));
+    return all;
+}
+
+std::vector<Suspect> wrongShadows() {
+    std::vector<Suspect> all;
+    const auto add = [&](const char* id, const char* words, const auto& change) {
+        all.push_back(make(id, words, change));
+    };
+    add("shadow.hard", "hard shadows",
+        [](Reading& r, Mistake&) { r.lightShape = oracle::LightShape::centre; });
+    for (const double size : {0.5, 2.0})
+        add("shadow.light-size", "shadows of a light of another size",
+            [&](Reading&, Mistake& m) { m.lightSizeFactor = size; });
+    add("shadow.inverted", "lit and shadowed exchanged",
+        [](Reading&, Mistake& m) { m.shadowInverted = true; });
+    add("shadow.all-or-nothing", "shadows without a fraction",
+        [](Reading&, Mistake& m) { m.allOrNothing = true; });
+    add("shadow.ambient-scaled", "shadows on the ambient light",
+        [](Reading&, Mistake& m) { m.ambientScaled = true; });
+    add("shadow.specular-unshadowed", "highlights in the shadow",
+        [](Reading&, Mistake& m) { m.specularUnshadowed = true; });
+    add("shadow.diffuse-unshadowed", "diffuse light in the shadow",
+        [](Reading&, Mistake& m) { m.diffuseUnshadowed = true; });
+    add("shadow.direction-offset", "shadows that widen with the light's distance",
+        [](Reading&, Mistake& m) { m.directionOffset = true; });
+    return all;
+}
+
+std::vector<Suspect> wrongLenses() {
+    std::vector<Suspect> all;
+    const auto add = [&](const char* id, const char* words, const auto& change) {
+        all.push_back(make(id, words, change));
+    };
+    add("dof.none", "everything sharp",
+        [](Reading&, Mistake& m) { m.aperture = Mistake::Aperture::none; });
+    add("dof.none", "everything sharp, and hard shadows", asPinhole);
+    add("dof.focal-distance", "a sharp surface that is a ball around the eye",
+        [](Reading&, Mistake& m) { m.focalByDistance = true; });
+    for (const double focal : {0.85, 1.2})
+        add("dof.focal-plane", "another plane sharp",
+            [&](Reading&, Mistake& m) { m.focalFactor = focal; });
+    add("dof.off-centre", "an aperture that is not centred on the eye",
+        [](Reading&, Mistake& m) { m.lensOffsetX = m.lensOffsetY = 1.0; });
+    add("dof.disc", "an aperture that is a disc",
+        [](Reading&, Mistake& m) { m.aperture = Mistake::Aperture::disc; });
+    for (const double size : {0.7, 1.4})
+        add("dof.aperture-size", "an aperture of another size",
+            [&](Reading& r, Mistake&) { r.apertureFactor *= size; });
+    return all;
+}
+
+Picture render(const Suspect& suspect, const Scene& scene, const Windows& windows, bool isPinhole,
+               std::uint64_t seed) {
+    Picture strip{windows.boxes.front().width, 0, {}};
+    for (const metrics::Box& box : windows.boxes) {
+        raytracer::RenderSettings settings;
+        settings.width = windows.frameWidth;
+        settings.height = windows.frameHeight;
+        settings.region = {box.x, box.y, box.width, box.height};
+        if (isPinhole) settings.dofRayCount = settings.shadowRayCount = 1;
+        const oracle::Oracle renderer{*scene.description, settings, suspect.reading,
+                                      suspect.mistake};
+        const raytracer::Image image = renderer.studentRender(seed++);
+        for (const raytracer::ColourRGB& colour : image.pixels())
+            for (const std::uint8_t byte : raytracer::toneMapped(colour))
+                strip.rgb.push_back(byte);
+        strip.height += box.height;
+    }
+    return strip;
+}
+
+std::optional<Suspicion> suspectDistributed(const ByteView& picture, const Scene& scene,
+                                            const Windows& windows, std::uint64_t seed) {
+    constexpr double kByFar = 0.35;
+    std::vector<Suspect> all = rightPictures();
+    for (std::vector<Suspect>& more : std::array{wrongShadows(), wrongLenses()})
+        all.insert(all.end(), more.begin(), more.end());
+    std::optional<Suspicion> best;
+    metrics::NoiseEnergy least;
+    double right = 0.0;
+    for (const double aperture : {1.0, 0.5})
+        for (Suspect suspect : all) {
+            suspect.reading.apertureFactor *= aperture;
+            const Picture rendered = render(suspect, scene, windows, false, seed);
+            const metrics::NoiseEnergy energy = metrics::noiseEnergy(rendered.view(), picture);
+            if (suspect.suspicion.id.empty() && (right == 0.0 || energy.energy < right))
+                right = energy.energy;
+            if (best && energy.energy >= least.energy) continue;
+            best = suspect.suspicion;
+            least = energy;
+        }
+    const bool isClear = least.probability() >= kSmallestChance || least.energy < kByFar * right;
+    return isClear ? best : std::nullopt;
+}
+
+/// The readings of a bump map that look most unlike each other, and what is wrong with each.
+std::vector<Suspect> bumpPictures() {
+    std::vector<Suspect> all;
+    for (const double origin : {0.0, 0.25, 0.5, 0.75})
+        for (const bool isMirrored : {false, true})
+            for (const auto& [u, v, id, words] :
+                 {std::tuple{1.0, 1.0, "", "what the handout asks for"},
+                  std::tuple{-1.0, -1.0, "bump.inverted", "a relief that is inverted"},
+                  std::tuple{-1.0, 1.0, "bump.inverted-u", "a relief that is inverted along u"},
+                  std::tuple{1.0, -1.0, "bump.inverted-v", "a relief that is inverted along v"}}) {
+                all.push_back(make(id, words, asPinhole));
+                all.back().reading.bump.uOrigin = origin;
+                all.back().reading.bump.mirrored = isMirrored;
+                all.back().reading.bump.gainU = u;
+                all.back().reading.bump.gainV = v;
+            }
+    all.push_back(make("bump.flat", "a smooth ball", asPinhole));
+    all.back().reading.bump.gainU = all.back().reading.bump.gainV = 0.0;
+    return all;
+}
+
+// Strength, interpolation and differences vary; what stays is which side of a bump is lit.
+std::optional<Suspicion> suspectBump(const ByteView& picture, const Scene& scene,
+                                     const Windows& windows, std::uint64_t seed) {
+    constexpr double kLikeEnough = 0.8;
+    std::optional<Suspicion> best;
+    double most = kLikeEnough;
+    for (const Suspect& suspect : bumpPictures()) {
+        const Picture rendered = render(suspect, scene, windows, true, seed);
+        const double likeness = metrics::correlation(rendered.view(), picture);
+        if (likeness <= most) continue;
+        best = suspect.suspicion;
+        most = likeness;
+    }
+    return best;
+}
+
+}  // namespace
+
+std::optional<Suspicion> suspect(const ByteView& windowsOfPicture, const Scene& scene,
+                                 const Windows& windows, std::uint64_t seed) {
+    return scene.isForT1 ? suspectBump(windowsOfPicture, scene, windows, seed)
+                         : suspectDistributed(windowsOfPicture, scene, windows, seed);
+}
+
+}  // namespace ticker::tasks::screenshot

@@ -1,0 +1,25 @@
+#ifndef TICKER_TASKS_DISTRIBUTED_JUDGESOFTSHADOWS_H
+#define TICKER_TASKS_DISTRIBUTED_JUDGESOFTSHADOWS_H
+
+#include <grader/tasks/shadows/answers/ShadowReplay.h>
+
+#include <optional>
+#include <vector>
+
+namespace ticker::tasks {
+
+/// What the answers about `illuminate` say.
+struct ShadowOutcome {
+    std::vector<Finding> findings;         ///< of T2.1, unsorted
+    std::optional<ShadowReading> reading;  ///< the accepted one that fits everywhere
+    std::vector<ScatterPlot> plots;        ///< where rays aim, where no finding shows it
+    bool rayless = false;  ///< casts no ray that could be seen: only values can be judged
+    bool cut = false;      ///< casts more rays than could be followed
+};
+
+/// Judges T2.1 from answered questions alone: no randomness, no asking.
+[[nodiscard]] ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& logs);
+
+}  // namespace ticker::tasks
+
+#endif

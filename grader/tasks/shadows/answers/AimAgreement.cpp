@@ -1,0 +1,144 @@
+#include <grader/tasks/shadows/answers/AimAgreement.h>
+#include <grader/tasks/support/Bounds.h>
+#include <grader/tasks/support/Draw.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+
+namespace ticker::tasks {
+namespace {
+
+// A line may miss the ball by the shadow bias, where the direction was taken from the point itself.
+constexpr double kBiasAllowance = 1.5e-3;
+
+/// How far the feet of one point agree, from 0 to 1: in their direction, and in the line that they
+/// lie along.
+struct Agreement {
+    double direction = 0.0;
+    double line = 0.0;
+};
+
+Agreement agreementOf(const std::vector<AimLine>& lines, const Perpendiculars& sides) {
+    double x = 0.0;
+    double y = 0.0;
+    double cosine = 0.0;  // of twice the angle, so that opposite feet lie along the same line
+    double sine = 0.0;
+    double squares = 0.0;
+    for (const AimLine& line : lines) {
+        const double first = line.foot.dot(sides.first);
+        const double second = line.foot.dot(sides.second);
+        x += first;
+        y += second;
+        cosine += first * first - second * second;
+        sine += 2.0 * first * second;
+        squares += first * first + second * second;
+    }
+    if (!(squares > 0.0)) return {};
+    const auto count = static_cast<double>(lines.size());
+    return {(x * x + y * y) / (count * squares),
+            (cosine * cosine + sine * sine) / (squares * squares)};
+}
+
+// Of feet as complex numbers z: z, z^2, z^3, z^4 and |z|^2.
+constexpr std::size_t kMoments = 5;
+using Moments = std::array<std::complex<double>, kMoments>;
+
+void addMoments(const Vector3& foot, const Perpendiculars& sides, Moments& sums) {
+    const std::complex<double> z{foot.dot(sides.first), foot.dot(sides.second)};
+    std::complex<double> power = z;
+    for (std::size_t k = 0; k + 1 < kMoments; ++k, power *= z)
+        sums[k] += power;
+    sums.back() += std::norm(z);
+}
+
+Moments expectedMoments(AimShape shape, const Perpendiculars& sides) {
+    constexpr int kLattice = 4096;
+    Moments means{};
+    for (int i = 0; i < kLattice; ++i)
+        addMoments(aimOf(shape, i), sides, means);
+    for (std::complex<double>& mean : means)
+        mean /= kLattice;
+    return means;
+}
+
+}  // namespace
+
+std::vector<AimLine> samplesOf(const PointLog& point, const raytracer::RenderSettings& settings) {
+    const std::vector<AimLine>& lines = point.lines[0];
+    if (lines.size() <= static_cast<std::size_t>(settings.shadowRayCount)) return lines;
+    std::vector<AimLine> samples;
+    std::copy_if(lines.begin(), lines.end(), std::back_inserter(samples), [&](const AimLine& line) {
+        const double bias = (line.origin - point.point.position).magnitude();
+        return line.miss > 1e-7 + 1.01 * std::min(bias, kBiasAllowance);
+    });
+    return samples;
+}
+
+// Ten independent aims agree by 0.1 in direction and by less than 0.3 in line, in the mean of all
+// accepted shapes; stratified ones by less. The mean over points that are independent is higher
+// than that by the bound with a chance of at most kStatementRisk (Hoeffding 1963), while aims along
+// one line agree by 1 in the one or the other.
+bool goTogether(const std::vector<const ShadowLog*>& far, const std::vector<Vector3>& directions) {
+    Agreement sum;
+    double points = 0.0;
+    for (std::size_t i = 0; i < far.size(); ++i)
+        for (const PointLog& point : far[i]->points) {
+            const std::vector<AimLine> lines = samplesOf(point, far[i]->settings());
+            if (lines.size() < 8) continue;
+            const Agreement agreement = agreementOf(lines, perpendicularsOf(directions[i]));
+            sum.direction += agreement.direction;
+            sum.line += agreement.line;
+            points += 1.0;
+        }
+    if (points < 100.0) return false;
+    const double bound = std::sqrt(std::log(1.0 / kStatementRisk) / (2.0 * points));
+    return sum.direction / points > 0.125 + bound || sum.line / points > 0.4 + bound;
+}
+
+// The sum of z^k over a point's lines, less what is expected, has the same chance to be turned the
+// one way as the other, however the point's own lines depend on each other. For sums over
+// independent points, exp(t |sum|^2 / sum of squares) then has a mean of at most (1 - 2 t)^-1/2
+// (Rademacher sums; where all directions are as likely it is less): with three views, 42 is
+// exceeded with a chance of at most (42 / 3)^1.5 e^-19.5 = 1.8e-7 for each k. An evenly filled disc
+// that keeps its place in the world has 90 in the mean, or more, and so has a square or an ellipse
+// of 2 : 3 that faces the point. What has poles may look like such an ellipse but for its size,
+// which |z|^2 measures; what has none looks alike from all sides, whatever its density.
+bool turnsAs(const std::vector<const ShadowLog*>& far, const std::vector<Vector3>& directions,
+             std::size_t distinct, std::optional<AimShape> shape, double size) {
+    constexpr double kMost = 42.0;
+    const bool poles = shape && shape->poles != AimShape::Poles::none;
+    const std::size_t moments = poles ? kMoments : kMoments - 1;
+    std::array<double, kMoments> uneven{};
+    std::size_t lines = 0;
+    for (std::size_t i = 0; i < far.size(); ++i) {
+        const Perpendiculars sides = perpendicularsOf(directions[i]);
+        const double radius = far[i]->settings().lightSize * size;
+        const Moments expected = poles ? expectedMoments(*shape, sides) : Moments{};
+        Moments sums{};
+        std::array<double, kMoments> squares{};
+        for (const PointLog& point : far[i]->points) {
+            const std::vector<AimLine> samples = samplesOf(point, far[i]->settings());
+            Moments here{};
+            for (const AimLine& line : samples)
+                addMoments(line.foot / radius, sides, here);
+            for (std::size_t k = 0; k < moments; ++k) {
+                here[k] -= expected[k] * static_cast<double>(samples.size());
+                sums[k] += here[k];
+                squares[k] += std::norm(here[k]);
+            }
+            lines += samples.size();
+        }
+        for (std::size_t k = 0; k < moments; ++k)
+            if (squares[k] > 0.0) uneven[k] += std::norm(sums[k]) / squares[k];
+    }
+    const double share =
+        static_cast<double>(distinct) / static_cast<double>(std::max<std::size_t>(lines, 1));
+    return *std::max_element(uneven.begin(), uneven.end()) * share <= kMost;
+}
+
+}  // namespace ticker::tasks

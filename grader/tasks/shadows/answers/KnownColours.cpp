@@ -1,0 +1,149 @@
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/shadows/answers/KnownColours.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+namespace ticker::tasks {
+namespace {
+
+struct NamedArithmetic {
+    ShadowArithmetic arithmetic;
+    const char* id;
+    const char* seen;
+};
+
+constexpr std::array kMistakes{
+    NamedArithmetic{ShadowArithmetic::inverted, "shadow.inverted",
+                    "Points that no ray's way is blocked from were expected to be lit; lit and "
+                    "shadowed are exchanged."},
+    NamedArithmetic{ShadowArithmetic::litIfAll, "shadow.all-or-nothing",
+                    "At the edge of a shadow a fraction of the light was expected; there is all of "
+                    "it where every ray arrives and none elsewhere."},
+    NamedArithmetic{ShadowArithmetic::litIfAny, "shadow.all-or-nothing",
+                    "At the edge of a shadow a fraction of the light was expected; there is all of "
+                    "it as soon as one ray arrives."},
+    NamedArithmetic{ShadowArithmetic::litIfHalf, "shadow.all-or-nothing",
+                    "At the edge of a shadow a fraction of the light was expected; there is all of "
+                    "it where more than half of the rays arrive and none elsewhere."},
+    NamedArithmetic{
+        ShadowArithmetic::ambientScaled, "shadow.ambient-scaled",
+        "In shadow the ambient light was expected to stay; it is scaled like the rest."},
+    NamedArithmetic{ShadowArithmetic::specularUnshadowed, "shadow.specular-unshadowed",
+                    "In shadow no highlight was expected; the specular term is there in full."},
+    NamedArithmetic{ShadowArithmetic::specularIfAny, "shadow.specular-unshadowed",
+                    "At the edge of a shadow a fraction of the highlight was expected; it is there "
+                    "in full as soon as one ray arrives."},
+    NamedArithmetic{ShadowArithmetic::diffuseUnshadowed, "shadow.diffuse-unshadowed",
+                    "In shadow no diffuse light was expected; the diffuse term is there in full."}};
+
+// Geometry's word on a point that lies in full light or full shadow of every light.
+std::optional<ColourRGB> knownColour(const PointLog& point,
+                                     const raytracer::SceneDescription& scene, bool viewerIsEye) {
+    ColourRGB expected = ambientPart(point, scene);
+    for (std::size_t i = 0; i < point.zones.size(); ++i) {
+        if (point.zones[i] == Zone::penumbra) return std::nullopt;
+        if (point.zones[i] == Zone::lit) expected += unshadowed(point, scene, i, viewerIsEye);
+    }
+    return expected;
+}
+
+}  // namespace
+
+ColourRGB inFullLight(const PointLog& point, const raytracer::SceneDescription& scene) {
+    ColourRGB colour = ambientPart(point, scene);
+    for (std::size_t i = 0; i < scene.pointLights.size(); ++i)
+        colour += unshadowed(point, scene, i, false);
+    return colour;
+}
+
+bool near(const ColourRGB& a, const ColourRGB& b, const ColourRGB& slack) {
+    return std::abs(a.r - b.r) <= slack.r && std::abs(a.g - b.g) <= slack.g &&
+           std::abs(a.b - b.b) <= slack.b;
+}
+
+bool isNearKnown(const PointLog& point, const ShadowLog& log, bool viewerIsEye) {
+    const std::optional<ColourRGB> expected = knownColour(point, log.scene(), viewerIsEye);
+    if (!expected) return true;
+    double nearest = 1e9;
+    for (const raytracer::PointLight& light : log.scene().pointLights)
+        nearest = std::min(nearest, (light.position() - point.point.position).magnitude());
+    const double share = 0.05 + 2.0 * log.settings().lightSize / nearest;
+    return near(point.colour, *expected, inFullLight(point, log.scene()) * share);
+}
+
+bool allNearKnown(const std::vector<const ShadowLog*>& logs, bool viewerIsEye) {
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points)
+            if (!isNearKnown(point, *log, viewerIsEye)) return false;
+    return true;
+}
+
+Finding findingOf(ShadowArithmetic arithmetic) {
+    const auto* mistake =
+        std::find_if(kMistakes.begin(), kMistakes.end(),
+                     [&](const NamedArithmetic& known) { return known.arithmetic == arithmetic; });
+    return distributedFinding(mistake->id, Severity::fail, mistake->seen);
+}
+
+const std::vector<ShadowArithmetic>& namedMistakes() {
+    static const std::vector<ShadowArithmetic> all = [] {
+        std::vector<ShadowArithmetic> some;
+        std::transform(kMistakes.begin(), kMistakes.end(), std::back_inserter(some),
+                       [](const NamedArithmetic& mistake) { return mistake.arithmetic; });
+        return some;
+    }();
+    return all;
+}
+
+Finding lightsLostBehind() {
+    Finding finding = distributedFinding(
+        "shadow.lights-mixed", Severity::fail,
+        "Where one of three lights shines on the back of the surface, the two others were expected "
+        "to light it all the same; they do not, or not both.");
+    finding.hint =
+        "A light behind the surface adds nothing: go on with the next one (continue), and leave "
+        "neither the loop (break) nor illuminate (return).";
+    return finding;
+}
+
+Finding ambientForEachLight() {
+    Finding finding = distributedFinding(
+        "shadow.lights-mixed", Severity::fail,
+        "With one light the colours are right; with three lights the ambient light was expected "
+        "once, and it is there three times.");
+    finding.hint =
+        "The ambient light belongs to the scene, not to a light: add it once, before the loop over "
+        "the lights.";
+    finding.section = "Soft shadows (T2.1), step 3";
+    return finding;
+}
+
+Finding oneObjectCasts() {
+    Finding finding = distributedFinding(
+        "shadow.lights-mixed", Severity::fail,
+        "With one sphere in the scene its shadow is right; with two spheres the shadow of one is "
+        "there, and the other casts none.");
+    finding.hint =
+        "Every object of the scene may stand in the way, not the first alone: ask "
+        "scene.findClosestIntersection(shadowRay), which looks at all of them.";
+    finding.section = "Soft shadows (T2.1), step 1";
+    return finding;
+}
+
+Finding planesCastNothing() {
+    Finding finding = distributedFinding(
+        "shadow.wrong", Severity::fail,
+        "Spheres cast the shadows that were expected; a plane between a point and the light does "
+        "not.");
+    finding.hint =
+        "Whatever a shadow ray hits before the light stops it, planes as well: ask "
+        "scene.findClosestIntersection(shadowRay), which looks at every object, not the first "
+        "object alone nor the spheres alone.";
+    return finding;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,78 @@
+#include <grader/tasks/shadows/answers/PenumbraFit.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+/// What a shape gives at each place.
+using Expected = std::vector<ExpectedShares>;
+
+// Their means may be those of a ball that is a tenth too small or too large: only light from the
+// rim and beyond it tells them apart.
+bool isLikeAnotherSize(AimShape shape) {
+    using Radius = AimShape::Radius;
+    if (shape.radius == Radius::root || shape.radius == Radius::flat) return true;
+    return shape.poles != AimShape::Poles::none && shape.radius != Radius::even;
+}
+
+// From the densest in the middle to the densest at the rim.
+constexpr std::array kByDensity{AimShape::uniformRadius, AimShape::rootRadius, AimShape::ball,
+                                AimShape::flatDisc, AimShape::surface};
+
+/// The best of all readings of Phong, for a density between two: means are linear in it.
+double excessOf(const std::vector<PenumbraSamples>& seen, const Expected& first,
+                const Expected& second, double part) {
+    const auto mixed = [&](auto valueOf) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < first.size(); ++i)
+            values.push_back(valueOf(first[i]) * (1.0 - part) + valueOf(second[i]) * part);
+        return values;
+    };
+    const std::vector<double> open = mixed([](const ExpectedShares& at) { return at.open; });
+    double best = 1e9;
+    for (const std::size_t eye : {0U, 1U})
+        for (const std::size_t phong : {0U, 1U, 2U})
+            best = std::min(best, worstExcess(seen, mixed([=](const ExpectedShares& at) {
+                                                  return at.share[eye][phong];
+                                              }),
+                                              open));
+    return best;
+}
+
+}  // namespace
+
+PenumbraFit fitAcceptedShapes(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
+                              const std::vector<PenumbraSamples>& seen, bool sizeIsInDoubt) {
+    const auto expectedOf = [&](AimShape shape) {
+        Expected expected;
+        for (const PenumbraSamples& samples : seen)
+            expected.push_back(expectedAt(asked, surfaces, samples.point, shape, 1.0));
+        return expected;
+    };
+    PenumbraFit fit;
+    for (const AimShape shape : kAcceptedAimShapes) {
+        if (isLikeAnotherSize(shape) && (sizeIsInDoubt || fit.excess <= 1.0)) continue;
+        const Expected expected = expectedOf(shape);
+        fit.excess = std::min(fit.excess, excessOf(seen, expected, expected, 0.0));
+        if (shape == AimShape::ball)
+            for (const ExpectedShares& at : expected)
+                fit.openInBall.push_back(at.open);
+    }
+    if (sizeIsInDoubt || fit.excess <= 1.0) return fit;
+    Expected last;
+    for (const AimShape shape : kByDensity) {
+        Expected next = expectedOf(shape);
+        if (!last.empty())
+            for (const double part : {0.25, 0.5, 0.75})
+                fit.excess = std::min(fit.excess, excessOf(seen, last, next, part));
+        last = std::move(next);
+    }
+    return fit;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,117 @@
+#include <grader/tasks/support/Bounds.h>
+#include <grader/tasks/shadows/answers/PenumbraShares.h>
+#include <grader/tasks/shadows/answers/Phong.h>
+#include <grader/tasks/shadows/answers/ShadowReplay.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ticker::tasks {
+namespace {
+
+constexpr int kAims = 8192;
+
+// Shares counted on so many lattice points are off by less than this (measured against 65536).
+constexpr double kShareError = 0.0025;
+
+double total(const ColourRGB& colour) {
+    return colour.r + colour.g + colour.b;
+}
+
+PointLog bare(const probe::LitPoint& point) {
+    PointLog log;
+    log.point = point;
+    log.lines.resize(1);
+    log.zones = {Zone::penumbra};
+    return log;
+}
+
+// Sums over points of weight * (seen - expected), in units of what Bernstein's bound allows.
+double excess(const std::vector<PenumbraSamples>& seen, const std::vector<double>& expected,
+              const std::vector<double>& weights) {
+    const double logRisk = std::log(2.0 / kStatementRisk);
+    double sum = 0.0;
+    double variance = 0.0;
+    double most = 0.0;
+    double slack = 0.0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const auto calls = static_cast<double>(seen[i].shares.size());
+        sum += weights[i] * (seen[i].mean - expected[i]);
+        // The variance is estimated from the calls; a half more, and the floor, cover its error.
+        variance += weights[i] * weights[i] * (1.5 * seen[i].variance + 0.002) / calls;
+        most = std::max(most, std::abs(weights[i]) / calls);
+        slack += std::abs(weights[i]) * kShareError;
+    }
+    const double bound = std::sqrt(2.0 * variance * logRisk) + most * logRisk / 3.0 + slack;
+    return std::abs(sum) / bound;
+}
+
+}  // namespace
+
+PenumbraSamples readSamples(const PenumbraQuestion& asked, const probe::IlluminateAnswer& answer,
+                            const PenumbraQuestion::Place& place) {
+    PenumbraSamples samples;
+    samples.place = place;
+    samples.point = asked.question.points[place.first];
+    const raytracer::SceneDescription& scene = asked.question.scene;
+    const PointLog log = bare(samples.point);
+    const double ambient = total(ambientPart(log, scene));
+    const double full = total(unshadowed(log, scene, 0, false));
+    const auto calls = static_cast<double>(place.calls);
+    for (std::size_t i = place.first; i < place.first + place.calls; ++i)
+        samples.shares.push_back((total(answer.colours[i]) - ambient) / full);
+    for (const double share : samples.shares)
+        samples.mean += share / calls;
+    for (const double share : samples.shares)
+        samples.variance += (share - samples.mean) * (share - samples.mean) / (calls - 1.0);
+    return samples;
+}
+
+ExpectedShares expectedAt(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
+                          const probe::LitPoint& point, AimShape shape, double size) {
+    const raytracer::PointLight& light = asked.scene.pointLights[0];
+    const raytracer::Material& material = materialOf(asked.scene, point.object);
+    const PointLog log = bare(point);
+    const double full = total(unshadowed(log, asked.scene, 0, false));
+    const double centre = (light.position() - point.position).magnitude();
+    const Vector3 start = point.position + point.normal * 1e-4;
+    ExpectedShares expected;
+    for (int i = 0; i < kAims; ++i) {
+        const Vector3 aim = light.position() + aimOf(shape, i) * (size * asked.settings.lightSize);
+        const Vector3 towards = aim - start;
+        const double distance = towards.magnitude();
+        if (surfaces.sightAlong(start, towards / distance, distance) == Sight::blocked) continue;
+        expected.open += 1.0 / kAims;
+        for (const std::size_t eye : {0U, 1U}) {
+            const Vector3 viewer = eye == 1 ? Vector3{} : point.viewer;
+            const double terms =
+                total(phongTerms(material, light, point.normal,
+                                 (viewer - point.position).normalised(), towards / distance, centre)
+                          .sum()) /
+                full / kAims;
+            expected.share[eye][1] += terms;
+            expected.share[eye][2] += terms * centre * centre / (distance * distance);
+        }
+    }
+    for (const std::size_t eye : {0U, 1U})
+        expected.share[eye][0] =
+            expected.open * total(unshadowed(log, asked.scene, 0, eye == 1)) / full;
+    return expected;
+}
+
+double worstExcess(const std::vector<PenumbraSamples>& seen, const std::vector<double>& expected,
+                   const std::vector<double>& open) {
+    std::vector<double> even(seen.size(), 1.0);
+    std::vector<double> wider;
+    for (const double share : open)
+        wider.push_back(0.5 - share);  // a larger light moves every share towards one half
+    double worst = std::max(excess(seen, expected, even), excess(seen, expected, wider));
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        std::vector<double> single(seen.size(), 0.0);
+        single[i] = 1.0;
+        worst = std::max(worst, excess(seen, expected, single));
+    }
+    return worst;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,73 @@
+#include <grader/tasks/shadows/answers/ShadowLog.h>
+
+#include <questions/RayGeometry.h>
+
+#include <cmath>
+#include <limits>
+
+namespace ticker::tasks {
+namespace {
+
+namespace questions = raytracer::questions;
+using probe::Event;
+
+bool isFinite(const Vector3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+AimLine readLine(const Surfaces& surfaces, const Vector3& centre, const Vector3& origin,
+                 const Vector3& direction) {
+    AimLine line;
+    line.origin = origin;
+    line.direction = direction;
+    line.foot = questions::footFrom(centre, {origin, direction});
+    line.miss = line.foot.magnitude();
+    line.endlessly =
+        surfaces.sightAlong(origin, direction, std::numeric_limits<double>::infinity());
+    // No question has anything in or near a light, so that the distance of the centre and that of
+    // the sample decide alike.
+    line.toLight = surfaces.sightAlong(origin, direction, (centre - origin).magnitude());
+    return line;
+}
+
+}  // namespace
+
+std::size_t PointLog::lineCount() const {
+    std::size_t count = 0;
+    for (const std::vector<AimLine>& light : lines)
+        count += light.size();
+    return count;
+}
+
+ShadowLog readShadowLog(const ShadowQuestion& asked, const probe::IlluminateAnswer& answer) {
+    ShadowLog log;
+    log.asked = &asked;
+    log.cut = answer.eventsCut;
+    const std::vector<raytracer::PointLight>& lights = asked.question.scene.pointLights;
+    for (std::size_t i = 0; i < asked.question.points.size(); ++i) {
+        PointLog point;
+        point.point = asked.question.points[i];
+        point.colour = i < answer.colours.size() ? answer.colours[i] : ColourRGB{};
+        point.lines.resize(lights.size());
+        point.zones = asked.zones[i];
+        log.points.push_back(std::move(point));
+    }
+    const Surfaces surfaces{asked.question.scene};
+    for (const Event& event : answer.events) {
+        if (event.kind != Event::Kind::rayCast || event.ask >= log.points.size()) continue;
+        if (!isFinite(event.a) || !isFinite(event.b) || lights.empty()) continue;
+        const double length = event.b.magnitude();
+        if (!(length > 0.0) || !std::isfinite(length)) continue;
+        PointLog& at = log.points[event.ask];
+        const raytracer::Ray course =
+            questions::seenFrom(at.point.position, at.point.normal, {event.a, event.b / length});
+        const std::size_t light = questions::nearestLight(lights, course.origin, course.direction);
+        at.lines[light].push_back(
+            readLine(surfaces, lights[light].position(), course.origin, course.direction));
+    }
+    if (log.cut && !answer.events.empty() && answer.events.back().ask < log.points.size())
+        log.points.resize(answer.events.back().ask);  // the last one may be incomplete
+    return log;
+}
+
+}  // namespace ticker::tasks

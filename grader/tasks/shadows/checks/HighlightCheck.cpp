@@ -1,0 +1,143 @@
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/shadows/checks/HighlightCheck.h>
+#include <grader/tasks/shadows/answers/Phong.h>
+#include <grader/tasks/shadows/answers/ShadowReplay.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace ticker::tasks {
+namespace {
+
+Vector3 asVector(const ColourRGB& colour) {
+    return {colour.r, colour.g, colour.b};
+}
+
+/// The share of the light that should arrive; empty where nothing says.
+std::optional<double> shareAt(const PointLog& point) {
+    const std::vector<AimLine>& lines = point.lines[0];
+    if (lines.empty()) {
+        if (point.zones[0] == Zone::penumbra) return std::nullopt;
+        return point.zones[0] == Zone::lit ? 1.0 : 0.0;
+    }
+    const auto count = [&](Sight sight) {
+        return std::count_if(lines.begin(), lines.end(),
+                             [&](const AimLine& line) { return line.toLight == sight; });
+    };
+    if (count(Sight::unsure) > 0) return std::nullopt;
+    return static_cast<double>(count(Sight::open)) / static_cast<double>(lines.size());
+}
+
+/// What is seen at a point, as parts of its diffuse light in full light and of the brightest
+/// highlight there is, and which part of that there is from where it is seen.
+struct Parts {
+    double diffuse = 0.0;
+    double highlight = 0.0;
+    double fullHighlight = 0.0;
+    double alpha = 1.0;
+    double toLight = 0.0;  ///< lengths
+    double toViewer = 0.0;
+
+    /// By which the cosine in the highlight is too large.
+    [[nodiscard]] double stretch(double expected) const {
+        return std::pow(highlight / expected, 1.0 / alpha);
+    }
+};
+
+// Two numbers from three channels; empty where the third is not explained by them.
+std::optional<Parts> partsSeen(const PointLog& point, const ShadowLog& log) {
+    constexpr double kUnlike = 0.01;
+    constexpr double kRest = 1e-3;
+    const raytracer::PointLight& light = log.scene().pointLights[0];
+    const Vector3 towards = light.position() - point.point.position;
+    const double distance = towards.magnitude();
+    const auto termsFor = [&](const Vector3& toViewer) {
+        return phongTerms(materialOf(log.scene(), point.point.object), light, point.point.normal,
+                          toViewer, towards / distance, distance);
+    };
+    const Vector3 mirrored = (towards / distance).reflectIn(point.point.normal);
+    const PhongTerms terms = termsFor((point.point.viewer - point.point.position).normalised());
+    const Vector3 diffuse = asVector(terms.diffuse);
+    const Vector3 highlight = asVector(termsFor(mirrored).specular);
+    const Vector3 seen = asVector(point.colour - ambientPart(point, log.scene()));
+    const double across = diffuse.cross(highlight).magnitude();
+    if (!(across > kUnlike * diffuse.magnitude() * highlight.magnitude())) return std::nullopt;
+    const Vector3 normal = diffuse.cross(highlight) / across;
+    if (std::abs(seen.dot(normal)) > kRest * std::max(seen.magnitude(), diffuse.magnitude()))
+        return std::nullopt;
+    return Parts{seen.cross(highlight).dot(normal) / across,
+                 diffuse.cross(seen).dot(normal) / across,
+                 asVector(terms.specular).magnitude() / highlight.magnitude(),
+                 materialOf(log.scene(), point.point.object).phongAlpha,
+                 distance,
+                 (point.point.viewer - point.point.position).magnitude()};
+}
+
+/// Whether the way to the light, or to the viewer, stands for the direction at every point.
+struct Lengths {
+    bool light = true;
+    bool viewer = true;
+
+    // A dim highlight says nothing.
+    void look(const Parts& seen, double expected) {
+        constexpr double kDim = 1e-3;
+        constexpr double kSame = 0.01;
+        if (expected < kDim) return;
+        const double stretch = seen.stretch(expected);
+        light = light && std::abs(stretch / seen.toLight - 1.0) < kSame;
+        viewer = viewer && std::abs(stretch / seen.toViewer - 1.0) < kSame;
+    }
+    void explain(Finding& finding) const {
+        if (light == viewer) return;
+        finding.message += light
+                               ? " It is as with a direction to the light that is as long as the "
+                                 "way there."
+                               : " It is as with a direction to the viewer that is as long as the "
+                                 "way there.";
+        finding.hint = light ? "Reflect the unit vector to the light: (light.position() - "
+                               "P).normalised().reflectIn(N), not (light.position() - "
+                               "P).reflectIn(N). The direction to the viewer is right."
+                             : "The direction to the viewer has unit length: (O - P).normalised(). "
+                               "That to the light is right.";
+    }
+};
+
+}  // namespace
+
+std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs) {
+    constexpr std::size_t kEnough = 8;
+    constexpr double kRight = 0.01;
+    std::size_t points = 0;
+    Parts worst;
+    double expected = 0.0;
+    Lengths lengths;
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points) {
+            const std::optional<double> share = shareAt(point);
+            if (!share) continue;
+            const std::optional<Parts> seen = partsSeen(point, *log);
+            if (!seen || std::abs(seen->diffuse - *share) > kRight) return std::nullopt;
+            ++points;
+            const double here = *share * seen->fullHighlight;
+            lengths.look(*seen, here);
+            if (std::abs(seen->highlight - here) <= std::abs(worst.highlight - expected)) continue;
+            worst = *seen;
+            expected = here;
+        }
+    if (points < kEnough || std::abs(worst.highlight - expected) < kRight) return std::nullopt;
+    Finding finding = distributedFinding(
+        "shadow.wrong", Severity::fail,
+        "The ambient and the diffuse light are right, and shadows are soft; the highlight (the "
+        "specular term) is not what was expected.");
+    finding.hint =
+        "Both directions in the highlight have unit length: (O - P).normalised() to the viewer, "
+        "and the direction to the light reflected in N. Their product, at least 0, is raised to "
+        "object.phongAlpha() and multiplied by object.phongKS().";
+    lengths.explain(finding);
+    finding.evidence.emplace_back("highlightExpected", expected);
+    finding.evidence.emplace_back("highlightSeen", worst.highlight);
+    return finding;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,181 @@
+#include <grader/tasks/shadows/checks/LitRender.h>
+#include <grader/tasks/shadows/checks/ShadowRayCounts.h>
+
+#include <questions/RayGeometry.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+using probe::Event;
+
+// Farther from a surface than any step off it.
+constexpr double kOnSurface = 0.01;
+
+bool isFinite(const Vector3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// Whether the ray leaves towards some light and passes it, with room to spare.
+bool aimsAtALight(const raytracer::SceneDescription& scene, double radius, const Event& ray) {
+    const auto passes = [&](const raytracer::PointLight& light) {
+        const Vector3 towards = light.position() - ray.a;
+        const Vector3 direction = ray.b.normalised();
+        return towards.dot(direction) > 0.0 && towards.cross(direction).magnitude() < 1.5 * radius;
+    };
+    return std::ranges::any_of(scene.pointLights, passes);
+}
+
+class Reader {
+public:
+    explicit Reader(const probe::RenderQuestion& asked)
+        : surfaces_(asked.scene), wall_(static_cast<int>(asked.scene.spheres.size())) {
+        lit_.asked.purpose = ShadowQuestion::Purpose::severalLights;
+        lit_.asked.question.scene = asked.scene;
+        lit_.asked.question.settings = asked.settings;
+    }
+
+    void read(const Event& event) {
+        switch (event.kind) {
+            case Event::Kind::illuminateBegan:
+                begin(event);
+                break;
+            case Event::Kind::rayCast:
+                cast(event);
+                break;
+            case Event::Kind::illuminateEnded:
+                end(event);
+                break;
+            case Event::Kind::cameraRayAsked:
+            case Event::Kind::traceBegan:
+            case Event::Kind::traceEnded:
+            case Event::Kind::pixelSet:
+                break;
+        }
+    }
+    [[nodiscard]] LitRender take() && {
+        lit_.lensRays = lensRays_.size();
+        return std::move(lit_);
+    }
+
+private:
+    /// A point that a thread lights just now.
+    struct Open {
+        probe::LitPoint point;
+        std::vector<Event> rays;
+    };
+
+    void begin(const Event& event) {
+        if (event.object != wall_ || !isFinite(event.a) || !isFinite(event.b)) return;
+        open_[event.thread] = {{event.object, event.a, event.b, event.c}, {}};
+    }
+    void cast(const Event& event) {
+        if (!isFinite(event.a) || !isFinite(event.b) || !(event.b.magnitude() > 0.0)) return;
+        if (const auto open = open_.find(event.thread); open != open_.end()) {
+            open->second.rays.push_back(event);
+        } else if (surfaces_.distanceToNearest(event.a) > kOnSurface) {
+            const auto cell = [](double value) { return std::llround(value * 1e9); };
+            lensRays_.insert({cell(event.a.x), cell(event.a.y), cell(event.a.z), cell(event.b.x),
+                              cell(event.b.y), cell(event.b.z)});
+        } else if (aimsAtALight(lit_.asked.question.scene, lit_.asked.question.settings.lightSize,
+                                event)) {
+            ++lit_.looseRays;
+        }
+    }
+    // Points whose lighting never ended are left out.
+    void end(const Event& event) {
+        const auto open = open_.find(event.thread);
+        if (open == open_.end()) return;
+        const auto number = static_cast<std::uint32_t>(lit_.answer.colours.size());
+        for (Event& ray : open->second.rays) {
+            ray.ask = number;
+            lit_.answer.events.push_back(ray);
+        }
+        lit_.asked.question.points.push_back(open->second.point);
+        lit_.asked.zones.emplace_back(lit_.asked.question.scene.pointLights.size(), Zone::penumbra);
+        lit_.answer.colours.push_back({event.a.x, event.a.y, event.a.z});
+        open_.erase(open);
+    }
+
+    Surfaces surfaces_;
+    int wall_;
+    LitRender lit_;
+    std::map<std::uint32_t, Open> open_;  // by thread
+    std::set<std::array<long long, 6>> lensRays_;
+};
+
+// Rays that start somewhere else, or pass their light.
+bool goAstray(const ShadowLog& log) {
+    const double reach = log.settings().lightSize * (1.0 + 1e-6) + kLargestBias;
+    for (const PointLog& point : log.points)
+        for (const std::vector<AimLine>& lines : point.lines)
+            for (const AimLine& line : lines)
+                if (line.miss > reach || biasOf(line, point) > kLargestBias) return true;
+    return false;
+}
+
+// Single points in other light may fit a looser reading than these do.
+FitCount bestFit(const ShadowLog& log) {
+    FitCount best;
+    for (const ShadowReading& reading : acceptedShadowReadings()) {
+        const FitCount fits = countFits(log, reading, ShadowArithmetic::right);
+        if (fits.all()) return fits;
+        if (best.points == 0 || fits.fitting > best.fitting) best = fits;
+    }
+    return best;
+}
+
+std::size_t raysFor(const LitRender& lit, std::size_t points) {
+    return points * lit.asked.question.scene.pointLights.size() *
+           static_cast<std::size_t>(lit.asked.question.settings.shadowRayCount);
+}
+
+// Where illuminate has threads of its own, whose rays nothing assigns to a point.
+bool helpersCastTheRest(const LitRender& lit) {
+    const std::size_t rays = lit.answer.events.size() + lit.looseRays;
+    return lit.looseRays > 0 && rays >= raysFor(lit, lit.answer.colours.size());
+}
+
+// Where render lights its points by code of its own.
+std::optional<std::string> looseDifference(const LitRender& lit) {
+    const int asked = lit.asked.question.settings.shadowRayCount;
+    const std::size_t expected = raysFor(lit, lit.lensRays);
+    if (lit.looseRays == 0 || lit.looseRays >= expected) return std::nullopt;
+    const double share = static_cast<double>(lit.looseRays) / static_cast<double>(expected);
+    return fmt::format("a point gets {:.2g} of {} shadow rays to a light, in the mean",
+                       share * asked, asked);
+}
+
+}  // namespace
+
+LitRender readLitRender(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer) {
+    Reader reader{asked};
+    if (!answer.eventsCut)
+        for (const Event& event : answer.events)
+            reader.read(event);
+    return std::move(reader).take();
+}
+
+std::optional<std::string> litDifference(const LitRender& lit) {
+    if (lit.answer.colours.empty()) return looseDifference(lit);
+    if (lit.answer.events.empty() || helpersCastTheRest(lit)) return std::nullopt;
+    const ShadowLog log = readShadowLog(lit.asked, lit.answer);
+    const auto asked = static_cast<std::size_t>(log.settings().shadowRayCount);
+    if (const RayCounts counts = countRays({&log}); counts.fewest < asked)
+        return fmt::format("some points get {} of {} shadow rays to a light", counts.fewest, asked);
+    if (goAstray(log)) return "some shadow rays start at another point, or pass the light";
+    const FitCount best = bestFit(log);
+    if (best.all()) return std::nullopt;
+    return fmt::format("{} of {} points have another colour than their own shadow rays give",
+                       best.points - best.fitting, best.points);
+}
+
+}  // namespace ticker::tasks

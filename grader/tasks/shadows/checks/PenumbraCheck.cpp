@@ -1,0 +1,202 @@
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/shadows/checks/PenumbraCheck.h>
+#include <grader/tasks/shadows/answers/PenumbraFit.h>
+#include <grader/tasks/shadows/answers/PenumbraShares.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace ticker::tasks {
+namespace {
+
+using Place = PenumbraQuestion::Place;
+
+// The size of the ball that explains the means, in units of lightSize; 0 where none does.
+double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
+                   const std::vector<PenumbraSamples>& seen) {
+    // Sizes in between fit not quite.
+    double best = 2.0;
+    double bestSize = 0.0;
+    for (const double size : {0.25, 0.5, 0.6, 0.75, 0.9, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5}) {
+        std::vector<double> open;
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            open.push_back(expectedAt(asked, surfaces, seen[i].point, AimShape::ball, size).open);
+        const double worst = worstExcess(seen, open, open);
+        if (worst >= best) continue;
+        best = worst;
+        bestSize = size;
+    }
+    return bestSize;
+}
+
+// The fewest rays of which all shares are fractions; 0 where they are none of up to nine.
+// @param open      Share of the light in sight: there has to be a point where fractions are
+// expected.
+// @param fromLens  Of the points that are seen so: some treat camera rays in another way.
+int fewRays(const std::vector<PenumbraSamples>& seen, const std::vector<double>& open,
+            bool fromLens) {
+    for (int rays = 1; rays < raytracer::RenderSettings{}.shadowRayCount; ++rays) {
+        bool all = true;
+        bool any = false;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            if (seen[i].place.fromLens != fromLens) continue;
+            any = any || (open[i] > 0.1 && open[i] < 0.9);
+            for (const double share : seen[i].shares) {
+                const double hits = share * rays;
+                all = all && std::abs(hits - std::round(hits)) < 0.01;
+            }
+        }
+        if (all && any) return rays;
+    }
+    return 0;
+}
+
+std::optional<Finding> checkFractions(const std::vector<PenumbraSamples>& seen,
+                                      const std::vector<double>& open) {
+    const int through = fewRays(seen, open, true);
+    const int otherwise = fewRays(seen, open, false);
+    const int rays =
+        through > 0 && otherwise > 0 ? std::min(through, otherwise) : std::max(through, otherwise);
+    if (rays == 0) return std::nullopt;
+    double spread = 0.0;
+    double away = 0.0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        spread = std::max(spread, seen[i].variance);
+        away = std::max(away, std::abs(seen[i].mean - open[i]));
+    }
+    if (rays > 1)
+        return distributedFinding(
+            "shadow.too-few-rays", Severity::fail,
+            fmt::format("10 shadow rays were expected; the light at the edge of a shadow comes in "
+                        "steps of 1/{}.",
+                        rays));
+    if (spread > 1e-9 && away > 0.15)
+        return distributedFinding("shadow.all-or-nothing", Severity::fail,
+                                  "At the edge of a shadow a fraction of the light was expected; "
+                                  "there is all of it or none, never a part.");
+    return distributedFinding("shadow.hard", Severity::fail,
+                              "At the edge of a shadow a fraction of the light was expected; there "
+                              "is all of it or none, as from one shadow ray.");
+}
+
+// Calls that differ in nothing but the next random numbers give one value: the samples are the same
+// every time, and their mean says nothing.
+bool sameEveryCall(const std::vector<PenumbraSamples>& seen) {
+    std::size_t fractions = 0;
+    std::size_t still = 0;
+    for (const PenumbraSamples& samples : seen) {
+        if (samples.mean < 0.05 || samples.mean > 0.95) continue;
+        ++fractions;
+        if (samples.variance < 1e-6) ++still;
+    }
+    return fractions >= 4 && 4 * still >= 3 * fractions;
+}
+
+constexpr double kSeen = 0.02;  // shares below may be rounding
+
+bool seesLight(const PenumbraSamples& samples) {
+    return *std::max_element(samples.shares.begin(), samples.shares.end()) > kSeen;
+}
+
+// Exact, but that no call of 30000 rays hits the outermost part of the light, which every accepted
+// shape does with a chance above 0.002 for each ray.
+bool seesTooMuch(const std::vector<PenumbraSamples>& rim) {
+    return std::any_of(rim.begin(), rim.end(), [](const PenumbraSamples& samples) {
+        return samples.place.kind == Place::Kind::beyondRim && seesLight(samples);
+    });
+}
+
+// What is there in every call wherever nothing of the light is seen, and not just now and then as
+// from the rim of a larger light: a share that somebody adds or does not go below.
+double leftInShadow(const std::vector<PenumbraSamples>& rim) {
+    double left = 1.0;
+    for (const PenumbraSamples& samples : rim)
+        if (samples.place.kind == Place::Kind::beyondRim)
+            for (const double share : samples.shares)
+                left = std::min(left, share);
+    return left;
+}
+
+Finding leftInShadowFinding(double left) {
+    Finding finding = distributedFinding(
+        "shadow.wrong", Severity::fail,
+        fmt::format("In full shadow the ambient light alone was expected; {:.2g} of the light's "
+                    "own is left there, too.",
+                    left));
+    finding.evidence.emplace_back("leftInShadow", left);
+    return finding;
+}
+
+bool isDark(const std::vector<PenumbraSamples>& rim, Place::Kind kind) {
+    return std::none_of(rim.begin(), rim.end(), [&](const PenumbraSamples& samples) {
+        return samples.place.kind == kind && seesLight(samples);
+    });
+}
+
+Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
+                const std::vector<PenumbraSamples>& seen, double timesTheBound) {
+    const double size = fittingSize(asked, surfaces, seen);
+    const double radius = size * asked.settings.lightSize;
+    Finding finding =
+        size > 0.0
+            ? distributedFinding(
+                  "shadow.light-size", Severity::fail,
+                  fmt::format("At the edge of a shadow the mean of many calls is known for a light "
+                              "of radius {}; illuminate gives about that of one of radius {:.2g}.",
+                              asked.settings.lightSize, radius))
+            : distributedFinding(
+                  "shadow.wrong", Severity::fail,
+                  "At the edge of a shadow the mean of many calls is known; illuminate gives "
+                  "another one, so that the light has the wrong size or shape, or the share is "
+                  "computed wrongly.");
+    if (size > 0.0) finding.evidence.emplace_back("radius", radius);
+    finding.evidence.emplace_back("timesTheBound", timesTheBound);
+    return finding;
+}
+
+}  // namespace
+
+PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
+                              const probe::IlluminateAnswer& answer) {
+    const Surfaces surfaces{asked.question.scene};
+    std::vector<PenumbraSamples> seen;
+    std::vector<PenumbraSamples> rim;
+    for (const Place& place : asked.places)
+        (place.kind == Place::Kind::penumbra ? seen : rim)
+            .push_back(readSamples(asked, answer, place));
+
+    const auto isFinite = [](const PenumbraSamples& samples) {
+        return std::isfinite(samples.mean);
+    };
+    if (!std::all_of(seen.begin(), seen.end(), isFinite) ||
+        !std::all_of(rim.begin(), rim.end(), isFinite))
+        return {distributedFinding("shadow.wrong", Severity::fail,
+                                   "A colour was expected from illuminate; at the edge of a shadow "
+                                   "it gave a value that is no number."),
+                0.0, false};
+    const bool darkRim = isDark(rim, Place::Kind::atRim);
+    const bool brightBeyond = seesTooMuch(rim);
+    const PenumbraFit fit =
+        fitAcceptedShapes(asked.question, surfaces, seen, darkRim || brightBeyond);
+    PenumbraVerdict verdict;
+    verdict.timesTheBound = fit.excess;
+    verdict.finding = checkFractions(seen, fit.openInBall);
+    if (verdict.finding) return verdict;
+    verdict.ambiguous = sameEveryCall(seen);
+    if (verdict.ambiguous) return verdict;
+    if (const double left = leftInShadow(rim); left > kSeen && brightBeyond)
+        verdict.finding = leftInShadowFinding(left);
+    else if (verdict.timesTheBound > 1.0 || brightBeyond || isDark(rim, Place::Kind::withinRim))
+        verdict.finding = explain(asked.question, surfaces, seen, verdict.timesTheBound);
+    // Of 90000 rays to the very rim at least 27 are expected, whatever the accepted shape: none is
+    // a smaller light, or a table of a few hundred aims that has none there.
+    else
+        verdict.ambiguous = darkRim;
+    return verdict;
+}
+
+}  // namespace ticker::tasks

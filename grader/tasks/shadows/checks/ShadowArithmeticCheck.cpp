@@ -1,0 +1,144 @@
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/shadows/checks/HighlightCheck.h>
+#include <grader/tasks/shadows/answers/KnownColours.h>
+#include <grader/tasks/shadows/checks/ShadowChecks.h>
+#include <grader/tasks/shadows/checks/UnexplainedShadows.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace ticker::tasks {
+namespace {
+
+using Logs = std::vector<const ShadowLog*>;
+
+bool allFit(const Logs& logs, const ShadowReading& reading, ShadowArithmetic arithmetic) {
+    return std::all_of(logs.begin(), logs.end(), [&](const ShadowLog* log) {
+        return countFits(*log, reading, arithmetic).all();
+    });
+}
+
+std::optional<ShadowReading> readingThatFits(const Logs& logs, ShadowArithmetic arithmetic) {
+    for (const ShadowReading& reading : acceptedShadowReadings())
+        if (allFit(logs, reading, arithmetic)) return reading;
+    return std::nullopt;
+}
+
+// Where some rays arrive and some do not, the value is everything or nothing, every time; elsewhere
+// it is right.
+bool neverAFraction(const Logs& logs) {
+    std::size_t mixed = 0;
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points) {
+            const auto open = [](const AimLine& line) { return line.toLight == Sight::open; };
+            const auto blocked = [](const AimLine& line) { return line.toLight == Sight::blocked; };
+            const std::vector<AimLine>& lines = point.lines[0];
+            const ColourRGB slack = toleranceAt(point, log->scene(), false);
+            const bool all = near(point.colour, inFullLight(point, log->scene()), slack);
+            const bool none = near(point.colour, ambientPart(point, log->scene()), slack);
+            const bool anyOpen = std::any_of(lines.begin(), lines.end(), open);
+            const bool anyBlocked = std::any_of(lines.begin(), lines.end(), blocked);
+            const bool fitting = anyOpen && anyBlocked ? all || none : anyOpen ? all : none;
+            if (!fitting) return false;
+            if (anyOpen && anyBlocked) ++mixed;
+        }
+    return mixed >= 4;
+}
+
+std::optional<Finding> knownMistake(const Logs& logs) {
+    for (const ShadowArithmetic mistake : namedMistakes()) {
+        if (!readingThatFits(logs, mistake)) continue;
+        Finding finding = findingOf(mistake);
+        addWorstPoint(logs, finding);
+        return finding;
+    }
+    if (!neverAFraction(logs)) return std::nullopt;
+    return distributedFinding("shadow.all-or-nothing", Severity::fail,
+                              "At the edge of a shadow a fraction of the light was expected; there "
+                              "is all of it or none, never a part.");
+}
+
+// In plain sight of the light nothing but what stands behind it can take light away.
+bool onlyDarker(const Logs& logs) {
+    return std::all_of(logs.begin(), logs.end(), [](const ShadowLog* log) {
+        return std::all_of(log->points.begin(), log->points.end(), [&](const PointLog& point) {
+            const ColourRGB most = inFullLight(point, log->scene()) * 1.01;
+            return point.colour.r <= most.r && point.colour.g <= most.g && point.colour.b <= most.b;
+        });
+    });
+}
+
+// Past the light a ray may meet what its sample, wrongly, lies beyond of.
+bool aimBesideTheLight(const Logs& logs) {
+    constexpr double kBeside = 1.02;
+    const auto beside = [](const ShadowLog& log, const PointLog& point) {
+        return std::any_of(point.lines[0].begin(), point.lines[0].end(), [&](const AimLine& line) {
+            return line.miss > kBeside * log.settings().lightSize;
+        });
+    };
+    return std::any_of(logs.begin(), logs.end(), [&](const ShadowLog* log) {
+        return std::any_of(log->points.begin(), log->points.end(),
+                           [&](const PointLog& point) { return beside(*log, point); });
+    });
+}
+
+// Several lights, a light with something behind it, or a wall can be wrong alone.
+std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& reading) {
+    if (!allFit(logs.beyondLight, reading, ShadowArithmetic::right)) {
+        Finding finding = distributedFinding(
+            "shadow.beyond-light", Severity::fail,
+            "A point in plain sight of the light was expected to be lit; an object behind the "
+            "light casts a shadow on it.");
+        addWorstPoint(logs.beyondLight, finding);
+        if (allFit(logs.beyondLight, reading, ShadowArithmetic::endless) ||
+            (onlyDarker(logs.beyondLight) && !aimBesideTheLight(logs.beyondLight)))
+            return finding;
+        return unexplainedShadows(logs.beyondLight);
+    }
+    if (!allFit(logs.severalLights, reading, ShadowArithmetic::right)) {
+        Finding finding = distributedFinding(
+            "shadow.lights-mixed", Severity::fail,
+            "With one light the colours are right; with three lights each was expected to add its "
+            "own light scaled by its own share, and what comes out is something else.");
+        if (allFit(logs.severalLights, reading, ShadowArithmetic::ambientForEachLight))
+            finding = ambientForEachLight();
+        addWorstPoint(logs.severalLights, finding);
+        return finding;
+    }
+    if (!allFit(logs.planeShadow, reading, ShadowArithmetic::right)) {
+        Finding finding = planesCastNothing();
+        addWorstPoint(logs.planeShadow, finding);
+        return finding;
+    }
+    if (!allFit(logs.lightBehind, reading, ShadowArithmetic::right)) return lightsLostBehind();
+    if (!allFit(logs.farLight, reading, ShadowArithmetic::right))
+        return unexplainedShadows(logs.farLight);
+    return std::nullopt;
+}
+
+}  // namespace
+
+ArithmeticVerdict checkArithmetic(const ShadowLogs& logs) {
+    ArithmeticVerdict verdict;
+    std::optional<Finding> rest;
+    for (const ShadowReading& reading : acceptedShadowReadings()) {
+        if (!allFit(logs.oneLight, reading, ShadowArithmetic::right)) continue;
+        std::optional<Finding> wrong = checkRest(logs, reading);
+        if (!wrong) {
+            verdict.reading = reading;
+            // What fits may still be rays that never got off the surface.
+            if (shadowsItself(logs.oneLight, reading.viewerIsEye))
+                verdict.finding = unexplainedShadows(logs.oneLight);
+            else if (leaksAtTheStart(logs.oneLight, reading.viewerIsEye))
+                verdict.finding = leakAtTheStart();
+            return verdict;
+        }
+        if (!rest) rest = std::move(wrong);
+    }
+    verdict.finding = rest ? rest : knownMistake(logs.oneLight);
+    if (!verdict.finding) verdict.finding = highlightAlone(logs.oneLight);
+    if (!verdict.finding) verdict.finding = unexplainedWithOneLight(logs.oneLight);
+    return verdict;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,64 @@
+#ifndef TICKER_TASKS_DISTRIBUTED_SHADOWCHECKS_H
+#define TICKER_TASKS_DISTRIBUTED_SHADOWCHECKS_H
+
+#include <grader/tasks/shadows/answers/ShadowAims.h>
+#include <grader/tasks/shadows/answers/ShadowReplay.h>
+#include <grader/result/Finding.h>
+
+#include <optional>
+#include <vector>
+
+namespace ticker::tasks {
+
+/// The logs of T2.1 by purpose.
+struct ShadowLogs {
+    std::vector<const ShadowLog*> oneLight;
+    std::vector<const ShadowLog*> severalLights;
+    std::vector<const ShadowLog*> beyondLight;
+    std::vector<const ShadowLog*> planeShadow;
+    std::vector<const ShadowLog*> farLight;
+    std::vector<const ShadowLog*> lightBehind;
+    std::vector<const ShadowLog*> otherSettings;
+    std::vector<const ShadowLog*> horizon;
+
+    explicit ShadowLogs(const std::vector<ShadowLog>& logs);
+    /// All but otherSettings and horizon, where rays may be spared.
+    [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
+};
+
+/// Each of these looks at one thing and reports it where it is wrong.
+[[nodiscard]] std::optional<Finding> checkFinite(const ShadowLogs& logs);
+[[nodiscard]] std::optional<Finding> checkStarts(const ShadowLogs& logs);
+/// Rays that leave away from the light.
+[[nodiscard]] std::optional<Finding> checkBackwards(const ShadowLogs& logs);
+/// @param fixed  Samples are shared between points, which is another finding.
+[[nodiscard]] std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed);
+[[nodiscard]] std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed);
+[[nodiscard]] std::optional<Finding> checkEveryLight(const ShadowLogs& logs);
+/// Whether each of several lights is as large as a light that is alone.
+[[nodiscard]] std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs,
+                                                       const AimVerdict& aims);
+[[nodiscard]] std::optional<Finding> checkFixedSamples(const ShadowLogs& logs);
+/// A few aims that all points share, each in an order of its own.
+[[nodiscard]] std::optional<Finding> checkSmallPool(const AimVerdict& aims);
+[[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
+[[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);
+[[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs);
+/// Whether the rays that would go below the surface's horizon count as blocked.
+/// @param reading  The one that fits everywhere else.
+[[nodiscard]] std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,
+                                                  const ShadowReading& reading);
+
+/// Replays every value; the reading that fits, or the mistake.
+struct ArithmeticVerdict {
+    std::optional<ShadowReading> reading;
+    std::optional<Finding> finding;
+};
+[[nodiscard]] ArithmeticVerdict checkArithmetic(const ShadowLogs& logs);
+
+/// Judges values alone, where no ray was logged: points in full light and in full shadow.
+[[nodiscard]] ArithmeticVerdict checkValues(const ShadowLogs& logs);
+
+}  // namespace ticker::tasks
+
+#endif

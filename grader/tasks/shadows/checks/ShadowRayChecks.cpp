@@ -1,0 +1,242 @@
+#include <grader/tasks/support/Draw.h>
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/support/Plots.h>
+#include <grader/tasks/shadows/checks/ShadowChecks.h>
+#include <grader/tasks/shadows/checks/ShadowRayCounts.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ticker::tasks {
+namespace {
+
+using Purpose = ShadowQuestion::Purpose;
+
+// Distance of two lines, where they pass each other somewhere near the light; else a large number.
+double distanceNear(const AimLine& a, const AimLine& b, const Vector3& light, double radius) {
+    const Vector3 across = a.direction.cross(b.direction);
+    const double sine = across.magnitude();
+    if (sine < 1e-3) return 1e9;
+    const Vector3 between = b.origin - a.origin;
+    const double along = between.cross(b.direction).dot(across) / (sine * sine);
+    const Vector3 nearest = a.origin + a.direction * along;
+    if ((nearest - light).magnitude() > 4.0 * radius) return 1e9;
+    return std::abs(between.dot(across)) / sine;
+}
+
+// Equal aims at two points: the lines meet, ray by ray in the order of casting. Independent lines
+// come as near as 2e-3 of radius 0.4 with a chance below 0.02, and all ten of them below 1e-16.
+bool sameAims(const PointLog& a, const PointLog& b, const Vector3& light, double radius) {
+    const std::vector<AimLine>& left = a.lines[0];
+    const std::vector<AimLine>& right = b.lines[0];
+    if (left.size() != right.size() || left.empty()) return false;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const double slack =
+            1e-6 + 2.0 * std::min(std::max(biasOf(left[i], a), biasOf(right[i], b)), 1e-3);
+        if (distanceNear(left[i], right[i], light, radius) > slack) return false;
+    }
+    return true;
+}
+
+// Points that are too close together to tell are left out.
+bool sameAimsEverywhere(const ShadowLog& log) {
+    if (log.points.empty()) return false;
+    const Vector3 light = log.scene().pointLights[0].position();
+    std::size_t compared = 0;
+    for (const PointLog& point : log.points) {
+        const double apart = (point.point.position - log.points[0].point.position).magnitude();
+        if (apart < 0.05) continue;
+        if (!sameAims(log.points[0], point, light, log.settings().lightSize)) return false;
+        ++compared;
+    }
+    return compared >= 8;
+}
+
+}  // namespace
+
+ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
+    for (const ShadowLog& log : logs) {
+        switch (log.asked->purpose) {
+            case Purpose::oneLight:
+                oneLight.push_back(&log);
+                break;
+            case Purpose::severalLights:
+                severalLights.push_back(&log);
+                break;
+            case Purpose::beyondLight:
+                beyondLight.push_back(&log);
+                break;
+            case Purpose::planeShadow:
+                planeShadow.push_back(&log);
+                break;
+            case Purpose::farLight:
+                farLight.push_back(&log);
+                break;
+            case Purpose::lightBehind:
+                lightBehind.push_back(&log);
+                break;
+            case Purpose::otherSettings:
+                otherSettings.push_back(&log);
+                break;
+            case Purpose::horizon:
+                horizon.push_back(&log);
+                break;
+        }
+    }
+}
+
+std::vector<const ShadowLog*> ShadowLogs::atHandoutSettings() const {
+    std::vector<const ShadowLog*> all;
+    for (const auto* some :
+         {&oneLight, &severalLights, &beyondLight, &planeShadow, &farLight, &lightBehind})
+        all.insert(all.end(), some->begin(), some->end());
+    return all;
+}
+
+std::optional<Finding> checkFinite(const ShadowLogs& logs) {
+    for (const ShadowLog* log : logs.atHandoutSettings())
+        for (const PointLog& point : log->points)
+            if (!std::isfinite(point.colour.r + point.colour.g + point.colour.b))
+                return distributedFinding("shadow.wrong", Severity::fail,
+                                          "A colour was expected from illuminate; at an ordinary "
+                                          "point it gave a value that is no number.");
+    return std::nullopt;
+}
+
+std::optional<Finding> checkFixedSamples(const ShadowLogs& logs) {
+    if (logs.oneLight.empty()) return std::nullopt;
+    for (const ShadowLog* log : logs.oneLight)
+        if (!sameAimsEverywhere(*log)) return std::nullopt;
+    const std::size_t distinct = distinctRays(logs.oneLight[0]->points[0].lines[0]);
+    Finding finding = distributedFinding(
+        "shadow.fixed-samples", distinct <= 2 ? Severity::fail : Severity::warn,
+        fmt::format("New random points of the light were expected for every point that is lit; "
+                    "the same {} are used at all of them{}.",
+                    distinct, distinct <= 2 ? "" : ", so that the edges of shadows come in steps"));
+    if (distinct == 1)
+        finding.hint =
+            "Every ray has the same aim: it is drawn once and kept, or the generator starts again "
+            "for each, or random numbers are cut (rand() / RAND_MAX is 0: divide as double).";
+    finding.evidence.emplace_back("distinctAims", static_cast<double>(distinct));
+    return finding;
+}
+
+// A few more than the rays of one point: feet next to the edge of a cell count twice.
+std::optional<Finding> checkSmallPool(const AimVerdict& aims) {
+    const auto asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
+    if (aims.lines == 0 || aims.distinct > 2 * asked) return std::nullopt;
+    Finding finding = distributedFinding(
+        "shadow.fixed-samples", Severity::warn,
+        fmt::format("New random points of the light were expected for every point that is lit; "
+                    "the same {} or so come again and again, in changing order.",
+                    aims.distinct));
+    finding.hint = "Draw new points in every call, not from a table that is filled once.";
+    finding.evidence.emplace_back("distinctAims", static_cast<double>(aims.distinct));
+    return finding;
+}
+
+std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs) {
+    const double near = widestMiss({logs.oneLight.begin(), logs.oneLight.begin() + 1});
+    const double far = widestMiss(logs.farLight);
+    const double radius = raytracer::RenderSettings{}.lightSize;
+    // Lights of the one kind stand 6 units away, of the other more than 100: a light that is as
+    // large in angle grows by more than 15, a ball of any size not at all.
+    if (far < 2.0 * radius || far < 5.0 * near) return std::nullopt;
+    Finding finding = distributedFinding(
+        "shadow.direction-offset", Severity::fail,
+        fmt::format("Shadow rays were expected to pass within {} of the light's centre whatever "
+                    "its distance; at a light 6 units away they pass within {:.2f}, at one more "
+                    "than 100 away within {:.1f}: the light grows with the distance.",
+                    radius, near, far));
+    finding.evidence.emplace_back("widestNear", near);
+    finding.evidence.emplace_back("widestFar", far);
+    return finding;
+}
+
+std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims) {
+    if (aims.lines == 0) return std::nullopt;
+    const double radius = raytracer::RenderSettings{}.lightSize;
+    const double widest = aims.widest * radius;
+    // Rays that reach as far as they should, and no farther, are not a matter of size.
+    constexpr double kSameWidth = 0.02;
+    const bool asWide = !aims.tooWide && !aims.huddled && std::abs(aims.widest - 1.0) < kSameWidth;
+    std::optional<Finding> finding;
+    if (aims.together) {
+        finding = distributedFinding(
+            "shadow.not-a-ball", Severity::fail,
+            "A new random point of the light was expected for each shadow ray; the rays of one "
+            "point all go to one side of the light, or lie along one line.");
+    } else if (aims.offCentre || (!aims.shapeIsRight() && (!aims.scaledShape || asWide))) {
+        finding = distributedFinding(
+            "shadow.not-a-ball", Severity::fail,
+            fmt::format("Shadow rays were expected to fill a ball of radius {} around the light; "
+                        "where they aim has another shape{}.",
+                        radius, aims.offCentre ? ", off the light's centre" : ""));
+    } else if (aims.tooWide || !aims.shapeIsRight() || aims.huddled) {
+        finding = distributedFinding(
+            "shadow.light-size", Severity::fail,
+            fmt::format("Shadow rays were expected to pass within {} of the light's centre; they "
+                        "fill a ball of radius {:.3g}.",
+                        radius, widest));
+    } else if (aims.shape && aims.shape->poles != AimShape::Poles::none) {
+        finding = distributedFinding(
+            "shadow.clustered", Severity::warn,
+            std::string{
+                "The points in the light were expected to be spread evenly; they crowd at "} +
+                (aims.shape->radius == AimShape::Radius::even
+                     ? "its centre and its poles, as those of the original course's helper do."
+                     : "two poles, since the angle from there, not its cosine, is drawn evenly."));
+    }
+    if (finding) {
+        finding->evidence.emplace_back("widest", widest);
+        finding->evidence.emplace_back("widestExpected", radius);
+        finding->evidence.emplace_back("shareNearRim", aims.rimShare);
+        finding->evidence.emplace_back("lean", aims.lean * radius);
+        finding->evidence.emplace_back("lines", static_cast<double>(aims.lines));
+        finding->plots.push_back(plotAims(logs.farLight));
+    }
+    return finding;
+}
+
+namespace {
+
+// Readings that leave much open fit where their own one does; with a smaller light only that does.
+bool anyReadingFits(const ShadowLog& log) {
+    const std::vector<ShadowReading> readings = acceptedShadowReadings();
+    return std::any_of(readings.begin(), readings.end(), [&](const ShadowReading& reading) {
+        return countFits(log, reading, ShadowArithmetic::right).all();
+    });
+}
+
+}  // namespace
+
+std::optional<Finding> checkOtherSettings(const ShadowLogs& logs) {
+    for (const ShadowLog* log : logs.otherSettings) {
+        const RayCounts counts = countRays({log});
+        const auto asked = static_cast<std::size_t>(log->settings().shadowRayCount);
+        const double widest = widestMiss({log});
+        const bool tooFew = counts.fewest < asked;
+        const bool tooWide = widest > log->settings().lightSize * (1.0 + 1e-6) + kLargestBias;
+        const bool wrongValue = !anyReadingFits(*log);
+        if (!tooFew && !tooWide && !wrongValue) continue;
+        Finding finding = distributedFinding(
+            "settings.hard-coded", Severity::warn,
+            fmt::format("Asked for {} shadow rays to a light of radius {:.3g}, illuminate cast {} "
+                        "within {:.3g}: {}it does not follow settings().",
+                        asked, log->settings().lightSize, counts.fewest, widest,
+                        counts.fewest > 10U ? "more than the handout's 10 are accepted, but "
+                                            : "right with the handout's numbers, but "));
+        finding.section = "Soft shadows (T2.1)";
+        finding.evidence.emplace_back("raysAsked", static_cast<double>(asked));
+        finding.evidence.emplace_back("raysSeen", static_cast<double>(counts.fewest));
+        finding.evidence.emplace_back("lightSizeAsked", log->settings().lightSize);
+        finding.evidence.emplace_back("widest", widest);
+        return finding;
+    }
+    return std::nullopt;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,141 @@
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/shadows/answers/KnownColours.h>
+#include <grader/tasks/shadows/checks/UnexplainedShadows.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace ticker::tasks {
+namespace {
+
+std::vector<double> listed(const ColourRGB& colour) {
+    return {colour.r, colour.g, colour.b};
+}
+
+// How many rays to the only light arrive, and which part of its light there is.
+struct PartOfLight {
+    std::size_t open = 0;
+    std::size_t cast = 0;
+    double part = 0.0;
+
+    [[nodiscard]] double share() const {
+        return static_cast<double>(open) / static_cast<double>(cast);
+    }
+};
+
+// Empty where rounding decides, or where diffuse and specular light do not have the same part.
+std::optional<PartOfLight> partOfLight(const PointLog& point, const ShadowLog& log) {
+    constexpr double kSame = 1e-3;
+    PartOfLight found;
+    for (const AimLine& line : point.lines[0]) {
+        if (line.toLight == Sight::unsure) return std::nullopt;
+        if (line.toLight == Sight::open) ++found.open;
+        ++found.cast;
+    }
+    if (found.cast == 0) return std::nullopt;
+    const ColourRGB ambient = ambientPart(point, log.scene());
+    const ColourRGB full = inFullLight(point, log.scene()) - ambient;
+    const ColourRGB seen = point.colour - ambient;
+    if (!(full.r + full.g + full.b > 0.0)) return std::nullopt;
+    found.part = (seen.r + seen.g + seen.b) / (full.r + full.g + full.b);
+    if (!near(seen, full * found.part, full * kSame)) return std::nullopt;
+    return found;
+}
+
+// Says by an example what becomes of the share of rays, where light is scaled by one number.
+void addShares(const std::vector<const ShadowLog*>& logs, Finding& finding) {
+    PartOfLight worst;
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points) {
+            const std::optional<PartOfLight> found = partOfLight(point, *log);
+            if (!found) return;
+            const double off = std::abs(found->part - found->share());
+            if (worst.cast == 0 || off > std::abs(worst.part - worst.share())) worst = *found;
+        }
+    if (worst.cast == 0) return;
+    finding.message += fmt::format(
+        " Where {} of {} rays arrive, {:.3g} of the light was expected, and there is {:.3g} of it.",
+        worst.open, worst.cast, worst.share(), worst.part);
+}
+
+}  // namespace
+
+bool shadowsItself(const std::vector<const ShadowLog*>& logs, bool viewerIsEye) {
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points)
+            for (std::size_t i = 0; i < point.lines.size(); ++i)
+                for (const AimLine& line : point.lines[i])
+                    if (point.zones[i] == Zone::lit && line.toLight != Sight::open &&
+                        !isNearKnown(point, *log, viewerIsEye))
+                        return true;
+    return false;
+}
+
+bool leaksAtTheStart(const std::vector<const ShadowLog*>& logs, bool viewerIsEye) {
+    const auto starts = [](const AimLine& line) { return line.toLight == Sight::unsure; };
+    const auto leaks = [&](const ShadowLog& log, const PointLog& point) {
+        for (std::size_t i = 0; i < point.lines.size(); ++i)
+            if (point.zones[i] == Zone::umbra &&
+                std::any_of(point.lines[i].begin(), point.lines[i].end(), starts))
+                return !isNearKnown(point, log, viewerIsEye);
+        return false;
+    };
+    return std::any_of(logs.begin(), logs.end(), [&](const ShadowLog* log) {
+        return std::any_of(log->points.begin(), log->points.end(),
+                           [&](const PointLog& point) { return leaks(*log, point); });
+    });
+}
+
+Finding leakAtTheStart() {
+    Finding finding = distributedFinding(
+        "shadow.wrong", Severity::fail,
+        "Points in full shadow were expected to be dark; some are lit, where shadow rays hit the "
+        "very surface that they leave and nothing behind it is looked for.");
+    finding.hint = "Start the shadow rays at P + N * kShadowBias, and count every hit.";
+    return finding;
+}
+
+void addWorstPoint(const std::vector<const ShadowLog*>& logs, Finding& finding) {
+    for (const ShadowLog* log : logs)
+        for (const PointLog& point : log->points) {
+            if (fits(point, log->scene(), log->settings(), {}, ShadowArithmetic::right)) continue;
+            std::size_t open = 0;
+            for (const std::vector<AimLine>& lines : point.lines)
+                open += static_cast<std::size_t>(
+                    std::count_if(lines.begin(), lines.end(),
+                                  [](const AimLine& line) { return line.toLight == Sight::open; }));
+            finding.evidence.emplace_back("raysThatArrive", static_cast<double>(open));
+            finding.evidence.emplace_back("raysCast", static_cast<double>(point.lineCount()));
+            finding.evidence.emplace_back("ambient", listed(ambientPart(point, log->scene())));
+            finding.evidence.emplace_back("fullLight", listed(inFullLight(point, log->scene())));
+            finding.evidence.emplace_back("seen", listed(point.colour));
+            return;
+        }
+}
+
+Finding unexplainedShadows(const std::vector<const ShadowLog*>& logs) {
+    Finding finding = distributedFinding(
+        "shadow.wrong", Severity::fail,
+        "The colours that illuminate gives were recomputed from the shadow rays that it cast; they "
+        "fit neither the handout's steps nor a mistake that is known.");
+    if (shadowsItself(logs, false) && shadowsItself(logs, true)) {
+        finding.message =
+            "Points in plain light were expected to be lit; some shadow rays are stopped by the "
+            "very surface that they leave.";
+        finding.hint = "Start the shadow rays at P + N * kShadowBias, a tiny step off the surface.";
+    }
+    addWorstPoint(logs, finding);
+    return finding;
+}
+
+Finding unexplainedWithOneLight(const std::vector<const ShadowLog*>& logs) {
+    Finding finding = unexplainedShadows(logs);
+    addShares(logs, finding);
+    return finding;
+}
+
+}  // namespace ticker::tasks

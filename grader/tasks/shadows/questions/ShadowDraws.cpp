@@ -1,0 +1,84 @@
+#include <grader/tasks/shadows/questions/ShadowDraws.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace ticker::tasks {
+namespace {
+
+// Aim points all over the light decide; the ball is taken a third larger, so that no accepted
+// sample and no accepted bias is near a decision.
+Zone zoneOf(const Surfaces& surfaces, const Vector3& start, const Vector3& light, double radius) {
+    constexpr int kAims = 96;
+    int open = 0;
+    for (int i = 0; i < kAims; ++i) {
+        // A spiral of equal areas over the sphere (golden angle).
+        const double z = 1.0 - (2.0 * i + 1.0) / kAims;
+        const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
+        const double ring = std::sqrt(1.0 - z * z);
+        const Vector3 aim = light + Vector3{ring * std::cos(angle), ring * std::sin(angle), z} *
+                                        (radius * 4.0 / 3.0);
+        const Vector3 towards = aim - start;
+        const double distance = towards.magnitude();
+        if (surfaces.sightAlong(start, towards / distance, distance) == Sight::open) ++open;
+    }
+    if (open == kAims) return Zone::lit;
+    return open == 0 ? Zone::umbra : Zone::penumbra;
+}
+
+}  // namespace
+
+raytracer::Material drawMaterial(Draw& draw) {
+    raytracer::Material material;
+    material.colour = draw.colour(0.2, 0.9);
+    material.phongKD = draw.between(0.5, 0.95);
+    material.phongKS = draw.between(0.7, 1.4);
+    material.phongAlpha = std::floor(draw.between(6.0, 14.0));
+    material.reflectivity = draw.between(0.1, 0.5);
+    return material;
+}
+
+raytracer::PointLight drawLight(Draw& draw, const Vector3& position, double distance) {
+    // What arrives at `distance` is about the light's own colour.
+    const double intensity = 4.0 * std::numbers::pi * distance * distance;
+    return {position, draw.colour(0.4, 1.0), intensity * draw.between(0.7, 1.3)};
+}
+
+Vector3 drawPlace(Draw& draw) {
+    const double x = draw.between(-1.0, 1.0);
+    const double y = draw.between(-1.0, 1.0);
+    return {x, y, draw.between(5.0, 7.0)};
+}
+
+Vector3 drawViewer(Draw& draw, const Vector3& point, const Vector3& normal, const Vector3& light) {
+    // Near the mirrored direction the specular term is as large as the diffuse one.
+    const Vector3 mirrored = (light - point).normalised().reflectIn(normal);
+    Vector3 towards = draw.directionAround(mirrored, 0.6);
+    while (towards.dot(normal) < 0.1)
+        towards = draw.directionAround(mirrored, 0.6);
+    return point + towards * draw.between(3.0, 5.0);
+}
+
+Vector3 drawLensPoint(Draw& draw, const raytracer::RenderSettings& settings) {
+    const double x = draw.between(-settings.dofAmount, settings.dofAmount);
+    return {x, draw.between(-settings.dofAmount, settings.dofAmount), 0.0};
+}
+
+std::vector<Zone> zonesOf(const raytracer::SceneDescription& scene, const Surfaces& surfaces,
+                          const Vector3& point, const Vector3& normal, double radius) {
+    std::vector<Zone> zones;
+    for (const raytracer::PointLight& light : scene.pointLights)
+        zones.push_back(zoneOf(surfaces, point + normal * 1e-4, light.position(), radius));
+    return zones;
+}
+
+void setCapacity(ShadowQuestion& question) {
+    // Eight times what is asked for.
+    constexpr std::size_t kLogMargin = 8;
+    const std::size_t rays = question.question.points.size() *
+                             question.question.scene.pointLights.size() *
+                             static_cast<std::size_t>(question.question.settings.shadowRayCount);
+    question.question.eventCapacity = static_cast<std::uint32_t>(rays * kLogMargin);
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,248 @@
+#include <grader/tasks/support/Draw.h>
+#include <grader/tasks/shadows/questions/ShadowDraws.h>
+#include <grader/tasks/shadows/questions/ShadowQuestions.h>
+#include <grader/tasks/support/Surfaces.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace ticker::tasks {
+namespace {
+
+using Purpose = ShadowQuestion::Purpose;
+using raytracer::SceneDescription;
+
+// Points for each zone of a one-light question; with ten rays each that is enough for every exact
+// statement, and 67 points in each of three far-light questions give 2010 aim lines.
+constexpr int kPointsForEachZone = 12;
+constexpr int kPointsOnSphere = 6;
+constexpr int kPointsSeveral = 24;
+constexpr int kPointsInBothShadows = 6;
+constexpr int kPointsBeyond = 8;
+constexpr int kPointsBesideWall = 12;
+constexpr int kPointsFar = 67;
+
+// Where the sphere looks at the light it shades nothing: rays that do not get off it are seen here.
+void addPointsOnSphere(Draw& draw, ShadowQuestion& drawn) {
+    const SceneDescription& scene = drawn.question.scene;
+    const raytracer::SphereDescription& sphere = scene.spheres.front();
+    const Vector3 light = scene.pointLights.front().position();
+    for (int i = 0; i < kPointsOnSphere; ++i) {
+        const Vector3 normal = draw.directionAround((light - sphere.centre).normalised(), 0.9);
+        const Vector3 point = sphere.centre + normal * sphere.radius;
+        drawn.question.points.push_back({0, point, normal, drawViewer(draw, point, normal, light)});
+        drawn.zones.push_back({Zone::lit});
+    }
+}
+
+/// A floor, a sphere `height` above it and a light above that, in a random orientation.
+ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& settings, Purpose purpose,
+                            double height) {
+    // The floor can be seen from the lens.
+    const Vector3 foot = drawPlace(draw);
+    const Vector3 up = draw.directionAround((-foot).normalised(), 1.1);
+    const double radius = draw.between(0.55, 0.75);
+    const Vector3 ball = foot + up * (height * draw.between(0.8, 1.2));
+    const Vector3 light = ball + draw.directionAround(up, 0.5) * draw.between(3.0, 4.0);
+
+    ShadowQuestion drawn;
+    drawn.purpose = purpose;
+    drawn.question.settings = settings;
+    SceneDescription& scene = drawn.question.scene;
+    scene.ambientLighting = draw.colour(0.1, 0.5);
+    scene.pointLights.push_back(drawLight(draw, light, (light - foot).magnitude()));
+    scene.spheres.push_back({ball, radius, drawMaterial(draw), nullptr});
+    scene.planes.push_back({foot, up, drawMaterial(draw)});
+
+    const Surfaces surfaces{scene};
+    const Vector3 axis = (ball - light).normalised();
+    const double rim = std::asin(radius / (ball - light).magnitude());
+    const int share =
+        purpose == Purpose::otherSettings ? kPointsForEachZone / 2 : kPointsForEachZone;
+    std::array<int, 3> wanted{share, share, share};
+    for (int attempt = 0; attempt < 20000; ++attempt) {
+        const Vector3 ray = draw.directionAround(axis, 2.2 * rim);
+        if (ray.dot(up) > -0.2) continue;
+        const Vector3 point = light + ray * ((foot - light).dot(up) / ray.dot(up));
+        const std::vector<Zone> zones = zonesOf(scene, surfaces, point, up, settings.lightSize);
+        int& left = wanted[static_cast<std::size_t>(zones[0])];
+        if (left == 0) continue;
+        --left;
+        const Vector3 viewer =
+            left % 2 == 0 ? drawLensPoint(draw, settings) : drawViewer(draw, point, up, light);
+        drawn.question.points.push_back({1, point, up, viewer});
+        drawn.zones.push_back(zones);
+        if (std::all_of(wanted.begin(), wanted.end(), [](int count) { return count == 0; })) break;
+    }
+    addPointsOnSphere(draw, drawn);
+    setCapacity(drawn);
+    return drawn;
+}
+
+/// Three lights, each a right angle or so from the others as seen from the floor.
+ShadowQuestion drawSeveralLights(Draw& draw) {
+    const Vector3 up = draw.direction();
+    const Perpendiculars sides = perpendicularsOf(up);
+    const Vector3 foot = drawPlace(draw);
+
+    ShadowQuestion drawn;
+    drawn.purpose = Purpose::severalLights;
+    SceneDescription& scene = drawn.question.scene;
+    scene.ambientLighting = draw.colour(0.1, 0.5);
+    const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
+    for (int i = 0; i < 3; ++i) {
+        const double angle = turn + i * 2.0 * std::numbers::pi / 3.0;
+        const Vector3 around = sides.first * std::cos(angle) + sides.second * std::sin(angle);
+        const Vector3 towards = (up + around * draw.between(1.3, 1.7)).normalised();
+        const double distance = draw.between(5.0, 9.0);
+        scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));
+        const double size = draw.between(0.25, 0.35);
+        if (i < 2)
+            scene.spheres.push_back(
+                {foot + towards * draw.between(1.6, 2.2), size, drawMaterial(draw), nullptr});
+    }
+    scene.planes.push_back({foot, up, drawMaterial(draw)});
+
+    const Surfaces surfaces{scene};
+    const double radius = drawn.question.settings.lightSize;
+    for (int i = 0; i < kPointsSeveral; ++i) {
+        // The first ones lie in the shadow of both spheres, the others anywhere.
+        const double reach = i < kPointsInBothShadows ? 0.06 : 0.7;
+        const double x = draw.between(-reach, reach);
+        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-reach, reach);
+        const auto facing = static_cast<std::size_t>(draw.whole(0, 2));
+        const Vector3 light = scene.pointLights[facing].position();
+        drawn.question.points.push_back({2, point, up, drawViewer(draw, point, up, light)});
+        drawn.zones.push_back(zonesOf(scene, surfaces, point, up, radius));
+    }
+    setCapacity(drawn);
+    return drawn;
+}
+
+/// A light with a sphere behind it, seen from a floor; three more stand behind and around it, so
+/// near that rays past the light's centre meet them less than a radius farther on.
+ShadowQuestion drawBeyondLight(Draw& draw) {
+    const Vector3 up = draw.direction();
+    const Perpendiculars sides = perpendicularsOf(up);
+    const Vector3 foot = drawPlace(draw);
+    const Vector3 towards = draw.directionAround(up, 0.6);
+    const double distance = draw.between(3.0, 4.0);
+
+    ShadowQuestion drawn;
+    drawn.purpose = Purpose::beyondLight;
+    SceneDescription& scene = drawn.question.scene;
+    const double gap = 1.5 * drawn.question.settings.lightSize + draw.between(0.2, 1.0);
+    const double radius = draw.between(2.0, 3.0);
+    scene.ambientLighting = draw.colour(0.1, 0.5);
+    scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));
+    scene.spheres.push_back(
+        {foot + towards * (distance + gap + radius), radius, drawMaterial(draw), nullptr});
+    const Perpendiculars round = perpendicularsOf(towards);
+    const double beside = 1.1 * drawn.question.settings.lightSize + radius;
+    for (const double turn : {0.0, 1.0 / 3.0, 2.0 / 3.0}) {
+        const double angle = 2.0 * std::numbers::pi * turn;
+        const Vector3 across = round.first * std::cos(angle) + round.second * std::sin(angle);
+        const Vector3 aside = across * 0.87 + towards * 0.5;  // 60 degrees from the way
+        scene.spheres.push_back({foot + towards * distance + aside.normalised() * beside, radius,
+                                 drawMaterial(draw), nullptr});
+    }
+    scene.planes.push_back({foot, up, drawMaterial(draw)});
+    for (int i = 0; i < kPointsBeyond; ++i) {
+        const double x = draw.between(-0.4, 0.4);
+        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-0.4, 0.4);
+        const Vector3 viewer = drawViewer(draw, point, up, scene.pointLights[0].position());
+        drawn.question.points.push_back({4, point, up, viewer});
+        drawn.zones.push_back({Zone::lit});
+    }
+    setCapacity(drawn);
+    return drawn;
+}
+
+/// A floor and a wall that stands on it; half of the points lie on the light's side of the wall,
+/// half behind it.
+ShadowQuestion drawPlaneShadow(Draw& draw) {
+    const Vector3 up = draw.direction();
+    const Perpendiculars sides = perpendicularsOf(up);
+    const Vector3 foot = drawPlace(draw);
+    const Vector3 light = foot + up * draw.between(2.0, 4.0) + sides.first * draw.between(2.0, 4.0);
+
+    ShadowQuestion drawn;
+    drawn.purpose = Purpose::planeShadow;
+    SceneDescription& scene = drawn.question.scene;
+    scene.ambientLighting = draw.colour(0.1, 0.5);
+    scene.pointLights.push_back(drawLight(draw, light, (light - foot).magnitude()));
+    scene.planes.push_back({foot, up, drawMaterial(draw)});
+    const Vector3 wall = (sides.first + up * draw.between(-0.3, 0.3)).normalised();
+    scene.planes.push_back({foot, draw.whole(0, 1) == 0 ? wall : -wall, drawMaterial(draw)});
+    const Surfaces surfaces{scene};
+    for (int i = 0; i < kPointsBesideWall; ++i) {
+        const double side = i % 2 == 0 ? 1.0 : -1.0;
+        const Vector3 point = foot + sides.first * (side * draw.between(0.2, 1.5)) +
+                              sides.second * draw.between(-1.0, 1.0);
+        drawn.question.points.push_back({0, point, up, drawViewer(draw, point, up, light)});
+        drawn.zones.push_back(
+            zonesOf(scene, surfaces, point, up, drawn.question.settings.lightSize));
+    }
+    setCapacity(drawn);
+    return drawn;
+}
+
+/// A light so far away that its rays are as good as parallel.
+ShadowQuestion drawFarLight(Draw& draw, const Vector3& towards) {
+    const Vector3 up = draw.directionAround(towards, 0.5);
+    const Perpendiculars sides = perpendicularsOf(up);
+    const Vector3 foot = drawPlace(draw);
+    const double distance = draw.between(100.0, 140.0);
+
+    ShadowQuestion drawn;
+    drawn.purpose = Purpose::farLight;
+    SceneDescription& scene = drawn.question.scene;
+    scene.ambientLighting = draw.colour(0.1, 0.5);
+    scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));
+    scene.planes.push_back({foot, up, drawMaterial(draw)});
+    for (int i = 0; i < kPointsFar; ++i) {
+        // Close together, so that an aim point that comes again is known again; not the same, in
+        // case that somebody seeds a generator from the point.
+        const double x = draw.between(-1e-4, 1e-4);
+        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-1e-4, 1e-4);
+        const Vector3 viewer = drawViewer(draw, point, up, scene.pointLights[0].position());
+        drawn.question.points.push_back({0, point, up, viewer});
+        drawn.zones.push_back({Zone::lit});
+    }
+    setCapacity(drawn);
+    return drawn;
+}
+
+}  // namespace
+
+std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
+    Draw draw{seed, 21};
+    const raytracer::RenderSettings handout;
+    std::vector<ShadowQuestion> questions;
+    questions.push_back(drawOneLight(draw, handout, Purpose::oneLight, 1.7));
+    // Far from the floor the light's own size matters less to the distance of its samples, which
+    // cannot be seen.
+    questions.push_back(drawOneLight(draw, handout, Purpose::oneLight, 20.0));
+    questions.push_back(drawSeveralLights(draw));
+    questions.push_back(drawBeyondLight(draw));
+
+    // Three directions at right angles: what one cannot see, the others do.
+    const Vector3 axis = draw.direction();
+    const Perpendiculars sides = perpendicularsOf(axis);
+    for (const Vector3& towards : {axis, sides.first, sides.second})
+        questions.push_back(drawFarLight(draw, towards));
+
+    raytracer::RenderSettings other;
+    other.shadowRayCount = draw.whole(13, 17);
+    other.lightSize = draw.between(0.15, 0.22);
+    questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
+    questions.push_back(drawPlaneShadow(draw));
+    questions.push_back(drawLightBehind(draw));
+    questions.push_back(drawHorizon(draw));
+    return questions;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,36 @@
+#ifndef TICKER_TASKS_DISTRIBUTED_SHADOWQUESTIONS_H
+#define TICKER_TASKS_DISTRIBUTED_SHADOWQUESTIONS_H
+
+#include <grader/probe/Question.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace ticker::tasks {
+
+/// What geometry alone says about a point and a spherical light, with a margin around the light.
+enum class Zone { lit, umbra, penumbra };
+
+/// A question about `illuminate`, and what it is for.
+struct ShadowQuestion {
+    enum class Purpose {
+        oneLight,       ///< an occluder between a light and a floor: lit, umbra and penumbra points
+        severalLights,  ///< three lights far apart in direction, two of them with an occluder
+        beyondLight,    ///< an object behind the light: every point is lit
+        planeShadow,    ///< a wall through the floor keeps the light from what lies behind it
+        farLight,       ///< a lonely light, a hundred units away: where the rays aim
+        lightBehind,    ///< three lights, the second behind the surface: the others light it
+        otherSettings,  ///< like oneLight, with other ray counts and light size
+        horizon         ///< a light so low above a floor that part of it is below the horizon
+    };
+    Purpose purpose = Purpose::oneLight;
+    probe::IlluminateQuestion question;
+    std::vector<std::vector<Zone>> zones;  ///< [point][light]
+};
+
+/// Draws the questions of T2.1. All but `otherSettings` use the handout's settings.
+[[nodiscard]] std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed);
+
+}  // namespace ticker::tasks
+
+#endif

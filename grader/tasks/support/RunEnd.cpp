@@ -1,0 +1,101 @@
+#include <grader/tasks/support/RunEnd.h>
+
+#include <fmt/core.h>
+
+#include <string>
+#include <utility>
+
+namespace ticker::tasks {
+namespace {
+
+using probe::AnswerState;
+using Kind = probe::ProcessEnd::Kind;
+
+struct EndText {
+    const char* id;
+    const char* seen;
+    const char* hint;
+};
+
+EndText textOf(Kind kind) {
+    switch (kind) {
+        case Kind::crashed:
+            return {"run.crashed", "it crashed",
+                    "Run it in a debugger, or with sanitizers on. Look for an index beyond the end "
+                    "of an array or a vector (x and y exchanged, say), and for a function that "
+                    "calls itself without end."};
+        case Kind::exitedEarly:
+            return {"run.exited-early", "the program left before it had answered",
+                    "Do not call exit() or the like."};
+        case Kind::timedOut:
+            return {"run.timed-out", "it was still busy when its time was up",
+                    "Look for a loop that does not end, or for far more rays than asked for."};
+        case Kind::memory:
+            return {
+                "run.memory", "it ran out of memory",
+                "Look for a container that only grows, and for an array that is far too large."};
+        case Kind::outputLimit:
+            return {"run.output-limit", "it printed too much", "Remove the debugging output."};
+        case Kind::forbiddenCall:
+            return {"run.forbidden-call",
+                    "it asked the system for something that a renderer does not need",
+                    "No files, processes or network connections are needed here."};
+        case Kind::finished:
+        case Kind::ourFault:
+            break;
+    }
+    return {"run.no-answer", "no answer came", "Make sure that the function returns."};
+}
+
+// Of the first answer that is not there in full.
+struct Missing {
+    AnswerState state = AnswerState::answered;
+    std::string message;
+};
+
+Missing firstMissing(const probe::Sitting& sitting) {
+    for (const probe::Answer& answer : sitting.answers) {
+        const Missing missing = std::visit(
+            [](const auto& given) {
+                return Missing{given.state, given.message};
+            },
+            answer);
+        if (missing.state != AnswerState::answered) return missing;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::optional<TaskJudgement> judgeUnanswered(const probe::Sitting& sitting,
+                                             std::string_view function) {
+    TaskJudgement judgement;
+    if (sitting.end.kind == Kind::ourFault) {
+        judgement.state = TaskState::notGraded;
+        judgement.reason = "The program could not be run: " + sitting.end.detail;
+        return judgement;
+    }
+    const Missing missing = firstMissing(sitting);
+    const bool hasAll = missing.state == AnswerState::answered;
+    if (hasAll && sitting.end.kind == Kind::finished) return std::nullopt;
+
+    EndText text = textOf(sitting.end.kind);
+    std::string seen = text.seen;
+    if (missing.state == AnswerState::threw) {
+        text = {"run.crashed", "", "Find out where the exception comes from; nobody catches it."};
+        seen = fmt::format("an exception came out of it: {}", missing.message);
+    } else if (!sitting.end.detail.empty()) {
+        seen += " (" + sitting.end.detail + ")";
+    }
+    Finding finding;
+    finding.id = text.id;
+    finding.severity = Severity::fail;
+    finding.message = fmt::format("{} was asked for values; {}.", function, seen);
+    finding.hint = text.hint;
+    judgement.state = TaskState::blocked;
+    judgement.reason = finding.message;
+    judgement.findings.push_back(std::move(finding));
+    return judgement;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,20 @@
+#ifndef TICKER_TASKS_DISTRIBUTED_RUNEND_H
+#define TICKER_TASKS_DISTRIBUTED_RUNEND_H
+
+#include <grader/tasks/TaskJudgement.h>
+#include <grader/probe/Examinee.h>
+
+#include <optional>
+#include <string_view>
+
+namespace ticker::tasks {
+
+/// The judgement of a task whose answers cannot be judged, because some are missing; empty where
+/// all are there.
+/// @param function  The student's function that was asked: "illuminate".
+[[nodiscard]] std::optional<TaskJudgement> judgeUnanswered(const probe::Sitting& sitting,
+                                                           std::string_view function);
+
+}  // namespace ticker::tasks
+
+#endif

@@ -1,0 +1,56 @@
+#ifndef TICKER_TASKS_DISTRIBUTED_SURFACES_H
+#define TICKER_TASKS_DISTRIBUTED_SURFACES_H
+
+#include <raytracer/image/ColourRGB.h>
+#include <raytracer/math/Vector3.h>
+#include <raytracer/scene/SceneDescription.h>
+
+#include <vector>
+
+namespace ticker::tasks {
+
+using raytracer::ColourRGB;
+using raytracer::Vector3;
+
+/// Whether a ray gets through. `unsure` where rounding decides: such rays are never held against
+/// anybody.
+enum class Sight { open, blocked, unsure };
+
+/// The surfaces of a scene as the replay sees them: our own intersections, in double precision.
+/// The framework's are not used: the submission could have changed what they say.
+class Surfaces {
+public:
+    explicit Surfaces(const raytracer::SceneDescription& scene);
+
+    /// Whether anything stands on the ray before `reach`.
+    /// @param direction  Unit length.
+    /// @param reach      World units; infinity: anything at all.
+    [[nodiscard]] Sight sightAlong(const Vector3& origin, const Vector3& direction,
+                                   double reach) const;
+
+    /// Distance from a point to the nearest surface, world units.
+    [[nodiscard]] double distanceToNearest(const Vector3& point) const;
+
+private:
+    struct Ball {
+        Vector3 centre;
+        double radius;
+    };
+    struct Sheet {
+        Vector3 point;
+        Vector3 normal;
+    };
+    [[nodiscard]] double nearestHit(const Vector3& origin, const Vector3& direction,
+                                    double scale) const;
+
+    std::vector<Ball> balls_;
+    std::vector<Sheet> sheets_;
+};
+
+/// The material of object `index`: spheres first, then planes.
+[[nodiscard]] const raytracer::Material& materialOf(const raytracer::SceneDescription& scene,
+                                                    int index);
+
+}  // namespace ticker::tasks
+
+#endif

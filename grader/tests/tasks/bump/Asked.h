@@ -1,0 +1,61 @@
+#ifndef TICKER_TESTS_BUMP_ASKED_H
+#define TICKER_TESTS_BUMP_ASKED_H
+
+#include <grader/tasks/bump/answers/Landing.h>
+#include <grader/tasks/bump/questions/Tilt.h>
+#include <grader/lab/selftest/FunctionExaminee.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace ticker::tests {
+
+using tasks::bump::Answers;
+using tasks::bump::Landing;
+using tasks::bump::Questionnaire;
+
+/// What a function answers to all questions.
+inline Answers answersOf(const Questionnaire& asked, selftest::NormalFunction function) {
+    selftest::FunctionExaminee examinee(std::move(function));
+    return Answers(asked, examinee.ask(asked.questions()));
+}
+
+/// One point of the map: where it lies, the texel, and the slopes there, heights per texel.
+struct Place {
+    double u;
+    double v;
+    int column;
+    int row;
+    double alongU;
+    double alongV;
+};
+
+/// The reference's: axis upwards, u from the back, not mirrored.
+inline const tasks::bump::Landing kLanding({0.0, 1.0, 0.0}, 0.5, false);
+
+/// A submission that tilts in proportion to the slope: `times` has a factor for either axis, 1 for
+/// right.
+inline selftest::NormalFunction inProportion(
+    const Landing& landing,
+    std::function<std::pair<double, double>(const Place&, const selftest::Point&)> times) {
+    return [landing, times = std::move(times)](const selftest::Point& point) {
+        const raytracer::Vector3 n = (point.position - point.centre).normalised();
+        const int width = point.map.width();
+        const int height = point.map.height();
+        Place at{landing.u(n), landing.v(n), 0, 0, 0.0, 0.0};
+        at.column = std::min(static_cast<int>(at.u * width), width - 1);
+        at.row = std::min(static_cast<int>(at.v * height), height - 1);
+        at.alongU = 0.5 * (point.map.at((at.column + 1) % width, at.row) -
+                           point.map.at((at.column + width - 1) % width, at.row));
+        at.alongV = 0.5 * (point.map.at(at.column, std::min(at.row + 1, height - 1)) -
+                           point.map.at(at.column, std::max(at.row - 1, 0)));
+        const auto [onU, onV] = times(at, point);
+        return (n - onU * at.alongU * landing.alongU(n) - onV * at.alongV * landing.alongV(n))
+            .normalised();
+    };
+}
+
+}  // namespace ticker::tests
+
+#endif

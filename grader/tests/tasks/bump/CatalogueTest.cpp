@@ -1,0 +1,63 @@
+#include <grader/tasks/bump/JudgeBump.h>
+#include <grader/lab/selftest/BumpTables.h>
+#include <grader/tests/tasks/bump/StandIn.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace ticker::tests {
+namespace {
+
+std::string stateName(TaskState state) {
+    switch (state) {
+        case TaskState::passed:
+            return "passed";
+        case TaskState::failed:
+            return "failed";
+        case TaskState::blocked:
+            return "blocked";
+        default:
+            return "other";
+    }
+}
+
+tasks::TaskJudgement judgeCompiled(const CompiledMistake& mistake, std::uint64_t seed) {
+    selftest::FunctionExaminee examinee(mistake.normalAt);
+    return tasks::judgeBump(examinee, seed);
+}
+
+void expectThatItTellsWhatToLookAt(const Finding& finding) {
+    EXPECT_GT(finding.message.size(), 40U);
+    EXPECT_GT(finding.hint.size(), 40U);
+    EXPECT_FALSE(finding.section.empty());
+    EXPECT_FALSE(finding.evidence.empty());
+}
+
+TEST(BumpCatalogue, EveryMistakeGetsItsFindingAndAHintOnTwoSeeds) {
+    for (const CompiledMistake& mistake : compiledCatalogue())
+        for (const std::uint64_t seed : {41U, 42U}) {
+            SCOPED_TRACE(mistake.id);
+            const tasks::TaskJudgement judgement = judgeCompiled(mistake, seed);
+            EXPECT_EQ(stateName(judgement.state), mistake.state) << judgement.reason;
+            const std::string got = judgement.findings.empty() ? "" : judgement.findings.front().id;
+            EXPECT_EQ(got, mistake.finding) << judgement.reason;
+            if (!got.empty()) expectThatItTellsWhatToLookAt(judgement.findings.front());
+        }
+}
+
+TEST(BumpCatalogue, KnowsEveryMistakeOfTheModelByTheSameFinding) {
+    const std::vector<CompiledMistake>& catalogue = compiledCatalogue();
+    for (const selftest::Slip slip : selftest::allSlips()) {
+        const auto same = std::find_if(
+            catalogue.begin(), catalogue.end(),
+            [slip](const CompiledMistake& entry) { return entry.id == selftest::idOf(slip); });
+        ASSERT_NE(same, catalogue.end()) << selftest::idOf(slip);
+        EXPECT_EQ(same->finding, selftest::expectedFinding(slip)) << same->id;
+    }
+}
+
+}  // namespace
+}  // namespace ticker::tests

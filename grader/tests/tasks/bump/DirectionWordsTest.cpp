@@ -1,0 +1,93 @@
+#include <grader/tasks/bump/words/DirectionWords.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace ticker::tasks::bump {
+namespace {
+
+bool says(const Response& response, const std::string& part) {
+    return directionWords(response).message.find(part) != std::string::npos;
+}
+
+TEST(DirectionWords, SayByHowMuchEverythingIsOff) {
+    Response response;
+    response.u.bandDirection.fill(-38.0);
+    response.u.bandDirection[3] = -42.0;
+    EXPECT_TRUE(says(response, "everywhere 40 degrees off"));
+    response.u.bandDirection[3] = -47.0;
+    EXPECT_TRUE(says(response, "everywhere")) << "nine degrees apart";
+    response.u.bandDirection[3] = -49.0;
+    EXPECT_FALSE(says(response, "everywhere")) << "eleven";
+    response.u.bandDirection.fill(11.0);
+    EXPECT_TRUE(says(response, "everywhere 11 degrees off"));
+    response.u.bandDirection.fill(9.0);
+    EXPECT_FALSE(says(response, "everywhere"));
+}
+
+TEST(DirectionWords, SayInWhichRowsASignIsWrong) {
+    Response response;
+    response.v.bandDirection = {5.0, -29.0, 151.0, -179.0, 180.0, 29.0, 0.0, 0.0};
+    EXPECT_TRUE(says(response, "inverted from 25 % to 62 %"));
+    EXPECT_NE(directionWords(response).hint.find("A sign changes"), std::string::npos);
+    response.v.bandDirection[6] = 31.0;
+    EXPECT_FALSE(says(response, "inverted from")) << "neither right nor inverted";
+    response.v.bandDirection[6] = 149.0;
+    EXPECT_FALSE(says(response, "inverted from"));
+    response.v.bandDirection.fill(180.0);
+    EXPECT_FALSE(says(response, "inverted from")) << "everywhere";
+    response.v.bandDirection[0] = 0.0;
+    EXPECT_TRUE(says(response, "inverted from 12 % to 100 %"));
+    response.v.bandDirection.fill(180.0);
+    response.v.bandDirection[7] = 0.0;
+    EXPECT_TRUE(says(response, "inverted from 0 % to 88 %"));
+    response.v.bandDirection.fill(0.0);
+    EXPECT_FALSE(says(response, "inverted from"));
+    EXPECT_EQ(directionWords(response).hint.find("A sign changes"), std::string::npos);
+}
+
+TEST(DirectionWords, SayThatATangentTurnsWithTheRow) {
+    Response response;
+    response.v.bandDirection = {49.0, 44.0, 33.0, 13.0, -12.0, -33.0, -44.0, -49.0};
+    EXPECT_TRUE(says(response, "from 49 degrees aside at the map's top to -49 at its bottom"));
+    EXPECT_EQ(directionWords(response).hint.rfind("Pv turns away with latitude", 0), 0U);
+    response.v.bandDirection[4] = 150.0;
+    EXPECT_FALSE(says(response, "turning with the row")) << "a leap, not a turn";
+    response.v.bandDirection = {20.0, 15.0, 9.0, 3.0, -3.0, -9.0, -15.0, -19.0};
+    EXPECT_FALSE(says(response, "turning with the row")) << "less than 40 degrees in all";
+}
+
+TEST(DirectionWords, SayWhichHalfStaysSmooth) {
+    Response response;
+    response.u.shares.dead = 0.5;
+    response.u.deadFrom = {-0.9, -1.0, -0.9};
+    response.u.deadTo = {0.9, -0.01, 0.9};
+    EXPECT_NE(patchyWords(response).message.find("all of them below the equator"),
+              std::string::npos);
+    response.u.deadTo.y = 0.3;
+    EXPECT_EQ(patchyWords(response).message.find("all of them"), std::string::npos);
+    response.u.deadFrom.x = 0.0;
+    EXPECT_NE(patchyWords(response).message.find("on the right half"), std::string::npos);
+}
+
+TEST(DirectionWords, LookAtTheWorstPointOfTheWorseAxis) {
+    Response response;
+    response.u.worstDirection = -90.0;
+    response.v.worstDirection = 60.0;
+    response.u.worst = {0.0, 1.0, 0.0};
+    response.v.worst = {0.0, -1.0, 0.0};
+    const std::string onU = directionWords(response).hint;
+    response.v.worstDirection = 120.0;
+    EXPECT_NE(directionWords(response).hint, onU);
+    response.u.shares.dead = 0.3;
+    response.v.shares.dead = 0.2;
+    response.u.deadAt = {0.0, 1.0, 0.0};
+    response.v.deadAt = {0.0, -1.0, 0.0};
+    const std::string patchyU = patchyWords(response).hint;
+    response.v.shares.dead = 0.4;
+    EXPECT_NE(patchyWords(response).hint, patchyU);
+}
+
+}  // namespace
+}  // namespace ticker::tasks::bump

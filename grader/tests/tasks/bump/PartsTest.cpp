@@ -1,0 +1,113 @@
+// The pure parts of the judgement, each by itself.
+#include <grader/tasks/bump/answers/Landing.h>
+#include <grader/tasks/bump/answers/Poisson.h>
+#include <grader/tasks/bump/questions/Tilt.h>
+#include <grader/tests/tasks/bump/Spread.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace ticker::tasks::bump {
+namespace {
+
+// Twenty thousand units in the last place of a direction.
+constexpr double kRounding = 1e-11;
+
+using tests::spread;
+
+std::vector<Sighting> seenThrough(const Landing& landing) {
+    std::vector<Sighting> seen;
+    for (const Vector3& n : spread(400))
+        seen.push_back({n, landing.u(n), landing.v(n)});
+    return seen;
+}
+
+TEST(TiltOf, UndoesTheNormalisationWhateverTheStrength) {
+    const Vector3 n = Vector3{0.3, -0.5, 0.8}.normalised();
+    const Vector3 tangent = n.cross({0.0, 1.0, 0.0}).normalised();
+    for (const double strength : {1e-6, 0.2, 20.0, 1e4}) {
+        const Vector3 tilt = tiltOf((n + strength * tangent).normalised(), n);
+        EXPECT_NEAR(tilt.dot(tangent) / strength, 1.0, 1e-9 * std::max(1.0, 1.0 / strength));
+    }
+}
+
+TEST(Landing, RunsToTheRightAndDownwardsOnTheNearSide) {
+    const Landing landing({0.0, 1.0, 0.0}, 0.5, false);
+    const Vector3 nearest{0.0, 0.0, -1.0};
+    EXPECT_NEAR(landing.u(nearest), 0.5, kRounding);
+    EXPECT_NEAR(landing.v(nearest), 0.5, kRounding);
+    EXPECT_NEAR(landing.alongU(nearest).x, 1.0, kRounding);
+    EXPECT_NEAR(landing.alongV(nearest).y, -1.0, kRounding);
+}
+
+TEST(Landing, FindsThePointOfEveryTexelAgain) {
+    for (const bool mirrored : {false, true})
+        for (const Vector3& axis : {Vector3{0, 1, 0}, Vector3{0, 0, -1}, Vector3{1, 0, 0}}) {
+            const Landing landing(axis, 0.3, mirrored);
+            const Vector3 direction = landing.direction(0.7, 0.2);
+            EXPECT_NEAR(landing.u(direction), 0.7, kRounding);
+            EXPECT_NEAR(landing.v(direction), 0.2, kRounding);
+        }
+}
+
+TEST(FitLanding, FindsAxisOriginAndMirrorAgain) {
+    for (const bool mirrored : {false, true})
+        for (const Vector3& axis :
+             {Vector3{0, 1, 0}, Vector3{0, -1, 0}, Vector3{0, 0, 1}, Vector3{0.6, 0.0, 0.8}}) {
+            const auto fit = fitLanding(seenThrough(Landing(axis, 0.83, mirrored)));
+            ASSERT_TRUE(fit.has_value());
+            EXPECT_TRUE(fit->good());
+            EXPECT_EQ(fit->landing.mirrored(), mirrored);
+            EXPECT_NEAR(fit->landing.axis().dot(axis), 1.0, 1e-6);
+            EXPECT_NEAR(turnDistance(fit->landing.uOffset(), 0.83), 0.0, 1e-6);
+        }
+}
+
+TEST(FitLanding, IsNotMovedByAFewStrayPoints) {
+    std::vector<Sighting> seen = seenThrough(Landing({0.0, 1.0, 0.0}, 0.25, false));
+    for (std::size_t i = 0; i < seen.size(); i += 50)
+        seen[i].u = seen[i].v = 0.5;
+    const auto fit = fitLanding(seen);
+    ASSERT_TRUE(fit.has_value());
+    EXPECT_TRUE(fit->good());
+    EXPECT_GT(fit->strayShare, 0.0);
+}
+
+TEST(FitLanding, RefusesRowsThatFollowTheHeight) {
+    std::vector<Sighting> seen;
+    for (const Vector3& n : spread(400))
+        seen.push_back({n, Landing({0.0, 1.0, 0.0}, 0.0, false).u(n), 0.5 - 0.5 * n.y});
+    const auto fit = fitLanding(seen);
+    EXPECT_FALSE(fit.has_value() && fit->good());
+}
+
+TEST(FitLanding, SaysNothingWhereTooFewPointsTell) {
+    std::vector<Sighting> seen = seenThrough(Landing({0.0, 1.0, 0.0}, 0.0, false));
+    for (std::size_t i = 40; i < seen.size(); ++i)
+        seen[i].v = std::nan("");
+    EXPECT_FALSE(fitLanding(seen).has_value());
+}
+
+TEST(Integrate, GivesBackTheHeightsOfAnEvenField) {
+    GridDifferences differences{12, 9, std::vector<double>(108, 0.0),
+                                std::vector<double>(108, 0.0)};
+    std::vector<double> heights;
+    for (int row = 0; row < 9; ++row)
+        for (int column = 0; column < 12; ++column)
+            heights.push_back(std::sin(0.7 * column) * std::cos(0.4 * row) + 0.1 * column);
+    double mean = 0.0;
+    for (const double height : heights)
+        mean += height / 108.0;
+    for (std::size_t i = 0; i < 108; ++i) {
+        if (i % 12 != 11) differences.right[i] = heights[i + 1] - heights[i];
+        if (i / 12 != 8) differences.down[i] = heights[i + 12] - heights[i];
+    }
+    const std::vector<double> found = integrate(differences);
+    for (std::size_t i = 0; i < 108; ++i)
+        EXPECT_NEAR(found[i], heights[i] - mean, 1e-10);
+}
+
+}  // namespace
+}  // namespace ticker::tasks::bump

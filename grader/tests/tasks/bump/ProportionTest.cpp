@@ -1,0 +1,145 @@
+// Steep slopes beside gentle ones, and the map's edges, on submissions made by hand.
+#include <grader/tasks/bump/questions/MapEdges.h>
+#include <grader/tasks/bump/questions/Proportion.h>
+#include <grader/lab/selftest/BumpReadings.h>
+#include <grader/tests/tasks/bump/Asked.h>
+#include <grader/tests/tasks/bump/Judging.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace ticker::tasks::bump {
+namespace {
+
+using selftest::Point;
+
+const Ball kBall{{0.0, 0.0, 20.0}, 12.0};
+
+double growthOf(const selftest::NormalFunction& function) {
+    Questionnaire questionnaire;
+    Draws draws(4);
+    const ProportionPlan plan = planProportion(questionnaire, draws, kBall);
+    return readProportion(plan, tests::answersOf(questionnaire, function)).growth;
+}
+
+MapEdges edgesOf(const selftest::NormalFunction& function, const Landing& landing) {
+    Questionnaire questionnaire;
+    Draws draws(4);
+    const EdgePlan plan = planEdges(questionnaire, draws, kBall);
+    return readEdges(plan, tests::answersOf(questionnaire, function), landing);
+}
+
+selftest::NormalFunction modelOf(const selftest::Reading& reading) {
+    return [reading](const Point& point) {
+        return selftest::modelNormal(reading, selftest::Slip::none, point);
+    };
+}
+
+/// Floor, forward differences, u = 0 at the back; `heightAt` says what lies anywhere.
+template <typename HeightAt>
+selftest::NormalFunction withHeights(HeightAt heightAt) {
+    return [heightAt](const Point& point) {
+        const Landing landing({0.0, 1.0, 0.0}, 0.5, false);
+        const Vector3 n = tests::smooth(point);
+        const int column = static_cast<int>(landing.u(n) * point.map.width());
+        const int row =
+            std::min(static_cast<int>(landing.v(n) * point.map.height()), point.map.height() - 1);
+        const double here = heightAt(point.map, column, row);
+        const double onU = heightAt(point.map, column + 1, row) - here;
+        const double onV = heightAt(point.map, column, row + 1) - here;
+        return (n - onU * landing.alongU(n) - onV * landing.alongV(n)).normalised();
+    };
+}
+
+selftest::NormalFunction beyondTheEdge(double height) {
+    return withHeights([height](const selftest::HeightMap& map, int column, int row) {
+        const bool inside = column < map.width() && row < map.height();
+        return inside ? map.at(column, row) : height;
+    });
+}
+
+TEST(ReadProportion, IsExactWhateverTheStrengthOfAProportionalTilt) {
+    for (const double strength : {0.01, 1.0, 20.0}) {
+        selftest::Reading reading;
+        reading.strength = strength;
+        EXPECT_NEAR(growthOf(modelOf(reading)), ProportionPlan::kTimes, 1e-3) << strength;
+    }
+}
+
+TEST(ReadProportion, IsGoodForEveryAcceptedReading) {
+    const std::vector<selftest::Reading> readings = selftest::acceptedReadings();
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        const double growth = growthOf(modelOf(readings[i]));
+        EXPECT_NEAR(growth, ProportionPlan::kTimes, 2.0) << describe(readings[i]);
+    }
+}
+
+TEST(ReadProportion, SeesSlopesThatAreCutOffOrBent) {
+    const auto bent = [](auto bend) {
+        return tests::inProportion(Landing({0.0, 1.0, 0.0}, 0.5, false),
+                                   [bend](const tests::Place& at, const Point&) {
+                                       const auto factor = [&](double slope) {
+                                           return slope == 0.0 ? 1.0 : bend(slope) / slope;
+                                       };
+                                       return std::pair(factor(at.alongU), factor(at.alongV));
+                                   });
+    };
+    EXPECT_FALSE(
+        Proportion{growthOf(bent([](double b) { return std::clamp(b, -0.1, 0.1); }))}.good());
+    EXPECT_FALSE(Proportion{growthOf(bent([](double b) { return std::tanh(20.0 * b); }))}.good());
+    EXPECT_FALSE(Proportion{growthOf(bent([](double b) { return std::cbrt(b); }))}.good());
+    EXPECT_TRUE(
+        Proportion{growthOf(bent([](double b) { return std::clamp(b, -2.0, 2.0); }))}.good())
+        << "steeper than maps are";
+}
+
+TEST(ReadProportion, LeavesSmoothSpheresToOthers) {
+    EXPECT_EQ(growthOf(tests::smooth), ProportionPlan::kTimes);
+}
+
+TEST(ReadEdges, AreGoodForEveryAcceptedReading) {
+    for (const selftest::Reading& reading : selftest::acceptedReadings()) {
+        if (reading.top != selftest::Reading::Top::y) continue;
+        const Landing landing({0.0, 1.0, 0.0}, reading.uOrigin, reading.mirrored);
+        const MapEdges edges = edgesOf(modelOf(reading), landing);
+        EXPECT_LE(edges.seam, 0.6 * MapEdges::kMost) << describe(reading);
+        EXPECT_LE(edges.endRows, 0.6 * MapEdges::kMost) << describe(reading);
+    }
+}
+
+TEST(ReadEdges, SeeAnyHeightThatTheMapDoesNotHave) {
+    const Landing landing({0.0, 1.0, 0.0}, 0.5, false);
+    for (const double height : {0.0, 2.5, -1.0}) {
+        const MapEdges edges = edgesOf(beyondTheEdge(height), landing);
+        EXPECT_FALSE(edges.goodSeam()) << height << ": " << edges.seam;
+        EXPECT_FALSE(edges.goodEndRows()) << height << ": " << edges.endRows;
+    }
+}
+
+TEST(ReadEdges, TellTheSeamFromTheLastRow) {
+    const Landing landing({0.0, 1.0, 0.0}, 0.5, false);
+    const MapEdges rows =
+        edgesOf(withHeights([](const selftest::HeightMap& map, int column, int row) {
+                    return row < map.height() ? map.at(column % map.width(), row) : 0.0;
+                }),
+                landing);
+    EXPECT_TRUE(rows.goodSeam());
+    EXPECT_FALSE(rows.goodEndRows());
+}
+
+TEST(JudgeBump, OnlyWarnsOfAWallAtThePoles) {
+    const TaskJudgement judgement =
+        tests::judge(withHeights([](const selftest::HeightMap& map, int column, int row) {
+            return row < map.height() ? map.at(column % map.width(), row) : 0.0;
+        }));
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    ASSERT_FALSE(judgement.findings.empty());
+    EXPECT_EQ(judgement.findings.back().id, "bump.wrong");
+    EXPECT_EQ(judgement.findings.back().severity, Severity::warn);
+}
+
+}  // namespace
+}  // namespace ticker::tasks::bump

@@ -1,0 +1,132 @@
+#include <grader/tests/tasks/bump/Judging.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+
+// What is asked about: rows and columns of large maps, greys, spheres behind the eye.
+namespace ticker::tests {
+namespace {
+
+using tasks::TaskJudgement;
+using selftest::FunctionExaminee;
+using selftest::HeightMap;
+using selftest::modelNormal;
+using selftest::Reading;
+using selftest::Slip;
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// How far down the map a point lies, 0 to 1, and how far to the right.
+double down(const Point& point) {
+    return std::acos(std::clamp(smooth(point).y, -1.0, 1.0)) / std::numbers::pi;
+}
+double along(const Point& point) {
+    const Vector3 n = smooth(point);
+    return 0.5 + std::atan2(n.x, -n.z) / (2.0 * std::numbers::pi);
+}
+
+/// Inverted along u where `isWrong` says so, else right.
+template <typename IsWrong>
+TaskJudgement judgeInvertedWhere(IsWrong isWrong) {
+    return judge([=](const Point& point) {
+        return modelNormal({}, isWrong(point) ? Slip::invertedU : Slip::none, point);
+    });
+}
+
+TEST(BumpRegions, NameTheRowsInWhichALargeMapDiffers) {
+    const TaskJudgement judgement = judge({}, Slip::lowRows);
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.reason, "along u")) << judgement.reason;
+    EXPECT_TRUE(contains(judgement.reason, "mostly in rows")) << judgement.reason;
+    EXPECT_FALSE(contains(judgement.reason, "columns")) << judgement.reason;
+    EXPECT_FALSE(contains(judgement.reason, "along v")) << judgement.reason;
+}
+
+TEST(BumpRegions, ShowAPatchOfALargeMapThatIsAnEighteenthOfTheSphere) {
+    const TaskJudgement judgement = judgeInvertedWhere([](const Point& point) {
+        return point.map.width() > 500 && point.map.height() > 500 && along(point) > 0.5 &&
+               along(point) < 0.75 && down(point) > 0.5 && down(point) < 0.65;
+    });
+    EXPECT_EQ(judgement.state, TaskState::failed);
+    EXPECT_EQ(firstId(judgement), "bump.wrong");
+}
+
+TEST(BumpRegions, NameNoSignThatIsWrongInSomeRowsOrGreysAlone) {
+    const TaskJudgement rows = judgeInvertedWhere(
+        [](const Point& point) { return down(point) * point.map.height() < 300.0; });
+    EXPECT_EQ(firstId(rows), "bump.wrong");
+    EXPECT_EQ(firstId(judge({}, Slip::darkHalf)), "bump.wrong");
+}
+
+TEST(BumpRegions, LieBehindTheEyeAsWellAsInFront) {
+    const TaskJudgement judgement =
+        judgeInvertedWhere([](const Point& point) { return point.centre.z < 0.0; });
+    EXPECT_EQ(judgement.state, TaskState::failed);
+}
+
+TEST(BumpHeights, MayBeRoundedToBytesWhichASecondSittingShows) {
+    Reading reading;
+    reading.heights = Reading::Heights::rounded;
+    FunctionExaminee examinee(
+        [&](const Point& point) { return modelNormal(reading, Slip::none, point); });
+    EXPECT_EQ(tasks::judgeBump(examinee, 5).state, TaskState::passed);
+    EXPECT_EQ(examinee.sittings(), 2);
+    EXPECT_EQ(firstId(judge(reading, Slip::invertedV)), "bump.inverted-v");
+}
+
+TEST(BumpHeights, MayFollowAnotherCurveThroughTheGreys) {
+    Reading reading;
+    reading.heights = Reading::Heights::gamma;
+    EXPECT_EQ(judge(reading).state, TaskState::passed);
+    EXPECT_EQ(firstId(judge(reading, Slip::inverted)), "bump.inverted");
+}
+
+TEST(BumpHints, SayThatAMapIsRememberedNotThatTheSphereIsSmooth) {
+    std::shared_ptr<const HeightMap> first;
+    const TaskJudgement judgement = judge([&](const Point& point) {
+        if (!first) first = std::make_shared<const HeightMap>(point.map);
+        return modelNormal({}, Slip::none, {*first, point.centre, point.radius, point.position});
+    });
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.findings.front().hint, "static")) << judgement.reason;
+}
+
+TEST(BumpHints, TellASizeThatIsWrittenInBySmallerMaps) {
+    const TaskJudgement judgement = judge({}, Slip::rowsEnd);
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.findings.front().hint, "written in")) << judgement.reason;
+}
+
+TEST(BumpHints, TellTheRowsThatAreNeverRead) {
+    const TaskJudgement judgement = judge({}, Slip::halfRows);
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.reason, "last rows")) << judgement.reason;
+}
+
+TEST(BumpHints, SayThatAPointGetsItsNormalFromTheOneBefore) {
+    Vector3 before{1.0, 0.0, 0.0};
+    const TaskJudgement judgement = judge([&](const Point& point) {
+        const Vector3 normal = modelNormal({}, Slip::none, point);
+        const Vector3 mean = (normal + 0.5 * before).normalised();
+        before = normal;
+        return mean;
+    });
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.reason, "another order")) << judgement.reason;
+}
+
+TEST(BumpHints, TellTheHalfOnWhichASignIsWrong) {
+    const TaskJudgement judgement = judge({}, Slip::uHemisphere);
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.reason, "inverted from 50 % to 100 %")) << judgement.reason;
+}
+
+}  // namespace
+}  // namespace ticker::tests

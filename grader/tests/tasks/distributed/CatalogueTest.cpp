@@ -1,0 +1,83 @@
+#include <grader/lab/selftest/MistakeTables.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+namespace ticker::selftest {
+namespace {
+
+const std::filesystem::path kRoot{TICKER_SOURCE_DIR};
+
+const std::filesystem::path kReference = kRoot / "reference_solution/exercise";
+
+std::vector<mistakes::Mistake> catalogue() {
+    return mistakesOf(mistakes::readCatalogue(kRoot / "grader/corpus"), "T2");
+}
+
+TEST(DistributedCatalogue, HasEveryFindingOfTheContract) {
+    std::set<std::string> findings;
+    for (const mistakes::Mistake& mistake : catalogue())
+        findings.insert(mistake.expect.finding);
+    for (const char* id : {"shadow.hard",
+                           "shadow.too-few-rays",
+                           "shadow.fixed-samples",
+                           "shadow.inverted",
+                           "shadow.all-or-nothing",
+                           "shadow.ambient-scaled",
+                           "shadow.specular-unshadowed",
+                           "shadow.diffuse-unshadowed",
+                           "shadow.lights-mixed",
+                           "shadow.beyond-light",
+                           "shadow.point-jittered",
+                           "shadow.direction-offset",
+                           "shadow.light-size",
+                           "shadow.not-a-ball",
+                           "shadow.clustered",
+                           "shadow.threads-mixed",
+                           "shadow.wrong",
+                           "dof.none",
+                           "dof.too-few-rays",
+                           "dof.shared-samples",
+                           "dof.not-averaged",
+                           "dof.focal-distance",
+                           "dof.focal-plane",
+                           "dof.off-centre",
+                           "dof.disc",
+                           "dof.aperture-size",
+                           "dof.reused-pattern",
+                           "dof.wrong",
+                           "settings.hard-coded"})
+        EXPECT_EQ(findings.count(id), 1U) << id;
+}
+
+// A correct reading fails with a chance below 1e-9; a mistake that only statistics see is missed
+// with less than 1e-3.
+TEST(DistributedCatalogue, IsJudgedAsItSays) {
+    MistakeRun run;
+    run.fraction = 0.05;
+    run.seed = 20;
+    const auto rows = runMistakes(catalogue(), kReference, build::Kit::besideProgram(),
+                                  sandbox::Sandbox::best(), run);
+    EXPECT_GE(rows.size(), 7U);
+    for (const MistakeRow& row : rows)
+        EXPECT_TRUE(row.asExpected) << tableOf(rows);
+}
+
+// Light by sample fits looser readings, too, at the handout's settings; under others only its own.
+TEST(DistributedCatalogue, DoesNotWarnOfSettingsThatAreFollowed) {
+    std::vector<mistakes::Mistake> entries = catalogue();
+    std::erase_if(entries, [](const auto& entry) { return entry.id != "accepted-per-sample"; });
+    ASSERT_EQ(entries.size(), 1U);
+    for (const std::uint64_t seed : {3U, 16U, 20U, 22U}) {
+        MistakeRun run;
+        run.seed = seed;
+        const auto rows = runMistakes(entries, kReference, build::Kit::besideProgram(),
+                                      sandbox::Sandbox::best(), run);
+        EXPECT_TRUE(rows.at(0).asExpected) << tableOf(rows);
+    }
+}
+
+}  // namespace
+}  // namespace ticker::selftest

@@ -1,0 +1,269 @@
+// Values that geometry alone knows, and what is said of them.
+#include <grader/tasks/shadows/answers/KnownColours.h>
+#include <grader/tasks/shadows/answers/Phong.h>
+#include <grader/tests/tasks/distributed/ShadowByHand.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ticker::tasks {
+namespace {
+
+using Purpose = ShadowQuestion::Purpose;
+
+/// Parts of the light at one point.
+struct Parts {
+    ColourRGB ambient;
+    ColourRGB diffuse;
+    ColourRGB specular;
+};
+
+Parts partsOf(const PointLog& point, const ShadowLog& log, std::size_t light = 0,
+              bool viewerIsEye = false) {
+    const Vector3 towards = log.scene().pointLights[light].position() - point.point.position;
+    const double distance = towards.magnitude();
+    const Vector3 viewer = viewerIsEye ? Vector3{} : point.point.viewer;
+    const auto terms = phongTerms(log.scene().planes[0].material, log.scene().pointLights[light],
+                                  point.point.normal, (viewer - point.point.position).normalised(),
+                                  towards / distance, distance);
+    return {ambientPart(point, log.scene()), terms.diffuse, terms.specular};
+}
+
+/// Eight points of each zone in every kind of question, each of the colour that `colourOf(parts,
+/// zone, purpose)` gives.
+template <typename ColourOf>
+ArithmeticVerdict judge(const ColourOf& colourOf, bool viewerIsEye = false) {
+    ShadowByHand made;
+    for (const Purpose purpose :
+         {Purpose::oneLight, Purpose::beyondLight, Purpose::severalLights, Purpose::planeShadow}) {
+        ShadowQuestion& asked = made.ask(purpose, {{0.0, 16.0, 0.0}});
+        asked.question.scene.planes[0].material.colour = {0.8, 0.6, 0.4};
+        asked.question.scene.ambientLighting = ColourRGB{0.1};
+        for (int i = 0; i < 8; ++i)
+            for (const Zone zone : {Zone::lit, Zone::umbra, Zone::penumbra}) {
+                PointLog& point = made.point({0.3 * i, 0.0, 1.0});
+                point.point.viewer = {-0.3 * i, 16.0, -1.0};
+                point.zones = {zone};
+                point.colour = colourOf(partsOf(point, made.last(), 0, viewerIsEye), zone, purpose);
+            }
+    }
+    return checkValues(made.logs());
+}
+
+ColourRGB right(const Parts& parts, Zone zone, Purpose = Purpose::oneLight) {
+    if (zone == Zone::penumbra) return {9.0, 9.0, 9.0};  // anything
+    return zone == Zone::lit ? parts.ambient + parts.diffuse + parts.specular : parts.ambient;
+}
+
+TEST(CheckValues, AcceptsWhatGeometryGives) {
+    const ArithmeticVerdict verdict = judge(right);
+    EXPECT_FALSE(verdict.finding);
+    ASSERT_TRUE(verdict.reading);
+    EXPECT_FALSE(verdict.reading->viewerIsEye);
+}
+
+TEST(CheckValues, NamesWhatAShadowKeeps) {
+    const auto inShadow = [](auto change) {
+        return idOf(judge([=](const Parts& parts, Zone zone, Purpose) {
+                        return zone == Zone::umbra ? change(parts) : right(parts, zone);
+                    }).finding);
+    };
+    EXPECT_EQ(inShadow([](const Parts&) { return ColourRGB{}; }), "shadow.ambient-scaled");
+    EXPECT_EQ(inShadow([](const Parts& p) { return p.ambient + p.specular; }),
+              "shadow.specular-unshadowed");
+    EXPECT_EQ(inShadow([](const Parts& p) { return p.ambient + p.diffuse; }),
+              "shadow.diffuse-unshadowed");
+    EXPECT_EQ(inShadow([](const Parts& p) { return p.ambient + p.diffuse + p.specular; }),
+              "shadow.wrong");
+    EXPECT_EQ(inShadow([](const Parts& p) { return p.ambient + ColourRGB{5.0}; }), "shadow.wrong");
+}
+
+TEST(CheckValues, TellsHowMuchLightThereIsWhereItIsTheSameEverywhere) {
+    const auto messageOf = [](double lit, double umbra) {
+        return judge([=](const Parts& p, Zone zone, Purpose) {
+                   return p.ambient + (p.diffuse + p.specular) * (zone == Zone::lit ? lit : umbra);
+               })
+            .finding->message;
+    };
+    EXPECT_NE(messageOf(1.5, 0.0).find(": 1.5 of the light"), std::string::npos);
+    EXPECT_NE(messageOf(1.5, 0.0).find(", 0 in full shadow"), std::string::npos);
+    EXPECT_NE(messageOf(1.0, 0.5).find(", 0.5 in full shadow"), std::string::npos);
+    const auto uneven = judge([](const Parts& p, Zone zone, Purpose) {
+        return right(p, zone) + ColourRGB{zone == Zone::umbra ? 5.0 : 0.0};
+    });
+    EXPECT_EQ(uneven.finding->message.find("of the light"), std::string::npos);
+}
+
+TEST(CheckValues, TellsInvertedShadowsFromNone) {
+    const auto inverted = judge([](const Parts& parts, Zone zone, Purpose) {
+        return right(parts, zone == Zone::lit     ? Zone::umbra
+                            : zone == Zone::umbra ? Zone::lit
+                                                  : zone);
+    });
+    EXPECT_EQ(idOf(inverted.finding), "shadow.inverted");
+    const auto none =
+        judge([](const Parts& parts, Zone, Purpose) { return right(parts, Zone::lit); });
+    ASSERT_EQ(idOf(none.finding), "shadow.wrong");
+    EXPECT_NE(none.finding->message.find("nothing ever casts"), std::string::npos);
+}
+
+TEST(CheckValues, TellsWhichQuestionIsWrongAlone) {
+    const auto wrongIn = [](Purpose wrong) {
+        return idOf(judge([=](const Parts& parts, Zone zone, Purpose purpose) {
+                        return purpose == wrong ? ColourRGB{7.0} : right(parts, zone);
+                    }).finding);
+    };
+    EXPECT_EQ(wrongIn(Purpose::beyondLight), "shadow.beyond-light");
+    EXPECT_EQ(wrongIn(Purpose::severalLights), "shadow.lights-mixed");
+    EXPECT_EQ(wrongIn(Purpose::planeShadow), "shadow.wrong");
+}
+
+TEST(CheckValues, SaysThatPlanesCastNoShadow) {
+    const auto lit = judge([](const Parts& parts, Zone zone, Purpose purpose) {
+        return right(parts, purpose == Purpose::planeShadow ? Zone::lit : zone);
+    });
+    ASSERT_EQ(idOf(lit.finding), "shadow.wrong");
+    EXPECT_NE(lit.finding->message.find("a plane between"), std::string::npos);
+    EXPECT_NE(lit.finding->hint.find("planes as well"), std::string::npos);
+}
+
+TEST(CheckValues, TellsTheHighlightFromTheDiffuseLight) {
+    const auto large = judge([](const Parts& parts, Zone zone, Purpose) {
+        return right(parts, zone) + (zone == Zone::lit ? parts.specular * 40.0 : ColourRGB{});
+    });
+    ASSERT_EQ(idOf(large.finding), "shadow.wrong");
+    EXPECT_NE(large.finding->message.find("the highlight"), std::string::npos);
+    EXPECT_NE(large.finding->hint.find("unit length"), std::string::npos);
+    const auto diffuse = judge([](const Parts& parts, Zone zone, Purpose) {
+        return right(parts, zone) + (zone == Zone::lit ? parts.diffuse : ColourRGB{});
+    });
+    EXPECT_EQ(diffuse.finding->message.find("the highlight"), std::string::npos);
+}
+
+// A larger light, or corners of a cube, meet what stands beside the light as well.
+TEST(CheckValues, LeavesOpenWhatTakesAPartOfTheLightAway) {
+    const auto keeps = [](double share) {
+        return judge([=](const Parts& p, Zone zone, Purpose purpose) {
+                   const bool dim = purpose == Purpose::beyondLight && zone == Zone::lit;
+                   return dim ? p.ambient + (p.diffuse + p.specular) * share
+                              : right({p.ambient, p.diffuse, p.specular}, zone);
+               })
+            .finding;
+    };
+    ASSERT_EQ(idOf(keeps(0.0)), "shadow.beyond-light");
+    EXPECT_EQ(keeps(0.0)->hint.find("lightSize"), std::string::npos);
+    ASSERT_EQ(idOf(keeps(0.7)), "shadow.beyond-light");
+    EXPECT_NE(keeps(0.7)->hint.find("lightSize"), std::string::npos);
+}
+
+TEST(IsNearKnown, AllowsTheLightsAngularSize) {
+    for (const double height : {8.0, 2.0}) {
+        ShadowByHand made;
+        made.ask(Purpose::oneLight, {{0.0, height, 0.0}, {0.0, 30.0, 0.0}});
+        PointLog& point = made.point();
+        point.zones = {Zone::lit, Zone::umbra};
+        const ColourRGB expected = ambientPart(point, made.last().scene()) +
+                                   unshadowed(point, made.last().scene(), 0, false);
+        const ColourRGB full = inFullLight(point, made.last().scene());
+        EXPECT_NEAR(full.g, expected.g + unshadowed(point, made.last().scene(), 1, false).g, 1e-9);
+        const double share = 0.05 + 2.0 * 0.4 / height;
+        for (const double side : {-1.0, 1.0}) {
+            point.colour = expected + full * (0.99 * side * share);
+            EXPECT_TRUE(isNearKnown(point, made.last(), false));
+            point.colour = expected + full * (1.01 * side * share);
+            EXPECT_FALSE(isNearKnown(point, made.last(), false));
+        }
+        point.zones = {Zone::lit, Zone::penumbra};
+        EXPECT_TRUE(isNearKnown(point, made.last(), false)) << "nothing is known";
+    }
+}
+
+TEST(Near, HoldsInEveryChannel) {
+    const ColourRGB middle{0.5, 0.5, 0.5};
+    const ColourRGB slack{0.1, 0.2, 0.3};
+    for (const double side : {-1.0, 1.0}) {
+        EXPECT_TRUE(near(middle + slack * (0.99 * side), middle, slack));
+        EXPECT_FALSE(near(middle + ColourRGB{0.11, 0.0, 0.0} * side, middle, slack));
+        EXPECT_FALSE(near(middle + ColourRGB{0.0, 0.21, 0.0} * side, middle, slack));
+        EXPECT_FALSE(near(middle + ColourRGB{0.0, 0.0, 0.31} * side, middle, slack));
+    }
+}
+
+/// Points of one light of which rays are open and blocked, each of the colour that `colourOf` makes
+/// of the share that is open.
+template <typename ColourOf>
+std::optional<Finding> judgeRays(const ColourOf& colourOf,
+                                 const std::vector<int>& opens = {0, 2, 4, 6, 8, 10}) {
+    ShadowByHand made;
+    made.ask(Purpose::oneLight, {{0.0, 16.0, 0.0}});
+    for (const int open : opens) {
+        PointLog& point = made.point({0.1 * open, 0.0, 1.0});
+        made.castRing(10);
+        point.zones = {open == 10 ? Zone::lit : open == 0 ? Zone::umbra : Zone::penumbra};
+        for (int i = open; i < 10; ++i)
+            point.lines[0][static_cast<std::size_t>(i)].toLight = Sight::blocked;
+        point.colour = colourOf(partsOf(point, made.last()), open);
+    }
+    return checkArithmetic(made.logs()).finding;
+}
+
+TEST(CheckArithmetic, AcceptsTheShareThatArrives) {
+    EXPECT_EQ(idOf(judgeRays([](const Parts& p, int open) {
+                  return p.ambient + (p.diffuse + p.specular) * (open / 10.0);
+              })),
+              "");
+}
+
+TEST(CheckArithmetic, TellsAllOrNothingOfWhateverRule) {
+    const auto odd = judgeRays([](const Parts& p, int open) {
+        const bool isLit = open == 10 || open == 4;
+        return p.ambient + (p.diffuse + p.specular) * (isLit ? 1.0 : 0.0);
+    });
+    ASSERT_EQ(idOf(odd), "shadow.all-or-nothing");
+    EXPECT_NE(odd->message.find("never a part"), std::string::npos);
+    const auto few = judgeRays(
+        [](const Parts& p, int open) {
+            const bool isLit = open == 10 || open == 4;
+            return p.ambient + (p.diffuse + p.specular) * (isLit ? 1.0 : 0.0);
+        },
+        {0, 0, 2, 4, 6, 10, 10});
+    EXPECT_EQ(idOf(few), "shadow.wrong") << "three points at the edge say nothing";
+    const auto unlit = judgeRays([](const Parts& p, int open) {
+        return p.ambient + (p.diffuse + p.specular) * (open == 4 ? 1.0 : 0.0);
+    });
+    EXPECT_EQ(idOf(unlit), "shadow.wrong") << "dark in plain light";
+    const auto lit = judgeRays([](const Parts& p, int open) {
+        return p.ambient + (p.diffuse + p.specular) * (open % 4 == 0 ? 1.0 : 0.0);
+    });
+    EXPECT_EQ(idOf(lit), "shadow.wrong") << "lit in full shadow";
+}
+
+TEST(CheckArithmetic, ShowsAPointThatDoesNotFit) {
+    const auto wrong = judgeRays([](const Parts& p, int open) {
+        return p.ambient + p.diffuse * (open / 10.0) + p.specular * (open == 6 ? 0.1 : open / 10.0);
+    });
+    ASSERT_EQ(idOf(wrong), "shadow.wrong");
+    EXPECT_EQ(numberIn(*wrong, "raysThatArrive"), 6.0);
+    EXPECT_EQ(numberIn(*wrong, "raysCast"), 10.0);
+}
+
+TEST(CheckArithmetic, SeesRaysThatNeverGetOffTheSurface) {
+    ShadowByHand made;
+    made.ask(Purpose::oneLight, {{0.0, 16.0, 0.0}});
+    PointLog& point = made.point({1.0, 0.0, 1.0});
+    made.castRing(10);
+    point.zones = {Zone::lit};
+    for (AimLine& line : point.lines[0])
+        line.toLight = Sight::unsure;
+    const Parts parts = partsOf(point, made.last());
+    point.colour = parts.ambient + (parts.diffuse + parts.specular) * 0.4;
+    const ArithmeticVerdict verdict = checkArithmetic(made.logs());
+    ASSERT_EQ(idOf(verdict.finding), "shadow.wrong");
+    EXPECT_NE(verdict.finding->hint.find("kShadowBias"), std::string::npos);
+    point.colour = parts.ambient + parts.diffuse + parts.specular;
+    EXPECT_FALSE(checkArithmetic(made.logs()).finding) << "sorted out by the code itself";
+}
+
+}  // namespace
+}  // namespace ticker::tasks

@@ -1,0 +1,221 @@
+// What the questions of T2.1 promise, whatever the seed.
+#include <grader/tasks/support/Draw.h>
+#include <grader/tasks/shadows/questions/ShadowQuestions.h>
+#include <grader/tasks/support/Surfaces.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ticker::tasks {
+namespace {
+
+using Purpose = ShadowQuestion::Purpose;
+
+const std::vector<std::vector<ShadowQuestion>>& drawn() {
+    static const std::vector<std::vector<ShadowQuestion>> all{
+        drawShadowQuestions(1), drawShadowQuestions(2), drawShadowQuestions(3)};
+    return all;
+}
+
+template <typename Test>
+void forEach(Purpose purpose, const Test& test) {
+    int found = 0;
+    for (const std::vector<ShadowQuestion>& questions : drawn())
+        for (const ShadowQuestion& question : questions)
+            if (question.purpose == purpose) test(question), ++found;
+    EXPECT_GE(found, 3);
+}
+
+Vector3 lightOf(const ShadowQuestion& drawn, std::size_t light = 0) {
+    return drawn.question.scene.pointLights.at(light).position();
+}
+
+/// Whether a ball around the light can be seen as the zone says: all of it, nothing, or a part.
+void expectZone(const ShadowQuestion& drawn, std::size_t at, std::size_t light) {
+    const Surfaces surfaces{drawn.question.scene};
+    const probe::LitPoint& point = drawn.question.points[at];
+    const Zone zone = drawn.zones[at][light];
+    const bool hemmed = drawn.purpose == ShadowQuestion::Purpose::beyondLight;
+    const double radius = drawn.question.settings.lightSize * (hemmed                   ? 1.08
+                                                               : zone == Zone::penumbra ? 1.34
+                                                                                        : 1.25);
+    Draw draw{at, 9};
+    int open = 0;
+    constexpr int kRays = 100;
+    for (int i = 0; i < kRays; ++i) {
+        const Vector3 start = point.position + point.normal * 1e-4;
+        const Vector3 towards = lightOf(drawn, light) + draw.direction() * radius - start;
+        const double reach = towards.magnitude();
+        open += surfaces.sightAlong(start, towards / reach, reach) != Sight::blocked ? 1 : 0;
+    }
+    EXPECT_TRUE(zone != Zone::lit || open == kRays) << at;
+    EXPECT_TRUE(zone != Zone::umbra || open == 0) << at;
+}
+
+TEST(ShadowQuestions, SayRightlyWhatIsLitAndWhatIsNot) {
+    for (const std::vector<ShadowQuestion>& questions : drawn())
+        for (const ShadowQuestion& question : questions) {
+            ASSERT_EQ(question.zones.size(), question.question.points.size());
+            if (question.purpose == Purpose::farLight) continue;
+            for (std::size_t i = 0; i < question.zones.size(); ++i)
+                for (std::size_t light = 0; light < question.zones[i].size(); ++light)
+                    expectZone(question, i, light);
+        }
+}
+
+TEST(ShadowQuestions, HaveRoomForEightTimesTheRaysAndPointsOnTheirSurfaces) {
+    for (const std::vector<ShadowQuestion>& questions : drawn())
+        for (const ShadowQuestion& question : questions) {
+            const probe::IlluminateQuestion& asked = question.question;
+            EXPECT_EQ(asked.eventCapacity,
+                      8 * asked.points.size() * asked.scene.pointLights.size() *
+                          static_cast<std::size_t>(asked.settings.shadowRayCount));
+            const Surfaces surfaces{asked.scene};
+            for (const probe::LitPoint& point : asked.points) {
+                EXPECT_LT(surfaces.distanceToNearest(point.position), 1e-9);
+                const Vector3 towards = point.viewer - point.position;
+                EXPECT_GT(towards.dot(point.normal), 0.0);
+                const bool fromLens = point.viewer.z == 0.0;
+                EXPECT_TRUE(fromLens || (towards.magnitude() > 3.0 && towards.magnitude() < 5.0));
+            }
+        }
+}
+
+int countZones(const ShadowQuestion& question, Zone zone) {
+    return static_cast<int>(
+        std::count(question.zones.begin(), question.zones.end(), std::vector<Zone>{zone}));
+}
+
+TEST(ShadowQuestions, OfOneLightHaveAllThreeZonesAndPointsOnTheBall) {
+    for (const Purpose purpose : {Purpose::oneLight, Purpose::otherSettings})
+        forEach(purpose, [&](const ShadowQuestion& question) {
+            const int each = purpose == Purpose::oneLight ? 12 : 6;
+            EXPECT_EQ(countZones(question, Zone::lit), each + 6);
+            EXPECT_EQ(countZones(question, Zone::umbra), each);
+            EXPECT_EQ(countZones(question, Zone::penumbra), each);
+            const auto& points = question.question.points;
+            EXPECT_EQ(std::count_if(points.begin(), points.end(),
+                                    [](const auto& point) { return point.viewer.z == 0.0; }),
+                      3 * each / 2);
+        });
+}
+
+TEST(ShadowQuestions, OfOneLightHaveTheBallBetweenFloorAndLight) {
+    std::vector<double> heights;
+    forEach(Purpose::oneLight, [&](const ShadowQuestion& question) {
+        const auto& scene = question.question.scene;
+        const raytracer::SphereDescription& ball = scene.spheres.at(0);
+        const raytracer::PlaneDescription& floor = scene.planes.at(0);
+        heights.push_back((ball.centre - floor.point).dot(floor.normal));
+        EXPECT_TRUE(std::abs(heights.back() / 1.7 - 1.0) < 0.21 ||
+                    std::abs(heights.back() / 20.0 - 1.0) < 0.21);
+        const Vector3 up = lightOf(question) - ball.centre;
+        EXPECT_TRUE(up.magnitude() > 3.0 && up.magnitude() < 4.0);
+        EXPECT_GT(up.normalised().dot(floor.normal), std::cos(0.5) - 1e-9);
+        for (const probe::LitPoint& point : question.question.points) {
+            if (point.object != 0) continue;
+            const Vector3 beside = point.position - ball.centre;
+            EXPECT_NEAR(beside.magnitude(), ball.radius, 1e-9);
+            EXPECT_GT(beside.dot(up), 0.0) << "faces the light";
+        }
+    });
+    EXPECT_LT(*std::min_element(heights.begin(), heights.end()), 2.1);
+    EXPECT_GT(*std::max_element(heights.begin(), heights.end()), 15.0);
+}
+
+TEST(ShadowQuestions, OfSeveralLightsHaveThemRoundTheFloorAndTwoBallsBeforeThem) {
+    forEach(Purpose::severalLights, [](const ShadowQuestion& question) {
+        const auto& scene = question.question.scene;
+        const Vector3 foot = scene.planes.at(0).point;
+        const Vector3 up = scene.planes[0].normal;
+        ASSERT_EQ(scene.pointLights.size(), 3U);
+        ASSERT_EQ(scene.spheres.size(), 2U);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vector3 one = lightOf(question, i) - foot;
+            EXPECT_TRUE(one.magnitude() > 5.0 && one.magnitude() < 9.0);
+            const double rise = one.normalised().dot(up);
+            EXPECT_TRUE(rise > 1.0 / std::hypot(1.0, 1.7) && rise < 1.0 / std::hypot(1.0, 1.3));
+            const Vector3 other = lightOf(question, (i + 1) % 3) - foot;
+            const Vector3 flat = one - up * one.dot(up);
+            const Vector3 otherFlat = other - up * other.dot(up);
+            EXPECT_NEAR(flat.normalised().dot(otherFlat.normalised()), -0.5, 1e-9);
+            if (i == 2) continue;
+            const Vector3 ball = scene.spheres[i].centre - foot;
+            EXPECT_TRUE(ball.magnitude() > 1.6 && ball.magnitude() < 2.2);
+            EXPECT_NEAR(ball.normalised().dot(one.normalised()), 1.0, 1e-9);
+        }
+        double farthest = 0.0;
+        for (std::size_t i = 0; i < question.question.points.size(); ++i) {
+            const double away = (question.question.points[i].position - foot).magnitude();
+            EXPECT_TRUE(i >= 6 || away < 0.06 * 1.4143);
+            farthest = std::max(farthest, away);
+        }
+        EXPECT_TRUE(farthest > 0.4 && farthest < 1.0);
+        EXPECT_EQ(question.question.points.size(), 24U);
+    });
+}
+
+TEST(ShadowQuestions, OfWhatIsBehindTheLightHaveABallThere) {
+    forEach(Purpose::beyondLight, [](const ShadowQuestion& question) {
+        const auto& scene = question.question.scene;
+        const Vector3 foot = scene.planes.at(0).point;
+        const Vector3 towards = lightOf(question) - foot;
+        const Vector3 behind = scene.spheres.at(0).centre - lightOf(question);
+        EXPECT_TRUE(towards.magnitude() > 3.0 && towards.magnitude() < 4.0);
+        EXPECT_NEAR(behind.normalised().dot(towards.normalised()), 1.0, 1e-9);
+        const double gap = behind.magnitude() - scene.spheres[0].radius;
+        EXPECT_TRUE(gap > 0.8 && gap < 1.6) << gap;
+        ASSERT_EQ(question.question.points.size(), 8U);
+        for (const probe::LitPoint& point : question.question.points)
+            EXPECT_LT((point.position - foot).magnitude(), 0.4 * 1.4143);
+    });
+}
+
+TEST(ShadowQuestions, OfTheHorizonHaveAPartOfTheLightBelowTheFloor) {
+    forEach(Purpose::horizon, [](const ShadowQuestion& question) {
+        for (const probe::LitPoint& point : question.question.points) {
+            const double height = (lightOf(question) - point.position).dot(point.normal);
+            EXPECT_GE(height, 0.15 * question.question.settings.lightSize);
+            EXPECT_LE(height, 0.25 * question.question.settings.lightSize + 1e-9);
+        }
+    });
+}
+
+TEST(ShadowQuestions, OfAWallHaveAPointOnEitherSideInTurn) {
+    std::vector<double> facing;
+    forEach(Purpose::planeShadow, [&](const ShadowQuestion& question) {
+        ASSERT_EQ(question.zones.size(), 12U);
+        for (std::size_t i = 0; i < 12; ++i)
+            EXPECT_EQ(question.zones[i][0], i % 2 == 0 ? Zone::lit : Zone::umbra) << i;
+        const auto& scene = question.question.scene;
+        const Vector3 towards = lightOf(question) - scene.planes.at(0).point;
+        const double above = towards.dot(scene.planes[0].normal);
+        EXPECT_TRUE(above > 2.0 && above < 4.0);
+        const double beside = (towards - scene.planes[0].normal * above).magnitude();
+        EXPECT_TRUE(beside > 2.0 && beside < 4.0);
+    });
+}
+
+TEST(ShadowQuestions, OfFarLightsLookAlongThreeAxes) {
+    for (const std::vector<ShadowQuestion>& questions : drawn()) {
+        std::vector<Vector3> axes;
+        for (const ShadowQuestion& question : questions) {
+            if (question.purpose != Purpose::farLight) continue;
+            const raytracer::PlaneDescription& floor = question.question.scene.planes.at(0);
+            const Vector3 towards = lightOf(question) - floor.point;
+            EXPECT_TRUE(towards.magnitude() > 100.0 && towards.magnitude() < 140.0);
+            axes.push_back(towards.normalised());
+            EXPECT_GT(axes.back().dot(floor.normal), std::cos(0.5) - 1e-9);
+            ASSERT_EQ(question.question.points.size(), 67U);
+            for (const probe::LitPoint& point : question.question.points)
+                EXPECT_LT((point.position - floor.point).magnitude(), 1.5e-4);
+        }
+        ASSERT_EQ(axes.size(), 3U);
+        EXPECT_NEAR(std::abs(axes[0].cross(axes[1]).dot(axes[2])), 1.0, 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace ticker::tasks

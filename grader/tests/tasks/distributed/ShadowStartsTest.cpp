@@ -1,0 +1,62 @@
+// Rays that start at another place than the point: what follows from that is not what went wrong.
+#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/tests/support/LocalExaminee.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+using raytracer::Vector3;
+
+/// The reference, but that its log has the shadow rays start elsewhere.
+class StartsElsewhere final : public probe::Examinee {
+public:
+    using Start = std::function<Vector3(const probe::LitPoint&, const Vector3&)>;
+
+    explicit StartsElsewhere(Start start) : start_(std::move(start)) {}
+
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        probe::Sitting sitting = reference_.ask(questions);
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+            const auto* asked = std::get_if<probe::IlluminateQuestion>(&questions[i]);
+            if (asked == nullptr) continue;
+            for (probe::Event& event : std::get<probe::IlluminateAnswer>(sitting.answers[i]).events)
+                if (event.kind == probe::Event::Kind::rayCast)
+                    event.a = start_(asked->points.at(event.ask), event.a);
+        }
+        return sitting;
+    }
+
+private:
+    tests::LocalExaminee reference_;
+    Start start_;
+};
+
+TEST(ShadowStarts, AreNamedBeforeWhatFollowsFromThem) {
+    StartsElsewhere high{[](const probe::LitPoint& point, const Vector3& start) {
+        return start + point.normal * 0.1;
+    }};
+    StartsElsewhere eye{[](const probe::LitPoint& point, const Vector3&) { return point.viewer; }};
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+        for (probe::Examinee* examinee :
+             {static_cast<probe::Examinee*>(&high), static_cast<probe::Examinee*>(&eye)}) {
+            const TaskJudgement judgement =
+                judgeDistributed(*examinee, {.softShadows = true, .depthOfField = false}, seed)
+                    .softShadows;
+            EXPECT_EQ(judgement.state, TaskState::failed);
+            ASSERT_EQ(judgement.findings.size(), 1U) << seed;
+            EXPECT_EQ(judgement.findings[0].id, "shadow.wrong") << judgement.findings[0].message;
+            EXPECT_NE(judgement.findings[0].hint.find("kShadowBias"), std::string::npos);
+        }
+}
+
+}  // namespace
+}  // namespace ticker::tasks

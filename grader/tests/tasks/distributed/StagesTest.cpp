@@ -1,0 +1,102 @@
+// What cannot be seen is judged by statistics in two stages: a failure counts where it comes again.
+#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/lab/selftest/AlteredExaminee.h>
+#include <grader/tests/support/LocalExaminee.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+using raytracer::RenderSettings;
+
+enum class Turn { right, wrong, silent };
+
+enum class Rays { hidden, beyondTheLog };
+
+/// The reference, whose light is too small where told; the first sitting is right.
+class Staged final : public probe::Examinee {
+public:
+    Staged(std::vector<Turn> stages, Rays rays) : stages_(std::move(stages)), rays_(rays) {}
+
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        if (std::holds_alternative<probe::RenderQuestion>(questions.front()))
+            return reference_.ask(questions);
+        const Turn turn = sittings_ == 0 ? Turn::right : stages_.at(sittings_ - 1);
+        ++sittings_;
+        if (turn == Turn::silent) return {{probe::IlluminateAnswer{}}, {}};
+        selftest::AlteredExaminee hidden{reference_,
+                                         [=](RenderSettings& settings) {
+                                             if (turn == Turn::wrong) settings.lightSize *= 0.7;
+                                         },
+                                         rays_ == Rays::hidden};
+        probe::Sitting sitting = hidden.ask(questions);
+        for (probe::Answer& answer : sitting.answers)
+            std::get<probe::IlluminateAnswer>(answer).eventsCut = rays_ == Rays::beyondTheLog;
+        return sitting;
+    }
+    [[nodiscard]] std::size_t stages() const { return sittings_ - 1; }
+
+private:
+    tests::LocalExaminee reference_;
+    std::vector<Turn> stages_;
+    Rays rays_;
+    std::size_t sittings_ = 0;
+};
+
+struct Said {
+    TaskState state;
+    bool needsReview;
+    std::size_t stages;
+    std::size_t warnings;
+};
+
+Said judge(std::vector<Turn> stages, Rays rays = Rays::hidden) {
+    Staged examinee{std::move(stages), rays};
+    const TaskJudgement judgement =
+        judgeDistributed(examinee, {.softShadows = true, .depthOfField = false}, 4).softShadows;
+    const auto warnings =
+        std::ranges::count(judgement.findings, Severity::warn, &Finding::severity);
+    return {judgement.state, judgement.needsReview, examinee.stages(),
+            static_cast<std::size_t>(warnings)};
+}
+
+// Each right stage is refused with a chance below 1e-7.
+TEST(Stages, FailWhatIsWrongTwiceAndAskAPersonWhereItIsWrongOnce) {
+    const Said right = judge({Turn::right});
+    EXPECT_EQ(right.state, TaskState::passed);
+    EXPECT_FALSE(right.needsReview);
+    EXPECT_EQ(right.stages, 1U);
+    const Said once = judge({Turn::wrong, Turn::right});
+    EXPECT_EQ(once.state, TaskState::passed);
+    EXPECT_TRUE(once.needsReview);
+    EXPECT_EQ(once.warnings, 1U) << "the person is told why";
+    const Said twice = judge({Turn::wrong, Turn::wrong});
+    EXPECT_EQ(twice.state, TaskState::failed);
+    EXPECT_FALSE(twice.needsReview) << "it is decided";
+}
+
+TEST(Stages, AskAPersonWhereNoAnswerComes) {
+    for (const std::vector<Turn>& stages :
+         {std::vector{Turn::silent}, std::vector{Turn::wrong, Turn::silent}}) {
+        const Said said = judge(stages);
+        EXPECT_EQ(said.state, TaskState::passed);
+        EXPECT_TRUE(said.needsReview);
+        EXPECT_EQ(said.stages, stages.size());
+        EXPECT_EQ(said.warnings, 1U);
+    }
+}
+
+// More rays than fit into the log are not all looked at: what they amount to is.
+TEST(Stages, JudgeTheResultsOfRaysThatTheLogHadNoRoomFor) {
+    EXPECT_EQ(judge({Turn::right}, Rays::beyondTheLog).state, TaskState::passed);
+    EXPECT_EQ(judge({Turn::wrong, Turn::wrong}, Rays::beyondTheLog).state, TaskState::failed);
+}
+
+}  // namespace
+}  // namespace ticker::tasks

@@ -1,0 +1,285 @@
+#include <grader/tasks/screenshot/JudgeScreenshot.h>
+#include <grader/metrics/Alignment.h>
+#include <grader/lab/selftest/OracleExaminee.h>
+#include <grader/lab/selftest/PictureTricks.h>
+#include <grader/lab/selftest/ScreenshotStudent.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+
+namespace ticker::selftest {
+namespace {
+
+using tasks::TaskJudgement;
+using metrics::ByteView;
+using pipeline::SpecScene;
+
+constexpr std::uint64_t kSeed = 11;
+
+const std::vector<SpecScene>& scenes() {
+    static const std::vector<SpecScene> read =
+        pipeline::readSpecScenes(std::filesystem::path{TICKER_SOURCE_DIR} / "scenes",
+                                 std::filesystem::path{TICKER_SOURCE_DIR} / "assets");
+    return read;
+}
+
+/// The oracle with the handout's reading, on either option.
+class Honest {
+public:
+    explicit Honest(bool isForT1) : code_({}, {}, isForT1), student_(scenes(), isForT1, code_) {}
+    const ScreenshotStudent* operator->() const { return &student_; }
+
+    [[nodiscard]] TaskJudgement handIn(const Picture& picture) const {
+        double unused = 0.0;
+        return student_.handIn(picture, kSeed, unused);
+    }
+
+private:
+    OracleExaminee code_;
+    ScreenshotStudent student_;
+};
+
+std::string firstId(const TaskJudgement& judgement) {
+    return judgement.findings.empty() ? "" : judgement.findings.front().id;
+}
+
+std::string evidence(const TaskJudgement& judgement, const std::string& key) {
+    for (const auto& [name, value] : judgement.findings.at(0).evidence)
+        if (name == key) return std::get<std::string>(value);
+    return "";
+}
+
+TEST(JudgeScreenshot, PassesHonestPicturesWithoutAWord) {
+    for (const bool isForT1 : {true, false}) {
+        const Honest student{isForT1};
+        const TaskJudgement judgement = student.handIn(student->render(320, kSeed));
+        EXPECT_EQ(judgement.state, TaskState::passed);
+        EXPECT_TRUE(judgement.findings.empty()) << firstId(judgement);
+        EXPECT_FALSE(judgement.needsReview);
+    }
+}
+
+TEST(JudgeScreenshot, NamesTheMistakeThatAStrangersPictureShows) {
+    oracle::Reading reading;
+    reading.lightShape = oracle::LightShape::centre;
+    OracleExaminee hard{reading, {}, false};
+    const Honest student{false};
+    const TaskJudgement judgement =
+        student.handIn(ScreenshotStudent{scenes(), false, hard}.render(640, kSeed));
+    EXPECT_EQ(judgement.state, TaskState::failed);
+    EXPECT_EQ(firstId(judgement), "screenshot.not-from-this-code");
+    EXPECT_EQ(evidence(judgement, "looksLike"), "shadow.hard");
+    EXPECT_EQ(judgement.findings[0].rasters.size(), 1U);
+}
+
+TEST(JudgeScreenshot, NamesTheReliefThatAStrangersPictureShows) {
+    oracle::Reading reading;
+    reading.bump.uOrigin = 0.25;
+    reading.bump.gainU = -2.0;
+    reading.bump.gainV = 2.0;
+    OracleExaminee inverted{reading, {}, true};
+    const Honest student{true};
+    const TaskJudgement judgement =
+        student.handIn(ScreenshotStudent{scenes(), true, inverted}.render(640, kSeed));
+    EXPECT_EQ(firstId(judgement), "screenshot.not-from-this-code");
+    EXPECT_EQ(evidence(judgement, "looksLike"), "bump.inverted-u");
+}
+
+/// A scene of option 1, rendered by students who have solved option 2 as well.
+Picture throughTheLens(std::size_t scene) {
+    OracleExaminee both{{}, {}, false};
+    return ScreenshotStudent{scenes(), true, both}.render(scenes()[scene], 320, 240, kSeed);
+}
+
+TEST(JudgeScreenshot, KnowsAnotherMapThroughTheLens) {
+    const Honest student{true};
+    const TaskJudgement judgement = student.handIn(throughTheLens(1));
+    EXPECT_EQ(firstId(judgement), "screenshot.not-this-scene");
+    EXPECT_EQ(evidence(judgement, "shown"), "bumpmap-test");
+}
+
+TEST(JudgeScreenshot, BlamesNobodyWhoRenderedTheReliefThroughTheLens) {
+    const Honest student{true};
+    const TaskJudgement judgement = student.handIn(throughTheLens(0));
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_TRUE(judgement.needsReview);
+    EXPECT_EQ(firstId(judgement), "screenshot.unverified");
+}
+
+TEST(JudgeScreenshot, NamesTheNearestOfTwoScenesThatAreLikeEachOther) {
+    OracleExaminee relief{{}, {}, true};
+    const ScreenshotStudent other{scenes(), true, relief};
+    for (const std::size_t scene : {0U, 1U}) {
+        const TaskJudgement judgement =
+            Honest{false}.handIn(other.render(scenes()[scene], 320, 240, kSeed));
+        EXPECT_EQ(firstId(judgement), "screenshot.not-this-scene");
+        EXPECT_EQ(evidence(judgement, "shown"), scenes()[scene].name);
+    }
+}
+
+TEST(JudgeScreenshot, NotesASmallChangeOfColoursAndPasses) {
+    const Honest student{true};
+    const TaskJudgement judgement = student.handIn(
+        recoloured(student->render(640, kSeed).view(), [](double v, int) { return 0.93 * v; }));
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_EQ(firstId(judgement), "screenshot.colours");
+    EXPECT_EQ(judgement.findings[0].severity, Severity::note);
+}
+
+// As JPEG does: small errors in every pixel.
+TEST(JudgeScreenshot, NotesSmallErrorsEverywhereAndPasses) {
+    const Honest student{true};
+    Picture picture = student->render(640, kSeed);
+    std::mt19937 generator{1};
+    for (std::uint8_t& byte : picture.rgb)
+        byte = static_cast<std::uint8_t>(byte < 10 ? byte : byte - 7 + generator() % 15);
+    const TaskJudgement judgement = student.handIn(picture);
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_EQ(firstId(judgement), "screenshot.resaved");
+}
+
+// Scaling and JPEG's coarse colours change every pixel of a relief, a lost row moves most.
+TEST(JudgeScreenshot, BlamesNobodyWhosePictureWasScaledOrLostARow) {
+    const auto scaled = [](const ByteView& p) {
+        return metrics::resized(p, 5 * p.width / 4, 5 * p.height / 4);
+    };
+    const auto trimmed = [](const ByteView& p) {
+        return metrics::cropped(p, {1, 1, p.width - 2, p.height - 2});
+    };
+    const Honest bumpy{true};
+    const Honest distributed{false};
+    const Picture relief = bumpy->render(640, kSeed);
+    const Picture balls = distributed->render(640, kSeed);
+    for (const TaskJudgement& judgement :
+         {bumpy.handIn(scaled(relief.view())), bumpy.handIn(trimmed(relief.view())),
+          distributed.handIn(trimmed(balls.view()))}) {
+        EXPECT_EQ(judgement.state, TaskState::passed);
+        EXPECT_TRUE(judgement.needsReview);
+        EXPECT_EQ(firstId(judgement), "screenshot.unverified");
+    }
+    EXPECT_FALSE(distributed.handIn(scaled(balls.view())).needsReview);
+}
+
+// A pointer of the mouse in a picture of the screen, where no window lies.
+TEST(JudgeScreenshot, CallsASmallThingInTheWayAnEdit) {
+    const Honest student{true};
+    Picture picture = student->render(640, kSeed);
+    for (std::size_t y = 150; y < 170; ++y)
+        for (std::size_t x = 0; x < 3 * 16; ++x)
+            picture.rgb[3 * (640 * y + 200) + x] = 255;
+    EXPECT_EQ(firstId(student.handIn(picture)), "screenshot.edited");
+}
+
+TEST(JudgeScreenshot, SaysThatThePictureIsOneOfTheOldKitsWhereItLiesOnePixelLow) {
+    const Honest student{true};
+    const TaskJudgement judgement = student.handIn(moved(student->render(640, kSeed).view(), 0, 1));
+    EXPECT_EQ(firstId(judgement), "screenshot.edited");
+    EXPECT_NE(judgement.findings[0].message.find("Java"), std::string::npos);
+}
+
+/// Ignores regions, as loops over settings().width do: an exception comes out of `Image::set`.
+class WholeFramesOnly final : public probe::Examinee {
+public:
+    explicit WholeFramesOnly(probe::Examinee& inner) : inner_(inner) {}
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        probe::Sitting sitting = inner_.ask(questions);
+        for (std::size_t i = 0; i < questions.size(); ++i)
+            if (!std::get<probe::RenderQuestion>(questions[i]).settings.region.isWholeFrame())
+                std::get<probe::RenderAnswer>(sitting.answers[i]).state = probe::AnswerState::threw;
+        return sitting;
+    }
+
+private:
+    probe::Examinee& inner_;
+};
+
+TEST(JudgeScreenshot, PassesCodeThatRendersWholeFramesOnlyWithANote) {
+    OracleExaminee inner{{}, {}, false};
+    WholeFramesOnly code{inner};
+    const ScreenshotStudent student{scenes(), false, code};
+    double unused = 0.0;
+    const TaskJudgement judgement = student.handIn(student.render(320, kSeed), kSeed, unused);
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_EQ(firstId(judgement), "screenshot.unverified");
+    EXPECT_FALSE(judgement.needsReview);
+}
+
+/// Once it is asked for parts of the frame the machine has no memory left for the sandbox.
+class Unstartable final : public probe::Examinee {
+public:
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        const auto& first = std::get<probe::RenderQuestion>(questions.front());
+        if (first.settings.region.isWholeFrame())
+            return OracleExaminee{{}, {}, false}.ask(questions);
+        return {std::vector<probe::Answer>(questions.size(), probe::RenderAnswer{}),
+                {probe::ProcessEnd::Kind::ourFault, "no memory for the sandbox"}};
+    }
+};
+
+TEST(JudgeScreenshot, SaysNothingAboutThePictureWhereWeFailed) {
+    Unstartable code;
+    const ScreenshotStudent student{scenes(), false, code};
+    double unused = 0.0;
+    const TaskJudgement judgement = student.handIn(student.render(320, kSeed), kSeed, unused);
+    EXPECT_EQ(judgement.state, TaskState::notGraded);
+    EXPECT_EQ(judgement.reason, "no memory for the sandbox");
+    EXPECT_TRUE(judgement.findings.empty());
+}
+
+/// Every picture as a whole is a little brighter or darker than the last: one pattern of points
+/// for all pixels.
+class OnePattern final : public probe::Examinee {
+public:
+    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+        oracle::Mistake mistake;
+        mistake.lensOffsetX = 0.1 * static_cast<double>(sittings_ % 3) - 0.1;
+        mistake.lensOffsetY = 0.1 * static_cast<double>(sittings_ % 2);
+        ++sittings_;
+        return OracleExaminee{{}, mistake, false}.ask(questions);
+    }
+
+private:
+    int sittings_ = 0;
+};
+
+TEST(JudgeScreenshot, BlamesNobodyWhosePicturesDifferFromOneToTheNext) {
+    OnePattern code;
+    const ScreenshotStudent student{scenes(), false, code};
+    double unused = 0.0;
+    const TaskJudgement judgement = student.handIn(student.render(640, kSeed), kSeed, unused);
+    EXPECT_EQ(judgement.state, TaskState::passed) << judgement.findings.at(0).message;
+    EXPECT_EQ(firstId(judgement), "screenshot.unverified");
+}
+
+TEST(JudgeScreenshot, JudgesTheSceneAloneWhereThereIsNoCode) {
+    const auto judgeAlone = [](const Picture& picture) {
+        std::vector<tasks::screenshot::Scene> known(1);
+        known[0].name = "bump-mapping";
+        known[0].expected = [] {
+            const raytracer::ByteImage& image = scenes()[0].expected().picture;
+            return metrics::ByteView{image.width, image.height, image.rgb};
+        };
+        return tasks::judgeScreenshot(picture.view(), known, kSeed);
+    };
+    oracle::Reading reading;
+    reading.bump.uOrigin = 0.25;
+    OracleExaminee other{reading, {}, true};
+    const TaskJudgement right =
+        judgeAlone(ScreenshotStudent{scenes(), true, other}.render(640, kSeed));
+    EXPECT_EQ(right.state, TaskState::blocked);
+    EXPECT_EQ(right.reason, "not checked: there is no code to compare it with");
+    EXPECT_TRUE(right.findings.empty());
+    EXPECT_EQ(firstId(judgeAlone(photograph(640, 480, kSeed))), "screenshot.not-this-scene");
+}
+
+TEST(JudgeScreenshot, WithoutScenesJudgesTheSizeAlone) {
+    EXPECT_EQ(tasks::judgeScreenshot(photograph(640, 480, 1).view(), {}, 1).reason,
+              "not checked: there is no scene to compare it with");
+    EXPECT_EQ(firstId(tasks::judgeScreenshot(photograph(640, 400, 1).view(), {}, 1)),
+              "screenshot.wrong-size");
+}
+
+}  // namespace
+}  // namespace ticker::selftest
