@@ -134,6 +134,20 @@ Finding oneObjectCasts() {
     return finding;
 }
 
+Finding hitsMistaken() {
+    Finding finding = distributedFinding(
+        "shadow.wrong", Severity::fail,
+        "With one object on the way of the rays the colours are right; where two spheres stand one "
+        "behind the other before the light, and others behind the light in the same line, they are "
+        "not.");
+    finding.hint =
+        "In a loop over the objects keep the nearest hit, not the first or the last one that is "
+        "found, before you compare it with the light's distance; and count a ray once, however "
+        "many objects it hits. scene.findClosestIntersection(shadowRay) does both.";
+    finding.section = "Soft shadows (T2.1), step 1";
+    return finding;
+}
+
 Finding planesCastNothing() {
     Finding finding = distributedFinding(
         "shadow.wrong", Severity::fail,

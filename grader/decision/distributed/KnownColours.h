@@ -36,6 +36,9 @@ namespace ticker::decision {
 /// Of several objects one casts its shadow alone.
 [[nodiscard]] Finding oneObjectCasts();
 
+/// One object before the light casts its shadow, and several in line with it do not.
+[[nodiscard]] Finding hitsMistaken();
+
 /// Planes cast no shadow, spheres do.
 [[nodiscard]] Finding planesCastNothing();
 

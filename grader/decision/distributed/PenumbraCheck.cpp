@@ -1,6 +1,7 @@
 #include <grader/decision/distributed/FindingText.h>
 #include <grader/decision/distributed/PenumbraCheck.h>
 #include <grader/decision/distributed/PenumbraFit.h>
+#include <grader/decision/distributed/PenumbraHits.h>
 #include <grader/decision/distributed/PenumbraShares.h>
 
 #include <fmt/core.h>
@@ -139,6 +140,7 @@ bool isDark(const std::vector<PenumbraSamples>& rim, Place::Kind kind) {
 
 Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
                 const std::vector<PenumbraSamples>& seen, double timesTheBound) {
+    if (countsEveryHit(asked, seen)) return everyHitCounts();
     const double size = fittingSize(asked, surfaces, seen);
     const double radius = size * asked.settings.lightSize;
     Finding finding =

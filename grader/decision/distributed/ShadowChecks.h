@@ -18,6 +18,7 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> planeShadow;
     std::vector<const ShadowLog*> farLight;
     std::vector<const ShadowLog*> lightBehind;
+    std::vector<const ShadowLog*> inLine;
     std::vector<const ShadowLog*> otherSettings;
     std::vector<const ShadowLog*> horizon;
 

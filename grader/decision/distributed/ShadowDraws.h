@@ -42,6 +42,10 @@ void setCapacity(ShadowQuestion& question);
 /// loop there loses a light, whichever end he begins at.
 [[nodiscard]] ShadowQuestion drawLightBehind(Draw& draw);
 
+/// Two spheres one behind the other keep a light from the middle of a floor; two more stand behind
+/// the light, one listed before those and one after them.
+[[nodiscard]] ShadowQuestion drawInLine(Draw& draw);
+
 /// A floor, and a light of which about a third is below it: rays there do not arrive.
 [[nodiscard]] ShadowQuestion drawHorizon(Draw& draw);
 

@@ -242,6 +242,7 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     questions.push_back(drawPlaneShadow(draw));
     questions.push_back(drawLightBehind(draw));
     questions.push_back(drawHorizon(draw));
+    questions.push_back(drawInLine(draw));
     return questions;
 }
 

@@ -119,6 +119,7 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
         }
         if (!allNearKnown(logs.planeShadow, false)) return planesCastNothing();
         if (!allNearKnown(logs.lightBehind, false)) return lightsLostBehind();
+        if (!allNearKnown(logs.inLine, false)) return hitsMistaken();
         if (!allNearKnown(logs.farLight, false))
             return distributedFinding(
                 "shadow.wrong", Severity::fail,
