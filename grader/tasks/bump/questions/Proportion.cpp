@@ -23,6 +23,14 @@ HeightMapDescription scaled(const std::vector<int>& texels, int base, int bytesP
     return map;
 }
 
+/// Share of the points whose normal is a right angle or more away from the smooth one.
+double shareBelow(const std::vector<Vector3>& normals, const std::vector<Vector3>& smooth) {
+    double below = 0.0;
+    for (std::size_t i = 0; i < smooth.size(); ++i)
+        if (normals[i].dot(smooth[i]) <= 0.0) below += 1.0;
+    return below / static_cast<double>(smooth.size());
+}
+
 }  // namespace
 
 ProportionPlan planProportion(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
@@ -45,6 +53,8 @@ Proportion readProportion(const ProportionPlan& plan, const Answers& answers) {
     // Single precision leaves a tenth of this.
     constexpr double kSomeTilt = 5e-6;
     constexpr double kSomePoints = 0.1;
+    Proportion proportion;
+    proportion.pastHorizon = shareBelow(answers.answer(plan.steep).normals, plan.directions);
     const std::vector<Vector3> gentle = answers.tiltsBeyond(plan.flat, plan.gentle);
     const std::vector<Vector3> steep = answers.tiltsBeyond(plan.flat, plan.steep);
     std::vector<double> growth;
@@ -52,8 +62,9 @@ Proportion readProportion(const ProportionPlan& plan, const Answers& answers) {
         if (gentle[i].magnitude() > kSomeTilt)
             growth.push_back(steep[i].dot(gentle[i]) / gentle[i].dot(gentle[i]));
     if (static_cast<double>(growth.size()) < kSomePoints * static_cast<double>(gentle.size()))
-        return {};
-    return {median(growth)};
+        return proportion;
+    proportion.growth = median(growth);
+    return proportion;
 }
 
 }  // namespace ticker::tasks::bump

@@ -149,6 +149,7 @@ std::optional<WrongReason> findWrong(const Examination& examination) {
     constexpr double kSomeInward = 0.01;
     if (inward.count > kSomeInward * inward.asked) return WrongReason::inward;
     if (!growsWithSlope(examination)) return WrongReason::doesNotGrow;
+    if (!examination.proportion.staysAboveHorizon()) return WrongReason::pastHorizon;
     if (examination.conduct.memory > kSomeChange) return WrongReason::remembers;
     if (examination.edges && !examination.edges->goodSeam()) return WrongReason::wallAtSeam;
     if (examination.fineness && !examination.fineness->good())

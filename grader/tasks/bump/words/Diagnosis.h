@@ -47,6 +47,7 @@ enum class WrongReason {
     patchy,
     strangeDirection,
     doesNotGrow,
+    pastHorizon,    ///< steep slopes turn the normal past the horizon
     steepDiffers,   ///< on a ramp from black to white
     regionsDiffer,  ///< in some rows or columns of a large map
     slopesDiffer,

@@ -13,9 +13,6 @@
 namespace ticker::tasks {
 namespace {
 
-// A line may miss the ball by the shadow bias, where the direction was taken from the point itself.
-constexpr double kBiasAllowance = 1.5e-3;
-
 /// How far the feet of one point agree, from 0 to 1: in their direction, and in the line that they
 /// lie along.
 struct Agreement {

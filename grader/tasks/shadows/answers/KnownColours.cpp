@@ -1,5 +1,5 @@
-#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
+#include <grader/tasks/support/FindingText.h>
 
 #include <algorithm>
 #include <array>
@@ -130,6 +130,20 @@ Finding oneObjectCasts() {
     finding.hint =
         "Every object of the scene may stand in the way, not the first alone: ask "
         "scene.findClosestIntersection(shadowRay), which looks at all of them.";
+    finding.section = "Soft shadows (T2.1), step 1";
+    return finding;
+}
+
+Finding hitsMistaken() {
+    Finding finding = distributedFinding(
+        "shadow.wrong", Severity::fail,
+        "With one object on the way of the rays the colours are right; where two spheres stand one "
+        "behind the other before the light, and others behind the light in the same line, they are "
+        "not.");
+    finding.hint =
+        "In a loop over the objects keep the nearest hit, not the first or the last one that is "
+        "found, before you compare it with the light's distance; and count a ray once, however "
+        "many objects it hits. scene.findClosestIntersection(shadowRay) does both.";
     finding.section = "Soft shadows (T2.1), step 1";
     return finding;
 }

@@ -1,9 +1,9 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_KNOWNCOLOURS_H
 #define TICKER_TASKS_DISTRIBUTED_KNOWNCOLOURS_H
 
+#include <grader/result/Finding.h>
 #include <grader/tasks/shadows/answers/ShadowLog.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
-#include <grader/result/Finding.h>
 
 #include <vector>
 
@@ -35,6 +35,9 @@ namespace ticker::tasks {
 
 /// Of several objects one casts its shadow alone.
 [[nodiscard]] Finding oneObjectCasts();
+
+/// One object before the light casts its shadow, and several in line with it do not.
+[[nodiscard]] Finding hitsMistaken();
 
 /// Planes cast no shadow, spheres do.
 [[nodiscard]] Finding planesCastNothing();

@@ -1,7 +1,7 @@
-#include <grader/tasks/support/Bounds.h>
 #include <grader/tasks/shadows/answers/PenumbraShares.h>
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
+#include <grader/tasks/support/Bounds.h>
 
 #include <algorithm>
 #include <cmath>

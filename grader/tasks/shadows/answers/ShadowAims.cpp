@@ -1,9 +1,9 @@
 #include <grader/tasks/shadows/answers/AimAgreement.h>
 #include <grader/tasks/shadows/answers/AimDensity.h>
 #include <grader/tasks/shadows/answers/AimFeet.h>
+#include <grader/tasks/shadows/answers/ShadowAims.h>
 #include <grader/tasks/support/Bounds.h>
 #include <grader/tasks/support/Draw.h>
-#include <grader/tasks/shadows/answers/ShadowAims.h>
 
 #include <algorithm>
 #include <array>
@@ -16,9 +16,6 @@
 
 namespace ticker::tasks {
 namespace {
-
-// A line may miss the ball by the shadow bias, where the direction was taken from the point itself.
-constexpr double kBiasAllowance = 1.5e-3;
 
 // A ball of density 1 / sqrt(1 - r^2) looks like an even disc. Its radius is sin t, where the share
 // of the ball within is (t - sin t cos t) 2 / pi = u, solved by Newton's steps.

@@ -1,5 +1,7 @@
 #include <grader/tasks/shadows/answers/ShadowLog.h>
 
+#include <grader/tasks/support/Finite.h>
+
 #include <questions/RayGeometry.h>
 
 #include <cmath>
@@ -10,10 +12,6 @@ namespace {
 
 namespace questions = raytracer::questions;
 using probe::Event;
-
-bool isFinite(const Vector3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 AimLine readLine(const Surfaces& surfaces, const Vector3& centre, const Vector3& origin,
                  const Vector3& direction) {

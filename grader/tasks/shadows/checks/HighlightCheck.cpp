@@ -1,7 +1,7 @@
-#include <grader/tasks/support/FindingText.h>
-#include <grader/tasks/shadows/checks/HighlightCheck.h>
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
+#include <grader/tasks/shadows/checks/HighlightCheck.h>
+#include <grader/tasks/support/FindingText.h>
 
 #include <algorithm>
 #include <cmath>

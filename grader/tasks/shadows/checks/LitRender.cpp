@@ -1,6 +1,8 @@
 #include <grader/tasks/shadows/checks/LitRender.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 
+#include <grader/tasks/support/Finite.h>
+
 #include <questions/RayGeometry.h>
 
 #include <fmt/core.h>
@@ -19,10 +21,6 @@ using probe::Event;
 
 // Farther from a surface than any step off it.
 constexpr double kOnSurface = 0.01;
-
-bool isFinite(const Vector3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 // Whether the ray leaves towards some light and passes it, with room to spare.
 bool aimsAtALight(const raytracer::SceneDescription& scene, double radius, const Event& ray) {

@@ -1,7 +1,8 @@
-#include <grader/tasks/support/FindingText.h>
-#include <grader/tasks/shadows/checks/PenumbraCheck.h>
 #include <grader/tasks/shadows/answers/PenumbraFit.h>
+#include <grader/tasks/shadows/answers/PenumbraHits.h>
 #include <grader/tasks/shadows/answers/PenumbraShares.h>
+#include <grader/tasks/shadows/checks/PenumbraCheck.h>
+#include <grader/tasks/support/FindingText.h>
 
 #include <fmt/core.h>
 
@@ -139,6 +140,7 @@ bool isDark(const std::vector<PenumbraSamples>& rim, Place::Kind kind) {
 
 Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
                 const std::vector<PenumbraSamples>& seen, double timesTheBound) {
+    if (countsEveryHit(asked, seen)) return everyHitCounts();
     const double size = fittingSize(asked, surfaces, seen);
     const double radius = size * asked.settings.lightSize;
     Finding finding =

@@ -1,8 +1,8 @@
-#include <grader/tasks/support/FindingText.h>
-#include <grader/tasks/shadows/checks/HighlightCheck.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
+#include <grader/tasks/shadows/checks/HighlightCheck.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/UnexplainedShadows.h>
+#include <grader/tasks/support/FindingText.h>
 
 #include <algorithm>
 #include <cstddef>

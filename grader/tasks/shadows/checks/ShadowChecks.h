@@ -1,9 +1,9 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_SHADOWCHECKS_H
 #define TICKER_TASKS_DISTRIBUTED_SHADOWCHECKS_H
 
+#include <grader/result/Finding.h>
 #include <grader/tasks/shadows/answers/ShadowAims.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
-#include <grader/result/Finding.h>
 
 #include <optional>
 #include <vector>
@@ -18,6 +18,7 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> planeShadow;
     std::vector<const ShadowLog*> farLight;
     std::vector<const ShadowLog*> lightBehind;
+    std::vector<const ShadowLog*> inLine;
     std::vector<const ShadowLog*> otherSettings;
     std::vector<const ShadowLog*> horizon;
 

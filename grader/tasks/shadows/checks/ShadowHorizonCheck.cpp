@@ -1,5 +1,5 @@
-#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
+#include <grader/tasks/support/FindingText.h>
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
+#include <grader/tasks/shadows/checks/ShadowChecks.h>
+#include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/support/Plots.h>
-#include <grader/tasks/shadows/checks/ShadowChecks.h>
-#include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 
 #include <fmt/core.h>
 
@@ -78,6 +78,9 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
             case Purpose::lightBehind:
                 lightBehind.push_back(&log);
                 break;
+            case Purpose::inLine:
+                inLine.push_back(&log);
+                break;
             case Purpose::otherSettings:
                 otherSettings.push_back(&log);
                 break;
@@ -91,7 +94,7 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
 std::vector<const ShadowLog*> ShadowLogs::atHandoutSettings() const {
     std::vector<const ShadowLog*> all;
     for (const auto* some :
-         {&oneLight, &severalLights, &beyondLight, &planeShadow, &farLight, &lightBehind})
+         {&oneLight, &severalLights, &beyondLight, &planeShadow, &farLight, &lightBehind, &inLine})
         all.insert(all.end(), some->begin(), some->end());
     return all;
 }

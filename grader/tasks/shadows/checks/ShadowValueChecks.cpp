@@ -1,9 +1,9 @@
-#include <grader/tasks/support/FindingText.h>
-#include <grader/tasks/shadows/checks/HighlightCheck.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/answers/Phong.h>
+#include <grader/tasks/shadows/checks/HighlightCheck.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/questions/ShadowDraws.h>
+#include <grader/tasks/support/FindingText.h>
 
 #include <fmt/core.h>
 
@@ -119,6 +119,7 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
         }
         if (!allNearKnown(logs.planeShadow, false)) return planesCastNothing();
         if (!allNearKnown(logs.lightBehind, false)) return lightsLostBehind();
+        if (!allNearKnown(logs.inLine, false)) return hitsMistaken();
         if (!allNearKnown(logs.farLight, false))
             return distributedFinding(
                 "shadow.wrong", Severity::fail,

@@ -1,6 +1,6 @@
-#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/checks/UnexplainedShadows.h>
+#include <grader/tasks/support/FindingText.h>
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/shadows/questions/ShadowDraws.h>
+#include <grader/tasks/support/Draw.h>
 
 #include <numbers>
 

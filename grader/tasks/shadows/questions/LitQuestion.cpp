@@ -1,6 +1,6 @@
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/shadows/checks/LitRender.h>
 #include <grader/tasks/shadows/questions/ShadowDraws.h>
+#include <grader/tasks/support/Draw.h>
 
 #include <cmath>
 #include <cstddef>
@@ -41,7 +41,8 @@ probe::RenderQuestion drawLitQuestion(std::uint64_t seed, int threads) {
     question.settings.height = kLitHeight;
     question.settings.threads = threads;
     question.settings.seed = draw.word() >> 1U;
-    const auto rays = static_cast<std::size_t>(kLitWidth * kLitHeight * question.settings.dofRayCount);
+    const auto rays =
+        static_cast<std::size_t>(kLitWidth * kLitHeight * question.settings.dofRayCount);
     question.eventCapacity = static_cast<std::uint32_t>(rays * kLitEventsForEachRay);
     return question;
 }

@@ -1,10 +1,11 @@
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/shadows/questions/PenumbraQuestion.h>
 #include <grader/tasks/shadows/questions/ShadowDraws.h>
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
+#include <grader/tasks/support/Draw.h>
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace ticker::tasks {
 namespace {
@@ -33,6 +34,11 @@ constexpr Wanted kWanted[] = {
 };
 
 constexpr int kMostAttempts = 20000;
+constexpr int kFloorBelowTwo = 2;  // the object after two spheres
+
+// Of the occluder's radius. What this hides the occluder hides as well, so that nothing changes but
+// where a ray counts for each object that it hits.
+constexpr double kInnerRadius = 0.9;
 
 // What `Wanted` bounds, as a length.
 double hiddenRadius(const raytracer::SceneDescription& scene, const Vector3& point) {
@@ -91,7 +97,7 @@ public:
     [[nodiscard]] probe::LitPoint lit(Draw& draw, const Vector3& point, bool fromLens) const {
         const Vector3& up = asked_.scene.planes.front().normal;
         return {
-            1, point, up,
+            kFloorBelowTwo, point, up,
             fromLens ? drawLensPoint(draw, asked_.settings) : drawViewer(draw, point, up, light_)};
     }
 
@@ -113,6 +119,9 @@ PenumbraQuestion drawPenumbraQuestion(std::uint64_t seed) {
     const ShadowQuestion& near = all[1];
     drawn.question.scene = near.question.scene;
     drawn.question.settings = near.question.settings;
+    raytracer::SphereDescription inner = drawn.question.scene.spheres.front();
+    inner.radius *= kInnerRadius;
+    drawn.question.scene.spheres.push_back(std::move(inner));
     Writer writer{drawn, draw};
     const FloorPoints points{drawn.question};
     for (const Wanted& wanted : kWanted) {

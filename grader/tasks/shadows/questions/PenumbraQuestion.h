@@ -11,7 +11,8 @@ namespace ticker::tasks {
 
 /// For code whose shadow rays cannot be seen: points that see a part of the light, each asked many
 /// times without a log. Every call moves the point by less than anything can depend on, but for a
-/// generator that is seeded by the place.
+/// generator that is seeded by the place. A sphere stands before the light, and a smaller one in
+/// it.
 struct PenumbraQuestion {
     struct Place {
         enum class Kind {

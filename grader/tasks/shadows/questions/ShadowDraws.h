@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_SHADOWDRAWS_H
 #define TICKER_TASKS_DISTRIBUTED_SHADOWDRAWS_H
 
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
+#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>
 
 #include <vector>
@@ -41,6 +41,10 @@ void setCapacity(ShadowQuestion& question);
 /// A floor that two lights shine on, and one from below, which is the second: whoever leaves the
 /// loop there loses a light, whichever end he begins at.
 [[nodiscard]] ShadowQuestion drawLightBehind(Draw& draw);
+
+/// Two spheres one behind the other keep a light from the middle of a floor; two more stand behind
+/// the light, one listed before those and one after them.
+[[nodiscard]] ShadowQuestion drawInLine(Draw& draw);
 
 /// A floor, and a light of which about a third is below it: rays there do not arrive.
 [[nodiscard]] ShadowQuestion drawHorizon(Draw& draw);

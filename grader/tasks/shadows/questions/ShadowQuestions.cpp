@@ -1,6 +1,6 @@
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/shadows/questions/ShadowDraws.h>
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
+#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>
 
 #include <algorithm>
@@ -242,6 +242,7 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     questions.push_back(drawPlaneShadow(draw));
     questions.push_back(drawLightBehind(draw));
     questions.push_back(drawHorizon(draw));
+    questions.push_back(drawInLine(draw));
     return questions;
 }
 

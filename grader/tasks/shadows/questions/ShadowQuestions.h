@@ -21,6 +21,7 @@ struct ShadowQuestion {
         farLight,       ///< a lonely light, a hundred units away: where the rays aim
         lightBehind,    ///< three lights, the second behind the surface: the others light it
         otherSettings,  ///< like oneLight, with other ray counts and light size
+        inLine,         ///< spheres one behind the other, before the light and beyond it
         horizon         ///< a light so low above a floor that part of it is below the horizon
     };
     Purpose purpose = Purpose::oneLight;

@@ -55,6 +55,12 @@ TEST(FindWrong, NamesWhatIsWrongWithTheConduct) {
     EXPECT_EQ(withFlat(501.0), WrongReason::inward);
 }
 
+TEST(FindWrong, NamesSteepSlopesThatTurnTheNormalPastTheHorizon) {
+    EXPECT_EQ(reasonAfter([](Examination& e) { e.proportion.pastHorizon = 0.031; }),
+              WrongReason::pastHorizon);
+    EXPECT_FALSE(reasonAfter([](Examination& e) { e.proportion.pastHorizon = 0.029; }));
+}
+
 TEST(FindWrong, NamesWhatIsWrongWithTheRamps) {
     EXPECT_EQ(reasonAfter([](Examination& e) { e.ladder.flatTilt = 0.11; }),
               WrongReason::flatTilted);

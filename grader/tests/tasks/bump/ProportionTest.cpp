@@ -1,7 +1,7 @@
 // Steep slopes beside gentle ones, and the map's edges, on submissions made by hand.
+#include <grader/lab/selftest/BumpReadings.h>
 #include <grader/tasks/bump/questions/MapEdges.h>
 #include <grader/tasks/bump/questions/Proportion.h>
-#include <grader/lab/selftest/BumpReadings.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
 
@@ -18,11 +18,15 @@ using selftest::Point;
 
 const Ball kBall{{0.0, 0.0, 20.0}, 12.0};
 
-double growthOf(const selftest::NormalFunction& function) {
+Proportion proportionOf(const selftest::NormalFunction& function) {
     Questionnaire questionnaire;
     Draws draws(4);
     const ProportionPlan plan = planProportion(questionnaire, draws, kBall);
-    return readProportion(plan, tests::answersOf(questionnaire, function)).growth;
+    return readProportion(plan, tests::answersOf(questionnaire, function));
+}
+
+double growthOf(const selftest::NormalFunction& function) {
+    return proportionOf(function).growth;
 }
 
 MapEdges edgesOf(const selftest::NormalFunction& function, const Landing& landing) {
@@ -94,6 +98,35 @@ TEST(ReadProportion, SeesSlopesThatAreCutOffOrBent) {
     EXPECT_TRUE(
         Proportion{growthOf(bent([](double b) { return std::clamp(b, -2.0, 2.0); }))}.good())
         << "steeper than maps are";
+}
+
+/// Turns the normal down the slope by an angle that `angleOf` makes of it.
+selftest::NormalFunction turnedBy(double (*angleOf)(double)) {
+    return [angleOf](const Point& point) {
+        selftest::Reading reading;
+        const Vector3 n = tests::smooth(point);
+        const Vector3 tilt = tiltOf(selftest::modelNormal(reading, selftest::Slip::none, point), n);
+        const double slope = tilt.magnitude();
+        if (slope == 0.0) return n;
+        const double angle = angleOf(slope);
+        return n * std::cos(angle) + tilt * (std::sin(angle) / slope);
+    };
+}
+
+// Exact: n' = n - slope has n'.n = 1 before it is normalised.
+TEST(ReadProportion, FindsEveryAcceptedReadingAboveTheHorizon) {
+    const std::vector<selftest::Reading> readings = selftest::acceptedReadings();
+    for (const selftest::Reading& reading : readings)
+        EXPECT_LT(proportionOf(modelOf(reading)).pastHorizon, 0.005) << describe(reading);
+}
+
+TEST(ReadProportion, SeesNormalsThatAreTurnedByTheSlopeItself) {
+    const Proportion turned = proportionOf(turnedBy([](double slope) { return slope; }));
+    EXPECT_GT(turned.pastHorizon, 0.06);
+    EXPECT_FALSE(turned.staysAboveHorizon());
+    EXPECT_EQ(proportionOf(turnedBy([](double slope) { return std::atan(slope); })).pastHorizon,
+              0.0);
+    EXPECT_EQ(proportionOf(turnedBy([](double slope) { return 0.3 * slope; })).pastHorizon, 0.0);
 }
 
 TEST(ReadProportion, LeavesSmoothSpheresToOthers) {

@@ -35,8 +35,8 @@ Parts partsOf(const PointLog& point, const ShadowLog& log, std::size_t light = 0
 template <typename ColourOf>
 ArithmeticVerdict judge(const ColourOf& colourOf, bool viewerIsEye = false) {
     ShadowByHand made;
-    for (const Purpose purpose :
-         {Purpose::oneLight, Purpose::beyondLight, Purpose::severalLights, Purpose::planeShadow}) {
+    for (const Purpose purpose : {Purpose::oneLight, Purpose::beyondLight, Purpose::severalLights,
+                                  Purpose::planeShadow, Purpose::inLine}) {
         ShadowQuestion& asked = made.ask(purpose, {{0.0, 16.0, 0.0}});
         asked.question.scene.planes[0].material.colour = {0.8, 0.6, 0.4};
         asked.question.scene.ambientLighting = ColourRGB{0.1};
@@ -117,6 +117,15 @@ TEST(CheckValues, TellsWhichQuestionIsWrongAlone) {
     EXPECT_EQ(wrongIn(Purpose::beyondLight), "shadow.beyond-light");
     EXPECT_EQ(wrongIn(Purpose::severalLights), "shadow.lights-mixed");
     EXPECT_EQ(wrongIn(Purpose::planeShadow), "shadow.wrong");
+}
+
+TEST(CheckValues, SaysThatObjectsInLineAreMistaken) {
+    const auto lit = judge([](const Parts& parts, Zone zone, Purpose purpose) {
+        return right(parts, purpose == Purpose::inLine ? Zone::lit : zone);
+    });
+    ASSERT_EQ(idOf(lit.finding), "shadow.wrong");
+    EXPECT_NE(lit.finding->message.find("one behind the other"), std::string::npos);
+    EXPECT_NE(lit.finding->hint.find("the nearest hit"), std::string::npos);
 }
 
 TEST(CheckValues, SaysThatPlanesCastNoShadow) {

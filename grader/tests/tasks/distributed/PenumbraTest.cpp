@@ -1,11 +1,13 @@
 // Points that see a part of the light, judged by values alone.
-#include <grader/tasks/support/Draw.h>
-#include <grader/tasks/shadows/checks/PenumbraCheck.h>
+#include <grader/tasks/shadows/answers/PenumbraHits.h>
 #include <grader/tasks/shadows/answers/PenumbraShares.h>
+#include <grader/tasks/shadows/checks/PenumbraCheck.h>
+#include <grader/tasks/support/Draw.h>
 #include <grader/tests/tasks/distributed/ShadowByHand.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -204,6 +206,45 @@ TEST(CheckPenumbra, LeavesALightWithoutItsOutermostTwentiethToAPerson) {
 TEST(CheckPenumbra, WantsNumbers) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(idOf(judge(rays(10), {.more = ColourRGB{nan}}).finding), "shadow.wrong");
+}
+
+/// What code gives that takes a tenth of the light away for each ray that meets the occluder.
+/// @param times  How often a ray counts again that meets the sphere in it as well.
+std::vector<PenumbraSamples> lessEveryHit(double times) {
+    const PenumbraQuestion& asked = question();
+    raytracer::SceneDescription small = asked.question.scene;
+    small.spheres.erase(small.spheres.begin());
+    const Surfaces both{asked.question.scene};
+    const Surfaces inner{small};
+    Draw draw{4, 9};
+    std::vector<PenumbraSamples> seen;
+    for (const PenumbraQuestion::Place& place : asked.places) {
+        if (place.kind != Kind::penumbra) continue;
+        PenumbraSamples& samples = seen.emplace_back();
+        samples.point = asked.question.points[place.first];
+        const Vector3 start = samples.point.position + samples.point.normal * 1e-4;
+        for (int call = 0; call < 400; ++call) {
+            double share = 1.0;
+            for (int ray = 0; ray < 10; ++ray) {
+                const Vector3 aim = draw.direction() * (0.4 * std::cbrt(draw.between(0.0, 1.0)));
+                const Vector3 way = asked.question.scene.pointLights[0].position() + aim - start;
+                const auto isBlocked = [&](const Surfaces& by) {
+                    const double reach = way.magnitude();
+                    return by.sightAlong(start, way / reach, reach) == Sight::blocked;
+                };
+                share -= (isBlocked(both) ? 0.1 : 0.0) + (isBlocked(inner) ? 0.1 * times : 0.0);
+            }
+            samples.mean += std::max(0.0, share) / 400.0;
+        }
+    }
+    return seen;
+}
+
+// Means of 400 calls are off by 0.05 with a chance below 1e-5 for each of twelve places.
+TEST(CountsEveryHit, KnowsRaysThatCountForTwoObjects) {
+    EXPECT_TRUE(countsEveryHit(question().question, lessEveryHit(1.0)));
+    EXPECT_FALSE(countsEveryHit(question().question, lessEveryHit(0.0)));
+    EXPECT_EQ(everyHitCounts().id, "shadow.wrong");
 }
 
 PenumbraSamples samplesOf(std::size_t calls, double mean, double variance) {

@@ -1,6 +1,6 @@
 // What the questions of T2.1 promise, whatever the seed.
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
+#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>
 
 #include <gtest/gtest.h>
@@ -170,6 +170,30 @@ TEST(ShadowQuestions, OfWhatIsBehindTheLightHaveABallThere) {
         ASSERT_EQ(question.question.points.size(), 8U);
         for (const probe::LitPoint& point : question.question.points)
             EXPECT_LT((point.position - foot).magnitude(), 0.4 * 1.4143);
+    });
+}
+
+TEST(ShadowQuestions, OfObjectsInLineHaveTwoBeforeTheLightBetweenTwoBehindIt) {
+    forEach(Purpose::inLine, [](const ShadowQuestion& question) {
+        ASSERT_EQ(question.zones.size(), 12U);
+        for (std::size_t i = 0; i < 12; ++i)
+            EXPECT_EQ(question.zones[i][0], i < 8 ? Zone::umbra : Zone::lit) << i;
+        const auto& scene = question.question.scene;
+        ASSERT_EQ(scene.spheres.size(), 4U);
+        for (std::size_t i = 0; i < 8; ++i) {
+            const Vector3 start = question.question.points[i].position;
+            const Vector3 way = lightOf(question) - start;
+            const double reach = way.magnitude();
+            for (std::size_t sphere = 0; sphere < 4; ++sphere) {
+                raytracer::SceneDescription alone;
+                alone.spheres = {scene.spheres[sphere]};
+                const Surfaces surfaces{alone};
+                const bool before = sphere == 1 || sphere == 2;
+                EXPECT_EQ(surfaces.sightAlong(start, way / reach, reach),
+                          before ? Sight::blocked : Sight::open);
+                EXPECT_EQ(surfaces.sightAlong(start, way / reach, 1e9), Sight::blocked);
+            }
+        }
     });
 }
 

@@ -1,0 +1,22 @@
+#ifndef TICKER_TASKS_BUMP_GROWTHWORDS_H
+#define TICKER_TASKS_BUMP_GROWTHWORDS_H
+
+#include <grader/tasks/bump/Examination.h>
+#include <grader/tasks/bump/words/Phrases.h>
+
+namespace ticker::tasks::bump {
+
+// Where the tilt does not grow as the slope does.
+
+/// Steps tilt, even slopes do not.
+[[nodiscard]] Words smallSlopesWords();
+/// Steep slopes tilt hardly more than gentle ones.
+[[nodiscard]] Words growthWords(const Examination& examination);
+/// Steep slopes turn the normal past the horizon.
+[[nodiscard]] Words horizonWords(const Proportion& proportion);
+/// The gentlest slope turns the normal by 90 degrees.
+[[nodiscard]] Words normalMissingWords();
+
+}  // namespace ticker::tasks::bump
+
+#endif

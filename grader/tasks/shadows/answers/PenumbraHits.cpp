@@ -1,0 +1,62 @@
+#include <grader/tasks/shadows/answers/PenumbraHits.h>
+#include <grader/tasks/support/FindingText.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace ticker::tasks {
+namespace {
+
+// The mean share where a ray takes its part of the light away for each sphere that it hits.
+// @param outer  Share of the rays that hit the occluder.
+// @param inner  Of those that hit the one in it as well.
+double shareLessEveryHit(double outer, double inner) {
+    const int rays = raytracer::RenderSettings{}.shadowRayCount;
+    std::vector<double> chance{1.0};  // of so many hits
+    for (int ray = 0; ray < rays; ++ray) {
+        std::vector<double> next(chance.size() + 2);
+        for (std::size_t hits = 0; hits < chance.size(); ++hits) {
+            next[hits] += chance[hits] * (1.0 - outer);
+            next[hits + 1] += chance[hits] * (outer - inner);
+            next[hits + 2] += chance[hits] * inner;
+        }
+        chance = std::move(next);
+    }
+    double mean = 0.0;
+    for (int hits = 0; hits < rays; ++hits)
+        mean += chance[static_cast<std::size_t>(hits)] * (rays - hits) / rays;
+    return mean;
+}
+
+}  // namespace
+
+bool countsEveryHit(const probe::IlluminateQuestion& asked,
+                    const std::vector<PenumbraSamples>& seen) {
+    constexpr double kNear = 0.05;
+    raytracer::SceneDescription small = asked.scene;
+    small.spheres.front() = small.spheres.back();
+    const Surfaces outer{asked.scene};
+    const Surfaces inner{small};
+    return std::all_of(seen.begin(), seen.end(), [&](const PenumbraSamples& samples) {
+        const auto hidden = [&](const Surfaces& surfaces) {
+            return 1.0 - expectedAt(asked, surfaces, samples.point, AimShape::ball, 1.0).open;
+        };
+        return std::abs(samples.mean - shareLessEveryHit(hidden(outer), hidden(inner))) < kNear;
+    });
+}
+
+Finding everyHitCounts() {
+    Finding finding = distributedFinding(
+        "shadow.wrong", Severity::fail,
+        "Where a ray meets two objects before the light it was expected to count once; its part of "
+        "the light is taken away twice, so that the edges of such shadows are too dark.");
+    finding.hint =
+        "Count the rays that are blocked, not the hits: end the loop over the objects (break) at "
+        "the first one before the light, or ask scene.findClosestIntersection(shadowRay).";
+    finding.section = "Soft shadows (T2.1), step 1";
+    return finding;
+}
+
+}  // namespace ticker::tasks
