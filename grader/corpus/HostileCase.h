@@ -61,7 +61,7 @@ struct HostileCase {
 [[nodiscard]] std::vector<HostileCase> listHostileCases(const std::filesystem::path& folder);
 
 /// Writes the submission into `folder`, which must exist and be empty.
-/// @param secret  Path of a file that the submission shall go for: stands for @SECRET@ in its
+/// @param secret  Path of a file that the submission shall go for: stands for `@SECRET@` in its
 ///                texts. Its contents must turn up in no output.
 /// @throws raytracer::Error where it cannot be written.
 void writeSubmission(const HostileCase& hostileCase, const std::filesystem::path& secret,
