@@ -59,7 +59,7 @@ struct Precision {
     int maxLensPaths = 1 << 18;  ///< likewise
 };
 
-/// An independent renderer of the exercise's scenes (design, section 4), fast enough to make a
+/// An independent renderer of the exercise's scenes (docs/decisions/0005), fast enough to make a
 /// fresh expected answer for every submission. Shares scene data with the framework, no code.
 ///
 /// It uses `settings.threads` threads, `settings.region` (pixels equal those of the whole frame),

@@ -4,7 +4,7 @@
 namespace ticker::oracle {
 
 /// How the aim points of shadow rays lie around a light's centre.
-/// The first four are accepted (design, section 5.3), the others are mistakes.
+/// The first four are accepted (docs/decisions/0003), the others are mistakes.
 enum class LightShape {
     ball,           ///< uniform in the ball of radius lightSize
     surface,        ///< uniform on its surface
@@ -30,7 +30,7 @@ enum class PhongReading {
     perSampleDirection  ///< direction of every aim point, distance of the centre: accepted
 };
 
-/// How a bumpy sphere reads its height map (design, section 5.2). The defaults are the reference's.
+/// How a bumpy sphere reads its height map (docs/decisions/0003). The defaults are the reference's.
 struct BumpReading {
     enum class Lookup { nearest, bilinear };
     enum class Difference { forward, backward, central };
@@ -47,7 +47,7 @@ struct BumpReading {
 };
 
 /// One way to read the handout. The defaults are the reference solution's; the fields up to `bump`
-/// span the accepted readings of design, section 5.
+/// span the accepted readings (docs/decisions/0003).
 struct Reading {
     double apertureFactor = 1.0;  ///< half-width of the lens / dofAmount: 1 or 0.5 are accepted
     LightShape lightShape = LightShape::ball;

@@ -11,7 +11,7 @@
 
 namespace ticker {
 
-/// Design, settled question 6.
+/// How far a task came (docs/decisions/0004).
 enum class TaskState {
     passed,
     failed,

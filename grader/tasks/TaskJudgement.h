@@ -9,8 +9,8 @@ namespace ticker::tasks {
 
 /// What the decision says about one task. `state` is passed, failed, blocked (crashed, timed out)
 /// or notGraded; notAttempted and build failures are known before anybody asks. `findings` begins
-/// with the one that is reported first (contract.md's order); a failed task has at least one
-/// finding of severity fail.
+/// with the one that is reported first (in the order of docs/findings.md); a failed task has at
+/// least one finding of severity fail.
 struct TaskJudgement {
     TaskState state = TaskState::notGraded;
     std::string reason;

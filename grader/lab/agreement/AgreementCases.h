@@ -19,7 +19,7 @@ struct AgreementCase {
     oracle::Reading reading;
 };
 
-/// The accepted readings of design, sections 5.2 to 5.4, one at a time, and all at once.
+/// The accepted readings (docs/decisions/0003), one at a time, and all at once.
 /// @param catalogue  Where the edits of T2.1 and T2.2 stand, as "accepted-...".
 /// @throws raytracer::InputError where the catalogue has no such entry.
 [[nodiscard]] std::vector<AgreementCase> agreementCases(

@@ -7,7 +7,7 @@
 
 namespace ticker::selftest {
 
-/// One way to write getNormalAt that is right (design, settled question 2).
+/// One way to write getNormalAt that is right (docs/decisions/0003).
 struct Reading {
     enum class Top { y, z, x };  ///< the axis at whose end row 0 lies
     enum class Sampling { floor, round, bilinear, bicubic };

@@ -22,7 +22,7 @@ constexpr std::string_view kLens1 = "Depth of field (T2.2), step 1";
 constexpr std::string_view kLens2 = "Depth of field (T2.2), step 2";
 constexpr std::string_view kLens3 = "Depth of field (T2.2), step 3";
 
-// In the order of contract.md: the first that applies is reported.
+// In the order of docs/findings.md: the first that applies is reported.
 constexpr std::array kTexts{
     Text{"shadow.hard",
          "Cast settings().shadowRayCount rays at every point for every light, aim each at "

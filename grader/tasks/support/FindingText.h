@@ -15,8 +15,8 @@ namespace ticker::tasks {
 
 [[nodiscard]] bool hasFailure(const std::vector<Finding>& findings);
 
-/// Puts findings into contract.md's order and keeps the first failure: the names of the others
-/// become its evidence, warnings and notes follow it.
+/// Puts findings into the order of docs/findings.md and keeps the first failure: the names of the
+/// others become its evidence, warnings and notes follow it.
 [[nodiscard]] std::vector<Finding> mostImportantFirst(std::vector<Finding> findings);
 
 }  // namespace ticker::tasks

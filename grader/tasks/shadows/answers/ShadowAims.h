@@ -10,10 +10,11 @@
 
 namespace ticker::tasks {
 
-/// A line may miss the ball by the shadow bias, where the direction was taken from the point itself.
+/// A line may miss the ball by the shadow bias, where the direction was taken from the point
+/// itself.
 inline constexpr double kBiasAllowance = 1.5e-3;
 
-/// How aim points lie in a light (design, section 5.3).
+/// How aim points lie in a light (docs/decisions/0003).
 struct AimShape {
     enum class Radius {
         filling,  ///< the cube root of an even number, as in an evenly filled ball

@@ -23,7 +23,7 @@ struct ShadowReading {
     bool termsApart = false;      ///< rays are cast for the diffuse and again for the specular term
 };
 
-/// What may be done with the shares: `right`, or a mistake that contract.md has a name for.
+/// What may be done with the shares: `right`, or a mistake with a name of its own.
 enum class ShadowArithmetic {
     right,
     inverted,
