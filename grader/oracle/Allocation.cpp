@@ -9,8 +9,8 @@
 namespace ticker::oracle {
 namespace {
 
-// Mean over the 3 x 3 neighbours, and a little of the whole picture's: no pixel is taken for
-// noiseless because its few paths happened to agree.
+// Blends each pixel's variance with the mean over its 3 x 3 neighbourhood and a little of the whole
+// picture's: a pilot of few paths may agree by chance, which must not count as no noise.
 std::vector<double> smoothed(const PilotNoise& pilot) {
     constexpr double kShareOfWhole = 0.02;
     const double whole = std::accumulate(pilot.variance.begin(), pilot.variance.end(), 0.0) /
@@ -43,7 +43,7 @@ std::uint32_t powerOfTwoNear(double value, std::uint32_t least, std::uint32_t mo
 std::vector<std::uint32_t> allocated(const PilotNoise& pilot, int replicates, double target,
                                      std::uint32_t least, std::uint32_t most, bool even) {
     const std::vector<double> noise = smoothed(pilot);
-    // Least cost: the derivative of every pixel's variance by its paths is the same.
+    // Least cost: all pixels have the same derivative of variance by number of paths.
     const double exponent = even ? 0.0 : 1.0 / (1.0 + pilot.decay);
     std::vector<std::uint32_t> counts(noise.size(), least);
     for (double scale = 1.0; scale < 1e12; scale *= 1.1) {

@@ -6,7 +6,7 @@
 
 namespace ticker::oracle {
 
-/// What a pilot found out about the noise of each pixel.
+/// Noise of each pixel, as estimated by a pilot run.
 struct PilotNoise {
     int width = 0;
     int height = 0;
@@ -17,11 +17,12 @@ struct PilotNoise {
     double decay = 1.0;
 };
 
-/// How many paths each pixel gets in every one of `replicates` replicates, so that the variances of
-/// the final means add up to `target` at the least cost: powers of two from `least` to `most`.
+/// Number of paths that each pixel gets in every one of `replicates` replicates, so that the
+/// variances of the final means add up to `target` at the least cost: powers of two from `least` to
+/// `most`.
 ///
-/// Neighbours share their noise first: a pilot's estimate for one pixel is rough. With `even` all
-/// pixels get the same.
+/// The variances are smoothed over neighbours first, since a pilot's estimate for one pixel is
+/// rough. With `even` all pixels get the same number.
 [[nodiscard]] std::vector<std::uint32_t> allocated(const PilotNoise& pilot, int replicates,
                                                    double target, std::uint32_t least,
                                                    std::uint32_t most, bool even);

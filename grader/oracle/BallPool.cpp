@@ -21,7 +21,8 @@ double fraction(double value) {
     return value - std::floor(value);
 }
 
-// The sequence itself is cut into small vectors that would be spread too well, not independently.
+// Consecutive points of the sequence are stratified, not independent; a random order makes the few
+// points of one vector nearly independent.
 std::vector<std::uint32_t> shuffled(std::size_t count) {
     std::vector<std::uint32_t> order(count);
     std::iota(order.begin(), order.end(), 0U);

@@ -8,13 +8,13 @@
 namespace ticker::oracle {
 namespace {
 
-// Columns go round the sphere, rows stop at its poles.
+// Columns wrap round the sphere; rows are clamped at its poles.
 double texel(const raytracer::HeightMap& map, int column, int row) {
     const int width = map.width();
     return map.at(((column % width) + width) % width, std::clamp(row, 0, map.height() - 1));
 }
 
-// Height at a place in texels; texel (i, j) covers [i, i + 1) x [j, j + 1).
+// Height at a position in texels; texel (i, j) covers [i, i + 1) x [j, j + 1).
 double heightAt(const raytracer::HeightMap& map, BumpReading::Lookup lookup, double column,
                 double row) {
     if (lookup == BumpReading::Lookup::nearest)
@@ -68,7 +68,7 @@ std::array<double, 3> bumpedNormal(const raytracer::HeightMap& map, const BumpRe
     const double y = std::clamp(outwards[1] / length, -1.0, 1.0);
     const double z = outwards[2] / length;
 
-    // Unit tangents to the right and downwards, as seen by the eye in front of the sphere.
+    // Unit tangents to the right and downwards, as seen from the eye in front of the sphere.
     const double ring = std::sqrt(std::max(0.0, 1.0 - y * y));
     const double sine = ring > 0.0 ? x / ring : 0.0;  // of the longitude, 0 towards the eye
     const double cosine = ring > 0.0 ? -z / ring : 1.0;

@@ -48,7 +48,8 @@ PixelAverage averaged(const std::vector<Replicate>& all, std::size_t pixel) {
 
 Covariance covarianceOf(const PixelAverage& pixel, double scale) {
     const auto& m = pixel.moments.mean;
-    // The square of an estimated mean is too large by the estimate's own variance.
+    // The square of an estimated mean is biased upwards by the variance of the estimate: subtract
+    // that.
     const auto entry = [&](std::size_t e, std::size_t a, std::size_t b) {
         double between = pixel.moments.second[e] - m[a] * m[b];
         if (a == b) between = std::max(0.0, between + pixel.error[a]);
@@ -126,7 +127,8 @@ Moments momentsOf(const Setup& setup, std::uint64_t seed, const Precision& preci
     const std::vector<std::uint32_t> few(pixelsOf(setup), kPilotPaths);
     const Moments pilot = assembled(setup, replicates(setup, seed, 0, few), few);
     const PilotNoise noise = noiseOf(setup, pilot);
-    // The pilot is thrown away: counts that depend on the values they weigh would bias them.
+    // The pilot's samples are discarded: sample counts that depend on the samples they weight would
+    // bias the mean.
     double ask = 0.8;
     for (std::uint64_t round = 1;; ++round) {
         const double target = targetOf(pilot, precision);

@@ -28,8 +28,9 @@ struct Covariance {
 };
 
 /// The distribution of one student render, pixel by pixel: rows from the top, linear colours.
-/// Pixels of one render are independent of each other (its lens and shadow rays are drawn for each
-/// pixel alone), so these moments are all that a linear statistic of renders needs.
+/// Pixels of one render are independent of each other (lens and shadow rays are drawn for each
+/// pixel separately), so the distribution of every linear statistic of renders follows from these
+/// moments.
 struct Moments {
     int width = 0;
     int height = 0;
@@ -40,7 +41,7 @@ struct Moments {
     /// (`replicates` - 1 degrees of freedom), good when summed over many.
     std::vector<raytracer::ColourRGB> meanError;
     int replicates = 0;          ///< independent randomisations that were averaged
-    std::int64_t lensPaths = 0;  ///< lens paths that went into them, of all pixels together
+    std::int64_t lensPaths = 0;  ///< lens paths in all of them, over all pixels
 
     /// Sum over pixels and channels of meanError, divided by that of variance / renders: what the
     /// error of `mean` adds to the variance of a statistic of the mean of `renders` renders.
@@ -49,8 +50,8 @@ struct Moments {
     [[nodiscard]] double rmsError() const;
 };
 
-/// How good moments shall be. Work ends when every goal that is set is met, or when all pixels have
-/// `maxLensPaths`. With equal minimum and maximum every pixel gets just that many.
+/// Precision goals of moments. Work ends when every goal that is set is met, or when all pixels
+/// have `maxLensPaths`. With equal minimum and maximum every pixel gets exactly that many.
 struct Precision {
     double share = 0.01;  ///< goal for Moments::shareOfVariance(renders); 0: no such goal
     int renders = 16;
@@ -59,17 +60,18 @@ struct Precision {
     int maxLensPaths = 1 << 18;  ///< likewise
 };
 
-/// An independent renderer of the exercise's scenes (docs/decisions/0005), fast enough to make a
-/// fresh expected answer for every submission. Shares scene data with the framework, no code.
+/// An independent renderer of the exercise's scenes (docs/decisions/0005), fast enough to compute
+/// fresh expected answers for every submission. It shares scene data with the framework, but no
+/// code.
 ///
-/// It uses `settings.threads` threads, `settings.region` (pixels equal those of the whole frame),
-/// and stops early when `settings.monitor` says so. `settings.observer` is ignored. Results are the
-/// same bytes for the same seed whatever the number of threads; between instruction sets means
-/// agree within single-precision error.
+/// It uses `settings.threads` threads and `settings.region` (pixels equal those of the whole
+/// frame), and stops early when `settings.monitor` asks for it. `settings.observer` is ignored. For
+/// one seed the results are the same bytes for every number of threads; between instruction sets
+/// means agree within single-precision error.
 class Oracle {
 public:
-    /// Copies what it needs; the scene need not live on.
-    /// @throws raytracer::Error where settings make no sense (sizes or ray counts below 1).
+    /// Copies what it needs; the scene may be destroyed afterwards.
+    /// @throws raytracer::Error if settings make no sense (sizes or ray counts below 1).
     Oracle(const raytracer::SceneDescription& scene, const raytracer::RenderSettings& settings,
            const Reading& reading = {}, const Mistake& mistake = {}, const Tricks& tricks = {});
     ~Oracle();
@@ -78,7 +80,7 @@ public:
     Oracle(Oracle&&) noexcept;
     Oracle& operator=(Oracle&&) noexcept;
 
-    /// Mean and variance of one student render. `seed` picks the randomisation.
+    /// Mean and variance of one student render. `seed` selects the randomisation.
     [[nodiscard]] Moments moments(std::uint64_t seed, const Precision& precision = {}) const;
 
     /// One student render: the estimator itself, with dofRayCount lens rays for each pixel and

@@ -46,8 +46,9 @@ struct BumpReading {
     bool swapped = false;   ///< each slope tilts along the other's tangent (a mistake)
 };
 
-/// One way to read the handout. The defaults are the reference solution's; the fields up to `bump`
-/// span the accepted readings (docs/decisions/0003).
+/// One way to read the handout. The defaults are the reference solution's. The fields before
+/// `bump`, and those of `bump` not marked as mistakes, span the accepted readings
+/// (docs/decisions/0003).
 struct Reading {
     double apertureFactor = 1.0;  ///< half-width of the lens / dofAmount: 1 or 0.5 are accepted
     LightShape lightShape = LightShape::ball;
@@ -60,7 +61,7 @@ struct Reading {
 };
 
 /// Mistakes that students make, as parameters; the defaults make none. They combine freely, but
-/// allOrNothing, litIfAny and pointJitter are heeded with PhongReading::central only.
+/// allOrNothing, litIfAny and pointJitter work with PhongReading::central only.
 struct Mistake {
     double lightSizeFactor = 1.0;  ///< radius of the light / lightSize
     double lightOffset[3] = {};    ///< aim points moved, in units of lightSize (off-centre)
@@ -84,22 +85,24 @@ struct Mistake {
     double pixelScale = 1.0;         ///< the pixel times this: dofRayCount for a forgotten division
 };
 
-/// What makes the oracle fast beyond wide vectors. None changes an expected value; each can be
-/// switched off to show that.
+/// Optimisations of the oracle beyond SIMD. None changes an expected value; each can be switched
+/// off to prove that.
 struct Tricks {
-    /// Points that no object can shade, or that one sphere shades wholly, draw no shadow samples:
-    /// cones around light and occluder (J. Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984).
+    /// Points that no object can shade, or that one sphere shades completely, draw no shadow
+    /// samples: decided by cones around light and occluder (J. Amanatides, "Ray Tracing with
+    /// Cones", SIGGRAPH 1984).
     bool coneTests = true;
     /// Randomly shifted lattice points for means, see Lattice.h; off: plain random points.
     bool lowDiscrepancy = true;
-    /// Share of a ball that one sphere or one plane hides, in closed form or by a short quadrature,
-    /// instead of by samples, for means.
+    /// For means, the share of a ball that one sphere or one plane hides is computed in closed form
+    /// or by a short quadrature instead of by samples.
     bool closedForms = true;
     /// Two shadow rays a hit instead of shadowRayCount, for means and variances: the second moment
     /// follows from the products of two independent estimates.
     bool pairedShadows = true;
-    /// Pixels get as many lens paths as their own noise asks for (J. Neyman, "On the Two Different
-    /// Aspects of the Representative Method", 1934), found by a pilot that is thrown away.
+    /// Each pixel gets as many lens paths as its own noise requires (J. Neyman, "On the Two
+    /// Different Aspects of the Representative Method", 1934), estimated by a pilot whose samples
+    /// are discarded.
     bool allocation = true;
 };
 

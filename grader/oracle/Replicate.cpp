@@ -1,9 +1,9 @@
 #include <grader/oracle/Replicate.h>
 
+#include <grader/oracle/Tiles.h>
 #include <grader/oracle/kernel/Kernel.h>
 #include <grader/oracle/kernel/Lattice.h>
 #include <grader/oracle/kernel/Paths.h>
-#include <grader/oracle/Tiles.h>
 
 namespace ticker::oracle {
 namespace {
@@ -15,7 +15,7 @@ std::uint32_t keyOf(std::uint64_t seed, std::uint64_t number, int pixel) {
     return mixed(run + static_cast<std::uint32_t>(pixel));
 }
 
-// Undoes the pivot of `sums`, in double precision.
+// Removes the pivot that `sums` are counted from, in double precision.
 void add(const PathSums& sums, double paths, PathMoments& to) {
     constexpr std::size_t kFirst[6] = {0, 1, 2, 0, 0, 1};
     constexpr std::size_t kSecond[6] = {0, 1, 2, 1, 2, 2};
@@ -57,7 +57,7 @@ Replicate replicate(const Setup& setup, std::uint64_t seed, std::uint64_t number
                     const std::vector<std::uint32_t>& counts) {
     Replicate result(counts.size());
     const auto at = [](int pixel) { return static_cast<std::size_t>(pixel); };
-    // All or nothing is no average of rays, so that pairs of rays do not tell its moments.
+    // All-or-nothing is not linear in the samples: paired estimates do not apply.
     const bool straight = setup.mistake.allOrNothing || setup.mistake.litIfAny;
     const bool paired = setup.tricks.pairedShadows && !straight;
     const auto trace = [&](Workspace& full, const std::vector<PathPacker::Run>& runs) {

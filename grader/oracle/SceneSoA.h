@@ -10,13 +10,14 @@
 
 namespace ticker::oracle {
 
-/// A scene as one array for each property, in single precision, so that a vector lane may stand
-/// for any object. Objects are numbered spheres first, then planes. World units.
+/// A scene as one array for each property (structure of arrays), in single precision, so that each
+/// vector lane may process another object. Objects are numbered spheres first, then planes. World
+/// units.
 struct SceneSoA {
     explicit SceneSoA(const raytracer::SceneDescription& scene);
 
-    /// Objects that a table of one property has room for; tables are padded with zeros to it, and
-    /// to the widest vector.
+    /// Number of objects that a property's table is padded to, with zeros: the widest vector, so
+    /// that loads never run past the end.
     static constexpr std::size_t kPadding = 16;
 
     struct Spheres {
@@ -30,15 +31,17 @@ struct SceneSoA {
         [[nodiscard]] std::size_t size() const { return x.size(); }
     } planes;
 
-    /// The normal at a point p of any object is p * scale - shift: scale is 1 / radius and shift
-    /// centre / radius for spheres; 0 and the reversed normal for planes.
+    /// The normal at a point p of any object is p * scale - shift, with scale = 1 / radius and
+    /// shift = centre / radius for spheres, and scale = 0 and the reversed normal for planes: one
+    /// formula without branches.
     struct Normals {
         std::vector<float> scale, shiftX, shiftY, shiftZ;
     } normals;
 
     struct Materials {
         std::vector<float> red, green, blue, kD, kS, alpha, reflectivity;
-        int wholeAlpha = -1;  ///< the exponent of all objects where it is one small whole number
+        int wholeAlpha =
+            -1;  ///< the exponent of all objects if they share one small integer; else -1
     } materials;
 
     struct Light {

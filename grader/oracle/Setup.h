@@ -12,8 +12,8 @@
 
 namespace ticker::oracle {
 
-/// Everything that stays the same while a picture is computed: scene, settings, reading, mistakes,
-/// brought into the form that the kernels use. World units, single precision.
+/// Everything that stays constant while a picture is computed: scene, settings, reading and
+/// mistakes, in the form that the kernels use. World units, single precision.
 struct Setup {
     Setup(const raytracer::SceneDescription& description,
           const raytracer::RenderSettings& renderSettings, const Reading& chosenReading,
@@ -40,15 +40,15 @@ struct Setup {
     float aimBound = 0.0F;     ///< no aim point is farther from the aim's centre
     float aimOffset[3] = {};   ///< of the aim's centre from the light's centre
     float shadowBias = 0.0F;
-    int shadowRays = 1;  ///< that can differ: 1 where all go to the centre
+    int shadowRays = 1;  ///< rays that can differ: 1 if all go to the centre
 
-    /// The share of rays that arrive is all that a light's contribution depends on, so one number
-    /// says how a light's samples fall.
+    /// A light's contribution depends on the share of rays that arrive and on nothing else of its
+    /// samples, so one number describes them.
     bool contributionIsShare = true;
     bool conesHold = true;        ///< cone tests are valid for this reading and mistake
     bool closedFormsHold = true;  ///< likewise the share of a ball behind a cone or plane
 
-    /// One node of the quadrature over a turn, on the unit interval.
+    /// One node of the Gauss-Legendre quadrature over half a turn, on the unit interval.
     struct Node {
         float position;
         float weight;
@@ -58,7 +58,7 @@ struct Setup {
     BallPool pool;  ///< aim points for student renders, radius included
 };
 
-/// Whether the settings' monitor has said stop.
+/// Whether the settings' monitor has asked to stop.
 [[nodiscard]] bool interrupted(const Setup& setup);
 
 }  // namespace ticker::oracle

@@ -9,7 +9,7 @@
 
 namespace ticker::oracle {
 
-/// A run of pixels of the rendered region, row-major, that one thread works on at a time.
+/// A run of consecutive pixels of the rendered region, row-major, processed by one thread.
 struct Tile {
     int number = 0;
     int first = 0;
@@ -17,9 +17,9 @@ struct Tile {
 };
 
 /// Calls `work` for every tile of `pixels` pixels, on `threads` threads, each with its own
-/// workspace. Tiles do not depend on the number of threads. Stops handing out tiles once the
-/// monitor says that it is interrupted. An exception of `work` comes out of this call.
-/// @return  False where it was interrupted.
+/// workspace. Tiles do not depend on the number of threads. No new tile starts after the monitor
+/// reports an interrupt. An exception of `work` propagates to the caller.
+/// @return  False if it was interrupted.
 bool forEachTile(int pixels, int threads, raytracer::RenderMonitor* monitor,
                  const std::function<void(const Tile&, Workspace&)>& work);
 

@@ -15,13 +15,13 @@ namespace {
 namespace fs = std::filesystem;
 using raytracer::InputError;
 
-// Larger than any reference; what says more is no file of ours.
+// Upper bound for our own files; anything larger is rejected.
 constexpr std::uint32_t kLargestSide = 1U << 14U;
 
 using Tiff = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 
 Tiff open(const fs::path& file, const char* mode) {
-    // Words of its own on stderr help nobody: what is wrong is said by our errors.
+    // libtiff's own messages on stderr are switched off: our errors say what is wrong.
     TIFFSetErrorHandler(nullptr);
     TIFFSetWarningHandler(nullptr);
     return {TIFFOpen(file.c_str(), mode), TIFFClose};
@@ -64,7 +64,7 @@ bool writeRows(TIFF* tiff, const FloatPicture& picture) {
     return TIFFFlush(tiff) == 1;
 }
 
-/// True where it holds three 32-bit floats for each pixel, side by side.
+/// True for three 32-bit floats for each pixel, interleaved.
 bool isOurKind(TIFF* tiff) {
     const auto is = [&](std::uint32_t tag, std::uint16_t wanted) {
         std::uint16_t value = 0;

@@ -15,16 +15,16 @@ struct FloatPicture {
     std::vector<raytracer::ColourRGB> pixels;
 };
 
-/// Writes a compressed TIFF file, whole or not at all.
-/// @throws raytracer::InputError where it cannot be written.
+/// Writes a compressed TIFF file, atomically.
+/// @throws raytracer::InputError if it cannot be written.
 void writeTiff(const FloatPicture& picture, const std::filesystem::path& file);
 
-/// @throws raytracer::InputError where the file is missing or holds anything but three 32-bit
-///         floats for each pixel.
+/// @throws raytracer::InputError if the file is missing or holds anything but three 32-bit floats
+///         for each pixel.
 [[nodiscard]] FloatPicture readTiff(const std::filesystem::path& file);
 
 /// Writes bytes to a file beside `file` and renames it into place.
-/// @throws raytracer::InputError where it cannot be written.
+/// @throws raytracer::InputError if it cannot be written.
 void replaceWhole(const std::filesystem::path& file, const std::string& bytes);
 
 }  // namespace ticker::oracle

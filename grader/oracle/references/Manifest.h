@@ -11,14 +11,14 @@
 
 namespace ticker::oracle {
 
-/// How one reference came about.
+/// Provenance of one reference.
 struct Provenance {
     std::string sceneHash;
     raytracer::RenderSettings settings;
     bool pinhole = false;
     std::int64_t lensPaths = 0;
     double rmsError = 0.0;
-    std::string seedHash;  ///< tells whether two references share a seed, without giving it away
+    std::string seedHash;  ///< shows whether two references share a seed, without revealing it
     std::string toolVersion;
     std::string instructionSet;
 };
@@ -32,11 +32,11 @@ using Manifest = std::map<std::string, Provenance>;
 /// Hash of a number, likewise.
 [[nodiscard]] std::string numberHash(std::uint64_t number);
 
-/// The manifest of a folder; empty where there is none.
-/// @throws raytracer::InputError where it is damaged.
+/// The manifest of a folder; empty if there is none.
+/// @throws raytracer::InputError if it is damaged.
 [[nodiscard]] Manifest readManifest(const std::filesystem::path& folder);
 
-/// Writes it, whole or not at all.
+/// Writes the manifest atomically.
 void writeManifest(const Manifest& manifest, const std::filesystem::path& folder);
 
 }  // namespace ticker::oracle

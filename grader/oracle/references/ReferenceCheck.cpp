@@ -19,11 +19,11 @@ constexpr int kTile = 8;
 // 4800 tiles x 3 channels of a 640 x 480 picture at 1e-6 in all: 6.5 standard errors of a normal
 // variable; a little more, since each tile's error is estimated with 192 degrees of freedom.
 constexpr double kLargestZ = 7.5;
-// Means of two instruction sets may differ this much: single precision.
+// Difference of means between two instruction sets: single precision.
 constexpr double kRounding = 5e-6;
-// The summed variance is known to about 1 %.
+// The summed variance is known to about 1 %; the bound is ten times that.
 constexpr double kVarianceOff = 0.1;
-// Of a picture without noise: rays that graze an edge may fall on its other side.
+// Pictures without noise: a ray that grazes an edge may hit on one machine and miss on another.
 constexpr double kPinholeDifference = 1e-3;
 constexpr double kPinholeShare = 2e-3;
 
@@ -61,7 +61,7 @@ double zOfTile(const Moments& fresh, const Stored& stored, int left, int top, st
             ++pixels;
         }
     }
-    // Rounding errors of neighbours may all go one way.
+    // Rounding errors of neighbours may be correlated, so they add up linearly.
     const double rounding = pixels * kRounding;
     return std::abs(difference) / std::sqrt(variance + rounding * rounding);
 }

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// More would not fit the repository: four floats and more for each pixel.
+// Larger references would be too big for the repository: more than four floats for each pixel.
 constexpr int kLargestSide = 640;
 
 json parse(const fs::path& file) {

@@ -25,7 +25,7 @@ Moments momentsOf(const ReferenceScene& scene, double rms, std::uint64_t seed) {
     Precision precision;
     precision.share = 0.0;
     precision.rms = rms;
-    // Every path of a pinhole's pixel is the same.
+    // A pinhole camera has no lens samples: all paths of a pixel are equal.
     if (scene.pinhole) precision.minLensPaths = precision.maxLensPaths = 4;
     return oracleOf(scene.scene, scene.settings, scene.pinhole).moments(seed, precision);
 }
@@ -57,7 +57,7 @@ void ReferenceClock::tell(std::size_t done) const {
                done == 0 ? -1.0 : spent * (1.0 - share) / share});
 }
 
-// A path-traced pixel takes about as long as a hundred pinhole ones.
+// A path-traced pixel takes about as long as a hundred pinhole pixels.
 double ReferenceClock::cost(std::size_t first, std::size_t end) const {
     double sum = 0.0;
     for (std::size_t i = first; i < end; ++i) {
@@ -80,7 +80,7 @@ raytracer::Image renderWithOracle(const raytracer::SceneDescription& scene,
 
 raytracer::Image renderPinholeWithOracle(const raytracer::SceneDescription& scene,
                                          const RenderSettings& settings) {
-    // Nothing is random, so one render is the mean.
+    // Nothing is random here, so one render is the mean.
     return oracleOf(scene, settings, true).studentRender(0);
 }
 

@@ -11,7 +11,7 @@
 
 namespace ticker::oracle {
 
-/// The moments that one reference is made of.
+/// The moments that one reference is made from.
 [[nodiscard]] Moments momentsOf(const ReferenceScene& scene, double rms, std::uint64_t seed);
 
 /// The linear picture of the means.
@@ -21,10 +21,10 @@ namespace ticker::oracle {
 [[nodiscard]] std::filesystem::path fileOf(const std::filesystem::path& folder,
                                            const std::string& name, const char* suffix);
 
-/// Whether the scene's monitor has said stop.
+/// Whether the scene's monitor has asked to stop.
 [[nodiscard]] bool interrupted(const ReferenceScene& scene);
 
-/// Tells the listener how far a list of scenes is, by the time that their pixels took so far.
+/// Reports progress over a list of scenes, estimated from the time that their pixels took so far.
 class ReferenceClock {
 public:
     ReferenceClock(const std::vector<ReferenceScene>& scenes, const ReferenceListener& listener)

@@ -1,7 +1,7 @@
 #include <grader/oracle/references/References.h>
 
-#include <grader/oracle/references/FloatTiff.h>
 #include <grader/oracle/kernel/Kernel.h>
+#include <grader/oracle/references/FloatTiff.h>
 #include <grader/oracle/references/Manifest.h>
 #include <grader/oracle/references/ReferenceRender.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using raytracer::ColourRGB;
 
-// Six significant bits less than single precision has: noise does not compress.
+// Rounds away the last six bits of single precision: they are noise, which does not compress.
 double rounded(double value) {
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent);

@@ -15,14 +15,15 @@
 
 namespace ticker::oracle {
 
-/// The expected picture of a scene, in linear colours: the mean of infinitely many student renders,
-/// as well as `lensPaths` paths for each pixel tell it; 0: until its error is below 0.0005 (RMS).
+/// The expected picture of a scene, in linear colours: the mean over infinitely many student
+/// renders, estimated from `lensPaths` paths for each pixel; 0: until its error is below 0.0005
+/// (RMS).
 [[nodiscard]] raytracer::Image renderWithOracle(const raytracer::SceneDescription& scene,
                                                 const raytracer::RenderSettings& settings,
                                                 std::uint64_t seed, int lensPaths = 0);
 
-/// The same as the template renders it: one hard shadow ray, no aperture. This is how option 1's
-/// scenes are seen.
+/// The same as the template renders it: one hard shadow ray, no aperture. Option 1's scenes are
+/// rendered so.
 [[nodiscard]] raytracer::Image renderPinholeWithOracle(const raytracer::SceneDescription& scene,
                                                        const raytracer::RenderSettings& settings);
 
@@ -31,7 +32,7 @@ struct ReferenceScene {
     std::string name;  ///< of the files: "distributed"
     raytracer::SceneDescription scene;
     raytracer::RenderSettings settings;
-    bool pinhole = false;  ///< as the template renders: for option 1
+    bool pinhole = false;  ///< rendered like the template: for option 1
 };
 
 struct ReferenceOptions {
@@ -40,7 +41,7 @@ struct ReferenceOptions {
     std::string toolVersion;  ///< goes into the manifest
 };
 
-/// Told before and after every scene. `secondsLeft` is an estimate; negative: not known yet.
+/// Called before and after every scene. `secondsLeft` is an estimate; negative: not known yet.
 struct ReferenceProgress {
     std::string scene;
     int done = 0;
@@ -52,15 +53,15 @@ using ReferenceListener = std::function<void(const ReferenceProgress&)>;
 /// Renders every scene and writes, for each, NAME.png (8 bits, for people), NAME-mean.tiff,
 /// NAME-variance.tiff (of one student render) and NAME-error.tiff (squared standard error of the
 /// mean), all three with 32-bit floats, and manifest.json (scene hash, settings, paths, seed, tool
-/// version, instruction set). Every file is written whole or not at all; a scene's files are
-/// replaced only when all of it is rendered. Stops before the next scene's files when the settings'
-/// monitor says so.
-/// @return  False where it was interrupted.
-/// @throws raytracer::InputError where the folder cannot be written.
+/// version, instruction set). Every file is written atomically; a scene's files are replaced only
+/// after the whole scene is rendered. An interrupt by the settings' monitor stops before the next
+/// scene's files.
+/// @return  False if it was interrupted.
+/// @throws raytracer::InputError if the folder cannot be written.
 bool writeReferences(const std::filesystem::path& folder, const std::vector<ReferenceScene>& scenes,
                      const ReferenceOptions& options, const ReferenceListener& listener = {});
 
-/// What became of one reference.
+/// How one reference compares with a fresh render.
 struct ReferenceCheck {
     std::string scene;
     bool passed = false;
@@ -70,9 +71,9 @@ struct ReferenceCheck {
     std::string message;         ///< one line that names the scene
 };
 
-/// Renders every scene anew, with another seed, and compares it with the stored files. A sound
+/// Renders every scene again, with another seed, and compares it with the stored files. An intact
 /// reference fails with a probability below 1e-6; a light whose intensity is 2 % off fails.
-/// @throws raytracer::InputError where a file is missing or damaged.
+/// @throws raytracer::InputError if a file is missing or damaged.
 [[nodiscard]] std::vector<ReferenceCheck> checkReferences(const std::filesystem::path& folder,
                                                           const std::vector<ReferenceScene>& scenes,
                                                           const ReferenceOptions& options,
