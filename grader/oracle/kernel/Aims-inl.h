@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {
 
-/// Where a light's shadow rays aim, from `start`.
+/// The ball that shadow rays from `start` aim at.
 HWY_INLINE Aim aimAt(const Setup& setup, const SceneSoA::Light& light, const Vec3& start) {
     const float x = light.position[0] + setup.aimOffset[0];
     const float y = light.position[1] + setup.aimOffset[1];
@@ -22,7 +22,7 @@ HWY_INLINE Aim aimAt(const Setup& setup, const SceneSoA::Light& light, const Vec
     const VF distance2 = squared(aim.centre);
     aim.inverseDistance = inverseRoot(distance2);
     aim.distance = hn::Mul(distance2, aim.inverseDistance);
-    // An offset of the unit direction is a ball that grows with the distance.
+    // An offset added to the unit direction acts like a ball whose radius grows with the distance.
     aim.spread = setup.mistake.directionOffset ? aim.distance : all(1.0F);
     aim.bound = hn::Mul(aim.spread, all(setup.aimBound));
     aim.reach = setup.reading.shadowReach == ShadowReach::endless
@@ -31,8 +31,8 @@ HWY_INLINE Aim aimAt(const Setup& setup, const SceneSoA::Light& light, const Vec
     return aim;
 }
 
-/// Objects shade up to this many lengths of `towards`. `centreDistance`: of the light's centre
-/// from the point that is lit.
+/// Longest distance at which objects cast shadows, in lengths of `towards`. `centreDistance`:
+/// distance of the light's centre from the lit point.
 HWY_INLINE VF reachOf(const Setup& setup, VF length2, VF centreDistance) {
     switch (setup.reading.shadowReach) {
         case ShadowReach::toCentre:
@@ -45,7 +45,8 @@ HWY_INLINE VF reachOf(const Setup& setup, VF length2, VF centreDistance) {
     return all(1.0F);
 }
 
-/// Aim points of student renders, from the pool: the same row for all lanes, signs for each.
+/// Aim points of student renders, from the pool: all lanes read the same row, with random signs for
+/// each lane.
 class PoolAims {
 public:
     PoolAims(const Setup& setup, LaneGenerator& generator)
@@ -77,10 +78,10 @@ private:
     VU signs_ = hn::Zero(U());
 };
 
-/// Aim points from the numbers of each path.
+/// Aim points for moments, computed from the numbers of each path.
 class NumberedAims {
 public:
-    /// @param pairs  Points of a hit and light that belong to the lattice's own dimensions.
+    /// @param pairs  Points of a hit and light that use the lattice's own dimensions.
     NumberedAims(const Setup& setup, const PathNumbers& numbers, bool paired)
         : setup_(setup), numbers_(numbers), paired_(paired) {}
 

@@ -13,31 +13,30 @@
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {
 
-/// A ball and one sphere before it, seen from a point: sines and cosines of the ball's half-angle
-/// a, the sphere's b, and the angle g between their centres.
+/// A ball and one sphere in front of it, seen from a point: sines and cosines of the ball's
+/// half-angle a, of the sphere's b, and of the angle g between their centres.
 struct TwoCones {
     VF sineA, cosineA, sineB, cosineB, sineG, cosineG;
 };
 
-/// Share of the ball outside the cone of half-angle t around its axis: the integral over the ball
-/// in spherical coordinates around the point has the antiderivative
-/// cos t (1 - sin^2 t / sin^2 a)^(3/2). Nothing is left outside a right angle.
+/// Share of the ball outside the cone of half-angle t around its axis. The integral over the ball,
+/// in spherical coordinates around the point, has the antiderivative
+/// cos t (1 - sin^2 t / sin^2 a)^(3/2). It is zero for t beyond a.
 HWY_INLINE VF shareOutside(VF sine, VF cosine, VF inverseSineA) {
     const VF inside = hn::Mul(sine, inverseSineA);
     const VF rest = positive(hn::NegMulAdd(inside, inside, all(1.0F)));
     return hn::Mul(positive(cosine), hn::Mul(hn::Sqrt(rest), rest));
 }
 
-/// Share of the ball that the sphere leaves visible. Around the axis to the ball's centre, the
-/// part of each half-plane that the sphere covers is known in closed form; the turn is integrated
-/// by Gauss and Legendre's rule, with nodes that crowd towards the end, where the integrand
-/// vanishes like a root. Measured error with 12
-/// nodes: 2e-3 at worst, 1e-4 (RMS), 1e-5 on average.
+/// Share of the ball that the sphere leaves visible. In each half-plane through the axis to the
+/// ball's centre, the covered part has a closed form. The angle of the half-plane is integrated by
+/// Gauss-Legendre quadrature, with nodes concentrated at the end where the integrand vanishes like
+/// a square root. Measured error with 12 nodes: 2e-3 at worst, 1e-4 (RMS), 1e-5 on average.
 HWY_INLINE VF visibleBesideSphere(const Setup& setup, const TwoCones& cones) {
     const VF zero = hn::Zero(F());
     const VF one = all(1.0F);
     const VF tiny = all(1e-12F);
-    // Whether the axis misses the sphere; if not, the turn is counted from the far side.
+    // Where the axis hits the sphere, the angle is counted from the far side.
     const MF outside = hn::Ge(cones.cosineB, cones.cosineG);
     const VF inverseSineA = hn::Div(one, cones.sineA);
     const VF rim = hn::Div(hn::NegMulAdd(cones.cosineA, cones.cosineG, cones.cosineB),
@@ -78,7 +77,8 @@ HWY_INLINE VF visibleBesideSphere(const Setup& setup, const TwoCones& cones) {
     return hn::Min(one, positive(visible));
 }
 
-/// Share of a ball on one side of a plane, `height` radii from its centre to that side.
+/// Share of a ball on one side of a plane; `height` is the distance of its centre to that side, in
+/// radii.
 HWY_INLINE VF capShare(VF height) {
     const VF one = all(1.0F);
     const VF inside = hn::Min(one, hn::Max(all(-1.0F), height));
@@ -103,8 +103,8 @@ HWY_INLINE VF visibleBesidePlanes(const Setup& setup, const Waiting& waiting, VF
     return visible;
 }
 
-/// Share of the light that one vector of points sees, each with exactly one sphere or plane that
-/// may shade it.
+/// Share of the light that is visible from one vector of points, each with exactly one sphere or
+/// plane that may shade it.
 HWY_INLINE VF visibleShare(const Setup& setup, const Waiting& waiting) {
     const SceneSoA& scene = setup.scene;
     const VF radius = hn::Mul(waiting.aim.spread, all(setup.lightRadius));
@@ -132,7 +132,7 @@ HWY_INLINE VF visibleShare(const Setup& setup, const Waiting& waiting) {
         const VF inverseDistance = hn::Sqrt(inverseDistance2);
         cones.sineB = hn::Mul(sphereRadius, inverseDistance);
         cones.cosineB = hn::Sqrt(hn::Mul(power, inverseDistance2));
-        // The cross product keeps small angles exact where 1 - cosine^2 would not.
+        // Near zero, the cross product is accurate while 1 - cosine^2 loses all digits.
         const Vec3 axis = waiting.aim.centre * waiting.aim.inverseDistance;
         const VF scale = inverseRoot(squared(toCentre));
         const Vec3 unitCentre = toCentre * scale;
@@ -143,7 +143,7 @@ HWY_INLINE VF visibleShare(const Setup& setup, const Waiting& waiting) {
     return visibleBesidePlanes(setup, waiting, radius, visible);
 }
 
-/// Settles the queue of points with one occluder.
+/// Computes the shares of all queued points with one occluder.
 HWY_INLINE void settleClosed(const Setup& setup, std::size_t light, Workspace& work) {
     LightWork& lamp = work.lights[light];
     fillIdleLanes(lamp.singles);

@@ -12,9 +12,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {
 
-/// The ball that a point's shadow rays aim into, seen from where they start: a cone.
+/// The ball that a point's shadow rays aim into. Seen from the start of the rays it is a cone.
 struct Aim {
-    Vec3 centre;  ///< from the start
+    Vec3 centre;  ///< relative to the start
     VF distance;
     VF inverseDistance;
     VF spread;  ///< aim points are drawn around the centre and scaled by this
@@ -22,15 +22,15 @@ struct Aim {
     VF reach;   ///< objects shade up to this distance at most
 };
 
-/// What the cone tests say about one point and one light.
+/// Result of the cone tests for one point and one light, one bit for each object.
 struct Occluders {
     MF shaded;        ///< one object hides the whole ball
-    VU nearSpheres;   ///< may shade; nearer than every aim point, so that distances do not matter
+    VU nearSpheres;   ///< may shade; nearer than every aim point, so that distances need no test
     VU otherSpheres;  ///< may shade
     VU planes;        ///< may shade
 };
 
-/// Objects beyond the 31st share the last bit.
+/// Bit of an object in `Occluders`; objects from the 31st on share the last bit.
 HWY_INLINE std::uint32_t bitOf(std::size_t object) {
     return 1U << (object < 31 ? object : 31);
 }
@@ -39,10 +39,10 @@ HWY_INLINE VU marked(MF mask, std::size_t object) {
     return hn::IfThenElseZero(hn::RebindMask(U(), mask), hn::Set(U(), bitOf(object)));
 }
 
-/// Angles from the start: a the ball's half-angle, b the sphere's, g between their centres. Some
-/// ray may meet the sphere only where g < a + b; every ray does where g + a < b. The squares of
-/// distances across and along the axis say the same without angles. All tests err to the safe side
-/// by `kSlack`, far more than single precision does.
+/// Angles seen from the start: a is the ball's half-angle, b the sphere's, g lies between their
+/// centres. Some ray may hit the sphere only if g < a + b; every ray does if g + a < b. Squared
+/// distances across and along the axis decide the same without computing angles. All tests are
+/// conservative by `kSlack`, far more than the rounding of single precision.
 class SphereTest {
 public:
     explicit SphereTest(const Aim& aim)
@@ -96,20 +96,20 @@ private:
     VF sine_, sine2_, cosine2_;
 };
 
-/// A plane may shade where the ball or the start's own side does not lie wholly on one side of it.
+/// A plane may shade unless the ball and the start lie wholly on the same side of it.
 HWY_INLINE void lookAtPlane(const SceneSoA& scene, std::size_t plane, const Start& start,
                             const Aim& aim, bool endless, Occluders& found) {
     constexpr float kSlack = 1e-4F;
     const Vec3 normal = all3(scene.planes.x[plane], scene.planes.y[plane], scene.planes.z[plane]);
     const VF height = heightAbove(scene, plane, start);
     const VF rise = dot(normal, aim.centre);
-    // Heights of the ball's centre, counted from the plane towards the start's side.
+    // Heights of the ball's centre above the plane, positive on the start's side.
     const VF aimHeight =
         endless ? hn::CopySign(rise, hn::Xor(rise, height))
                 : hn::CopySign(hn::Add(height, rise), hn::Xor(hn::Add(height, rise), height));
     const VF bound = hn::MulAdd(aim.bound, all(1.0F + kSlack), all(kSlack));
     const MF may = hn::Lt(aimHeight, bound);
-    // Twice the radius: then the plane is nearer than the centre on every ray, too.
+    // Twice the radius: then the plane is nearer than the light's centre on every ray, too.
     const MF whole = hn::Lt(aimHeight, hn::Mul(all(-2.0F), bound));
     found.shaded = hn::Or(found.shaded, whole);
     found.planes = hn::Or(found.planes, marked(may, plane));

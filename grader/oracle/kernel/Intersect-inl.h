@@ -14,15 +14,16 @@ namespace ticker::oracle::HWY_NAMESPACE {
 
 inline constexpr float kNowhere = 1e30F;
 
-/// Where rays start and which object each of them left, at which height above it. The height makes
-/// the test against that object exact, however small the bias is against the rounding of `point`.
+/// Start points of rays, and for each the object that it lies on and its height above that object.
+/// The stored height makes the test against that object exact, however small the shadow bias is
+/// compared with the rounding of `point`.
 struct Start {
     Vec3 point;
     VI object;
     VF clearance;
 };
 
-/// |start - centre|^2 - radius^2: positive outside.
+/// Power of the point, |start - centre|^2 - radius^2: positive outside of the sphere.
 HWY_INLINE VF powerOf(const SceneSoA& scene, std::size_t sphere, const Vec3& toCentre,
                       const Start& start) {
     const VF radius = all(scene.spheres.radius[sphere]);
@@ -62,7 +63,7 @@ HWY_INLINE Closest closest(const SceneSoA& scene, const Start& start, const Vec3
         const MF meets = hn::Ge(discriminant, zero);
         if (hn::AllFalse(F(), meets)) continue;
         const VF root = hn::Sqrt(positive(discriminant));
-        // From inside the far side is seen.
+        // From inside of a sphere, its far side is hit.
         const VF distance =
             hn::IfThenElse(hn::Gt(power, zero), hn::Sub(along, root), hn::Add(along, root));
         const MF nearer =
@@ -84,7 +85,7 @@ HWY_INLINE Closest closest(const SceneSoA& scene, const Start& start, const Vec3
     return result;
 }
 
-/// One property of each lane's object; any value where there is none.
+/// One property of each lane's object; an arbitrary value in lanes without an object.
 HWY_INLINE VF ofObject(const SceneSoA& scene, const std::vector<float>& table, VI object) {
     const VI known = hn::Max(object, hn::Zero(I()));
     if (scene.heightMaps.size() <= width())

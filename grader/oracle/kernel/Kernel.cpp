@@ -1,5 +1,5 @@
 // One source for all instruction sets: Highway compiles this file once for each of them and picks
-// one at run time.
+// the best one at run time.
 #include <grader/oracle/kernel/Kernel.h>
 
 #undef HWY_TARGET_INCLUDE

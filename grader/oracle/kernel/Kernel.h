@@ -10,11 +10,12 @@
 
 namespace ticker::oracle {
 
-/// How the paths of one call are drawn.
+/// How the samples of a call's paths are drawn.
 enum class Drawing {
-    student,      ///< shadowRayCount independent rays a hit and light, points of the pool
-    independent,  ///< the same, drawn for each path by its numbers: equal on every machine
-    paired        ///< two shadow rays a hit and light, and closed forms: for moments
+    student,      ///< shadowRayCount independent rays for each hit and light, points from the pool
+    independent,  ///< the same, but each path's samples follow from its numbers: equal on every
+                  ///< machine
+    paired        ///< two shadow rays for each hit and light, and closed forms: for moments
 };
 
 /// State of the student renders' generator: one for each lane.
@@ -24,14 +25,14 @@ struct LaneSeeds {
     std::array<float, 2> frameLens;  ///< in [0, 1): the one lens point of lensSharedByFrame
 };
 
-/// Traces the paths of a workspace, by the widest vectors that this machine has.
-/// `seeds` matter, and change, for `Drawing::student` only.
+/// Traces the paths of a workspace with the widest vectors of this machine. `Drawing::student`
+/// alone reads and advances `seeds`.
 void tracePaths(const Setup& setup, Drawing drawing, Workspace& work, LaneSeeds& seeds);
 
 /// Sums of the colours of paths [first, end) of a traced workspace.
 std::array<double, 3> sumColours(const Workspace& work, std::size_t first, std::size_t end);
 
-/// Sums over paths of one pixel, of colours counted from `pivot`.
+/// Sums over the paths of one pixel, of colours relative to `pivot`.
 struct PathSums {
     std::array<double, 3> pivot{};
     std::array<double, 3> mean{};

@@ -17,7 +17,7 @@ struct Vec2 {
     VF x, y;
 };
 
-/// The lens point that two numbers in [0, 1) stand for.
+/// Maps two numbers in [0, 1) to a point of the lens.
 HWY_INLINE Vec2 lensPoint(const Setup& setup, VF u, VF v) {
     const VF one = all(1.0F);
     Vec2 point{hn::MulSub(all(2.0F), u, one), hn::MulSub(all(2.0F), v, one)};
@@ -61,7 +61,7 @@ private:
     std::array<float, 2> frameLens_;
 };
 
-/// Lens points from the numbers of each path.
+/// Lens points for moments, computed from the numbers of each path.
 class NumberedLens {
 public:
     NumberedLens(const Setup& setup, const PathNumbers& numbers)
@@ -79,8 +79,8 @@ private:
     const PathNumbers& numbers_;
 };
 
-/// Starts one vector of paths: from the lens through the point that the pixel's own ray has on the
-/// focal plane.
+/// Starts one vector of paths: from the lens, through the point where the pixel's pinhole ray meets
+/// the focal plane.
 template <typename Lens>
 HWY_INLINE void beginVector(const Setup& setup, Lens& lens, std::size_t at, bool paired,
                             Workspace& work) {

@@ -13,14 +13,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {
 
-/// Adds to the colours of one vector of paths.
+/// Adds `colour` to the colours of one vector of paths.
 HWY_INLINE void addColour(std::array<Lanes<float>, 3>& to, std::size_t at, const Vec3& colour) {
     store(hn::Add(load(to[0], at), colour.x), to[0], at);
     store(hn::Add(load(to[1], at), colour.y), to[1], at);
     store(hn::Add(load(to[2], at), colour.z), to[2], at);
 }
 
-/// What of a light's contribution waits for shadow rays, and what arrives in any case.
+/// A light's contribution, split into the part that needs shadow rays and the unshadowed part.
 struct Parts {
     Vec3 shaded, unshaded;
 };
@@ -42,7 +42,7 @@ HWY_INLINE Parts partsOf(const Setup& setup, std::size_t light, const Phong& pho
     return parts;
 }
 
-/// Where a point's shadow rays start.
+/// Start of a point's shadow rays.
 HWY_INLINE Start shadowStart(const Setup& setup, const Surface& surface, const Vec3& toLight) {
     const VF bias = all(setup.shadowBias);
     const Vec3 along = setup.reading.biasAlongLight ? toLight : surface.normal;
@@ -88,8 +88,8 @@ HWY_INLINE MF onlyOne(const Setup& setup, const Occluders& occluders) {
     return hn::RebindMask(F(), hn::AndNot(both, few));
 }
 
-/// The light of one lamp at one vector of hits: stores the contribution, and the share of it that
-/// arrives where cones tell it; other hits are queued.
+/// Handles one light at one vector of hits: stores its contribution, and its visible share where
+/// cone tests decide it; queues all other hits.
 HWY_INLINE void lookAtLight(const Setup& setup, std::size_t number, const Surface& surface,
                             VF weight, const Vec3& ambient, std::size_t at, bool paired,
                             Workspace& work, Vec3& colour) {

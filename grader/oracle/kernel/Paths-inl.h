@@ -19,9 +19,9 @@ namespace ticker::oracle::HWY_NAMESPACE {
 inline constexpr float kReflectionBias = 1e-4F;
 inline constexpr float kBackground = 0.001F;
 
-/// Mirrors the rays of one vector in their surfaces. A point's rounding makes a small sphere's
-/// normal longer or shorter; of unit length again, the ray does not hand that on to the next
-/// sphere, which would make it larger.
+/// Reflects the rays of one vector. Rounding of the hit point changes the length of a small
+/// sphere's normal; the reflected direction is normalised again, so that the error does not grow
+/// from sphere to sphere.
 HWY_INLINE void reflect(const Surface& surface, const Vec3& direction, VF weight, std::size_t at,
                         Workspace& work) {
     store(weight, work.weight, at);
@@ -33,8 +33,9 @@ HWY_INLINE void reflect(const Surface& surface, const Vec3& direction, VF weight
           at);
 }
 
-/// Next hit of one vector of rays: adds what needs no shadow ray and queues the rest.
-/// @return  False where no lane of the vector lives.
+/// Finds the next hit of one vector of rays, adds the light that needs no shadow rays, and queues
+/// the rest.
+/// @return  False if no lane of the vector is alive.
 template <typename Aims>
 HWY_INLINE bool stepVector(const Setup& setup, int depth, std::size_t at, Aims& aims, bool paired,
                            Workspace& work) {
@@ -79,7 +80,7 @@ HWY_INLINE bool stepVector(const Setup& setup, int depth, std::size_t at, Aims& 
     return true;
 }
 
-/// Adds every light's contribution, now that its share is known.
+/// Adds every light's contribution once its visible share is known.
 HWY_INLINE void addLights(Workspace& work, bool paired) {
     for (const LightWork& lamp : work.lights) {
         for (std::size_t at = 0; at < work.paths; at += width()) {

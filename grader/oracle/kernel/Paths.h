@@ -11,8 +11,8 @@
 
 namespace ticker::oracle {
 
-/// Packs the paths of many pixels into a workspace without gaps, so that no lane idles where a
-/// pixel ends.
+/// Packs the paths of many pixels into a workspace without gaps, so that no lane idles at the end
+/// of a pixel.
 ///
 /// `Flush` is called as flush(workspace, runs) whenever the workspace is full and once at the end.
 class PathPacker {
@@ -27,7 +27,7 @@ public:
         work_.paths = 0;
     }
 
-    /// Adds paths 0 to count - 1 of a pixel. `key` picks their randomisation.
+    /// Adds paths 0 to count - 1 of a pixel. `key` selects their randomisation.
     template <typename Flush>
     void add(int pixel, std::uint32_t key, std::uint32_t count, const Flush& flush) {
         for (std::uint32_t done = 0; done < count;) {
@@ -41,7 +41,7 @@ public:
         }
     }
 
-    /// Hands out what has not been handed out yet.
+    /// Flushes the remaining paths.
     template <typename Flush>
     void finish(const Flush& flush) {
         if (work_.paths != 0) flush(work_, std::as_const(runs_));

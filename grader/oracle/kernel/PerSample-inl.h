@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {
 
-/// Adds the covariance of a quantity `size` times a random number of variance `variance`.
+/// Adds the covariance of `size` * X, where X is a random number of variance `variance`.
 HWY_INLINE void addNoise(Workspace& work, std::size_t at, const Vec3& size, VF variance) {
     const VF products[6] = {squared(size.x),         squared(size.y),
                             squared(size.z),         hn::Mul(size.x, size.y),
@@ -30,8 +30,8 @@ HWY_INLINE Phong phongTowards(const Setup& setup, const SceneSoA::Light& light,
                  own ? squared(inverseLength) : centreFalloff);
 }
 
-/// The light of one lamp where every aim point has its own Phong terms: then the share of rays
-/// that arrive does not tell all, and every hit draws its samples at once.
+/// One light under the reading in which every aim point has its own Phong terms. The share of rays
+/// that arrive does not determine the colour then, so every hit draws its samples at once.
 template <typename Aims>
 HWY_INLINE void sampleLight(const Setup& setup, std::size_t number, std::size_t depth,
                             const Surface& surface, VF weight, const Vec3& ambient, std::size_t at,

@@ -13,13 +13,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {
 
-/// [0, 1) from the upper 23 bits.
+/// A number in [0, 1) from the upper 23 bits.
 HWY_INLINE VF unit(VU bits) {
     const VU one = hn::Set(U(), 0x3F800000U);
     return hn::Sub(hn::BitCast(F(), hn::Or(hn::ShiftRight<9>(bits), one)), all(1.0F));
 }
 
-/// As in Lattice.h.
+/// The hash of Lattice.h, on vectors.
 HWY_INLINE VU mixed(VU value) {
     value = hn::Mul(hn::Xor(value, hn::ShiftRight<16>(value)), hn::Set(U(), 0x7feb352dU));
     value = hn::Mul(hn::Xor(value, hn::ShiftRight<15>(value)), hn::Set(U(), 0x846ca68bU));
@@ -40,8 +40,8 @@ HWY_INLINE VU reversedBits(VU value) {
     return hn::Or(hn::ShiftRight<16>(value), hn::ShiftLeft<16>(value));
 }
 
-/// Numbers in [0, 1) for paths that are told by their own numbers, so that they do not depend on
-/// how paths fall into vectors: lattice points with a shift for each pixel, or plain hashes.
+/// Sample numbers in [0, 1) computed from a path's own numbers, so that they do not depend on the
+/// lane or vector of the path: lattice points with a shift for each pixel, or plain hashes.
 class PathNumbers {
 public:
     PathNumbers(const Workspace& work, bool lattice) : work_(work), lattice_(lattice) {}
@@ -60,9 +60,8 @@ public:
     }
 
 private:
-    // Folds the unit interval, so that a lattice integrates smooth functions that do not repeat as
-    // well as those that do (F. Hickernell, "Obtaining O(N^(-2+e)) Convergence for Lattice
-    // Quadrature Rules", 2002).
+    // Baker's (tent) transform: makes every smooth function periodic, which lattice rules integrate
+    // best (F. Hickernell, "Obtaining O(N^(-2+e)) Convergence for Lattice Quadrature Rules", 2002).
     static HWY_INLINE VF tent(VF value) {
         return hn::Min(hn::Add(value, value), hn::Sub(all(2.0F), hn::Add(value, value)));
     }
@@ -89,7 +88,7 @@ public:
         state_ = hn::Xor(state_, hn::ShiftLeft<5>(state_));
         return state_;
     }
-    /// One number for all lanes, below 2^32.
+    /// One random number, the same in all lanes, below 2^32.
     HWY_INLINE std::uint32_t commonBits() {
         common_ = common_ * 6364136223846793005U + 1442695040888963407U;
         return static_cast<std::uint32_t>(common_ >> 32U);
@@ -101,8 +100,8 @@ private:
     std::uint64_t common_;
 };
 
-/// sin and cos of a whole turn times t, t in [0, 1): Taylor polynomials on a quarter of a turn
-/// (error below 1e-6).
+/// sin and cos of 2 pi t for t in [0, 1), from Taylor polynomials on a quarter turn (error below
+/// 1e-6).
 HWY_INLINE VF sineOfQuarter(VF turn) {
     const VF x = hn::Mul(turn, all(6.28318531F));
     const VF y = hn::Mul(x, x);
@@ -122,7 +121,7 @@ HWY_INLINE VF sineOfTurn(VF turn) {
     return hn::CopySign(sineOfQuarter(folded), half);
 }
 
-/// Cube root of u in [0, 1]: a guess from the exponent, two steps of Newton's.
+/// Cube root of u in [0, 1]: a first guess from the exponent, then two Newton steps.
 HWY_INLINE VF cubeRoot(VF u) {
     const VF safe = hn::Max(u, all(1e-12F));
     const VI third =
@@ -134,7 +133,7 @@ HWY_INLINE VF cubeRoot(VF u) {
     return root;
 }
 
-/// As `aimPoint` in BallPool.h, of radius 1.
+/// `aimPoint` of BallPool.h for radius 1, on vectors.
 HWY_INLINE Vec3 onSphere(VF radius, VF height, VF turn) {
     const VF across = hn::Mul(radius, hn::Sqrt(positive(hn::NegMulAdd(height, height, all(1.0F)))));
     return {hn::Mul(across, cosineOfTurn(turn)), hn::Mul(across, sineOfTurn(turn)),

@@ -19,14 +19,15 @@ namespace ticker::oracle::HWY_NAMESPACE {
 struct Surface {
     Vec3 point;
     Vec3 normal;     ///< for shading; bumps included
-    Vec3 geometric;  ///< of the shape itself
+    Vec3 geometric;  ///< of the shape itself, without bumps
     Vec3 toViewer;   ///< unit length
     Vec3 colour;
     VF kD, kS, alpha, reflectivity;
     VI object;
 };
 
-/// Bumpy spheres, lane by lane in double precision: texels have edges.
+/// Adds the normals of bumpy spheres, lane by lane in double precision: single precision would pick
+/// other texels near their edges.
 HWY_INLINE void addBumps(const Setup& setup, Surface& surface) {
     alignas(64) float p[3][16];
     alignas(64) float n[3][16];
@@ -64,7 +65,7 @@ HWY_INLINE Surface surfaceAt(const Setup& setup, const Vec3& point, const Vec3& 
     const Vec3 shift{ofObject(scene, scene.normals.shiftX, object),
                      ofObject(scene, scene.normals.shiftY, object),
                      ofObject(scene, scene.normals.shiftZ, object)};
-    // Nothing that a miss computes may overflow: its weight of zero has to make it vanish.
+    // A miss has weight zero, but 0 * infinity is NaN: nothing that a miss computes may overflow.
     const MF known = hn::RebindMask(F(), hn::Gt(object, hn::Set(I(), -1)));
     const Vec3 none = all3(0.0F, 0.0F, 0.0F);
     surface.geometric = select(known, point * scale - shift, none);
@@ -81,7 +82,7 @@ HWY_INLINE Surface surfaceAt(const Setup& setup, const Vec3& point, const Vec3& 
     return surface;
 }
 
-/// base^alpha for base >= 0; squarings where all exponents are one whole number.
+/// base^alpha for base >= 0; by repeated squaring if all exponents are the same integer.
 HWY_INLINE VF power(const SceneSoA& scene, VF base, VF alpha) {
     if (scene.materials.wholeAlpha >= 0) {
         VF result = all(1.0F);
@@ -99,13 +100,13 @@ HWY_INLINE VF power(const SceneSoA& scene, VF base, VF alpha) {
     return hn::IfThenElse(hn::And(hn::Eq(base, zero), hn::Gt(alpha, zero)), zero, result);
 }
 
-/// Phong's diffuse and specular light of one lamp, nothing in its way.
+/// Phong's diffuse and specular light of one unshadowed light source.
 struct Phong {
     Vec3 diffuse, specular;
 };
 
 /// @param towards  Unit vector to the light.
-/// @param falloff  1 / square of the distance that the intensity is taken at.
+/// @param falloff  1 / squared distance at which the intensity is taken.
 HWY_INLINE Phong phong(const SceneSoA& scene, const SceneSoA::Light& light, const Surface& surface,
                        const Vec3& towards, VF falloff) {
     const VF facing = dot(surface.normal, towards);

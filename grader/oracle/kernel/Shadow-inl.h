@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {
 
-/// Everything that may shade one vector of points, made ready for many shadow rays.
+/// All objects that may shade one vector of points, prepared for many shadow rays.
 class Occluding {
 public:
     Occluding(const SceneSoA& scene, OccluderScratch& scratch) : scene_(scene), scratch_(scratch) {
@@ -32,7 +32,8 @@ public:
             if ((plane & bitOf(i)) != 0) addPlane(i, start, planes);
     }
 
-    /// Lanes whose ray is stopped on its way to start + towards, or up to `reach` times as far.
+    /// Lanes whose ray hits an object before start + towards, or before `reach` times that
+    /// distance.
     HWY_INLINE MF stops(const Vec3& towards, VF length2, VF reach) const {
         const VF zero = hn::Zero(F());
         MF stopped = hn::MaskFromVec(zero);

@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {
 
-/// The queued points of one vector, and one light.
+/// One vector of queued points, and one light.
 struct Waiting {
     Start start;
     VU slot;
@@ -35,13 +35,13 @@ HWY_INLINE Waiting waitingAt(const Setup& setup, const SceneSoA::Light& light,
     return waiting;
 }
 
-/// Lanes in which shadow ray `i` is stopped.
+/// Lanes in which shadow ray `i` is blocked.
 template <typename Aims>
 HWY_INLINE MF rayStopped(const Setup& setup, const Waiting& waiting, Occluding& occluding,
                          Aims& aims, std::size_t i) {
     Vec3 towards = moved(waiting.aim.centre, aims.point(i), waiting.aim.spread);
     if (setup.mistake.pointJitter > 0.0) {
-        constexpr std::size_t kJitter = 4100;  // far from every other number's dimensions
+        constexpr std::size_t kJitter = 4100;  // far from the dimensions of all other samples
         const VF jitter =
             all(static_cast<float>(setup.mistake.pointJitter) / std::max(setup.lightRadius, 1e-6F));
         const Vec3 away = aims.point(i + kJitter) * jitter;
@@ -53,7 +53,7 @@ HWY_INLINE MF rayStopped(const Setup& setup, const Waiting& waiting, Occluding& 
     return occluding.stops(towards, length2, reachOf(setup, length2, waiting.centreDistance));
 }
 
-/// The student's share: of `shadowRays` rays, how many arrive.
+/// Share of `shadowRays` rays that arrive, as a student's code counts it.
 template <typename Aims>
 HWY_INLINE VF countedShare(const Setup& setup, const Waiting& waiting, Occluding& occluding,
                            Aims& aims) {
@@ -81,8 +81,8 @@ HWY_INLINE void settleCounted(const Setup& setup, const Waiting& waiting, Occlud
     scatter(share, lamp.pairedShare, waiting.slot);
 }
 
-/// Two rays are enough for mean and variance: E[a b] of independent estimates is the square of the
-/// mean, and (a - b)^2 / 2 is on average the variance of one ray.
+/// Two rays are enough for mean and variance: for independent estimates a and b, E[a b] is the
+/// square of the mean, and E[(a - b)^2 / 2] is the variance of one ray.
 template <typename Aims>
 HWY_INLINE void settlePaired(const Setup& setup, const Waiting& waiting, Occluding& occluding,
                              Aims& aims, LightWork& lamp) {
@@ -97,7 +97,8 @@ HWY_INLINE void settlePaired(const Setup& setup, const Waiting& waiting, Occludi
     scatter(hn::IfThenElseZero(hn::Xor(first, second), all(noise)), lamp.shareNoise, waiting.slot);
 }
 
-/// Idle lanes of the last vector write behind the last path.
+/// Idle lanes of the last vector get the slot behind the last path, so that their stores hit the
+/// padding.
 HWY_INLINE void fillIdleLanes(ShadowQueue& queue) {
     for (std::size_t i = queue.size; i < queue.size + width(); ++i) {
         queue.slot[i] = static_cast<std::uint32_t>(kPaths);
@@ -105,7 +106,7 @@ HWY_INLINE void fillIdleLanes(ShadowQueue& queue) {
     }
 }
 
-/// Settles every queued point of a light and empties the queue.
+/// Computes the shares of all queued points of a light and empties the queue.
 template <typename Aims>
 HWY_INLINE void settle(const Setup& setup, std::size_t light, std::size_t depth, bool paired,
                        Aims& aims, Workspace& work) {

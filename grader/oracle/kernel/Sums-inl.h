@@ -31,8 +31,8 @@ inline std::array<double, 3> coloursHere(const Workspace& work, std::size_t firs
     return {total(sum.x), total(sum.y), total(sum.z)};
 }
 
-/// Sums of what moments need, over paths [first, end). Colours are counted from the first one's,
-/// so that squares lose no digits to it.
+/// Sums for moments, over paths [first, end). Colours are taken relative to the first one, so that
+/// the squares do not lose digits by cancellation.
 inline PathSums sumsHere(const Workspace& work, std::size_t first, std::size_t end, bool paired) {
     const auto& others = paired ? work.pairedColour : work.colour;
     const Vec3 pivot = all3(work.colour[0][first], work.colour[1][first], work.colour[2][first]);

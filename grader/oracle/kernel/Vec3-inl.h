@@ -23,12 +23,12 @@ using VU = hn::Vec<U>;
 using VI = hn::Vec<I>;
 using MF = hn::Mask<F>;
 
-/// Lanes of a vector, on this instruction set.
+/// Number of lanes of a vector on this instruction set.
 inline std::size_t width() {
     return hn::Lanes(F());
 }
 
-/// One vector in each lane.
+/// A 3-vector in each lane.
 struct Vec3 {
     VF x, y, z;
 };
@@ -66,14 +66,14 @@ HWY_INLINE VF squared(const Vec3& a) {
 HWY_INLINE VF squared(VF a) {
     return hn::Mul(a, a);
 }
-/// 1 / sqrt(a): the processor's estimate and one step of Newton's (relative error below 4e-7 for
+/// 1 / sqrt(a): the processor's estimate and one Newton step (relative error below 4e-7 for
 /// estimates of 12 bits or more).
 HWY_INLINE VF inverseRoot(VF a) {
     const VF guess = hn::ApproximateReciprocalSqrt(a);
     const VF half = hn::Mul(all(0.5F), hn::Mul(a, guess));
     return hn::Mul(guess, hn::NegMulAdd(half, guess, all(1.5F)));
 }
-/// 1 / a, likewise.
+/// 1 / a, by the same method.
 HWY_INLINE VF inverse(VF a) {
     const VF guess = hn::ApproximateReciprocal(a);
     return hn::Mul(guess, hn::NegMulAdd(a, guess, all(2.0F)));
