@@ -29,16 +29,16 @@ SourceFile otherThan(SourceFile file) {
     return file == SourceFile::bumpySphere ? SourceFile::renderer : SourceFile::bumpySphere;
 }
 
-// The compiler driver's word on a linker that it ran, so on code that had compiled.
+// The compiler driver's message about a failed linker: the code itself compiled.
 constexpr std::string_view kLinkerFailed = "ld returned 1 exit status";
 
-/// What one run of the compiler came to.
+/// The result of one run of the compiler.
 struct Attempt {
     BuildResult result;
-    bool couldCompile = false;  ///< where it failed: only the linker did
+    bool couldCompile = false;  ///< true if only the linker failed
 };
 
-/// One file on its way to a program.
+/// One file, on its way to a program.
 class Job {
 public:
     Job(const Kit& kit, const sandbox::Sandbox& sandbox, const sandbox::Limits& limits,
@@ -61,7 +61,8 @@ public:
     [[nodiscard]] Attempt compileAndLink(bool precompiled) const {
         JobFolder folder;
         const fs::path target = folder.path() / "probe";
-        // Closed before the program is run: a file that is open for writing cannot be.
+        // Must be closed before the program is run: the kernel does not execute a file that is open
+        // for writing.
         sandbox::FileDescriptor product{
             open(target.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0755)};
         if (!product.isOpen() || fchmod(product.get(), 0755) != 0)
@@ -113,9 +114,9 @@ private:
         return outcome.output.find(words) != std::string::npos;
     }
 
-    // A compiler that was stopped is seen only in its driver's words. They stand beside the
-    // student's text, which could imitate them: only the name of the student's own failure
-    // depends on it.
+    // That a compiler was stopped shows only in its driver's message, which stands beside the
+    // student's text. A student can imitate it, and so change the name of the own failure, nothing
+    // more.
     static Kind kindOf(const Outcome& outcome) {
         switch (outcome.end) {
             case Outcome::End::failed:

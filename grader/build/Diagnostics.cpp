@@ -14,8 +14,7 @@ void replaceAll(std::string& text, std::string_view from, std::string_view to) {
         text.replace(at, from.size(), to);
 }
 
-// The compiler driver names what it makes on the way ccXXXXXX with this ending, in the scratch
-// folder.
+// The compiler driver names its temporary files ccXXXXXX plus this ending, in the scratch folder.
 void nameTemporary(std::string& text, std::string_view ending, std::string_view name) {
     constexpr std::size_t kNameLength = 8;
     for (std::size_t at = text.find("/cc"); at != std::string::npos;
@@ -46,7 +45,8 @@ std::string readableDiagnostics(std::string_view output,
         replaceAll(text, folder.string() + "/", "");
     replaceAll(text, "include/raytracer/", "raytracer/");
     nameTemporary(text, ".o", fileName);
-    // Its lines are not the student's: no line number may follow the plain name.
+    // Line numbers refer to the assembler code, so they must not follow the plain name of the
+    // student's file.
     nameTemporary(text, ".s", std::string{fileName} + " (as assembler code)");
     text = intake::asUtf8(text);
     if (text.size() <= kMostDiagnostics) return text;

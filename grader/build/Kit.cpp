@@ -23,7 +23,7 @@ std::string readText(const fs::path& file) {
     return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
-// Where we are root, jobs run as another user: every folder on the way must let him through.
+// As root, jobs run as another user, which needs search permission on every folder of the path.
 bool everybodyReaches(const fs::path& folder) {
     if (geteuid() != 0) return true;
     for (fs::path at = folder;; at = at.parent_path()) {

@@ -13,23 +13,24 @@ enum class SourceFile { bumpySphere, renderer };
 /// "BumpySphere.cpp" or "Renderer.cpp".
 [[nodiscard]] std::string nameOf(SourceFile file);
 
-/// What every submission is compiled and linked with, prebuilt in one folder (grader/build/kit).
+/// Everything that submissions are compiled and linked with, prebuilt in one folder
+/// (grader/build/kit).
 class Kit {
 public:
     /// The kit of the installation or build tree that the running program belongs to:
     /// ../lib/ticker/kit or ../kit from its folder.
-    /// @throws raytracer::Error (notGradable) where it is not there or not whole.
+    /// @throws raytracer::Error (notGradable) if it is missing or incomplete.
     [[nodiscard]] static Kit besideProgram();
-    /// @throws raytracer::Error (notGradable) where `folder` holds no kit.
+    /// @throws raytracer::Error (notGradable) if `folder` holds no kit.
     [[nodiscard]] static Kit at(const std::filesystem::path& folder);
 
-    /// Where every user can read it; a copy, where the kit lies under a private folder.
+    /// Readable by every user; a copy if the kit lies in a private folder.
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] const std::string& compiler() const { return compiler_; }
     [[nodiscard]] const std::vector<std::string>& compileFlags() const { return compileFlags_; }
     [[nodiscard]] const std::vector<std::string>& linkFlags() const { return linkFlags_; }
 
-    /// The stub as it was handed out.
+    /// The stub, as students received it.
     [[nodiscard]] std::string templateSource(SourceFile file) const;
 
 private:

@@ -7,10 +7,10 @@
 
 namespace ticker::build {
 
-/// An empty folder that every user can read, removed with all that is in it at the end.
+/// An empty folder that every user can read; removed with all contents on destruction.
 class JobFolder {
 public:
-    /// @throws raytracer::Error (notGradable) where none can be made.
+    /// @throws raytracer::Error (notGradable) if no folder can be made.
     JobFolder();
     ~JobFolder();
     JobFolder(JobFolder&& other) noexcept;
@@ -24,16 +24,17 @@ private:
     std::filesystem::path path_;
 };
 
-/// A submission's probe program on disk, until the end of this object.
+/// A submission's probe program on disk, removed on destruction.
 class Program {
 public:
-    /// @param folder  Holds the program alone, as "probe".
+    /// @param folder  Contains only the program, as "probe".
     explicit Program(JobFolder folder) : folder_(std::move(folder)) {}
 
     [[nodiscard]] std::filesystem::path file() const { return folder_.path() / "probe"; }
 
-    /// Memory that it takes before it does anything, mostly for global variables, as its file says:
-    /// the kernel starts no program that has less. 0 where the file says nothing.
+    /// Memory that the program needs before main, mostly for global variables, as its ELF file
+    /// states. The kernel does not start a program whose limit is lower. 0 if the file does not
+    /// say.
     [[nodiscard]] std::uint64_t staticBytes() const;
 
 private:

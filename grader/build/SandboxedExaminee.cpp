@@ -25,7 +25,7 @@ using EndKind = ProcessEnd::Kind;
 
 constexpr const char* kBadAlloc = "std::bad_alloc";
 
-// The exception that the C++ library throws when memory runs out, where it was caught.
+// Recognises std::bad_alloc, which the C++ library throws when memory runs out, if it was caught.
 bool saysOutOfMemory(const probe::Answer& answer) {
     return std::visit(
         [](const auto& any) {
@@ -46,14 +46,14 @@ std::string ofTheLimit(std::uint64_t bytes, const sandbox::Limits& limits) {
                        static_cast<double>(limits.addressSpaceBytes) / kMegabyte);
 }
 
-// Why a signal came, where memory was it. What was measured goes before what was printed.
+// Describes a signal that was caused by lack of memory. Measured memory counts before printed text.
 std::optional<std::string> wantOfMemory(const Outcome& outcome, const sandbox::Limits& limits) {
     if (outcome.code == SIGSYS || outcome.code == SIGXCPU || outcome.code == SIGXFSZ) return {};
-    // A vector that doubles its room has held half of it all before it asks for more than is left.
+    // A growing vector doubles: it has used half of the limit before the request that exceeds it.
     if (outcome.peakMemoryBytes >= limits.addressSpaceBytes / 2)
         return fmt::format("{} after it had used {}", signalName(outcome.code),
                            ofTheLimit(outcome.peakMemoryBytes, limits));
-    // One request for far too much fills nothing: only these words tell of it.
+    // A single oversized request uses no memory: only this message tells.
     if (outcome.code == SIGABRT && outcome.output.find(kBadAlloc) != std::string::npos)
         return kBadAlloc;
     return {};
@@ -74,14 +74,14 @@ ProcessEnd endBySignal(const Outcome& outcome) {
             return {EndKind::crashed, name + ": abort, by std::terminate or the like"};
         case SIGSEGV:
             return {EndKind::crashed, name +
-                                       ": a bad pointer, an index out of range, or a recursion "
-                                       "without end"};
+                                          ": a bad pointer, an index out of range, or a recursion "
+                                          "without end"};
         default:
             return {EndKind::crashed, name};
     }
 }
 
-// What the jail says of a file that the kernel does not take for a program.
+// The jail's exit status for a file that the kernel cannot execute.
 constexpr int kNotExecutable = 126;
 
 ProcessEnd endByExit(int status) {
@@ -102,8 +102,8 @@ bool isMissing(const probe::Answer& answer) {
                       answer);
 }
 
-// The mark is the submission's own claim. It holds where every answer has one, too, and where the
-// kernel names neither a signal nor a failure.
+// The submission itself sets the mark. It is believed only if every answer is marked as well and
+// the kernel reports neither a signal nor a failure.
 bool hasFinished(const Outcome& outcome, bool isMarked, const std::vector<probe::Answer>& answers) {
     const bool contradicts = outcome.end == Outcome::End::signalled ||
                              (outcome.end == Outcome::End::exited && outcome.code != 0);
@@ -120,7 +120,8 @@ ProcessEnd endOf(const Outcome& outcome, bool finished, const Program& program,
         (outcome.end == Outcome::End::exited && outcome.code == kNotExecutable);
     if (const std::uint64_t bytes = program.staticBytes();
         mayNeverHaveBegun && bytes >= limits.addressSpaceBytes)
-        return {EndKind::memory, "its global and static variables take " + ofTheLimit(bytes, limits)};
+        return {EndKind::memory,
+                "its global and static variables take " + ofTheLimit(bytes, limits)};
     switch (outcome.end) {
         case Outcome::End::wallLimit:
             return {EndKind::timedOut, fmt::format("stopped after {:.0f} s", limits.wallSeconds)};
@@ -137,7 +138,7 @@ ProcessEnd endOf(const Outcome& outcome, bool finished, const Program& program,
 
 }  // namespace
 
-// Where nothing is left of the budget, the program is stopped before it begins.
+// If the time budget is spent, the program is not started at all.
 Outcome SandboxedExaminee::run(const sandbox::Command& command) {
     if (budget_ != nullptr && budget_->isSpent()) {
         Outcome none;
@@ -172,7 +173,8 @@ probe::Sitting SandboxedExaminee::ask(const std::vector<probe::Question>& questi
     if (sitting.end.kind == EndKind::timedOut && budget_ != nullptr && budget_->isSpent())
         sitting.end.detail = ofTheBudget(budget_->all());
     madeForbiddenCall_ = madeForbiddenCall_ || sitting.end.kind == EndKind::forbiddenCall;
-    if (sitting.end.kind == EndKind::finished && std::ranges::any_of(sitting.answers, saysOutOfMemory))
+    if (sitting.end.kind == EndKind::finished &&
+        std::ranges::any_of(sitting.answers, saysOutOfMemory))
         sitting.end = {EndKind::memory, kBadAlloc};
     return sitting;
 }

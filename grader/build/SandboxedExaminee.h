@@ -8,25 +8,25 @@
 
 namespace ticker::build {
 
-/// Asks a built submission: each sitting is one run of its program in the sandbox, which sees the
-/// questions and a memory for its answers, and nothing else.
+/// Questions a built submission: each call runs its program once in the sandbox, which sees the
+/// questions and the memory for its answers, and nothing else.
 class SandboxedExaminee final : public probe::Examinee {
 public:
     /// All of them must outlive this object.
-    /// @param limits  Of each sitting.
-    /// @param budget  Of the whole submission; null: none but the limits of each sitting.
+    /// @param limits  Of each run.
+    /// @param budget  Of the whole submission; null: only the limits of each run.
     SandboxedExaminee(const Program& program, const sandbox::Sandbox& sandbox,
                       const sandbox::Limits& limits, TimeBudget* budget = nullptr)
         : program_(program), sandbox_(sandbox), limits_(limits), budget_(budget) {}
 
-    /// @throws raytracer::Error where a question contradicts itself: a mistake of the asker.
+    /// @throws raytracer::Error if a question contradicts itself: a mistake of the caller.
     [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override;
 
-    /// CPU and wall time of all sittings so far, milliseconds.
+    /// CPU and wall time of all runs so far, milliseconds.
     [[nodiscard]] double cpuMs() const { return cpuMs_; }
     [[nodiscard]] double wallMs() const { return wallMs_; }
-    /// True where a sitting was ended at a system call that no renderer makes, also where its
-    /// answers had come already.
+    /// True if a run was ended at a system call that no renderer makes, even if its answers were
+    /// complete by then.
     [[nodiscard]] bool madeForbiddenCall() const { return madeForbiddenCall_; }
 
 private:

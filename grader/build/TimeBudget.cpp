@@ -5,7 +5,7 @@
 namespace ticker::build {
 namespace {
 
-// The limit on CPU time counts whole seconds, and less than one of either starts no program.
+// RLIMIT_CPU counts whole seconds, so a run gets at least one.
 constexpr double kLeastSeconds = 1.0;
 
 }  // namespace

@@ -8,19 +8,19 @@
 
 namespace ticker::build {
 
-/// The time that all runs of one submission may take together, each within its own limits. May be
-/// shared by threads; runs side by side may go beyond it by what one of them may take.
+/// The time that all runs of one submission may take together, each within its own limits. Safe to
+/// share between threads; parallel runs may exceed the budget by the limits of one run.
 class TimeBudget {
 public:
     explicit TimeBudget(const sandbox::TimeLimits& all) : all_(all) {}
 
-    /// True where nothing is left for another run.
+    /// True if no time is left for another run.
     [[nodiscard]] bool isSpent() const;
-    /// The limits of one run, cut to what is left of the whole.
+    /// The limits of one run, reduced to the rest of the budget.
     [[nodiscard]] sandbox::Limits cut(sandbox::Limits limits) const;
     void spend(const sandbox::Outcome& outcome);
 
-    /// What all runs together may take.
+    /// Limits of all runs together.
     [[nodiscard]] const sandbox::TimeLimits& all() const { return all_; }
 
 private:

@@ -69,7 +69,7 @@ AnswerState stateOf(const AnswerHeader& header) {
     return AnswerState::missing;
 }
 
-// A header that was never begun holds the filling, whose words are no claim of anybody.
+// An unstarted header still holds the fill pattern; ignore it.
 bool wasBegun(const AnswerHeader& header) {
     return stateOf(header) != AnswerState::missing || header.state == AnswerHeader::kBegun;
 }
@@ -87,7 +87,7 @@ std::vector<Event> eventsOf(const AnswerHeader& header, std::span<const std::byt
     std::vector<Event> events;
     events.reserve(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < count; ++i) {
-        // A slot holds kind + 1, so that one which nobody finished writing is told apart.
+        // A slot holds kind + 1: 0 marks an event that was not completely written.
         const std::size_t at = place.events + i * sizeof(Event);
         const auto kind = load<std::uint32_t>(memory, at);
         if (kind == 0 || kind > static_cast<std::uint32_t>(Event::Kind::pixelSet) + 1) continue;

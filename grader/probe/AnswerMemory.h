@@ -11,21 +11,22 @@
 
 namespace ticker::probe {
 
-/// Both ends work out from the questions where each answer lies in the answer memory:
+/// Both processes compute from the questions where each answer lies in the answer memory:
 ///   SheetHeader | for each question: AnswerHeader, values (three doubles each) | events
 /// Everything before the events is filled with `kUnansweredWord` by the grader.
 
-/// A quiet not-a-number that no arithmetic gives; every 8 bytes hold it until they are answered.
+/// A quiet NaN with a payload that no arithmetic produces. Every 8 bytes hold it until they are
+/// written.
 inline constexpr std::uint64_t kUnansweredWord = 0x7FF8'7469'636B'2A3FU;
 
-/// Says that the last question was reached.
+/// Marks that the last question was reached.
 inline constexpr std::uint64_t kSheetFinished = 0x646F'6E65'2A2A'2A2AU;
 
 struct SheetHeader {
     std::uint64_t finished = 0;  ///< `kSheetFinished` after the last question
 };
 
-/// What the answering side says about one question; on the grader's side a claim.
+/// Written by the submission's process about one question; the grader does not trust it.
 struct AnswerHeader {
     static constexpr std::uint32_t kBegun = 3;  ///< else an AnswerState
 
@@ -41,7 +42,7 @@ static_assert(sizeof(AnswerHeader) == 256 && std::is_trivially_copyable_v<Answer
 static_assert(sizeof(Event) == 112 && std::is_trivially_copyable_v<Event>);
 static_assert(sizeof(Vector3) == 24 && sizeof(ColourRGB) == 24);
 
-/// Where one answer lies, in bytes from the start of the memory.
+/// Place of one answer, in bytes from the start of the memory.
 struct AnswerPlace {
     std::size_t header = 0;
     std::size_t values = 0;
@@ -53,30 +54,29 @@ struct AnswerPlace {
 
 struct AnswerLayout {
     std::vector<AnswerPlace> places;  ///< one for each question
-    std::size_t filledBytes = 0;      ///< up to here the memory is filled with `kUnansweredWord`
+    std::size_t filledBytes =
+        0;  ///< everything before this offset is filled with `kUnansweredWord`
     std::size_t totalBytes = 0;
 };
 
-/// @throws raytracer::Error where the answers would take more than 1 GiB.
+/// @throws raytracer::Error if the answers need more than 1 GiB.
 [[nodiscard]] AnswerLayout layoutFor(const std::vector<Question>& questions);
 
-/// Makes an answer memory ready: `memory` has `layout.totalBytes` zero bytes at an address that is
-/// a multiple of 8.
+/// Initialises an answer memory: `memory` has `layout.totalBytes` zero bytes and is aligned to 8.
 void fillUnanswered(std::span<std::byte> memory, const AnswerLayout& layout);
 
-/// Reads the answers out of the memory. Nothing in the memory is believed: sizes come from the
-/// questions, texts are cut at their first NUL and at 231 bytes, unknown states count as missing,
-/// events that cannot be are dropped.
+/// Reads the answers out of the memory, as untrusted input: sizes come from the questions, texts
+/// are cut at their first NUL and at 231 bytes, unknown states count as missing, impossible events
+/// are dropped.
 ///
 /// @param memory  `layoutFor(questions).totalBytes` bytes.
 [[nodiscard]] std::vector<Answer> readAnswers(const std::vector<Question>& questions,
                                               std::span<const std::byte> memory);
 
-/// True where the other side says that it reached the last question.
+/// True if the other process has set the mark of the last question.
 [[nodiscard]] bool saysFinished(std::span<const std::byte> memory);
 
-/// True for a part of an answer that nobody wrote, as against one that holds a computed
-/// not-a-number.
+/// True for a part of an answer that was never written, as opposed to a computed NaN.
 [[nodiscard]] bool isUnanswered(const Vector3& value);
 [[nodiscard]] bool isUnanswered(const ColourRGB& value);
 

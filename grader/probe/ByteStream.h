@@ -13,7 +13,7 @@
 
 namespace ticker::probe {
 
-/// Collects plain values as bytes, in the machine's own order: both ends run on one machine.
+/// Writes plain values as bytes in native byte order: both processes run on one machine.
 class ByteWriter {
 public:
     template <typename Value>
@@ -42,12 +42,12 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// Reads back what a `ByteWriter` wrote. Every read is checked against what is left.
+/// Reads what a `ByteWriter` wrote. Every read is checked against the number of bytes left.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
 
-    /// @throws Error where fewer bytes are left.
+    /// @throws Error if fewer bytes are left.
     template <typename Value>
     [[nodiscard]] Value get() {
         static_assert(std::is_trivially_copyable_v<Value>);
@@ -56,7 +56,7 @@ public:
         return value;
     }
 
-    /// @throws Error where fewer bytes are left than the count asks for.
+    /// @throws Error if fewer bytes are left than the count requires.
     template <typename Value>
     [[nodiscard]] std::vector<Value> getAll() {
         static_assert(std::is_trivially_copyable_v<Value>);
@@ -67,8 +67,8 @@ public:
         return values;
     }
 
-    /// A count of things that take at least `bytesEach` bytes of what is left.
-    /// @throws Error where so many cannot follow.
+    /// Reads a count of items that take at least `bytesEach` bytes each.
+    /// @throws Error if the bytes left cannot hold that many.
     [[nodiscard]] std::size_t getCount(std::size_t bytesEach) {
         const auto count = get<std::uint64_t>();
         if (count > rest_.size() / bytesEach)

@@ -11,14 +11,14 @@
 namespace ticker::probe {
 namespace {
 
-// A thread outlives a log, and a new log may lie where an old one was: logs are told apart by this.
+// Identifies a log: a thread can outlive it, and a new log may get the same address.
 std::uint64_t nextGeneration() {
     static std::atomic<std::uint64_t> last{0};
     return ++last;
 }
 
-// True of a thread between the beginning of a point's lighting and its first shadow ray. A turn for
-// each point is enough, and each may cost a time slice where the machine is busy.
+// Set for a thread between the start of a point's lighting and its first shadow ray: one turn for
+// each point is enough, and each turn may cost a time slice on a busy machine.
 bool& turnIsDue() {
     thread_local bool isDue = false;
     return isDue;
@@ -122,15 +122,16 @@ void EventLog::record(Event event) {
     constexpr std::size_t kBody = sizeof event.kind;
     std::memcpy(at + kBody, reinterpret_cast<const std::byte*>(&event) + kBody,
                 sizeof event - kBody);
-    // The kind comes last, plus one: a slot whose kind is 0 was never finished.
+    // The kind is written last, plus one: a slot with kind 0 was not completely written.
     auto& kind = *reinterpret_cast<std::uint32_t*>(at);
     std::atomic_ref<std::uint32_t>{kind}.store(static_cast<std::uint32_t>(event.kind) + 1,
                                                std::memory_order_release);
 }
 
-// A thread that has just been started may have to wait for a processor; one that never comes costs
-// those 20 ms once for each question. Not before the first ray: who fills a table for all pixels in
-// the first one would be held up in the middle of it, by us alone.
+// Waits up to 20 ms for a second thread, since a new thread may have to wait for a processor. A
+// submission with one thread pays that once for each question. The wait comes after a traced ray,
+// never before the first one: code that fills a table for all pixels at the first pixel must not be
+// delayed in the middle of that.
 void EventLog::giveWay() {
     constexpr int kMostWaits = 20;
     while (threads_ < 2 && waits_++ < kMostWaits)

@@ -13,23 +13,23 @@
 
 namespace ticker::probe {
 
-/// Writes what it observes into a caller's memory, each event as it happens, so that a crash loses
-/// nothing that came before. Any number of threads may be observed.
+/// Writes observed events into the caller's memory at once, so that a crash loses none of the
+/// earlier ones. Any number of threads may be observed.
 class EventLog final : public raytracer::RenderObserver {
 public:
     /// @param slots  Zero bytes for a whole number of `Event`s, aligned to 8.
-    /// @param seen   Counts the events, also those that no longer fit; set to 0.
+    /// @param seen   Counts all events, including those that do not fit; set to 0.
     EventLog(std::span<std::byte> slots, std::uint64_t& seen);
 
-    /// Events from now on belong to this position, point or repetition.
+    /// Subsequent events belong to this position, point or repetition.
     void beginAsk(std::uint32_t ask) { ask_ = ask; }
 
-    /// Makes the threads that are observed take turns after every ray that was traced and after the
-    /// first shadow ray of every point, the first of them after a short wait for a second one: what
-    /// they wrongly share while a pixel or a light adds up shows, however busy the machine is.
+    /// Makes the observed threads take turns after every traced ray and after the first shadow ray
+    /// of every point, the first turn after a short wait for a second thread: makes data races
+    /// between pixels and between lights visible even on a busy machine.
     void takeTurns() { takesTurns_ = true; }
 
-    /// The scene whose objects are numbered; not owned; null: every object is -1.
+    /// Sets the scene whose objects are numbered; not owned; null: every object is -1.
     void watch(const raytracer::Scene* scene) { scene_ = scene; }
 
     void cameraRayAsked(int x, int y, const raytracer::Ray& ray) override;
@@ -42,7 +42,8 @@ public:
     void pixelSet(int x, int y, const ColourRGB& colour) override;
 
 private:
-    /// Asked first: a picture casts millions of rays that nobody wants to know of.
+    /// Checked before anything else: a picture casts millions of rays, and most questions need no
+    /// log.
     [[nodiscard]] bool keepsNothing() const { return capacity_ == 0; }
     void record(Event event);
     [[nodiscard]] std::uint32_t threadNumber();

@@ -8,29 +8,30 @@
 
 namespace ticker::probe {
 
-/// How the process that answered ended.
+/// How the answering process ended.
 struct ProcessEnd {
     enum class Kind {
-        finished,       ///< answered everything that it could
+        finished,       ///< answered all questions
         crashed,        ///< by a signal: `detail` names it
-        exitedEarly,    ///< left before the last question, by exit() or the like
+        exitedEarly,    ///< ended before the last question, by exit() or the like
         timedOut,       ///< CPU or wall clock
-        memory,         ///< ran out of its memory
+        memory,         ///< ran out of memory
         outputLimit,    ///< printed too much
-        forbiddenCall,  ///< asked the system for something that a renderer does not need
-        ourFault        ///< could not be started or watched
+        forbiddenCall,  ///< made a system call that a renderer does not need
+        ourFault        ///< could not be started or watched: an error of the grader
     };
     Kind kind = Kind::finished;
     std::string detail;
 };
 
-/// All answers of one sitting, in the order of the questions, and how it ended.
+/// All answers of one run, in the order of the questions, and how the process ended.
 struct Sitting {
     std::vector<Answer> answers;
     ProcessEnd end;
 };
 
-/// A submission that can be asked. Each call is a fresh process that knows nothing of earlier ones.
+/// A submission that can be questioned. Each call runs a fresh process without memory of earlier
+/// calls.
 class Examinee {
 public:
     Examinee() = default;
@@ -38,7 +39,7 @@ public:
     Examinee(const Examinee&) = delete;
     Examinee& operator=(const Examinee&) = delete;
 
-    /// Puts the questions to a fresh process. Never throws for what the submission does.
+    /// Puts the questions to a fresh process. Never throws because of what the submission does.
     [[nodiscard]] virtual Sitting ask(const std::vector<Question>& questions) = 0;
 };
 

@@ -18,8 +18,8 @@ namespace ticker::probe {
 using raytracer::ColourRGB;
 using raytracer::Vector3;
 
-/// A height map, told briefly enough to be sent: height(column, row) is
-/// `columns[column] + rows[row]` when `bytes` is empty, else kBumpFactor * bytes[...] / 255.
+/// A height map in compact form: height(column, row) is `columns[column] + rows[row]` if `bytes` is
+/// empty, else kBumpFactor * bytes[...] / 255.
 struct HeightMapDescription {
     int width = 0;
     int height = 0;
@@ -30,18 +30,17 @@ struct HeightMapDescription {
     [[nodiscard]] raytracer::HeightMap build() const;
 };
 
-/// A picture's map, told as bytes: heights are rounded to them.
+/// Describes a picture's map as bytes: heights are rounded to them.
 [[nodiscard]] HeightMapDescription describe(const raytracer::HeightMap& map);
 
-/// Asks `BumpySphere::getNormalAt` at some points of one sphere, which stands in a scene like any
-/// other: nothing tells it from the sphere of a picture.
+/// Asks `BumpySphere::getNormalAt` at points of one sphere. The sphere stands in a scene built like
+/// a render's, so that a submission cannot tell it from the sphere of a picture.
 struct NormalQuestion {
     Vector3 centre;
     double radius = 1.0;
     raytracer::Material material;
     HeightMapDescription map;
-    raytracer::SceneDescription company;  ///< the rest of the scene; the sphere comes last of its
-                                          ///< spheres
+    raytracer::SceneDescription company;  ///< the rest of the scene; the sphere is added last
     std::vector<Vector3> positions;       ///< on the sphere, world space
 };
 
@@ -53,13 +52,12 @@ struct LitPoint {
     Vector3 viewer;
 };
 
-/// Asks `Renderer::illuminate` at some points, one after the other, each after seedRandom(seed +
-/// i).
+/// Asks `Renderer::illuminate` at points, one after the other, each after seedRandom(seed + i).
 struct IlluminateQuestion {
     raytracer::SceneDescription scene;
     raytracer::RenderSettings settings;
     std::vector<LitPoint> points;
-    std::uint32_t eventCapacity = 0;  ///< rays logged at most; 0: no log
+    std::uint32_t eventCapacity = 0;  ///< most logged rays; 0: no log
 };
 
 /// Asks `Renderer::render`, `repetitions` times with settings.seed, settings.seed + 1, ...
@@ -67,13 +65,13 @@ struct RenderQuestion {
     raytracer::SceneDescription scene;
     raytracer::RenderSettings settings;
     int repetitions = 1;
-    std::uint32_t eventCapacity = 0;  ///< events logged at most over all repetitions; 0: no log
+    std::uint32_t eventCapacity = 0;  ///< most logged events of all repetitions; 0: no log
 };
 
 using Question = std::variant<NormalQuestion, IlluminateQuestion, RenderQuestion>;
 
-/// What RenderObserver saw, in order of happening on each thread. `ask` marks the point or
-/// repetition that it belongs to. Fields that an event does not have are zero.
+/// An event that RenderObserver reported, in order of occurrence on each thread. `ask` is the index
+/// of the point or repetition that it belongs to. Fields that an event does not have are zero.
 struct Event {
     enum class Kind : std::uint32_t {
         cameraRayAsked,   ///< x, y; a = origin, b = direction
@@ -85,7 +83,7 @@ struct Event {
         pixelSet          ///< x, y; a = colour
     };
     Kind kind = Kind::rayCast;
-    std::uint32_t thread = 0;  ///< 0 for the first thread that did anything, then 1, ...
+    std::uint32_t thread = 0;  ///< 0 for the thread with the first event, then 1, ...
     std::uint32_t ask = 0;
     std::int32_t x = 0;
     std::int32_t y = 0;
@@ -98,19 +96,19 @@ struct Event {
     Vector3 c;
 };
 
-/// How an answer came about. Everything in an answer is the student's process's claim.
+/// How an answer ended. Every field of an answer comes from the student's process: untrusted.
 enum class AnswerState : std::uint32_t {
-    missing = 0,  ///< never reached: the process ended, or was ended, before
+    missing = 0,  ///< never reached: the process ended before
     answered = 1,
-    threw = 2  ///< an exception came out of the student's code; `message` says which
+    threw = 2  ///< the student's code threw an exception; its text is `message`
 };
 
-/// Parts of a question that were never answered hold not-a-number in every component;
-/// `isUnanswered` (AnswerMemory.h) tells it from one that was computed.
+/// Unanswered parts of an answer hold NaN in every component; `isUnanswered` (AnswerMemory.h)
+/// distinguishes them from computed NaNs.
 struct NormalAnswer {
     AnswerState state = AnswerState::missing;
     std::string message;           ///< of the first exception; untrusted text
-    std::uint32_t exceptions = 0;  ///< positions at which an exception came out
+    std::uint32_t exceptions = 0;  ///< number of positions at which an exception was thrown
     std::vector<Vector3> normals;  ///< one for each position
 };
 
@@ -119,8 +117,8 @@ struct IlluminateAnswer {
     std::string message;
     std::vector<ColourRGB> colours;  ///< one for each point
     std::vector<Event> events;
-    bool eventsCut = false;        ///< more happened than fitted
-    std::uint32_t exceptions = 0;  ///< points at which an exception came out
+    bool eventsCut = false;        ///< more events occurred than fit
+    std::uint32_t exceptions = 0;  ///< number of points at which an exception was thrown
 };
 
 struct RenderAnswer {
@@ -128,11 +126,11 @@ struct RenderAnswer {
     std::string message;
     int width = 0;  ///< as asked; a wrong size is `wrongSize`
     int height = 0;
-    bool wrongSize = false;                      ///< an image of another size came back
+    bool wrongSize = false;                      ///< the image has another size
     std::vector<std::vector<ColourRGB>> images;  ///< one for each repetition, rows from the top
     std::vector<Event> events;
     bool eventsCut = false;
-    std::uint32_t exceptions = 0;  ///< repetitions out of which an exception came
+    std::uint32_t exceptions = 0;  ///< number of repetitions in which an exception was thrown
 };
 
 using Answer = std::variant<NormalAnswer, IlluminateAnswer, RenderAnswer>;

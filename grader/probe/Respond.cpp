@@ -19,7 +19,7 @@
 namespace ticker::probe {
 namespace {
 
-/// The place of one answer, while it is being written.
+/// Writes one answer into its place in the answer memory.
 class AnswerSheet {
 public:
     AnswerSheet(std::span<std::byte> memory, const AnswerPlace& place)
@@ -44,7 +44,7 @@ public:
 
     void sayWrongSize() { header_.wrongSize = 1; }
 
-    /// Runs `work`, which may throw whatever a student can think of.
+    /// Runs `work`, which may throw anything.
     template <typename Work>
     void attempt(Work&& work) {
         try {
@@ -56,8 +56,8 @@ public:
         }
     }
 
-    /// A log for this answer's events. Where none are wanted it keeps none, but is there: whether
-    /// somebody watches must not show in settings().observer.
+    /// A log for this answer's events. It exists even if no events are wanted, and keeps none then:
+    /// settings().observer must not reveal whether the rays are logged.
     [[nodiscard]] std::unique_ptr<EventLog> makeLog() {
         if (place_.eventCapacity == 0)
             return std::make_unique<EventLog>(std::span<std::byte>{}, unwanted_);
@@ -86,9 +86,9 @@ raytracer::SceneDescription withSphere(const NormalQuestion& question,
     return scene;
 }
 
-/// A question's sphere in a scene of its own, made as a render's scene is. No address is used again
-/// within a sitting, just as in a render, so that what a submission keeps for each object or map
-/// stays true; the heights are freed.
+/// A question's sphere in a scene of its own, built like a render's scene. The scenes of a run stay
+/// alive, so that addresses are never reused, as in a render: what a submission caches for an
+/// object or map stays valid. Only the heights are freed.
 class Stand {
 public:
     explicit Stand(const NormalQuestion& question)
@@ -183,7 +183,8 @@ private:
     }
 };
 
-// Frees all that it took: a submission's own operator delete runs before the last mark is set.
+// All memory is freed before this returns: the submission's own operator delete runs before the
+// last mark is set.
 void answerAll(const std::vector<Question>& questions, std::span<std::byte> memory) {
     const AnswerLayout layout = layoutFor(questions);
     if (memory.size() < layout.totalBytes)

@@ -9,14 +9,14 @@
 
 namespace ticker::probe {
 
-/// Answers the questions with the solution that this program is linked with, into `memory`, piece
-/// by piece: what was answered before a crash stays.
+/// Answers the questions with the solution that this program is linked with, writing into `memory`
+/// as it goes: answers given before a crash are kept.
 ///
-/// Exceptions that come out of the solution are counted for each position, point or repetition, the
-/// first one's text is kept, and the next one is asked.
+/// An exception of the solution is counted for its position, point or repetition; the text of the
+/// first one is kept, and the next item is asked.
 ///
-/// @param memory  As `fillUnanswered` makes it (AnswerMemory.h); aligned to 8.
-/// @throws raytracer::Error where the memory is too small.
+/// @param memory  Filled by `fillUnanswered` (AnswerMemory.h); aligned to 8.
+/// @throws raytracer::Error if the memory is too small.
 void respond(const std::vector<Question>& questions, std::span<std::byte> memory);
 
 }  // namespace ticker::probe

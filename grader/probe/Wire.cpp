@@ -22,7 +22,7 @@ using raytracer::SphereDescription;
 
 constexpr std::uint32_t kMagic = 0x544B5051;  // "TKPQ"
 constexpr std::uint32_t kVersion = 2;
-constexpr int kLargestMapSide = 16384;  // as the picture reader: raytracer/io/ImageReader.h
+constexpr int kLargestMapSide = 16384;  // same limit as raytracer/io/ImageReader.h
 constexpr int kLargestFrame = 4096;
 constexpr int kMostRepetitions = 4096;
 
@@ -30,7 +30,7 @@ constexpr int kMostRepetitions = 4096;
     throw raytracer::Error(std::string{"questions: "} + what);
 }
 
-// The byte of the picture that a height came from; empty where it came from none.
+// The byte of a picture that gives this height; empty if none does.
 std::optional<std::uint8_t> byteOf(double height) {
     const double level = std::round(height * 255.0 / raytracer::kBumpFactor);
     if (!(level >= 0.0 && level <= 255.0)) return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<std::uint8_t> byteOf(double height) {
     return byte;
 }
 
-// An eighth of the size of heights; empty where some are no picture's.
+// An eighth of the size of the heights; empty if some height is not a picture's.
 std::vector<std::uint8_t> asBytes(const HeightMap& map) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(static_cast<std::size_t>(map.width()) * static_cast<std::size_t>(map.height()));

@@ -10,12 +10,12 @@
 namespace ticker::probe {
 
 /// The message that carries questions to the probe program.
-/// @throws raytracer::Error where a question contradicts itself (a map of another size than it
-///         says, a point on an object that is not there, an image without pixels).
+/// @throws raytracer::Error if a question contradicts itself (a map of another size than stated, a
+///         point on an object that does not exist, an image without pixels).
 [[nodiscard]] std::vector<std::byte> encodeQuestions(const std::vector<Question>& questions);
 
 /// Reads the message back.
-/// @throws raytracer::Error where it is cut, of another version, or contradicts itself.
+/// @throws raytracer::Error if it is truncated, of another version, or contradicts itself.
 [[nodiscard]] std::vector<Question> decodeQuestions(std::span<const std::byte> message);
 
 }  // namespace ticker::probe

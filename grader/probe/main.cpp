@@ -1,6 +1,6 @@
 // The probe program: linked with a submission and run in the sandbox. Questions come on descriptor
-// 3, answers go to the memory behind descriptor 4. It opens nothing, prints nothing and knows no
-// right answer.
+// 3, answers go to the memory behind descriptor 4. It opens no file, prints nothing and contains no
+// expected answer.
 #include <grader/probe/Respond.h>
 #include <grader/probe/Wire.h>
 
@@ -21,7 +21,7 @@ constexpr int kQuestions = 3;
 constexpr int kAnswers = 4;
 
 std::span<std::byte> mapped(int descriptor, int protection, int flags) {
-    // The filter of system calls knows no fstat(): the C library asks for it by path.
+    // The system call filter has no fstat(): the C library makes it a call that takes a path.
     const off_t end = lseek(descriptor, 0, SEEK_END);
     if (end <= 0) throw raytracer::Error("a descriptor is missing");
     const auto size = static_cast<std::size_t>(end);
@@ -30,8 +30,8 @@ std::span<std::byte> mapped(int descriptor, int protection, int flags) {
     return {static_cast<std::byte*>(memory), size};
 }
 
-// Some start a thread for each row of a picture. As many stacks and heaps as glibc gives to each by
-// itself would not fit into the memory that a submission may have.
+// Some submissions start a thread for each row of a picture. With glibc's default sizes, that many
+// stacks and heaps would not fit into a submission's memory limit.
 void makeRoomForThreads() {
     constexpr std::size_t kStackBytes = 2U << 20U;
     constexpr int kHeaps = 4;
@@ -45,9 +45,9 @@ void makeRoomForThreads() {
 
 }  // namespace
 
-// Defined here, so that a submission with one of its own is refused by the linker: it would run
-// after the last answer, when the submission has nothing left to do. By the instruction itself,
-// since a submission may define what else leads to the kernel.
+// Defined here, so that the linker refuses a submission with an _Exit of its own, which would run
+// after the last answer, outside of all questions. The system call is made directly, since a
+// submission may define any other function on the way to the kernel.
 extern "C" [[noreturn]] void _Exit(int status) noexcept {
 #if defined(__x86_64__)
     while (true)
@@ -64,11 +64,11 @@ int main() {
     try {
         const auto questions = decodeQuestions(mapped(kQuestions, PROT_READ, MAP_PRIVATE));
         respond(questions, mapped(kAnswers, PROT_READ | PROT_WRITE, MAP_SHARED));
-        // Everything is answered: the submission's destructors, its operator delete and its atexit
-        // functions do not matter.
+        // Everything is answered: skip the submission's destructors, operator delete and atexit
+        // functions.
         _Exit(0);
     } catch (const std::bad_alloc&) {
-        throw;  // what a submission keeps ran out between two answers: the abort's message says so
+        throw;  // memory ran out between two answers: the abort's message reports it
     } catch (const std::exception&) {
         _Exit(raytracer::toInt(raytracer::ExitCode::notGradable));
     }
