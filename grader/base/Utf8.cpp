@@ -46,26 +46,42 @@ bool mayMislead(std::uint32_t c) {
     return control || bidirectional || noCharacter;
 }
 
-}  // namespace
+/// What moves a cursor or begins a line: C0, DEL, C1, and U+2028 and U+2029.
+bool isControl(std::uint32_t c) {
+    return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029;
+}
 
-std::string cleanText(std::string_view text) {
+/// `text` as valid UTF-8, without the characters that `isUnwanted` names.
+template <typename Unwanted>
+std::string cleaned(std::string_view text, Unwanted&& isUnwanted) {
     std::string clean;
     clean.reserve(text.size());
     while (!text.empty()) {
         const Decoded next = decode(text);
         const std::size_t bytes = std::max<std::size_t>(next.bytes, 1);
-        if (text.substr(0, 2) == "\r\n") {
-            clean += '\n';
-            text.remove_prefix(2);
-            continue;
-        }
-        if (next.bytes == 0 || mayMislead(next.codePoint))
-            clean += kReplacement;
-        else
-            clean += text.substr(0, bytes);
+        clean +=
+            next.bytes == 0 || isUnwanted(next.codePoint) ? kReplacement : text.substr(0, bytes);
         text.remove_prefix(bytes);
     }
     return clean;
+}
+
+}  // namespace
+
+std::string cleanText(std::string_view text) {
+    std::string lines;
+    lines.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text.substr(i, 2) != "\r\n") lines += text[i];
+    return cleaned(lines, mayMislead);
+}
+
+std::string asUtf8(std::string_view text) {
+    return cleaned(text, [](std::uint32_t c) { return c == 0; });
+}
+
+std::string asPlainLine(std::string_view text) {
+    return cleaned(text, isControl);
 }
 
 }  // namespace ticker

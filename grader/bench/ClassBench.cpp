@@ -3,6 +3,8 @@
 // workers.
 #include <grader/bench/Harness.h>
 
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 
 #include <fmt/format.h>
@@ -18,7 +20,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -144,7 +145,8 @@ private:
 
     void copySample(const std::string& sample, const fs::path& target) const {
         fs::create_directories(target.parent_path());
-        fs::copy(options_.root / "grader/corpus/samples" / sample, target, fs::copy_options::recursive);
+        fs::copy(options_.root / "grader/corpus/samples" / sample, target,
+                 fs::copy_options::recursive);
     }
 
     /// @return what ticker said
@@ -154,8 +156,7 @@ private:
                       "--jobs", std::to_string(kWorkers), "--seed", "1", "--verbose"},
                      output),
                output);
-        std::ifstream stream{output};
-        return {std::istreambuf_iterator<char>{stream}, {}};
+        return readIfThere(output).value_or("");
     }
 
     double perSubmission(const std::string& name, const std::array<std::string, 3>& samples,

@@ -1,4 +1,5 @@
 // What the sandbox costs: medians of interleaved pairs, once in it and once without.
+#include <grader/base/WholeFile.h>
 #include <grader/bench/Harness.h>
 #include <grader/build/Build.h>
 #include <grader/picture/DecodePicture.h>
@@ -11,8 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -29,12 +28,6 @@ struct Options {
 
 void require(bool done, const char* what) {
     if (!done) throw raytracer::Error(fmt::format("{} failed", what));
-}
-
-std::string readAll(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
-    return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
 std::vector<Figure> emptyRun(const sandbox::Sandbox& jail, int rounds) {
@@ -67,7 +60,7 @@ std::vector<std::string> compileCommand(const build::Kit& kit, const fs::path& s
 std::vector<Figure> compiling(const sandbox::Sandbox& jail, const Options& options) {
     const build::Kit kit = build::Kit::besideProgram();
     const fs::path source = options.project / "reference_solution/exercise/BumpySphere.cpp";
-    const std::string text = readAll(source);
+    const std::string text = readWhole(source);
     const build::JobFolder folder;
     const auto command = compileCommand(kit, source, folder.path() / "probe");
     const sandbox::Limits limits = sandbox::defaultPolicy().compile;
@@ -89,7 +82,7 @@ std::vector<Figure> compiling(const sandbox::Sandbox& jail, const Options& optio
 
 std::vector<Figure> decoding(const sandbox::Sandbox& jail, const Options& options) {
     const std::string bytes =
-        readAll(options.project / "grader/corpus/samples/awarded/reference-bump/screenshot.png");
+        readWhole(options.project / "grader/corpus/samples/awarded/reference-bump/screenshot.png");
     const sandbox::Limits limits = sandbox::defaultPolicy().decode;
     const Pair pair = measurePair(
         options.rounds,

@@ -1,7 +1,7 @@
 #include <grader/build/Build.h>
 
+#include <grader/base/FileDescriptor.h>
 #include <grader/build/Diagnostics.h>
-#include <grader/sandbox/FileDescriptor.h>
 
 #include <raytracer/base/Error.h>
 
@@ -63,8 +63,7 @@ public:
         const fs::path target = folder.path() / "probe";
         // Must be closed before the program is run: the kernel does not execute a file that is open
         // for writing.
-        sandbox::FileDescriptor product{
-            open(target.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0755)};
+        FileDescriptor product{open(target.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0755)};
         if (!product.isOpen() || fchmod(product.get(), 0755) != 0)
             throw raytracer::Error("cannot write " + target.string());
         const Outcome outcome = sandbox_.run(command(precompiled, product.get()));

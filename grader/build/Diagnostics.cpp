@@ -1,6 +1,6 @@
 #include <grader/build/Diagnostics.h>
 
-#include <grader/intake/Utf8.h>
+#include <grader/base/Utf8.h>
 
 #include <algorithm>
 #include <cctype>
@@ -48,7 +48,7 @@ std::string readableDiagnostics(std::string_view output,
     // Line numbers refer to the assembler code, so they must not follow the plain name of the
     // student's file.
     nameTemporary(text, ".s", std::string{fileName} + " (as assembler code)");
-    text = intake::asUtf8(text);
+    text = asUtf8(text);
     if (text.size() <= kMostDiagnostics) return text;
     const std::size_t line = text.rfind('\n', kMostDiagnostics);
     text.resize(line == std::string::npos ? 0 : line + 1);

@@ -1,5 +1,6 @@
 #include <grader/build/Kit.h>
 
+#include <grader/base/WholeFile.h>
 #include <grader/sandbox/Sandbox.h>
 
 #include <raytracer/base/Error.h>
@@ -10,17 +11,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <iterator>
-
 namespace ticker::build {
 namespace fs = std::filesystem;
 namespace {
 
-std::string readText(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) throw raytracer::Error(fmt::format("the kit lacks {}", file.string()));
-    return {std::istreambuf_iterator<char>{stream}, {}};
+std::string readPart(const fs::path& file) {
+    auto text = readIfThere(file);
+    if (!text) throw raytracer::Error(fmt::format("the kit lacks {}", file.string()));
+    return std::move(*text);
 }
 
 // As root, jobs run as another user, which needs search permission on every folder of the path.
@@ -53,7 +51,7 @@ Kit Kit::besideProgram() {
 
 Kit Kit::at(const fs::path& folder) {
     const fs::path file = folder / "kit.json";
-    const std::string text = readText(file);
+    const std::string text = readPart(file);
     Kit kit;
     try {
         const auto json = nlohmann::json::parse(text);
@@ -75,7 +73,7 @@ Kit Kit::at(const fs::path& folder) {
 }
 
 std::string Kit::templateSource(SourceFile file) const {
-    return readText(folder_ / "template" / nameOf(file));
+    return readPart(folder_ / "template" / nameOf(file));
 }
 
 }  // namespace ticker::build

@@ -1,6 +1,6 @@
 #include <grader/build/SandboxedExaminee.h>
 
-#include <grader/intake/Utf8.h>
+#include <grader/base/Utf8.h>
 #include <grader/probe/AnswerMemory.h>
 #include <grader/probe/Wire.h>
 #include <grader/sandbox/SharedMemory.h>
@@ -112,8 +112,7 @@ bool hasFinished(const Outcome& outcome, bool isMarked, const std::vector<probe:
 
 ProcessEnd endOf(const Outcome& outcome, bool finished, const Program& program,
                  const sandbox::Limits& limits) {
-    if (outcome.end == Outcome::End::failed)
-        return {EndKind::ourFault, intake::asUtf8(outcome.output)};
+    if (outcome.end == Outcome::End::failed) return {EndKind::ourFault, asUtf8(outcome.output)};
     if (finished) return {};
     const bool mayNeverHaveBegun =
         outcome.end == Outcome::End::signalled ||
@@ -154,7 +153,7 @@ Outcome SandboxedExaminee::run(const sandbox::Command& command) {
 
 probe::Sitting SandboxedExaminee::ask(const std::vector<probe::Question>& questions) {
     const probe::AnswerLayout layout = probe::layoutFor(questions);
-    const sandbox::FileDescriptor message = sandbox::sealedCopy(probe::encodeQuestions(questions));
+    const FileDescriptor message = sandbox::sealedCopy(probe::encodeQuestions(questions));
     const sandbox::SharedMemory memory{layout.totalBytes};
     probe::fillUnanswered(memory.bytes(), layout);
 

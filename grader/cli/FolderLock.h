@@ -1,7 +1,7 @@
 #ifndef TICKER_CLI_FOLDERLOCK_H
 #define TICKER_CLI_FOLDERLOCK_H
 
-#include <grader/sandbox/FileDescriptor.h>
+#include <grader/base/FileDescriptor.h>
 
 #include <filesystem>
 
@@ -16,7 +16,7 @@ public:
     explicit FolderLock(const std::filesystem::path& folder);
 
 private:
-    sandbox::FileDescriptor file_;
+    FileDescriptor file_;
 };
 
 }  // namespace ticker::cli

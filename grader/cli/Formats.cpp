@@ -1,5 +1,6 @@
 #include <grader/cli/Formats.h>
 
+#include <grader/base/WholeFile.h>
 #include <grader/cli/Output.h>
 #include <grader/cli/verbs/StudentPages.h>
 #include <grader/report/ClassPage.h>
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -65,14 +65,6 @@ const std::map<std::string, ClassFormat>& classFormats() {
     return kFormats;
 }
 
-std::string readText(const fs::path& file, const char* expected) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream)
-        throw raytracer::InputError(file.string(), 0,
-                                    fmt::format("cannot be read; expected {}", expected));
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
-
 void tell(const report::MoodleGrades& grades, const std::vector<store::ClassEntry>& entries) {
     for (const std::string& remark : grades.remarks)
         fmt::print(stderr, "{}\n", remark);
@@ -110,10 +102,11 @@ std::vector<fs::path> writeMoodle(const fs::path& out, std::vector<store::ClassE
     if (!options.scale.empty())
         scale = report::ScaleWords{options.scale.at(0), options.scale.at(1)};
     const report::MoodleGrades grades = report::fillMoodleWorksheet(
-        readText(options.worksheet, "Moodle's grading worksheet"), options.worksheet, views, scale);
+        readWhole(options.worksheet, "cannot be read; expected Moodle's grading worksheet"),
+        options.worksheet, views, scale);
     const fs::path sheet = out / "moodle-worksheet.csv";
     const fs::path feedback = out / "moodle-feedback.zip";
-    report::writeAtomically(grades.worksheet, sheet);
+    writeAtomically(grades.worksheet, sheet);
     zip::ZipWriter zip{feedback};
     for (const report::NamedText& file : report::moodleFeedbackFiles(grades.graded, views, pages))
         zip.add(file.path, file.text);
@@ -129,7 +122,7 @@ std::vector<fs::path> writePages(const fs::path& out, const std::vector<store::C
     for (const store::ClassEntry& entry : entries)
         written.push_back(rewriteReport(out, entry.result));
     written.push_back(out / "index.html");
-    report::writeAtomically(report::classPage(readResults(out)), written.back());
+    writeAtomically(report::classPage(readResults(out)), written.back());
     return written;
 }
 
@@ -140,7 +133,7 @@ std::vector<fs::path> writeEach(const fs::path& out, const std::vector<store::Cl
         const fs::path file = out / entry.result.submission / format.name;
         std::error_code ignored;
         if (const auto text = format.render(studentViewOf(entry, policy))) {
-            report::writeAtomically(*text, file);
+            writeAtomically(*text, file);
             written.push_back(file);
         } else {
             fs::remove(file, ignored);
@@ -181,7 +174,7 @@ std::vector<fs::path> writeFormats(const fs::path& out,
         std::vector<fs::path> files;
         if (const auto whole = classFormats().find(name); whole != classFormats().end()) {
             files = {out / whole->second.file};
-            report::writeAtomically(whole->second.render(entries), files.front());
+            writeAtomically(whole->second.render(entries), files.front());
         } else if (name == "html") {
             files = writePages(out, entries, options);
         } else if (name == "moodle") {

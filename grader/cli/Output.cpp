@@ -1,19 +1,18 @@
+#include <grader/base/WholeFile.h>
 #include <grader/cli/Output.h>
 #include <grader/report/ClassPage.h>
 #include <grader/report/Escape.h>
 #include <grader/report/ReportPage.h>
-#include <grader/result/ResultJson.h>
 #include <grader/report/SummaryCsv.h>
 #include <grader/report/Tally.h>
 #include <grader/result/Names.h>
+#include <grader/result/ResultJson.h>
 #include <grader/store/ClassFolder.h>
 
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -46,12 +45,6 @@ std::string findingsText(const SubmissionResult& result) {
     return text;
 }
 
-/// Empty where there is no such file: a page does without.
-std::string bytesOf(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
-
 }  // namespace
 
 void writeSubmission(const fs::path& out, const SubmissionResult& result) {
@@ -61,16 +54,16 @@ void writeSubmission(const fs::path& out, const SubmissionResult& result) {
     makeFolder(folder / "images");
     makeFolder(folder / "code");
     for (const ResultPicture& picture : result.pictures)
-        report::writeAtomically(picture.png, folder / picture.file);
+        writeAtomically(picture.png, folder / picture.file);
     for (const SourceText& source : result.sources)
-        report::writeAtomically(source.bytes, folder / "code" / source.file);
+        writeAtomically(source.bytes, folder / "code" / source.file);
     // The page shows what result.json says, so that it can be made again from there.
     const std::string json = report::resultJson(result);
     SubmissionResult told = report::parseResultJson(json, "result.json");
     told.pictures = result.pictures;
     told.sources = result.sources;
-    report::writeAtomically(report::reportPage(told), folder / "report.html");
-    report::writeAtomically(json, folder / "result.json");
+    writeAtomically(report::reportPage(told), folder / "report.html");
+    writeAtomically(json, folder / "result.json");
 }
 
 std::string summaryOf(const std::vector<store::ClassEntry>& entries) {
@@ -82,8 +75,8 @@ std::string summaryOf(const std::vector<store::ClassEntry>& entries) {
 
 void writeClass(const fs::path& out) {
     const std::vector<store::ClassEntry> entries = store::readClass(out);
-    report::writeAtomically(summaryOf(entries), out / "summary.csv");
-    report::writeAtomically(report::classPage(resultsOf(entries)), out / "index.html");
+    writeAtomically(summaryOf(entries), out / "summary.csv");
+    writeAtomically(report::classPage(resultsOf(entries)), out / "index.html");
 }
 
 std::vector<SubmissionResult> resultsOf(std::vector<store::ClassEntry> entries) {
@@ -100,16 +93,17 @@ std::vector<SubmissionResult> readResults(const fs::path& out) {
 void fetchFiles(const fs::path& out, SubmissionResult& result) {
     const fs::path folder = out / result.submission;
     for (ResultPicture& picture : result.pictures)
-        picture.png = bytesOf(folder / picture.file);
+        picture.png = readIfThere(folder / picture.file).value_or("");
     for (const Diagnostics& said : result.diagnostics)
         result.sources.push_back(
-            {said.file, bytesOf(folder / "code" / fs::path{said.file}.filename())});
+            {said.file,
+             readIfThere(folder / "code" / fs::path{said.file}.filename()).value_or("")});
 }
 
 fs::path rewriteReport(const fs::path& out, SubmissionResult result) {
     fetchFiles(out, result);
     const fs::path file = out / result.submission / "report.html";
-    report::writeAtomically(report::reportPage(result), file);
+    writeAtomically(report::reportPage(result), file);
     return file;
 }
 

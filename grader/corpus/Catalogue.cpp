@@ -1,5 +1,7 @@
 #include <grader/corpus/Catalogue.h>
 
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 
 #include <fmt/format.h>
@@ -7,8 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -82,12 +82,6 @@ private:
     std::set<std::string> known_;
 };
 
-std::string readText(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw InputError(file.string(), 0, "cannot be opened");
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 json parse(const std::string& text, const std::string& path) {
     try {
         return json::parse(text);
@@ -127,7 +121,7 @@ std::vector<Edit> readEdits(const json& array, const std::string& path) {
 
 Mistake readMistake(const std::filesystem::path& file) {
     const std::string path = file.string();
-    const json document = parse(readText(file), path);
+    const json document = parse(readWhole(file, "cannot be opened"), path);
     Members members(document, path, "the mistake");
     Mistake mistake;
     mistake.path = path;

@@ -1,5 +1,5 @@
+#include <grader/base/Utf8.h>
 #include <grader/intake/Intake.h>
-#include <grader/intake/Utf8.h>
 
 #include <raytracer/base/Text.h>
 

@@ -1,6 +1,6 @@
 #include <grader/intake/SafeName.h>
 
-#include <grader/intake/Utf8.h>
+#include <grader/base/Utf8.h>
 
 #include <fmt/core.h>
 

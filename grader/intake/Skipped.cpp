@@ -1,6 +1,6 @@
+#include <grader/base/Utf8.h>
 #include <grader/intake/Contents.h>
 #include <grader/intake/Skipped.h>
-#include <grader/intake/Utf8.h>
 
 #include <algorithm>
 #include <array>

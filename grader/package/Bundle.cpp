@@ -1,5 +1,7 @@
 #include <grader/package/Bundle.h>
 
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
@@ -7,8 +9,6 @@
 
 #include <link.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -16,12 +16,6 @@ namespace ticker::package {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string readText(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
 
 /// The shared libraries that this process runs with, its loader among them: what the program needs
 /// wherever it goes.
@@ -109,7 +103,7 @@ std::string prepareScript(const Parts& parts) {
 }  // namespace
 
 std::string integration(const Parts& parts, const std::string& name) {
-    return readText(parts.data / "grader" / "integrations" / name);
+    return readWhole(parts.data / "grader" / "integrations" / name);
 }
 
 void addBundle(zip::ZipWriter& zip, const Parts& parts) {

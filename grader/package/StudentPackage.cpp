@@ -1,9 +1,8 @@
+#include <grader/base/WholeFile.h>
 #include <grader/package/StudentPackage.h>
 #include <grader/zip/ZipWriter.h>
 
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 #include <string>
@@ -42,9 +41,9 @@ void addKind(zip::ZipWriter& zip, const std::string& name, const fs::path& folde
 /// The handout, and the pictures that it shows.
 void addHandout(zip::ZipWriter& zip, const fs::path& docs) {
     const fs::path handout = docs / "handout.md";
-    std::ifstream stream{handout, std::ios::binary};
-    if (!stream) return;  // a course may hand out its own
-    const std::string text{std::istreambuf_iterator<char>{stream}, {}};
+    const auto read = readIfThere(handout);
+    if (!read) return;  // a course may hand out its own
+    const std::string& text = *read;
     zip.add(kRoot + "handout.md", text);
     static const std::regex kPicture{R"(\]\((images/[A-Za-z0-9._-]+)\))"};
     std::set<std::string> pictures;

@@ -75,7 +75,7 @@ DecodeFailure failureOf(DecodeState state) {
 
 Outcome runDecoder(std::string_view bytes, const sandbox::SharedMemory& reply,
                    const sandbox::Sandbox& sandbox, const sandbox::Limits& limits) {
-    const sandbox::FileDescriptor file =
+    const FileDescriptor file =
         sandbox::sealedCopy(std::as_bytes(std::span{bytes.data(), bytes.size()}));
     sandbox::Command command;
     command.arguments = {"/decode"};

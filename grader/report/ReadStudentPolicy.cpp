@@ -1,4 +1,5 @@
-#include <grader/json/JsonLines.h>
+#include <grader/base/JsonLines.h>
+#include <grader/base/WholeFile.h>
 #include <grader/report/StudentView.h>
 
 #include <raytracer/base/Error.h>
@@ -7,8 +8,6 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -66,9 +65,7 @@ void takeMember(const File& file, const std::string& name, const Json& value,
 }  // namespace
 
 StudentPolicy readStudentPolicy(const std::filesystem::path& path) {
-    std::ifstream stream{path, std::ios::binary};
-    if (!stream) throw InputError(path.string(), 0, "cannot be read; expected a student view");
-    const File file{path.string(), {std::istreambuf_iterator<char>{stream}, {}}};
+    const File file{path.string(), readWhole(path, "cannot be read; expected a student view")};
     Json document;
     try {
         document = Json::parse(file.text);

@@ -1,4 +1,5 @@
-#include <grader/json/JsonLines.h>
+#include <grader/base/JsonLines.h>
+#include <grader/base/WholeFile.h>
 #include <grader/result/Names.h>
 #include <grader/result/ResultJson.h>
 
@@ -9,8 +10,6 @@
 
 #include <charconv>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -194,8 +193,7 @@ SubmissionResult readResultJson(const std::filesystem::path& file) {
     if (error) throw InputError(file.string(), 0, "cannot be read; expected a result.json");
     if (size > kLargestFile)
         throw InputError(file.string(), 0, fmt::format("{} bytes: too large for a result", size));
-    std::ifstream stream{file, std::ios::binary};
-    return parseResultJson({std::istreambuf_iterator<char>{stream}, {}}, file.string());
+    return parseResultJson(readIfThere(file).value_or(""), file.string());
 }
 
 SubmissionResult parseResultJson(const std::string& text, const std::string& name) {

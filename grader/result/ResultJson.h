@@ -21,10 +21,6 @@ namespace ticker::report {
 /// The same from the file's text; `name` is for messages.
 [[nodiscard]] SubmissionResult parseResultJson(const std::string& text, const std::string& name);
 
-/// Writes text whole or not at all: a temporary file beside it is renamed into place.
-/// @throws raytracer::InputError where the file cannot be written.
-void writeAtomically(const std::string& text, const std::filesystem::path& file);
-
 }  // namespace ticker::report
 
 #endif

@@ -2,8 +2,6 @@
 #include <grader/result/Names.h>
 #include <grader/result/ResultJson.h>
 
-#include <raytracer/base/Error.h>
-
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +9,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <system_error>
 
 namespace ticker::report {
@@ -212,22 +209,6 @@ std::string resultJson(const SubmissionResult& result) {
                       {"totalMs", number(std::round(result.timing.totalMs))}};
     // What is no UTF-8 is replaced: no text may keep a result from being written.
     return listsOnOneLine(json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) + "\n";
-}
-
-void writeAtomically(const std::string& text, const std::filesystem::path& file) {
-    const std::filesystem::path temporary =
-        file.parent_path() / fmt::format(".{}.{}.part", file.filename().string(), ::getpid());
-    std::ofstream stream{temporary, std::ios::binary | std::ios::trunc};
-    stream << text;
-    stream.close();
-    std::error_code error;
-    if (stream) std::filesystem::rename(temporary, file, error);
-    if (!stream || error) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        throw raytracer::InputError(
-            file.string(), 0, "cannot be written; is the folder there and the disk not full?");
-    }
 }
 
 }  // namespace ticker::report

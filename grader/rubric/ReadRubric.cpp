@@ -1,4 +1,5 @@
-#include <grader/json/JsonLines.h>
+#include <grader/base/JsonLines.h>
+#include <grader/base/WholeFile.h>
 #include <grader/result/FindingWords.h>
 #include <grader/result/Names.h>
 #include <grader/rubric/Rubric.h>
@@ -11,8 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <span>
 #include <string_view>
@@ -131,12 +130,6 @@ std::map<std::string, Severity> readSeverities(const Member& member) {
     return severities;
 }
 
-File readFile(const std::filesystem::path& path) {
-    std::ifstream stream{path, std::ios::binary};
-    if (!stream) throw InputError(path.string(), 0, "cannot be read; expected a rubric");
-    return {path.string(), {std::istreambuf_iterator<char>{stream}, {}}};
-}
-
 json parse(const File& file) {
     try {
         return json::parse(file.text);
@@ -149,7 +142,7 @@ json parse(const File& file) {
 }  // namespace
 
 Rubric readRubric(const std::filesystem::path& path) {
-    const File file = readFile(path);
+    const File file{path.string(), readWhole(path, "cannot be read; expected a rubric")};
     const json document = parse(file);
     static constexpr std::array<std::string_view, 4> kMembers{"maxScore", "options",
                                                               "screenshotTask", "severities"};

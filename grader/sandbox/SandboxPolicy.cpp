@@ -1,14 +1,14 @@
 #include <grader/sandbox/SandboxPolicy.h>
 
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <initializer_list>
-#include <sstream>
 #include <string_view>
 
 namespace ticker::sandbox {
@@ -118,10 +118,7 @@ SandboxPolicy parsePolicy(const std::string& text, const std::string& name) {
 }
 
 SandboxPolicy readPolicy(const std::filesystem::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    std::ostringstream text;
-    if (!stream || !(text << stream.rdbuf())) throw InputError(file.string(), 0, "cannot be read");
-    return parsePolicy(text.str(), file.string());
+    return parsePolicy(readWhole(file), file.string());
 }
 
 const SandboxPolicy& defaultPolicy() {

@@ -1,4 +1,4 @@
-#include <grader/sandbox/FileDescriptor.h>
+#include <grader/base/FileDescriptor.h>
 #include <grader/sandbox/Spawner.h>
 
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 #ifndef TICKER_SANDBOX_STAGINGFOLDER_H
 #define TICKER_SANDBOX_STAGINGFOLDER_H
 
-#include <grader/sandbox/FileDescriptor.h>
+#include <grader/base/FileDescriptor.h>
 
 #include <filesystem>
 #include <string>

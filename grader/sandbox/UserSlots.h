@@ -1,7 +1,7 @@
 #ifndef TICKER_SANDBOX_USERSLOTS_H
 #define TICKER_SANDBOX_USERSLOTS_H
 
-#include <grader/sandbox/FileDescriptor.h>
+#include <grader/base/FileDescriptor.h>
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include <grader/sandbox/FileDescriptor.h>
+#include <grader/base/FileDescriptor.h>
 #include <grader/sandbox/Watch.h>
 #include <grader/sandbox/jail/Options.h>
 #include <grader/sandbox/jail/Report.h>

@@ -1,5 +1,8 @@
 #include <grader/session/Access.h>
 
+#include <grader/base/FileDescriptor.h>
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
@@ -14,7 +17,6 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
-#include <fstream>
 #include <system_error>
 
 namespace ticker::session {
@@ -51,8 +53,7 @@ bool isOurs(const fs::path& file) {
 Access readAccess(const fs::path& out) {
     Access access{freshToken(), 0};
     if (!isOurs(out / kFile)) return access;
-    std::ifstream stream{out / kFile};
-    const auto kept = nlohmann::json::parse(stream, nullptr, false);
+    const auto kept = nlohmann::json::parse(readIfThere(out / kFile).value_or(""), nullptr, false);
     if (!kept.is_object() || !kept.contains("token") || !kept["token"].is_string()) return access;
     const std::string token = kept["token"];
     if (!isToken(token)) return access;
@@ -61,19 +62,15 @@ Access readAccess(const fs::path& out) {
 }
 
 void writeAccess(const Access& access, const fs::path& out) {
-    const fs::path temporary = out / fmt::format("{}.{}.part", kFile, getpid());
+    const PartFile part{out / kFile};
     const std::string text =
         nlohmann::json{{"token", access.token}, {"port", access.port}}.dump() + "\n";
-    const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    const bool written =
-        file >= 0 && write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-    if (file >= 0) close(file);
-    std::error_code error;
-    if (written) fs::rename(temporary, out / kFile, error);
-    if (written && !error) return;
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw raytracer::InputError((out / kFile).string(), 0, "cannot be written");
+    const FileDescriptor file{
+        open(part.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600)};
+    const bool written = file.isOpen() && write(file.get(), text.data(), text.size()) ==
+                                              static_cast<ssize_t>(text.size());
+    if (!written || part.rename())
+        throw raytracer::InputError((out / kFile).string(), 0, "cannot be written");
 }
 
 bool namesThisServer(std::string_view host, int port) {

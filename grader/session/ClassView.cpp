@@ -1,3 +1,4 @@
+#include <grader/base/WholeFile.h>
 #include <grader/session/ClassView.h>
 #include <grader/session/SubmissionView.h>
 
@@ -5,12 +6,8 @@
 #include <grader/result/Names.h>
 #include <grader/store/ClassFolder.h>
 
-#include <raytracer/base/Error.h>
-
 #include <nlohmann/json.hpp>
 
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <system_error>
 #include <utility>
@@ -44,11 +41,6 @@ std::string textOf(const json& value) {
 
 Reply failure(int status, const std::string& message) {
     return {status, "application/json", textOf({{"error", message}})};
-}
-
-std::string bytesOf(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
 bool isRegular(const fs::path& file) {
@@ -119,13 +111,13 @@ Reply ClassView::image(const std::string& name, const std::string& file) const {
     const fs::path path = out_ / name / "images" / file;
     if (!isPlain || !store_.find(name) || !isRegular(path))
         return failure(404, "there is no such picture");
-    return {200, "image/png", bytesOf(path)};
+    return {200, "image/png", readIfThere(path).value_or("")};
 }
 
 Reply ClassView::reportPage(const std::string& name) const {
     const fs::path path = out_ / name / "report.html";
     if (!store_.find(name) || !isRegular(path)) return failure(404, "there is no such report");
-    return {200, "text/html; charset=utf-8", bytesOf(path)};
+    return {200, "text/html; charset=utf-8", readIfThere(path).value_or("")};
 }
 
 Reply ClassView::decide(const std::string& body) {

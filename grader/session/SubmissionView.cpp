@@ -1,3 +1,4 @@
+#include <grader/base/WholeFile.h>
 #include <grader/session/Highlight.h>
 #include <grader/session/SubmissionView.h>
 
@@ -8,8 +9,6 @@
 
 #include <fmt/core.h>
 
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -75,8 +74,7 @@ std::vector<SourceText> sourcesIn(const fs::path& folder) {
     for (const char* name : {"BumpySphere.cpp", "Renderer.cpp"}) {
         std::error_code error;
         if (!fs::is_regular_file(fs::symlink_status(folder / name, error))) continue;
-        std::ifstream stream{folder / name, std::ios::binary};
-        sources.push_back({name, {std::istreambuf_iterator<char>{stream}, {}}});
+        sources.push_back({name, readIfThere(folder / name).value_or("")});
     }
     return sources;
 }

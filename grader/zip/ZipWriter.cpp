@@ -1,14 +1,13 @@
 #include <grader/zip/ZipWriter.h>
 
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 
 #include <archive.h>
 #include <archive_entry.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -21,12 +20,6 @@ using raytracer::InputError;
 
 // The first day that a zip file can name, a day later, so that no time zone falls before it.
 constexpr std::time_t kTime = 315532800 + 24 * 3600;
-
-std::string readBytes(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) throw InputError(file.string(), 0, "cannot be read");
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
 
 }  // namespace
 
@@ -41,20 +34,14 @@ struct ZipWriter::Archive {
 };
 
 ZipWriter::ZipWriter(fs::path file)
-    : file_(std::move(file)),
-      partial_(file_.string() + "." + std::to_string(::getpid()) + ".part"),
-      archive_(std::make_unique<Archive>()) {
+    : file_(std::move(file)), part_(file_), archive_(std::make_unique<Archive>()) {
     ::archive* const handle = archive_->handle.get();
     archive_->require(archive_write_set_format_zip(handle), file_);
     archive_->require(archive_write_set_options(handle, "zip:hdrcharset=UTF-8"), file_);
-    archive_->require(archive_write_open_filename(handle, partial_.c_str()), file_);
+    archive_->require(archive_write_open_filename(handle, part_.path().c_str()), file_);
 }
 
-ZipWriter::~ZipWriter() {
-    archive_.reset();
-    std::error_code ignored;
-    fs::remove(partial_, ignored);
-}
+ZipWriter::~ZipWriter() = default;
 
 void ZipWriter::add(const std::string& name, std::string_view bytes, bool isProgram) {
     const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry{archive_entry_new(),
@@ -72,7 +59,7 @@ void ZipWriter::add(const std::string& name, std::string_view bytes, bool isProg
 void ZipWriter::addFile(const std::string& name, const fs::path& file) {
     std::error_code error;
     const fs::perms permissions = fs::status(file, error).permissions();
-    add(name, readBytes(file), (permissions & fs::perms::owner_exec) != fs::perms::none);
+    add(name, readWhole(file), (permissions & fs::perms::owner_exec) != fs::perms::none);
 }
 
 void ZipWriter::addFolder(const std::string& name, const fs::path& folder) {
@@ -89,9 +76,8 @@ void ZipWriter::addFolder(const std::string& name, const fs::path& folder) {
 
 void ZipWriter::finish() {
     archive_->require(archive_write_close(archive_->handle.get()), file_);
-    std::error_code error;
-    fs::rename(partial_, file_, error);
-    if (error) throw InputError(file_.string(), 0, "cannot be written: " + error.message());
+    if (const std::error_code error = part_.rename())
+        throw InputError(file_.string(), 0, "cannot be written: " + error.message());
 }
 
 }  // namespace ticker::zip

@@ -1,6 +1,8 @@
 #ifndef TICKER_ZIP_ZIPWRITER_H
 #define TICKER_ZIP_ZIPWRITER_H
 
+#include <grader/base/WholeFile.h>
+
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -37,7 +39,7 @@ private:
     struct Archive;
 
     std::filesystem::path file_;
-    std::filesystem::path partial_;
+    PartFile part_;
     std::unique_ptr<Archive> archive_;
 };
 

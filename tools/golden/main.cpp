@@ -1,9 +1,8 @@
 // golden_class ROOT CLASS [EVERY]: writes samples, unseen solutions, and a third of the catalogue
 // and of the hostile cases into CLASS, one folder each. EVERY 30 keeps one entry of thirty.
-#include <grader/corpus/HostileCase.h>
+#include <grader/base/WholeFile.h>
 #include <grader/corpus/Catalogue.h>
-
-#include <raytracer/base/Error.h>
+#include <grader/corpus/HostileCase.h>
 
 #include <fmt/format.h>
 
@@ -12,7 +11,6 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <numeric>
 #include <string>
 #include <string_view>
@@ -52,12 +50,6 @@ private:
     unsigned long every_;
 };
 
-std::string readText(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
-
 /// Every folder below `root` that holds a submission, named by its path.
 void addFolders(const fs::path& root, const std::string& kind, const Class& to) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
@@ -73,7 +65,8 @@ void addMistakes(const fs::path& root, const Class& to) {
     for (const mistakes::Mistake& mistake : mistakes::readCatalogue(root / "grader/corpus")) {
         const std::string name = fmt::format("mistake-{}-{}", mistake.task, mistake.id);
         if (!to.wants(name, 3)) continue;
-        const std::string reference = readText(root / "reference_solution/exercise" / mistake.file);
+        const std::string reference =
+            readWhole(root / "reference_solution/exercise" / mistake.file);
         std::ofstream stream{to.open(name) / mistake.file, std::ios::binary};
         stream << mistakes::makeMistake(mistake, reference);
     }

@@ -2,13 +2,12 @@
 
 #include <grader/corpus/Catalogue.h>
 
-#include <raytracer/base/Error.h>
+#include <grader/base/WholeFile.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace ticker::coverage {
@@ -26,7 +25,8 @@ std::vector<fs::path> foldersIn(const fs::path& folder) {
 
 void addCatalogue(const fs::path& root, std::vector<Case>& cases) {
     for (const mistakes::Mistake& mistake : mistakes::readCatalogue(root / "grader/corpus")) {
-        const std::string reference = readText(root / "reference_solution/exercise" / mistake.file);
+        const std::string reference =
+            readWhole(root / "reference_solution/exercise" / mistake.file);
         cases.push_back({mistake.task,
                          mistake.id,
                          mistake.title,
@@ -40,7 +40,7 @@ bool addFolder(const fs::path& folder, const std::string& kind, std::string titl
                std::vector<Case>& cases) {
     Case found{"", kind + " " + folder.filename().string(), std::move(title), right, {}};
     for (const char* name : {"BumpySphere.cpp", "Renderer.cpp"})
-        if (fs::is_regular_file(folder / name)) found.files[name] = readText(folder / name);
+        if (fs::is_regular_file(folder / name)) found.files[name] = readWhole(folder / name);
     if (found.files.empty()) return false;
     found.task = found.files.contains("BumpySphere.cpp") ? "T1" : "T2";
     cases.push_back(std::move(found));
@@ -66,17 +66,11 @@ void addUnseen(const fs::path& root, std::vector<Case>& cases) {
         for (const fs::path& merit : foldersIn(task))
             for (const fs::path& solution : foldersIn(merit))
                 addFolder(solution, "unseen",
-                          nlohmann::json::parse(readText(solution / "expected.json")).at("why"),
+                          nlohmann::json::parse(readWhole(solution / "expected.json")).at("why"),
                           merit.filename() == "right", cases);
 }
 
 }  // namespace
-
-std::string readText(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
 
 std::vector<Case> listCases(const fs::path& root) {
     std::vector<Case> cases;

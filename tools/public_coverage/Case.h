@@ -21,8 +21,6 @@ struct Case {
 /// @param root  The project's.
 [[nodiscard]] std::vector<Case> listCases(const std::filesystem::path& root);
 
-[[nodiscard]] std::string readText(const std::filesystem::path& file);
-
 }  // namespace ticker::coverage
 
 #endif

@@ -1,5 +1,7 @@
 #include "Examine.h"
 
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 
 #include <nlohmann/json.hpp>
@@ -63,7 +65,7 @@ ScratchFolder::~ScratchFolder() {
 Examiner::Examiner(fs::path root, fs::path linkFile)
     : root_(std::move(root)), linkFile_(std::move(linkFile)) {
     for (const std::string name : kNames)
-        if (!compile(readText(root_ / "reference_solution/exercise" / (name + ".cpp")), name,
+        if (!compile(readWhole(root_ / "reference_solution/exercise" / (name + ".cpp")), name,
                      reference_.path()))
             throw raytracer::Error("the reference solution does not compile");
 }
@@ -87,7 +89,7 @@ bool Examiner::build(const Case& one, const fs::path& folder) const {
     }
     const std::string link = "cd " + quoted(folder) + " && " TICKER_LINK + objects + " @" +
                              quoted(linkFile_) + " -o public_tests 2>link.txt";
-    if (run(link) != 0) throw raytracer::Error("cannot link: " + readText(folder / "link.txt"));
+    if (run(link) != 0) throw raytracer::Error("cannot link: " + readWhole(folder / "link.txt"));
     return true;
 }
 
@@ -109,7 +111,7 @@ Outcome Examiner::examine(const Case& one) const {
         outcome.kind = Outcome::Kind::crashed;
         return outcome;
     }
-    return read(nlohmann::json::parse(readText(work.path() / "report.json")));
+    return read(nlohmann::json::parse(readWhole(work.path() / "report.json")));
 }
 
 }  // namespace ticker::coverage

@@ -3,6 +3,8 @@
 #include "Case.h"
 #include "Examine.h"
 
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
@@ -150,7 +152,7 @@ std::string summaryOf(const std::vector<Row>& rows) {
 void write(const std::string& text, const std::string& file) {
     const std::string begin = "<!-- public_coverage begin -->\n";
     const std::string end = "<!-- public_coverage end -->";
-    std::string page = readText(file);
+    std::string page = readWhole(file);
     const std::size_t from = page.find(begin);
     const std::size_t to = page.find(end);
     if (from == std::string::npos || to == std::string::npos || to < from)

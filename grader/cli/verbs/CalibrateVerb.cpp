@@ -1,10 +1,11 @@
+#include <grader/base/WholeFile.h>
+#include <grader/cli/Home.h>
+#include <grader/cli/Progress.h>
+#include <grader/cli/verbs/GradeOptions.h>
+#include <grader/cli/verbs/Verb.h>
 #include <grader/lab/calibrate/Campaigns.h>
 #include <grader/lab/calibrate/Document.h>
 #include <grader/lab/calibrate/RunCampaign.h>
-#include <grader/cli/verbs/GradeOptions.h>
-#include <grader/cli/Home.h>
-#include <grader/cli/Progress.h>
-#include <grader/cli/verbs/Verb.h>
 
 #include <CLI/CLI.hpp>
 
@@ -12,7 +13,6 @@
 
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 
@@ -43,11 +43,6 @@ Places placesOf(const Home& home) {
     return {home.data / "docs/calibration.md", home.data / "grader/lab/calibrate/record"};
 }
 
-std::string textOf(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
-
 void write(const fs::path& file, const std::string& text) {
     std::ofstream stream{file, std::ios::binary};
     stream << text << std::flush;
@@ -64,7 +59,8 @@ bool publish(const Campaign& campaign, const Record& record, const Places& place
     fmt::print("{}{}\n{}\n", campaign.name(), summary.asExpected ? "" : ": NOT AS EXPECTED", text);
     std::fflush(stdout);
     record.copyTo(places.record);
-    write(places.document, calibrate::withSection(textOf(places.document), campaign.name(), text));
+    write(places.document,
+          calibrate::withSection(readIfThere(places.document).value_or(""), campaign.name(), text));
     return summary.asExpected;
 }
 
@@ -79,8 +75,8 @@ bool check(Campaign& campaign, const Places& places, int jobs) {
     const Record record{places.record, campaign};
     std::vector<std::string> wrong = calibrate::checkCampaign(campaign, record, jobs);
     const Summary summary = campaign.summarise(record.all());
-    if (calibrate::sectionOf(textOf(places.document), campaign.name()).find(summary.text) ==
-        std::string::npos)
+    if (calibrate::sectionOf(readIfThere(places.document).value_or(""), campaign.name())
+            .find(summary.text) == std::string::npos)
         wrong.push_back(campaign.name() +
                         ": docs/calibration.md does not have the record's tables");
     if (!summary.asExpected) wrong.push_back(campaign.name() + ": the record is not as expected");

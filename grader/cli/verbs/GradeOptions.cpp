@@ -1,12 +1,11 @@
+#include <grader/base/WholeFile.h>
 #include <grader/build/Kit.h>
-#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/Home.h>
+#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/pipeline/Inputs.h>
 
 #include <CLI/CLI.hpp>
 
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <random>
 
@@ -52,8 +51,7 @@ pipeline::Grader makeGrader(const GradeOptions& options) {
                             .option = choices().at(options.option),
                             .scenes = pipeline::readSpecScenes(home.scenes(), home.assets())};
     grader.build = pipeline::toolBuild(grader.kit, {home.scenes(), home.assets()});
-    std::ifstream stream{rubric};
-    grader.rubricText.assign(std::istreambuf_iterator<char>{stream}, {});
+    grader.rubricText = readIfThere(rubric).value_or("");
     return grader;
 }
 

@@ -1,20 +1,19 @@
-#include <grader/cli/verbs/GradeOptions.h>
+#include <grader/base/WholeFile.h>
 #include <grader/cli/Home.h>
 #include <grader/cli/Progress.h>
+#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
-#include <grader/report/Escape.h>
 #include <grader/lab/selftest/BumpTables.h>
 #include <grader/lab/selftest/HostileTables.h>
 #include <grader/lab/selftest/MistakeTables.h>
 #include <grader/lab/selftest/ScreenshotTables.h>
+#include <grader/report/Escape.h>
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,24 +47,19 @@ bool testBump(const SelftestOptions& options, bool draw) {
     return result.passed();
 }
 
-std::string read(const std::filesystem::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
-
 /// Both reference solutions and the samples that are right.
 std::vector<selftest::RightSource> rightSources(const Home& home) {
     std::vector<selftest::RightSource> sources;
     for (const char* folder :
          {"reference_solution/exercise", "grader/corpus/samples/awarded/bump-bilinear",
-          "grader/corpus/samples/awarded/bump-z-up", "grader/corpus/samples/awarded/distributed-half-width",
+          "grader/corpus/samples/awarded/bump-z-up",
+          "grader/corpus/samples/awarded/distributed-half-width",
           "grader/corpus/samples/awarded/distributed-phong-per-sample"})
         for (const build::SourceFile file :
              {build::SourceFile::bumpySphere, build::SourceFile::renderer})
             if (const auto path = home.data / folder / build::nameOf(file);
                 std::filesystem::exists(path))
-                sources.push_back({folder, file, read(path)});
+                sources.push_back({folder, file, readWhole(path)});
     return sources;
 }
 

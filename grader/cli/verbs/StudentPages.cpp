@@ -1,9 +1,10 @@
 #include <grader/cli/verbs/StudentPages.h>
 
+#include <grader/base/WholeFile.h>
 #include <grader/cli/Home.h>
 #include <grader/cli/Output.h>
-#include <grader/result/ResultJson.h>
 #include <grader/report/StudentPage.h>
+#include <grader/result/ResultJson.h>
 
 #include <CLI/CLI.hpp>
 
@@ -67,7 +68,7 @@ std::vector<fs::path> writeStudentPages(const fs::path& out,
     std::vector<fs::path> written;
     for (const store::ClassEntry& entry : entries) {
         written.push_back(out / entry.result.submission / "student.html");
-        report::writeAtomically(studentPageOf(out, entry, policy), written.back());
+        writeAtomically(studentPageOf(out, entry, policy), written.back());
     }
     return written;
 }

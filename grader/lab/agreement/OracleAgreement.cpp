@@ -1,3 +1,4 @@
+#include <grader/base/WholeFile.h>
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/agreement/Agreement.h>
@@ -12,8 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace ticker::calibrate {
@@ -50,12 +49,6 @@ SceneDescription smooth(SceneDescription scene) {
     for (raytracer::SphereDescription& sphere : scene.spheres)
         sphere.heightMap.reset();
     return scene;
-}
-
-std::string textOf(const std::filesystem::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
-    return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
 std::vector<std::vector<raytracer::ColourRGB>> rendersOf(const build::Program& program,
@@ -132,7 +125,7 @@ std::shared_ptr<const build::Program> OracleAgreement::programOf(std::size_t rea
     edited.edits = wanted.edits;
     build::BuildResult built = build::buildProgram(
         kit_, sandbox_, sandbox::Limits{}, wanted.file,
-        mistakes::makeMistake(edited, textOf(plan_.reference / build::nameOf(wanted.file))));
+        mistakes::makeMistake(edited, readWhole(plan_.reference / build::nameOf(wanted.file))));
     if (!built.program)
         throw raytracer::Error(edited.path + " does not compile: " + built.diagnostics);
     auto program = std::make_shared<const build::Program>(std::move(*built.program));

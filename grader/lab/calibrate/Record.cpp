@@ -1,12 +1,13 @@
 #include <grader/lab/calibrate/Record.h>
 
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace ticker::calibrate {
@@ -39,9 +40,7 @@ std::string Record::lineOf(std::size_t unit, const std::string& found) const {
 }
 
 void Record::read() {
-    std::ifstream stream{file_, std::ios::binary};
-    if (!stream) throw raytracer::InputError(file_.string(), 0, "cannot be read");
-    const std::string text{std::istreambuf_iterator<char>{stream}, {}};
+    const std::string text = readWhole(file_);
     if (text.compare(0, header().size(), header()) != 0)
         throw raytracer::InputError(file_.string(), 1,
                                     "is the record of another campaign, or of an older one: " +

@@ -1,3 +1,4 @@
+#include <grader/base/WholeFile.h>
 #include <grader/build/Build.h>
 #include <grader/lab/calibrate/Subject.h>
 
@@ -7,20 +8,12 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace ticker::calibrate {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string textOf(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
 
 }  // namespace
 
@@ -38,7 +31,7 @@ bool Subject::isStatistical() const {
 }
 
 std::vector<Subject> readSubjects(const fs::path& data) {
-    const std::string reference = textOf(data / "reference_solution/exercise/Renderer.cpp");
+    const std::string reference = readWhole(data / "reference_solution/exercise/Renderer.cpp");
     std::vector<Subject> subjects;
     for (const mistakes::Mistake& mistake : mistakes::readCatalogue(data / "grader/corpus"))
         if (mistake.task.rfind("T2.", 0) == 0)
@@ -49,7 +42,7 @@ std::vector<Subject> readSubjects(const fs::path& data) {
         for (const auto& entry : fs::directory_iterator{data / folder})
             if (fs::exists(entry.path() / "Renderer.cpp"))
                 subjects.push_back({"right/" + entry.path().filename().string(),
-                                    textOf(entry.path() / "Renderer.cpp"),
+                                    readWhole(entry.path() / "Renderer.cpp"),
                                     "",
                                     {TaskState::passed, ""}});
     std::sort(subjects.begin(), subjects.end(),

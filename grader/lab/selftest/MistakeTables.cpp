@@ -1,8 +1,9 @@
+#include <grader/base/WholeFile.h>
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
+#include <grader/lab/selftest/MistakeTables.h>
 #include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tasks/support/JudgeDistributed.h>
-#include <grader/lab/selftest/MistakeTables.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <fstream>
 #include <iterator>
 #include <mutex>
 #include <string_view>
@@ -25,8 +25,8 @@ namespace ticker::selftest {
 namespace {
 
 namespace fs = std::filesystem;
-using tasks::TaskJudgement;
 using mistakes::Mistake;
+using tasks::TaskJudgement;
 
 const char* nameOf(TaskState state) {
     switch (state) {
@@ -61,12 +61,6 @@ std::string told(const mistakes::Expectation& expected) {
     return expected.needsReview ? text + " (review)" : text;
 }
 
-std::string readText(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
-
 /// An entry, and the file that it makes of the reference.
 struct Made {
     Mistake entry;
@@ -76,7 +70,7 @@ struct Made {
 std::vector<Made> make(const std::vector<Mistake>& entries, const fs::path& reference) {
     std::vector<Made> made;
     for (const Mistake& entry : entries) {
-        const std::string text = readText(reference / entry.file);
+        const std::string text = readWhole(reference / entry.file);
         made.push_back({entry, mistakes::makeMistake(entry, text)});
         if (made.back().source == text)
             throw raytracer::InputError(entry.path, 0, "its \"edits\" change nothing");

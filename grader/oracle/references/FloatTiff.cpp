@@ -1,11 +1,12 @@
 #include <grader/oracle/references/FloatTiff.h>
 
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 
 #include <tiffio.h>
 
 #include <cstdint>
-#include <fstream>
 #include <memory>
 #include <string>
 
@@ -25,16 +26,6 @@ Tiff open(const fs::path& file, const char* mode) {
     TIFFSetErrorHandler(nullptr);
     TIFFSetWarningHandler(nullptr);
     return {TIFFOpen(file.c_str(), mode), TIFFClose};
-}
-
-fs::path partialOf(const fs::path& file) {
-    return file.string() + ".partial";
-}
-
-void renameInto(const fs::path& file) {
-    std::error_code error;
-    fs::rename(partialOf(file), file, error);
-    if (error) throw InputError(file.string(), 0, "cannot be replaced: " + error.message());
 }
 
 void describe(TIFF* tiff, const FloatPicture& picture) {
@@ -77,25 +68,17 @@ bool isOurKind(TIFF* tiff) {
 
 }  // namespace
 
-void replaceWhole(const fs::path& file, const std::string& bytes) {
-    {
-        std::ofstream stream{partialOf(file), std::ios::binary};
-        stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        stream.close();
-        if (!stream) throw InputError(file.string(), 0, "cannot be written");
-    }
-    renameInto(file);
-}
-
 void writeTiff(const FloatPicture& picture, const fs::path& file) {
+    const PartFile part{file};
     {
-        const Tiff tiff = open(partialOf(file), "w");
+        const Tiff tiff = open(part.path(), "w");
         if (!tiff) throw InputError(file.string(), 0, "cannot be written");
         describe(tiff.get(), picture);
         if (!writeRows(tiff.get(), picture))
             throw InputError(file.string(), 0, "the picture cannot be packed as TIFF");
     }
-    renameInto(file);
+    if (const std::error_code error = part.rename())
+        throw InputError(file.string(), 0, "cannot be replaced: " + error.message());
 }
 
 FloatPicture readTiff(const fs::path& file) {

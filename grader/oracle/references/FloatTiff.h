@@ -23,10 +23,6 @@ void writeTiff(const FloatPicture& picture, const std::filesystem::path& file);
 ///         for each pixel.
 [[nodiscard]] FloatPicture readTiff(const std::filesystem::path& file);
 
-/// Writes bytes to a file beside `file` and renames it into place.
-/// @throws raytracer::InputError if it cannot be written.
-void replaceWhole(const std::filesystem::path& file, const std::string& bytes);
-
 }  // namespace ticker::oracle
 
 #endif

@@ -1,5 +1,6 @@
 #include <grader/oracle/references/Manifest.h>
 
+#include <grader/base/WholeFile.h>
 #include <grader/oracle/references/FloatTiff.h>
 
 #include <raytracer/base/Error.h>
@@ -8,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <bit>
-#include <fstream>
 
 namespace ticker::oracle {
 namespace {
@@ -127,11 +127,11 @@ std::string numberHash(std::uint64_t number) {
 }
 
 Manifest readManifest(const std::filesystem::path& folder) {
-    std::ifstream stream{fileIn(folder)};
-    if (!stream) return {};
+    const auto text = readIfThere(fileIn(folder));
+    if (!text) return {};
     try {
         Manifest manifest;
-        const Json json = Json::parse(stream);
+        const Json json = Json::parse(*text);
         for (const auto& [name, entry] : json.at("references").items())
             manifest[name] = provenanceOf(entry);
         return manifest;
@@ -145,7 +145,7 @@ void writeManifest(const Manifest& manifest, const std::filesystem::path& folder
     for (const auto& [name, provenance] : manifest)
         references[name] = toJson(provenance);
     const Json json{{"schemaVersion", 1}, {"references", references}};
-    replaceWhole(fileIn(folder), json.dump(2) + "\n");
+    writeAtomically(json.dump(2) + "\n", fileIn(folder));
 }
 
 }  // namespace ticker::oracle

@@ -1,5 +1,7 @@
 #include <grader/oracle/references/ReferenceList.h>
 
+#include <grader/base/WholeFile.h>
+
 #include <raytracer/base/Error.h>
 #include <raytracer/io/SceneReader.h>
 
@@ -7,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 
 namespace ticker::oracle {
 namespace {
@@ -19,9 +20,7 @@ using nlohmann::json;
 constexpr int kLargestSide = 640;
 
 json parse(const fs::path& file) {
-    std::ifstream stream{file};
-    if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be read");
-    const json document = json::parse(stream, nullptr, false);
+    const json document = json::parse(readWhole(file), nullptr, false);
     if (!document.is_object() || document.size() != 1 || !document.contains("references") ||
         !document.at("references").is_array())
         throw raytracer::InputError(file.string(), 0,

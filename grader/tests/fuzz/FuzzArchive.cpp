@@ -3,9 +3,9 @@
 #include "../support/TemporaryFolder.h"
 #include "Fuzz.h"
 
+#include <grader/base/Utf8.h>
 #include <grader/corpus/HostileCase.h>
 #include <grader/intake/Intake.h>
-#include <grader/intake/Utf8.h>
 
 #include <algorithm>
 
@@ -29,10 +29,9 @@ void check(const intake::Submission& submission) {
     for (const intake::Part part : intake::kParts)
         if (const auto& bytes = submission.part(part))
             require(bytes->size() <= intake::byteLimitOf(part, limits()), "parts are bounded");
-    require(
-        std::ranges::all_of(submission.ignored,
-                            [](const std::string& name) { return intake::asUtf8(name) == name; }),
-        "names are UTF-8");
+    require(std::ranges::all_of(submission.ignored,
+                                [](const std::string& name) { return asUtf8(name) == name; }),
+            "names are UTF-8");
 }
 
 std::string written(const std::string& name, std::vector<hostile::Member> members) {

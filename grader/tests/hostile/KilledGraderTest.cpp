@@ -2,8 +2,8 @@
 // submission goes on. TICKER_KILLS=50 tries it so often instead of a few times.
 #include "../support/TemporaryFolder.h"
 
+#include <grader/base/FileDescriptor.h>
 #include <grader/corpus/HostileCase.h>
-#include <grader/sandbox/FileDescriptor.h>
 #include <grader/sandbox/Spawner.h>
 #include <grader/sandbox/StagingFolder.h>
 
@@ -54,7 +54,7 @@ public:
         ticker.arguments = {"grade", folder.string(), "-o", output.string(), "--jobs", "2"};
         ticker.redirections = {{nothing_.get(), 0}, {nothing_.get(), 1}, {nothing_.get(), 2}};
         pid_ = sandbox::launch(ticker).pid;
-        handle_ = sandbox::FileDescriptor{static_cast<int>(syscall(SYS_pidfd_open, pid_, 0))};
+        handle_ = FileDescriptor{static_cast<int>(syscall(SYS_pidfd_open, pid_, 0))};
     }
 
     [[nodiscard]] bool hasBegun() const { return pid_ > 0 && handle_.isOpen(); }
@@ -67,9 +67,9 @@ public:
     }
 
 private:
-    sandbox::FileDescriptor nothing_;
+    FileDescriptor nothing_;
     pid_t pid_ = -1;
-    sandbox::FileDescriptor handle_;
+    FileDescriptor handle_;
 };
 
 // Returns when nothing that descends from the grader is left: where it stays, the test's own time

@@ -1,8 +1,9 @@
 #include "ExampleResults.h"
 
-#include <grader/result/ResultJson.h>
+#include <grader/base/WholeFile.h>
 #include <grader/report/SummaryCsv.h>
 #include <grader/result/Names.h>
+#include <grader/result/ResultJson.h>
 #include <grader/tests/support/FitsSchema.h>
 
 #include <raytracer/base/Error.h>

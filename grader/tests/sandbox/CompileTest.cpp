@@ -1,7 +1,7 @@
 // A compiler in the jail: it works, and nothing of the host gets into what it makes or says.
 #include "JailFixture.h"
 
-#include <grader/sandbox/FileDescriptor.h>
+#include <grader/base/FileDescriptor.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // kill -9 of the program that started a jail ends the jail.
 #include "JailFixture.h"
 
-#include <grader/sandbox/FileDescriptor.h>
+#include <grader/base/FileDescriptor.h>
 #include <grader/sandbox/Spawner.h>
 #include <grader/sandbox/StagingFolder.h>
 

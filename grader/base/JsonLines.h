@@ -1,5 +1,5 @@
-#ifndef TICKER_JSON_JSONLINES_H
-#define TICKER_JSON_JSONLINES_H
+#ifndef TICKER_BASE_JSONLINES_H
+#define TICKER_BASE_JSONLINES_H
 
 #include <cstddef>
 #include <string>

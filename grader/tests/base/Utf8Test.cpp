@@ -1,8 +1,8 @@
-#include <grader/intake/Utf8.h>
+#include <grader/base/Utf8.h>
 
 #include <gtest/gtest.h>
 
-namespace ticker::intake {
+namespace ticker {
 namespace {
 
 TEST(AsUtf8, KeepsValidTextAndReplacesEveryOtherByte) {
@@ -32,4 +32,4 @@ TEST(AsPlainLine, KeepsLettersAndReplacesWhatMovesTheCursor) {
 }
 
 }  // namespace
-}  // namespace ticker::intake
+}  // namespace ticker

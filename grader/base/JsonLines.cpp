@@ -1,4 +1,4 @@
-#include <grader/json/JsonLines.h>
+#include <grader/base/JsonLines.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,11 @@
-#ifndef TICKER_SANDBOX_FILEDESCRIPTOR_H
-#define TICKER_SANDBOX_FILEDESCRIPTOR_H
+#ifndef TICKER_BASE_FILEDESCRIPTOR_H
+#define TICKER_BASE_FILEDESCRIPTOR_H
 
 #include <unistd.h>
 
 #include <utility>
 
-namespace ticker::sandbox {
+namespace ticker {
 
 /// Owns a descriptor, or none (-1).
 class FileDescriptor {
@@ -33,6 +33,6 @@ private:
     int descriptor_ = -1;
 };
 
-}  // namespace ticker::sandbox
+}  // namespace ticker
 
 #endif
