@@ -1,11 +1,11 @@
 #include <grader/cli/Batch.h>
 
+#include <grader/base/Workers.h>
 #include <grader/pipeline/Inputs.h>
 
 #include <exception>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <utility>
 
 namespace ticker::cli {
@@ -59,33 +59,21 @@ void gradeAll(const std::vector<intake::Located>& submissions, const pipeline::G
               std::uint64_t seed, int workers, const std::atomic<bool>& stop,
               const BatchHooks& hooks) {
     const Batch batch{grader, seed, hooks};
-    std::atomic<std::size_t> next{0};
     std::mutex taking;
-    std::exception_ptr failure;
-    const auto fail = [&] {
-        const std::lock_guard lock{taking};
-        if (!failure) failure = std::current_exception();
-        next = submissions.size();
-    };
-    const auto work = [&] {
-        for (std::size_t i = next++; i < submissions.size() && !stop; i = next++) {
-            const Graded graded = batch.grade(submissions[i]);
-            try {
-                if (!graded.isKept && hooks.write) hooks.write(graded.result);
-                const std::lock_guard lock{taking};
-                if (failure) return;
-                hooks.take(submissions[i], graded.result, graded.isKept);
-            } catch (...) {
-                return fail();  // such as a full disk: no sense in going on
-            }
+    bool hasFailed = false;
+    onWorkers(workers, submissions.size(), [&](std::size_t i) {
+        if (stop) return;
+        const Graded graded = batch.grade(submissions[i]);
+        try {
+            if (!graded.isKept && hooks.write) hooks.write(graded.result);
+            const std::lock_guard lock{taking};
+            if (!hasFailed) hooks.take(submissions[i], graded.result, graded.isKept);
+        } catch (...) {  // such as a full disk: nothing more is taken
+            const std::lock_guard lock{taking};
+            hasFailed = true;
+            throw;
         }
-    };
-    {
-        std::vector<std::jthread> threads;
-        for (int i = 0; i < workers; ++i)
-            threads.emplace_back(work);
-    }
-    if (failure) std::rethrow_exception(failure);
+    });
 }
 
 }  // namespace ticker::cli

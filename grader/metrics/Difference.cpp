@@ -9,8 +9,6 @@
 namespace ticker::metrics {
 namespace {
 
-constexpr std::size_t kChannels = 3;
-
 /// A map of what `ofPixel` makes of the three bytes of each pixel.
 template <typename Function>
 Map eachPixel(const ByteView& reference, const ByteView& test, Function ofPixel) {

@@ -13,7 +13,6 @@
 namespace ticker::metrics {
 namespace {
 
-constexpr std::size_t kChannels = 3;
 // noiseTiles: how many fine tiles a coarse one is wide.
 constexpr int kCoarser = 4;
 

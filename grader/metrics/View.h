@@ -8,12 +8,20 @@
 
 namespace ticker::metrics {
 
+inline constexpr std::size_t kChannels = 3;
+
 /// An 8-bit sRGB picture that somebody else owns: rows from the top; red, green, blue.
 struct ByteView {
     int width = 0;
     int height = 0;
-    std::span<const std::uint8_t> rgb;  ///< width * height * 3
+    std::span<const std::uint8_t> rgb;  ///< width * height * kChannels
 };
+
+/// The pixels of a picture that has these three members, such as raytracer::ByteImage.
+template <typename Image>
+[[nodiscard]] ByteView viewOf(const Image& image) {
+    return {image.width, image.height, image.rgb};
+}
 
 /// The same, with bytes of its own.
 struct Picture {

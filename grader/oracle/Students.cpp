@@ -1,22 +1,15 @@
 #include <grader/oracle/Students.h>
 
+#include <grader/base/SplitMix.h>
+#include <grader/oracle/Tiles.h>
 #include <grader/oracle/kernel/Kernel.h>
 #include <grader/oracle/kernel/Paths.h>
-#include <grader/oracle/Tiles.h>
 
 #include <array>
 #include <vector>
 
 namespace ticker::oracle {
 namespace {
-
-std::uint64_t splitMix(std::uint64_t& state) {
-    state += 0x9E3779B97F4A7C15U;
-    std::uint64_t z = state;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31U);
-}
 
 float unitFloat(std::uint64_t bits) {
     return static_cast<float>(bits >> 40U) * 0x1p-24F;

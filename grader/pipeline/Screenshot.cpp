@@ -1,10 +1,10 @@
 #include <grader/pipeline/Screenshot.h>
 
 #include <grader/build/SandboxedExaminee.h>
-#include <grader/tasks/screenshot/JudgeScreenshot.h>
 #include <grader/metrics/Alignment.h>
 #include <grader/picture/DecodePicture.h>
 #include <grader/picture/EncodePicture.h>
+#include <grader/tasks/screenshot/JudgeScreenshot.h>
 
 #include <raytracer/io/ImageReader.h>
 
@@ -21,13 +21,9 @@
 namespace ticker::pipeline {
 namespace {
 
+using raytracer::ByteImage;
 using tasks::TaskJudgement;
 using tasks::screenshot::Scene;
-using raytracer::ByteImage;
-
-metrics::ByteView viewOf(const ByteImage& image) {
-    return {image.width, image.height, image.rgb};
-}
 
 Finding finding(const char* id, std::string message, std::string hint) {
     Finding result;
@@ -63,7 +59,7 @@ void show(const ByteImage& image, SubmissionResult& result) {
     if (image.width > kWidest) {
         const double scale = 1.0 * kWidest / image.width;
         const int height = std::max(1, static_cast<int>(std::lround(scale * image.height)));
-        metrics::Picture smaller = metrics::resized(viewOf(image), kWidest, height);
+        metrics::Picture smaller = metrics::resized(metrics::viewOf(image), kWidest, height);
         shown = {smaller.width, smaller.height, std::move(smaller.rgb)};
     }
     result.pictures.push_back(
@@ -105,7 +101,7 @@ public:
                 spec.isHandedIn && (!any || (file != files.end() && file->isAttempted));
             scene.mayMixBoth = both && spec.isForT1;
             scene.description = &spec.scene;
-            scene.expected = [&spec] { return viewOf(spec.expected().picture); };
+            scene.expected = [&spec] { return metrics::viewOf(spec.expected().picture); };
             if (file != files.end()) addOwn(*file, grader, budget, scene);
             if (!spec.isForT1) scene.whyUnlikeItself = whyUnlikeItself(tasks);
             scenes_.push_back(std::move(scene));
@@ -129,7 +125,7 @@ private:
     void addOwn(const JudgedFile& file, const Grader& grader, build::TimeBudget& budget,
                 Scene& scene) {
         const auto render = std::ranges::find(file.renders, scene.name, &Rendered::scene);
-        if (render != file.renders.end()) scene.own = viewOf(render->picture);
+        if (render != file.renders.end()) scene.own = metrics::viewOf(render->picture);
         if (!file.program) return;
         examinees_.push_back(std::make_unique<build::SandboxedExaminee>(
             *file.program, grader.sandbox, grader.policy.run, &budget));
@@ -161,7 +157,7 @@ TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
     const ByteImage& image = std::get<ByteImage>(decoded);
     show(image, result);
     const Scenes scenes{files, grader, budget, result.tasks};
-    settleScreenshot(report, tasks::judgeScreenshot(viewOf(image), scenes.all(), seed));
+    settleScreenshot(report, tasks::judgeScreenshot(metrics::viewOf(image), scenes.all(), seed));
     result.timing.probeMs += scenes.wallMs();
     if (scenes.madeForbiddenCall()) {
         const Finding call = forbiddenCallFinding();

@@ -1,10 +1,10 @@
 #include <grader/pipeline/SpecScenes.h>
 
-#include <grader/tasks/bump/BumpPicture.h>
 #include <grader/metrics/Colours.h>
 #include <grader/metrics/Compare.h>
 #include <grader/picture/EncodePicture.h>
 #include <grader/probe/AnswerMemory.h>
+#include <grader/tasks/bump/BumpPicture.h>
 
 #include <raytracer/image/Image.h>
 #include <raytracer/io/ImageWriter.h>
@@ -27,10 +27,6 @@ raytracer::RenderSettings settingsOf(int width, int height) {
     settings.height = height;
     settings.seed = kSpecSeed;
     return settings;
-}
-
-metrics::ByteView bytesOf(const raytracer::ByteImage& image) {
-    return {image.width, image.height, image.rgb};
 }
 
 /// An expectation beside a submission's picture, in standard errors.
@@ -84,7 +80,8 @@ void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnsw
     constexpr double kFullZ = 6.0;
     const Comparison compared = bestFitting(scene, answer, gallery.misfits);
     const raytracer::ByteImage& expected = compared.expected->picture;
-    const metrics::Scores scores = metrics::score(bytesOf(expected), bytesOf(picture));
+    const metrics::Scores scores =
+        metrics::score(metrics::viewOf(expected), metrics::viewOf(picture));
     const metrics::Map& errors = scores.errors;
     RenderScore render;
     render.scene = scene.name;

@@ -36,10 +36,6 @@ struct CompareOptions {
     double pixelsPerDegree = metrics::kUsualPixelsPerDegree;
 };
 
-metrics::ByteView viewOf(const raytracer::ByteImage& image) {
-    return {image.width, image.height, image.rgb};
-}
-
 nlohmann::ordered_json number(double value) {
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
@@ -110,8 +106,8 @@ raytracer::ExitCode compare(const CompareOptions& options, const Voice& voice) {
             fmt::format("{} x {} pixels, but {} has {} x {}; render both at the same size",
                         test.width, test.height, options.reference, reference.width,
                         reference.height));
-    const Comparison comparison =
-        metrics::compare(viewOf(reference), viewOf(test), options.pixelsPerDegree);
+    const Comparison comparison = metrics::compare(metrics::viewOf(reference),
+                                                   metrics::viewOf(test), options.pixelsPerDegree);
     fmt::print("{}", options.json ? jsonText(comparison) : metrics::table(comparison));
     if (options.maps.empty()) return raytracer::ExitCode::success;
     writeMaps(comparison, options.maps);

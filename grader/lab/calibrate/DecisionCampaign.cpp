@@ -1,3 +1,4 @@
+#include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/calibrate/DecisionCampaign.h>
 #include <grader/lab/calibrate/DecisionTables.h>
@@ -11,8 +12,6 @@
 #include <iterator>
 #include <utility>
 
-#include <time.h>
-
 namespace ticker::calibrate {
 namespace {
 
@@ -20,12 +19,6 @@ using tasks::DistributedJudgement;
 using tasks::TaskJudgement;
 
 constexpr std::size_t kBlock = 50;
-
-double threadCpuMs() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 std::string firstOf(const TaskJudgement& task) {
     return task.findings.empty() ? "nothing" : task.findings.front().id;
@@ -93,7 +86,7 @@ std::string DecisionCampaign::run(std::size_t unit) {
     const build::Program& program = programs_.of(subject);
     const bool whole = subject.isRight() || block.round == 0;
     const tasks::DistributedAttempt attempt{.softShadows = whole || subject.task != "T2.2",
-                                               .depthOfField = whole || subject.task != "T2.1"};
+                                            .depthOfField = whole || subject.task != "T2.1"};
     const sandbox::Limits limits;
     BlockRecord record;
     record.subject = subject.name;

@@ -1,9 +1,10 @@
 #include <grader/lab/selftest/HostileTables.h>
 
+#include <grader/base/Workers.h>
 #include <grader/intake/Intake.h>
 #include <grader/picture/DecodePicture.h>
-#include <grader/result/ResultJson.h>
 #include <grader/result/Names.h>
+#include <grader/result/ResultJson.h>
 
 #include <raytracer/base/Error.h>
 
@@ -11,12 +12,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cctype>
-#include <exception>
 #include <map>
 #include <mutex>
-#include <thread>
 
 namespace ticker::selftest {
 namespace fs = std::filesystem;
@@ -132,12 +130,7 @@ public:
         HostileTables tables;
         warmUp();
         tables.before = footprint(grader_.policy.users);
-        {
-            std::vector<std::jthread> threads;
-            for (int i = 0; i < run_.jobs; ++i)
-                threads.emplace_back([this] { work(); });
-        }
-        if (failure_) std::rethrow_exception(failure_);
+        onWorkers(run_.jobs, rows_.size(), [this](std::size_t i) { work(i); });
         tables.after = footprint(grader_.policy.users);
         tables.rows = std::move(rows_);
         return tables;
@@ -152,21 +145,12 @@ private:
             picture::decodePicture(kBeginning, grader_.sandbox, grader_.policy.decode));
     }
 
-    void work() {
-        for (std::size_t i = next_++; i < rows_.size(); i = next_++) {
-            try {
-                rows_[i] = gradeOne(cases_[i % cases_.size()]);
-                rows_[i].round = static_cast<int>(i / cases_.size());
-            } catch (...) {
-                const std::lock_guard lock{mutex_};
-                failure_ = std::current_exception();
-                next_ = rows_.size();
-                return;
-            }
-            const std::lock_guard lock{mutex_};
-            ++done_;
-            if (run_.progress) run_.progress(done_, rows_.size());
-        }
+    void work(std::size_t i) {
+        rows_[i] = gradeOne(cases_[i % cases_.size()]);
+        rows_[i].round = static_cast<int>(i / cases_.size());
+        const std::lock_guard lock{mutex_};
+        ++done_;
+        if (run_.progress) run_.progress(done_, rows_.size());
     }
 
     [[nodiscard]] HostileRow gradeOne(const HostileCase& hostileCase) const {
@@ -199,10 +183,8 @@ private:
     const HostileRun& run_;
     std::map<std::string, intake::Located> located_;
     std::vector<HostileRow> rows_;
-    std::atomic<std::size_t> next_{0};
     std::mutex mutex_;
     std::size_t done_ = 0;
-    std::exception_ptr failure_;
 };
 
 }  // namespace

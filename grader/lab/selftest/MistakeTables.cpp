@@ -1,4 +1,6 @@
+#include <grader/base/CpuTime.h>
 #include <grader/base/WholeFile.h>
+#include <grader/base/Workers.h>
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/selftest/MistakeTables.h>
@@ -11,15 +13,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <iterator>
 #include <mutex>
 #include <string_view>
-#include <thread>
 #include <utility>
-
-#include <time.h>
 
 namespace ticker::selftest {
 namespace {
@@ -89,12 +86,6 @@ std::vector<Made> pick(std::vector<Made> all, const MistakeRun& run) {
     }
     if (picked.empty() && !all.empty()) picked.push_back(std::move(all.front()));
     return picked;
-}
-
-double threadCpuMs() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
 bool isAsExpected(const TaskJudgement& own, const mistakes::Expectation& expected) {
@@ -184,30 +175,13 @@ std::vector<MistakeRow> runMistakes(const std::vector<Mistake>& entries, const f
                                     const MistakeRun& run) {
     const std::vector<Made> picked = pick(make(entries, reference), run);
     std::vector<MistakeRow> rows(picked.size());
-    std::atomic<std::size_t> next{0};
     std::size_t done = 0;
     std::mutex mutex;
-    std::exception_ptr error;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < picked.size(); i = next++) {
-            try {
-                rows[i] = runOne(picked[i], kit, sandbox, run.seed);
-            } catch (...) {
-                const std::lock_guard lock{mutex};
-                if (!error) error = std::current_exception();
-                return;
-            }
-            const std::lock_guard lock{mutex};
-            if (run.progress) run.progress(++done, picked.size());
-        }
-    };
-    {
-        std::vector<std::jthread> helpers;
-        for (int i = 1; i < run.jobs; ++i)
-            helpers.emplace_back(work);
-        work();
-    }
-    if (error) std::rethrow_exception(error);
+    onWorkers(run.jobs, picked.size(), [&](std::size_t i) {
+        rows[i] = runOne(picked[i], kit, sandbox, run.seed);
+        const std::lock_guard lock{mutex};
+        if (run.progress) run.progress(++done, picked.size());
+    });
     return rows;
 }
 

@@ -1,5 +1,6 @@
 #include <grader/lab/selftest/ScreenshotStudent.h>
 
+#include <grader/base/CpuTime.h>
 #include <grader/tasks/screenshot/JudgeScreenshot.h>
 
 #include <raytracer/base/Error.h>
@@ -9,14 +10,12 @@
 #include <utility>
 #include <variant>
 
-#include <time.h>
-
 namespace ticker::selftest {
 namespace {
 
-using tasks::screenshot::Scene;
 using metrics::Picture;
 using pipeline::SpecScene;
+using tasks::screenshot::Scene;
 
 raytracer::ByteImage asked(probe::Examinee& code, const SpecScene& scene,
                            const raytracer::RenderSettings& settings) {
@@ -26,16 +25,6 @@ raytracer::ByteImage asked(probe::Examinee& code, const SpecScene& scene,
     if (!image)
         throw raytracer::Error("a student of the selftest gave no picture: " + sitting.end.detail);
     return *std::move(image);
-}
-
-double threadCpuMs() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-metrics::ByteView viewOf(const raytracer::ByteImage& image) {
-    return {image.width, image.height, image.rgb};
 }
 
 }  // namespace
@@ -66,7 +55,7 @@ Picture ScreenshotStudent::render(const SpecScene& scene, int width, int height,
 }
 
 tasks::TaskJudgement ScreenshotStudent::handIn(const Picture& picture, std::uint64_t seed,
-                                                  double& judgeMs) const {
+                                               double& judgeMs) const {
     std::vector<Scene> scenes;
     for (const SpecScene& spec : scenes_) {
         Scene scene;
@@ -74,10 +63,10 @@ tasks::TaskJudgement ScreenshotStudent::handIn(const Picture& picture, std::uint
         scene.isForT1 = spec.isForT1;
         scene.isWanted = spec.isHandedIn && spec.isForT1 == isForT1_;
         scene.description = &spec.scene;
-        scene.expected = [&spec] { return viewOf(spec.expected().picture); };
+        scene.expected = [&spec] { return metrics::viewOf(spec.expected().picture); };
         if (spec.isForT1 == isForT1_) scene.examinee = &code_;
         const auto own = std::ranges::find(own_, spec.name, &pipeline::Rendered::scene);
-        if (own != own_.end()) scene.own = viewOf(own->picture);
+        if (own != own_.end()) scene.own = metrics::viewOf(own->picture);
         scenes.push_back(scene);
     }
     const double before = threadCpuMs();

@@ -1,5 +1,6 @@
-#include <grader/oracle/references/HiddenScene.h>
+#include <grader/base/SplitMix.h>
 #include <grader/oracle/Oracle.h>
+#include <grader/oracle/references/HiddenScene.h>
 
 #include <raytracer/base/Error.h>
 
@@ -27,11 +28,7 @@ public:
     explicit Dice(std::uint64_t seed) : state_(seed) {}
 
     double between(double low, double high) {
-        state_ += 0x9E3779B97F4A7C15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-        return low + (high - low) * static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+        return low + (high - low) * static_cast<double>(splitMix(state_) >> 11U) * 0x1p-53;
     }
     /// Whole number in [low, high].
     int among(int low, int high) {

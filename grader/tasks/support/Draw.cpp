@@ -1,5 +1,7 @@
 #include <grader/tasks/support/Draw.h>
 
+#include <grader/base/SplitMix.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -11,11 +13,7 @@ Draw::Draw(std::uint64_t seed, std::uint64_t purpose)
 }
 
 std::uint64_t Draw::word() {
-    state_ += 0x9E3779B97F4A7C15U;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31U);
+    return splitMix(state_);
 }
 
 double Draw::between(double low, double high) {

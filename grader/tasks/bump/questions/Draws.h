@@ -1,6 +1,8 @@
 #ifndef TICKER_TASKS_BUMP_DRAWS_H
 #define TICKER_TASKS_BUMP_DRAWS_H
 
+#include <grader/base/SplitMix.h>
+
 #include <raytracer/math/Vector3.h>
 
 #include <algorithm>
@@ -22,12 +24,13 @@ public:
 
     /// In [low, high).
     [[nodiscard]] double uniform(double low, double high) {
-        return low + (high - low) * static_cast<double>(next() >> 11U) * 0x1p-53;
+        return low + (high - low) * static_cast<double>(splitMix(state_) >> 11U) * 0x1p-53;
     }
 
     /// In [low, high], both included.
     [[nodiscard]] int integer(int low, int high) {
-        return low + static_cast<int>(next() % static_cast<std::uint64_t>(high - low + 1));
+        return low +
+               static_cast<int>(splitMix(state_) % static_cast<std::uint64_t>(high - low + 1));
     }
 
     /// A unit vector, uniform over the sphere.
@@ -48,14 +51,6 @@ public:
     }
 
 private:
-    std::uint64_t next() {
-        state_ += 0x9E3779B97F4A7C15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-        return z ^ (z >> 31U);
-    }
-
     std::uint64_t state_;
 };
 
