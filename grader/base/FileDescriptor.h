@@ -7,7 +7,7 @@
 
 namespace ticker {
 
-/// Owns a descriptor, or none (-1).
+/// Owns a file descriptor, or none (-1).
 class FileDescriptor {
 public:
     FileDescriptor() = default;

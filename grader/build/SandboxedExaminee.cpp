@@ -102,8 +102,8 @@ bool isMissing(const probe::Answer& answer) {
                       answer);
 }
 
-// The submission itself sets the mark. It is believed only if every answer is marked as well and
-// the kernel reports neither a signal nor a failure.
+// The submission itself sets the mark. It counts only if no answer is missing and the kernel
+// reports neither a signal nor a failure.
 bool hasFinished(const Outcome& outcome, bool isMarked, const std::vector<probe::Answer>& answers) {
     const bool contradicts = outcome.end == Outcome::End::signalled ||
                              (outcome.end == Outcome::End::exited && outcome.code != 0);

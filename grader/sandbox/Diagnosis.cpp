@@ -13,7 +13,7 @@
 namespace ticker::sandbox {
 namespace {
 
-// The first line of what bubblewrap or the helper said, for a sentence of ours.
+// The first line of bubblewrap's or the helper's message, to quote in a sentence of our own.
 std::string firstLine(const std::string& text) {
     std::string line = text.substr(0, text.find('\n'));
     while (!line.empty() && (line.back() == '.' || line.back() == ' '))
@@ -71,7 +71,7 @@ Diagnosis examine(Level level) {
     return unavailable(level, firstLine(outcome.output), adviceFor(level));
 }
 
-// What is missing on this machine stays missing: an error here is an answer too.
+// A capability that the machine lacks stays lacking: an error here is a valid answer, too.
 Diagnosis examineSafely(Level level) {
     try {
         return examine(level);

@@ -8,15 +8,15 @@
 
 namespace ticker::sandbox {
 
-/// What this machine says to one level.
+/// Whether this machine offers one level.
 struct Diagnosis {
     Level level = Level::none;
     bool available = false;
-    std::string reason;  ///< what makes it available, or what is in the way; one sentence
-    std::string advice;  ///< what to do about that; empty where there is nothing to do
+    std::string reason;  ///< what makes it available, or what prevents it; one sentence
+    std::string advice;  ///< how to remove the obstacle; empty if nothing can be done
 };
 
-/// Tries `level` by running a program that does nothing; about 10 ms, once in a process.
+/// Tries `level` by running a program that does nothing: about 10 ms, once in a process.
 [[nodiscard]] const Diagnosis& diagnose(Level level);
 
 /// All levels, the best first.

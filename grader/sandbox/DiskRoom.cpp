@@ -4,7 +4,8 @@
 
 namespace ticker::sandbox {
 
-// What running jobs have written counts twice, as used and as taken: they may fill the rest.
+// Bytes that running jobs have written count twice, as used and as reserved. That is conservative:
+// those jobs may still write the rest of their share.
 std::optional<DiskRoom::Share> DiskRoom::take(std::uint64_t bytes) {
     std::unique_lock lock{mutex_};
     while (freeBytes_() < taken_ + bytes) {

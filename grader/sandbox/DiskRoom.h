@@ -11,15 +11,16 @@
 
 namespace ticker::sandbox {
 
-/// The free room of a disk that jobs share. Each job takes the most that it may fill before it
-/// begins, so that no job finds the disk filled by another. May be shared by threads.
+/// Shares out the free space of a disk among jobs. Each job reserves the most that it may write
+/// before it starts, so that no job finds the disk filled by another. Safe to share between
+/// threads.
 class DiskRoom {
 public:
-    /// @param freeBytes  What is free on the disk at this moment.
+    /// @param freeBytes  Returns the free bytes of the disk at the time of the call.
     explicit DiskRoom(std::function<std::uint64_t()> freeBytes)
         : freeBytes_(std::move(freeBytes)) {}
 
-    /// What one job has taken, given back at its end.
+    /// The reservation of one job, released on destruction.
     class Share {
     public:
         Share(DiskRoom& room, std::uint64_t bytes) : room_(&room), bytes_(bytes) {}
@@ -37,7 +38,8 @@ public:
         std::uint64_t bytes_;
     };
 
-    /// Waits while other jobs hold what is missing. Empty: the disk has less, and no job holds any.
+    /// Waits while other jobs hold the missing bytes. Empty: the disk has less free space, and no
+    /// job holds any of it.
     [[nodiscard]] std::optional<Share> take(std::uint64_t bytes);
 
     [[nodiscard]] std::uint64_t freeBytes() const { return freeBytes_(); }
@@ -51,7 +53,7 @@ private:
     std::uint64_t taken_ = 0;
 };
 
-/// What an ordinary user may still write below `folder`, bytes.
+/// Bytes that an ordinary user may still write below `folder`.
 [[nodiscard]] std::uint64_t freeBytesOf(const std::filesystem::path& folder);
 
 }  // namespace ticker::sandbox

@@ -6,12 +6,12 @@
 
 namespace ticker::sandbox {
 
-/// One of our static programs, such as `ticker-jail`: beside the running program, or in
+/// Finds one of our static programs, such as `ticker-jail`: beside the running program, or in
 /// ../libexec/ticker from there.
-/// @throws raytracer::Error where it is in neither place.
+/// @throws raytracer::Error if it is in neither place.
 [[nodiscard]] std::filesystem::path findProgram(const std::string& name);
 
-/// bubblewrap: /usr/bin/bwrap, /usr/local/bin/bwrap or on the PATH; empty where there is none.
+/// Finds bubblewrap: /usr/bin/bwrap, /usr/local/bin/bwrap or on the PATH; empty if there is none.
 [[nodiscard]] std::filesystem::path findBubblewrap();
 
 }  // namespace ticker::sandbox

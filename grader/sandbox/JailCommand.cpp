@@ -19,8 +19,8 @@ void append(std::vector<std::string>& words, std::vector<std::string> more) {
     std::move(more.begin(), more.end(), std::back_inserter(words));
 }
 
-// Where the host has links for /bin, /lib and the like, the command finds the same; where it has
-// folders, it finds those. Programs name their interpreter by such a path.
+// Mounts /bin, /lib and the like the way the host has them, as symbolic links or as folders:
+// programs name their ELF interpreter by such a path.
 void addSystemFolders(std::vector<std::string>& words) {
     for (const char* name : {"/bin", "/lib", "/lib64", "/lib32"}) {
         std::error_code error;
@@ -41,7 +41,7 @@ void addMounts(std::vector<std::string>& words, const Command& command) {
         append(words, {"--ro-bind", path.host.string(), path.inside.string()});
     if (showsInside(command, "/usr")) {
         addSystemFolders(words);
-        // People keep their own things there.
+        // Private software of the host, which jobs have no reason to see.
         if (!showsInside(command, "/usr/local")) append(words, {"--tmpfs", "/usr/local"});
     }
     if (command.policy == Policy::compile)
@@ -78,14 +78,14 @@ std::vector<std::string> landlockPaths(const Command& command, const JailPlace& 
     std::vector<std::string> paths;
     for (const ReadOnlyPath& path : command.readOnly)
         paths.push_back(inside ? path.inside.string() : path.host.string());
-    // Where these are folders rather than links into /usr.
+    // Needed where these are folders rather than links into /usr.
     if (showsInside(command, "/usr"))
         for (const char* name : {"/bin", "/lib", "/lib64", "/lib32"})
             paths.emplace_back(name);
     return paths;
 }
 
-// The path of the host behind a path inside; the same where nothing maps it.
+// Translates a path inside of the jail to the host's path; unchanged if no mapping applies.
 fs::path behind(const Command& command, const JailPlace& place, const fs::path& inside) {
     if (place.level == Level::namespaces) return inside;
     if (command.wantsScratch && inside == kScratchFolder) return place.scratch;
@@ -102,8 +102,8 @@ jail::Filter filterOf(const Command& command, Level level) {
     return command.policy == Policy::run ? jail::Filter::run : jail::Filter::compile;
 }
 
-// The kernel counts the processes of a uid; since 5.14, those in a user namespace by themselves.
-// A limit that counted the caller's own processes would fail honest jobs.
+// RLIMIT_NPROC counts all processes of a uid; since Linux 5.14 a user namespace is counted
+// separately. A limit that included the caller's own processes would fail correct jobs.
 bool countsOnlyItsOwnProcesses(const JailPlace& place) {
     if (place.user >= 0) return true;
     return place.level == Level::namespaces && place.countsProcesses;
@@ -112,7 +112,7 @@ bool countsOnlyItsOwnProcesses(const JailPlace& place) {
 jail::Options innerOptions(const Command& command, const JailPlace& place) {
     jail::Options options;
     options.reports = true;
-    // Where namespaces hide everything else already, a kernel without Landlock will do.
+    // With namespaces, Landlock is a second barrier: a kernel without it is accepted.
     const bool needed = place.level == Level::ownUser || place.level == Level::sameUser;
     options.landlock = needed || (place.level == Level::namespaces && place.landlock);
     options.filter = filterOf(command, place.level);

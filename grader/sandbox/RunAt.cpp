@@ -25,7 +25,7 @@ namespace ticker::sandbox {
 namespace fs = std::filesystem;
 namespace {
 
-// What every run of this process shares: the place for files, and the helper's copy there, which
+// Shared by all runs of this process: the staging folder, and the copy of the helper in it, which
 // the jail's user can reach wherever the project lies.
 struct Workshop {
     StagingFolder staging;
@@ -44,7 +44,7 @@ const Workshop& workshop() {
     return shared;
 }
 
-// A folder of one run, gone with it.
+// A scratch folder of one run, removed on destruction.
 class ScratchFolder {
 public:
     explicit ScratchFolder(long user) {
@@ -65,13 +65,14 @@ private:
     fs::path path_;
 };
 
-// The disk of all scratch folders.
+// The disk that holds all scratch folders.
 DiskRoom& scratchDisk() {
     static DiskRoom room{[] { return freeBytesOf(workshop().staging.path()); }};
     return room;
 }
 
-// A scratch folder may grow as it may at level A, and then its products are copied.
+// Most bytes that a job may write: its scratch folder, as large as level A allows, and the copies
+// of its products.
 std::uint64_t mostBytesOf(const Command& command) {
     return command.limits.fileSizeBytes * (kScratchFiles + command.products.size());
 }
@@ -137,7 +138,8 @@ Outcome runAt(Level level, const Command& command) {
     const ScratchFolder scratch{place.user};
     place.scratch = scratch.path();
     Outcome outcome = watch(describe(command, place), command.limits);
-    // Another process filled the disk meanwhile: what the command says of that is not its fault.
+    // Another process filled the disk in the meantime: then a failure of the command is not its
+    // fault.
     const bool isFull = scratchDisk().freeBytes() < command.limits.fileSizeBytes;
     const bool hasAll = outcome.succeeded() && !outcome.productsMissing;
     return isFull && !hasAll ? withoutRoom(wanted) : outcome;
@@ -147,10 +149,11 @@ Outcome runNothing(Level level) {
     Command command;
     command.readOnly = {{workshop().helper, "/nothing"}};
     command.arguments = {"/nothing", "nothing"};
-    // Bubblewrap before 0.8 cannot bound a scratch folder: better found out now.
+    // Bubblewrap before 0.8 has no --size, so the trial run asks for a scratch folder as well.
     command.wantsScratch = true;
     command.limits = defaultPolicy().decode;
-    command.limits.fileSizeBytes = 1U << 16U;  // a full disk is no reason against a level
+    command.limits.fileSizeBytes =
+        1U << 16U;  // small, so that a full disk does not count against a level
     return runAt(level, command);
 }
 

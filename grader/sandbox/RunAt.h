@@ -6,10 +6,10 @@
 
 namespace ticker::sandbox {
 
-/// Runs the command at a level, whether or not that has been tried.
+/// Runs the command at a level, without first checking that the level works.
 [[nodiscard]] Outcome runAt(Level level, const Command& command);
 
-/// Runs a program that does nothing.
+/// Runs a program that does nothing: the trial run of a level.
 [[nodiscard]] Outcome runNothing(Level level);
 
 /// The staging folder of this process.

@@ -92,7 +92,7 @@ TimeLimits readTimes(const Reader& reader, const Limits& run) {
 
 UserRange readUsers(const Reader& reader) {
     reader.allowOnly({"first", "count"});
-    // Below 1000 are the system's users; 65534 is nobody, whom other services share.
+    // Uids below 1000 belong to the system; 65534 (nobody) is shared with other services.
     UserRange range;
     range.first = reader.whole<long>("first", 1000, 60'000'000);
     range.count = reader.whole<int>("count", 1, 4096);

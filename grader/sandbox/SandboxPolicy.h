@@ -9,30 +9,31 @@
 
 namespace ticker::sandbox {
 
-/// What all runs of one submission may take together.
+/// Time limits of all runs of one submission together.
 struct TimeLimits {
     double cpuSeconds = 0.0;
     double wallSeconds = 0.0;
 };
 
-/// What limits.json holds: how much each kind of job may use, and which uids belong to jails.
+/// Contents of limits.json: limits for each kind of job, and the uids reserved for jails.
 struct SandboxPolicy {
     UserRange users;
-    Limits compile;         ///< a student's file, by the compiler; the link
-    Limits run;             ///< a submission that answers questions, each time that it is run
-    TimeLimits submission;  ///< a submission that answers questions, all runs of it together
-    Limits decode;          ///< a student's picture, by our decoder
+    Limits compile;         ///< compiling and linking a student's file
+    Limits run;             ///< one run of a submission that answers questions
+    TimeLimits submission;  ///< all such runs of a submission together
+    Limits decode;          ///< decoding a student's picture with our decoder
 };
 
-/// The limits.json that this program was built with.
+/// The limits.json that is compiled into this program.
 [[nodiscard]] const SandboxPolicy& defaultPolicy();
 
-/// @param text  JSON as in grader/sandbox/limits.json: every field is required, none other allowed.
-/// @param name  What an error calls the text.
-/// @throws raytracer::InputError naming the field, what was found and what was expected.
+/// @param text  JSON as in grader/sandbox/limits.json: every field is required, no other is
+///         allowed.
+/// @param name  Name of the text in error messages.
+/// @throws raytracer::InputError with the field, its value and what was expected.
 [[nodiscard]] SandboxPolicy parsePolicy(const std::string& text, const std::string& name);
 
-/// parsePolicy of a file. @throws raytracer::InputError also where it cannot be read.
+/// parsePolicy of a file. @throws raytracer::InputError also if it cannot be read.
 [[nodiscard]] SandboxPolicy readPolicy(const std::filesystem::path& file);
 
 }  // namespace ticker::sandbox

@@ -8,11 +8,11 @@
 
 namespace ticker::sandbox {
 
-/// A memory file of fixed size that can be handed to another process. It has no name.
+/// An anonymous memory file (memfd) of fixed size that can be passed to another process.
 class SharedMemory {
 public:
-    /// Zero bytes; sealed, so that nobody can make it longer or shorter.
-    /// @throws raytracer::Error (notGradable) where the system gives none.
+    /// Zero bytes, sealed against growing and shrinking.
+    /// @throws raytracer::Error (notGradable) if the system provides none.
     explicit SharedMemory(std::size_t size);
     ~SharedMemory();
     SharedMemory(const SharedMemory&) = delete;
@@ -26,7 +26,7 @@ private:
     std::span<std::byte> bytes_;
 };
 
-/// A memory file that nobody can change any more.
+/// A memory file with these bytes, sealed against every change.
 [[nodiscard]] FileDescriptor sealedCopy(std::span<const std::byte> bytes);
 
 }  // namespace ticker::sandbox

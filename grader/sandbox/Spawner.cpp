@@ -17,7 +17,8 @@
 namespace ticker::sandbox {
 namespace {
 
-// Above every target, so that no redirection overwrites the source of another.
+// Sources are first copied to descriptors above every target, so that no redirection overwrites the
+// source of another.
 constexpr int kFirstParked = 128;
 
 class FileActions {
@@ -47,7 +48,8 @@ public:
         posix_spawnattr_setsigmask(&attributes_, &signals);
         sigfillset(&signals);
         posix_spawnattr_setsigdefault(&attributes_, &signals);
-        // A session of its own: Ctrl-C is for us, and there is no terminal to type into.
+        // A session of its own: Ctrl-C on our terminal does not reach the job, and the job has no
+        // controlling terminal to inject input into.
         posix_spawnattr_setflags(
             &attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSID);
     }
@@ -140,7 +142,7 @@ private:
 }  // namespace
 
 Launched launch(const Launch& launch) {
-    // Never destroyed: its thread uses it until the process ends.
+    // Never destroyed: its thread runs until the process ends.
     static SpawnerThread& spawner = *new SpawnerThread;
     return spawner.run(launch);
 }

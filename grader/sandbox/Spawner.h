@@ -9,13 +9,13 @@
 
 namespace ticker::sandbox {
 
-/// `host` becomes `target` in the child.
+/// Descriptor `host` of this process becomes `target` in the child.
 struct Redirection {
     int host = -1;
     int target = -1;
 };
 
-/// A program to start. Every descriptor that no redirection names is closed.
+/// A program to start. All descriptors without a redirection are closed.
 struct Launch {
     std::filesystem::path program;
     std::vector<std::string> arguments;  ///< without argv[0]
@@ -27,8 +27,8 @@ struct Launched {
     int error = 0;  ///< errno where pid is -1
 };
 
-/// Starts the program from a thread that lives as long as the process, since children that die with
-/// their parent die with the thread that made them. May be called by any thread.
+/// Starts the program from a thread that lives as long as the process: a child with a parent-death
+/// signal dies when the *thread* that made it ends. Safe to call from any thread.
 [[nodiscard]] Launched launch(const Launch& launch);
 
 }  // namespace ticker::sandbox

@@ -25,7 +25,7 @@ namespace {
 constexpr const char* kPrefix = "ticker-stage-";
 constexpr const char* kNewPrefix = "ticker-new-";
 
-// Only where we are root do jobs run as somebody else.
+// As root, jobs run under another uid, which must be able to reach the folder.
 bool jobsCanReach(const fs::path& folder) {
     if (geteuid() != 0) return true;
     for (fs::path at = folder; !at.empty(); at = at.parent_path()) {
@@ -62,13 +62,13 @@ bool isOurs(const fs::path& folder) {
            status.st_uid == geteuid();
 }
 
-// The few moments before a new folder is locked do not last a minute.
+// True if the folder is older than a minute: far longer than a new folder stays unlocked.
 bool isPastItsBeginning(const fs::path& folder) {
     struct stat status {};
     return lstat(folder.c_str(), &status) == 0 && std::time(nullptr) - status.st_mtime > 60;
 }
 
-// A folder whose lock is free belongs to nobody who lives.
+// A free lock means that the owning process has exited.
 void removeAbandoned(const fs::path& place) {
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator{place, ignored}) {
@@ -81,7 +81,8 @@ void removeAbandoned(const fs::path& place) {
     }
 }
 
-// Locked before it gets the name that removeAbandoned looks for.
+// The folder is locked first and then renamed, so that removeAbandoned never sees it unlocked under
+// its final name.
 std::optional<std::pair<fs::path, FileDescriptor>> create(const fs::path& place) {
     if (!place.is_absolute() || !jobsCanReach(place) || !programsRunIn(place)) return {};
     const std::string name = randomName();
@@ -89,7 +90,7 @@ std::optional<std::pair<fs::path, FileDescriptor>> create(const fs::path& place)
     if (mkdir(first.c_str(), 0711) != 0) return {};
     FileDescriptor lock = lockFolder(first);
     const fs::path last = place / (kPrefix + name);
-    // The file mode mask may have taken away what others need.
+    // fchmod, because the umask may have removed the permissions of other users.
     if (lock.isOpen() && fchmod(lock.get(), 0711) == 0 && rename(first.c_str(), last.c_str()) == 0)
         return std::pair{last, std::move(lock)};
     rmdir(first.c_str());

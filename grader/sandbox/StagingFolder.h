@@ -8,12 +8,12 @@
 
 namespace ticker::sandbox {
 
-/// A folder of this process, gone with it, that every user can walk through but nobody can list:
-/// what lies in it is reached only by who was told its name. A later process removes what one left
-/// that was killed.
+/// A folder of this process, removed when the process ends. Every user can pass through it, but not
+/// list it: its contents can be reached only by name. If the process was killed, a later one
+/// removes the folder.
 class StagingFolder {
 public:
-    /// @throws raytracer::Error where no place of this machine will do.
+    /// @throws raytracer::Error if no folder of this machine is suitable.
     StagingFolder();
     ~StagingFolder();
     StagingFolder(const StagingFolder&) = delete;
@@ -21,7 +21,7 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    /// A new folder in it with a name that cannot be guessed. @param mode  As for chmod.
+    /// Makes a folder in it with an unguessable name. @param mode  As for chmod.
     [[nodiscard]] std::filesystem::path makeFolder(std::filesystem::perms mode) const;
 
 private:

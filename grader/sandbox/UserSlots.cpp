@@ -14,7 +14,7 @@
 namespace ticker::sandbox {
 namespace {
 
-// Root's own folder for locks: others can neither make nor replace it.
+// A folder that only root can write: no other user can create or replace a lock.
 FileDescriptor openLockFolder() {
     for (const char* path : {"/run/ticker", "/var/tmp/ticker-locks"}) {
         mkdir(path, 0700);

@@ -7,13 +7,13 @@
 
 namespace ticker::sandbox {
 
-/// The uids that jails get where we are root: one for each jail at a time, on the whole machine.
+/// The uids that jails use when we run as root: one for each jail at a time, on the whole machine.
 struct UserRange {
     long first = 0;
     int count = 0;
 };
 
-/// A uid that nobody else uses while this lives; -1 where we are not root and keep our own.
+/// A uid that is reserved while this object lives; -1 if we are not root and keep our own uid.
 class UserSlot {
 public:
     UserSlot() = default;
@@ -25,8 +25,8 @@ private:
     FileDescriptor lock_;
 };
 
-/// Takes a free uid of the range.
-/// @throws raytracer::Error where none is free, or locks cannot be had.
+/// Reserves a free uid of the range.
+/// @throws raytracer::Error if none is free, or locks are not available.
 [[nodiscard]] UserSlot takeUserSlot(const UserRange& range);
 
 }  // namespace ticker::sandbox

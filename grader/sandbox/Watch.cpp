@@ -25,7 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-// What a helper may take for ending and reaping a jail before we end the helper itself.
+// Time for a helper to end and reap a jail before the helper itself is killed.
 constexpr Milliseconds kGrace{10'000.0};
 
 struct Pipe {
@@ -72,7 +72,7 @@ private:
         return Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
     }
 
-    // One turn: true once the helper has ended.
+    // One step of waiting: true once the helper has ended.
     bool ended() {
         const Milliseconds left = deadline_ - Clock::now();
         if (left.count() <= 0) onDeadline();
@@ -115,7 +115,7 @@ private:
         }
     }
 
-    // The helper ends everything and reaps it; a killed helper could not.
+    // SIGTERM, not SIGKILL: the helper then ends and reaps all processes of the jail.
     void stop(Outcome::End reason) {
         if (stopped_) return;
         stopped_ = reason;
@@ -150,12 +150,13 @@ private:
         outcome_.code = report.code;
         const bool exited = report.kind == jail::Report::Kind::exited;
         outcome_.end = exited ? Outcome::End::exited : Outcome::End::signalled;
-        // Who ignores SIGXCPU is killed a second later: the same limit, the same name.
+        // A command that ignores SIGXCPU gets SIGKILL a second later: the same limit, so the same
+        // result.
         if (!exited && report.code == SIGKILL && outcome_.cpuMs >= limits_.cpuSeconds * 1000.0)
             outcome_.code = SIGXCPU;
     }
 
-    // No word from inside: ended from outside, or it never began.
+    // No report arrived: the helper was killed from outside, or failed before the command began.
     void take(const rusage& usage) {
         const auto milliseconds = [](const timeval& time) {
             return static_cast<double>(time.tv_sec) * 1000.0 +

@@ -6,8 +6,9 @@
 
 namespace ticker::sandbox {
 
-/// Starts the helper as `launch` says, with stdin empty and stdout and stderr read by us, waits for
-/// its end or for the limits, and says how the command ended. On return nothing of it runs.
+/// Starts the helper as `launch` says, with an empty stdin, and collects stdout and stderr. Waits
+/// until the command ends or reaches a limit, and says how it ended. On return none of its
+/// processes runs.
 [[nodiscard]] Outcome watch(Launch launch, const Limits& limits);
 
 }  // namespace ticker::sandbox
