@@ -15,7 +15,7 @@ namespace {
 
 constexpr pid_t kNamespaceInit = 1;
 
-// The kernel signals all processes of the uid at once, so that none can fork away.
+// kill(-1) as the jail's uid signals all its processes at once, so that none escapes by forking.
 void sweepUser(long user) {
     const pid_t sweeper = fork();
     if (sweeper == 0) {
@@ -36,7 +36,8 @@ pid_t parentOf(pid_t pid) {
     const std::size_t size = std::fread(line, 1, sizeof line - 1, file);
     std::fclose(file);
     line[size] = '\0';
-    // "pid (name) state parent": a name may hold anything, also ')'.
+    // The line is "pid (name) state parent". A name may contain any byte, including ')', so search
+    // from the end.
     const char* nameEnd = std::strrchr(line, ')');
     if (nameEnd == nullptr || std::strlen(nameEnd) < 4) return -1;
     return static_cast<pid_t>(std::strtol(nameEnd + 4, nullptr, 10));
@@ -53,7 +54,7 @@ void killChildren() {
     closedir(folder);
 }
 
-// True while there is a child that has not ended.
+// Reaps all ended children. True while some child is still running.
 bool reapEnded() {
     while (true) {
         const pid_t pid = waitpid(-1, nullptr, WNOHANG);
@@ -78,7 +79,7 @@ void killAll(pid_t group, long user) {
 void endAll(pid_t group, long user) {
     while (reapEnded()) {
         killAll(group, user);
-        // Orphans of what dies now become our children: look again after each.
+        // Orphans of a dying process become our children: check again after each one.
         waitpid(-1, nullptr, 0);
     }
 }

@@ -13,8 +13,8 @@
 namespace ticker::jail {
 namespace {
 
-// Access rights by the Landlock ABI that brought them (kernel documentation, "Landlock:
-// unprivileged access control"); headers of GCC 12's time know only the first.
+// Access rights, by the Landlock ABI that introduced them (kernel documentation, "Landlock:
+// unprivileged access control"). The kernel headers of Debian 12 know only the first ones.
 constexpr std::uint64_t kExecute = 1U << 0U;
 constexpr std::uint64_t kWriteFile = 1U << 1U;
 constexpr std::uint64_t kReadFile = 1U << 2U;

@@ -12,7 +12,7 @@ bool setLimit(__rlimit_resource resource, std::uint64_t soft, std::uint64_t hard
     return setrlimit(resource, &limit) == 0;
 }
 
-// 0 leaves the limit as it is.
+// A value of 0 leaves the limit unchanged.
 bool setLimit(__rlimit_resource resource, std::uint64_t value) {
     return value == 0 || setLimit(resource, value, value);
 }
@@ -24,7 +24,7 @@ Failure limitResources(const Options& options) {
     const bool basics = setLimit(RLIMIT_CORE, 0, 0) && setLimit(RLIMIT_MEMLOCK, 0, 0) &&
                         setLimit(RLIMIT_MSGQUEUE, 0, 0) && setLimit(RLIMIT_SIGPENDING, 64, 64);
     if (!basics) return "setrlimit";
-    // One second between SIGXCPU, which can be caught, and SIGKILL, which cannot.
+    // SIGXCPU can be caught; SIGKILL follows one second later and cannot.
     if (cpu != 0 && !setLimit(RLIMIT_CPU, cpu, cpu + 1)) return "setrlimit cpu";
     if (!setLimit(RLIMIT_NOFILE, options.openFiles)) return "setrlimit open files";
     if (!setLimit(RLIMIT_STACK, options.stackBytes)) return "setrlimit stack";

@@ -5,16 +5,16 @@
 
 namespace ticker::jail {
 
-/// Name of the step that failed, with errno set; nullptr if all went well.
+/// Name of the step that failed, with errno set; nullptr if all steps succeeded.
 using Failure = const char*;
 
-/// rlimits of the calling process.
+/// Sets the rlimits of the calling process.
 [[nodiscard]] Failure limitResources(const Options& options);
 
-/// Landlock: only the folders that `options` names can be reached from now on.
+/// Landlock: from now on only the folders that `options` names can be accessed.
 [[nodiscard]] Failure restrictFiles(const Options& options);
 
-/// seccomp: only the system calls of the filter from now on, plus one execve.
+/// seccomp: from now on only the system calls of the filter are allowed, plus one execve.
 [[nodiscard]] Failure restrictSystemCalls(Filter filter);
 
 }  // namespace ticker::jail

@@ -8,23 +8,24 @@
 
 namespace ticker::jail {
 
-/// Where the helper writes its report.
+/// The helper writes its report to this descriptor.
 inline constexpr int kStatusDescriptor = 63;
-/// Descriptors below are for commands; from here up to the status are products.
+/// Lower numbers are the command's descriptors; from here up to the status descriptor are products.
 inline constexpr int kFirstProductDescriptor = 32;
 
 enum class Filter { none, compile, run };
 
-/// A file that the command leaves in its scratch folder, copied to a descriptor afterwards.
+/// A file in the command's scratch folder that is copied to a descriptor after the command has
+/// ended.
 struct Product {
     std::string name;
     int descriptor = -1;
 };
 
-/// All that `ticker-jail` is told. A limit of 0 is not set; an id of -1 is not changed.
+/// All options of `ticker-jail`. A limit of 0 is not set; an id of -1 is not changed.
 struct Options {
     long user = -1;    ///< uid and gid of the command
-    long parent = -1;  ///< pid without which there is no reason to live
+    long parent = -1;  ///< pid of the parent; without it the helper exits
     bool reports = false;
     bool landlock = false;
     Filter filter = Filter::none;
@@ -36,16 +37,16 @@ struct Options {
     std::uint64_t openFiles = 0;
     std::string folder;                 ///< working directory; empty: unchanged
     std::string scratch;                ///< writable folder; empty: none
-    std::vector<std::string> readOnly;  ///< what Landlock lets be read and executed
-    std::vector<int> descriptors;       ///< kept open beside 0, 1 and 2
+    std::vector<std::string> readOnly;  ///< paths that Landlock allows to read and execute
+    std::vector<int> descriptors;       ///< kept open in addition to 0, 1 and 2
     std::vector<Product> products;
     std::vector<std::string> command;
 };
 
-/// The helper's command line, without argv[0].
+/// The helper's command line for these options, without argv[0].
 [[nodiscard]] std::vector<std::string> toArguments(const Options& options);
 
-/// The reverse of toArguments. `error` names the word that was not understood; empty if none.
+/// The inverse of toArguments. `error` names the first word that was not understood; empty if none.
 struct ParsedOptions {
     Options options;
     std::string error;

@@ -7,10 +7,10 @@
 
 namespace ticker::jail {
 
-/// Copies the command's products from its scratch folder to their descriptors: regular files with
-/// one name, owned by the jail's uid, not larger than the file size limit. Links are not followed.
-/// Call only when nothing of the command runs any more.
-/// @returns how many were missing or unfit.
+/// Copies the command's products from its scratch folder to their descriptors. A product must be a
+/// regular file with a single link, owned by the jail's uid and not larger than the file size
+/// limit. Symbolic links are not followed. Call only after all processes of the command have ended.
+/// @returns the number of products that were missing or refused.
 [[nodiscard]] std::uint32_t copyProducts(const Options& options);
 
 }  // namespace ticker::jail

@@ -5,8 +5,8 @@
 
 namespace ticker::jail {
 
-/// What the helper tells about the command's end, in one write. Both ends are on one machine, so
-/// it travels as it lies in memory.
+/// The helper's report about the command's end, written in one piece. Both ends run on one machine,
+/// so it is sent as it lies in memory.
 struct Report {
     static constexpr std::uint32_t kMagic = 0x4c49414aU;
     enum class Kind : std::uint32_t { exited = 1, signalled = 2, setupFailed = 3 };
@@ -15,9 +15,9 @@ struct Report {
     Kind kind = Kind::setupFailed;
     std::int32_t code = 0;  ///< exit status, signal, or errno
     std::uint32_t productsMissing = 0;
-    std::uint64_t cpuMicroseconds = 0;  ///< of the command and all its descendants
-    std::uint64_t peakMemoryBytes = 0;  ///< of the largest of them
-    char step[40] = {};                 ///< what failed, where kind is setupFailed
+    std::uint64_t cpuMicroseconds = 0;  ///< of the command and all its descendants together
+    std::uint64_t peakMemoryBytes = 0;  ///< of the largest single process
+    char step[40] = {};                 ///< the step that failed, if kind is setupFailed
 };
 
 }  // namespace ticker::jail

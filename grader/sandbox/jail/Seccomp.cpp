@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kNamespaces[] = {CLONE_NEWUSER, CLONE_NEWNS,  CLONE_NEWPID,   CLONE_NEWNET,
                                          CLONE_NEWIPC,  CLONE_NEWUTS, CLONE_NEWCGROUP};
 
-// Names that this machine's architecture does not have are skipped.
+// Skips system calls that this machine's architecture does not have.
 bool add(scmp_filter_ctx filter, std::uint32_t action, std::span<const int> calls) {
     for (const int call : calls) {
         const int result = seccomp_rule_add_array(filter, action, call, 0, nullptr);
@@ -45,16 +45,17 @@ scmp_filter_ctx makeRunFilter() {
     const bool added =
         add(filter, SCMP_ACT_ALLOW, allowedInRun()) &&
         add(filter, SCMP_ACT_KILL_PROCESS, killedInRun()) &&
-        // A look at the limits, never a change.
+        // Reading limits is allowed, changing them is not.
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), equals(2, 0)) &&
-        // fdopen() asks how a descriptor was opened.
+        // fdopen() asks for the mode of a descriptor.
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(fcntl), equals(1, F_GETFL)) &&
-        // abort() and raise(): signals to itself.
+        // abort() and raise() signal the process itself.
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill),
               equals(0, static_cast<std::uint64_t>(getpid()))) &&
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(clone), masked(0, kThread, kThread)) &&
         addIf(filter, SCMP_ACT_KILL_PROCESS, SCMP_SYS(clone), masked(0, CLONE_THREAD, 0)) &&
-        // Its flags lie in memory, where no filter sees them; the C library falls back to clone.
+        // The flags of clone3 lie in memory, where a filter cannot see them; on ENOSYS the C
+        // library falls back to clone.
         seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
     if (added) return filter;
     seccomp_release(filter);
@@ -70,7 +71,7 @@ scmp_filter_ctx makeCompileFilter() {
         seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
     for (const std::uint64_t space : kNamespaces)
         added = added && addIf(filter, kRefuse, SCMP_SYS(clone), masked(0, space, space));
-    // TIOCSTI and TIOCLINUX type into somebody's terminal.
+    // TIOCSTI and TIOCLINUX inject input into a terminal.
     for (const std::uint64_t request : {std::uint64_t{TIOCSTI}, std::uint64_t{TIOCLINUX}})
         added = added && addIf(filter, kRefuse, SCMP_SYS(ioctl), masked(1, 0xffffffffU, request));
     if (added) return filter;

@@ -23,7 +23,7 @@ Failure changeUser(long user) {
     return nullptr;
 }
 
-// The kernel clears the death signal when a process changes its user, hence the order.
+// The kernel clears the parent-death signal when a process changes its uid, so set it afterwards.
 Failure dieWithParent(pid_t parent) {
     if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return "prctl pdeathsig";
     if (getppid() != parent) _exit(125);
@@ -58,7 +58,7 @@ void resetSignals() {
     sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-// Who runs, where, and with which descriptors.
+// Sets the identity: uid, session, working directory and descriptors.
 Failure changeIdentity(const Options& options, pid_t parent, int keepOpen) {
     if (setsid() < 0) return "setsid";
     if (Failure failure = changeUser(options.user)) return failure;
@@ -67,7 +67,7 @@ Failure changeIdentity(const Options& options, pid_t parent, int keepOpen) {
     return changeFolder(options);
 }
 
-// What may be done from now on.
+// Gives up rights: from now on only what the options allow.
 Failure giveUpRights(const Options& options) {
     resetSignals();
     if (options.filter != Filter::none || options.landlock) {
@@ -86,8 +86,8 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     return result;
 }
 
-// What the kernel says to a file that is there, but no program that it can run, or one that wants
-// an interpreter that it cannot have: a student can make one.
+// Errors of execve for a file that exists but cannot be executed, or whose interpreter is missing:
+// a student can produce such a file, so this is not an error of the sandbox.
 bool isUnfit(int error) {
     return error == ENOEXEC || error == ENOENT || error == EACCES || error == ENOMEM ||
            error == EINVAL || error == ELIBBAD;
@@ -96,7 +96,7 @@ bool isUnfit(int error) {
 }  // namespace
 
 StartFailure becomeCommand(const Options& options, pid_t parent, int keepOpen) {
-    // Memory first: the limits may leave none.
+    // Allocate before the limits are set: afterwards no memory may be left.
     std::vector<std::string> words = options.command;
     std::vector<std::string> settings{"PATH=/usr/bin:/bin", "LC_ALL=C"};
     if (!options.scratch.empty()) settings.push_back("TMPDIR=" + options.scratch);

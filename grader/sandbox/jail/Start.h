@@ -7,17 +7,17 @@
 
 namespace ticker::jail {
 
-/// Exit status of a command that is there, but that the system will not run: as in a shell.
+/// Exit status for a command that exists but cannot be executed: the same as a shell's.
 inline constexpr int kNotExecutable = 126;
 
-/// What a child tells about a step that failed before its command began.
+/// Sent by a child when a step fails before its command begins.
 struct StartFailure {
     int error = 0;
     char step[40] = {};
 };
 
-/// In the child of `parent`: gives up everything that the options take away, then becomes the
-/// command. Returns only if that failed; `keepOpen` is there to tell of it.
+/// Called in the child of `parent`: gives up all rights that the options take away, then becomes
+/// the command. Returns only on failure, which the caller reports over `keepOpen`.
 [[nodiscard]] StartFailure becomeCommand(const Options& options, pid_t parent, int keepOpen);
 
 }  // namespace ticker::jail

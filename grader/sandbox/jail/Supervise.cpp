@@ -50,7 +50,7 @@ sigset_t watchedSignals() {
     return watched;
 }
 
-// Reaps what has ended; true once `child` is among it. Others are orphans that the command left.
+// Reaps ended processes; true once `child` is among them. The others are orphans of the command.
 bool reap(pid_t child, int& status) {
     while (true) {
         int ended = 0;
@@ -69,8 +69,8 @@ bool toldToStop(int signals) {
     return false;
 }
 
-// Stops at SIGTERM, and also where nobody is left to read the report: the death signal of a parent
-// that dies while bubblewrap starts can be missed, a closed pipe cannot.
+// Ends the command at SIGTERM, and also if the reader of the report has gone: the parent-death
+// signal can be missed while bubblewrap starts, a closed pipe cannot.
 int waitFor(pid_t child, int signals, const Options& options) {
     const bool reports = fcntl(kStatusDescriptor, F_GETFD) >= 0;
     std::array<pollfd, 2> watched{{{signals, POLLIN, 0}, {reports ? kStatusDescriptor : -1, 0, 0}}};
@@ -84,7 +84,7 @@ int waitFor(pid_t child, int signals, const Options& options) {
     return status;
 }
 
-// The child's end of `pipe` closes when the command begins, so that silence means success.
+// The child's end of `pipe` closes on exec, so an empty pipe means that the command has begun.
 StartFailure readFailure(int pipe) {
     StartFailure failure;
     ssize_t got = 0;

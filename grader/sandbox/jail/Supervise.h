@@ -6,8 +6,8 @@
 
 namespace ticker::jail {
 
-/// Starts the command, waits for its end or for SIGTERM, ends and reaps everything that descends
-/// from it, and copies its products. The calling process must have no other children.
+/// Starts the command and waits until it ends or SIGTERM arrives. Then ends and reaps all its
+/// descendants, and copies its products. The calling process must have no other children.
 [[nodiscard]] Report supervise(const Options& options);
 
 }  // namespace ticker::jail

@@ -6,9 +6,10 @@ namespace ticker::jail {
 namespace {
 
 // clang-format off
-// What a static program with threads, iostreams and exceptions needs, and no more: it can neither
-// open anything nor start anything. execve is there for the helper's own last step. newfstatat, by
-// which newer C libraries do fstat(), takes a path that no filter sees: streams do without it.
+// The minimum for a static program with threads, iostreams and exceptions: it cannot open a file
+// and cannot start a process. execve is allowed for the helper's own last step. newfstatat, by
+// which newer C libraries implement fstat(), takes a path that the filter cannot see; streams work
+// without it.
 constexpr int kRunAllowed[] = {
     SCMP_SYS(read), SCMP_SYS(readv), SCMP_SYS(pread64), SCMP_SYS(write), SCMP_SYS(writev),
     SCMP_SYS(pwrite64), SCMP_SYS(lseek), SCMP_SYS(fstat), SCMP_SYS(close), SCMP_SYS(mmap),
@@ -22,7 +23,7 @@ constexpr int kRunAllowed[] = {
     SCMP_SYS(execve), SCMP_SYS(restart_syscall), SCMP_SYS(getrusage), SCMP_SYS(membarrier),
 };
 
-// Nothing that a renderer does by accident: the attempt itself is the finding.
+// No renderer makes these calls by accident: the attempt itself is a finding.
 constexpr int kRunKilled[] = {
     SCMP_SYS(fork), SCMP_SYS(vfork), SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(connect),
     SCMP_SYS(bind), SCMP_SYS(ptrace), SCMP_SYS(process_vm_readv), SCMP_SYS(process_vm_writev),
@@ -40,8 +41,8 @@ constexpr int kRunKilled[] = {
     SCMP_SYS(landlock_create_ruleset),
 };
 
-// A compiler driver is an honest shell of processes; these it never needs. setsid and setpgid are
-// here so that its process group holds all its descendants.
+// A compiler driver starts many processes, but never needs these calls. setsid and setpgid are
+// refused so that the process group contains all descendants.
 constexpr int kCompileRefused[] = {
     SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(connect), SCMP_SYS(bind), SCMP_SYS(ptrace),
     SCMP_SYS(process_vm_readv), SCMP_SYS(process_vm_writev), SCMP_SYS(mount), SCMP_SYS(umount2),

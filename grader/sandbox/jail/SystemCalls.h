@@ -5,12 +5,12 @@
 
 namespace ticker::jail {
 
-/// Numbers of system calls, as libseccomp writes them: those that Policy::run lets through, and
-/// those that end a program. All others are refused.
+/// System call numbers, in libseccomp's notation: those that Policy::run allows, and those that
+/// kill the program. All others fail with an error.
 [[nodiscard]] std::span<const int> allowedInRun();
 [[nodiscard]] std::span<const int> killedInRun();
 
-/// Those that Policy::compile refuses; all others are let through.
+/// Those that Policy::compile refuses; all others are allowed.
 [[nodiscard]] std::span<const int> refusedInCompile();
 
 }  // namespace ticker::jail

@@ -1,6 +1,6 @@
-// ticker-jail: the last trusted step before a stranger's program. It starts one command with
-// everything taken away that the options say, and reports how the command ended over a descriptor
-// that the command never holds. Level A runs it twice: outside, to change the user and to reap
+// ticker-jail: the last trusted step before an untrusted program. It starts one command with the
+// rights that the options leave it, and reports how the command ended over a descriptor that the
+// command never holds. Level A runs it twice: outside of bubblewrap, to change the uid and to reap
 // bubblewrap; inside, as the first process of the pid namespace.
 #include <grader/sandbox/jail/Options.h>
 #include <grader/sandbox/jail/Supervise.h>
@@ -18,7 +18,7 @@ namespace {
 using ticker::jail::Options;
 using ticker::jail::Report;
 
-// SIGTERM, not SIGKILL: with its last breath it ends the command and what that has started.
+// SIGTERM instead of SIGKILL: the helper ends the command and its descendants before it exits.
 bool dieWithParent(long parent) {
     if (prctl(PR_SET_PDEATHSIG, SIGTERM) != 0) return false;
     return parent < 0 || getppid() == static_cast<pid_t>(parent);
@@ -42,7 +42,7 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int count, char** words) {
-    // What the trial run of a level runs.
+    // "nothing" is the command of a level's trial run.
     if (count == 2 && std::strcmp(words[1], "nothing") == 0) return 0;
     const ticker::jail::ParsedOptions parsed =
         ticker::jail::parseOptions({words + (count > 0 ? 1 : 0), words + count});
