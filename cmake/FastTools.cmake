@@ -1,4 +1,4 @@
-# Uses ccache and lld where the machine has them: same results, sooner.
+# Uses ccache and lld if they are installed: the same results, faster.
 find_program(TICKER_CCACHE ccache)
 if(TICKER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${TICKER_CCACHE}")

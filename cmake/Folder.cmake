@@ -1,5 +1,5 @@
-# For code that moves data about: it compiles in three quarters of the time, and what it does takes
-# no time anyway.
+# For code without inner loops: -O1 compiles in three quarters of the time, and its running time is
+# negligible.
 function(ticker_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
@@ -7,7 +7,7 @@ endfunction()
 # One target for each folder of the grader.
 #   ticker_folder(NAME metrics [HOT] SOURCES a.cpp b.cpp PUBLIC lib... PRIVATE lib...)
 # makes the static library ticker::metrics, whose headers are included as <grader/metrics/X.h>. HOT:
-# it works on rays, pixels or samples, so that its speed is felt.
+# the folder processes rays, pixels or samples, so it is compiled with full optimisation.
 function(ticker_folder)
   cmake_parse_arguments(ARG "HOT" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(ticker_${ARG_NAME} STATIC ${ARG_SOURCES})
@@ -20,8 +20,8 @@ function(ticker_folder)
   endif()
 endfunction()
 
-# For static programs that run in the sandbox: sanitizers cannot live under its limits, and counters
-# of coverage cannot be written there.
+# For static programs that run in the sandbox: sanitizers do not work within its limits, and
+# coverage counters cannot be written there.
 function(ticker_no_instruments target)
   target_compile_options(${target} PRIVATE
     -fno-sanitize=all -fno-profile-arcs -fno-test-coverage)
@@ -29,9 +29,10 @@ function(ticker_no_instruments target)
 endfunction()
 
 # One test program for each folder: ticker_test(NAME metrics SOURCES aTest.cpp LIBRARIES lib...
-# [LABELS unit] [FILTER "-*/C"] [TOGETHER] [ALONE]). Labels: unit, render, grader, slow. FILTER, as
-# GoogleTest's: tests that ctest should list. TOGETHER: one entry in ctest, so that all tests share
-# what is dear to make. ALONE: nothing runs beside them, since they look at the whole machine.
+# [LABELS unit] [FILTER "-*/C"] [TOGETHER] [ALONE]). Labels: unit, render, grader, slow. FILTER: the
+# tests that ctest lists, in GoogleTest's notation. TOGETHER: one entry in ctest, so that all tests
+# share expensive set-up. ALONE: no other test runs at the same time, since these inspect the whole
+# machine.
 function(ticker_test)
   if(NOT TICKER_BUILD_TESTS)
     return()

@@ -1,5 +1,5 @@
-// Benchmark of grading a class, as ratios: CPU time of ticker and all that it starts, against a
-// bare compiler that makes a program of the same two files. Medians of interleaved rounds, two
+// Benchmark of grading a class, as ratios: CPU time of ticker and all its child processes, against
+// a bare compiler that builds programs from the same files. Medians of interleaved rounds, two
 // workers.
 #include <grader/bench/Harness.h>
 
@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 constexpr int kWorkers = 2;
-constexpr int kCopies = 3;  // of each honest submission in a round
+constexpr int kCopies = 3;  // of each right submission in a round
 const std::array<std::string, 3> kBump{"reference-bump", "bump-bilinear", "bump-z-up"};
 const std::array<std::string, 3> kDistributed{"reference-distributed", "distributed-half-width",
                                               "distributed-phong-per-sample"};
@@ -44,7 +44,7 @@ struct Options {
     int rounds = 5;
 };
 
-/// A folder that goes with its owner.
+/// A folder that is removed on destruction.
 class Folder {
 public:
     Folder() : path_(fs::temp_directory_path() / fmt::format("ticker-bench-{}", getpid())) {
@@ -62,7 +62,7 @@ private:
     fs::path path_;
 };
 
-// Of all processes that were started from here and have ended, and of theirs.
+// CPU time of all child processes that have ended, and of their descendants.
 double childSeconds() {
     rusage usage{};
     getrusage(RUSAGE_CHILDREN, &usage);
@@ -128,7 +128,7 @@ public:
     }
 
 private:
-    /// CPU time of grading a class that is made of samples, each `copies` times.
+    /// CPU time of grading a class that consists of samples, each `copies` times.
     [[nodiscard]] double gradedSeconds(const std::string& name, const Words& samples,
                                        int copies) const {
         const fs::path folder = folder_.path() / name;
@@ -149,7 +149,7 @@ private:
                  fs::copy_options::recursive);
     }
 
-    /// @return what ticker said
+    /// @return the output of ticker
     std::string grade(const fs::path& folder) const {
         const fs::path output = folder / "output.txt";
         finish(start({programs_ / "ticker", "grade", folder / "class", "-o", folder / "out",
@@ -168,8 +168,8 @@ private:
                static_cast<double>(samples.size() * kCopies);
     }
 
-    /// CPU time of the compiler for one submission: its file and the template's other, linked with
-    /// what the framework and the probe consist of, by the default linker.
+    /// CPU time of the compiler for one submission: its file and the template's other file, linked
+    /// with the framework and the probe by the default linker.
     [[nodiscard]] double bareSeconds(const std::array<std::string, 3>& samples) const {
         const double before = childSeconds();
         for (std::size_t i = 0; i < samples.size(); i += kWorkers) {
@@ -197,7 +197,7 @@ private:
         return words;
     }
 
-    /// A whole class of every sample under names that break careless programs.
+    /// A class with all samples, under names that break careless programs.
     [[nodiscard]] std::vector<Figure> wholeClass() const {
         const fs::path folder = folder_.path() / "whole";
         const std::vector<std::string> samples = mixedSamples();
@@ -220,7 +220,7 @@ private:
                  megabytesIn(said), "MB"}};
     }
 
-    // All but the one that loops: it measures nothing but the limit of CPU time.
+    // All samples except the endless loop, which would measure nothing but the CPU limit.
     [[nodiscard]] std::vector<std::string> mixedSamples() const {
         std::vector<std::string> samples;
         for (const char* verdict : {"awarded", "notAwarded", "needsReview"})
@@ -233,7 +233,7 @@ private:
         return samples;
     }
 
-    // "peak memory 123 MB", as grade --verbose says it.
+    // Parses "peak memory 123 MB", as printed by grade --verbose.
     static double megabytesIn(const std::string& said) {
         const std::string words = "peak memory ";
         const std::size_t at = said.find(words);

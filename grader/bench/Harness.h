@@ -9,15 +9,15 @@
 
 namespace ticker::bench {
 
-/// One line of a suite's page, and one object of its JSON.
+/// One line of a suite's page, and one object in its JSON.
 struct Figure {
     std::string name;
     double value = 0.0;
     std::string unit;
 };
 
-/// What some work took, in milliseconds: of the wall clock; of CPU (user and system) by this
-/// process and by those that it started and that have ended.
+/// Cost of some work in milliseconds: wall clock, and CPU (user and system) of this process and of
+/// its child processes that have ended.
 struct Cost {
     double wall = 0.0;
     double cpu = 0.0;
@@ -27,7 +27,7 @@ struct Cost {
 /// Milliseconds of CPU, as in `Cost`.
 [[nodiscard]] double cpuOf(const std::function<void()>& work);
 
-/// Medians of two pieces of work that were done in turns, after one round that does not count.
+/// Medians of two pieces of work that were run alternately, after one warm-up round.
 struct Pair {
     Cost first;
     Cost second;
@@ -35,11 +35,11 @@ struct Pair {
 [[nodiscard]] Pair measurePair(int rounds, const std::function<void()>& first,
                                const std::function<void()>& second);
 
-/// The upper one where there is an even number of values, of which there must be one.
+/// The median; the upper one of an even number of values. There must be at least one.
 [[nodiscard]] double median(std::vector<double> values);
 
-/// Runs a program to its end, its output to /dev/null.
-/// @throws raytracer::Error where it cannot be run or fails.
+/// Runs a program to its end, with its output to /dev/null.
+/// @throws raytracer::Error if it cannot be run or fails.
 void runProgram(const std::vector<std::string>& command);
 
 /// A suite's `main`: reads the command line (the suite's options and --json FILE), measures,

@@ -1,4 +1,5 @@
-// What a picture's metrics cost, against OpenCV's structural similarity, in turns.
+// Cost of all metrics of a picture, relative to OpenCV's structural similarity, in alternating
+// rounds.
 #include <grader/bench/Harness.h>
 #include <grader/metrics/Compare.h>
 #include <grader/metrics/Flip.h>

@@ -24,7 +24,7 @@ using raytracer::SceneDescription;
 
 struct Options {
     std::string scene;
-    std::string limit;  ///< a program to be compared with; empty: none
+    std::string limit;  ///< a program to compare with; empty: none
     int rounds = 7;
 };
 
@@ -110,8 +110,9 @@ std::vector<Figure> equalError(const SceneDescription& scene) {
     const double cleverTime = timed([&] {
         clever = Oracle{scene, settings}.moments(1, precision);
     });
-    // The same count of paths everywhere, random points, every shadow ray of a student traced. The
-    // time to the goal follows from the error of a shorter run: squares fall with the paths.
+    // Baseline: the same number of paths for every pixel, random points, and every shadow ray of a
+    // student traced. Its time to the goal is extrapolated from a shorter run: the squared error
+    // falls inversely with the number of paths.
     Tricks plainly;
     plainly.lowDiscrepancy = plainly.closedForms = plainly.pairedShadows = false;
     plainly.allocation = false;

@@ -1,4 +1,4 @@
-// What the sandbox costs: medians of interleaved pairs, once in it and once without.
+// Overhead of the sandbox: medians of interleaved pairs of runs, inside and outside of it.
 #include <grader/base/WholeFile.h>
 #include <grader/bench/Harness.h>
 #include <grader/build/Build.h>
@@ -43,7 +43,7 @@ std::vector<Figure> emptyRun(const sandbox::Sandbox& jail, int rounds) {
             {"more than without, CPU", pair.first.cpu - pair.second.cpu, "ms"}};
 }
 
-// As grader/build does it in the sandbox.
+// The compile command of grader/build, without the sandbox.
 std::vector<std::string> compileCommand(const build::Kit& kit, const fs::path& source,
                                         const fs::path& program) {
     std::vector<std::string> words{kit.compiler()};

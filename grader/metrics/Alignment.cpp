@@ -10,7 +10,7 @@
 namespace ticker::metrics {
 namespace {
 
-// OpenCV wants data that is not const, and leaves it alone.
+// OpenCV takes non-const data, but does not modify it.
 cv::Mat matOf(const ByteView& picture) {
     requireSameSize(picture, picture);
     return {picture.height, picture.width, CV_8UC3, const_cast<std::uint8_t*>(picture.rgb.data())};
@@ -88,7 +88,7 @@ Fit bestFit(const ByteView& whole, const ByteView& part, std::span<const int> wi
         double most = 0.0;
         cv::Point place;
         cv::minMaxLoc(result, nullptr, &most, nullptr, &place);
-        // Over a flat patch OpenCV's quotient is 0 / 0, and may come out as infinity.
+        // Over a flat patch OpenCV's quotient is 0 / 0, which may give NaN or infinity.
         if (std::isfinite(most) && most <= 1.0 + 1e-6 && most > best.correlation)
             best = {{place.x, place.y, width, height}, most};
     }

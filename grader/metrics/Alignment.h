@@ -7,10 +7,10 @@
 
 namespace ticker::metrics {
 
-// Pictures of different size and place, brought together. All throw raytracer::InputError where a
-// picture is empty or its data is not as long as its size says.
+// Aligns pictures of different size and position. All functions throw raytracer::InputError if a
+// picture is empty or its data does not match its size.
 
-/// The picture at another size. Smaller: each pixel is the mean of the area that it covers.
+/// The picture at another size. When it shrinks, each pixel is the mean of the area that it covers.
 [[nodiscard]] Picture resized(const ByteView& picture, int width, int height);
 
 enum class Mirror {
@@ -29,22 +29,23 @@ struct Box {
     friend bool operator==(const Box&, const Box&) = default;
 };
 
-/// @throws raytracer::InputError also where the box reaches beyond the picture.
+/// @throws raytracer::InputError also if the box extends beyond the picture.
 [[nodiscard]] Picture cropped(const ByteView& picture, const Box& box);
 
-/// Pearson's correlation of the grey values, -1 to 1; 0 where a picture is flat. Knows nothing of
+/// Pearson's correlation of the grey values, -1 to 1; 0 if a picture is flat. Independent of
 /// brightness and contrast.
 /// @throws raytracer::InputError as `requireSameSize`.
 [[nodiscard]] double correlation(const ByteView& reference, const ByteView& test);
 
-/// Where a part fits into a whole.
+/// Position and size at which a part fits into a whole picture.
 struct Fit {
     Box box;                   ///< of the part in the whole
-    double correlation = 0.0;  ///< there; 0 where no width was small enough
+    double correlation = 0.0;  ///< at the box; 0 if no width was small enough
 };
 
-/// Tries the part at several widths, its shape kept, at every place of the whole.
-/// @param widths  In pixels of the whole; those at which the part does not fit in are left out.
+/// Tries the part at several widths, with its aspect ratio kept, at every position in the whole.
+/// @param widths  In pixels of the whole; widths at which the part is larger than the whole are
+///         skipped.
 [[nodiscard]] Fit bestFit(const ByteView& whole, const ByteView& part, std::span<const int> widths);
 
 }  // namespace ticker::metrics

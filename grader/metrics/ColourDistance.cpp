@@ -65,7 +65,7 @@ Lab labOfBytes(const std::uint8_t* rgb) {
 }  // namespace
 
 double ciede2000(const Lab& first, const Lab& second) {
-    // Equations 2 to 7: a is stretched where both are nearly grey.
+    // Equations 2 to 7: a is stretched if both colours are nearly grey.
     const double meanC = (std::hypot(first.a, first.b) + std::hypot(second.a, second.b)) / 2.0;
     const double stretch = 1.0 + 0.5 * (1.0 - chromaShare(meanC));
     const Polar p{std::hypot(first.a * stretch, first.b), hueOf(first.a * stretch, first.b)};

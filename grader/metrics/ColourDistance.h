@@ -12,9 +12,9 @@ struct Lab {
     double b = 0.0;
 };
 
-/// CIEDE2000 with all weights 1; 1 is about what can just be seen.
+/// CIEDE2000 with all weights 1; a difference of 1 is just noticeable.
 /// @see  G. Sharma, W. Wu, E. Dalal, "The CIEDE2000 Color-Difference Formula", Color Research and
-///       Application 30(1), 2005; the equations' numbers in the code are theirs.
+///         Application 30(1), 2005; equation numbers in the code refer to it.
 [[nodiscard]] double ciede2000(const Lab& first, const Lab& second);
 
 /// CIEDE2000 of each pixel, and the mean.

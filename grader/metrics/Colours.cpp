@@ -26,7 +26,7 @@ std::array<Colour, 256> makeMagma() {
     return table;
 }
 
-/// 0 to 1; not a number is 1, so that it catches the eye.
+/// 0 to 1; NaN gives 1, so that it is visible.
 double share(float value, double full) {
     const double ratio = static_cast<double>(value) / full;
     return ratio <= 1.0 ? std::max(ratio, 0.0) : 1.0;

@@ -15,7 +15,7 @@
 namespace ticker::metrics {
 namespace {
 
-// What is brightest in a map of CIEDE2000: ten times what can just be seen.
+// Brightest value in a map of CIEDE2000: ten times a just noticeable difference.
 constexpr double kFullColourDistance = 10.0;
 
 Row row(std::string name, std::string title, std::string meaning, Measured measured,
@@ -62,10 +62,10 @@ std::vector<Row> pixelRows(const ByteView& reference, const ByteView& test) {
     return rows;
 }
 
-// Of pixels that differ: below, nothing can be said for noise.
+// Share of differing pixels below which noise cannot be told from an edit.
 constexpr double kFewPixels = 0.01;
-// What differences are, in units of the noise that the pictures show; renders have 1 or less, some
-// lonely pixels up to 2.25 (see `excessOverNoise`).
+// Differences in units of the noise that the pictures show. Renders have 1 or less; a few isolated
+// pixels give up to 2.25 (see `excessOverNoise`).
 constexpr double kMuchMoreThanNoise = 10.0;
 
 struct Evidence {

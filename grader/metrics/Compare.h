@@ -12,7 +12,7 @@
 
 namespace ticker::metrics {
 
-/// The numbers that result.json holds of a picture.
+/// The metrics of a picture that result.json holds.
 struct Scores {
     double flip = 0.0;
     double ssim = 1.0;
@@ -24,21 +24,21 @@ struct Scores {
 /// @throws raytracer::InputError as `requireSameSize`.
 [[nodiscard]] Scores score(const ByteView& reference, const ByteView& test);
 
-/// One metric's answer, with what a reader has to know of it.
+/// The result of one metric, with its explanation for readers.
 struct Row {
     std::string name;     ///< "flip"; stable
     std::string title;    ///< "FLIP, mean"
     std::string meaning;  ///< "0 equal, 1 as different as can be"
     double value = 0.0;
-    Map map;                ///< empty where there is none of its own
-    double full = 1.0;      ///< the value that is brightest in a picture of the map
+    Map map;                ///< empty if the metric has no map of its own
+    double full = 1.0;      ///< value of the brightest colour in a picture of the map
     bool inverted = false;  ///< the map is 1 where the pictures are equal
 };
 
-/// What a comparison comes to.
+/// The result of a comparison.
 enum class Outcome {
-    equal,           ///< every pixel
-    nearlyEqual,     ///< so few pixels differ that noise and an edit cannot be told apart
+    equal,           ///< every pixel is equal
+    nearlyEqual,     ///< so few pixels differ that noise cannot be told from an edit
     equalUpToNoise,  ///< no tile differs by more than chance
     different        ///< beyond noise
 };
@@ -46,16 +46,16 @@ enum class Outcome {
 /// The words of `ticker compare --json`: "equal", "nearlyEqual", ...
 [[nodiscard]] std::string_view toString(Outcome outcome);
 
-/// Everything that can be said of two pictures.
+/// The complete comparison of two pictures.
 struct Comparison {
     int width = 0;
     int height = 0;
     std::vector<Row> rows;
     TileTest noise;
     Outcome outcome = Outcome::equal;
-    std::optional<Whereabouts> where;  ///< for tiles that differ beyond noise
-    std::string sketch;                ///< likewise; some lines for a terminal
-    std::string summary;  ///< a sentence or two: the outcome, and where and how much they differ
+    std::optional<Whereabouts> where;  ///< if some tiles differ beyond noise
+    std::string sketch;                ///< likewise; a few lines for a terminal
+    std::string summary;  ///< one or two sentences: the outcome, and where and how much they differ
 };
 
 /// @throws raytracer::InputError as `requireSameSize`.

@@ -9,7 +9,7 @@
 namespace ticker::metrics {
 namespace {
 
-/// A map of what `ofPixel` makes of the three bytes of each pixel.
+/// A map of `ofPixel`, applied to the three bytes of each pixel.
 template <typename Function>
 Map eachPixel(const ByteView& reference, const ByteView& test, Function ofPixel) {
     requireSameSize(reference, test);
@@ -22,7 +22,7 @@ Map eachPixel(const ByteView& reference, const ByteView& test, Function ofPixel)
     return map;
 }
 
-/// A map of the mean over the channels of what `ofChannel` makes of two bytes.
+/// A map of `ofChannel`, applied to two bytes and averaged over the channels.
 template <typename Function>
 Map channelMean(const ByteView& reference, const ByteView& test, Function ofChannel) {
     return eachPixel(reference, test, [&](const std::uint8_t* r, const std::uint8_t* t) {
@@ -59,7 +59,7 @@ Measured psnr(const ByteView& reference, const ByteView& test) {
 }
 
 Measured relativeMse(const ByteView& reference, const ByteView& test) {
-    // The usual guard against division by black, as in pbrt's imgtool.
+    // The usual guard against division by zero at black, as in pbrt's imgtool.
     constexpr double kGuard = 0.01;
     Measured result;
     result.map = channelMean(reference, test, [](double r, double t) {

@@ -20,13 +20,13 @@ namespace {
 // The paper's constants.
 constexpr double kColourExponent = 0.7;  // section 4.1.3, q_c
 constexpr float kKnee = 0.4F;            // p_c: errors up to this share of the largest one ...
-constexpr float kKneeError = 0.95F;      // p_t: ... take up this share of the scale
+constexpr float kKneeError = 0.95F;      // p_t: ... are mapped to this share of the scale
 
-// OpenCV's power of 0 is some 1e-29, and 0 has no logarithm; the least error between two pictures
-// that differ in one byte is 1e-3.
+// Replaces 0, which has no logarithm and whose power OpenCV computes as about 1e-29. The smallest
+// error between two pictures that differ in one byte is 1e-3.
 constexpr float kNoError = 1e-20F;
 
-// Filters and colours are worked on in strips that stay in the cache.
+// Pictures are processed in strips that fit into the cache.
 constexpr int kStripRows = 32;
 
 /// Luminance, red-green, blue-yellow.
@@ -51,7 +51,7 @@ Planes opponentOf(const ByteView& picture) {
     return planes;
 }
 
-/// A filter over some rows of a plane; sees the rows around them.
+/// Filters some rows of a plane; the rows around them are part of the input.
 cv::Mat filtered(const cv::Mat& plane, const cv::Range& rows, const Kernel& alongX,
                  const Kernel& alongY) {
     cv::Mat result;
@@ -60,7 +60,7 @@ cv::Mat filtered(const cv::Mat& plane, const cv::Range& rows, const Kernel& alon
     return result;
 }
 
-/// Opponent colours as seen from afar, to L, a, b with Hunt's adjustment, in place.
+/// Converts filtered opponent colours to L, a, b with Hunt's adjustment, in place.
 void toLab(Planes& strip) {
     constexpr Transform kLinear{kLinearOfOpponent};
     float* const first = strip[0].ptr<float>();
@@ -86,7 +86,7 @@ Planes perceived(const Planes& opponent, const cv::Range& rows, const ContrastKe
     return strip;
 }
 
-/// The largest colour error there can be: between green and blue.
+/// The largest possible colour error: between green and blue.
 float largestColourError() {
     const float distance = hyab(huntOfLinear({0.0F, 1.0F, 0.0F}), huntOfLinear({0.0F, 0.0F, 1.0F}));
     return std::pow(distance, static_cast<float>(kColourExponent));
@@ -117,7 +117,7 @@ cv::Mat colourError(const Planes& reference, const Planes& test) {
     return error;
 }
 
-/// What there is of edges and of points.
+/// Strength of edges and of points.
 struct Features {
     cv::Mat edges;
     cv::Mat points;

@@ -12,7 +12,7 @@ namespace ticker::metrics {
 /// A monitor 0.7 m wide with 3840 pixels, seen from 0.7 m: what the authors of FLIP use.
 inline constexpr double kUsualPixelsPerDegree = 67.02064327658225;
 
-/// LDR-FLIP: how different two pictures look to somebody who flips between them.
+/// LDR-FLIP: perceived difference between two pictures when a viewer flips between them.
 ///
 /// @param pixelsPerDegree  From 4 to 500.
 /// @return  The mean error and the error of each pixel, 0 (equal) to 1.
@@ -21,8 +21,9 @@ inline constexpr double kUsualPixelsPerDegree = 67.02064327658225;
 [[nodiscard]] Measured flip(const ByteView& reference, const ByteView& test,
                             double pixelsPerDegree = kUsualPixelsPerDegree);
 
-/// Errors below which a quarter, a half and three quarters of the *sum* of all errors lie: what the
-/// larger errors are like, however much of the picture is without any.
+/// Quartiles of the error, weighted by the error: errors below which a quarter, a half and three
+/// quarters of the *sum* of all errors lie. They describe the larger errors, whatever share of the
+/// picture has none.
 struct WeightedQuartiles {
     double first = 0.0;
     double median = 0.0;

@@ -58,7 +58,7 @@ inline constexpr Matrix kXyzOfLinear{
 inline constexpr Matrix kRelativeXyzOfLinear = makeRelativeXyzOfLinear();
 
 /// Linear sRGB to (116 Y, 500 (X - Y), 200 (Y - Z)) of relative XYZ: the opponent space YCxCz, in
-/// which contrast sensitivity is known, but for the -16 of its luminance.
+/// which contrast sensitivity is known, without the offset -16 of its luminance.
 inline constexpr Matrix kOpponentOfLinear = product(
     {{{0.0, 116.0, 0.0}, {500.0, -500.0, 0.0}, {0.0, 200.0, -200.0}}}, kRelativeXyzOfLinear);
 inline constexpr Matrix kLinearOfOpponent = inverse(kOpponentOfLinear);
@@ -81,10 +81,10 @@ private:
     std::array<std::array<float, 3>, 3> m_{};
 };
 
-/// Cube root of a number from 0 to 1, to 2e-7 of it. Written so that compilers make vectors of it.
+/// Cube root of a number from 0 to 1, relative error 2e-7. Written so that compilers vectorise it.
 [[nodiscard]] inline float cubeRoot(float x) {
-    // Dividing the bits of a float by three divides its exponent by three; the number added puts
-    // the bias back. Two steps of Halley's method take the 3 % error to rounding.
+    // Dividing the bits of a float by three divides its exponent by three; the added number
+    // restores the exponent's bias. Two steps of Halley's method reduce the 3 % error to rounding.
     float root = std::bit_cast<float>(std::bit_cast<std::int32_t>(x) / 3 + 0x2A51'19F2);
     for (int step = 0; step < 2; ++step) {
         const float cube = root * root * root;
@@ -111,7 +111,7 @@ private:
     return {116.0F * y - 16.0F, 500.0F * (x - y), 200.0F * (y - z)};
 }
 
-/// L*a*b* with Hunt's adjustment: colours of dark pixels look paler.
+/// L*a*b* with Hunt's adjustment: dark colours look less saturated.
 [[nodiscard]] inline Triple huntOfLinear(const Triple& linear) {
     const Triple lab = labOfLinear(linear);
     return {lab[0], 0.01F * lab[0] * lab[1], 0.01F * lab[0] * lab[2]};

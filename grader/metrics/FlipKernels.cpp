@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A term a sqrt(pi / b) exp(-pi^2 r^2 / b) of a contrast sensitivity in space, r in degrees.
+/// A term a sqrt(pi / b) exp(-pi^2 r^2 / b) of a contrast sensitivity function in the spatial
+/// domain, r in degrees.
 struct Term {
     double a;
     double b;
@@ -24,7 +25,7 @@ constexpr Term kRedGreen{1.0, 0.0053};
 constexpr Term kBlueYellowWide{34.1, 0.04};
 constexpr Term kBlueYellowNarrow{13.5, 0.025};
 
-// Half the width of the detector's response in degrees is two standard deviations.
+// Half the width of the feature detector's response, in degrees, is two standard deviations.
 constexpr double kFeatureWidth = 0.082;
 
 std::vector<double> sampled(int radius, const std::function<double(double)>& f) {
@@ -45,7 +46,7 @@ Kernel scaled(const std::vector<double>& values, double factor) {
     return kernel;
 }
 
-/// The square root of a term's weight goes into each of the two passes.
+/// Each of the two passes gets the square root of a term's weight.
 std::vector<double> onePass(const Term& term, int radius, double pixelsPerDegree) {
     const double weight = std::sqrt(term.a * std::sqrt(kPi / term.b));
     return sampled(radius, [&](double i) {
@@ -54,13 +55,15 @@ std::vector<double> onePass(const Term& term, int radius, double pixelsPerDegree
     });
 }
 
-/// A narrow filter's tails beyond six standard deviations are below what a float can add to 1.
+/// Beyond six standard deviations, the tails of a narrow filter are too small for a float to add to
+/// 1.
 int radiusOf(const Term& term, int widest, double pixelsPerDegree) {
     const double deviation = std::sqrt(term.b / (2.0 * kPi * kPi)) * pixelsPerDegree;
     return std::min(widest, static_cast<int>(std::ceil(6.0 * deviation)));
 }
 
-/// Positive and negative values scaled so that each sum to one, in absolute value.
+/// Scales positive and negative values separately, so that each group sums to one in absolute
+/// value.
 Kernel lobesNormalised(const std::vector<double>& values) {
     double positive = 0.0;
     double negative = 0.0;
@@ -75,7 +78,7 @@ Kernel lobesNormalised(const std::vector<double>& values) {
 }  // namespace
 
 ContrastKernels contrastKernels(double pixelsPerDegree) {
-    // Three standard deviations of the widest term, for all.
+    // Three standard deviations of the widest term, for all terms.
     const int widest = static_cast<int>(
         std::ceil(3.0 * std::sqrt(kBlueYellowWide.b / (2.0 * kPi * kPi)) * pixelsPerDegree));
     const auto single = [&](const Term& term) {

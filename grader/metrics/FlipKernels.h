@@ -8,7 +8,7 @@ namespace ticker::metrics {
 /// One-dimensional kernels of odd length, to be applied along both axes.
 using Kernel = std::vector<float>;
 
-/// Filters that take away what an eye cannot resolve at a distance.
+/// Contrast sensitivity filters: remove detail that an eye cannot resolve at a distance.
 struct ContrastKernels {
     Kernel luminance;
     Kernel redGreen;
@@ -20,7 +20,7 @@ struct ContrastKernels {
 /// @see  section 4.1.1 and Table 1 of the paper.
 [[nodiscard]] ContrastKernels contrastKernels(double pixelsPerDegree);
 
-/// A Gaussian and its first two derivatives, which answer to edges and to points.
+/// A Gaussian and its first two derivatives, which detect edges and points.
 struct FeatureKernels {
     Kernel smooth;
     Kernel edge;

@@ -13,7 +13,7 @@
 namespace ticker::metrics {
 namespace {
 
-// noiseTiles: how many fine tiles a coarse one is wide.
+// Width of a coarse tile in fine tiles, for noiseTiles.
 constexpr int kCoarser = 4;
 
 struct Score {
@@ -48,7 +48,7 @@ TileTest testTiles(int width, int height, int tileSize, const std::function<Scor
     return test;
 }
 
-/// Corrects for `tests` tests in all (Bonferroni) and counts what stands out.
+/// Corrects for `tests` tests in all (Bonferroni) and counts the significant tiles.
 void correct(TileTest& test, double tests, double alpha) {
     test.smallest = std::min(1.0, test.smallest * tests);
     test.threshold = alpha / tests;
@@ -84,7 +84,7 @@ Score welch(const Moments& a, const Moments& b, const Tile& tile) {
     return {t, twoSidedTail(t, variance * variance / spread)};
 }
 
-/// A sum of terms whose signs are random where pictures are equal but for noise.
+/// A sum of terms whose signs are random if the pictures are equal but for noise.
 struct SignTest {
     double sum = 0.0;
     double squares = 0.0;
@@ -132,8 +132,8 @@ Score signs(const ByteView& reference, const ByteView& test, const Tile& tile) {
     return worst;
 }
 
-/// How far a byte stands out from a plane through its neighbours, squared and scaled so that its
-/// mean over independent pixels is their variance.
+/// Squared deviation of a byte from a plane through its neighbours, scaled so that its mean over
+/// independent pixels is their variance.
 double squaredDetail(const ByteView& picture, int x, int y, std::size_t channel) {
     constexpr std::array<int, 3> kStencil{1, -2, 1};
     constexpr double kSquares = 36.0;  // of the nine weights
@@ -160,7 +160,8 @@ void forEachIn(const Tile& area, int width, const std::function<void(std::size_t
             visit(indexOf(x, y, width));
 }
 
-/// Where a coarse tile stands out and none of the fine ones in it does, they take over its score.
+/// If a coarse tile is significant but none of its fine tiles is, the fine ones take over its
+/// score.
 void takeOver(TileTest& fine, const TileTest& coarse, double threshold) {
     for (int row = 0; row < coarse.score.height; ++row)
         for (int column = 0; column < coarse.score.width; ++column) {
@@ -240,7 +241,7 @@ Measured zMap(const Moments& reference, const Map& test, double testRenders, dou
             static_cast<double>(test.values[i]) - static_cast<double>(reference.mean.values[i]);
         const double z = difference / std::sqrt(variance);
         result.map.values.push_back(static_cast<float>(z));
-        // Written so that not-a-number is the largest of all.
+        // Written so that NaN counts as the largest value.
         if (!(std::abs(z) <= result.value)) result.value = std::abs(z);
     }
     return result;

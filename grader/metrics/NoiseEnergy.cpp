@@ -6,8 +6,8 @@
 namespace ticker::metrics {
 namespace {
 
-// Honest programs differ by rounding where there is no noise. It goes into the denominator alone,
-// so it only makes scores smaller.
+// Right programs differ by rounding even without noise. This is added to the denominator alone, so
+// it only makes scores smaller.
 constexpr double kRounding = 1.0;  // squared steps of a byte
 
 double brightness(const ByteView& picture, std::size_t pixel) {

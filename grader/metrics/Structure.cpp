@@ -7,7 +7,7 @@
 namespace ticker::metrics {
 namespace {
 
-/// OpenCV only reads it, but cannot say so.
+/// OpenCV takes non-const data, but only reads it.
 cv::Mat matOf(const ByteView& picture) {
     return {picture.height, picture.width, CV_8UC3, const_cast<std::uint8_t*>(picture.rgb.data())};
 }

@@ -5,11 +5,11 @@
 
 namespace ticker::metrics {
 
-// Metrics that look at each pixel with its neighbours, by OpenCV's quality module. Both throw
+// Metrics of each pixel with its neighbourhood, by OpenCV's quality module. Both throw
 // raytracer::InputError as `requireSameSize`.
 
-/// Structural similarity, mean over pixels and channels: 1 for equal pictures. Pixels at the border
-/// count too.
+/// Structural similarity, mean over pixels and channels: 1 for equal pictures. Border pixels count,
+/// too.
 /// @see  Z. Wang et al., "Image Quality Assessment: From Error Visibility to Structural
 ///       Similarity", IEEE TIP 13(4), 2004.
 [[nodiscard]] Measured ssim(const ByteView& reference, const ByteView& test);

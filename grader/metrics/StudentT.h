@@ -3,8 +3,8 @@
 
 namespace ticker::metrics {
 
-/// P(|T| >= |t|) of Student's distribution, also far out in the tails; NaN for NaN.
-/// @param degrees  Degrees of freedom, above 0; need not be whole.
+/// P(|T| >= |t|) of Student's distribution, accurate far out in the tails; NaN for NaN.
+/// @param degrees  Degrees of freedom, above 0; need not be an integer.
 [[nodiscard]] double twoSidedTail(double t, double degrees);
 
 }  // namespace ticker::metrics

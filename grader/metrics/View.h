@@ -10,20 +10,20 @@ namespace ticker::metrics {
 
 inline constexpr std::size_t kChannels = 3;
 
-/// An 8-bit sRGB picture that somebody else owns: rows from the top; red, green, blue.
+/// An 8-bit sRGB picture, not owned: rows from the top; red, green, blue.
 struct ByteView {
     int width = 0;
     int height = 0;
     std::span<const std::uint8_t> rgb;  ///< width * height * kChannels
 };
 
-/// The pixels of a picture that has these three members, such as raytracer::ByteImage.
+/// A view of a picture with these three members, such as raytracer::ByteImage.
 template <typename Image>
 [[nodiscard]] ByteView viewOf(const Image& image) {
     return {image.width, image.height, image.rgb};
 }
 
-/// The same, with bytes of its own.
+/// The same, owning its bytes.
 struct Picture {
     int width = 0;
     int height = 0;
@@ -39,15 +39,15 @@ struct Map {
     std::vector<float> values;  ///< width * height
 };
 
-/// What a metric says: one number, and where it comes from.
+/// The result of a metric: one number, and its contributions.
 struct Measured {
     double value = 0.0;
     Map map;
 };
 
-/// Every metric asks this first.
-/// @throws raytracer::InputError with both sizes where they differ, and where a picture is empty or
-///         its data is not as long as its size says.
+/// Called first by every metric.
+/// @throws raytracer::InputError with both sizes if they differ, and if a picture is empty or its
+///         data does not match its size.
 void requireSameSize(const ByteView& reference, const ByteView& test);
 void requireSameSize(const Map& reference, const Map& test);
 

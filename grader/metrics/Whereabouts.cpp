@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kColours = 3;
 constexpr int kSketchColumns = 40;
-// The box leaves out a tenth of the tiles on each side.
+// Share of the tiles that the box leaves out on each side.
 constexpr double kLeftOut = 0.1;
 
 /// A tile that differs.
@@ -70,7 +70,7 @@ Sums sumsOver(const Patch& patch, const ByteView& reference, const ByteView& tes
     return sums;
 }
 
-/// The ends of a range that holds all numbers but the least and the greatest tenth.
+/// The ends of a range that holds all numbers except the lowest and the highest tenth.
 std::pair<int, int> middleOf(std::vector<int> numbers) {
     std::sort(numbers.begin(), numbers.end());
     const auto cut = static_cast<std::size_t>(kLeftOut * static_cast<double>(numbers.size()));
@@ -95,7 +95,7 @@ std::string wordsFor(const std::vector<GridTile>& tiles, const TileTest& noise) 
            horizontal;
 }
 
-/// The sign of a mean that stands out from what pixels of such a spread can show.
+/// The sign of a mean that exceeds what pixels of this spread show by chance.
 char symbolFor(const Sums& sums) {
     const double error = sums.rms() / std::sqrt(std::max(1.0, sums.count));
     if (std::abs(sums.mean()) < 3.0 * error) return '~';

@@ -7,7 +7,7 @@
 
 namespace ticker::metrics {
 
-/// A rectangle of pixels, and by how much two pictures differ in it.
+/// A rectangle of pixels, and the difference of two pictures in it.
 struct Patch {
     int left = 0;
     int top = 0;
@@ -17,10 +17,10 @@ struct Patch {
     double rmse = 0.0;            ///< bytes
 };
 
-/// Where two pictures differ, in their tiles that differ beyond noise.
+/// Where two pictures differ, from the tiles that differ beyond noise.
 struct Whereabouts {
-    Patch box;    ///< holds four fifths of these tiles across and down; differences of these tiles
-    Patch worst;  ///< the tile that differs most
+    Patch box;          ///< the middle four fifths of these tiles in x and y; their differences
+    Patch worst;        ///< the tile that differs most
     std::string words;  ///< "around the centre", "towards the top left"
 };
 
@@ -28,8 +28,8 @@ struct Whereabouts {
 [[nodiscard]] Whereabouts whereabouts(const ByteView& reference, const ByteView& test,
                                       const TileTest& noise);
 
-/// The tiles as a few lines for a terminal: "." where they are equal up to noise, "+" and "-" where
-/// the test picture is brighter and darker, "~" where it differs in detail alone.
+/// The tiles as a few lines for a terminal: "." if equal up to noise, "+" and "-" if the test
+/// picture is brighter or darker, "~" if it differs in detail alone.
 [[nodiscard]] std::string sketch(const ByteView& reference, const ByteView& test,
                                  const TileTest& noise);
 
