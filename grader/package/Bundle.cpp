@@ -17,14 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The shared libraries that this process runs with, its loader among them: what the program needs
-/// wherever it goes.
+/// The shared libraries of this process, including the dynamic loader: everything that the program
+/// needs on another machine.
 std::vector<fs::path> sharedLibraries() {
     std::vector<fs::path> files;
     dl_iterate_phdr(
         [](dl_phdr_info* object, std::size_t /*size*/, void* list) {
             const fs::path file{object->dlpi_name};
-            // The program itself has no name, and the kernel's own library no file.
+            // The program itself has an empty name, and the kernel's vDSO has no file.
             if (file.is_absolute()) static_cast<std::vector<fs::path>*>(list)->push_back(file);
             return 0;
         },
@@ -36,8 +36,8 @@ bool isLoader(const fs::path& library) {
     return library.filename().string().starts_with("ld-linux");
 }
 
-// The loader lies beside the program: then both are in the same folder whichever of them the kernel
-// takes for the running program, and ticker finds its kit and data from there.
+// The loader lies beside the program, so that ticker finds its kit and data from that folder,
+// whichever of the two files the kernel reports as the running program.
 void addProgram(zip::ZipWriter& zip, const Parts& parts) {
     zip.add("ticker/bin/ticker", integration(parts, "bundle/ticker"), true);
     zip.addFile("ticker/bin/ticker.program", parts.program);
@@ -50,7 +50,7 @@ void addProgram(zip::ZipWriter& zip, const Parts& parts) {
     zip.addFile("ticker/libexec/ticker/ticker-decode", parts.decoder);
 }
 
-// The precompiled header stays behind: only the very compiler that made it can read it.
+// Without the precompiled header: only the exact compiler that made it can read it.
 void addKit(zip::ZipWriter& zip, const Parts& parts) {
     const std::string kit = "ticker/lib/ticker/kit/";
     for (const char* folder : {"include", "lib", "template"})
@@ -75,7 +75,7 @@ std::string quoted(const std::vector<std::string>& words) {
     return text;
 }
 
-/// "12" of "/usr/bin/x86_64-linux-gnu-g++-12": packages are named after it.
+/// Returns "12" for "/usr/bin/x86_64-linux-gnu-g++-12": Debian's package names contain it.
 std::string majorVersion(const std::string& compiler) {
     const std::string real = fs::canonical(compiler).filename().string();
     const std::size_t dash = real.rfind('-');

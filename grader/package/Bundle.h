@@ -6,11 +6,11 @@
 
 namespace ticker::package {
 
-/// Adds ticker/: everything that grades, with its own shared libraries, so that the platform has to
-/// bring a compiler only; and ticker/prepare.sh, which gets that compiler and makes the kit fit it.
+/// Adds ticker/: the grader with its own shared libraries, so that the platform has to provide only
+/// a compiler; and ticker/prepare.sh, which installs that compiler and adapts the kit to it.
 void addBundle(zip::ZipWriter& zip, const Parts& parts);
 
-/// A file of grader/integrations, as it stands there.
+/// The contents of a file of grader/integrations.
 [[nodiscard]] std::string integration(const Parts& parts, const std::string& name);
 
 }  // namespace ticker::package

@@ -7,7 +7,7 @@
 
 namespace ticker::package {
 
-/// Where the parts of this ticker lie: in a build tree or an installation.
+/// Paths of this ticker's parts, in a build tree or an installation.
 struct Parts {
     std::filesystem::path program;  ///< ticker
     std::filesystem::path helper;   ///< ticker-jail
@@ -21,13 +21,13 @@ struct Parts {
     std::filesystem::path studentView;  ///< the course's: what students may see
 };
 
-/// A zip for Gradescope's autograder page: setup.sh, run_autograder, ticker. No solution, no
-/// reference picture and no seed is in it.
-/// @throws raytracer::InputError where a part cannot be read or `file` not be written.
+/// Writes a zip for Gradescope's autograder page: setup.sh, run_autograder, ticker. It contains no
+/// solution, no reference picture and no seed.
+/// @throws raytracer::InputError if a part cannot be read or `file` cannot be written.
 void writeGradescope(const Parts& parts, const std::filesystem::path& file);
 
-/// A zip for PrairieLearn: the Dockerfile of an external grader's image, its entry point, ticker,
-/// and a question that uses it. Nothing secret, likewise.
+/// Writes a zip for PrairieLearn: the Dockerfile of an external grader's image, its entry point,
+/// ticker, and a question that uses it. It contains nothing secret either.
 /// @throws raytracer::InputError likewise.
 void writePrairieLearn(const Parts& parts, const std::filesystem::path& file);
 

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 const std::string kRoot = "tick1star/";
 
-// Named one by one: whatever else lies in the folder, a build say, stays here.
+// Listed one by one, so that other things in the folder, such as a build, are left out.
 constexpr std::array kFolders{".devcontainer", ".vscode",   "cmake",
                               "exercise",      "framework", "tests"};
 constexpr std::array kFiles{".clangd",   "CMakeLists.txt", "CMakePresets.json",
@@ -27,7 +27,8 @@ void addTemplate(zip::ZipWriter& zip, const fs::path& folder) {
         zip.addFile(kRoot + name, folder / name);
 }
 
-/// The files of one kind right in a folder: assets/references/ is not handed out.
+/// Adds the files of one kind directly in a folder, without subfolders: assets/references/ is not
+/// handed out.
 void addKind(zip::ZipWriter& zip, const std::string& name, const fs::path& folder,
              const std::string& extension) {
     std::set<fs::path> files;
@@ -38,11 +39,11 @@ void addKind(zip::ZipWriter& zip, const std::string& name, const fs::path& folde
         zip.addFile(kRoot + name + "/" + found.filename().string(), found);
 }
 
-/// The handout, and the pictures that it shows.
+/// Adds the handout and the pictures in it.
 void addHandout(zip::ZipWriter& zip, const fs::path& docs) {
     const fs::path handout = docs / "handout.md";
     const auto read = readIfThere(handout);
-    if (!read) return;  // a course may hand out its own
+    if (!read) return;  // a course may use its own handout
     const std::string& text = *read;
     zip.add(kRoot + "handout.md", text);
     static const std::regex kPicture{R"(\]\((images/[A-Za-z0-9._-]+)\))"};
@@ -62,7 +63,7 @@ void writeStudentPackage(const fs::path& data, const fs::path& file) {
     addKind(zip, "scenes", data / "scenes", ".xml");
     addKind(zip, "assets", data / "assets", ".png");
     addHandout(zip, data / "docs");
-    // An installation has its licence elsewhere.
+    // An installation keeps its licence elsewhere.
     if (fs::is_regular_file(data / "LICENSE")) zip.addFile(kRoot + "LICENSE", data / "LICENSE");
     zip.finish();
 }

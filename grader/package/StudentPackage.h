@@ -5,11 +5,11 @@
 
 namespace ticker::package {
 
-/// What students get: the template, the public tests, the scenes and their maps, the handout with
-/// its pictures where it is written, the licence. No solution, oracle, mistake or reference
-/// picture.
-/// @param data  Holds student_template/, scenes/, assets/ and docs/ (Home::data).
-/// @throws raytracer::InputError where a part cannot be read or `file` not be written.
+/// Writes the students' package: the template, the public tests, the scenes and their maps, the
+/// handout with its pictures if there is one, the licence. It contains no solution, oracle, mistake
+/// or reference picture.
+/// @param data  Contains student_template/, scenes/, assets/ and docs/ (Home::data).
+/// @throws raytracer::InputError if a part cannot be read or `file` cannot be written.
 void writeStudentPackage(const std::filesystem::path& data, const std::filesystem::path& file);
 
 }  // namespace ticker::package

@@ -22,7 +22,7 @@ constexpr std::string_view kSignature{"\x89PNG\r\n\x1A\n", 8};
 constexpr std::size_t kHeaderEnd = 24;  // signature, length, "IHDR", width, height
 constexpr std::size_t kChannels = 3;
 
-// The decoder's copy that the jail's user can reach wherever the project lies.
+// A copy of the decoder that the jail's user can reach wherever the project lies.
 const fs::path& stagedDecoder() {
     static const fs::path program = [] {
         const fs::path copy = sandbox::Sandbox::makeStagingFolder() / "decode";

@@ -22,7 +22,7 @@ void nothingToFlush(png_structp /*png*/) {}
 
 void ignore(png_structp /*png*/, png_const_charp /*message*/) {}
 
-// libpng's two structures, and their end.
+// Owns libpng's two structures.
 class Encoder {
 public:
     explicit Encoder(std::string& file)
@@ -34,13 +34,14 @@ public:
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
 
-    // libpng leaves by longjmp: nothing in here has a destructor, or changes after setjmp.
+    // libpng reports errors by longjmp, so no local variable here has a destructor or changes after
+    // setjmp.
     [[nodiscard]] bool write(const raytracer::ByteImage& image) {
         if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
         png_set_IHDR(png_, info_, static_cast<png_uint_32>(image.width),
                      static_cast<png_uint_32>(image.height), kBits, PNG_COLOR_TYPE_RGB,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        // Noise has no repetitions that are worth a search.
+        // Noise has no repetitions, so searching for longer matches would waste time.
         png_set_compression_strategy(png_, Z_RLE);
         png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
         png_write_info(png_, info_);

@@ -7,9 +7,9 @@
 
 namespace ticker::picture {
 
-/// A PNG file for pages: made five times as fast as by the framework's writer, which students have,
-/// and smaller where pictures are noisy. The same picture gives the same bytes.
-/// @throws raytracer::Error where the picture is empty or memory runs out.
+/// Encodes a PNG file for pages: five times as fast as the framework's writer (which is part of the
+/// students' kit), and smaller for noisy pictures. The same picture gives the same bytes.
+/// @throws raytracer::Error if the picture is empty or memory runs out.
 [[nodiscard]] std::string encodePicture(const raytracer::ByteImage& image);
 
 }  // namespace ticker::picture

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using raytracer::InputError;
 
-// The first day that a zip file can name, a day later, so that no time zone falls before it.
+// 2 January 1980: zip files begin on the 1st, and one day more keeps every time zone after that.
 constexpr std::time_t kTime = 315532800 + 24 * 3600;
 
 }  // namespace

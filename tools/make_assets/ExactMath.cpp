@@ -12,7 +12,8 @@ double sineOfTurns(double turns) {
     if (reduced < -0.25) reduced = -0.5 - reduced;
     const double x = reduced * (2.0 * std::numbers::pi);
     const double square = x * x;
-    // Taylor's series, from the innermost term; at a quarter turn the first one left out is 6e-12.
+    // Taylor series, evaluated from the innermost term; at a quarter turn the first omitted term is
+    // 6e-12.
     constexpr int kHighestPower = 15;
     double sum = 1.0;
     for (int power = kHighestPower; power > 1; power -= 2)

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-/// Mathematics whose results are the same bits on every machine: additions, multiplications,
-/// divisions and square roots, which IEEE 754 rounds exactly, and none of the C library's
-/// functions, which differ from one version to the next.
+/// Mathematics whose results are bitwise equal on every machine: it uses only additions,
+/// multiplications, divisions and square roots, which IEEE 754 rounds exactly, and none of the C
+/// library's functions, which differ between versions.
 namespace assets {
 
 /// Sine of an angle in turns (1 is the full circle).
@@ -17,10 +17,10 @@ namespace assets {
 /// 3 t^2 - 2 t^3 between `low` and `high`; 0 below, 1 above.
 [[nodiscard]] double smoothStep(double low, double high, double value);
 
-/// A well mixed 64-bit number for each key (splitmix64).
+/// A hash of the key, 64 bits (splitmix64).
 [[nodiscard]] std::uint64_t mixed(std::uint64_t key);
 
-/// In [0, 1), from a key.
+/// A number in [0, 1) that depends on the key alone.
 [[nodiscard]] double uniform(std::uint64_t key);
 
 }  // namespace assets

@@ -12,12 +12,12 @@ namespace {
 constexpr int kWidth = 2048;
 constexpr int kHeight = 1024;
 constexpr int kColumns = 12;  // letters around the sphere
-constexpr int kRows = 6;      // the first and the last stay empty: too near to the poles
+constexpr int kRows = 6;      // the first and the last stay empty: too close to the poles
 constexpr int kGround = 128;
 constexpr int kBevelWidth = 6;      // texels
 constexpr int kStepsPerTexel = 20;  // bytes: a tilt of 21 degrees
 
-/// Part of a letter; texels from the letter's middle, the ends included.
+/// Part of a letter; texels relative to the letter's middle, both ends included.
 struct Bar {
     int left, top, right, bottom;
 };
@@ -26,7 +26,7 @@ constexpr auto kLetterH =
     std::to_array<Bar>({{-48, -60, -20, 60}, {20, -60, 48, 60}, {-34, -14, 34, 14}});
 constexpr auto kLetterL = std::to_array<Bar>({{-40, -60, -12, 60}, {-40, 32, 42, 60}});
 
-// How far inside the bar: 0 outside, 1 on its outermost texels.
+// Depth inside of the bar: 0 outside, 1 on its outermost texels.
 int depthIn(const Bar& bar, int x, int y) {
     return std::max(0, 1 + std::min({x - bar.left, bar.right - x, y - bar.top, bar.bottom - y}));
 }

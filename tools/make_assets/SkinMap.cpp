@@ -27,7 +27,7 @@ Vector3 onSphere(double longitudeTurns, double polarTurns) {
             -ring * cosineOfTurns(longitudeTurns)};
 }
 
-/// Smooth random numbers in space, in [0, 1); they change over about one unit.
+/// Smooth value noise in space, in [0, 1); it varies over about one unit.
 double valueNoise(const Vector3& position, std::uint64_t seed) {
     const Vector3 corner{std::floor(position.x), std::floor(position.y), std::floor(position.z)};
     const Vector3 inside = position - corner;
@@ -54,11 +54,11 @@ struct Scale {
     double height;  // of 1
 };
 
-/// Scales all over the sphere and the nearest ones to a point.
+/// Scales distributed over the sphere, and the search for the nearest ones to a point.
 class Skin {
 public:
     Skin() : spacing_(std::sqrt(4.0 * std::numbers::pi / kScales)) {
-        // Fibonacci's spiral: evenly spread, and in curved rows as on a snake.
+        // Fibonacci spiral: evenly distributed, in curved rows like a snake's scales.
         constexpr double kGoldenTurn = 0.6180339887498949;
         for (int i = 0; i < kScales; ++i) {
             const double y = 1.0 - (2.0 * i + 1.0) / kScales;
@@ -87,7 +87,7 @@ private:
     static constexpr double kWaviness = 0.03;     // radii
     static constexpr double kGrooveWidth = 0.36;  // of the spacing
     static constexpr double kReach = 0.75;        // of the spacing
-    static constexpr double kRoundness = 0.6;     // how much lower a scale is at its rim
+    static constexpr double kRoundness = 0.6;     // how much lower the rim of a scale is
 
     struct Nearest {
         const Scale* scale;

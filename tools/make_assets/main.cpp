@@ -1,4 +1,4 @@
-// Makes the bump maps in assets/, or checks that the committed ones are what it makes.
+// Generates the bump maps in assets/, or checks that the committed ones equal the generated ones.
 #include "LetterMap.h"
 #include "SkinMap.h"
 
@@ -26,7 +26,7 @@ struct Asset {
 constexpr auto kAssets = std::to_array<Asset>(
     {{"bumpmap-test.png", assets::makeLetterMap}, {"bumpmap.png", assets::makeSkinMap}});
 
-// Pixels are compared, not the files: how they are packed depends on the version of the PNG writer.
+// Compares pixels instead of files: compression depends on the version of the PNG writer.
 bool isAsMade(const std::filesystem::path& file, const ByteImage& made) {
     const ByteImage found = raytracer::readImage(file);
     const bool same =

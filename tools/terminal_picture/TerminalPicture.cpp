@@ -24,7 +24,7 @@ Colour colourOf256(int number) {
         const auto grey = static_cast<std::uint8_t>(8 + 10 * (number - 232));
         return {grey, grey, grey};
     }
-    if (number < 16) return {};  // the preview takes none of the system's colours
+    if (number < 16) return {};  // the preview uses none of the system's 16 colours
     const auto level = [](int index) { return kLevels[static_cast<std::size_t>(index)]; };
     return {level((number - 16) / 36), level((number - 16) / 6 % 6), level((number - 16) % 6)};
 }
@@ -36,7 +36,7 @@ public:
             text.remove_prefix(step(text));
     }
 
-    /// Lines without a half block are left out.
+    /// Lines without a half block are skipped.
     [[nodiscard]] raytracer::ByteImage picture() const {
         std::vector<std::vector<Cell>> drawn;
         std::ranges::copy_if(lines_, std::back_inserter(drawn),
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    /// Takes the next thing; gives back its length in bytes.
+    /// Interprets the next character or escape sequence; returns its length in bytes.
     std::size_t step(std::string_view text) {
         constexpr std::string_view kUpperHalfBlock = "\u2580";
         if (text.starts_with("\033[")) return escape(text);

@@ -7,13 +7,13 @@
 
 namespace ticker {
 
-/// The half blocks that a terminal shows after `written` came, as a picture: two pixels for each
-/// cell, one above the other. Knows what tick1star's preview writes: colours of 24 bits and of
-/// xterm's cube, carriage return, line feed, cursor up, and erase to the end of the line; cells
-/// with anything but a half block are black.
+/// The half blocks that a terminal shows after printing `written`, as a picture: two pixels for
+/// each cell, one above the other. Understands what tick1star's preview writes: 24-bit colours,
+/// xterm's colour cube, carriage return, line feed, cursor up, and erase to the end of the line.
+/// Cells with any other character are black.
 [[nodiscard]] raytracer::ByteImage terminalPicture(std::string_view written);
 
-/// Each pixel as a square of `side` pixels.
+/// Draws each pixel as a square of `side` pixels.
 [[nodiscard]] raytracer::ByteImage enlarged(const raytracer::ByteImage& picture, int side);
 
 }  // namespace ticker

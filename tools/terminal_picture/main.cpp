@@ -1,5 +1,4 @@
-// terminal_picture OUT.png < what a terminal was sent: draws the half blocks of tick1star
-// --preview.
+// terminal_picture OUT.png < output: draws the half blocks that tick1star --preview printed.
 #include "TerminalPicture.h"
 
 #include <raytracer/base/Error.h>

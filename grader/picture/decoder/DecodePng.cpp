@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kChannels = 3;
 
-// The file as libpng reads it, and what became of it.
+// The bytes that libpng reads, and the state of the decoding.
 struct Reading {
     std::span<const std::uint8_t> rest;
     DecodeState failure = DecodeState::damaged;
@@ -30,7 +30,7 @@ void readBytes(png_structp png, png_bytep target, std::size_t size) {
     reading.rest = reading.rest.subspan(size);
 }
 
-// Called for every chunk that libpng does not read itself. acTL says that frames follow.
+// Called for every chunk that libpng does not read itself. acTL announces an animation.
 int onOtherChunk(png_structp png, png_unknown_chunkp chunk) {
     if (std::memcmp(chunk->name, "acTL", 4) != 0) return 1;
     static_cast<Reading*>(png_get_user_chunk_ptr(png))->failure = DecodeState::animated;
@@ -46,7 +46,7 @@ void ignore(png_structp /*png*/, png_const_charp /*message*/) {}
     png_longjmp(png, 1);
 }
 
-// libpng's two structures, and their end.
+// Owns libpng's two structures.
 class Decoder {
 public:
     explicit Decoder(Reading& reading)
@@ -55,9 +55,9 @@ public:
         if (info_ == nullptr) return;
         png_set_read_fn(png_, &reading, readBytes);
         png_set_read_user_chunk_fn(png_, &reading, onOtherChunk);
-        // Colour profiles, texts and times are neither needed nor unpacked.
+        // Colour profiles, texts and times are not needed, so they are not decompressed.
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
-        // More pixels than the size says are an error, as fewer are.
+        // Too many pixels for the stated size are an error, and so are too few.
         png_set_benign_errors(png_, 0);
     }
     ~Decoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
@@ -66,7 +66,8 @@ public:
 
     [[nodiscard]] bool isReady() const { return info_ != nullptr; }
 
-    // libpng leaves by longjmp: nothing in here has a destructor, or changes after setjmp.
+    // libpng reports errors by longjmp, so no local variable here has a destructor or changes after
+    // setjmp.
     [[nodiscard]] bool read(std::span<std::uint8_t> pixels, std::vector<png_bytep>& rows) {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_read_info(png_, info_);
@@ -93,7 +94,7 @@ private:
     png_infop info_;
 };
 
-// Bytes 20 to 23 of every PNG file: the height, the largest first.
+// The height of a PNG file: bytes 20 to 23, big-endian.
 std::size_t claimedHeight(std::span<const std::uint8_t> file) {
     constexpr std::size_t kAt = 20;
     if (file.size() < kAt + 4) return 0;

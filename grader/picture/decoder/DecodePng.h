@@ -8,8 +8,9 @@
 
 namespace ticker::picture {
 
-/// Decodes a whole PNG file. `pixels` has width * height * 3 bytes, as the file's header says: a
-/// file of another size is `damaged`. Where it is not `decoded`, `pixels` may hold anything.
+/// Decodes a whole PNG file. `pixels` has width * height * 3 bytes, by the file's header; if the
+/// file holds another number of pixels, it is `damaged`. Unless the result is `decoded`, the
+/// contents of `pixels` are undefined.
 [[nodiscard]] DecodeState decodePng(std::span<const std::uint8_t> file,
                                     std::span<std::uint8_t> pixels);
 

@@ -5,11 +5,11 @@
 
 namespace ticker::picture {
 
-/// The decoder's descriptors: the file, and a memory for the reply.
+/// The decoder's descriptors: the PNG file, and the memory for the reply.
 inline constexpr int kFileDescriptor = 3;
 inline constexpr int kReplyDescriptor = 4;
 
-/// How far the decoder came.
+/// Result of the decoding.
 enum class DecodeState : std::uint32_t {
     unfinished = 0,
     decoded = 0x706E672B,
@@ -19,8 +19,8 @@ enum class DecodeState : std::uint32_t {
     noMemory
 };
 
-/// What stands at the beginning of the reply; the pixels follow: rows from the top, red, green,
-/// blue. Both ends are on one machine, so it travels as it lies in memory.
+/// Header of the reply; the pixels follow: rows from the top, red, green, blue. Both ends run on
+/// one machine, so it is sent as it lies in memory.
 struct Reply {
     DecodeState state = DecodeState::unfinished;
     std::uint32_t reserved[3] = {};

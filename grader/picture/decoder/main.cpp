@@ -1,5 +1,5 @@
-// ticker-decode: the pixels of the PNG file that it holds, into the memory that it holds. Runs in
-// the sandbox, since the file is a stranger's.
+// ticker-decode: decodes the PNG file behind one descriptor into the memory behind another. It runs
+// in the sandbox, since the file is untrusted.
 #include <grader/picture/decoder/DecodePng.h>
 
 #include <sys/mman.h>
