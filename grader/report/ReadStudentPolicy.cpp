@@ -1,4 +1,4 @@
-#include <grader/base/JsonLines.h>
+#include <grader/base/JsonValue.h>
 #include <grader/base/WholeFile.h>
 #include <grader/report/StudentView.h>
 
@@ -6,7 +6,6 @@
 #include <raytracer/base/Text.h>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <map>
 #include <string>
@@ -17,7 +16,6 @@
 namespace ticker::report {
 namespace {
 
-using Json = nlohmann::json;
 using raytracer::InputError;
 
 /// The members that are true or false.
@@ -31,15 +29,6 @@ const std::map<std::string, bool StudentPolicy::*>& switches() {
     return kSwitches;
 }
 
-struct File {
-    std::string name;
-    std::string text;
-
-    [[noreturn]] void refuse(const std::string& member, const std::string& why) const {
-        throw InputError(name, jsonLineOf(text, "/" + member), fmt::format("/{}: {}", member, why));
-    }
-};
-
 std::string unknownMember(const std::string& name) {
     std::vector<std::string_view> known{"evidence"};
     for (const auto& [each, unused] : switches())
@@ -47,40 +36,33 @@ std::string unknownMember(const std::string& name) {
     return "expected no member of this name" + raytracer::knownNamesHint(name, known);
 }
 
-void takeMember(const File& file, const std::string& name, const Json& value,
-                StudentPolicy& policy) {
+void takeMember(const std::string& name, const JsonValue& value, StudentPolicy& policy) {
     if (const auto known = switches().find(name); known != switches().end()) {
-        if (!value.is_boolean()) file.refuse(name, "expected true or false");
-        policy.*known->second = value.get<bool>();
+        policy.*known->second = value.flag();
         return;
     }
-    if (name != "evidence") file.refuse(name, unknownMember(name));
-    if (!value.is_array()) file.refuse(name, "expected an array of strings");
-    for (const Json& key : value) {
-        if (!key.is_string()) file.refuse(name, "expected an array of strings");
-        policy.evidence.push_back(key.get<std::string>());
+    if (name != "evidence") value.refuse(unknownMember(name));
+    if (!value.isArray()) value.expect("an array of strings");
+    for (const JsonValue& key : value.items()) {
+        if (!key.asText()) value.expect("an array of strings");
+        policy.evidence.push_back(key.text());
     }
 }
 
 }  // namespace
 
 StudentPolicy readStudentPolicy(const std::filesystem::path& path) {
-    const File file{path.string(), readWhole(path, "cannot be read; expected a student view")};
-    Json document;
-    try {
-        document = Json::parse(file.text);
-    } catch (const Json::parse_error& error) {
-        throw InputError(file.name, lineOfByte(file.text, error.byte),
-                         fmt::format("not JSON: {}", error.what()));
-    }
-    if (!document.is_object()) throw InputError(file.name, 1, "expected an object");
+    const JsonValue document =
+        JsonValue::parse(readWhole(path, "cannot be read; expected a student view"), path.string());
+    if (!document.isObject()) throw InputError(path.string(), 1, "expected an object");
     // What a course forgot to say must not fall open.
     for (const auto& [name, unused] : switches())
-        if (!document.contains(name))
-            throw InputError(file.name, 1, fmt::format("expected a member \"{}\"", name));
+        if (!document.has(name))
+            throw InputError(path.string(), 1, fmt::format("expected a member \"{}\"", name));
     StudentPolicy policy;
-    for (const auto& [name, value] : document.items())
-        takeMember(file, name, value, policy);
+    const auto members = document.members();
+    for (const auto& [name, value] : std::map(members.begin(), members.end()))
+        takeMember(name, value, policy);
     return policy;
 }
 

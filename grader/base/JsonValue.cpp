@@ -1,0 +1,142 @@
+#include <grader/base/JsonValue.h>
+
+#include <grader/base/JsonLines.h>
+
+#include <raytracer/base/Error.h>
+#include <raytracer/base/Text.h>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace ticker {
+namespace {
+
+// Ordered: evidence stands in the order in which a person should read it.
+using nlohmann::ordered_json;
+using raytracer::InputError;
+
+constexpr std::size_t kLongestFound = 60;
+
+const ordered_json& jsonOf(const void* value) {
+    return *static_cast<const ordered_json*>(value);
+}
+
+}  // namespace
+
+struct JsonValue::Document {
+    std::string text;
+    std::string name;
+    JsonWords words;
+    ordered_json root;
+};
+
+JsonValue::JsonValue(std::shared_ptr<const Document> document, std::string place, const void* value)
+    : document_(std::move(document)), place_(std::move(place)), value_(value) {}
+
+JsonValue JsonValue::parse(std::string text, std::string name, JsonWords words) {
+    auto document =
+        std::make_shared<Document>(Document{std::move(text), std::move(name), words, {}});
+    try {
+        document->root = ordered_json::parse(document->text);
+    } catch (const ordered_json::parse_error& error) {
+        throw InputError(document->name, lineOfByte(document->text, error.byte),
+                         fmt::format("not JSON: {}", error.what()));
+    }
+    const void* const root = &document->root;
+    return {std::move(document), "", root};
+}
+
+void JsonValue::refuse(const std::string& why) const {
+    throw InputError(document_->name, jsonLineOf(document_->text, place_),
+                     fmt::format("{}: {}", place_.empty() ? document_->words.whole : place_, why));
+}
+
+void JsonValue::expect(const std::string& what) const {
+    std::string why = "expected " + what;
+    if (document_->words.showsFound)
+        why += ", found " + nlohmann::json(jsonOf(value_)).dump().substr(0, kLongestFound);
+    refuse(why);
+}
+
+void JsonValue::allowOnly(std::span<const std::string_view> names) const {
+    const auto found = members();
+    for (const auto& [name, value] : std::map(found.begin(), found.end()))
+        if (std::ranges::find(names, name) == names.end())
+            value.refuse("expected no member of this name" +
+                         raytracer::knownNamesHint(name, names));
+}
+
+bool JsonValue::has(const std::string& name) const {
+    return isObject() && jsonOf(value_).contains(name);
+}
+
+JsonValue JsonValue::at(const std::string& name) const {
+    if (!has(name)) expect(fmt::format("{} \"{}\"", document_->words.needs, name));
+    return {document_, place_ + "/" + name, &jsonOf(value_).at(name)};
+}
+
+std::vector<std::pair<std::string, JsonValue>> JsonValue::members() const {
+    if (!isObject()) expect("an object");
+    std::vector<std::pair<std::string, JsonValue>> members;
+    for (const auto& [name, value] : jsonOf(value_).items())
+        members.emplace_back(name, JsonValue{document_, place_ + "/" + name, &value});
+    return members;
+}
+
+std::vector<JsonValue> JsonValue::items() const {
+    if (!isArray()) expect("an array");
+    std::vector<JsonValue> items;
+    for (const ordered_json& value : jsonOf(value_))
+        items.push_back({document_, place_ + "/" + std::to_string(items.size()), &value});
+    return items;
+}
+
+bool JsonValue::isNull() const {
+    return jsonOf(value_).is_null();
+}
+
+bool JsonValue::isObject() const {
+    return jsonOf(value_).is_object();
+}
+
+bool JsonValue::isArray() const {
+    return jsonOf(value_).is_array();
+}
+
+std::optional<std::string> JsonValue::asText() const {
+    if (!jsonOf(value_).is_string()) return std::nullopt;
+    return jsonOf(value_).get<std::string>();
+}
+
+std::optional<double> JsonValue::asNumber() const {
+    if (!jsonOf(value_).is_number()) return std::nullopt;
+    return jsonOf(value_).get<double>();
+}
+
+std::optional<bool> JsonValue::asFlag() const {
+    if (!jsonOf(value_).is_boolean()) return std::nullopt;
+    return jsonOf(value_).get<bool>();
+}
+
+std::string JsonValue::text() const {
+    auto text = asText();
+    if (!text) expect("a string");
+    return std::move(*text);
+}
+
+double JsonValue::number() const {
+    const auto number = asNumber();
+    if (!number) expect("a number");
+    return *number;
+}
+
+bool JsonValue::flag() const {
+    const auto flag = asFlag();
+    if (!flag) expect("true or false");
+    return *flag;
+}
+
+}  // namespace ticker
