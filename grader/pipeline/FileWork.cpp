@@ -1,4 +1,5 @@
 #include <grader/pipeline/FileWork.h>
+#include <grader/result/GeneralFindings.h>
 
 #include <grader/intake/TaskText.h>
 
@@ -48,7 +49,7 @@ void blockAll(FileWork& work, const Finding& finding, bool needsReview) {
 
 // What a person can settle by a question to the student, as against what was plainly refused.
 bool isForAPerson(const Finding& finding) {
-    return finding.id == "intake.ambiguous" || finding.id == "intake.missing-file";
+    return is(finding, kIntakeAmbiguous) || is(finding, kIntakeMissingFile);
 }
 
 // The compiler's first error, or the assembler's, which writes it with a capital.
@@ -183,7 +184,7 @@ TaskReport blankReport(const std::string& task) {
 
 Finding forbiddenCallFinding() {
     Finding finding;
-    finding.id = "run.forbidden-call";
+    finding.id = kRunForbiddenCall.id;
     finding.severity = Severity::fail;
     finding.message =
         "It answered, but in another run, such as one for a picture, the program asked the system "

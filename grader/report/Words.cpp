@@ -1,7 +1,7 @@
 #include <grader/report/Words.h>
 
-#include <grader/result/FindingWords.h>
 #include <grader/result/Names.h>
+#include <grader/tasks/AllFindings.h>
 
 #include <fmt/core.h>
 
@@ -62,9 +62,8 @@ std::string_view wordsFor(Severity severity) {
 }
 
 std::string_view wordsForFinding(std::string_view id) {
-    const auto* found =
-        std::ranges::find(kFindingWords, id, [](const auto& words) { return words.first; });
-    return found != kFindingWords.end() ? found->second : id;
+    const FindingText* text = tasks::findText(id);
+    return text != nullptr ? text->words : id;
 }
 
 const TaskReport* saidBefore(const SubmissionResult& result, const TaskReport& task) {

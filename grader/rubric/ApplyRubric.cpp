@@ -1,3 +1,4 @@
+#include <grader/result/GeneralFindings.h>
 #include <grader/rubric/Rubric.h>
 
 #include <algorithm>
@@ -82,7 +83,7 @@ double scoreOf(const Rubric& rubric, const SubmissionResult& result) {
 bool isAttempt(const TaskReport& task) {
     return task.state != TaskState::notAttempted &&
            std::none_of(task.findings.begin(), task.findings.end(),
-                        [](const Finding& finding) { return finding.id == "intake.missing-file"; });
+                        [](const Finding& finding) { return is(finding, kIntakeMissingFile); });
 }
 
 bool attempted(const SubmissionResult& result, const Option& option) {

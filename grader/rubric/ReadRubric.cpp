@@ -1,8 +1,8 @@
 #include <grader/base/JsonValue.h>
 #include <grader/base/WholeFile.h>
-#include <grader/result/FindingWords.h>
 #include <grader/result/Names.h>
 #include <grader/rubric/Rubric.h>
+#include <grader/tasks/AllFindings.h>
 
 #include <raytracer/base/Text.h>
 
@@ -69,8 +69,8 @@ std::string unknownFinding(std::string_view id, std::span<const std::string_view
 std::map<std::string, Severity> readSeverities(const JsonValue& member) {
     const auto members = member.members();
     std::vector<std::string_view> known;
-    for (const auto& [id, unused] : kFindingWords)
-        known.push_back(id);
+    for (const FindingText* text : tasks::allFindings())
+        known.push_back(text->id);
     std::map<std::string, Severity> severities;
     for (const auto& [id, entry] : std::map(members.begin(), members.end())) {
         if (std::ranges::find(known, id) == known.end()) entry.refuse(unknownFinding(id, known));

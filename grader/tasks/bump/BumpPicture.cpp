@@ -1,3 +1,4 @@
+#include <grader/tasks/bump/BumpFindings.h>
 #include <grader/tasks/bump/BumpPicture.h>
 
 #include <raytracer/image/ToneCurve.h>
@@ -66,7 +67,7 @@ double squaredDistance(const std::uint8_t* rgb, const ColourRGB& colour) {
 
 Finding doubt(const std::optional<double>& misfit) {
     Finding finding;
-    finding.id = "bump.picture-differs";
+    finding.id = kBumpPictureDiffers.id;
     finding.severity = Severity::warn;
     finding.section = "Option 1: Test it";
     finding.hint =

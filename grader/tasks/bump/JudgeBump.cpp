@@ -1,7 +1,8 @@
+#include <grader/result/GeneralFindings.h>
 #include <grader/tasks/bump/JudgeBump.h>
 
-#include <grader/tasks/bump/words/Diagnosis.h>
 #include <grader/tasks/bump/Examination.h>
+#include <grader/tasks/bump/words/Diagnosis.h>
 #include <grader/tasks/bump/words/Words.h>
 
 #include <fmt/core.h>
@@ -17,7 +18,7 @@ using namespace bump;
 using probe::ProcessEnd;
 
 struct EndWords {
-    const char* id;
+    std::string_view id;
     const char* message;
     const char* hint;
 };
@@ -25,31 +26,31 @@ struct EndWords {
 EndWords wordsFor(ProcessEnd::Kind kind) {
     switch (kind) {
         case ProcessEnd::Kind::crashed:
-            return {"run.crashed", "The program crashed while it answered questions for normals",
+            return {kRunCrashed.id, "The program crashed while it answered questions for normals",
                     "Run it in a debugger, or with sanitizers on. Look for an index beyond the end "
                     "of an array or a vector, and for a function that calls itself without end."};
         case ProcessEnd::Kind::exitedEarly:
-            return {"run.exited-early", "The program left before the last question",
+            return {kRunExitedEarly.id, "The program left before the last question",
                     "Do not call exit() or the like."};
         case ProcessEnd::Kind::timedOut:
-            return {"run.timed-out", "getNormalAt took too long: the time was up",
+            return {kRunTimedOut.id, "getNormalAt took too long: the time was up",
                     "Look for a loop that does not end."};
         case ProcessEnd::Kind::memory:
             return {
-                "run.memory", "The program needs more memory than it may have",
+                kRunMemory.id, "The program needs more memory than it may have",
                 "Look for a container that only grows, and for an array that is far too large."};
         case ProcessEnd::Kind::outputLimit:
-            return {"run.output-limit", "The program printed too much",
+            return {kRunOutputLimit.id, "The program printed too much",
                     "Remove the debugging output."};
         case ProcessEnd::Kind::forbiddenCall:
-            return {"run.forbidden-call",
+            return {kRunForbiddenCall.id,
                     "The program asked the system for something that a renderer does not need",
                     "No files, processes or network connections are needed here."};
         case ProcessEnd::Kind::finished:
         case ProcessEnd::Kind::ourFault:
             break;
     }
-    return {"run.no-answer", "The program ended without answering every question",
+    return {kRunNoAnswer.id, "The program ended without answering every question",
             "Make sure that getNormalAt returns."};
 }
 

@@ -1,5 +1,6 @@
-#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/lens/FocusMistakes.h>
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/support/FindingText.h>
 
 #include <fmt/core.h>
 
@@ -47,8 +48,8 @@ bool areParallel(const LensPixel& pixel) {
     });
 }
 
-Finding focusFinding(const char* id, std::string seen, const LensLog& log, double z) {
-    Finding finding = distributedFinding(id, Severity::fail, std::move(seen));
+Finding focusFinding(const FindingText& text, std::string seen, const LensLog& log, double z) {
+    Finding finding = distributedFinding(text, Severity::fail, std::move(seen));
     finding.evidence.emplace_back("focalPlaneExpected", log.asked->settings.dofFocalPlane);
     finding.evidence.emplace_back("meetingZ", z);
     return finding;
@@ -117,7 +118,7 @@ std::optional<Finding> explainCoordinates(const LensLog& log, const Meetings& me
         byLength += (byLength.empty() ? "" : " and ") + std::string{one.name};
     }
     Finding finding = focusFinding(
-        "dof.wrong",
+        kDofWrong,
         fmt::format("The rays of a pixel were expected to meet where its pinhole ray has z = "
                     "{:.4g}; they meet beside that ray: {} of the meeting point is the direction's "
                     "times {:.4g}, not divided by direction.z.",
@@ -131,7 +132,7 @@ std::optional<Finding> explainCoordinates(const LensLog& log, const Meetings& me
 
 Finding explainBeside(const LensLog& log, double z) {
     Finding finding =
-        focusFinding("dof.wrong",
+        focusFinding(kDofWrong,
                      "The rays of a pixel were expected to meet on the pixel's own pinhole ray; "
                      "they meet beside it.",
                      log, z);
@@ -155,7 +156,7 @@ bool meetInPoints(const LensLog& log) {
 Finding explainFocus(const LensLog& log) {
     const double plane = log.asked->settings.dofFocalPlane;
     if (std::all_of(log.pixels.begin(), log.pixels.end(), areParallel))
-        return focusFinding("dof.focal-plane",
+        return focusFinding(kDofFocalPlane,
                             "All rays of a pixel were expected to meet on the focal plane; they "
                             "are parallel and never meet.",
                             log, 0.0);
@@ -163,7 +164,7 @@ Finding explainFocus(const LensLog& log) {
     const double z = 0.5 * (meetings.lowZ + meetings.highZ);
     if (!meetInPoints(log))
         return withHint(
-            focusFinding("dof.focal-plane",
+            focusFinding(kDofFocalPlane,
                          fmt::format("All rays of a pixel were expected to meet in one point of "
                                      "the focal plane; they do not meet anywhere, some pass the "
                                      "nearest point by {:.2g}.",
@@ -172,7 +173,7 @@ Finding explainFocus(const LensLog& log) {
             "Find one focal point for each pixel, before the loop over its rays.");
     if (meetings.offDistance < 10.0 * kFocusSlack)
         return focusFinding(
-            "dof.focal-distance",
+            kDofFocalDistance,
             fmt::format("The rays of a pixel were expected to meet at z = {:.4g}; they meet at "
                         "that distance along the pinhole ray, at z = {:.4g} to {:.4g}.",
                         plane, meetings.lowZ, meetings.highZ),
@@ -180,7 +181,7 @@ Finding explainFocus(const LensLog& log) {
     if (std::optional<Finding> finding = explainCoordinates(log, meetings))
         return *std::move(finding);
     if (meetings.offRay > 0.02) return explainBeside(log, z);
-    return focusFinding("dof.focal-plane",
+    return focusFinding(kDofFocalPlane,
                         fmt::format("The rays of a pixel were expected to meet at z = {:.4g}; they "
                                     "meet at z = {:.4g} to {:.4g}.",
                                     plane, meetings.lowZ, meetings.highZ),

@@ -1,6 +1,8 @@
-#include <grader/tasks/support/FindingText.h>
+#include <grader/result/GeneralFindings.h>
 #include <grader/tasks/lens/JudgeDepthOfField.h>
 #include <grader/tasks/lens/LensChecks.h>
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/support/Plots.h>
 
 #include <fmt/core.h>
@@ -39,7 +41,7 @@ std::optional<Finding> checkComplete(const LensLog& log) {
     const auto at = static_cast<int>(first - log.pixels.begin());
     const raytracer::RenderSettings& settings = log.asked->settings;
     Finding finding = distributedFinding(
-        "dof.wrong", Severity::fail,
+        kDofWrong, Severity::fail,
         fmt::format("Every pixel was expected to be set; {} of {} have no ray and stay black, the "
                     "first in column {}, row {}.",
                     black, log.pixels.size(), at % settings.width,
@@ -50,8 +52,8 @@ std::optional<Finding> checkComplete(const LensLog& log) {
 
 void checkRays(const LensLog& log, LensOutcome& outcome) {
     std::optional<Finding> counts = checkLensCounts(log);
-    const bool none = counts && counts->id == "dof.none";
-    const bool shared = counts && counts->id == "dof.shared-samples";
+    const bool none = counts && is(*counts, kDofNone);
+    const bool shared = counts && is(*counts, kDofSharedSamples);
     keepLens(outcome.findings, std::move(counts));
     keepLens(outcome.findings, checkAverage(log));
     keepLens(outcome.findings, checkBounces(log));
@@ -77,8 +79,9 @@ std::optional<Finding> firstFailure(const LensLog& log) {
 }
 
 // `wrong` under the name of the condition that brings it about.
-Finding renamed(const char* id, Severity severity, const std::string& condition, Finding wrong) {
-    Finding finding = distributedFinding(id, severity, condition + wrong.message);
+Finding renamed(const FindingText& text, Severity severity, const std::string& condition,
+                Finding wrong) {
+    Finding finding = distributedFinding(text, severity, condition + wrong.message);
     if (finding.section.empty()) finding.section = "Depth of field (T2.2)";
     finding.evidence = std::move(wrong.evidence);
     finding.evidence.emplace_back("otherwise", wrong.id);
@@ -94,7 +97,7 @@ std::size_t fewestRays(const LensLog& log) {
 std::optional<Finding> checkOtherSettings(const LensLog& log) {
     std::optional<Finding> wrong = firstFailure(log);
     if (!wrong) return std::nullopt;
-    Finding finding = renamed("settings.hard-coded", Severity::warn,
+    Finding finding = renamed(kSettingsHardCoded, Severity::warn,
                               "render does not follow settings(): asked for other numbers than the "
                               "handout's, it is wrong. ",
                               *std::move(wrong));
@@ -112,7 +115,7 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
     LensOutcome outcome;
     if (!isFinite(handout)) {
         outcome.findings.push_back(
-            distributedFinding("dof.wrong", Severity::fail,
+            distributedFinding(kDofWrong, Severity::fail,
                                "Colours were expected; some pixels hold a value that is no "
                                "number."));
         return outcome;
@@ -135,7 +138,7 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
 std::optional<Finding> judgeNextRender(const LensLog& log) {
     std::optional<Finding> wrong = firstFailure(log);
     if (!wrong) return std::nullopt;
-    Finding finding = renamed("dof.wrong", Severity::fail,
+    Finding finding = renamed(kDofWrong, Severity::fail,
                               "The first picture of a program is right; the next one of the same "
                               "size, through a camera of its own, keeps something of the first. ",
                               *std::move(wrong));
@@ -149,7 +152,7 @@ std::optional<Finding> judgeNextRender(const LensLog& log) {
 std::optional<Finding> judgeWithThreads(const LensLog& log) {
     std::optional<Finding> wrong = firstFailure(log);
     if (!wrong) return std::nullopt;
-    return renamed("dof.threads-mixed", Severity::fail,
+    return renamed(kDofThreadsMixed, Severity::fail,
                    "With one thread all is right; with two, and forEachPixel has as many as the "
                    "machine has cores, it no longer is. ",
                    *std::move(wrong));

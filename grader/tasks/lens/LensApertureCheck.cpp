@@ -1,6 +1,7 @@
+#include <grader/tasks/lens/LensChecks.h>
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/support/Bounds.h>
 #include <grader/tasks/support/FindingText.h>
-#include <grader/tasks/lens/LensChecks.h>
 #include <grader/tasks/support/Plots.h>
 
 #include <fmt/core.h>
@@ -134,8 +135,8 @@ bool usesPartOfLens(const LensLog& log, const Lens& lens) {
     return false;
 }
 
-// All points lie on one straight line. Ten independent points of a square do so, within a thousandth
-// of its half-width, with a chance below 1e-20.
+// All points lie on one straight line. Ten independent points of a square do so, within a
+// thousandth of its half-width, with a chance below 1e-20.
 bool isLine(const Lens& lens) {
     constexpr std::size_t kEnough = 10;
     constexpr double kWidth = 1e-3;
@@ -211,31 +212,32 @@ ApertureVerdict checkAperture(const LensLog& log) {
     const double aside = std::max(std::abs(centre.x), std::abs(centre.y));
     if (usesPartOfLens(log, lens) && (shape.square || !crowdInTheMiddle(lens))) {
         verdict.finding = distributedFinding(
-            "dof.disc", Severity::fail,
+            kDofDisc, Severity::fail,
             "The rays of each pixel were expected to start all over the aperture; those of one "
             "pixel start in a part of it, on a line perhaps.");
     } else if (isLine(lens)) {
         verdict.finding = distributedFinding(
-            "dof.disc", Severity::fail,
+            kDofDisc, Severity::fail,
             "The rays were expected to start all over a square; all of them start on one straight "
             "line.");
-        verdict.finding->hint += " Draw a number of its own for y: one that is computed from that "
-                                 "of x stays on a line.";
+        verdict.finding->hint +=
+            " Draw a number of its own for y: one that is computed from that "
+            "of x stays on a line.";
     } else if (aside > 2.0 * shortfall * half + 1e-7 && (shape.square || leansAside(lens))) {
         verdict.finding = distributedFinding(
-            "dof.off-centre", Severity::fail,
+            kDofOffCentre, Severity::fail,
             fmt::format("An aperture centred on the eye was expected; its centre is at ({:.3f}, "
                         "{:.3f}).",
                         centre.x, centre.y));
     } else if (depth > 1e-6) {
         verdict.finding = distributedFinding(
-            "dof.disc", Severity::fail,
+            kDofDisc, Severity::fail,
             fmt::format("A square in the plane z = 0 was expected; rays start up to {:.3g} in "
                         "front of it or behind it.",
                         depth));
     } else if (!shape.square) {
         verdict.finding = distributedFinding(
-            "dof.disc", Severity::fail,
+            kDofDisc, Severity::fail,
             fmt::format("An evenly filled square was expected; the starting points, up to {:.3g} "
                         "from its centre in x and {:.3g} in y, form another shape ({:.1f} % of "
                         "them outside of the inscribed disc, 21.5 % expected).",
@@ -244,7 +246,7 @@ ApertureVerdict checkAperture(const LensLog& log) {
         verdict.finding->hint += hintOfSides(lens.high.x - lens.low.x, lens.high.y - lens.low.y);
     } else if (factor == 0.0) {
         verdict.finding = distributedFinding(
-            "dof.aperture-size", Severity::fail,
+            kDofApertureSize, Severity::fail,
             fmt::format("A square of half-width {:.3g} (or {:.3g}) was expected; its half-width is "
                         "{:.3g}.",
                         amount, 0.5 * amount, half));

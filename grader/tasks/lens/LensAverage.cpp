@@ -1,7 +1,8 @@
-#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/lens/LensChecks.h>
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/LensMeans.h>
 #include <grader/tasks/lens/RayColours.h>
+#include <grader/tasks/support/FindingText.h>
 
 #include <fmt/core.h>
 
@@ -135,13 +136,13 @@ std::string knownChange(const LensLog& log) {
 
 Finding notAveraged(const std::string& seen) {
     return distributedFinding(
-        "dof.not-averaged", Severity::fail,
+        kDofNotAveraged, Severity::fail,
         "The colour of a pixel was expected to be the mean of its rays' colours; " + seen + ".");
 }
 
 Finding strangeColour() {
     Finding finding = distributedFinding(
-        "dof.wrong", Severity::fail,
+        kDofWrong, Severity::fail,
         "The colour of a pixel was expected to be the mean of its rays' colours; it is another "
         "one.");
     finding.hint =

@@ -1,6 +1,7 @@
-#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/lens/FocusMistakes.h>
 #include <grader/tasks/lens/LensChecks.h>
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/support/Plots.h>
 
 #include <fmt/core.h>
@@ -25,7 +26,7 @@ std::optional<Finding> checkHeading(const LensLog& log) {
     }
     if (away == 0) return std::nullopt;
     Finding finding = distributedFinding(
-        "dof.wrong", Severity::fail,
+        kDofWrong, Severity::fail,
         fmt::format("Every ray was expected to run from the lens to the focal point; {} of {} "
                     "leave the lens away from it and see what is behind the camera.",
                     away, log.rayCount()));
@@ -54,7 +55,7 @@ double halfPixelOf(const raytracer::RenderSettings& settings) {
 
 Finding antialiased(const LensLog& log) {
     Finding finding = distributedFinding(
-        "dof.antialiased", Severity::warn,
+        kDofAntialiased, Severity::warn,
         "All rays of a pixel were expected to meet in one point of the focal plane; they go "
         "through different places of the pixel's own square there, which is antialiasing. The "
         "picture is right, with smoother edges than the handout's.");

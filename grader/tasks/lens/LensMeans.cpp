@@ -1,6 +1,7 @@
-#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/LensMeans.h>
 #include <grader/tasks/lens/RayColours.h>
+#include <grader/tasks/support/FindingText.h>
 
 #include <fmt/core.h>
 
@@ -71,9 +72,9 @@ bool followACurve(const std::vector<PixelMean>& pixels) {
     return rises >= values.size() / 4;
 }
 
-Finding meansFinding(const char* id, const std::string& seen, const char* hint) {
+Finding meansFinding(const FindingText& text, const std::string& seen, const char* hint) {
     Finding finding = distributedFinding(
-        id, Severity::fail,
+        text, Severity::fail,
         "The colour of a pixel was expected to be the mean of its rays' colours; " + seen + ".");
     finding.hint = hint;
     return finding;
@@ -84,20 +85,20 @@ Finding meansFinding(const char* id, const std::string& seen, const char* hint) 
 std::optional<Finding> changeOfMeans(const std::vector<PixelMean>& pixels) {
     if (pixels.size() < kEnoughPixels) return std::nullopt;
     if (areCarriedOn(pixels, false) || areCarriedOn(pixels, true))
-        return meansFinding("dof.not-averaged", "what other pixels gave is added to it",
+        return meansFinding(kDofNotAveraged, "what other pixels gave is added to it",
                             "Start the sum anew for every pixel: declare it inside of the loop "
                             "over the pixels.");
     double least = 0.0;
     double most = 0.0;
     if (areScaled(pixels, least, most))
-        return meansFinding("dof.wrong",
+        return meansFinding(kDofWrong,
                             fmt::format("it is {:.3g} to {:.3g} times their mean, another factor "
                                         "for each pixel",
                                         least, most),
                             "Add the colours of all rays of the pixel and divide by their number, "
                             "no more.");
     if (followACurve(pixels))
-        return meansFinding("dof.wrong",
+        return meansFinding(kDofWrong,
                             "it is their mean, changed by a curve (a power, a root, rounding) or "
                             "cut off",
                             "Set the mean as it is: the tone curve is applied when the picture is "

@@ -1,5 +1,6 @@
-#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/lens/LensChecks.h>
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/support/Plots.h>
 
 #include <fmt/core.h>
@@ -45,7 +46,7 @@ std::optional<Finding> someAtEye(const LensLog& log) {
     const auto index = static_cast<int>(first);
     const raytracer::RenderSettings& settings = log.asked->settings;
     Finding finding = distributedFinding(
-        "dof.shared-samples", Severity::fail,
+        kDofSharedSamples, Severity::fail,
         fmt::format("Rays from all over the aperture were expected in every pixel; in {} of {} "
                     "pixels, the first in column {}, row {}, all rays start at the eye.",
                     at, log.pixels.size(), index % settings.width,
@@ -60,7 +61,7 @@ std::optional<Finding> someAtEye(const LensLog& log) {
 
 Finding sharedSamples(std::size_t asked, std::size_t distinct) {
     Finding finding = distributedFinding(
-        "dof.shared-samples", Severity::fail,
+        kDofSharedSamples, Severity::fail,
         fmt::format("A new point of the aperture was expected for each of the {} rays; those of a "
                     "pixel start at only {} different ones.",
                     asked, distinct));
@@ -83,11 +84,11 @@ std::optional<Finding> checkLensCounts(const LensLog& log) {
     std::optional<Finding> finding;
     if (std::ranges::all_of(log.pixels, startsAtEye)) {
         finding = distributedFinding(
-            "dof.none", Severity::fail,
+            kDofNone, Severity::fail,
             "Rays from all over the aperture were expected; every ray starts at the eye.");
     } else if (fewest < asked && !log.cut) {
         finding = distributedFinding(
-            "dof.too-few-rays", Severity::fail,
+            kDofTooFewRays, Severity::fail,
             fmt::format("{} rays for each pixel were expected; there are {}.", asked, fewest));
     } else if (fewestDistinct <= asked / 2) {
         finding = someAtEye(log);
@@ -108,7 +109,7 @@ std::optional<Finding> checkBounces(const LensLog& log) {
         for (const LensRay& ray : pixel.rays) {
             if (ray.bounces < 0 || ray.bounces == asked) continue;
             Finding finding = distributedFinding(
-                "dof.wrong", Severity::fail,
+                kDofWrong, Severity::fail,
                 fmt::format("Rays were expected to be traced with {} bounces; they are traced with "
                             "{}.",
                             asked, ray.bounces));
@@ -134,7 +135,7 @@ std::optional<Finding> checkPattern(const LensLog& log) {
         oneForAll = oneForAll && different.size() == 1;
     }
     return distributedFinding(
-        "dof.reused-pattern", Severity::warn,
+        kDofReusedPattern, Severity::warn,
         "New random points of the aperture were expected for every pixel; " +
             (oneForAll ? std::string{"all pixels use the same ones."}
                        : fmt::format("there are only {} patterns for {} pixels, those of a row or "

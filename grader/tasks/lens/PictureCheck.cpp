@@ -1,3 +1,4 @@
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/PictureCheck.h>
 #include <grader/tasks/lens/PictureSuspects.h>
 #include <grader/tasks/lens/Pictures.h>
@@ -25,14 +26,16 @@ constexpr double kMostZ = 6.0;
 constexpr double kMostExcess = 9.0;
 constexpr double kSharedExcess = 120.0;
 
-Finding findingOf(const char* id, const std::string& seen, const Suspect* runnerUp, double z) {
+Finding findingOf(const FindingText& text, const std::string& seen, const Suspect* runnerUp,
+                  double z) {
     Finding finding = distributedFinding(
-        id, Severity::fail,
+        text, Severity::fail,
         "The picture was compared with what the handout's steps give, since the rays cannot be "
         "seen: " +
             seen + ".");
     finding.evidence.emplace_back("z", z);
-    if (runnerUp != nullptr) finding.evidence.emplace_back("runnerUp", runnerUp->id);
+    if (runnerUp != nullptr)
+        finding.evidence.emplace_back("runnerUp", std::string{runnerUp->text->id});
     return finding;
 }
 
@@ -46,10 +49,9 @@ bool hasName(const Bank& bank, double z, double meanSquares, std::size_t pixels)
 }
 
 Finding nameOf(const Bank& bank, double z, bool scaled, bool named) {
-    if (scaled)
-        return findingOf("dof.not-averaged", "it is too bright or too dark", bank.second, z);
-    if (named) return findingOf(bank.best->id, bank.best->seen, bank.second, z);
-    return findingOf("dof.wrong", "it differs in a way that is not known", bank.second, z);
+    if (scaled) return findingOf(kDofNotAveraged, "it is too bright or too dark", bank.second, z);
+    if (named) return findingOf(*bank.best->text, bank.best->seen, bank.second, z);
+    return findingOf(kDofWrong, "it differs in a way that is not known", bank.second, z);
 }
 
 // A brightness that explains nearly all, and more than any other suspect.
@@ -101,14 +103,14 @@ Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen, d
     verdict.timesTheLimit = std::max(verdict.largestZ / kMostZ, excess.z / kMostExcess);
     if (excess.z > kSharedExcess && !scaled)
         verdict.finding =
-            findingOf("dof.shared-samples", "it changes as a whole from one time to the next",
+            findingOf(kDofSharedSamples, "it changes as a whole from one time to the next",
                       bank.best, excess.z);
     else if (verdict.largestZ > kMostZ)
         verdict.finding = nameOf(bank, verdict.largestZ, scaled,
                                  hasName(bank, verdict.largestZ, meanSquares, seen.mean.size()));
     else if (excess.z > kMostExcess)
         verdict.finding =
-            findingOf("dof.too-few-rays", "it is noisier than that many rays for each pixel can be",
+            findingOf(kDofTooFewRays, "it is noisier than that many rays for each pixel can be",
                       bank.best, excess.z);
     if (verdict.finding && mayBeSharedNoise(seen, bank, excess, meanSquares)) {
         verdict.finding.reset();
@@ -148,7 +150,7 @@ PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::Re
     const SeenPictures seen = readPictures(answer);
     if (!seen.isFinite()) {
         PictureVerdict verdict;
-        verdict.finding = distributedFinding("dof.wrong", Severity::fail,
+        verdict.finding = distributedFinding(kDofWrong, Severity::fail,
                                              "Colours were expected; some pixels hold a value that "
                                              "is no number.");
         return verdict;

@@ -1,8 +1,8 @@
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/PictureSuspects.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace ticker::tasks {
 namespace {
@@ -10,10 +10,10 @@ namespace {
 using oracle::Mistake;
 using oracle::Reading;
 
-Suspect suspect(const char* id, const char* seen, double factor, const Mistake& mistake) {
+Suspect suspect(const FindingText& text, const char* seen, double factor, const Mistake& mistake) {
     Reading reading;
     reading.apertureFactor = factor;
-    return {id, seen, reading, mistake, false};
+    return {&text, seen, reading, mistake, false};
 }
 
 // The mean under the suspect's mistake.
@@ -54,32 +54,32 @@ std::vector<Suspect> suspectsFor(double factor) {
         change(mistake);
         return mistake;
     };
-    suspects.push_back(suspect("dof.none", "everything is sharp", factor,
+    suspects.push_back(suspect(kDofNone, "everything is sharp", factor,
                                with([](Mistake& m) { m.aperture = Mistake::Aperture::none; })));
-    suspects.push_back(suspect("dof.focal-distance",
+    suspects.push_back(suspect(kDofFocalDistance,
                                "the sharp surface is a ball around the eye, not a plane", factor,
                                with([](Mistake& m) { m.focalByDistance = true; })));
     for (const double focal : {0.85, 1.2})
-        suspects.push_back(suspect("dof.focal-plane", "another plane is sharp", factor,
+        suspects.push_back(suspect(kDofFocalPlane, "another plane is sharp", factor,
                                    with([&](Mistake& m) { m.focalFactor = focal; })));
     suspects.push_back(
-        suspect("dof.off-centre", "things out of focus are shifted", factor, with([](Mistake& m) {
+        suspect(kDofOffCentre, "things out of focus are shifted", factor, with([](Mistake& m) {
                     m.lensOffsetX = 1.0;
                     m.lensOffsetY = 1.0;
                 })));
-    suspects.push_back(suspect("dof.off-centre", "things out of focus are shifted", 0.5 * factor,
+    suspects.push_back(suspect(kDofOffCentre, "things out of focus are shifted", 0.5 * factor,
                                with([](Mistake& m) {
                                    m.lensOffsetX = 1.0;
                                    m.lensOffsetY = 1.0;
                                })));
-    suspects.push_back(suspect("dof.disc", "the blur has the shape of a disc", factor,
+    suspects.push_back(suspect(kDofDisc, "the blur has the shape of a disc", factor,
                                with([](Mistake& m) { m.aperture = Mistake::Aperture::disc; })));
     for (const double size : {0.7, 1.4})
-        suspects.push_back(suspect("dof.aperture-size", "the blur has another size", size * factor,
+        suspects.push_back(suspect(kDofApertureSize, "the blur has another size", size * factor,
                                    with([](Mistake&) {})));
-    suspects.push_back(suspect("dof.not-averaged", "it is too bright or too dark", factor,
+    suspects.push_back(suspect(kDofNotAveraged, "it is too bright or too dark", factor,
                                with([](Mistake& m) { m.pixelScale = 1.1; })));
-    suspects.push_back(suspect("dof.wrong", "it lacks the reflections", factor, {}));
+    suspects.push_back(suspect(kDofWrong, "it lacks the reflections", factor, {}));
     suspects.back().withoutBounces = true;
     return suspects;
 }
@@ -103,7 +103,7 @@ Bank tryAll(const std::vector<Suspect>& suspects, const probe::RenderQuestion& a
     bank.bestLeaves = best->leaves;
     double second = 0.0;
     for (const Tried& one : tried) {
-        const bool sameName = std::string_view{one.suspect->id} == bank.best->id;
+        const bool sameName = one.suspect->text == bank.best->text;
         if (sameName || one.match.z <= second) continue;
         bank.second = one.suspect;
         second = one.match.z;

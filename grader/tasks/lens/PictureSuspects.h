@@ -1,9 +1,10 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_PICTURESUSPECTS_H
 #define TICKER_TASKS_DISTRIBUTED_PICTURESUSPECTS_H
 
-#include <grader/tasks/lens/Pictures.h>
 #include <grader/oracle/Reading.h>
 #include <grader/probe/Question.h>
+#include <grader/result/FindingText.h>
+#include <grader/tasks/lens/Pictures.h>
 
 #include <cstdint>
 #include <vector>
@@ -12,7 +13,7 @@ namespace ticker::tasks {
 
 /// A mistake in T2.2 that changes pictures in a known way.
 struct Suspect {
-    const char* id;    ///< of the finding
+    const FindingText* text;
     const char* seen;  ///< what a person sees of it
     oracle::Reading reading;
     oracle::Mistake mistake;

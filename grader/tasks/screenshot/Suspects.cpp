@@ -1,8 +1,11 @@
+#include <grader/tasks/bump/BumpFindings.h>
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/screenshot/Suspects.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
 
-#include <grader/tasks/screenshot/Agreement.h>
 #include <grader/metrics/NoiseEnergy.h>
 #include <grader/oracle/Oracle.h>
+#include <grader/tasks/screenshot/Agreement.h>
 
 #include <raytracer/image/ToneCurve.h>
 
@@ -23,8 +26,8 @@ struct Suspect {
 };
 
 template <class Change>
-Suspect make(const char* id, const char* words, const Change& change) {
-    Suspect suspect{{id, words}, {}, {}};
+Suspect make(std::string_view id, const char* words, const Change& change) {
+    Suspect suspect{{std::string{id}, words}, {}, {}};
     change(suspect.reading, suspect.mistake);
     return suspect;
 }
@@ -50,48 +53,48 @@ std::vector<Suspect> rightPictures() {
 
 std::vector<Suspect> wrongShadows() {
     std::vector<Suspect> all;
-    const auto add = [&](const char* id, const char* words, const auto& change) {
-        all.push_back(make(id, words, change));
+    const auto add = [&](const FindingText& text, const char* words, const auto& change) {
+        all.push_back(make(text.id, words, change));
     };
-    add("shadow.hard", "hard shadows",
+    add(kShadowHard, "hard shadows",
         [](Reading& r, Mistake&) { r.lightShape = oracle::LightShape::centre; });
     for (const double size : {0.5, 2.0})
-        add("shadow.light-size", "shadows of a light of another size",
+        add(kShadowLightSize, "shadows of a light of another size",
             [&](Reading&, Mistake& m) { m.lightSizeFactor = size; });
-    add("shadow.inverted", "lit and shadowed exchanged",
+    add(kShadowInverted, "lit and shadowed exchanged",
         [](Reading&, Mistake& m) { m.shadowInverted = true; });
-    add("shadow.all-or-nothing", "shadows without a fraction",
+    add(kShadowAllOrNothing, "shadows without a fraction",
         [](Reading&, Mistake& m) { m.allOrNothing = true; });
-    add("shadow.ambient-scaled", "shadows on the ambient light",
+    add(kShadowAmbientScaled, "shadows on the ambient light",
         [](Reading&, Mistake& m) { m.ambientScaled = true; });
-    add("shadow.specular-unshadowed", "highlights in the shadow",
+    add(kShadowSpecularUnshadowed, "highlights in the shadow",
         [](Reading&, Mistake& m) { m.specularUnshadowed = true; });
-    add("shadow.diffuse-unshadowed", "diffuse light in the shadow",
+    add(kShadowDiffuseUnshadowed, "diffuse light in the shadow",
         [](Reading&, Mistake& m) { m.diffuseUnshadowed = true; });
-    add("shadow.direction-offset", "shadows that widen with the light's distance",
+    add(kShadowDirectionOffset, "shadows that widen with the light's distance",
         [](Reading&, Mistake& m) { m.directionOffset = true; });
     return all;
 }
 
 std::vector<Suspect> wrongLenses() {
     std::vector<Suspect> all;
-    const auto add = [&](const char* id, const char* words, const auto& change) {
-        all.push_back(make(id, words, change));
+    const auto add = [&](const FindingText& text, const char* words, const auto& change) {
+        all.push_back(make(text.id, words, change));
     };
-    add("dof.none", "everything sharp",
+    add(kDofNone, "everything sharp",
         [](Reading&, Mistake& m) { m.aperture = Mistake::Aperture::none; });
-    add("dof.none", "everything sharp, and hard shadows", asPinhole);
-    add("dof.focal-distance", "a sharp surface that is a ball around the eye",
+    add(kDofNone, "everything sharp, and hard shadows", asPinhole);
+    add(kDofFocalDistance, "a sharp surface that is a ball around the eye",
         [](Reading&, Mistake& m) { m.focalByDistance = true; });
     for (const double focal : {0.85, 1.2})
-        add("dof.focal-plane", "another plane sharp",
+        add(kDofFocalPlane, "another plane sharp",
             [&](Reading&, Mistake& m) { m.focalFactor = focal; });
-    add("dof.off-centre", "an aperture that is not centred on the eye",
+    add(kDofOffCentre, "an aperture that is not centred on the eye",
         [](Reading&, Mistake& m) { m.lensOffsetX = m.lensOffsetY = 1.0; });
-    add("dof.disc", "an aperture that is a disc",
+    add(kDofDisc, "an aperture that is a disc",
         [](Reading&, Mistake& m) { m.aperture = Mistake::Aperture::disc; });
     for (const double size : {0.7, 1.4})
-        add("dof.aperture-size", "an aperture of another size",
+        add(kDofApertureSize, "an aperture of another size",
             [&](Reading& r, Mistake&) { r.apertureFactor *= size; });
     return all;
 }
@@ -146,17 +149,17 @@ std::vector<Suspect> bumpPictures() {
     for (const double origin : {0.0, 0.25, 0.5, 0.75})
         for (const bool isMirrored : {false, true})
             for (const auto& [u, v, id, words] :
-                 {std::tuple{1.0, 1.0, "", "what the handout asks for"},
-                  std::tuple{-1.0, -1.0, "bump.inverted", "a relief that is inverted"},
-                  std::tuple{-1.0, 1.0, "bump.inverted-u", "a relief that is inverted along u"},
-                  std::tuple{1.0, -1.0, "bump.inverted-v", "a relief that is inverted along v"}}) {
+                 {std::tuple{1.0, 1.0, std::string_view{}, "what the handout asks for"},
+                  std::tuple{-1.0, -1.0, kBumpInverted.id, "a relief that is inverted"},
+                  std::tuple{-1.0, 1.0, kBumpInvertedU.id, "a relief that is inverted along u"},
+                  std::tuple{1.0, -1.0, kBumpInvertedV.id, "a relief that is inverted along v"}}) {
                 all.push_back(make(id, words, asPinhole));
                 all.back().reading.bump.uOrigin = origin;
                 all.back().reading.bump.mirrored = isMirrored;
                 all.back().reading.bump.gainU = u;
                 all.back().reading.bump.gainV = v;
             }
-    all.push_back(make("bump.flat", "a smooth ball", asPinhole));
+    all.push_back(make(kBumpFlat.id, "a smooth ball", asPinhole));
     all.back().reading.bump.gainU = all.back().reading.bump.gainV = 0.0;
     return all;
 }

@@ -1,3 +1,4 @@
+#include <grader/tasks/screenshot/ScreenshotFindings.h>
 #include <grader/tasks/screenshot/Words.h>
 
 #include <fmt/format.h>
@@ -9,9 +10,9 @@
 namespace ticker::tasks::screenshot {
 namespace {
 
-Finding finding(const char* id, Severity severity, std::string message, std::string hint) {
+Finding finding(const FindingText& text, Severity severity, std::string message, std::string hint) {
     Finding result;
-    result.id = id;
+    result.id = text.id;
     result.severity = severity;
     result.message = std::move(message);
     result.hint = std::move(hint);
@@ -20,7 +21,7 @@ Finding finding(const char* id, Severity severity, std::string message, std::str
 }
 
 Finding edited(std::string what, const std::string& message) {
-    Finding result = finding("screenshot.edited", Severity::fail, message,
+    Finding result = finding(kScreenshotEdited, Severity::fail, message,
                              "Hand in the file that tick1star -o screenshot.png writes, as it is.");
     result.evidence.emplace_back("edit", std::move(what));
     return result;
@@ -64,7 +65,7 @@ Raster differenceOf(const ByteView& reference, const ByteView& picture) {
 Finding otherCode(const ByteView& picture, const Scene& scene, Severity severity,
                   const std::string& told) {
     Finding result = finding(
-        "screenshot.not-from-this-code", severity,
+        kScreenshotNotFromThisCode, severity,
         fmt::format("The picture shows {}, but not as this {} renders it{}", scene.name,
                     optionOf(scene), told),
         fmt::format(
@@ -80,7 +81,7 @@ Finding otherCode(const ByteView& picture, const Scene& scene, Severity severity
 Finding wrongSize(const ByteView& picture, const std::optional<Cut>& cut) {
     const bool isOtherShape = cut && cut->kind == Cut::Kind::otherShape;
     Finding result = finding(
-        "screenshot.wrong-size", Severity::fail,
+        kScreenshotWrongSize, Severity::fail,
         fmt::format(
             "The picture has {} x {} pixels{}; expected is the handout's shape, 4 : 3, from "
             "{} x {} pixels upwards.",
@@ -95,7 +96,7 @@ Finding wrongSize(const ByteView& picture, const std::optional<Cut>& cut) {
 
 Finding notThisScene(const std::string& wanted, const std::string& shown) {
     Finding result =
-        finding("screenshot.not-this-scene", Severity::fail,
+        finding(kScreenshotNotThisScene, Severity::fail,
                 shown.empty()
                     ? fmt::format("The picture does not show {}, the scene of this option.", wanted)
                     : fmt::format("The picture shows {}; expected is {}, the scene of this option.",
@@ -207,7 +208,7 @@ Finding perhapsNotFromThisCode(const ByteView& picture, const Scene& scene,
 }
 
 Finding likeThisCode(const Scene& scene) {
-    return finding("screenshot.unverified", Severity::warn,
+    return finding(kScreenshotUnverified, Severity::warn,
                    fmt::format("The picture looks like what this {} renders, but pixel by pixel it "
                                "differs: it may have been scaled, cut, saved as JPEG or with fewer "
                                "colours, or rendered by an earlier version.",
@@ -216,7 +217,7 @@ Finding likeThisCode(const Scene& scene) {
 }
 
 Finding perhapsThroughTheLens() {
-    return finding("screenshot.unverified", Severity::warn,
+    return finding(kScreenshotUnverified, Severity::warn,
                    "The picture is softer than this BumpySphere.cpp makes it with the template's "
                    "Renderer.cpp: it may have been rendered with a solved Renderer.cpp, which was "
                    "not handed in.",
@@ -226,7 +227,7 @@ Finding perhapsThroughTheLens() {
 
 Finding isTheReference(double ratio) {
     Finding result = finding(
-        "screenshot.is-the-reference", Severity::warn,
+        kScreenshotIsTheReference, Severity::warn,
         fmt::format("The picture has {:.1f} % of the noise that this code leaves: it is the "
                     "course's reference picture, or took more than a thousand rays for each pixel.",
                     100.0 * ratio),
@@ -236,7 +237,7 @@ Finding isTheReference(double ratio) {
 }
 
 Finding slightlyOtherColours(const Recolouring& change) {
-    Finding result = finding("screenshot.colours", Severity::note,
+    Finding result = finding(kScreenshotColours, Severity::note,
                              fmt::format("The colours differ slightly from what this code renders, "
                                          "by {:.1f} of 255 on average.",
                                          change.distance),
@@ -247,7 +248,7 @@ Finding slightlyOtherColours(const Recolouring& change) {
 
 Finding savedAgain(const Agreement& agreement) {
     Finding result =
-        finding("screenshot.resaved", Severity::note,
+        finding(kScreenshotResaved, Severity::note,
                 "The picture has small errors everywhere, as those of a JPEG file that "
                 "was saved as PNG.",
                 "Hand in the file that tick1star -o screenshot.png writes, as it is.");
@@ -256,7 +257,7 @@ Finding savedAgain(const Agreement& agreement) {
 }
 
 Finding unverified(const std::string& why) {
-    return finding("screenshot.unverified", Severity::note,
+    return finding(kScreenshotUnverified, Severity::note,
                    "The picture was compared with the scene from far away only: " + why + ".", "");
 }
 

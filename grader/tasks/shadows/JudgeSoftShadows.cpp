@@ -1,7 +1,8 @@
-#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/shadows/JudgeSoftShadows.h>
-#include <grader/tasks/support/Plots.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/support/Plots.h>
 
 #include <algorithm>
 #include <utility>
@@ -23,7 +24,7 @@ bool castsNoRay(const ShadowLogs& logs) {
 void warnOfReading(const ShadowReading& reading, std::vector<Finding>& findings) {
     if (!reading.viewerIsEye) return;
     findings.push_back(distributedFinding(
-        "shadow.view-from-eye", Severity::warn,
+        kShadowViewFromEye, Severity::warn,
         "The highlights were expected as seen from O; they come out as seen from the origin of "
         "the world."));
 }
@@ -43,13 +44,13 @@ void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     const std::optional<Finding> starts = checkStarts(logs);
     // Rays from another place than the point go elsewhere, miss the light by more and meet other
     // things than they should: all that follows from the start.
-    const bool misplaced = starts && starts->id == "shadow.wrong";
+    const bool misplaced = starts && is(*starts, kShadowWrong);
     keepShadow(findings, starts);
     std::optional<Finding> fixed = checkFixedSamples(logs);
     std::optional<Finding> counts = checkRayCounts(logs, fixed.has_value());
     // Rays that start all around the point and go to the centre are no hard shadow; aims that are
     // all the centre are fixed, but that is not what went wrong.
-    const bool hard = counts && counts->id == "shadow.hard";
+    const bool hard = counts && is(*counts, kShadowHard);
     if (!counts && !misplaced) keepShadow(findings, checkSeveralCounts(logs, fixed.has_value()));
     const AimVerdict aims = judgeAims(logs.farLight);
     const bool copied = counts.has_value() || fixed.has_value();
@@ -69,7 +70,7 @@ void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
     ArithmeticVerdict arithmetic = checkArithmetic(logs);
     // Aims that miss the ball meet what stands around the light, rightly.
     const bool follows =
-        astray && arithmetic.finding && arithmetic.finding->id == "shadow.beyond-light";
+        astray && arithmetic.finding && is(*arithmetic.finding, kShadowBeyondLight);
     if (!follows) keepShadow(findings, std::move(arithmetic.finding));
     outcome.reading = arithmetic.reading;
     if (outcome.reading && !hasFailure(findings))

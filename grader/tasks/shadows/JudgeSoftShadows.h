@@ -1,6 +1,7 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_JUDGESOFTSHADOWS_H
 #define TICKER_TASKS_DISTRIBUTED_JUDGESOFTSHADOWS_H
 
+#include <grader/result/Finding.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
 
 #include <optional>

@@ -1,23 +1,26 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_FINDINGTEXT_H
 #define TICKER_TASKS_DISTRIBUTED_FINDINGTEXT_H
 
-#include <grader/result/Finding.h>
+#include <grader/result/FindingText.h>
 
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ticker::tasks {
 
-/// A finding of T2.1 or T2.2 with the hint and the handout's section that belong to its id.
+/// A finding with the hint and the handout's section of its text.
 /// @param seen  What was expected and what was seen: the message.
-[[nodiscard]] Finding distributedFinding(std::string_view id, Severity severity, std::string seen);
+[[nodiscard]] Finding distributedFinding(const FindingText& text, Severity severity,
+                                         std::string seen);
 
 [[nodiscard]] bool hasFailure(const std::vector<Finding>& findings);
 
-/// Puts findings into the order of docs/findings.md and keeps the first failure: the names of the
-/// others become its evidence, warnings and notes follow it.
-[[nodiscard]] std::vector<Finding> mostImportantFirst(std::vector<Finding> findings);
+/// Puts findings into their order of rank and keeps the first failure: the names of the others
+/// become its evidence, warnings and notes follow it.
+/// @param order  The table of the task; what is not in it comes last.
+[[nodiscard]] std::vector<Finding> mostImportantFirst(std::vector<Finding> findings,
+                                                      std::span<const FindingText* const> order);
 
 }  // namespace ticker::tasks
 

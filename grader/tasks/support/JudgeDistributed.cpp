@@ -1,15 +1,18 @@
-#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/lens/FocusMistakes.h>
 #include <grader/tasks/lens/JudgeDepthOfField.h>
-#include <grader/tasks/support/JudgeDistributed.h>
-#include <grader/tasks/shadows/JudgeSoftShadows.h>
 #include <grader/tasks/lens/LensChecks.h>
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/LensQuestions.h>
+#include <grader/tasks/shadows/JudgeSoftShadows.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/support/JudgeDistributed.h>
 #include <grader/tasks/support/RunEnd.h>
 #include <grader/tasks/support/Stages.h>
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,22 +20,23 @@
 namespace ticker::tasks {
 namespace {
 
-TaskJudgement judgementOf(std::vector<Finding> findings, bool needsReview = false) {
+TaskJudgement judgementOf(std::vector<Finding> findings, std::span<const FindingText* const> order,
+                          bool needsReview = false) {
     TaskJudgement judgement;
-    judgement.findings = mostImportantFirst(std::move(findings));
+    judgement.findings = mostImportantFirst(std::move(findings), order);
     const bool failed = hasFailure(judgement.findings);
     judgement.state = failed ? TaskState::failed : TaskState::passed;
     judgement.needsReview = needsReview && !failed;
     return judgement;
 }
 
-bool contains(const std::vector<Finding>& findings, std::string_view id) {
-    return std::ranges::find(findings, id, &Finding::id) != findings.end();
+bool contains(const std::vector<Finding>& findings, const FindingText& text) {
+    return std::ranges::any_of(findings, [&](const Finding& finding) { return is(finding, text); });
 }
 
-Finding unseenRays(const char* id, const std::string& what) {
+Finding unseenRays(const FindingText& text, const std::string& what) {
     Finding finding = distributedFinding(
-        id, Severity::note, what + ": what it computes is judged by its results alone.");
+        text, Severity::note, what + ": what it computes is judged by its results alone.");
     return finding;
 }
 
@@ -40,18 +44,18 @@ Finding unseenRays(const char* id, const std::string& what) {
 bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOutcome& outcome) {
     // A light of the wrong size also changes points that should be fully lit.
     const bool unexplained =
-        !outcome.findings.empty() && outcome.findings.front().id == "shadow.wrong";
+        !outcome.findings.empty() && is(outcome.findings.front(), kShadowWrong);
     const bool cut = outcome.cut && !hasFailure(outcome.findings);
     if (!cut && !(outcome.rayless && (outcome.reading || unexplained))) return false;
     outcome.findings.push_back(
-        unseenRays("shadow.unseen-rays",
+        unseenRays(kShadowUnseenRays,
                    cut ? "illuminate casts far more rays than asked for, so not all were followed"
                        : "illuminate casts no ray through findClosestIntersection"));
     const bool needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
         return judgePenumbra(examinee, seed, stage);
     });
     // Where full shadow is lit, its edge has no fraction either; that is not what went wrong.
-    if (unexplained && outcome.findings.back().id == "shadow.hard") outcome.findings.pop_back();
+    if (unexplained && is(outcome.findings.back(), kShadowHard)) outcome.findings.pop_back();
     return needsReview;
 }
 
@@ -77,8 +81,9 @@ TaskJudgement judgeShadowTask(probe::Examinee& examinee, std::uint64_t seed) {
                                    }) ||
                       needsReview;
     // The steps at the edges of shadows are for a person to see.
-    needsReview = needsReview || contains(outcome.findings, "shadow.fixed-samples");
-    TaskJudgement judgement = judgementOf(std::move(outcome.findings), needsReview);
+    needsReview = needsReview || contains(outcome.findings, kShadowFixedSamples);
+    TaskJudgement judgement =
+        judgementOf(std::move(outcome.findings), kShadowFindings, needsReview);
     judgement.plots = std::move(outcome.plots);
     return judgement;
 }
@@ -90,7 +95,7 @@ bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntiali
                   LensOutcome& outcome) {
     if (outcome.rayless || outcome.valueless || (outcome.cut && !hasFailure(outcome.findings))) {
         outcome.findings.push_back(unseenRays(
-            "dof.unseen-rays",
+            kDofUnseenRays,
             outcome.cut ? "render casts far more rays than asked for, so not all were followed"
                         : "render does not send its rays through trace"));
         return keepRepeated(outcome.findings, [&](std::uint64_t stage) {
@@ -133,9 +138,10 @@ TaskJudgement judgeLensTask(probe::Examinee& examinee, std::uint64_t seed,
     const auto& handout = std::get<probe::RenderAnswer>(sitting.answers[0]);
     const auto& other = std::get<probe::RenderAnswer>(sitting.answers[1]);
     if (handout.wrongSize)
-        return judgementOf({distributedFinding(
-            "dof.wrong", Severity::fail,
-            "A picture of the size in settings() was expected; one of another size came back.")});
+        return judgementOf({distributedFinding(kDofWrong, Severity::fail,
+                                               "A picture of the size in settings() was expected; "
+                                               "one of another size came back.")},
+                           kLensFindings);
     LensLog atHandout = readLensLog(asked.handout, handout);
     LensLog atOther = readLensLog(asked.other, other);
     const bool mayAntialias = antialiases(examinee, atHandout, seed);
@@ -143,7 +149,7 @@ TaskJudgement judgeLensTask(probe::Examinee& examinee, std::uint64_t seed,
     LensOutcome outcome = judgeDepthOfField(atHandout, atOther);
     const bool needsReview = judgeResults(examinee, seed, mayAntialias, outcome);
     apertureFactor = outcome.apertureFactor;
-    TaskJudgement judgement = judgementOf(std::move(outcome.findings), needsReview);
+    TaskJudgement judgement = judgementOf(std::move(outcome.findings), kLensFindings, needsReview);
     judgement.plots = std::move(outcome.plots);
     return judgement;
 }

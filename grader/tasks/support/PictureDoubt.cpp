@@ -1,13 +1,14 @@
+#include <grader/probe/Question.h>
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/support/PictureDoubt.h>
-#include <grader/probe/Question.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <initializer_list>
 #include <string>
-#include <string_view>
 
 namespace ticker::tasks {
 namespace {
@@ -16,10 +17,12 @@ bool hasPassed(const TaskReport& task) {
     return task.state == TaskState::passed;
 }
 
-bool hasFinding(const std::vector<TaskReport>& tasks, std::initializer_list<std::string_view> ids) {
+bool hasFinding(const std::vector<TaskReport>& tasks,
+                std::initializer_list<const FindingText*> texts) {
     return std::ranges::any_of(tasks, [&](const TaskReport& task) {
         return std::ranges::any_of(task.findings, [&](const Finding& finding) {
-            return std::ranges::find(ids, finding.id) != ids.end();
+            return std::ranges::any_of(texts,
+                                       [&](const FindingText* text) { return is(finding, *text); });
         });
     });
 }
@@ -27,18 +30,18 @@ bool hasFinding(const std::vector<TaskReport>& tasks, std::initializer_list<std:
 // Highlights as seen from the eye change every reflection, antialiasing every edge: both are
 // accepted.
 bool isExplained(const std::vector<TaskReport>& tasks) {
-    return hasFinding(tasks, {"shadow.view-from-eye", "dof.antialiased"});
+    return hasFinding(tasks, {&kShadowViewFromEye, &kDofAntialiased});
 }
 
 // Points that all pixels share move the picture as a whole: one pattern of fifty gave 1.13.
 double limitFor(const std::vector<TaskReport>& tasks) {
     constexpr double kOfOnePattern = 2.0;
-    return hasFinding(tasks, {"dof.reused-pattern", "shadow.fixed-samples"}) ? kOfOnePattern
-                                                                             : kMostMisfit;
+    return hasFinding(tasks, {&kDofReusedPattern, &kShadowFixedSamples}) ? kOfOnePattern
+                                                                         : kMostMisfit;
 }
 
 Finding doubt(const std::string& message) {
-    return distributedFinding("dof.picture-differs", Severity::warn, message);
+    return distributedFinding(kDofPictureDiffers, Severity::warn, message);
 }
 
 Finding missing() {

@@ -1,3 +1,4 @@
+#include <grader/result/GeneralFindings.h>
 #include <grader/tasks/support/RunEnd.h>
 
 #include <fmt/core.h>
@@ -12,7 +13,7 @@ using probe::AnswerState;
 using Kind = probe::ProcessEnd::Kind;
 
 struct EndText {
-    const char* id;
+    std::string_view id;
     const char* seen;
     const char* hint;
 };
@@ -20,31 +21,31 @@ struct EndText {
 EndText textOf(Kind kind) {
     switch (kind) {
         case Kind::crashed:
-            return {"run.crashed", "it crashed",
+            return {kRunCrashed.id, "it crashed",
                     "Run it in a debugger, or with sanitizers on. Look for an index beyond the end "
                     "of an array or a vector (x and y exchanged, say), and for a function that "
                     "calls itself without end."};
         case Kind::exitedEarly:
-            return {"run.exited-early", "the program left before it had answered",
+            return {kRunExitedEarly.id, "the program left before it had answered",
                     "Do not call exit() or the like."};
         case Kind::timedOut:
-            return {"run.timed-out", "it was still busy when its time was up",
+            return {kRunTimedOut.id, "it was still busy when its time was up",
                     "Look for a loop that does not end, or for far more rays than asked for."};
         case Kind::memory:
             return {
-                "run.memory", "it ran out of memory",
+                kRunMemory.id, "it ran out of memory",
                 "Look for a container that only grows, and for an array that is far too large."};
         case Kind::outputLimit:
-            return {"run.output-limit", "it printed too much", "Remove the debugging output."};
+            return {kRunOutputLimit.id, "it printed too much", "Remove the debugging output."};
         case Kind::forbiddenCall:
-            return {"run.forbidden-call",
+            return {kRunForbiddenCall.id,
                     "it asked the system for something that a renderer does not need",
                     "No files, processes or network connections are needed here."};
         case Kind::finished:
         case Kind::ourFault:
             break;
     }
-    return {"run.no-answer", "no answer came", "Make sure that the function returns."};
+    return {kRunNoAnswer.id, "no answer came", "Make sure that the function returns."};
 }
 
 // Of the first answer that is not there in full.
@@ -82,7 +83,7 @@ std::optional<TaskJudgement> judgeUnanswered(const probe::Sitting& sitting,
     EndText text = textOf(sitting.end.kind);
     std::string seen = text.seen;
     if (missing.state == AnswerState::threw) {
-        text = {"run.crashed", "", "Find out where the exception comes from; nobody catches it."};
+        text = {kRunCrashed.id, "", "Find out where the exception comes from; nobody catches it."};
         seen = fmt::format("an exception came out of it: {}", missing.message);
     } else if (!sitting.end.detail.empty()) {
         seen += " (" + sitting.end.detail + ")";

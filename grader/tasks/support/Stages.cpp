@@ -1,9 +1,12 @@
-#include <grader/tasks/support/FindingText.h>
+#include <grader/result/GeneralFindings.h>
 #include <grader/tasks/lens/JudgeDepthOfField.h>
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/LensQuestions.h>
+#include <grader/tasks/lens/PictureCheck.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/checks/LitRender.h>
 #include <grader/tasks/shadows/checks/PenumbraCheck.h>
-#include <grader/tasks/lens/PictureCheck.h>
+#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/support/RunEnd.h>
 #include <grader/tasks/support/Stages.h>
 
@@ -22,15 +25,15 @@ std::uint64_t seedOf(std::uint64_t seed, std::uint64_t stage) {
     return seed * 4 + stage;
 }
 
-Stage doubtful(std::string_view id, std::string why) {
-    return {std::nullopt, distributedFinding(id, Severity::warn, std::move(why))};
+Stage doubtful(const FindingText& text, std::string why) {
+    return {std::nullopt, distributedFinding(text, Severity::warn, std::move(why))};
 }
 
 // Answers that do not come here, though they came before, are nothing to fail by.
 Stage unanswered(const probe::Sitting& sitting, std::string_view function) {
     std::optional<TaskJudgement> blocked = judgeUnanswered(sitting, function);
     if (!blocked || blocked->findings.empty())
-        return doubtful("run.no-answer", "Questions that were asked once more got no answer.");
+        return doubtful(kRunNoAnswer, "Questions that were asked once more got no answer.");
     Finding doubt = std::move(blocked->findings.front());
     doubt.severity = Severity::warn;
     return {std::nullopt, std::move(doubt)};
@@ -50,7 +53,7 @@ bool sameEachTime(const probe::RenderAnswer& answer) {
 
 Stage stageOf(PictureVerdict verdict) {
     if (verdict.ambiguous)
-        return doubtful("dof.unseen-rays",
+        return doubtful(kDofUnseenRays,
                         "Its pictures are neither clearly right nor clearly wrong: a person has to "
                         "compare them.");
     return {std::move(verdict.finding), std::nullopt, verdict.apertureFactor};
@@ -65,7 +68,7 @@ Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t
     if (answer == nullptr) return unanswered(sitting, "illuminate");
     PenumbraVerdict verdict = checkPenumbra(asked, *answer);
     if (verdict.ambiguous)
-        return doubtful("shadow.unseen-rays",
+        return doubtful(kShadowUnseenRays,
                         "What it gives at the edges of shadows is neither clearly right nor "
                         "clearly wrong: a person has to look.");
     return {std::move(verdict.finding), std::nullopt};
@@ -119,14 +122,14 @@ Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed, std::uint64_
     const auto* alone = answeredBy<probe::RenderAnswer>(sitting);
     if (alone == nullptr) return {};
     if (const auto said = litDifference(readLitRender(asked[0], *alone)))
-        return doubtful("shadow.not-in-renders",
+        return doubtful(kShadowNotInRenders,
                         "Asked about single points, illuminate casts the shadow rays that were "
                         "expected; inside of render, " +
                             *said + ": a person has to compare the two.");
     const auto* together = answeredBy<probe::RenderAnswer>(sitting, 1);
     if (together == nullptr) return unanswered(sitting, "render, with two threads,");
     if (const auto said = litDifference(readLitRender(asked[1], *together)))
-        return {distributedFinding("shadow.threads-mixed", Severity::fail,
+        return {distributedFinding(kShadowThreadsMixed, Severity::fail,
                                    "With one thread the shadows are right; with two, and "
                                    "forEachPixel has as many as the machine has cores, " +
                                        *said + '.'),

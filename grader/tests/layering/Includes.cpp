@@ -11,6 +11,12 @@ namespace fs = std::filesystem;
 
 const fs::path kTop{TICKER_SOURCE_DIR};
 
+/// Tables of findings lie in their tasks' folders, but below all code: report and rubric read them,
+/// too.
+bool isTableOfFindings(const std::string& file) {
+    return fs::path{file}.stem().string().ends_with("Findings");
+}
+
 }  // namespace
 
 std::optional<std::string> layerOf(const fs::path& file) {
@@ -24,6 +30,7 @@ std::optional<std::string> layerOf(const fs::path& file) {
     }
     if (at(0) == "student_template" && at(1) == "tests" && at(2) == "questions") return "questions";
     if (at(1) == "exercise") return "exercise";
+    if (at(1) == "tasks" && isTableOfFindings(file.filename().string())) return "findings";
     const bool isSubmission = at(1) == "corpus" && parts.size() > 3;
     if (at(0) == "grader" && at(1) != "tests" && at(1) != "bench" && at(1) != "integrations" &&
         !isSubmission)
@@ -34,6 +41,7 @@ std::optional<std::string> layerOf(const fs::path& file) {
 std::optional<std::string> folderOf(const std::string& header) {
     static const std::regex kOurs{R"(^((raytracer|grader)/[a-z]+)/.*)"};
     std::smatch match;
+    if (header.starts_with("grader/tasks/") && isTableOfFindings(header)) return "findings";
     if (std::regex_match(header, match, kOurs)) return match[1];
     if (header.starts_with("questions/")) return "questions";
     return std::nullopt;

@@ -65,7 +65,7 @@ Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examina
     Evidence evidence;
     std::string also;
     for (std::size_t i = 1; i < faults.size(); ++i)
-        also += (also.empty() ? "" : ", ") + idOf(faults[i]);
+        also += (also.empty() ? "" : ", ") + std::string{textOf(faults[i]).id};
     if (!also.empty()) evidence.emplace_back("also", also);
     if (examination.letters) addLetters(evidence, *examination.letters);
     if (examination.ramps().response) {

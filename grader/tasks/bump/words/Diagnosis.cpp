@@ -1,6 +1,10 @@
+#include <grader/result/GeneralFindings.h>
+#include <grader/tasks/bump/BumpFindings.h>
 #include <grader/tasks/bump/words/Diagnosis.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace ticker::tasks::bump {
 namespace {
@@ -99,32 +103,19 @@ bool isTransposed(const Examination& examination, const std::optional<Hints>& hi
 
 }  // namespace
 
-std::string idOf(Fault fault) {
-    switch (fault) {
-        case Fault::threw:
-            return "run.crashed";
-        case Fault::notFinite:
-            return "bump.not-finite";
-        case Fault::notUnit:
-            return "bump.not-unit";
-        case Fault::flat:
-            return "bump.flat";
-        case Fault::longitudeDependent:
-            return "bump.longitude-dependent";
-        case Fault::swapped:
-            return "bump.swapped-axes";
-        case Fault::inverted:
-            return "bump.inverted";
-        case Fault::invertedU:
-            return "bump.inverted-u";
-        case Fault::invertedV:
-            return "bump.inverted-v";
-        case Fault::upsideDown:
-            return "bump.upside-down";
-        case Fault::wrong:
-            break;
-    }
-    return "bump.wrong";
+const FindingText& textOf(Fault fault) {
+    static constexpr std::array kTexts{&kRunCrashed,
+                                       &kBumpNotFinite,
+                                       &kBumpNotUnit,
+                                       &kBumpFlat,
+                                       &kBumpLongitudeDependent,
+                                       &kBumpSwappedAxes,
+                                       &kBumpInverted,
+                                       &kBumpInvertedU,
+                                       &kBumpInvertedV,
+                                       &kBumpUpsideDown,
+                                       &kBumpWrong};
+    return *kTexts.at(static_cast<std::size_t>(fault));
 }
 
 std::optional<WrongReason> findWrong(const Examination& examination) {

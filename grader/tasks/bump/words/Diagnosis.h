@@ -1,10 +1,10 @@
 #ifndef TICKER_TASKS_BUMP_DIAGNOSIS_H
 #define TICKER_TASKS_BUMP_DIAGNOSIS_H
 
+#include <grader/result/FindingText.h>
 #include <grader/tasks/bump/Examination.h>
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace ticker::tasks::bump {
@@ -24,8 +24,8 @@ enum class Fault {
     wrong
 };
 
-/// The finding's id: "bump.inverted-u".
-[[nodiscard]] std::string idOf(Fault fault);
+/// Its row among the findings.
+[[nodiscard]] const FindingText& textOf(Fault fault);
 
 /// Every fault that applies, most important first; empty for a right submission.
 [[nodiscard]] std::vector<Fault> diagnose(const Examination& examination,

@@ -1,3 +1,5 @@
+#include <grader/result/GeneralFindings.h>
+#include <grader/tasks/bump/BumpFindings.h>
 #include <grader/tasks/bump/words/Words.h>
 
 #include <grader/tasks/bump/words/BumpEvidence.h>
@@ -166,9 +168,9 @@ Words wordsFor(Fault fault, const Examination& examination, const std::optional<
     return {};
 }
 
-Finding note(const std::string& id, Severity severity, Words words) {
+Finding note(const FindingText& text, Severity severity, Words words) {
     Finding finding;
-    finding.id = id;
+    finding.id = text.id;
     finding.severity = severity;
     finding.message = std::move(words.message);
     finding.hint = std::move(words.hint);
@@ -178,14 +180,14 @@ Finding note(const std::string& id, Severity severity, Words words) {
 
 Finding mirroredNote() {
     return note(
-        "bump.mirrored", Severity::note,
+        kBumpMirrored, Severity::note,
         {"The map is mirrored: text on it reads from right to left. That alone is accepted.",
          "Let u grow to the right as seen from outside.", "Option 1: What to do, step 1"});
 }
 
 Finding endRowsWarning(const MapEdges& edges) {
     return note(
-        "bump.wrong", Severity::warn,
+        kBumpWrong, Severity::warn,
         {fmt::format(
              "In the map's first or last row the normal tilts {} times as far as anywhere "
              "else, on a map of a gentle wave: what lies beyond that row counts as a height "
@@ -205,7 +207,7 @@ Finding describe(const std::vector<Fault>& faults, const Examination& examinatio
         addNext(words, wordsFor(faults[1], examination, hints));
     if (isSign(faults.front()) && standsOnItsHead(examination))
         words = signOnItsHeadWords(std::move(words));
-    Finding finding = note(idOf(faults.front()), Severity::fail, std::move(words));
+    Finding finding = note(textOf(faults.front()), Severity::fail, std::move(words));
     finding.evidence = evidenceOf(faults, examination);
     return finding;
 }
@@ -214,12 +216,12 @@ std::vector<Finding> sideNotes(const Examination& examination) {
     const Conduct& conduct = examination.conduct;
     std::vector<Finding> notes;
     if (conduct.threwHidden)
-        notes.push_back(note("run.crashed", Severity::warn, threwWords(conduct.threwHidden)));
+        notes.push_back(note(kRunCrashed, Severity::warn, threwWords(conduct.threwHidden)));
     if (conduct.notFiniteHidden)
         notes.push_back(
-            note("bump.not-finite", Severity::warn, notFiniteWords(conduct.notFiniteHidden)));
+            note(kBumpNotFinite, Severity::warn, notFiniteWords(conduct.notFiniteHidden)));
     if (conduct.notUnitHidden)
-        notes.push_back(note("bump.not-unit", Severity::warn, notUnitWords(conduct.notUnitHidden)));
+        notes.push_back(note(kBumpNotUnit, Severity::warn, notUnitWords(conduct.notUnitHidden)));
     if (examination.edges && examination.edges->goodSeam() && !examination.edges->goodEndRows())
         notes.push_back(endRowsWarning(*examination.edges));
     // What reads from right to left on its head may do so from left to right on its feet, and what

@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/support/FindingText.h>
 
@@ -12,32 +13,32 @@ namespace {
 
 struct NamedArithmetic {
     ShadowArithmetic arithmetic;
-    const char* id;
+    const FindingText* text;
     const char* seen;
 };
 
 constexpr std::array kMistakes{
-    NamedArithmetic{ShadowArithmetic::inverted, "shadow.inverted",
+    NamedArithmetic{ShadowArithmetic::inverted, &kShadowInverted,
                     "Points that no ray's way is blocked from were expected to be lit; lit and "
                     "shadowed are exchanged."},
-    NamedArithmetic{ShadowArithmetic::litIfAll, "shadow.all-or-nothing",
+    NamedArithmetic{ShadowArithmetic::litIfAll, &kShadowAllOrNothing,
                     "At the edge of a shadow a fraction of the light was expected; there is all of "
                     "it where every ray arrives and none elsewhere."},
-    NamedArithmetic{ShadowArithmetic::litIfAny, "shadow.all-or-nothing",
+    NamedArithmetic{ShadowArithmetic::litIfAny, &kShadowAllOrNothing,
                     "At the edge of a shadow a fraction of the light was expected; there is all of "
                     "it as soon as one ray arrives."},
-    NamedArithmetic{ShadowArithmetic::litIfHalf, "shadow.all-or-nothing",
+    NamedArithmetic{ShadowArithmetic::litIfHalf, &kShadowAllOrNothing,
                     "At the edge of a shadow a fraction of the light was expected; there is all of "
                     "it where more than half of the rays arrive and none elsewhere."},
     NamedArithmetic{
-        ShadowArithmetic::ambientScaled, "shadow.ambient-scaled",
+        ShadowArithmetic::ambientScaled, &kShadowAmbientScaled,
         "In shadow the ambient light was expected to stay; it is scaled like the rest."},
-    NamedArithmetic{ShadowArithmetic::specularUnshadowed, "shadow.specular-unshadowed",
+    NamedArithmetic{ShadowArithmetic::specularUnshadowed, &kShadowSpecularUnshadowed,
                     "In shadow no highlight was expected; the specular term is there in full."},
-    NamedArithmetic{ShadowArithmetic::specularIfAny, "shadow.specular-unshadowed",
+    NamedArithmetic{ShadowArithmetic::specularIfAny, &kShadowSpecularUnshadowed,
                     "At the edge of a shadow a fraction of the highlight was expected; it is there "
                     "in full as soon as one ray arrives."},
-    NamedArithmetic{ShadowArithmetic::diffuseUnshadowed, "shadow.diffuse-unshadowed",
+    NamedArithmetic{ShadowArithmetic::diffuseUnshadowed, &kShadowDiffuseUnshadowed,
                     "In shadow no diffuse light was expected; the diffuse term is there in full."}};
 
 // Geometry's word on a point that lies in full light or full shadow of every light.
@@ -86,7 +87,7 @@ Finding findingOf(ShadowArithmetic arithmetic) {
     const auto* mistake =
         std::find_if(kMistakes.begin(), kMistakes.end(),
                      [&](const NamedArithmetic& known) { return known.arithmetic == arithmetic; });
-    return distributedFinding(mistake->id, Severity::fail, mistake->seen);
+    return distributedFinding(*mistake->text, Severity::fail, mistake->seen);
 }
 
 const std::vector<ShadowArithmetic>& namedMistakes() {
@@ -101,7 +102,7 @@ const std::vector<ShadowArithmetic>& namedMistakes() {
 
 Finding lightsLostBehind() {
     Finding finding = distributedFinding(
-        "shadow.lights-mixed", Severity::fail,
+        kShadowLightsMixed, Severity::fail,
         "Where one of three lights shines on the back of the surface, the two others were expected "
         "to light it all the same; they do not, or not both.");
     finding.hint =
@@ -112,7 +113,7 @@ Finding lightsLostBehind() {
 
 Finding ambientForEachLight() {
     Finding finding = distributedFinding(
-        "shadow.lights-mixed", Severity::fail,
+        kShadowLightsMixed, Severity::fail,
         "With one light the colours are right; with three lights the ambient light was expected "
         "once, and it is there three times.");
     finding.hint =
@@ -124,7 +125,7 @@ Finding ambientForEachLight() {
 
 Finding oneObjectCasts() {
     Finding finding = distributedFinding(
-        "shadow.lights-mixed", Severity::fail,
+        kShadowLightsMixed, Severity::fail,
         "With one sphere in the scene its shadow is right; with two spheres the shadow of one is "
         "there, and the other casts none.");
     finding.hint =
@@ -136,7 +137,7 @@ Finding oneObjectCasts() {
 
 Finding hitsMistaken() {
     Finding finding = distributedFinding(
-        "shadow.wrong", Severity::fail,
+        kShadowWrong, Severity::fail,
         "With one object on the way of the rays the colours are right; where two spheres stand one "
         "behind the other before the light, and others behind the light in the same line, they are "
         "not.");
@@ -150,7 +151,7 @@ Finding hitsMistaken() {
 
 Finding planesCastNothing() {
     Finding finding = distributedFinding(
-        "shadow.wrong", Severity::fail,
+        kShadowWrong, Severity::fail,
         "Spheres cast the shadows that were expected; a plane between a point and the light does "
         "not.");
     finding.hint =

@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/PenumbraHits.h>
 #include <grader/tasks/support/FindingText.h>
 
@@ -49,7 +50,7 @@ bool countsEveryHit(const probe::IlluminateQuestion& asked,
 
 Finding everyHitCounts() {
     Finding finding = distributedFinding(
-        "shadow.wrong", Severity::fail,
+        kShadowWrong, Severity::fail,
         "Where a ray meets two objects before the light it was expected to count once; its part of "
         "the light is taken away twice, so that the edges of such shadows are too dark.");
     finding.hint =

@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
 #include <grader/tasks/shadows/checks/HighlightCheck.h>
@@ -127,7 +128,7 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
         }
     if (points < kEnough || std::abs(worst.highlight - expected) < kRight) return std::nullopt;
     Finding finding = distributedFinding(
-        "shadow.wrong", Severity::fail,
+        kShadowWrong, Severity::fail,
         "The ambient and the diffuse light are right, and shadows are soft; the highlight (the "
         "specular term) is not what was expected.");
     finding.hint =

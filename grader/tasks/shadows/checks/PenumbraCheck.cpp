@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/PenumbraFit.h>
 #include <grader/tasks/shadows/answers/PenumbraHits.h>
 #include <grader/tasks/shadows/answers/PenumbraShares.h>
@@ -71,15 +72,15 @@ std::optional<Finding> checkFractions(const std::vector<PenumbraSamples>& seen,
     }
     if (rays > 1)
         return distributedFinding(
-            "shadow.too-few-rays", Severity::fail,
+            kShadowTooFewRays, Severity::fail,
             fmt::format("10 shadow rays were expected; the light at the edge of a shadow comes in "
                         "steps of 1/{}.",
                         rays));
     if (spread > 1e-9 && away > 0.15)
-        return distributedFinding("shadow.all-or-nothing", Severity::fail,
+        return distributedFinding(kShadowAllOrNothing, Severity::fail,
                                   "At the edge of a shadow a fraction of the light was expected; "
                                   "there is all of it or none, never a part.");
-    return distributedFinding("shadow.hard", Severity::fail,
+    return distributedFinding(kShadowHard, Severity::fail,
                               "At the edge of a shadow a fraction of the light was expected; there "
                               "is all of it or none, as from one shadow ray.");
 }
@@ -124,7 +125,7 @@ double leftInShadow(const std::vector<PenumbraSamples>& rim) {
 
 Finding leftInShadowFinding(double left) {
     Finding finding = distributedFinding(
-        "shadow.wrong", Severity::fail,
+        kShadowWrong, Severity::fail,
         fmt::format("In full shadow the ambient light alone was expected; {:.2g} of the light's "
                     "own is left there, too.",
                     left));
@@ -146,12 +147,12 @@ Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces
     Finding finding =
         size > 0.0
             ? distributedFinding(
-                  "shadow.light-size", Severity::fail,
+                  kShadowLightSize, Severity::fail,
                   fmt::format("At the edge of a shadow the mean of many calls is known for a light "
                               "of radius {}; illuminate gives about that of one of radius {:.2g}.",
                               asked.settings.lightSize, radius))
             : distributedFinding(
-                  "shadow.wrong", Severity::fail,
+                  kShadowWrong, Severity::fail,
                   "At the edge of a shadow the mean of many calls is known; illuminate gives "
                   "another one, so that the light has the wrong size or shape, or the share is "
                   "computed wrongly.");
@@ -176,7 +177,7 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
     };
     if (!std::all_of(seen.begin(), seen.end(), isFinite) ||
         !std::all_of(rim.begin(), rim.end(), isFinite))
-        return {distributedFinding("shadow.wrong", Severity::fail,
+        return {distributedFinding(kShadowWrong, Severity::fail,
                                    "A colour was expected from illuminate; at the edge of a shadow "
                                    "it gave a value that is no number."),
                 0.0, false};

@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/checks/HighlightCheck.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
@@ -53,7 +54,7 @@ std::optional<Finding> knownMistake(const Logs& logs) {
         return finding;
     }
     if (!neverAFraction(logs)) return std::nullopt;
-    return distributedFinding("shadow.all-or-nothing", Severity::fail,
+    return distributedFinding(kShadowAllOrNothing, Severity::fail,
                               "At the edge of a shadow a fraction of the light was expected; there "
                               "is all of it or none, never a part.");
 }
@@ -86,7 +87,7 @@ bool aimBesideTheLight(const Logs& logs) {
 std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& reading) {
     if (!allFit(logs.beyondLight, reading, ShadowArithmetic::right)) {
         Finding finding = distributedFinding(
-            "shadow.beyond-light", Severity::fail,
+            kShadowBeyondLight, Severity::fail,
             "A point in plain sight of the light was expected to be lit; an object behind the "
             "light casts a shadow on it.");
         addWorstPoint(logs.beyondLight, finding);
@@ -97,7 +98,7 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
     }
     if (!allFit(logs.severalLights, reading, ShadowArithmetic::right)) {
         Finding finding = distributedFinding(
-            "shadow.lights-mixed", Severity::fail,
+            kShadowLightsMixed, Severity::fail,
             "With one light the colours are right; with three lights each was expected to add its "
             "own light scaled by its own share, and what comes out is something else.");
         if (allFit(logs.severalLights, reading, ShadowArithmetic::ambientForEachLight))

@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/support/FindingText.h>
 
@@ -71,7 +72,7 @@ std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& ai
         const std::size_t asked = askedOf(*log);
         if (const PointLog* point = leftOut(*log, reading)) {
             Finding finding = distributedFinding(
-                "shadow.wrong", Severity::fail,
+                kShadowWrong, Severity::fail,
                 kExpected + fmt::format("where {0} of {1} rays are above it and {2} arrive, there "
                                         "is {2}/{0} of the light instead of {2}/{1}.",
                                         point->lines[0].size(), asked, openOf(*point)));
@@ -84,7 +85,7 @@ std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& ai
         }
         if (noneGoesBelow(*log, aims)) {
             Finding finding = distributedFinding(
-                "shadow.wrong", Severity::fail,
+                kShadowWrong, Severity::fail,
                 kExpected + std::string{"no ray goes there, and all the light arrives."});
             finding.hint =
                 "Take each random point of the light as it is drawn: do not draw it again, mirror "

@@ -1,3 +1,5 @@
+#include <grader/result/GeneralFindings.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/support/Draw.h>
@@ -103,7 +105,7 @@ std::optional<Finding> checkFinite(const ShadowLogs& logs) {
     for (const ShadowLog* log : logs.atHandoutSettings())
         for (const PointLog& point : log->points)
             if (!std::isfinite(point.colour.r + point.colour.g + point.colour.b))
-                return distributedFinding("shadow.wrong", Severity::fail,
+                return distributedFinding(kShadowWrong, Severity::fail,
                                           "A colour was expected from illuminate; at an ordinary "
                                           "point it gave a value that is no number.");
     return std::nullopt;
@@ -115,7 +117,7 @@ std::optional<Finding> checkFixedSamples(const ShadowLogs& logs) {
         if (!sameAimsEverywhere(*log)) return std::nullopt;
     const std::size_t distinct = distinctRays(logs.oneLight[0]->points[0].lines[0]);
     Finding finding = distributedFinding(
-        "shadow.fixed-samples", distinct <= 2 ? Severity::fail : Severity::warn,
+        kShadowFixedSamples, distinct <= 2 ? Severity::fail : Severity::warn,
         fmt::format("New random points of the light were expected for every point that is lit; "
                     "the same {} are used at all of them{}.",
                     distinct, distinct <= 2 ? "" : ", so that the edges of shadows come in steps"));
@@ -132,7 +134,7 @@ std::optional<Finding> checkSmallPool(const AimVerdict& aims) {
     const auto asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
     if (aims.lines == 0 || aims.distinct > 2 * asked) return std::nullopt;
     Finding finding = distributedFinding(
-        "shadow.fixed-samples", Severity::warn,
+        kShadowFixedSamples, Severity::warn,
         fmt::format("New random points of the light were expected for every point that is lit; "
                     "the same {} or so come again and again, in changing order.",
                     aims.distinct));
@@ -149,7 +151,7 @@ std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs) {
     // large in angle grows by more than 15, a ball of any size not at all.
     if (far < 2.0 * radius || far < 5.0 * near) return std::nullopt;
     Finding finding = distributedFinding(
-        "shadow.direction-offset", Severity::fail,
+        kShadowDirectionOffset, Severity::fail,
         fmt::format("Shadow rays were expected to pass within {} of the light's centre whatever "
                     "its distance; at a light 6 units away they pass within {:.2f}, at one more "
                     "than 100 away within {:.1f}: the light grows with the distance.",
@@ -169,24 +171,24 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
     std::optional<Finding> finding;
     if (aims.together) {
         finding = distributedFinding(
-            "shadow.not-a-ball", Severity::fail,
+            kShadowNotABall, Severity::fail,
             "A new random point of the light was expected for each shadow ray; the rays of one "
             "point all go to one side of the light, or lie along one line.");
     } else if (aims.offCentre || (!aims.shapeIsRight() && (!aims.scaledShape || asWide))) {
         finding = distributedFinding(
-            "shadow.not-a-ball", Severity::fail,
+            kShadowNotABall, Severity::fail,
             fmt::format("Shadow rays were expected to fill a ball of radius {} around the light; "
                         "where they aim has another shape{}.",
                         radius, aims.offCentre ? ", off the light's centre" : ""));
     } else if (aims.tooWide || !aims.shapeIsRight() || aims.huddled) {
         finding = distributedFinding(
-            "shadow.light-size", Severity::fail,
+            kShadowLightSize, Severity::fail,
             fmt::format("Shadow rays were expected to pass within {} of the light's centre; they "
                         "fill a ball of radius {:.3g}.",
                         radius, widest));
     } else if (aims.shape && aims.shape->poles != AimShape::Poles::none) {
         finding = distributedFinding(
-            "shadow.clustered", Severity::warn,
+            kShadowClustered, Severity::warn,
             std::string{
                 "The points in the light were expected to be spread evenly; they crowd at "} +
                 (aims.shape->radius == AimShape::Radius::even
@@ -226,7 +228,7 @@ std::optional<Finding> checkOtherSettings(const ShadowLogs& logs) {
         const bool wrongValue = !anyReadingFits(*log);
         if (!tooFew && !tooWide && !wrongValue) continue;
         Finding finding = distributedFinding(
-            "settings.hard-coded", Severity::warn,
+            kSettingsHardCoded, Severity::warn,
             fmt::format("Asked for {} shadow rays to a light of radius {:.3g}, illuminate cast {} "
                         "within {:.3g}: {}it does not follow settings().",
                         asked, log->settings().lightSize, counts.fewest, widest,

@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
@@ -76,7 +77,7 @@ std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed) {
     std::optional<Finding> finding;
     if (counts.allCentral || counts.most <= 1) {
         finding = distributedFinding(
-            "shadow.hard", Severity::fail,
+            kShadowHard, Severity::fail,
             counts.allCentral
                 ? fmt::format("{} shadow rays to random points of the light were expected; every "
                               "ray goes to the light's centre.",
@@ -86,13 +87,13 @@ std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed) {
                       asked));
     } else if (counts.fewest < asked) {
         finding = distributedFinding(
-            "shadow.too-few-rays", Severity::fail,
+            kShadowTooFewRays, Severity::fail,
             fmt::format("{} shadow rays for each point and light were expected; at some points "
                         "there are {}.",
                         asked, counts.fewest));
     } else if (counts.repeats(asked) && !fixed) {
         finding = distributedFinding(
-            "shadow.too-few-rays", Severity::fail,
+            kShadowTooFewRays, Severity::fail,
             fmt::format("{} different shadow rays for each point and light were expected; at some "
                         "points only {} of them differ.",
                         asked, counts.fewestDistinct));
@@ -113,7 +114,7 @@ std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed) {
     const bool copies = counts.fewest >= asked && counts.repeats(asked) && !fixed;
     if (counts.fewest >= asked && !copies) return std::nullopt;
     Finding finding = distributedFinding(
-        "shadow.too-few-rays", Severity::fail,
+        kShadowTooFewRays, Severity::fail,
         fmt::format("{} {}shadow rays to each light were expected; with three lights in the scene, "
                     "some light gets {}.",
                     asked, copies ? "different " : "",
@@ -144,7 +145,7 @@ std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs, const AimVerdic
                 std::min(lines, aims.distinct) >= kEnough && widest < kInner * radius;
             if (!narrow && widest <= radius * (1.0 + 1e-6) + kLargestBias) continue;
             Finding finding = distributedFinding(
-                "shadow.light-size", Severity::fail,
+                kShadowLightSize, Severity::fail,
                 fmt::format("Every light is a ball of radius {}; with three lights in the scene, "
                             "the rays to one of them pass within {:.3g} of its centre.",
                             radius, widest));
@@ -162,7 +163,7 @@ std::optional<Finding> checkEveryLight(const ShadowLogs& logs) {
             for (std::size_t i = 0; i < point.lines.size(); ++i)
                 if (faces(point, log->scene().pointLights[i]) && point.lines[i].empty())
                     return distributedFinding(
-                        "shadow.lights-mixed", Severity::fail,
+                        kShadowLightsMixed, Severity::fail,
                         "Shadow rays to every light were expected; with three lights in the scene, "
                         "some lights get none.");
     for (const ShadowLog* log : logs.lightBehind)

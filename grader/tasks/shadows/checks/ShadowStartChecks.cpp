@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/support/FindingText.h>
@@ -25,7 +26,7 @@ std::optional<Finding> checkStarts(const ShadowLogs& logs) {
                 }
     if (farthest <= kLargestBias) return std::nullopt;
     Finding finding = distributedFinding(
-        spread > kLargestBias ? "shadow.point-jittered" : "shadow.wrong", Severity::fail,
+        spread > kLargestBias ? kShadowPointJittered : kShadowWrong, Severity::fail,
         fmt::format("Shadow rays were expected to start at the point that is lit (at most 0.001 "
                     "from it); they start up to {:.3g} away.",
                     farthest));
@@ -50,7 +51,7 @@ std::optional<Finding> checkBackwards(const ShadowLogs& logs) {
     }
     if (2 * backwards <= rays) return std::nullopt;
     Finding finding = distributedFinding(
-        "shadow.wrong", Severity::fail,
+        kShadowWrong, Severity::fail,
         fmt::format("Shadow rays were expected to leave towards the light; {} of {} leave in the "
                     "opposite direction, away from it.",
                     backwards, rays));

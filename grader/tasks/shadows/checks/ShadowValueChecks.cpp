@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tasks/shadows/checks/HighlightCheck.h>
@@ -64,7 +65,7 @@ bool isPartlyLit(const Logs& logs) {
 
 Finding darkBeyond(const Logs& logs) {
     Finding finding = distributedFinding(
-        "shadow.beyond-light", Severity::fail,
+        kShadowBeyondLight, Severity::fail,
         "A point in plain sight of the light was expected to be lit; an object behind the light "
         "casts a shadow on it.");
     if (!isPartlyLit(logs)) return finding;
@@ -113,7 +114,7 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
         if (!allNearKnown(logs.severalLights, false)) {
             if (ambientIsThereForEachLight(logs.severalLights)) return ambientForEachLight();
             if (oneSphereCasts(logs.severalLights)) return oneObjectCasts();
-            return distributedFinding("shadow.lights-mixed", Severity::fail,
+            return distributedFinding(kShadowLightsMixed, Severity::fail,
                                       "With one light the colours are right; with three lights "
                                       "they are not.");
         }
@@ -122,7 +123,7 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
         if (!allNearKnown(logs.inLine, false)) return hitsMistaken();
         if (!allNearKnown(logs.farLight, false))
             return distributedFinding(
-                "shadow.wrong", Severity::fail,
+                kShadowWrong, Severity::fail,
                 "With a light some six units away the colours are right; with one more than a "
                 "hundred units away they are not.");
         return std::nullopt;
@@ -135,7 +136,7 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
         return findingOf(ShadowArithmetic::diffuseUnshadowed);
     if (!shadowHolds(logs.oneLight, 1.0, true, true)) return std::nullopt;
     if (!litWhereItShould(logs.oneLight)) return findingOf(ShadowArithmetic::inverted);
-    return distributedFinding("shadow.wrong", Severity::fail,
+    return distributedFinding(kShadowWrong, Severity::fail,
                               "Points in full shadow were expected to have ambient light alone; "
                               "nothing ever casts a shadow.");
 }
@@ -184,7 +185,7 @@ ArithmeticVerdict checkValues(const ShadowLogs& logs) {
     if (!verdict.finding) verdict.finding = highlightAlone(logs.oneLight);
     if (!verdict.finding)
         verdict.finding = distributedFinding(
-            "shadow.wrong", Severity::fail,
+            kShadowWrong, Severity::fail,
             "Points in full light and in full shadow have a known colour; illuminate gives "
             "another one" +
                 sharesSeen(logs.oneLight) + '.');

@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/checks/UnexplainedShadows.h>
 #include <grader/tasks/support/FindingText.h>
@@ -92,7 +93,7 @@ bool leaksAtTheStart(const std::vector<const ShadowLog*>& logs, bool viewerIsEye
 
 Finding leakAtTheStart() {
     Finding finding = distributedFinding(
-        "shadow.wrong", Severity::fail,
+        kShadowWrong, Severity::fail,
         "Points in full shadow were expected to be dark; some are lit, where shadow rays hit the "
         "very surface that they leave and nothing behind it is looked for.");
     finding.hint = "Start the shadow rays at P + N * kShadowBias, and count every hit.";
@@ -119,7 +120,7 @@ void addWorstPoint(const std::vector<const ShadowLog*>& logs, Finding& finding) 
 
 Finding unexplainedShadows(const std::vector<const ShadowLog*>& logs) {
     Finding finding = distributedFinding(
-        "shadow.wrong", Severity::fail,
+        kShadowWrong, Severity::fail,
         "The colours that illuminate gives were recomputed from the shadow rays that it cast; they "
         "fit neither the handout's steps nor a mistake that is known.");
     if (shadowsItself(logs, false) && shadowsItself(logs, true)) {

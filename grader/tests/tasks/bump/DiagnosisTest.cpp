@@ -136,7 +136,7 @@ std::vector<std::string> idsAfter(const std::function<void(Examination&)>& chang
     change(examination);
     std::vector<std::string> ids;
     for (const Fault fault : diagnose(examination, hints))
-        ids.push_back(idOf(fault));
+        ids.emplace_back(textOf(fault).id);
     return ids;
 }
 

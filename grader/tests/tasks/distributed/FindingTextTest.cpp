@@ -1,3 +1,5 @@
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/support/FindingText.h>
 
 #include <gtest/gtest.h>
@@ -8,11 +10,11 @@
 namespace ticker::tasks {
 namespace {
 
-Finding failing(const char* id) {
-    return distributedFinding(id, Severity::fail, "seen");
+Finding failing(const FindingText& text) {
+    return distributedFinding(text, Severity::fail, "seen");
 }
-Finding warning(const char* id) {
-    return distributedFinding(id, Severity::warn, "seen");
+Finding warning(const FindingText& text) {
+    return distributedFinding(text, Severity::warn, "seen");
 }
 
 std::string idsOf(const std::vector<Finding>& findings) {
@@ -23,30 +25,32 @@ std::string idsOf(const std::vector<Finding>& findings) {
 }
 
 TEST(DistributedFinding, HasHintAndSectionOfItsId) {
-    const Finding finding = failing("dof.none");
+    const Finding finding = failing(kDofNone);
     EXPECT_EQ(finding.message, "seen");
     EXPECT_NE(finding.hint.find("random point of the aperture"), std::string::npos);
     EXPECT_NE(finding.section.find("T2.2"), std::string::npos);
-    EXPECT_NE(failing("shadow.hard").section.find("T2.1"), std::string::npos);
-    EXPECT_TRUE(failing("shadow.unseen-rays").hint.empty()) << "known to nobody";
+    EXPECT_NE(failing(kShadowHard).section.find("T2.1"), std::string::npos);
+    EXPECT_TRUE(failing(kShadowUnseenRays).hint.empty()) << "the message says it";
 }
 
 TEST(MostImportantFirst, KeepsOneFailureAndEveryWarning) {
     const std::vector<Finding> kept = mostImportantFirst(
-        {warning("shadow.fixed-samples"), failing("shadow.wrong"), failing("shadow.inverted"),
-         failing("shadow.wrong"), warning("shadow.clustered")});
+        {warning(kShadowFixedSamples), failing(kShadowWrong), failing(kShadowInverted),
+         failing(kShadowWrong), warning(kShadowClustered)},
+        kShadowFindings);
     EXPECT_EQ(idsOf(kept), "shadow.inverted shadow.fixed-samples shadow.clustered ");
     ASSERT_EQ(kept[0].evidence.size(), 1U);
     EXPECT_EQ(std::get<std::string>(kept[0].evidence[0].second), "shadow.wrong") << "once";
-    const std::vector<Finding> others =
-        mostImportantFirst({failing("dof.wrong"), failing("dof.disc"), failing("dof.none")});
+    const std::vector<Finding> others = mostImportantFirst(
+        {failing(kDofWrong), failing(kDofDisc), failing(kDofNone)}, kLensFindings);
     EXPECT_EQ(std::get<std::string>(others.at(0).evidence.at(0).second), "dof.disc, dof.wrong");
 }
 
 TEST(MostImportantFirst, KeepsAllWarningsWhereNothingFails) {
-    EXPECT_EQ(idsOf(mostImportantFirst({warning("shadow.clustered"), warning("shadow.hard")})),
+    EXPECT_EQ(idsOf(mostImportantFirst({warning(kShadowClustered), warning(kShadowHard)},
+                                       kShadowFindings)),
               "shadow.hard shadow.clustered ");
-    EXPECT_TRUE(mostImportantFirst({}).empty());
+    EXPECT_TRUE(mostImportantFirst({}, kShadowFindings).empty());
 }
 
 }  // namespace

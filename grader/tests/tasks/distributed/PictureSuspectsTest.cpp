@@ -51,13 +51,13 @@ TEST(TryAll, NamesTheSuspectWhosePictureItIs) {
         const Plane picture = mistakenPicture(asked(), own.reading, own.mistake, kSeed);
         const Bank bank = tryAll(suspects, asked(), seeing(picture), expected(), kSeed);
         ASSERT_NE(bank.best, nullptr);
-        EXPECT_EQ(bank.best, &own) << own.id;
+        EXPECT_EQ(bank.best, &own) << own.text->id;
         EXPECT_NEAR(bank.bestMatch.amplitude, 1.0, 1e-9);
         EXPECT_NEAR(bank.bestLeaves, 0.0, 1e-9);
         EXPECT_NEAR(bank.largest, bank.bestMatch.z, 1e-9);
         EXPECT_GT(bank.squares, bank.largest * bank.largest);
         ASSERT_NE(bank.second, nullptr);
-        EXPECT_NE(std::string{bank.second->id}, own.id);
+        EXPECT_NE(bank.second->text, own.text);
     }
 }
 
