@@ -4,9 +4,9 @@
 #include <grader/report/Escape.h>
 #include <grader/report/ReportPage.h>
 #include <grader/report/SummaryCsv.h>
-#include <grader/report/Tally.h>
 #include <grader/result/Names.h>
 #include <grader/result/ResultJson.h>
+#include <grader/result/Tally.h>
 #include <grader/store/ClassFolder.h>
 
 #include <raytracer/base/Error.h>
@@ -40,7 +40,7 @@ void clear(const fs::path& folder) {
 
 std::string findingsText(const SubmissionResult& result) {
     std::string text;
-    for (const std::string& id : report::findingIds(result))
+    for (const std::string& id : findingIds(result))
         text += " " + id;
     return text;
 }
@@ -58,8 +58,8 @@ void writeSubmission(const fs::path& out, const SubmissionResult& result) {
     for (const SourceText& source : result.sources)
         writeAtomically(source.bytes, folder / "code" / source.file);
     // The page shows what result.json says, so that it can be made again from there.
-    const std::string json = report::resultJson(result);
-    SubmissionResult told = report::parseResultJson(json, "result.json");
+    const std::string json = resultJson(result);
+    SubmissionResult told = parseResultJson(json, "result.json");
     told.pictures = result.pictures;
     told.sources = result.sources;
     writeAtomically(report::reportPage(told), folder / "report.html");
@@ -110,7 +110,7 @@ fs::path rewriteReport(const fs::path& out, SubmissionResult result) {
 std::string allResultsJson(const std::vector<SubmissionResult>& results) {
     std::string text = "[\n";
     for (std::size_t i = 0; i < results.size(); ++i)
-        text += report::resultJson(results[i]) + (i + 1 < results.size() ? "," : "");
+        text += resultJson(results[i]) + (i + 1 < results.size() ? "," : "");
     return text + "]\n";
 }
 

@@ -2,9 +2,9 @@
 #include <grader/report/Escape.h>
 #include <grader/report/PageParts.h>
 #include <grader/report/PageSources.h>
-#include <grader/report/Tally.h>
 #include <grader/report/Words.h>
 #include <grader/result/Names.h>
+#include <grader/result/Tally.h>
 
 #include <fmt/core.h>
 #include <array>

@@ -1,8 +1,8 @@
 #include <grader/report/Escape.h>
 #include <grader/report/SummaryCsv.h>
-#include <grader/report/Tally.h>
 #include <grader/report/Words.h>
 #include <grader/result/Names.h>
+#include <grader/result/Tally.h>
 
 #include <fmt/core.h>
 #include <fmt/format.h>

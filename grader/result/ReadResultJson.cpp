@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-namespace ticker::report {
+namespace ticker {
 namespace {
 
 using raytracer::InputError;
@@ -195,4 +195,4 @@ SubmissionResult parseResultJson(const std::string& text, const std::string& nam
     return result;
 }
 
-}  // namespace ticker::report
+}  // namespace ticker

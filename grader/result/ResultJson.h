@@ -1,12 +1,12 @@
-#ifndef TICKER_REPORT_RESULTJSON_H
-#define TICKER_REPORT_RESULTJSON_H
+#ifndef TICKER_RESULT_RESULTJSON_H
+#define TICKER_RESULT_RESULTJSON_H
 
 #include <grader/result/SubmissionResult.h>
 
 #include <filesystem>
 #include <string>
 
-namespace ticker::report {
+namespace ticker {
 
 /// The text of result.json: schema version 1, see docs/schema/result.schema.json. Numbers that are
 /// not finite become null.
@@ -21,6 +21,6 @@ namespace ticker::report {
 /// The same from the file's text; `name` is for messages.
 [[nodiscard]] SubmissionResult parseResultJson(const std::string& text, const std::string& name);
 
-}  // namespace ticker::report
+}  // namespace ticker
 
 #endif

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <system_error>
 
-namespace ticker::report {
+namespace ticker {
 namespace {
 
 using nlohmann::ordered_json;
@@ -211,4 +211,4 @@ std::string resultJson(const SubmissionResult& result) {
     return listsOnOneLine(json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) + "\n";
 }
 
-}  // namespace ticker::report
+}  // namespace ticker

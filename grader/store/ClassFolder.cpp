@@ -1,6 +1,6 @@
 #include <grader/store/ClassFolder.h>
 
-#include <grader/report/Escape.h>
+#include <grader/base/Utf8.h>
 #include <grader/result/ResultJson.h>
 
 #include <raytracer/base/Error.h>
@@ -37,7 +37,7 @@ bool hasResult(const fs::path& out, const std::string& submission) {
 // The folder is the name; a result.json that was moved says something else.
 SubmissionResult readNamed(const fs::path& out, const std::string& submission) {
     const fs::path file = resultFile(out, submission);
-    SubmissionResult result = report::readResultJson(file);
+    SubmissionResult result = readResultJson(file);
     if (result.submission != cleanText(submission))
         throw raytracer::InputError(
             file.string(), 0,

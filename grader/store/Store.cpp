@@ -1,7 +1,7 @@
 #include <grader/store/Store.h>
 
-#include <grader/report/Tally.h>
 #include <grader/result/Names.h>
+#include <grader/result/Tally.h>
 
 #include <raytracer/base/Error.h>
 
@@ -37,7 +37,7 @@ constexpr const char* kDecisionColumns = "submission, version, ruling, comment, 
 
 std::string findingsOf(const SubmissionResult& result) {
     std::string ids;
-    for (const std::string& id : report::findingIds(result))
+    for (const std::string& id : findingIds(result))
         ids += (ids.empty() ? "" : " ") + id;
     return ids;
 }

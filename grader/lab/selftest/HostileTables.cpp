@@ -96,7 +96,7 @@ void compare(const HostileCase& hostileCase, const SubmissionResult& result, Hos
 
 // Everything of a result that anybody may come to read.
 bool tells(const SubmissionResult& result, const std::string& secret) {
-    if (report::resultJson(result).find(secret) != std::string::npos) return true;
+    if (resultJson(result).find(secret) != std::string::npos) return true;
     for (const Diagnostics& said : result.diagnostics)
         if (said.text.find(secret) != std::string::npos) return true;
     for (const SourceText& source : result.sources)

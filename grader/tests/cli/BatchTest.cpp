@@ -52,7 +52,7 @@ std::map<std::string, std::string> gradedTexts(const std::vector<intake::Located
     BatchHooks hooks;
     hooks.take = [&](const intake::Located& each, SubmissionResult result, bool /*isKept*/) {
         result.timing = {};
-        texts[each.name] = report::resultJson(result);
+        texts[each.name] = resultJson(result);
     };
     gradeAll(located, tests::testGrader(), kSeed, workers, stop, hooks);
     return texts;

@@ -13,8 +13,8 @@ bool give(std::string_view input) {
     static const tests::TemporaryFolder folder;
     folder.write("result.json", input);
     try {
-        const SubmissionResult result = report::readResultJson(folder.path() / "result.json");
-        require(!report::resultJson(result).empty(), "what was read can be written");
+        const SubmissionResult result = readResultJson(folder.path() / "result.json");
+        require(!resultJson(result).empty(), "what was read can be written");
         return true;
     } catch (const raytracer::InputError&) {
         return false;
@@ -26,7 +26,7 @@ std::vector<std::string> seeds() {
     for (const SubmissionResult& result :
          {report::passedExample(), report::failedBumpExample(), report::failedLensExample(),
           report::blockedExample(), report::hostileExample()})
-        texts.push_back(report::resultJson(result));
+        texts.push_back(resultJson(result));
     return texts;
 }
 

@@ -39,7 +39,7 @@ public:
     explicit ClassOnDisk(const std::vector<std::string>& names) {
         for (const std::string& name : names) {
             folder_.write(name + "/result.json",
-                          report::resultJson(markedResult(name, Verdict::notAwarded)));
+                          resultJson(markedResult(name, Verdict::notAwarded)));
             folder_.write(name + "/report.html", "<!doctype html>the report");
             folder_.write(name + "/images/bump-mapping.png", "png bytes");
             folder_.write(name + "/code/BumpySphere.cpp", "int x; // <script>code</script>\n");

@@ -22,7 +22,7 @@ SubmissionResult resultOf(const std::string& name, Verdict verdict) {
 class ClassFolder : public testing::Test {
 protected:
     void writeResult(const std::string& name, Verdict verdict) const {
-        out_.write(name + "/result.json", report::resultJson(resultOf(name, verdict)));
+        out_.write(name + "/result.json", resultJson(resultOf(name, verdict)));
     }
 
     tests::TemporaryFolder out_;
@@ -61,7 +61,7 @@ TEST_F(ClassFolder, SaysOfAnEmptyStoreWhatBringsTheResultsBack) {
 TEST_F(ClassFolder, NamesResultsThatCannotBeReadAndCollectsTheRest) {
     writeResult("ann", Verdict::awarded);
     out_.write("bob/result.json", "{\"schemaVersion\": 1, \"subm");
-    out_.write("cy/result.json", report::resultJson(resultOf("ann", Verdict::awarded)));
+    out_.write("cy/result.json", resultJson(resultOf("ann", Verdict::awarded)));
     Store store{out_.path()};
     const Collected collected = collect(out_.path(), store);
     EXPECT_EQ(collected.taken, 1U);

@@ -1,8 +1,8 @@
-#include <grader/report/Tally.h>
+#include <grader/result/Tally.h>
 
 #include <algorithm>
 
-namespace ticker::report {
+namespace ticker {
 
 std::vector<std::string> findingIds(const SubmissionResult& result) {
     std::vector<std::string> ids;
@@ -33,4 +33,4 @@ Tally tallyOf(const std::vector<SubmissionResult>& results) {
     return tally;
 }
 
-}  // namespace ticker::report
+}  // namespace ticker

@@ -1,5 +1,5 @@
-#ifndef TICKER_REPORT_TALLY_H
-#define TICKER_REPORT_TALLY_H
+#ifndef TICKER_RESULT_TALLY_H
+#define TICKER_RESULT_TALLY_H
 
 #include <grader/result/SubmissionResult.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace ticker::report {
+namespace ticker {
 
 /// How many submissions there are of each kind.
 struct Tally {
@@ -26,6 +26,6 @@ struct Tally {
 /// The findings of a submission that are more than a note, each once, in the order of its tasks.
 [[nodiscard]] std::vector<std::string> findingIds(const SubmissionResult& result);
 
-}  // namespace ticker::report
+}  // namespace ticker
 
 #endif
