@@ -10,7 +10,7 @@
 namespace raytracer {
 namespace {
 
-// The copy must not report its own pixels.
+// Without observer: the copy must not report its own pixels.
 RenderSettings unwatched(RenderSettings settings) {
     settings.observer = nullptr;
     settings.monitor = nullptr;

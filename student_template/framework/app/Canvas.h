@@ -10,18 +10,18 @@
 
 namespace raytracer {
 
-/// Ends a render that does not heed its monitor; thrown out of `Image::set`.
+/// Ends a render that ignores its monitor; thrown out of `Image::set`.
 struct RenderStopped {};
 
 /// Keeps a copy of every pixel that a render sets, so that an unfinished picture can be shown and
 /// saved.
 class Canvas final : public RenderObserver {
 public:
-    /// @param settings     Of the render that will be watched.
-    /// @param interrupted  True once the render should stop.
+    /// @param settings     Settings of the observed render.
+    /// @param interrupted  Returns true once the render should stop.
     Canvas(const RenderSettings& settings, std::function<bool()> interrupted);
 
-    /// The pixels so far; the others are black.
+    /// The pixels so far; the rest is black.
     [[nodiscard]] Image picture() const;
     /// The same through the tone curve.
     [[nodiscard]] ByteImage bytes() const;
@@ -33,8 +33,8 @@ public:
                          const Vector3&) override {}
     void illuminateEnded(const ColourRGB&) override {}
     void rayCast(const Ray&, const RaycastHit*) override {}
-    /// @throws RenderStopped where far more pixels come after an interrupt than `forEachPixel`
-    ///         would still set: then the solution loops over the pixels by itself.
+    /// @throws RenderStopped if far more pixels arrive after an interrupt than `forEachPixel` would
+    ///         still set: then the solution loops over the pixels itself.
     void pixelSet(int x, int y, const ColourRGB& colour) override;
 
 private:

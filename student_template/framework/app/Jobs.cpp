@@ -31,7 +31,7 @@ std::uint64_t freshSeed() {
     return std::uint64_t{device()} << 32U | device();
 }
 
-/// The folder `assets` beside the program or above it, else the one in the working folder.
+/// Finds the folder `assets` beside the program or above it, else in the working folder.
 fs::path findAssets() {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -59,7 +59,7 @@ RenderSettings settingsOf(const Options& options) {
     return settings;
 }
 
-/// What a render gave, for the file and for --compare.
+/// Result of a render, for the file and for --compare.
 struct Rendered {
     Image linear;
     ByteImage bytes;
@@ -72,7 +72,7 @@ Rendered renderWatched(const Scene& scene, RenderSettings settings, Progress& pr
     settings.observer = &canvas;
     settings.monitor = &progress;
     watch(canvas);
-    seedRandom(settings.seed);  // for solutions that loop over the pixels by themselves
+    seedRandom(settings.seed);  // for solutions that loop over the pixels themselves
     try {
         Image image = Renderer{settings}.render(scene);
         const bool whole = !progress.interrupted() || progress.done() == image.height();
@@ -110,8 +110,8 @@ void compare(const ByteImage& picture, const ByteImage& other, const Options& op
               << "drawn four times as strong in " << file.string() << '\n';
 }
 
-/// Says which stubs still stand, of the option that the scene belongs to: one option is enough, so
-/// there is nothing to say about the other.
+/// Lists the stubs that are still there, for the option that the scene belongs to. One option is
+/// enough, so the other one is not mentioned.
 void remindOfStubs(const SceneDescription& scene) {
     const bool bumpy = std::ranges::any_of(
         scene.spheres, [](const auto& sphere) { return sphere.heightMap != nullptr; });

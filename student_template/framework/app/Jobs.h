@@ -7,12 +7,12 @@
 
 namespace raytracer {
 
-/// Renders the scene to its file, with progress, preview and comparison as the options say.
-/// @throws InputError where something cannot be read or written.
+/// Renders the scene to its file, with progress, preview and comparison according to the options.
+/// @throws InputError if a file cannot be read or written.
 [[nodiscard]] ExitCode renderPicture(const Options& options);
 
-/// Tells on stdout what happens at the pixel `options.trace`.
-/// @throws InputError where the scene cannot be read.
+/// Explains on stdout how the pixel `options.trace` gets its colour.
+/// @throws InputError if the scene cannot be read.
 [[nodiscard]] ExitCode tellOfPixel(const Options& options);
 
 }  // namespace raytracer

@@ -7,8 +7,8 @@
 
 namespace raytracer {
 
-/// The normals that the camera sees, as colours: red from left to right, green from below to above,
-/// blue from away to towards the viewer; 128 is zero. Black where there is nothing.
+/// The normals that the camera sees, as colours: red for x (to the right), green for y (up), blue
+/// for the direction towards the viewer; 128 is zero. Black where no object is hit.
 [[nodiscard]] ByteImage normalPicture(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace raytracer

@@ -12,11 +12,11 @@
 namespace raytracer {
 namespace {
 
-// The largest picture that the kit reads back.
+// Largest side of a picture that the kit can read again.
 constexpr std::uint64_t kLargestSide = 16'384;
 constexpr std::uint64_t kMostPixels = 64'000'000;
 constexpr std::uint64_t kMostRays = 1'000'000;
-// Each bounce is a nested call.
+// Each bounce is a nested call, so the stack limits them.
 constexpr std::uint64_t kMostBounces = 100;
 constexpr std::uint64_t kMostThreads = 1024;
 constexpr double kLargestLength = 1e6;
@@ -25,7 +25,7 @@ constexpr double kLargestLength = 1e6;
     throw InputError("", 0, message + " (see tick1star --help)");
 }
 
-/// What follows an option; `fail` names the option too.
+/// The value of an option; `fail` includes the option's name in its error.
 struct Value {
     std::string_view option;
     std::string_view text;
@@ -35,11 +35,11 @@ struct Value {
     fail(std::string(value.option) + ": found " + inQuotes(value.text) + ", expected " + expected);
 }
 
-/// One option: how it is spelt, what follows it, and what it does.
+/// One option: its spelling, its value and its effect.
 struct Option {
     std::string_view name;       // "--seed"
     std::string_view shortName;  // "-s", or empty
-    std::string_view value;      // what --help calls the value; empty: none follows
+    std::string_view value;      // name of the value in --help; empty: the option has no value
     std::string_view help;
     void (*apply)(Options&, const Value& value);
 };

@@ -17,18 +17,18 @@ struct Pixel {
     int y = 0;
 };
 
-/// What the user asked tick1star for.
+/// The command line of tick1star.
 struct Options {
     std::filesystem::path scene;   ///< -i
     std::filesystem::path image;   ///< -o
     std::filesystem::path linear;  ///< --linear; empty: none wanted
-    std::filesystem::path assets;  ///< --assets; empty: to be looked for
-    RenderSettings settings;       ///< `seed` and `threads` only where they were given
+    std::filesystem::path assets;  ///< --assets; empty: search for the folder
+    RenderSettings settings;       ///< without `seed` and `threads`, unless they were given
     std::optional<std::uint64_t> seed;
     std::optional<int> threads;
-    std::optional<Pixel> trace;     ///< --trace: tell of this pixel instead of rendering
-    std::filesystem::path compare;  ///< --compare; empty: with nothing
-    bool normals = false;           ///< --normals: colours stand for normals
+    std::optional<Pixel> trace;     ///< --trace: explain this pixel instead of rendering
+    std::filesystem::path compare;  ///< --compare; empty: no comparison
+    bool normals = false;           ///< --normals: show normals as colours
     bool preview = false;           ///< --preview
     bool quiet = false;
     bool verbose = false;
@@ -36,7 +36,7 @@ struct Options {
     bool showVersion = false;
 };
 
-/// Reads the command line.
+/// Parses the command line.
 /// @param arguments  Without the program's name.
 /// @throws InputError, without a file, that names the option and says what was expected.
 [[nodiscard]] Options parseOptions(std::span<const std::string> arguments);

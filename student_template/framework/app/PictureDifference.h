@@ -7,22 +7,22 @@
 
 namespace raytracer {
 
-/// How far two pictures of one size are apart, and where.
+/// Difference of two pictures of the same size.
 struct PictureDifference {
     double mean = 0.0;  ///< of the channels' absolute differences, bytes
     int largest = 0;    ///< the largest of them, bytes
-    int x = 0;          ///< the pixel where that is
+    int x = 0;          ///< the pixel with the largest difference
     int y = 0;
     double clearShare = 0;  ///< share of the pixels that differ by more than `kClear`
     ByteImage picture;      ///< the differences, four times as strong
 
-    static constexpr int kClear = 8;  ///< bytes; an eye hardly sees less
+    static constexpr int kClear = 8;  ///< bytes; smaller differences are hardly visible
 
-    /// One line for a person.
+    /// The difference in one line of words.
     [[nodiscard]] std::string inWords() const;
 };
 
-/// @throws InputError where the sizes differ; `nameOfOther` is what it calls the second picture.
+/// @throws InputError if the sizes differ; `nameOfOther` is the name of the second picture in it.
 [[nodiscard]] PictureDifference differenceOf(const ByteImage& picture, const ByteImage& other,
                                              const std::string& nameOfOther);
 

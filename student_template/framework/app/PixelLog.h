@@ -11,32 +11,32 @@
 
 namespace raytracer {
 
-/// A ray and what it met; empty for nothing.
+/// A ray and its hit; empty for a miss.
 struct SeenRay {
     Ray ray;
     std::optional<RaycastHit> hit;
 };
 
-/// One call of `Renderer::trace`, and what happened in it.
+/// One call of `Renderer::trace`, with everything that happened in it.
 struct TracedRay {
     Ray ray;
     int bouncesLeft = 0;
     std::optional<RaycastHit> hit;
     std::vector<SeenRay> shadowRays;   ///< cast within `illuminate`
-    std::optional<ColourRGB> direct;   ///< what `illuminate` gave; empty where it was not called
+    std::optional<ColourRGB> direct;   ///< result of `illuminate`; empty if it was not called
     std::vector<TracedRay> reflected;  ///< none or one
-    ColourRGB colour;                  ///< what `trace` gave
+    ColourRGB colour;                  ///< result of `trace`
 };
 
-/// Keeps all that happens while one pixel is rendered on one thread.
+/// Records all events while one pixel is rendered on one thread.
 class PixelLog final : public RenderObserver {
 public:
     [[nodiscard]] const std::vector<TracedRay>& traced() const { return traced_; }
     /// Rays cast outside of `trace`.
     [[nodiscard]] const std::vector<SeenRay>& loose() const { return loose_; }
-    /// The pinhole camera's ray, where the solution asked for it.
+    /// The pinhole camera's ray, if the solution asked for it.
     [[nodiscard]] const std::optional<Ray>& cameraRay() const { return cameraRay_; }
-    /// The pixel's colour, where the solution set it.
+    /// The pixel's colour, if the solution set it.
     [[nodiscard]] const std::optional<ColourRGB>& pixel() const { return pixel_; }
 
     void cameraRayAsked(int x, int y, const Ray& ray) override;

@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t kRaysInFull = 3;
 
 std::string number(double value) {
-    constexpr double kNothing = 1e-9;  // powers of small cosines: not visible
+    constexpr double kNothing =
+        1e-9;  // smaller values, such as powers of small cosines, are invisible
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.4g", std::abs(value) < kNothing ? 0.0 : value);
     return text.data();
@@ -90,7 +91,7 @@ private:
             number(hit.distance) + ", normal " + text(hit.normal));
     }
 
-    /// The light that a shadow ray most likely aims at: that nearest to its direction.
+    /// The light that a shadow ray most likely aims at: the one closest to its direction.
     [[nodiscard]] std::size_t aimOf(const Ray& ray) const {
         std::size_t best = 0;
         double most = -2.0;

@@ -9,9 +9,9 @@
 
 namespace raytracer {
 
-/// A pixel's log for a person to read: every ray, what it met, how much of each light got through,
-/// and the colours that came of it.
-/// @param inFull  False: after the first few camera rays one line must do for each.
+/// A pixel's log as text for a person: every ray and its hit, the visible share of each light, and
+/// the resulting colours.
+/// @param inFull  False: after the first few camera rays, one line for each.
 [[nodiscard]] std::string storyOf(const PixelLog& log, const Scene& scene, bool inFull);
 
 }  // namespace raytracer

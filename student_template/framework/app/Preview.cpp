@@ -14,7 +14,7 @@ using Bytes = std::array<std::uint8_t, 3>;
 
 constexpr std::string_view kUpperHalfBlock = "\u2580";
 
-/// The picture made smaller: two samples for each cell, one above the other.
+/// The picture scaled down to two samples for each cell, one above the other.
 class Samples {
 public:
     Samples(const ByteImage& picture, const Terminal& terminal) : picture_(picture) {
@@ -83,7 +83,7 @@ int colourOf256(const Bytes& colour) {
     return 16 + 36 * level(colour[0]) + 6 * level(colour[1]) + level(colour[2]);
 }
 
-/// The numbers that choose a colour, as they stand in an escape sequence.
+/// The parameters of an escape sequence that select a colour.
 std::string chosen(const Bytes& colour, Palette palette) {
     if (palette == Palette::colours256) return "5;" + std::to_string(colourOf256(colour));
     return "2;" + std::to_string(colour[0]) + ";" + std::to_string(colour[1]) + ";" +

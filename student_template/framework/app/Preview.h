@@ -9,17 +9,17 @@
 
 namespace raytracer {
 
-/// Draws pictures in a terminal, each over the one before. Where there is colour a cell shows two
-/// pixels, one above the other, as the upper half block: its letter's colour and its background.
+/// Draws pictures in a terminal, each over the previous one. In colour, a cell shows two pixels,
+/// one above the other, as an upper half block: foreground colour above, background colour below.
 class Preview {
 public:
     explicit Preview(const Terminal& terminal) : terminal_(terminal) {}
 
-    /// True where a picture that changes can be drawn over and over.
+    /// True if a changing picture can be redrawn in place.
     [[nodiscard]] bool redraws() const { return terminal_.redraws; }
 
-    /// What to write so that the picture stands on the lines above the cursor. Leaves one column
-    /// and two lines of the terminal free; never larger than the picture.
+    /// The text that draws the picture on the lines above the cursor. It leaves one column and two
+    /// lines of the terminal free, and never enlarges the picture.
     [[nodiscard]] std::string frame(const ByteImage& picture);
 
 private:

@@ -13,7 +13,7 @@ namespace {
 constexpr std::chrono::milliseconds kRedrawEvery{100};
 constexpr int kBarWidth = 30;
 
-// A signal handler has nowhere else to leave a note.
+// A signal handler may only set a flag: it has no other way to report.
 std::atomic<bool> interruptAsked{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "needed in a signal handler");
 

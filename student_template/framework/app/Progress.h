@@ -14,13 +14,13 @@ namespace raytracer {
 /// Draws a progress bar with the time left on stderr, and stops the render at Ctrl-C.
 class Progress final : public RenderMonitor {
 public:
-    /// @param drawn  Whether to draw the bar at all; Ctrl-C is heeded in any case.
-    /// From here on the first Ctrl-C only asks the render to stop; a second one ends the program.
+    /// @param drawn  Whether the bar is drawn at all; Ctrl-C works in any case. The first Ctrl-C
+    ///         asks the render to stop, a second one ends the program.
     explicit Progress(bool drawn);
 
-    /// Something to write above the bar at every drawing, even where there is no bar.
+    /// Text that is drawn above the bar each time, even if the bar itself is not drawn.
     void drawAbove(std::function<std::string()> text);
-    /// Wipes the bar away.
+    /// Erases the bar.
     ~Progress() override;
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

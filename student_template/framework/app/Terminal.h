@@ -5,32 +5,32 @@
 
 namespace raytracer {
 
-/// How a terminal can show a picture.
+/// Ways to show a picture in a terminal.
 enum class Palette {
     fullColour,  ///< 24 bits for each cell
     colours256,  ///< the colour cube of xterm
-    text         ///< letters of different blackness
+    text         ///< characters of different darkness
 };
 
-/// What stderr leads to.
+/// Properties of the terminal behind stderr.
 struct Terminal {
     Palette palette = Palette::text;
-    bool redraws = false;  ///< understands that the cursor goes up; false for files and pipes
+    bool redraws = false;  ///< the cursor can move up; false for files and pipes
     int columns = 80;
     int lines = 24;
 };
 
-/// What the environment's variables say; unset ones are empty.
+/// The palette according to environment variables; unset ones are empty.
 /// @param colourTerm  COLORTERM
 /// @param term        TERM
-/// @param noColour    NO_COLOR, see https://no-color.org: anything but empty counts
+/// @param noColour    NO_COLOR, see https://no-color.org: any value but the empty one counts
 [[nodiscard]] Palette paletteFor(std::string_view colourTerm, std::string_view term,
                                  std::string_view noColour);
 
-/// The terminal behind stderr, from the environment and the system.
+/// Determined from the environment and the system.
 [[nodiscard]] Terminal terminalOnStderr();
 
-/// True where a progress bar is welcome: stderr is a terminal and NO_COLOR is not set.
+/// True if a progress bar should be drawn: stderr is a terminal and NO_COLOR is not set.
 [[nodiscard]] bool terminalWantsProgress();
 
 }  // namespace raytracer

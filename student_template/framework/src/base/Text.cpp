@@ -18,7 +18,7 @@ char lowerCase(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-// Letters to add, leave out or replace, to make one of the other (Levenshtein 1966).
+// Edit distance: letters to insert, delete or replace (Levenshtein 1966).
 std::size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -89,7 +89,7 @@ std::optional<std::string_view> nearestName(std::string_view name,
     const auto nearest = std::ranges::min_element(
         known, {}, [name](std::string_view candidate) { return editDistance(name, candidate); });
     const std::size_t allowed = std::max<std::size_t>(1, nearest->size() / 3);
-    // A name of one letter is one letter away from every other.
+    // A name of one letter is at distance one from every other such name: no basis for a guess.
     const bool guessable =
         name.size() > 1 || (name.size() == 1 && editDistance(name, *nearest) == 0);
     if (!guessable || editDistance(name, *nearest) > allowed) return std::nullopt;

@@ -9,7 +9,7 @@
 namespace raytracer {
 namespace {
 
-/// A task, and the remark that its stub has left.
+/// A task, and the remark that its stub left.
 struct Stub {
     std::string_view task;
     std::atomic<bool> called{false};
@@ -28,7 +28,7 @@ Stub& stubOf(std::string_view task) {
 
 void unfinished(std::string_view task, std::string_view hint) {
     Stub& stub = stubOf(task);
-    // Stubs call for every ray: no lock but for the first of them.
+    // Stubs are called for every ray: only the first call takes the lock.
     if (stub.called.load(std::memory_order_relaxed) || stub.called.exchange(true)) return;
     const std::lock_guard lock{stub.mutex};
     stub.remark = std::string(task) + " is not done yet: " + std::string(hint);

@@ -11,7 +11,7 @@
 
 namespace raytracer {
 
-/// What a number may be; `text` says it to the user.
+/// The permitted range of a number; `text` describes it in error messages.
 struct NumberRange {
     double low;
     double high;
@@ -19,7 +19,7 @@ struct NumberRange {
     std::string_view text;
 };
 
-/// No scene is larger; squares and products of such numbers stay finite.
+/// Bound for all coordinates and sizes; squares and products of such numbers stay finite.
 inline constexpr double kLargestNumber = 1e9;
 inline constexpr NumberRange kAnyNumber{-kLargestNumber, kLargestNumber, true,
                                         "a number from -1e9 to 1e9"};
@@ -30,24 +30,24 @@ inline constexpr NumberRange kShare{0.0, 1.0, true, "a number from 0 to 1"};
 /// The attributes of one element, checked as they are read.
 class Attributes {
 public:
-    /// @throws InputError where the element has an attribute that is not `known`, or has children.
+    /// @throws InputError if the element has an attribute that is not in `known`, or has children.
     Attributes(std::string file, const XmlElement& element,
                std::span<const std::string_view> known);
 
-    /// @throws InputError where it is given and is no number in `range`.
+    /// @throws InputError if the attribute is present but is not a number in `range`.
     [[nodiscard]] double number(std::string_view name, double fallback,
                                 const NumberRange& range) const;
 
     /// The attribute `colour`, #RRGGBB; a byte of 255 gives 1.
-    /// @throws InputError where it is missing or spelt otherwise.
+    /// @throws InputError if it is missing or malformed.
     [[nodiscard]] ColourRGB colour() const;
 
-    /// @throws InputError where it is missing.
+    /// @throws InputError if it is missing.
     [[nodiscard]] const XmlAttribute& required(std::string_view name) const;
 
-    /// Throws an InputError at the element.
+    /// Throws an InputError with the line of the element.
     [[noreturn]] void fail(const std::string& message) const;
-    /// Throws an InputError at one attribute.
+    /// Throws an InputError with the line of one attribute.
     [[noreturn]] void fail(const XmlAttribute& attribute, const std::string& expected) const;
 
 private:

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
     throw InputError(file.string(), 0, message);
 }
 
-/// "; did you mean bump-mapping.xml?", where a file of nearly that name lies in the same folder.
+/// "; did you mean bump-mapping.xml?" if the folder has a file with a similar name.
 std::string nearbyFile(const fs::path& file) {
     std::error_code error;
     std::vector<std::string> names;
@@ -37,10 +37,10 @@ std::string nearbyFile(const fs::path& file) {
     return nearest ? "; did you mean " + std::string(*nearest) + "?" : "";
 }
 
-/// A file that goes away again unless it is renamed.
+/// A file that is removed on destruction unless it was renamed.
 class TemporaryFile {
 public:
-    // The name is random so that two programs that write the same picture do not share it.
+    // The name is random, so that two programs that write the same picture use different files.
     explicit TemporaryFile(const fs::path& target)
         : path_(target.string() + "." + std::to_string(std::random_device{}()) + ".part") {}
     ~TemporaryFile() {
@@ -63,7 +63,7 @@ private:
     fs::path path_;
 };
 
-// A link is followed, so that what it points to is replaced and not the link.
+// Follows a symbolic link, so that its target is replaced and not the link.
 fs::path resolved(const fs::path& file) {
     std::error_code error;
     const fs::path target = fs::weakly_canonical(file, error);

@@ -7,13 +7,13 @@
 
 namespace raytracer {
 
-/// Everything in a regular file.
-/// @param largest  Bytes; no more than one byte beyond it is ever read.
-/// @throws InputError where the file is missing, no regular file, unreadable or larger.
+/// The contents of a regular file.
+/// @param largest  Bytes; at most one byte more is read.
+/// @throws InputError if the file is missing, not regular, unreadable or larger.
 [[nodiscard]] std::string readFileBytes(const std::filesystem::path& file, std::size_t largest);
 
-/// Replaces a file, whole or not at all: writes a temporary file beside it and renames that.
-/// @throws InputError where the folder is missing or the file cannot be written.
+/// Replaces a file atomically: writes a temporary file beside it and renames that.
+/// @throws InputError if the folder is missing or the file cannot be written.
 void replaceFile(const std::filesystem::path& file, const std::string& bytes);
 
 }  // namespace raytracer

@@ -7,19 +7,18 @@
 
 namespace raytracer {
 
-/// Looks for the bump maps that a scene names, and never outside a few folders: scenes come from
-/// strangers.
+/// Finds the bump maps that a scene names, in a few folders only: scenes are untrusted input.
 class MapFinder {
 public:
-    /// @param folders  In the order in which they are searched; an empty path is left out.
+    /// @param folders  In search order; empty paths are skipped.
     explicit MapFinder(const std::vector<std::filesystem::path>& folders);
 
     struct Result {
-        std::filesystem::path file;  ///< empty where there is none
-        std::string problem;         ///< then: why, and what was expected
+        std::filesystem::path file;  ///< empty if it was not found
+        std::string problem;         ///< in that case: the reason, and what was expected
     };
 
-    /// The file called `name` in the first folder that has it.
+    /// Searches for `name`; the first folder that has it wins.
     [[nodiscard]] Result find(const std::string& name) const;
 
 private:

@@ -33,7 +33,7 @@ constexpr auto kPlaneNames = std::to_array<std::string_view>(
     {"x", "y", "z", "nx", "ny", "nz", "colour", "kD", "kS", "alphaS", "reflectivity"});
 
 constexpr double kDefaultIntensity = 100.0;
-// Shorter normals lose digits when they are normalised.
+// Normalising a shorter normal would lose digits.
 constexpr double kShortestNormal = 1e-9;
 // All maps of a scene together: 512 MB of heights.
 constexpr std::int64_t kMostTexels = 64'000'000;

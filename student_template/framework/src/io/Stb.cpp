@@ -1,8 +1,8 @@
-// The only place where the stb libraries are compiled.
+// The only file that compiles the stb libraries.
 //
-// Pictures come from strangers, so only PNG is read (stb's other decoders had most of its security
-// bugs), and no single block of memory is larger than what the largest accepted picture needs:
-// without this, a small file could unpack to gigabytes.
+// Pictures are untrusted input, so only PNG is read (most security bugs of stb were in its other
+// decoders), and no single allocation may exceed what the largest accepted picture needs: without
+// this limit, a small file could unpack to gigabytes.
 #include <cstddef>
 #include <cstdlib>
 
@@ -21,7 +21,7 @@ void* boundedRealloc(void* block, std::size_t size) {
 
 }  // namespace
 
-// stb casts what these give, as C does, and the compiler lays that at our door.
+// The casts are in stb, which is C, but the compiler reports them here.
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 
 #define STBI_MALLOC(size) boundedMalloc(size)

@@ -37,7 +37,7 @@ std::string_view meaningOf(tinyxml2::XMLError error) {
     }
 }
 
-/// Turns the parser's document into plain elements.
+/// Converts the parser's document into plain elements.
 class Converter {
 public:
     explicit Converter(std::string file) : file_(std::move(file)) {}
@@ -61,7 +61,7 @@ public:
         return element;
     }
 
-    /// Comments and the XML declaration may stand anywhere; nothing else but elements may.
+    /// Rejects everything between elements except comments and the XML declaration.
     void refuseContent(const tinyxml2::XMLNode& node) const {
         if (node.ToComment() != nullptr || node.ToDeclaration() != nullptr) return;
         fail(node.GetLineNum(),
@@ -88,7 +88,7 @@ void refuseOtherEncodings(std::string_view bytes, const Converter& converter) {
         converter.fail(lineOf(bytes, zero), "a zero byte; expected XML text");
 }
 
-// Scenes are copied out of the handout, whose wrapped lines begin with an arrow.
+// Scenes are copied out of the original handout, whose wrapped lines begin with an arrow.
 std::string wrapHint(std::string_view bytes) {
     return bytes.find("\xE2\x86\xAA") == std::string_view::npos
                ? ""

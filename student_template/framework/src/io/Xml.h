@@ -13,7 +13,7 @@ struct XmlAttribute {
     int line = 0;  ///< counted from 1
 };
 
-/// An element with everything inside it. There is no text: no file of ours has any.
+/// An element with its attributes and children; text is not allowed in our files.
 struct XmlElement {
     std::string name;
     int line = 0;  ///< counted from 1

@@ -12,7 +12,7 @@ namespace {
 /// xoshiro256++ (Blackman and Vigna 2018), seeded by splitmix64.
 class Generator {
 public:
-    /// True until the first `restart`: no seed leads to a state of zeros.
+    /// True until the first `restart`: no seed gives a state of all zeros.
     [[nodiscard]] bool isBlank() const {
         return (state_[0] | state_[1] | state_[2] | state_[3]) == 0;
     }
@@ -43,36 +43,36 @@ private:
     std::array<std::uint64_t, 4> state_{};
 };
 
-// constinit: ready without a constructor, so that no draw has to ask whether it has run.
+// constinit: initialised at compile time, so that no draw checks for initialisation.
 constinit thread_local Generator generator;
 
-/// The thread's generator. A thread that was not seeded gets a stream of its own: two that draw the
-/// same numbers would show as a pattern in the picture.
+/// The thread's generator. A thread that was not seeded gets a stream of its own: two threads with
+/// the same numbers would leave a visible pattern in the picture.
 Generator& seededGenerator() {
     static constinit std::atomic<std::uint64_t> threadsSeen{0};
     if (generator.isBlank()) generator.restart(threadsSeen++);
     return generator;
 }
 
-/// One draw as the place of a cell in a cube of 2^21 cells on a side; the ball fills the cube.
+/// Interprets one draw as a cell of a cube with 2^21 cells on a side; the unit ball fills the cube.
 struct Cell {
     std::int64_t x;
     std::int64_t y;
     std::int64_t z;
 
-    // 21 bits each, signed: the shifts left push the others out.
+    // 21 bits each, signed: shifting left first removes the other bits.
     explicit Cell(std::uint64_t bits)
         : x(static_cast<std::int64_t>(bits << 43U) >> 43U),
           y(static_cast<std::int64_t>(bits << 22U) >> 43U),
           z(static_cast<std::int64_t>(bits << 1U) >> 43U) {}
 
-    /// Whether the middle (x + 1/2, y + 1/2, z + 1/2) is less than 2^20 away from the origin.
+    /// Whether the cell's centre (x + 1/2, y + 1/2, z + 1/2) is less than 2^20 from the origin.
     [[nodiscard]] bool isInBall() const {
         constexpr std::int64_t kRadiusSquared = std::int64_t{1} << 40U;
         return x * (x + 1) + y * (y + 1) + z * (z + 1) < kRadiusSquared;
     }
 
-    /// The middle, in the unit ball.
+    /// The cell's centre, scaled to the unit ball.
     [[nodiscard]] Vector3 middle() const { return {scaled(x), scaled(y), scaled(z)}; }
 
 private:
@@ -81,8 +81,8 @@ private:
     }
 };
 
-/// Cells of the unit ball, drawn ahead in batches: rejection without a branch costs a third of the
-/// usual loop.
+/// Cells of the unit ball, drawn in batches: rejection without branches takes a third of the time
+/// of the usual loop.
 class BallCells {
 public:
     void clear() { ready_ = 0; }
@@ -95,9 +95,9 @@ public:
 private:
     static constexpr std::size_t kCount = 64;
 
-    // A candidate is written in any case and kept by moving the end only if it lies in the ball.
+    // Every candidate is written; the end moves past it only if it lies in the ball.
     [[gnu::noinline]] void refill() {
-        Generator local = seededGenerator();  // in registers meanwhile
+        Generator local = seededGenerator();  // a local copy, so that it stays in registers
         std::size_t kept = 0;
         while (kept < kCount) {
             const std::uint64_t draw = local.next();
@@ -119,7 +119,7 @@ constinit thread_local BallCells ballCells;
 double randomBetween(double low, double high) {
     const double unit = static_cast<double>(seededGenerator().next() >> 11U) * 0x1p-53;
     const double value = low + (high - low) * unit;
-    return value == high ? low : value;  // rounding may reach the end that is excluded
+    return value == high ? low : value;  // rounding may give the excluded upper bound
 }
 
 void seedRandom(std::uint64_t seed) {

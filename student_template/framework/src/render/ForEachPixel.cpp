@@ -12,13 +12,13 @@
 namespace raytracer {
 namespace {
 
-// Any odd multiplier would do: the generator's own seeding mixes the bits.
+// Any odd multiplier works: seeding the generator mixes the bits.
 std::uint64_t pixelSeed(std::uint64_t seed, int column, int row) {
     return seed * 0xD1342543DE82EF95U + (static_cast<std::uint64_t>(row) << 32U) +
            static_cast<std::uint64_t>(column);
 }
 
-/// Hands out the rows of one image to threads that all run `work`.
+/// Distributes the rows of an image over threads that all run `work`.
 class RowLoop {
 public:
     RowLoop(const Image& image, const std::function<void(int, int)>& function)
@@ -81,7 +81,7 @@ void forEachPixel(const Image& image, const std::function<void(int x, int y)>& f
         helpers.emplace_back([&loop] { loop.work(); });
     loop.work();
     helpers.clear();
-    // What is drawn after the loop must not depend on which pixel this thread happened to end with.
+    // Numbers drawn after the loop must not depend on the last pixel that this thread rendered.
     seedRandom(pixelSeed(image.settings().seed, -1, -1));
     loop.rethrow();
 }

@@ -14,7 +14,7 @@
 
 namespace raytracer {
 
-/// The spheres of a scene, four by four and component by component: one instruction works on two.
+/// The spheres of a scene in groups of four, component by component: each instruction handles two.
 class FlatSpheres {
 public:
     void add(const Sphere& sphere) {
@@ -36,8 +36,8 @@ public:
 private:
     static constexpr std::size_t kLanes = 4;
 
-    // GCC and Clang turn arithmetic on these into what the processor has (SSE2, NEON), which is
-    // the same arithmetic on each half as on a double alone.
+    // GCC and Clang compile arithmetic on these to SIMD instructions (SSE2, NEON), with the same
+    // results as arithmetic on single doubles.
     using Pair = double __attribute__((vector_size(16)));
     using BitsOfPair = std::int64_t __attribute__((vector_size(16)));
     using Lanes = std::array<Pair, kLanes / 2>;
@@ -52,13 +52,13 @@ private:
             spheres_[lane] = &sphere;
         }
 
-        /// True when the ray certainly meets none of the four; most rays need to know no more.
-        /// @param a  Square of the direction's length.
+        /// True if the ray certainly misses all four spheres, which most rays do.
+        /// @param a  Squared length of the direction.
         [[nodiscard]] bool isMissedBy(const Ray& ray, double a) const {
             return (missSigns(ray, a, 0) & missSigns(ray, a, 1)) < 0;
         }
 
-        // Out of line, so that the rays that do not come here need not save registers for it.
+        // Not inlined, so that rays that end earlier need not save registers for it.
         [[nodiscard, gnu::noinline]] Nearest nearest(const Ray& ray, Nearest found) const {
             for (const Sphere* sphere : spheres_) {
                 if (sphere == nullptr) break;
@@ -69,8 +69,8 @@ private:
         }
 
     private:
-        // Negative when both spheres of a pair are missed: no root, or both roots behind an origin
-        // that is outside. The terms are those of Sphere::distanceAlong.
+        // Negative if both spheres of a pair are missed: no real root, or both roots behind an
+        // origin that lies outside. The terms are those of Sphere::distanceAlong.
         [[nodiscard]] std::int64_t missSigns(const Ray& ray, double a, std::size_t pair) const {
             const Pair x = x_[pair] - ray.origin.x;
             const Pair y = y_[pair] - ray.origin.y;
@@ -89,7 +89,7 @@ private:
         Lanes x_{};
         Lanes y_{};
         Lanes z_{};
-        Lanes radiusSquared_{kNever, kNever};  // no ray meets an empty lane
+        Lanes radiusSquared_{kNever, kNever};  // no ray hits an empty lane
         std::array<const Sphere*, kLanes> spheres_{};
     };
 
@@ -97,12 +97,12 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The planes of a scene, side by side in memory.
+/// The planes of a scene, contiguous in memory.
 class FlatPlanes {
 public:
     void add(const Plane& plane) { planes_.push_back({plane.point(), plane.normal(), &plane}); }
 
-    /// The nearest plane, or `found` where no plane is nearer.
+    /// The nearest plane, or `found` if no plane is nearer.
     [[nodiscard]] Nearest nearest(const Ray& ray, Nearest found) const {
         for (const Entry& plane : planes_) {
             const double distance = Plane::distanceAlong(ray, plane.point, plane.normal);

@@ -4,7 +4,8 @@
 
 namespace raytracer {
 
-// Rays ask for distances alone, by type; the hit is built once, for the nearest surface.
+// Rays search for distances alone, by type of object; the full hit is built once, for the nearest
+// one.
 struct Scene::Fast {
     FlatSpheres spheres;
     FlatPlanes planes;

@@ -29,7 +29,7 @@ public:
                                               const Vector3& normal) {
         const double height = (point - ray.origin).dot(normal);
         const double slope = ray.direction.dot(normal);
-        // Equal signs say that the plane is in front: the division is kept for rays that hit.
+        // Equal signs mean a hit in front: rays that miss skip the division.
         if (!(height * slope > 0.0)) return std::numeric_limits<double>::infinity();
         return height / slope;
     }

@@ -8,8 +8,8 @@
 
 namespace raytracer {
 
-/// The byte that stands for a linear colour component in an 8-bit picture:
-/// p = max(c, 0)^1.3, d = p / (p + 0.25^1.3), 255 d^(1 / 2.2), truncated. Not a number gives 0.
+/// The byte of a linear colour component in an 8-bit picture:
+/// p = max(c, 0)^1.3, d = p / (p + 0.25^1.3), 255 d^(1 / 2.2), truncated. NaN gives 0.
 [[nodiscard]] std::uint8_t toneMapped(double component);
 
 /// All three components.

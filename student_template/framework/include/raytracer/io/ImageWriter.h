@@ -12,9 +12,9 @@ namespace raytracer {
 /// The 8-bit picture of a linear image, through the tone curve.
 [[nodiscard]] ByteImage toBytes(const Image& image);
 
-/// Looks whether a picture could be written here, so that a missing folder shows before a long
+/// Checks that a picture can be written here, so that a missing folder is reported before a long
 /// render and not after it. Writes nothing.
-/// @throws InputError where the folder is missing, or the name is that of a folder or a device.
+/// @throws InputError if the folder is missing, or the name is that of a folder or a device.
 void checkWritable(const std::filesystem::path& file);
 
 /// The bytes of a PNG file.

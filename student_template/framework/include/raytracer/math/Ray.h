@@ -12,7 +12,7 @@ struct Ray {
     Vector3 direction;
 
     constexpr Ray() = default;
-    // Component by component: a copy in pairs of what was just computed stalls the processor.
+    // Copied component by component: loading pairs that were just computed would stall.
     constexpr Ray(const Vector3& from, const Vector3& towards)
         : origin(from.x, from.y, from.z), direction(towards.x, towards.y, towards.z) {}
 

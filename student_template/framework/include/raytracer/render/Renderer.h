@@ -23,7 +23,7 @@ public:
     [[nodiscard]] Image render(const Scene& scene) const;
 
     /// The colour that arrives along a ray: direct light, and mirrored light over up to
-    /// `bouncesLeft` reflections. Given; nothing to be done here.
+    /// `bouncesLeft` reflections. Already implemented; do not change it.
     [[nodiscard]] ColourRGB trace(const Scene& scene, const Ray& ray, int bouncesLeft) const;
 
     /// Task T2.1, in exercise/Renderer.cpp: the light that a point sends to a viewer, by Phong's
@@ -43,8 +43,8 @@ private:
 /// Colour of a ray that hits nothing.
 inline constexpr ColourRGB kBackgroundColour{0.001};
 
-/// How far a ray that leaves a surface starts above it, world units, so that it does not hit the
-/// surface it starts from.
+/// Shadow bias: how far above its surface a ray starts, world units, so that it does not hit that
+/// surface again (shadow acne).
 inline constexpr double kShadowBias = 1e-4;
 
 }  // namespace raytracer

@@ -16,10 +16,10 @@
 
 namespace raytracer {
 
-/// What a ray meets first, told as briefly as can be; small enough to be returned in registers.
+/// The first hit of a ray in short form, small enough to be returned in registers.
 struct Nearest {
     double distance = std::numeric_limits<double>::infinity();  ///< in lengths of the direction
-    const SceneObject* object = nullptr;                        ///< null: nothing is met
+    const SceneObject* object = nullptr;                        ///< null: a miss
 };
 
 /// Everything that rays can hit and that gives light. Never changes once built, so threads may
@@ -36,7 +36,7 @@ public:
 
     /// The first surface that the ray meets in front of its origin; empty when it meets none.
     ///
-    /// Inline, so that a caller who wants only the distance does not pay for place and normal.
+    /// Inline, so that a caller that needs only the distance does not pay for location and normal.
     [[nodiscard]] std::optional<RaycastHit> findClosestIntersection(const Ray& ray) const {
         std::optional<RaycastHit> hit;
         const Nearest nearest = findNearest(ray);
@@ -60,10 +60,10 @@ public:
     }
 
 private:
-    struct Fast;  // the objects again, laid out for speed
+    struct Fast;  // a copy of the objects in a layout for fast intersection
 
     [[nodiscard]] Nearest findNearest(const Ray& ray) const;
-    // By value: a hit whose address is known has to stand in memory, watched or not.
+    // By value: passing addresses would force the hit into memory even without an observer.
     void tellObserver(Ray ray, std::optional<RaycastHit> hit) const;
 
     ColourRGB ambientLighting_;

@@ -11,7 +11,7 @@
 
 namespace raytracer {
 
-/// A sphere as a scene file tells it; bumpy where it has a height map.
+/// A sphere of a scene file; bumpy if it has a height map.
 struct SphereDescription {
     Vector3 centre;
     double radius = 1.0;
@@ -19,15 +19,15 @@ struct SphereDescription {
     std::shared_ptr<const HeightMap> heightMap;  ///< null: smooth
 };
 
-/// A plane as a scene file tells it; the normal need not have unit length.
+/// A plane of a scene file; the normal need not have unit length.
 struct PlaneDescription {
     Vector3 point;
     Vector3 normal;
     Material material;
 };
 
-/// What is in a scene, as data, with no rendering code: what the scene reader gives and what every
-/// renderer starts from.
+/// The contents of a scene as data, without rendering code: the result of the scene reader and the
+/// input of every renderer.
 struct SceneDescription {
     ColourRGB ambientLighting{1.0};  ///< 1 where the file has no ambient light
     std::vector<PointLight> pointLights;
