@@ -80,7 +80,7 @@ const standing = () => page.locator(".standing").textContent();
 const listed = () => page.locator(".list li:visible .name").allTextContents();
 const isDisabled = (act) => page.locator(`.buttons [data-act=${act}]`).isDisabled();
 
-/// What the disk has about somebody, once the page says that all is saved.
+/// The decisions on disk about one submission, after the page reports that all is saved.
 async function decision(name) {
   await saved(page);
   const { ruling, decidedBy, comment } = onDisk(out)[name];

@@ -29,7 +29,7 @@ Vector3 unit(const Vector3& v) {
     return {v.x / length, v.y / length, v.z / length};
 }
 
-/// A surface met by a ray: `distance` is negative where there is none.
+/// A hit of a ray; `distance` is negative for a miss.
 struct Meeting {
     double distance = -1.0;
     Vector3 normal;

@@ -175,7 +175,7 @@ TEST(DecodeImage, RefusesASmallFileThatUnpacksToGigabytes) {
     packed.write(begin + zeroByte);
     for (int i = 0; i < 2'500'000; ++i)
         packed.write(repeat);
-    packed.write(end + std::string(40, '0'));  // and a check sum, which nobody looks at
+    packed.write(end + std::string(40, '0'));  // and a check sum, which is never read
     const std::string file = makePngAround({4, 4, 8, PngColour::grey}, "\x78\x01" + packed.bytes());
 
     EXPECT_THROW((void)decodeImage(file, "bomb.png"), InputError);

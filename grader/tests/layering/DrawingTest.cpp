@@ -17,7 +17,7 @@ using namespace tests;
 
 const fs::path kRoot{TICKER_SOURCE_DIR};
 
-/// Who includes whom.
+/// The folders that each folder includes.
 using Arrows = std::map<std::string, std::set<std::string>>;
 
 // The framework's folders are one box, and so are the folders of the grader.

@@ -42,7 +42,7 @@ private:
 /// Runs a shell command of this machine.
 [[nodiscard]] RootRun runHere(const std::string& command);
 
-/// The text of a file; empty where there is none.
+/// The text of a file; empty if the file does not exist.
 [[nodiscard]] std::string textOf(const std::filesystem::path& file);
 
 }  // namespace ticker::tests

@@ -17,10 +17,10 @@ namespace ticker::sandbox {
 /// A new name that no other process has.
 [[nodiscard]] std::string newMarker();
 
-/// Processes whose command line holds `marker`, and children of ours that nobody has waited for.
+/// Processes whose command line contains `marker`, and unreaped children of this process.
 [[nodiscard]] std::vector<std::string> processesLeft(const std::string& marker);
 
-/// A file that everybody may read and that no jail must show.
+/// A file that every user may read and that no jail must show.
 inline constexpr const char* kSecret = "MARMALADE-REFERENCE-0451";
 [[nodiscard]] const std::filesystem::path& secretFile();
 

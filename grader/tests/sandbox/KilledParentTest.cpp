@@ -35,8 +35,8 @@ protected:
         const StagingFolder sweeper;
     }
 
-    // Everything that the victim starts inherits the pipe's other end: its end of file says that
-    // nobody holds it any more.
+    // All descendants of the victim inherit the pipe's other end: an end of file means that none of
+    // them is left.
     void startVictim() {
         std::array<int, 2> ends{};
         ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);

@@ -32,7 +32,7 @@ std::string withoutSpace(const std::string& text) {
     return packed;
 }
 
-/// The statements of a piece of code that are long enough to be somebody's own.
+/// The statements of a piece of code that are long enough to be recognised as copied.
 void addStatements(const std::string& code, std::set<std::string>& statements) {
     constexpr std::size_t kLong = 30;
     std::istringstream lines{code};

@@ -99,7 +99,7 @@ TEST_F(PackageAlone, NamesACommandForThePictureOfEachOption) {
         const tests::CommandResult ran = package().runAlone(command + " -r 64x48 --seed 1");
         EXPECT_EQ(ran.status, 0) << command << "\n" << ran.output;
     }
-    // The picture of option 1 is that of a student who solved nothing else.
+    // Option 1's picture must be right for a student who solved nothing else.
     put("Renderer.cpp", tests::readFile("student_template/exercise/Renderer.cpp"));
     const tests::CommandResult alone = package().runAlone("./check --quick");
     const std::vector<std::string> command = commandsIn(alone.output);

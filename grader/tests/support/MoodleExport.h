@@ -13,7 +13,7 @@ struct NamedBytes {
     std::string bytes;
 };
 
-/// Somebody, or a team, who handed something in on Moodle.
+/// A participant or a team with a submission in Moodle.
 struct MoodleStudent {
     std::string fullName;  ///< "Ann Lee"; a team's name in a team assignment
     int id = 0;  ///< what the worksheet calls "Participant 123"; 0: none, as Moodle's default team
@@ -37,7 +37,7 @@ struct MoodleLayout {
 /// Writes files as one zip, with names in UTF-8. @throws std::runtime_error
 void writeZip(const std::filesystem::path& file, const std::vector<NamedBytes>& members);
 
-/// Writes files below a folder, as somebody who unpacked the zip has them.
+/// Writes files below a folder, as unpacking the zip would.
 void writeFolder(const std::filesystem::path& folder, const std::vector<NamedBytes>& members);
 
 }  // namespace ticker::tests

@@ -34,8 +34,8 @@ public:
     bool wantsFiveParts = false;  ///< before 4.1.10: a folder of feedback ends in an underscore
     std::map<int, MoodleRecord> records = {};  ///< by participant
 
-    /// The worksheet as downloaded. In a team assignment everybody of `students` is a person and
-    /// `group` his team.
+    /// The worksheet as downloaded. In a team assignment each of `students` is a person and
+    /// `group` the team.
     [[nodiscard]] std::string worksheet(const std::vector<MoodleStudent>& students) const;
 
     /// How a row of an uploaded worksheet fared.
@@ -45,7 +45,7 @@ public:
     /// @throws std::runtime_error where Moodle would refuse the whole file.
     std::map<std::string, Row> upload(std::string_view csv, std::time_t now);
 
-    /// Takes one file of a feedback zip. @return False where Moodle finds nobody whose it is.
+    /// Takes one file of a feedback zip. @return False if Moodle finds no participant for it.
     bool uploadFeedback(const std::string& path);
 };
 

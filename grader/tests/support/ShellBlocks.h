@@ -18,7 +18,7 @@ struct ShellBlock {
 
 /// The shell blocks of a file of the project, from top to bottom.
 /// @param name  Path from the project's root.
-/// @throws std::runtime_error where a fence is not closed, or says what nobody understands.
+/// @throws std::runtime_error if a fence is not closed, or has an unknown option.
 [[nodiscard]] std::vector<ShellBlock> shellBlocks(const std::string& name);
 
 /// A bash script that runs the commands of the blocks that can be run, ends with the first one that

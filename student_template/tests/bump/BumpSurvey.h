@@ -77,7 +77,7 @@ private:
 /// A map of `columns` heights by `rows` heights, added.
 [[nodiscard]] HeightMap mapOf(const std::vector<double>& columns, const std::vector<double>& rows);
 
-/// The middle one of the values that are numbers; 0 where there is none.
+/// Median of the values that are not NaN; 0 if there are none.
 [[nodiscard]] double median(std::vector<double> values);
 
 }  // namespace raytracer::tests::bump

@@ -56,7 +56,7 @@ Leaning leaningOf(const BumpSurvey& survey, AxisAtPoint SurveyPoint::*axis) {
     for (const SurveyPoint& point : survey.points()) {
         const AxisAtPoint& at = point.*axis;
         const double cosine = at.tilt.normalised().dot(at.along);
-        // 25 degrees: tangents of the texel instead of the point turn an honest tilt by a few.
+        // 25 degrees: tangents of the texel instead of the point turn a right tilt by a few.
         if (cosine < -0.906) leaning.back += 1.0;
         if (cosine > 0.906) leaning.into += 1.0;
         if (std::abs(cosine) < 0.423) leaning.across += 1.0;

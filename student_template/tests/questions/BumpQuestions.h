@@ -7,9 +7,9 @@
 
 namespace raytracer::questions {
 
-// What task T1 is asked, by the public tests and by the grader alike. The maps are so plain that
-// the answers tell everything: nobody has to agree with anybody on where u begins, on the size of a
-// texel's step or on how strong the bumps are.
+// The questions about task T1, in the public tests and in the grader alike. The maps are so simple
+// that the answers reveal the parametrisation: a solution may choose where u begins, the size of a
+// texel's step and the strength of the bumps.
 
 /// Heights of `count` texels in a row, from 0 to `rise` in equal steps.
 [[nodiscard]] std::vector<double> ramp(int count, double rise);

@@ -1,8 +1,8 @@
 // simulated_container [--docker | --user UID] [--no-namespaces] [--copy FILE]... -- PROGRAM
-// ARGUMENT... Runs PROGRAM as it would run elsewhere. --docker: as root with the capabilities that
+// ARGUMENT... Runs PROGRAM in a simulated environment. --docker: as root with the capabilities that
 // Docker leaves by default, and without its namespaces; --user: as an ordinary user;
-// --no-namespaces: the kernel refuses new namespaces. --copy: into a folder that everybody can
-// reach, where PROGRAM is then looked for; it is removed at the end.
+// --no-namespaces: the kernel refuses new namespaces. --copy: into a folder that every user can
+// reach, where PROGRAM is then searched; it is removed at the end.
 #include <fcntl.h>
 #include <grp.h>
 #include <linux/capability.h>

@@ -1,5 +1,5 @@
 // sandbox_victim LEVEL TRICKS MARKER: runs the trick that sleeps, with our descriptor 3, until
-// somebody ends us.
+// it is killed.
 #include <grader/sandbox/Sandbox.h>
 
 #include <filesystem>

@@ -3,8 +3,8 @@
 
 #include <span>
 
-// What a hostile or an honest program does with what it is given. A trick that is stopped politely
-// (an error instead of a signal) says so with its exit status, see below.
+// The actions of hostile and of ordinary programs. A trick that is refused with an error, not ended
+// by a signal, reports that with its exit status, see below.
 namespace tricks {
 
 inline constexpr int kRefused = 40;    ///< the system said no
