@@ -12,7 +12,8 @@
 namespace ticker::intake {
 namespace {
 
-// At most so many bytes, not cut in the middle of a character; an export's "_123" at the end stays.
+// Cuts a name to that many bytes at the end of a character; keeps the "_123" at the end of a Moodle
+// name.
 std::string shortened(std::string name, std::size_t longest) {
     if (name.size() <= longest) return name;
     const std::size_t mark = name.find_last_not_of("0123456789");
@@ -25,8 +26,9 @@ std::string shortened(std::string name, std::size_t longest) {
     return name + id;
 }
 
-// What ticker and grader/integrations write into OUT beside the submissions' folders, in small
-// letters: some systems tell no others. Names that begin with a dot are no submission's.
+// Files that ticker and grader/integrations write into OUT beside the submissions' folders, in
+// lower case, since some file systems ignore case. Names that begin with a dot are never
+// submissions.
 constexpr std::array kFilesOfOut{
     "index.html",         "moodle-feedback.zip", "moodle-worksheet.csv",
     "results.json",       "results.sqlite",      "results.sqlite-journal",

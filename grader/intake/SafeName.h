@@ -6,11 +6,11 @@
 
 namespace ticker::intake {
 
-/// A folder of this name can be made on any system, also among the files that OUT itself holds, and
-/// a shell or a page shows it without surprise.
+/// A name for a folder that can be made on any system, does not collide with OUT's own files, and
+/// is displayed harmlessly by shells and pages.
 [[nodiscard]] std::string safeName(const std::string& wanted);
 
-/// The name, or the name with a number; takes what it gives.
+/// The name, with a number appended if it is taken; adds the result to `taken`.
 [[nodiscard]] std::string uniqueName(const std::string& name, std::set<std::string>& taken);
 
 }  // namespace ticker::intake

@@ -16,7 +16,7 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
            folder.end();
 }
 
-// An archive by a name that isArchive does not know.
+// An archive whose name isArchive does not recognise.
 bool isOtherArchive(const std::string& name) {
     constexpr std::array<std::string_view, 7> kEndings{".rar", ".7z",  ".gz",  ".bz2",
                                                        ".xz",  ".zst", ".zipx"};
@@ -33,7 +33,7 @@ std::string whyNotGraded(const fs::directory_entry& entry) {
     return fs::is_empty(entry.path(), error) ? "is empty" : "holds nothing to grade";
 }
 
-/// Walks down as far as submissions lie beside other folders.
+/// Descends as long as submissions lie beside other folders.
 class Search {
 public:
     Search(fs::path top, const std::vector<Located>& found) : top_(std::move(top)), found_(found) {}

@@ -9,14 +9,14 @@
 
 namespace ticker::intake {
 
-/// A folder of a class, or an archive that is no zip or tar, in which nothing is graded.
+/// A folder of a class, or an archive other than zip or tar, in which nothing is graded.
 struct Skipped {
     std::string name;  ///< path below the class; untrusted, one line
     std::string why;   ///< "is empty"
 };
 
-/// What lies below a path and is part of no submission that was found there, by name. Loose files
-/// and what the systems leave behind (.git, __MACOSX) are not told.
+/// Everything below a path that belongs to none of the submissions found there, by name. Single
+/// files and system litter (.git, __MACOSX) are not listed.
 [[nodiscard]] std::vector<Skipped> findSkipped(const std::filesystem::path& path,
                                                const std::vector<Located>& found);
 

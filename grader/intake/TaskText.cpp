@@ -25,14 +25,14 @@ bool isClosedComment(std::string_view text) {
     return text.size() >= std::string_view{"/**/"}.size() && text.ends_with("*/");
 }
 
-/// Walks through C++ source piece by piece: a comment, a literal, or one character.
+/// Splits C++ source into comments, literals and single characters.
 class Lexer {
 public:
     enum class Piece { comment, literal, character };
 
     explicit Lexer(std::string_view rest) : rest_(rest) {}
 
-    /// False at the end.
+    /// Advances by one piece; false at the end.
     bool next() {
         remember();
         if (rest_.empty()) return false;
@@ -85,18 +85,19 @@ private:
             else if (rest_[i] == quote)
                 return i + 1;
             else if (rest_[i] == '\n')
-                return i;  // not closed: an error for the compiler, the line's end for us
+                return i;  // unterminated: the compiler reports it; here it ends with its line
         }
         return rest_.size();
     }
 
-    // The quote of 1'000 opens nothing. The word before it is then the digits since the last quote.
+    // A digit separator as in 1'000 opens no literal. `word_` then holds the digits since the last
+    // one.
     [[nodiscard]] bool isInNumber() const {
         return !word_.empty() && std::isxdigit(static_cast<unsigned char>(word_.back())) != 0 &&
                word_ != "u8";
     }
 
-    // R"(...)", also after an encoding prefix: u8R, uR, UR, LR.
+    // Raw string literal R"(...)", also with an encoding prefix: u8R, uR, UR, LR.
     [[nodiscard]] bool isRawPrefix() const {
         std::string_view word = word_;
         if (!word.ends_with('R')) return false;
@@ -114,7 +115,7 @@ private:
         return orAll(rest_.find(end, open), end.size());
     }
 
-    // The word that ends just before the next piece: a literal's prefix, or a number.
+    // Keeps the word that ends before the next piece: a literal's prefix, or a number.
     void remember() {
         if (piece_ == Piece::character && !text_.empty() && isWordCharacter(text_.front()))
             word_ += text_.front();

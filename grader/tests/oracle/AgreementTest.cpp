@@ -85,7 +85,7 @@ TEST(OracleMoments, AgreeWithTheReferenceSolutionAfterTwoSmallMirrors) {
 TEST(OracleMoments, AgreeWithTheOraclesOwnStudents) {
     const Oracle oracle{variedScene(), smallSettings()};
     const Moments moments = oracle.moments(12, fine());
-    // Two hundred renders: the pool of aim points must not show.
+    // Two hundred renders, so that a bias of the finite pool of aim points would show.
     expectAgreement(calibrate::compare(moments, 200, [&](int number) {
         return oracle.studentRender(static_cast<std::uint64_t>(number));
     }));

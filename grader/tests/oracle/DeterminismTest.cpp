@@ -64,7 +64,7 @@ TEST(Oracle, GivesARegionAsThePartOfTheWholePicture) {
         }
 }
 
-/// Switches instruction sets off while it lives.
+/// Disables instruction sets during its lifetime.
 class Without {
 public:
     explicit Without(std::int64_t targets) { hwy::DisableTargets(targets); }
@@ -73,8 +73,8 @@ public:
     Without& operator=(const Without&) = delete;
 };
 
-// The same points on every instruction set: what differs is rounding, and rays that graze an edge
-// (each counts 1 / paths of a pixel).
+// The same sample points on every instruction set: differences come from rounding, and from rays
+// that graze an edge (each counts 1 / paths of a pixel).
 TEST(Oracle, GivesTheSameMeansOnEveryInstructionSet) {
     const Oracle oracle{variedScene(), settingsFor(1)};
     const Moments best = oracle.moments(7, fixedPaths(1024));

@@ -12,9 +12,9 @@
 
 namespace ticker::oracle::test {
 
-/// The exercise under any reading and mistake, as plainly as a student would write it: one ray
-/// after the other, double precision, the framework's intersections. The oracle is held against it
-/// where the reference solution knows only one reading.
+/// The exercise under any reading and mistake, written like a student's code: one ray after the
+/// other, double precision, the framework's intersections. Checks the oracle where the reference
+/// solution covers only one reading.
 class PlainRenderer {
 public:
     PlainRenderer(const raytracer::Scene& scene, const raytracer::RenderSettings& settings,

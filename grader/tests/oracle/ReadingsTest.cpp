@@ -59,7 +59,7 @@ TEST_F(OracleReadings, OfTheBumpMapAgreePixelByPixel) {
     EXPECT_TRUE(summary.asExpected) << summary.text;
 }
 
-// One scene that shows each: otherwise agreement would prove nothing.
+// One scene that distinguishes them: otherwise agreement would prove nothing.
 TEST_F(OracleReadings, ThatAreToldWronglyDoNotAgree) {
     const std::map<std::string, std::string> shownBy{{"half-aperture", "lens-grid"},
                                                      {"surface", "distributed"},

@@ -15,7 +15,7 @@
 namespace ticker::oracle::test {
 namespace {
 
-/// A new folder that goes when the test ends.
+/// A new folder, removed at the end of the test.
 class Folder {
 public:
     Folder() {

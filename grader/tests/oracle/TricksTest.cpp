@@ -58,8 +58,8 @@ TEST(OracleTricks, ChangeNoExpectedValue) {
     }
 }
 
-// The error that moments claim is the error that they have: of the difference of two, over all
-// pixels, with 3 degrees of freedom each.
+// The claimed error of moments must match the actual error: of the difference of two estimates,
+// over all pixels, with 3 degrees of freedom each.
 TEST(OracleMoments, KnowTheirOwnError) {
     const Oracle oracle{variedScene(), smallSettings()};
     double claimed = 0.0;
@@ -87,8 +87,8 @@ TEST(OracleMoments, ReachThePrecisionThatIsAskedFor) {
     EXPECT_LE(Oracle(distributedScene(), smallSettings()).moments(1, byError).rmsError(), 3e-4);
 }
 
-// The pool stands for the ball: its share below any plane through it must be the ball's, within
-// far less than what a student's render could tell.
+// The pool must represent the ball: for any plane through it, the share of points on one side must
+// match the ball's far better than a student's render could resolve.
 TEST(BallPool, IsUniformInTheBall) {
     const BallPool pool{LightShape::ball, 1.0};
     for (const double height : {-0.7, -0.3, 0.0, 0.4, 0.8}) {

@@ -1,4 +1,5 @@
-// A compiler in the jail: it works, and nothing of the host gets into what it makes or says.
+// A compiler in the jail: it works, and neither its output nor its messages contain anything of the
+// host.
 #include "JailFixture.h"
 
 #include <grader/base/FileDescriptor.h>
@@ -33,7 +34,7 @@ protected:
         std::ofstream{source_.host / "answer.cpp"} << text;
         Command command;
         command.readOnly = {{"/usr", "/usr"}, source_};
-        // The name g++ may lead through /etc, which is not there.
+        // g++ may be a link through /etc, which does not exist inside.
         command.arguments = {fs::canonical("/usr/bin/g++").string(), "-O1", "-static", "-o",
                              "program"};
         command.arguments.insert(command.arguments.end(), flags.begin(), flags.end());

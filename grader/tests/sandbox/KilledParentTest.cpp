@@ -25,13 +25,13 @@ class KilledParent : public AtLevel {
 protected:
     void SetUp() override {
         AtLevel::SetUp();
-        // What the victim leaves becomes ours, so that its end can be waited for.
+        // This process adopts the victim's orphans, so that it can wait for their end.
         prctl(PR_SET_CHILD_SUBREAPER, 1);
     }
     void TearDown() override {
         prctl(PR_SET_CHILD_SUBREAPER, 0);
         AtLevel::TearDown();
-        // The victims could not: a new folder takes the old ones away.
+        // A killed victim cannot remove its staging folder: making a new one removes the old ones.
         const StagingFolder sweeper;
     }
 

@@ -1,4 +1,4 @@
-// What levels A, B and C keep a hostile program from.
+// What levels A, B and C prevent a hostile program from doing.
 #include "JailFixture.h"
 
 #include <gtest/gtest.h>

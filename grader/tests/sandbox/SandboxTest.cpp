@@ -1,4 +1,4 @@
-// Honest commands, limits and hygiene: what every level promises.
+// Ordinary commands, limits and cleanliness: what every level promises.
 #include "JailFixture.h"
 
 #include <gtest/gtest.h>
@@ -135,7 +135,7 @@ TEST_P(EveryLevel, RunsForManyThreadsAtOnce) {
         EXPECT_EQ(describe(outcomes[i]), "exit " + std::to_string(i));
 }
 
-// A student's linker can make such a file, so it must not be taken for our fault.
+// A student's linker can make such a file, so it is not an error of the grader.
 TEST_P(EveryLevel, TellsAFileThatIsNoProgram) {
     EXPECT_EQ(describe(runText("#!/not-there\n")), "exit 126");
 }
