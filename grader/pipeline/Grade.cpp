@@ -1,14 +1,15 @@
 #include <grader/pipeline/Grade.h>
 
-#include <grader/tasks/bump/BumpPicture.h>
-#include <grader/tasks/bump/JudgeBump.h>
-#include <grader/tasks/support/JudgeDistributed.h>
-#include <grader/tasks/support/PictureDoubt.h>
 #include <grader/pipeline/DrawRasters.h>
 #include <grader/pipeline/FileWork.h>
 #include <grader/pipeline/Inputs.h>
 #include <grader/pipeline/Questioning.h>
 #include <grader/pipeline/Screenshot.h>
+#include <grader/tasks/bump/BumpPicture.h>
+#include <grader/tasks/bump/JudgeBump.h>
+#include <grader/tasks/lens/JudgeLens.h>
+#include <grader/tasks/lens/PictureDoubt.h>
+#include <grader/tasks/shadows/JudgeShadows.h>
 
 #include <algorithm>
 #include <chrono>
@@ -38,7 +39,7 @@ void settle(TaskReport& task, TaskJudgement judgement) {
     task.rasters = std::move(judgement.rasters);
 }
 
-/// @return  What option 2's answers show of the aperture, see `DistributedJudgement`.
+/// @return  What option 2's answers show of the aperture, see `TaskJudgement`.
 std::optional<double> judge(FileWork& work, SourceFile file, Questioning& questioning,
                             std::uint64_t seed) {
     if (file == SourceFile::bumpySphere) {
@@ -47,16 +48,16 @@ std::optional<double> judge(FileWork& work, SourceFile file, Questioning& questi
         }));
         return std::nullopt;
     }
-    const auto attempt = [&](bool shadows, bool lens) {
-        return [=](probe::Examinee& examinee) {
-            return tasks::judgeDistributed(examinee, {shadows, lens}, seed);
-        };
-    };
-    auto shadows = questioning.begin(attempt(isOpen(work.tasks.at(0)), false));
-    auto lens = questioning.run(attempt(false, isOpen(work.tasks.at(1))));
-    settle(work.tasks.at(0), shadows.get().softShadows);
-    settle(work.tasks.at(1), std::move(lens.depthOfField));
-    return lens.apertureFactor;
+    auto shadows = questioning.begin([seed, open = isOpen(work.tasks.at(0))](auto& examinee) {
+        return open ? tasks::judgeShadows(examinee, seed) : TaskJudgement{};
+    });
+    auto lens = questioning.run([&](probe::Examinee& examinee) {
+        return isOpen(work.tasks.at(1)) ? tasks::judgeLens(examinee, seed) : TaskJudgement{};
+    });
+    settle(work.tasks.at(0), shadows.get());
+    const std::optional<double> aperture = lens.apertureFactor;
+    settle(work.tasks.at(1), std::move(lens));
+    return aperture;
 }
 
 void doubt(std::vector<TaskReport>& tasks, bool isT1, const Gallery& rendered,

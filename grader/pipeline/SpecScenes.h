@@ -1,7 +1,7 @@
 #ifndef TICKER_PIPELINE_SPECSCENES_H
 #define TICKER_PIPELINE_SPECSCENES_H
 
-#include <grader/tasks/support/PictureDoubt.h>
+#include <grader/tasks/lens/PictureDoubt.h>
 #include <grader/pipeline/Expectation.h>
 #include <grader/result/SubmissionResult.h>
 
@@ -75,7 +75,7 @@ struct Gallery {
 };
 
 /// Asks the submission for the pictures of its option. One that did not come is left out. They
-/// fail nobody; a misfit may ask for a person (see tasks/support/PictureDoubt.h and
+/// fail nobody; a misfit may ask for a person (see tasks/lens/PictureDoubt.h and
 /// tasks/bump/BumpPicture.h).
 [[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
                                        probe::Examinee& examinee);

@@ -1,7 +1,7 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/calibrate/ComparisonCampaign.h>
 #include <grader/lab/calibrate/ComparisonTables.h>
-#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/tasks/JudgeDistributed.h>
 
 #include <raytracer/base/Error.h>
 

@@ -3,7 +3,7 @@
 #include <grader/lab/calibrate/DecisionCampaign.h>
 #include <grader/lab/calibrate/DecisionTables.h>
 #include <grader/lab/calibrate/Seed.h>
-#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/tasks/JudgeDistributed.h>
 
 #include <fmt/core.h>
 

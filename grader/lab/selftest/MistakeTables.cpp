@@ -5,7 +5,7 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/selftest/MistakeTables.h>
 #include <grader/tasks/bump/JudgeBump.h>
-#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/tasks/JudgeDistributed.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>

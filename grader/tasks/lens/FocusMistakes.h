@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_FOCUSMISTAKES_H
 #define TICKER_TASKS_DISTRIBUTED_FOCUSMISTAKES_H
 
-#include <grader/tasks/lens/LensLog.h>
 #include <grader/result/Finding.h>
+#include <grader/tasks/lens/LensLog.h>
 
 namespace ticker::tasks {
 

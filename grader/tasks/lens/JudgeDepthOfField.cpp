@@ -2,6 +2,8 @@
 #include <grader/tasks/lens/JudgeDepthOfField.h>
 #include <grader/tasks/lens/LensChecks.h>
 #include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/lens/LensPlots.h>
+#include <grader/tasks/support/Checks.h>
 #include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/support/Plots.h>
 
@@ -13,10 +15,6 @@
 
 namespace ticker::tasks {
 namespace {
-
-void keepLens(std::vector<Finding>& findings, std::optional<Finding> finding) {
-    if (finding) findings.push_back(std::move(*finding));
-}
 
 bool isFinite(const LensLog& log) {
     return std::all_of(log.pixels.begin(), log.pixels.end(), [](const LensPixel& pixel) {
@@ -50,31 +48,44 @@ std::optional<Finding> checkComplete(const LensLog& log) {
     return finding;
 }
 
-void checkRays(const LensLog& log, LensOutcome& outcome) {
-    std::optional<Finding> counts = checkLensCounts(log);
-    const bool none = counts && is(*counts, kDofNone);
-    const bool shared = counts && is(*counts, kDofSharedSamples);
-    keepLens(outcome.findings, std::move(counts));
-    keepLens(outcome.findings, checkAverage(log));
-    keepLens(outcome.findings, checkBounces(log));
-    if (none) return;
-    keepLens(outcome.findings, checkFocus(log));
-    if (shared) return;
-    ApertureVerdict aperture = checkAperture(log);
-    outcome.apertureFactor = aperture.factor;
-    keepLens(outcome.findings, std::move(aperture.finding));
-    keepLens(outcome.findings, checkPattern(log));
+struct LensSeen {
+    const LensLog& log;
+    std::optional<double> apertureFactor = {};
+};
+
+using LensCheck = Check<LensSeen>;
+
+std::optional<Finding> counts(LensSeen& seen) {
+    return checkLensCounts(seen.log);
+}
+
+std::optional<Finding> aperture(LensSeen& seen) {
+    ApertureVerdict verdict = checkAperture(seen.log);
+    seen.apertureFactor = verdict.factor;
+    return std::move(verdict.finding);
+}
+
+/// A new check of T2.2: a row here with its function, and a row in LensFindings.h.
+const std::vector<LensCheck>& lensChecks() {
+    static const std::vector<LensCheck> kChecks{
+        {.run = counts},
+        {.run = [](LensSeen& seen) { return checkAverage(seen.log); }},
+        {.run = [](LensSeen& seen) { return checkBounces(seen.log); }},
+        {.run = [](LensSeen& seen) { return checkFocus(seen.log); },
+         .after = {{counts, &kDofNone}}},
+        {.run = aperture, .after = {{counts, &kDofNone}, {counts, &kDofSharedSamples}}},
+        {.run = [](LensSeen& seen) { return checkPattern(seen.log); },
+         .after = {{counts, &kDofNone}, {counts, &kDofSharedSamples}}}};
+    return kChecks;
 }
 
 // What is wrong with a picture whose questions were answered rightly under other conditions.
 std::optional<Finding> firstFailure(const LensLog& log) {
-    LensOutcome outcome;
-    if (lacksRays(log))
-        keepLens(outcome.findings, checkComplete(log));
-    else
-        checkRays(log, outcome);
-    const auto wrong = std::ranges::find(outcome.findings, Severity::fail, &Finding::severity);
-    if (wrong == outcome.findings.end()) return std::nullopt;
+    if (lacksRays(log)) return checkComplete(log);
+    LensSeen seen{.log = log};
+    const std::vector<Finding> findings = runChecks<LensSeen>(lensChecks(), seen);
+    const auto wrong = std::ranges::find(findings, Severity::fail, &Finding::severity);
+    if (wrong == findings.end()) return std::nullopt;
     return *wrong;
 }
 
@@ -129,8 +140,12 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
     outcome.cut = handout.cut;
     if (outcome.rayless) return outcome;
     outcome.valueless = !handout.pixels.front().rays.front().value.has_value();
-    checkRays(handout, outcome);
-    if (!hasFailure(outcome.findings)) keepLens(outcome.findings, checkOtherSettings(other));
+    LensSeen seen{.log = handout};
+    outcome.findings = runChecks<LensSeen>(lensChecks(), seen);
+    outcome.apertureFactor = seen.apertureFactor;
+    if (!hasFailure(outcome.findings))
+        if (std::optional<Finding> finding = checkOtherSettings(other))
+            outcome.findings.push_back(*std::move(finding));
     outcome.plots = unshown({plotLens(handout), plotFocus(handout)}, outcome.findings);
     return outcome;
 }

@@ -1,8 +1,8 @@
 #include <grader/tasks/lens/FocusMistakes.h>
 #include <grader/tasks/lens/LensChecks.h>
 #include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/lens/LensPlots.h>
 #include <grader/tasks/support/FindingText.h>
-#include <grader/tasks/support/Plots.h>
 
 #include <fmt/core.h>
 

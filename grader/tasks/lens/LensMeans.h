@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_LENSMEANS_H
 #define TICKER_TASKS_DISTRIBUTED_LENSMEANS_H
 
-#include <grader/tasks/TaskJudgement.h>
 #include <grader/probe/Question.h>
+#include <grader/tasks/TaskJudgement.h>
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,6 @@
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/lens/LensLog.h>
 #include <grader/tasks/lens/LensQuestions.h>
+#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include <grader/tasks/lens/LensChecks.h>
 #include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/support/FindingText.h>
-#include <grader/tasks/support/Plots.h>
 
 #include <fmt/core.h>
 

@@ -1,7 +1,8 @@
 #include <grader/tasks/shadows/JudgeSoftShadows.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
+#include <grader/tasks/shadows/answers/AimPlot.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
-#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/support/Checks.h>
 #include <grader/tasks/support/Plots.h>
 
 #include <algorithm>
@@ -10,9 +11,17 @@
 namespace ticker::tasks {
 namespace {
 
-void keepShadow(std::vector<Finding>& findings, std::optional<Finding> finding) {
-    if (finding) findings.push_back(std::move(*finding));
-}
+/// What the answers show; the checks note what later ones need.
+struct ShadowSeen {
+    const ShadowLogs& logs;
+    AimVerdict aims = {};
+    std::optional<Finding> shape = {};  ///< of the points that rays aim at
+    bool fixed = false;                 ///< the same aims at every point
+    std::optional<ShadowReading> reading = {};
+};
+
+using Result = std::optional<Finding>;
+using ShadowCheck = Check<ShadowSeen>;
 
 bool castsNoRay(const ShadowLogs& logs) {
     for (const ShadowLog* log : logs.atHandoutSettings())
@@ -21,60 +30,89 @@ bool castsNoRay(const ShadowLogs& logs) {
     return true;
 }
 
-void warnOfReading(const ShadowReading& reading, std::vector<Finding>& findings) {
-    if (!reading.viewerIsEye) return;
-    findings.push_back(distributedFinding(
+Result fixedSamples(ShadowSeen& seen) {
+    Result finding = checkFixedSamples(seen.logs);
+    seen.fixed = finding.has_value();
+    return finding;
+}
+
+Result rayCounts(ShadowSeen& seen) {
+    return checkRayCounts(seen.logs, seen.fixed);
+}
+
+Result failingShape(ShadowSeen& seen) {
+    seen.shape = checkAims(seen.logs, seen.aims);
+    return seen.shape && seen.shape->severity == Severity::fail ? seen.shape : std::nullopt;
+}
+
+Result crowding(ShadowSeen& seen) {
+    const bool repeats = 2 * seen.aims.distinct < seen.aims.lines;
+    const bool fails = seen.shape && seen.shape->severity == Severity::fail;
+    return repeats || fails ? std::nullopt : seen.shape;
+}
+
+Result keepReading(ShadowSeen& seen, ArithmeticVerdict verdict) {
+    seen.reading = verdict.reading;
+    return std::move(verdict.finding);
+}
+
+Result viewer(ShadowSeen& seen) {
+    if (!seen.reading || !seen.reading->viewerIsEye) return std::nullopt;
+    return distributedFinding(
         kShadowViewFromEye, Severity::warn,
         "The highlights were expected as seen from O; they come out as seen from the origin of "
-        "the world."));
+        "the world.");
 }
 
-// Few of the aims are new ones.
-bool repeatsItself(const AimVerdict& aims) {
-    return 2 * aims.distinct < aims.lines;
+Result horizon(ShadowSeen& seen) {
+    return seen.reading ? checkHorizon(seen.logs, seen.aims, *seen.reading) : std::nullopt;
 }
 
-void judgeRays(const ShadowLogs& logs, ShadowOutcome& outcome) {
-    std::vector<Finding>& findings = outcome.findings;
-    // Wherever these rays go, it is not the light: nothing else can be said of them.
-    if (std::optional<Finding> backwards = checkBackwards(logs)) {
-        findings.push_back(*std::move(backwards));
-        return;
-    }
-    const std::optional<Finding> starts = checkStarts(logs);
-    // Rays from another place than the point go elsewhere, miss the light by more and meet other
-    // things than they should: all that follows from the start.
-    const bool misplaced = starts && is(*starts, kShadowWrong);
-    keepShadow(findings, starts);
-    std::optional<Finding> fixed = checkFixedSamples(logs);
-    std::optional<Finding> counts = checkRayCounts(logs, fixed.has_value());
-    // Rays that start all around the point and go to the centre are no hard shadow; aims that are
-    // all the centre are fixed, but that is not what went wrong.
-    const bool hard = counts && is(*counts, kShadowHard);
-    if (!counts && !misplaced) keepShadow(findings, checkSeveralCounts(logs, fixed.has_value()));
-    const AimVerdict aims = judgeAims(logs.farLight);
-    const bool copied = counts.has_value() || fixed.has_value();
-    if (!copied && !misplaced) fixed = checkSmallPool(aims);
-    if (counts && !(hard && starts)) keepShadow(findings, std::move(counts));
-    if (!hard) keepShadow(findings, std::move(fixed));
-    if (misplaced) return;
-    keepShadow(findings, checkEveryLight(logs));
-    keepShadow(findings, checkDirectionOffset(logs));
-    // Copies of a few rays crowd wherever they go.
-    std::optional<Finding> shape = checkAims(logs, aims);
-    const bool astray = shape && shape->severity == Severity::fail;
-    const bool copies = copied || repeatsItself(aims);
-    if (shape && (astray || !copies)) keepShadow(findings, std::move(shape));
-    if (aims.shapeIsRight()) keepShadow(findings, checkSeveralSizes(logs, aims));
+Result otherSettings(ShadowSeen& seen) {
+    return seen.reading ? checkOtherSettings(seen.logs) : std::nullopt;
+}
 
-    ArithmeticVerdict arithmetic = checkArithmetic(logs);
-    // Aims that miss the ball meet what stands around the light, rightly.
-    const bool follows =
-        astray && arithmetic.finding && is(*arithmetic.finding, kShadowBeyondLight);
-    if (!follows) keepShadow(findings, std::move(arithmetic.finding));
-    outcome.reading = arithmetic.reading;
-    if (outcome.reading && !hasFailure(findings))
-        keepShadow(findings, checkHorizon(logs, aims, *outcome.reading));
+/// A new check of T2.1: a row here with its function, and a row in ShadowFindings.h.
+const std::vector<ShadowCheck>& checksOfRays() {
+    static const std::vector<ShadowCheck> kChecks{
+        // Wherever these rays go, it is not the light: nothing else can be said of them.
+        {.run = [](ShadowSeen& seen) { return checkBackwards(seen.logs); }, .hides = {Hides{}}},
+        {.run = fixedSamples},
+        // Aims that are all the centre are fixed, but that is not what went wrong.
+        {.run = rayCounts, .hides = {{&kShadowHard, &kShadowFixedSamples}}},
+        // Rays that start all around the point and go to the centre are no hard shadow. Rays from
+        // another place than the point miss the light by more and meet other things than they
+        // should: all that follows from the start.
+        {.run = [](ShadowSeen& seen) { return checkStarts(seen.logs); },
+         .hides = {{nullptr, &kShadowHard}, {&kShadowWrong, nullptr}}},
+        {.run = [](ShadowSeen& seen) { return checkSeveralCounts(seen.logs, seen.fixed); },
+         .after = {{rayCounts}}},
+        {.run = [](ShadowSeen& seen) { return checkSmallPool(seen.aims); },
+         .after = {{rayCounts}, {fixedSamples}}},
+        {.run = [](ShadowSeen& seen) { return checkEveryLight(seen.logs); }},
+        {.run = [](ShadowSeen& seen) { return checkDirectionOffset(seen.logs); }},
+        // Aims that miss the ball meet what stands around the light, rightly.
+        {.run = failingShape, .hides = {{nullptr, &kShadowBeyondLight}}},
+        // Copies of a few rays crowd wherever they go.
+        {.run = crowding, .after = {{rayCounts}, {fixedSamples}}},
+        {.run =
+             [](ShadowSeen& seen) {
+                 return seen.aims.shapeIsRight() ? checkSeveralSizes(seen.logs, seen.aims)
+                                                 : std::nullopt;
+             }},
+        {.run = [](ShadowSeen& seen) { return keepReading(seen, checkArithmetic(seen.logs)); }},
+        {.run = horizon, .ifNothingFails = true},
+        {.run = viewer},
+        {.run = otherSettings, .ifNothingFails = true}};
+    return kChecks;
+}
+
+/// For code whose rays cannot be seen.
+const std::vector<ShadowCheck>& checksOfValues() {
+    static const std::vector<ShadowCheck> kChecks{
+        {.run = [](ShadowSeen& seen) { return keepReading(seen, checkValues(seen.logs)); }},
+        {.run = viewer}};
+    return kChecks;
 }
 
 }  // namespace
@@ -83,21 +121,16 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
     const ShadowLogs logs{all};
     ShadowOutcome outcome;
     if (std::optional<Finding> finding = checkFinite(logs)) {
-        outcome.findings.push_back(std::move(*finding));
+        outcome.findings.push_back(*std::move(finding));
         return outcome;
     }
     outcome.rayless = castsNoRay(logs);
     outcome.cut = std::ranges::any_of(all, &ShadowLog::cut);
-    if (outcome.rayless) {
-        ArithmeticVerdict values = checkValues(logs);
-        keepShadow(outcome.findings, std::move(values.finding));
-        outcome.reading = values.reading;
-    } else {
-        judgeRays(logs, outcome);
-    }
-    if (outcome.reading) warnOfReading(*outcome.reading, outcome.findings);
-    if (outcome.reading && !outcome.rayless && !hasFailure(outcome.findings))
-        keepShadow(outcome.findings, checkOtherSettings(logs));
+    ShadowSeen seen{.logs = logs};
+    if (!outcome.rayless) seen.aims = judgeAims(logs.farLight);
+    outcome.findings =
+        runChecks<ShadowSeen>(outcome.rayless ? checksOfValues() : checksOfRays(), seen);
+    outcome.reading = seen.reading;
     outcome.plots = unshown({plotAims(logs.farLight)}, outcome.findings);
     return outcome;
 }

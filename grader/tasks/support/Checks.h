@@ -30,8 +30,8 @@ struct Check {
     };
 
     Run run;
-    std::vector<Found> after = {};   ///< it is skipped where one of these was found before
-    bool ifNothingFails = false;     ///< it is skipped where a check before it failed
+    std::vector<Found> after = {};  ///< it is skipped where one of these was found before
+    bool ifNothingFails = false;    ///< it is skipped where a check before it failed
     std::vector<Hides> hides = {};
 };
 

@@ -50,4 +50,20 @@ std::vector<Finding> mostImportantFirst(std::vector<Finding> findings, Order ord
     return kept;
 }
 
+TaskJudgement judgementOf(std::vector<Finding> findings, std::span<const FindingText* const> order,
+                          bool needsReview) {
+    TaskJudgement judgement;
+    judgement.findings = mostImportantFirst(std::move(findings), order);
+    const bool failed = hasFailure(judgement.findings);
+    judgement.state = failed ? TaskState::failed : TaskState::passed;
+    judgement.needsReview = needsReview && !failed;
+    return judgement;
+}
+
+Finding unseenRays(const FindingText& text, const std::string& what) {
+    Finding finding = distributedFinding(
+        text, Severity::note, what + ": what it computes is judged by its results alone.");
+    return finding;
+}
+
 }  // namespace ticker::tasks

@@ -2,6 +2,7 @@
 #define TICKER_TASKS_DISTRIBUTED_FINDINGTEXT_H
 
 #include <grader/result/FindingText.h>
+#include <grader/tasks/TaskJudgement.h>
 
 #include <span>
 #include <string>
@@ -21,6 +22,15 @@ namespace ticker::tasks {
 /// @param order  The table of the task; what is not in it comes last.
 [[nodiscard]] std::vector<Finding> mostImportantFirst(std::vector<Finding> findings,
                                                       std::span<const FindingText* const> order);
+
+/// Passed, or failed where one of the findings fails.
+/// @param needsReview  Counts where nothing fails.
+[[nodiscard]] TaskJudgement judgementOf(std::vector<Finding> findings,
+                                        std::span<const FindingText* const> order,
+                                        bool needsReview = false);
+
+/// The note that rays cannot be followed.
+[[nodiscard]] Finding unseenRays(const FindingText& text, const std::string& what);
 
 }  // namespace ticker::tasks
 

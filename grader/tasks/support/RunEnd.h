@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_RUNEND_H
 #define TICKER_TASKS_DISTRIBUTED_RUNEND_H
 
-#include <grader/tasks/TaskJudgement.h>
 #include <grader/probe/Examinee.h>
+#include <grader/tasks/TaskJudgement.h>
 
 #include <optional>
 #include <string_view>

@@ -1,44 +1,43 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_STAGES_H
-#define TICKER_TASKS_DISTRIBUTED_STAGES_H
+#ifndef TICKER_TASKS_SUPPORT_STAGES_H
+#define TICKER_TASKS_SUPPORT_STAGES_H
 
-#include <grader/tasks/shadows/answers/ShadowReplay.h>
 #include <grader/probe/Examinee.h>
-#include <grader/result/Finding.h>
+#include <grader/result/FindingText.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace ticker::tasks {
 
-/// What one round of questions says whose answers are not exact: chance has a part in them.
+/// The verdict of one round of questions with random answers.
 struct Stage {
     std::optional<Finding> failure;             ///< held against the submission if it comes twice
     std::optional<Finding> doubt;               ///< a warning: a person has to look, and why
     std::optional<double> apertureFactor = {};  ///< of a picture: the accepted one that fits best
 };
 
-/// Each asks questions of its own, drawn from `seed` and the number of the stage.
-/// The values of `illuminate` at shadows' edges, where its rays cannot be seen.
-[[nodiscard]] Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed,
-                                  std::uint64_t stage);
-/// Pictures of `render`, where its rays cannot be seen.
-[[nodiscard]] Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed,
-                                 std::uint64_t stage);
-/// `render` with two threads, where all was right with one: they may meet or not.
-/// @param mayAntialias  See `LensLog`.
-[[nodiscard]] Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
-                                 std::uint64_t stage);
+/// The seed of a stage's questions.
+[[nodiscard]] std::uint64_t seedOf(std::uint64_t seed, std::uint64_t stage);
 
-/// `render` after another picture of the same size, where all was right in a first one.
-[[nodiscard]] Stage judgeNext(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
-                              std::uint64_t stage);
+/// A warning: a person has to look.
+[[nodiscard]] Stage doubtful(const FindingText& text, std::string why);
 
-/// `illuminate` inside of `render`: with one thread it does what it did at single points, else a
-/// person has to look; with two it still does, or fails.
-[[nodiscard]] Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed,
-                                   std::uint64_t stage);
+/// An answer that does not come here, though it came before, is a doubt and no failure.
+[[nodiscard]] Stage unanswered(const probe::Sitting& sitting, std::string_view function);
+
+/// @return  Null where the question has no answer in full.
+template <class Answer>
+const Answer* answeredBy(const probe::Sitting& sitting, std::size_t question = 0) {
+    if (sitting.answers.size() <= question) return nullptr;
+    const auto* answer = std::get_if<Answer>(&sitting.answers[question]);
+    return answer != nullptr && answer->state == probe::AnswerState::answered ? answer : nullptr;
+}
 
 /// Asks once, and again on other questions where that failed: a failure that does not come again is
 /// none, but a person should look.

@@ -4,7 +4,7 @@
 #include "Fuzz.h"
 
 #include <grader/tasks/bump/JudgeBump.h>
-#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/tasks/JudgeDistributed.h>
 
 #include <algorithm>
 #include <array>

@@ -24,6 +24,7 @@ using Arrows = std::map<std::string, std::set<std::string>>;
 std::string boxOf(const std::string& layer) {
     if (layer.starts_with("raytracer/") || layer == "app") return "framework";
     if (layer == "exercise") return "reference_solution";
+    if (layer.starts_with("grader/tasks/")) return "tasks";
     return layer.starts_with("grader/") ? layer.substr(7) : layer;
 }
 

@@ -34,12 +34,12 @@ std::optional<std::string> layerOf(const fs::path& file) {
     const bool isSubmission = at(1) == "corpus" && parts.size() > 3;
     if (at(0) == "grader" && at(1) != "tests" && at(1) != "bench" && at(1) != "integrations" &&
         !isSubmission)
-        return "grader/" + at(1);
+        return "grader/" + at(1) + (at(1) == "tasks" && parts.size() > 3 ? "/" + at(2) : "");
     return std::nullopt;
 }
 
 std::optional<std::string> folderOf(const std::string& header) {
-    static const std::regex kOurs{R"(^((raytracer|grader)/[a-z]+)/.*)"};
+    static const std::regex kOurs{R"(^(grader/tasks/[a-z]+|(raytracer|grader)/[a-z]+)/.*)"};
     std::smatch match;
     if (header.starts_with("grader/tasks/") && isTableOfFindings(header)) return "findings";
     if (std::regex_match(header, match, kOurs)) return match[1];

@@ -1,5 +1,5 @@
 // Code that answers questions and renders something else.
-#include <grader/tasks/support/PictureDoubt.h>
+#include <grader/tasks/lens/PictureDoubt.h>
 #include <grader/pipeline/Grade.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>

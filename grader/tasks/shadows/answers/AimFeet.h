@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_AIMFEET_H
 #define TICKER_TASKS_DISTRIBUTED_AIMFEET_H
 
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/shadows/answers/ShadowAims.h>
+#include <grader/tasks/support/Draw.h>
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_PENUMBRAHITS_H
 #define TICKER_TASKS_DISTRIBUTED_PENUMBRAHITS_H
 
-#include <grader/tasks/shadows/answers/PenumbraShares.h>
 #include <grader/result/Finding.h>
+#include <grader/tasks/shadows/answers/PenumbraShares.h>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_PENUMBRASHARES_H
 #define TICKER_TASKS_DISTRIBUTED_PENUMBRASHARES_H
 
-#include <grader/tasks/shadows/questions/PenumbraQuestion.h>
 #include <grader/tasks/shadows/answers/ShadowAims.h>
+#include <grader/tasks/shadows/questions/PenumbraQuestion.h>
 #include <grader/tasks/support/Surfaces.h>
 
 #include <array>

@@ -1,9 +1,9 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_SHADOWLOG_H
 #define TICKER_TASKS_DISTRIBUTED_SHADOWLOG_H
 
+#include <grader/probe/Question.h>
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
 #include <grader/tasks/support/Surfaces.h>
-#include <grader/probe/Question.h>
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_HIGHLIGHTCHECK_H
 #define TICKER_TASKS_DISTRIBUTED_HIGHLIGHTCHECK_H
 
-#include <grader/tasks/shadows/answers/ShadowLog.h>
 #include <grader/result/Finding.h>
+#include <grader/tasks/shadows/answers/ShadowLog.h>
 
 #include <optional>
 #include <vector>

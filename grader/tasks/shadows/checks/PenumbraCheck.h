@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_PENUMBRACHECK_H
 #define TICKER_TASKS_DISTRIBUTED_PENUMBRACHECK_H
 
-#include <grader/tasks/shadows/questions/PenumbraQuestion.h>
 #include <grader/result/Finding.h>
+#include <grader/tasks/shadows/questions/PenumbraQuestion.h>
 
 #include <optional>
 

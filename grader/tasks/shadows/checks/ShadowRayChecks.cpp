@@ -1,10 +1,10 @@
 #include <grader/result/GeneralFindings.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
+#include <grader/tasks/shadows/answers/AimPlot.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/FindingText.h>
-#include <grader/tasks/support/Plots.h>
 
 #include <fmt/core.h>
 

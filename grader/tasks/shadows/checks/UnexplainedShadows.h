@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_UNEXPLAINEDSHADOWS_H
 #define TICKER_TASKS_DISTRIBUTED_UNEXPLAINEDSHADOWS_H
 
-#include <grader/tasks/shadows/answers/ShadowReplay.h>
 #include <grader/result/Finding.h>
+#include <grader/tasks/shadows/answers/ShadowReplay.h>
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/tasks/JudgeDistributed.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Rays that start at another place than the point: what follows from that is not what went wrong.
-#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/tasks/JudgeDistributed.h>
 #include <grader/tests/support/LocalExaminee.h>
 
 #include <gtest/gtest.h>

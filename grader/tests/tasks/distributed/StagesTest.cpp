@@ -1,5 +1,5 @@
 // What cannot be seen is judged by statistics in two stages: a failure counts where it comes again.
-#include <grader/tasks/support/JudgeDistributed.h>
+#include <grader/tasks/JudgeDistributed.h>
 #include <grader/lab/selftest/AlteredExaminee.h>
 #include <grader/tests/support/LocalExaminee.h>
 

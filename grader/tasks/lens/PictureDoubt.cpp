@@ -1,8 +1,8 @@
 #include <grader/probe/Question.h>
 #include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/lens/PictureDoubt.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/support/FindingText.h>
-#include <grader/tasks/support/PictureDoubt.h>
 
 #include <fmt/core.h>
 

@@ -1,0 +1,85 @@
+#include <grader/tasks/lens/FocusMistakes.h>
+#include <grader/tasks/lens/JudgeDepthOfField.h>
+#include <grader/tasks/lens/JudgeLens.h>
+#include <grader/tasks/lens/LensChecks.h>
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/lens/LensQuestions.h>
+#include <grader/tasks/lens/LensStages.h>
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/support/RunEnd.h>
+
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace ticker::tasks {
+namespace {
+
+// Looks at pictures where the rays do not tell all, and at threads and a second render where they
+// do.
+// @return  Whether a person has to look.
+bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntialias,
+                  LensOutcome& outcome) {
+    if (outcome.rayless || outcome.valueless || (outcome.cut && !hasFailure(outcome.findings))) {
+        outcome.findings.push_back(unseenRays(
+            kDofUnseenRays,
+            outcome.cut ? "render casts far more rays than asked for, so not all were followed"
+                        : "render does not send its rays through trace"));
+        return keepRepeated(outcome.findings, [&](std::uint64_t stage) {
+            Stage judged = judgePicture(examinee, seed, stage);
+            outcome.apertureFactor = judged.apertureFactor;
+            return judged;
+        });
+    }
+    if (hasFailure(outcome.findings)) return false;
+    const bool threads = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
+        return judgeThreads(examinee, mayAntialias, seed, stage);
+    });
+    if (hasFailure(outcome.findings)) return threads;
+    return keepRepeated(outcome.findings,
+                        [&](std::uint64_t stage) {
+                            return judgeNext(examinee, mayAntialias, seed, stage);
+                        }) ||
+           threads;
+}
+
+// Whether rays that stay inside of the large pixels of a tiny frame do so in small ones, too.
+bool antialiases(probe::Examinee& examinee, const LensLog& tiny, std::uint64_t seed) {
+    if (!staysInPixels(tiny) || meetInPoints(tiny)) return false;
+    const probe::RenderQuestion asked = drawFineQuestion(seed);
+    const probe::Sitting sitting = examinee.ask({asked});
+    const auto* answer =
+        sitting.answers.empty() ? nullptr : std::get_if<probe::RenderAnswer>(&sitting.answers[0]);
+    if (answer == nullptr || answer->state != probe::AnswerState::answered || answer->wrongSize)
+        return false;
+    return staysInPixels(readLensLog(asked, *answer));
+}
+
+}  // namespace
+
+TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed) {
+    const LensQuestions asked = drawLensQuestions(seed);
+    const probe::Sitting sitting = examinee.ask({asked.handout, asked.other});
+    if (std::optional<TaskJudgement> blocked = judgeUnanswered(sitting, "render"))
+        return *std::move(blocked);
+
+    const auto& handout = std::get<probe::RenderAnswer>(sitting.answers[0]);
+    const auto& other = std::get<probe::RenderAnswer>(sitting.answers[1]);
+    if (handout.wrongSize)
+        return judgementOf({distributedFinding(kDofWrong, Severity::fail,
+                                               "A picture of the size in settings() was expected; "
+                                               "one of another size came back.")},
+                           kLensFindings);
+    LensLog atHandout = readLensLog(asked.handout, handout);
+    LensLog atOther = readLensLog(asked.other, other);
+    const bool mayAntialias = antialiases(examinee, atHandout, seed);
+    atHandout.mayAntialias = atOther.mayAntialias = mayAntialias;
+    LensOutcome outcome = judgeDepthOfField(atHandout, atOther);
+    const bool needsReview = judgeResults(examinee, seed, mayAntialias, outcome);
+    TaskJudgement judgement = judgementOf(std::move(outcome.findings), kLensFindings, needsReview);
+    judgement.apertureFactor = outcome.apertureFactor;
+    judgement.plots = std::move(outcome.plots);
+    return judgement;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,19 @@
+#ifndef TICKER_TASKS_LENS_JUDGELENS_H
+#define TICKER_TASKS_LENS_JUDGELENS_H
+
+#include <grader/probe/Examinee.h>
+#include <grader/tasks/TaskJudgement.h>
+
+#include <cstdint>
+
+namespace ticker::tasks {
+
+/// Judges task T2.2 by asking the submission for small renders.
+///
+/// @param seed  Every hidden question is drawn from it; equal seeds give equal findings for code
+///              that uses the kit's generator.
+[[nodiscard]] TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed);
+
+}  // namespace ticker::tasks
+
+#endif

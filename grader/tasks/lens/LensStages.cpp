@@ -1,0 +1,68 @@
+#include <grader/tasks/lens/JudgeDepthOfField.h>
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/lens/LensQuestions.h>
+#include <grader/tasks/lens/LensStages.h>
+#include <grader/tasks/lens/PictureCheck.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace ticker::tasks {
+namespace {
+
+bool sameEachTime(const probe::RenderAnswer& answer) {
+    return std::ranges::all_of(answer.images,
+                               [&](const auto& image) { return image == answer.images.front(); });
+}
+
+Stage stageOf(PictureVerdict verdict) {
+    if (verdict.ambiguous)
+        return doubtful(kDofUnseenRays,
+                        "Its pictures are neither clearly right nor clearly wrong: a person has to "
+                        "compare them.");
+    return {std::move(verdict.finding), std::nullopt, verdict.apertureFactor};
+}
+
+}  // namespace
+
+// Code that gives one picture again and again leaves a single sample of its noise: a larger picture
+// is asked for, to have as many pixels as all repetitions together.
+Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
+    const std::uint64_t own = seedOf(seed, stage);
+    for (const bool onePicture : {false, true}) {
+        const probe::RenderQuestion asked = drawPictureQuestion(own, onePicture);
+        const probe::Sitting sitting = examinee.ask({asked});
+        const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
+        if (answer == nullptr || answer->wrongSize || answer->images.empty())
+            return unanswered(sitting, "render");
+        if (onePicture || !sameEachTime(*answer))
+            return stageOf(judgePictures(asked, *answer, own));
+    }
+    return {};
+}
+
+Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
+                   std::uint64_t stage) {
+    const probe::RenderQuestion asked = drawThreadsQuestion(seedOf(seed, stage));
+    const probe::Sitting sitting = examinee.ask({asked});
+    const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
+    if (answer == nullptr || answer->wrongSize) return unanswered(sitting, "render");
+    LensLog log = readLensLog(asked, *answer);
+    log.mayAntialias = mayAntialias;
+    return {judgeWithThreads(log), std::nullopt};
+}
+
+// What goes wrong in the picture before is no matter here: it is of a part of a frame, and code
+// that draws the whole one leaves nothing to compare.
+Stage judgeNext(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
+                std::uint64_t stage) {
+    const NextRender asked = drawNextRender(seedOf(seed, stage));
+    const probe::Sitting sitting = examinee.ask({asked.before, asked.next});
+    const auto* answer = answeredBy<probe::RenderAnswer>(sitting, 1);
+    if (answer == nullptr || answer->wrongSize) return {};
+    LensLog log = readLensLog(asked.next, *answer);
+    log.mayAntialias = mayAntialias;
+    return {judgeNextRender(log), std::nullopt};
+}
+
+}  // namespace ticker::tasks

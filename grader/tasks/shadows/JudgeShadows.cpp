@@ -1,0 +1,69 @@
+#include <grader/tasks/shadows/JudgeShadows.h>
+#include <grader/tasks/shadows/JudgeSoftShadows.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
+#include <grader/tasks/shadows/ShadowStages.h>
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/support/RunEnd.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+// Judges by results what the rays do not tell. @return  Whether a person has to look.
+bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOutcome& outcome) {
+    // A light of the wrong size also changes points that should be fully lit.
+    const bool unexplained =
+        !outcome.findings.empty() && is(outcome.findings.front(), kShadowWrong);
+    const bool cut = outcome.cut && !hasFailure(outcome.findings);
+    if (!cut && !(outcome.rayless && (outcome.reading || unexplained))) return false;
+    outcome.findings.push_back(
+        unseenRays(kShadowUnseenRays,
+                   cut ? "illuminate casts far more rays than asked for, so not all were followed"
+                       : "illuminate casts no ray through findClosestIntersection"));
+    const bool needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
+        return judgePenumbra(examinee, seed, stage);
+    });
+    // Where full shadow is lit, its edge has no fraction either; that is not what went wrong.
+    if (unexplained && is(outcome.findings.back(), kShadowHard)) outcome.findings.pop_back();
+    return needsReview;
+}
+
+}  // namespace
+
+TaskJudgement judgeShadows(probe::Examinee& examinee, std::uint64_t seed) {
+    const std::vector<ShadowQuestion> asked = drawShadowQuestions(seed);
+    std::vector<probe::Question> questions;
+    for (const ShadowQuestion& question : asked)
+        questions.emplace_back(question.question);
+    const probe::Sitting sitting = examinee.ask(questions);
+    if (std::optional<TaskJudgement> blocked = judgeUnanswered(sitting, "illuminate"))
+        return *std::move(blocked);
+
+    std::vector<ShadowLog> logs;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        logs.push_back(
+            readShadowLog(asked[i], std::get<probe::IlluminateAnswer>(sitting.answers[i])));
+    ShadowOutcome outcome = judgeSoftShadows(logs);
+    bool needsReview = judgeUnseenShadows(examinee, seed, outcome);
+    if (outcome.reading && !outcome.cut && !hasFailure(outcome.findings))
+        needsReview = keepRepeated(outcome.findings,
+                                   [&](std::uint64_t stage) {
+                                       return judgeLitRender(examinee, seed, stage);
+                                   }) ||
+                      needsReview;
+    // The steps at the edges of shadows are for a person to see.
+    needsReview = needsReview || std::ranges::any_of(outcome.findings, [](const Finding& finding) {
+                      return is(finding, kShadowFixedSamples);
+                  });
+    TaskJudgement judgement =
+        judgementOf(std::move(outcome.findings), kShadowFindings, needsReview);
+    judgement.plots = std::move(outcome.plots);
+    return judgement;
+}
+
+}  // namespace ticker::tasks

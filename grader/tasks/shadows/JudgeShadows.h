@@ -1,0 +1,19 @@
+#ifndef TICKER_TASKS_SHADOWS_JUDGESHADOWS_H
+#define TICKER_TASKS_SHADOWS_JUDGESHADOWS_H
+
+#include <grader/probe/Examinee.h>
+#include <grader/tasks/TaskJudgement.h>
+
+#include <cstdint>
+
+namespace ticker::tasks {
+
+/// Judges task T2.1 by asking the submission for illuminated points and tiny renders.
+///
+/// @param seed  Every hidden question is drawn from it; equal seeds give equal findings for code
+///              that uses the kit's generator.
+[[nodiscard]] TaskJudgement judgeShadows(probe::Examinee& examinee, std::uint64_t seed);
+
+}  // namespace ticker::tasks
+
+#endif
