@@ -1,6 +1,5 @@
 // Benchmarks of the oracle, as ratios in one run: CPU time, medians of interleaved rounds.
 #include <grader/bench/Harness.h>
-#include <grader/oracle/references/HiddenScene.h>
 #include <grader/oracle/Oracle.h>
 
 #include <raytracer/base/Error.h>
@@ -28,8 +27,6 @@ struct Options {
     int rounds = 7;
 };
 
-using bench::Cost;
-using bench::costOf;
 using bench::Figure;
 using bench::median;
 using bench::runProgram;
@@ -129,32 +126,11 @@ std::vector<Figure> equalError(const SceneDescription& scene) {
             {"plain / all tricks", plainToGoal / cleverTime, "x"}};
 }
 
-/// Mean and variance of one hidden scene.
-std::vector<Figure> hidden(int rounds) {
-    std::vector<double> cpu;
-    std::vector<double> wall;
-    double share = 0.0;
-    for (int round = 0; round < rounds; ++round) {
-        HiddenScene scene =
-            hiddenScene(HiddenTask::depthOfField, static_cast<std::uint64_t>(round));
-        scene.settings.threads = 2;
-        const Cost cost = costOf([&] {
-            const Moments moments = Oracle{scene.scene, scene.settings}.moments(1);
-            share = std::max(share, moments.shareOfVariance(16));
-        });
-        cpu.push_back(cost.cpu);
-        wall.push_back(cost.wall);
-    }
-    return {{"hidden scene 32x24, mean and variance, CPU", median(cpu), "ms"},
-            {"hidden scene 32x24, two threads, wall clock", median(wall), "ms"},
-            {"largest share of the statistic's variance", 100.0 * share, "%"}};
-}
-
 std::vector<Figure> measure(const Options& options) {
     const SceneDescription scene = raytracer::readScene(options.scene, {});
     std::vector<Figure> figures = throughput(scene, options);
-    for (const std::vector<Figure>& more : {equalError(scene), hidden(options.rounds)})
-        figures.insert(figures.end(), more.begin(), more.end());
+    const std::vector<Figure> more = equalError(scene);
+    figures.insert(figures.end(), more.begin(), more.end());
     return figures;
 }
 

@@ -1,7 +1,7 @@
 // Shadows inside of a render: what a thread cast between the beginning and the end of a point's
 // lighting has to explain the point's colour.
 #include <grader/tasks/shadows/checks/LitRender.h>
-#include <grader/lab/selftest/AlteredExaminee.h>
+#include <grader/tests/tasks/distributed/AlteredExaminee.h>
 #include <grader/tests/support/LocalExaminee.h>
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(LitRender, HasManyPointsAtTheEdgesOfShadows) {
 
 TEST(LitRender, SaysThatRaysAreMissing) {
     tests::LocalExaminee reference;
-    selftest::AlteredExaminee hard{reference, [](auto& settings) { settings.shadowRayCount = 1; }};
+    AlteredExaminee hard{reference, [](auto& settings) { settings.shadowRayCount = 1; }};
     const probe::RenderQuestion asked = drawLitQuestion(3, 1);
     EXPECT_EQ(litDifference(readLitRender(asked, render(asked, hard))),
               "some points get 1 of 10 shadow rays to a light");

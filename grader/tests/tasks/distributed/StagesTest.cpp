@@ -1,6 +1,6 @@
 // What cannot be seen is judged by statistics in two stages: a failure counts where it comes again.
 #include <grader/tasks/JudgeDistributed.h>
-#include <grader/lab/selftest/AlteredExaminee.h>
+#include <grader/tests/tasks/distributed/AlteredExaminee.h>
 #include <grader/tests/support/LocalExaminee.h>
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ public:
         const Turn turn = sittings_ == 0 ? Turn::right : stages_.at(sittings_ - 1);
         ++sittings_;
         if (turn == Turn::silent) return {{probe::IlluminateAnswer{}}, {}};
-        selftest::AlteredExaminee hidden{reference_,
+        AlteredExaminee hidden{reference_,
                                          [=](RenderSettings& settings) {
                                              if (turn == Turn::wrong) settings.lightSize *= 0.7;
                                          },

@@ -1,5 +1,5 @@
 #include <grader/tasks/JudgeDistributed.h>
-#include <grader/lab/selftest/AlteredExaminee.h>
+#include <grader/tests/tasks/distributed/AlteredExaminee.h>
 #include <grader/tests/support/LocalExaminee.h>
 
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@ namespace ticker::tasks {
 namespace {
 
 using raytracer::RenderSettings;
-using selftest::AlteredExaminee;
 
 std::string firstOf(const TaskJudgement& judgement) {
     return judgement.findings.empty() ? "" : judgement.findings.front().id;

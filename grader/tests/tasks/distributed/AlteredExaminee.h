@@ -1,5 +1,5 @@
-#ifndef TICKER_SELFTEST_ALTEREDEXAMINEE_H
-#define TICKER_SELFTEST_ALTEREDEXAMINEE_H
+#ifndef TICKER_TESTS_ALTEREDEXAMINEE_H
+#define TICKER_TESTS_ALTEREDEXAMINEE_H
 
 #include <grader/probe/Examinee.h>
 
@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace ticker::selftest {
+namespace ticker::tasks {
 
 /// Passes questions on to another examinee with altered settings, and hides its rays where told:
 /// mistakes of size, count and plane, and code whose rays cannot be seen, without compiling
@@ -41,6 +41,6 @@ private:
     bool hideRays_;
 };
 
-}  // namespace ticker::selftest
+}  // namespace ticker::tasks
 
 #endif
