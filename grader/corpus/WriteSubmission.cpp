@@ -1,4 +1,4 @@
-#include <grader/corpus/HostileCase.h>
+#include <grader/corpus/Entry.h>
 
 #include <raytracer/base/Error.h>
 
@@ -9,9 +9,8 @@
 
 #include <fstream>
 #include <memory>
-#include <sstream>
 
-namespace ticker::hostile {
+namespace ticker::corpus {
 namespace fs = std::filesystem;
 namespace {
 
@@ -33,14 +32,14 @@ void writeText(const fs::path& file, const std::string& text, const std::string&
 }
 
 using Archive = std::unique_ptr<archive, decltype(&archive_write_free)>;
-using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
+using Description = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
 
 void require(int status, archive* archive) {
     if (status < ARCHIVE_WARN) throw raytracer::Error(archive_error_string(archive));
 }
 
-Entry describe(const Member& member, const std::string& name, const std::string& text) {
-    Entry entry{archive_entry_new(), archive_entry_free};
+Description describe(const Member& member, const std::string& name, const std::string& text) {
+    Description entry{archive_entry_new(), archive_entry_free};
     archive_entry_set_pathname(entry.get(), name.c_str());
     archive_entry_set_perm(entry.get(), 0644);
     archive_entry_set_filetype(entry.get(), AE_IFREG);
@@ -74,7 +73,7 @@ void addMember(archive* archive, const Member& member, const std::string& secret
     for (unsigned long copy = 0; copy < member.copies; ++copy) {
         const std::string name =
             member.copies == 1 ? member.name : member.name + std::to_string(copy);
-        const Entry entry = describe(member, name, text);
+        const Description entry = describe(member, name, text);
         require(archive_write_header(archive, entry.get()), archive);
         if (member.kind != Member::Kind::file) continue;
         for (unsigned long i = 0; i < member.repeats; ++i)
@@ -116,17 +115,11 @@ struct Maker {
 
 }  // namespace
 
-void writeSubmission(const HostileCase& hostileCase, const fs::path& secret,
-                     const fs::path& folder) {
-    for (const fs::directory_entry& entry : fs::directory_iterator{hostileCase.folder}) {
-        if (entry.path().filename() == "expected.json") continue;
-        std::ifstream stream{entry.path(), std::ios::binary};
-        std::ostringstream text;
-        text << stream.rdbuf();
-        writeText(folder / entry.path().filename(), aimed(text.str(), secret.string()));
-    }
-    for (const MadeFile& made : hostileCase.made)
+void writeSubmission(const Entry& entry, const fs::path& secret, const fs::path& folder) {
+    for (const auto& [name, text] : textsOf(entry))
+        writeText(folder / name, aimed(text, secret.string()));
+    for (const MadeFile& made : entry.made)
         std::visit(Maker{folder / made.name, secret.string()}, made.contents);
 }
 
-}  // namespace ticker::hostile
+}  // namespace ticker::corpus

@@ -1,8 +1,8 @@
 // golden_class ROOT CLASS [EVERY]: writes samples, unseen solutions, and a third of the catalogue
 // and of the hostile cases into CLASS, one folder each. EVERY 30 keeps one entry of thirty.
-#include <grader/base/WholeFile.h>
-#include <grader/corpus/Catalogue.h>
-#include <grader/corpus/HostileCase.h>
+#include <grader/corpus/Entry.h>
+
+#include <raytracer/base/Error.h>
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <string>
 #include <string_view>
@@ -50,41 +49,30 @@ private:
     unsigned long every_;
 };
 
-/// Every folder below `root` that holds a submission, named by its path.
-void addFolders(const fs::path& root, const std::string& kind, const Class& to) {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
-        if (entry.path().filename() != "expected.json") continue;
-        const fs::path from = entry.path().parent_path();
-        std::string name = kind + "-" + fs::relative(from, root).string();
-        std::ranges::replace(name, '/', '-');
-        if (to.wants(name, 1)) fs::copy(from, to.open(name));
-    }
-}
-
-void addMistakes(const fs::path& root, const Class& to) {
-    for (const mistakes::Mistake& mistake : mistakes::readCatalogue(root / "grader/corpus")) {
-        const std::string name = fmt::format("mistake-{}-{}", mistake.task, mistake.id);
-        if (!to.wants(name, 3)) continue;
-        const std::string reference =
-            readWhole(root / "reference_solution/exercise" / mistake.file);
-        std::ofstream stream{to.open(name) / mistake.file, std::ios::binary};
-        stream << mistakes::makeMistake(mistake, reference);
-    }
-}
-
 /// Left out: what ends at a limit of time or memory, because its findings depend on the machine.
-bool endsByItself(const hostile::HostileCase& each) {
-    return std::ranges::none_of(each.findings, [](const std::string& finding) {
-        return finding == "run.timed-out" || finding == "build.limit" || finding == "run.memory";
-    });
+bool endsByItself(const corpus::Entry& entry) {
+    const corpus::Expectation& expect = entry.expected();
+    return !expect.names("run.timed-out") && !expect.names("build.limit") &&
+           !expect.names("run.memory");
 }
 
-void addHostile(const fs::path& root, const Class& to) {
-    for (const hostile::HostileCase& each :
-         hostile::listHostileCases(root / "grader/corpus/hostile/cases")) {
-        const std::string name = "hostile-" + each.name;
-        if (to.wants(name, 3) && endsByItself(each))
-            hostile::writeSubmission(each, "/nowhere/secret", to.open(name));
+/// "mistake-T1-inverted-u", "sample-awarded-bump-z-up", "hostile-abort".
+std::string nameOf(const std::string& kind, const corpus::Entry& entry) {
+    std::string name = kind + "-" + (kind == "hostile" ? "" : entry.group + "-") + entry.name;
+    std::ranges::replace(name, '/', '-');
+    return name;
+}
+
+/// Adds one entry of `share` of some collections.
+void add(const std::vector<corpus::Entry>& entries, const std::string& kind, unsigned long share,
+         const Class& to) {
+    for (const corpus::Entry& entry : entries) {
+        const std::string name = nameOf(kind, entry);
+        if (!to.wants(name, share) || (kind == "hostile" && !endsByItself(entry))) continue;
+        const fs::path folder = to.open(name);
+        corpus::writeSubmission(entry, "/nowhere/secret", folder);
+        // The grader lists it as a file that is no part of the submission.
+        if (share == 1) fs::copy_file(entry.path, folder / "expected.json");
     }
 }
 
@@ -95,10 +83,10 @@ int run(const std::vector<std::string>& arguments) {
     }
     const fs::path root{arguments[0]};
     const Class to{arguments[1], arguments.size() > 2 ? std::stoul(arguments[2]) : 1};
-    addFolders(root / "grader/corpus/samples", "sample", to);
-    addFolders(root / "grader/corpus/unseen", "unseen", to);
-    addMistakes(root, to);
-    addHostile(root, to);
+    add(corpus::readEntries(root, {"samples"}), "sample", 1, to);
+    add(corpus::readEntries(root, {"unseen"}), "unseen", 1, to);
+    add(corpus::readCatalogue(root), "mistake", 3, to);
+    add(corpus::readEntries(root, {"hostile"}), "hostile", 3, to);
     return 0;
 }
 

@@ -69,31 +69,30 @@ bool testMistakes(const SelftestOptions& options, const std::string& task,
                   const pipeline::Grader& grader, bool draw) {
     const Home home = Home::find();
     const Countdown counter{task.empty() ? "mistakes" : task, 0, draw};
-    std::vector<mistakes::Mistake> entries =
-        selftest::mistakesOf(mistakes::readCatalogue(home.data / "grader/corpus"), task);
+    std::vector<corpus::Entry> entries =
+        selftest::mistakesOf(corpus::readCatalogue(home.data), task);
     if (!options.cases.empty()) entries = selftest::mistakesCalled(entries, options.cases);
     selftest::MistakeRun run;
     run.fraction = options.cases.empty() ? options.fraction : 1.0;
     run.seed = seedOf(options.grade);
     run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
-    const auto rows = selftest::runMistakes(entries, home.data / "reference_solution/exercise",
-                                            grader.kit, grader.sandbox, run);
+    const auto rows = selftest::runMistakes(entries, grader.kit, grader.sandbox, run);
     printTable((task.empty() ? "" : task + ": ") + "the catalogue of mistakes, compiled and judged",
                selftest::tableOf(rows));
     return std::ranges::all_of(rows, &selftest::MistakeRow::asExpected);
 }
 
 /// The whole corpus, or those of it that were asked for.
-std::vector<hostile::HostileCase> hostileCases(const Home& home,
+std::vector<corpus::Entry> hostileCases(const Home& home,
                                                const std::vector<std::string>& wanted) {
-    auto corpus = hostile::listHostileCases(home.data / "grader/corpus/hostile/cases");
+    auto corpus = corpus::readEntries(home.data, {"hostile"});
     if (wanted.empty()) return corpus;
-    std::vector<hostile::HostileCase> picked;
+    std::vector<corpus::Entry> picked;
     for (const std::string& name : wanted) {
-        const auto found = std::ranges::find(corpus, name, &hostile::HostileCase::name);
+        const auto found = std::ranges::find(corpus, name, &corpus::Entry::name);
         if (found == corpus.end())
             throw raytracer::InputError("--case " + name, 0,
-                                        "is no folder of grader/corpus/hostile/cases");
+                                        "is no entry of grader/corpus/hostile/cases");
         picked.push_back(*found);
     }
     return picked;

@@ -9,26 +9,26 @@ namespace ticker::calibrate {
 namespace {
 
 using build::SourceFile;
-using mistakes::Edit;
-using mistakes::Mistake;
+using corpus::Edit;
+using corpus::Entry;
 using oracle::BumpReading;
 using oracle::LightShape;
 using oracle::PhongReading;
 using oracle::Reading;
 using oracle::ShadowReach;
 
-std::vector<Edit> editsOf(const std::vector<Mistake>& catalogue, const std::string& task,
+std::vector<Edit> editsOf(const std::vector<Entry>& catalogue, const std::string& task,
                           const std::string& id) {
-    const auto found = std::ranges::find_if(catalogue, [&](const Mistake& mistake) {
-        return mistake.task == task && mistake.id == id;
+    const auto found = std::ranges::find_if(catalogue, [&](const Entry& mistake) {
+        return mistake.group == task && mistake.name == id;
     });
     if (found == catalogue.end())
         throw raytracer::InputError("grader/corpus/mistakes/" + task + "/" + id + ".json", 0,
                                     "is missing; the oracle's agreement is tried on it");
-    return found->edits;
+    return found->edits.at("Renderer.cpp");
 }
 
-std::vector<AgreementCase> distributedCases(const std::vector<Mistake>& catalogue) {
+std::vector<AgreementCase> distributedCases(const std::vector<Entry>& catalogue) {
     std::vector<AgreementCase> cases{{"reference", SourceFile::renderer, {}, {}}};
     const auto add = [&](const char* name, const char* task, const char* id, auto change) {
         AgreementCase next{name, SourceFile::renderer, editsOf(catalogue, task, id), {}};
@@ -143,7 +143,7 @@ std::vector<AgreementCase> bumpCases() {
 
 }  // namespace
 
-std::vector<AgreementCase> agreementCases(const std::vector<Mistake>& catalogue) {
+std::vector<AgreementCase> agreementCases(const std::vector<Entry>& catalogue) {
     std::vector<AgreementCase> cases = distributedCases(catalogue);
     for (AgreementCase& bump : bumpCases())
         cases.push_back(std::move(bump));

@@ -2,7 +2,7 @@
 #define TICKER_CALIBRATE_AGREEMENTCASES_H
 
 #include <grader/build/Kit.h>
-#include <grader/corpus/Catalogue.h>
+#include <grader/corpus/Entry.h>
 #include <grader/oracle/Reading.h>
 
 #include <string>
@@ -15,7 +15,7 @@ namespace ticker::calibrate {
 struct AgreementCase {
     std::string name;        ///< "surface"
     build::SourceFile file;  ///< which file of the reference is edited
-    std::vector<mistakes::Edit> edits;
+    std::vector<corpus::Edit> edits;
     oracle::Reading reading;
 };
 
@@ -23,7 +23,7 @@ struct AgreementCase {
 /// @param catalogue  Where the edits of T2.1 and T2.2 stand, as "accepted-...".
 /// @throws raytracer::InputError where the catalogue has no such entry.
 [[nodiscard]] std::vector<AgreementCase> agreementCases(
-    const std::vector<mistakes::Mistake>& catalogue);
+    const std::vector<corpus::Entry>& catalogue);
 
 }  // namespace ticker::calibrate
 

@@ -119,15 +119,12 @@ std::shared_ptr<const build::Program> OracleAgreement::programOf(std::size_t rea
     const std::lock_guard lock{mutex_};
     if (const auto found = programs_.find(reading); found != programs_.end()) return found->second;
     const AgreementCase& wanted = plan_.cases[reading];
-    mistakes::Mistake edited;
-    edited.id = wanted.name;
-    edited.path = "the reading " + wanted.name;
-    edited.edits = wanted.edits;
+    const std::string name = "the reading " + wanted.name;
     build::BuildResult built = build::buildProgram(
         kit_, sandbox_, sandbox::Limits{}, wanted.file,
-        mistakes::makeMistake(edited, readWhole(plan_.reference / build::nameOf(wanted.file))));
+        corpus::applyEdits(readWhole(plan_.reference / build::nameOf(wanted.file)), wanted.edits, name));
     if (!built.program)
-        throw raytracer::Error(edited.path + " does not compile: " + built.diagnostics);
+        throw raytracer::Error(name + " does not compile: " + built.diagnostics);
     auto program = std::make_shared<const build::Program>(std::move(*built.program));
     programs_[reading] = program;
     return program;

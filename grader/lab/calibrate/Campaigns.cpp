@@ -35,7 +35,7 @@ std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& da
         subjects, raytracer::readScene(data / "scenes/distributed.xml", data / "assets"),
         programs));
     AgreementPlan plan{data / "scenes", data / "assets", data / "reference_solution/exercise",
-                       agreementCases(mistakes::readCatalogue(data / "grader/corpus")),
+                       agreementCases(corpus::readCatalogue(data)),
                        kAgreementRounds};
     all.push_back(
         std::make_unique<OracleAgreement>(std::move(plan), programs.kit(), programs.sandbox()));

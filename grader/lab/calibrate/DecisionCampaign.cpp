@@ -1,6 +1,7 @@
 #include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/calibrate/DecisionCampaign.h>
+#include <grader/result/Names.h>
 #include <grader/lab/calibrate/DecisionTables.h>
 #include <grader/lab/calibrate/Seed.h>
 #include <grader/tasks/JudgeDistributed.h>
@@ -24,10 +25,10 @@ std::string firstOf(const TaskJudgement& task) {
     return task.findings.empty() ? "nothing" : task.findings.front().id;
 }
 
-void count(const TaskJudgement& task, const mistakes::Expectation& expect, bool anyWarning,
+void count(const TaskJudgement& task, const corpus::Expectation& expect, bool anyWarning,
            BlockRecord& record) {
-    const std::string wanted = expect.finding.empty() ? "nothing" : expect.finding;
-    const bool rightState = task.state == expect.state;
+    const std::string wanted = expect.finding().empty() ? "nothing" : expect.finding();
+    const bool rightState = expect.allows(toString(task.state));
     const bool rightName = firstOf(task) == wanted || (anyWarning && rightState);
     if (!rightState) ++record.wrongState;
     if (rightState && !rightName) ++record.wrongName;
@@ -36,7 +37,7 @@ void count(const TaskJudgement& task, const mistakes::Expectation& expect, bool 
 }
 
 void count(const Subject& subject, const DistributedJudgement& judgement, BlockRecord& record) {
-    const mistakes::Expectation passes{TaskState::passed, ""};
+    const corpus::Expectation passes{{"passed"}, {{}}, false};
     const bool anyWarning = subject.task.empty();
     ++record.decisions;
     if (judgement.softShadows.state != TaskState::notAttempted)

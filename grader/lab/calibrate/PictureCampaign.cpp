@@ -38,7 +38,7 @@ bool isAmong(const auto& names, const Subject& subject) {
 bool isCompared(const Subject& subject) {
     constexpr std::array<std::string_view, 4> kOthers{"shadow.view-from-eye", "dof.antialiased",
                                                       "shadow.fixed-samples", "dof.reused-pattern"};
-    return std::ranges::find(kOthers, subject.expect.finding) == kOthers.end();
+    return std::ranges::find(kOthers, subject.expect.finding()) == kOthers.end();
 }
 
 double smallestOf(const std::vector<tasks::Misfit>& misfits) {

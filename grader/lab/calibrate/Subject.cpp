@@ -1,4 +1,3 @@
-#include <grader/base/WholeFile.h>
 #include <grader/build/Build.h>
 #include <grader/lab/calibrate/Subject.h>
 
@@ -8,17 +7,15 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 namespace ticker::calibrate {
-namespace {
 
 namespace fs = std::filesystem;
 
-}  // namespace
-
 bool Subject::isUnseen() const {
-    return expect.finding == "shadow.unseen-rays" || expect.finding == "dof.unseen-rays" ||
+    return expect.names("shadow.unseen-rays") || expect.names("dof.unseen-rays") ||
            name.find("/unseen-") != std::string::npos ||
            name.find("/own-code-") != std::string::npos;
 }
@@ -26,25 +23,24 @@ bool Subject::isUnseen() const {
 bool Subject::isStatistical() const {
     constexpr std::array kOfDistributions{"shadow.light-size", "shadow.not-a-ball",
                                           "dof.aperture-size", "dof.disc", "dof.off-centre"};
-    return isUnseen() || std::find(kOfDistributions.begin(), kOfDistributions.end(),
-                                   expect.finding) != kOfDistributions.end();
+    return isUnseen() || std::any_of(kOfDistributions.begin(), kOfDistributions.end(),
+                                     [&](const char* id) { return expect.names(id); });
 }
 
 std::vector<Subject> readSubjects(const fs::path& data) {
-    const std::string reference = readWhole(data / "reference_solution/exercise/Renderer.cpp");
     std::vector<Subject> subjects;
-    for (const mistakes::Mistake& mistake : mistakes::readCatalogue(data / "grader/corpus"))
-        if (mistake.task.rfind("T2.", 0) == 0)
-            subjects.push_back({mistake.task + "/" + mistake.id,
-                                mistakes::makeMistake(mistake, reference), mistake.task,
-                                mistake.expect});
-    for (const char* folder : {"grader/corpus/unseen/T2/right", "grader/corpus/samples/awarded"})
-        for (const auto& entry : fs::directory_iterator{data / folder})
-            if (fs::exists(entry.path() / "Renderer.cpp"))
-                subjects.push_back({"right/" + entry.path().filename().string(),
-                                    readWhole(entry.path() / "Renderer.cpp"),
-                                    "",
-                                    {TaskState::passed, ""}});
+    for (const corpus::Entry& entry : corpus::readCatalogue(data))
+        if (entry.group.starts_with("T2."))
+            subjects.push_back({entry.group + "/" + entry.name,
+                                corpus::textsOf(entry).at(entry.file()), entry.group,
+                                entry.expected()});
+    for (const corpus::Entry& entry : corpus::readEntries(data, {"samples", "unseen"})) {
+        if (entry.group != "awarded" && entry.group != "T2/right") continue;
+        const std::map<std::string, std::string> texts = corpus::textsOf(entry);
+        if (const auto text = texts.find("Renderer.cpp"); text != texts.end())
+            subjects.push_back(
+                {"right/" + entry.name, text->second, "", {{"passed"}, {{}}, false}});
+    }
     std::sort(subjects.begin(), subjects.end(),
               [](const Subject& a, const Subject& b) { return a.name < b.name; });
     return subjects;

@@ -3,7 +3,7 @@
 
 #include <grader/build/Kit.h>
 #include <grader/build/Program.h>
-#include <grader/corpus/Catalogue.h>
+#include <grader/corpus/Entry.h>
 #include <grader/sandbox/Sandbox.h>
 
 #include <filesystem>
@@ -20,9 +20,9 @@ struct Subject {
     std::string name;  ///< "T2.1/light-size-0.36"
     std::string source;
     std::string task;  ///< "T2.1" or "T2.2": where `expect` belongs; empty: both have to pass
-    mistakes::Expectation expect;
+    corpus::Expectation expect;
 
-    [[nodiscard]] bool isRight() const { return expect.state == TaskState::passed; }
+    [[nodiscard]] bool isRight() const { return expect.passes(); }
     /// Its rays cannot be seen, so that it is judged by values or pictures.
     [[nodiscard]] bool isUnseen() const;
     /// Nothing but a distribution is wrong: what is left to statistics.

@@ -20,12 +20,12 @@ namespace ticker::selftest {
 namespace fs = std::filesystem;
 namespace {
 
-using hostile::HostileCase;
+using corpus::Entry;
 
-std::vector<HostileCase> pick(const std::vector<HostileCase>& corpus, double fraction) {
+std::vector<Entry> pick(const std::vector<Entry>& corpus, double fraction) {
     const auto wanted = static_cast<std::size_t>(fraction * static_cast<double>(corpus.size()));
     const std::size_t count = std::clamp<std::size_t>(wanted, 1, corpus.size());
-    std::vector<HostileCase> picked;
+    std::vector<Entry> picked;
     for (std::size_t i = 0; i < count; ++i)
         picked.push_back(corpus[i * corpus.size() / count]);
     return picked;
@@ -43,16 +43,22 @@ std::vector<std::string> findingsOf(const SubmissionResult& result) {
     return ids;
 }
 
-std::string expectedOf(const HostileCase& hostileCase) {
-    return fmt::format("{} {} [{}] {}", hostileCase.task, fmt::join(hostileCase.states, "|"),
-                       fmt::join(hostileCase.findings, "|"), fmt::join(hostileCase.verdicts, "|"));
+/// What an entry wants to be found, if anything.
+std::vector<std::string> findingsOf(const Entry& hostileCase) {
+    return hostileCase.expected().findings.value_or(std::vector<std::string>{});
+}
+
+std::string expectedOf(const Entry& hostileCase) {
+    return fmt::format("{} {} [{}] {}", hostileCase.task(),
+                       fmt::join(hostileCase.expected().states, "|"),
+                       fmt::join(findingsOf(hostileCase), "|"),
+                       fmt::join(hostileCase.verdicts, "|"));
 }
 
 // A case whose task has to pass is about what else is found, such as a picture's fault.
-bool mustBeNamed(const HostileCase& hostileCase, const std::string& state) {
-    if (hostileCase.findings.empty()) return false;
-    const bool passesOnly = hostileCase.states == std::vector<std::string>{"passed"};
-    return passesOnly || state == "failed" || state == "blocked";
+bool mustBeNamed(const Entry& hostileCase, const std::string& state) {
+    if (findingsOf(hostileCase).empty()) return false;
+    return hostileCase.expected().passes() || state == "failed" || state == "blocked";
 }
 
 // What the class has in OUT: a submission's folder of this name would take its place. Some systems
@@ -75,18 +81,18 @@ bool holdsControls(const std::string& notice) {
     return false;
 }
 
-void compare(const HostileCase& hostileCase, const SubmissionResult& result, HostileRow& row) {
-    const auto task = std::ranges::find(result.tasks, hostileCase.task, &TaskReport::id);
+void compare(const Entry& hostileCase, const SubmissionResult& result, HostileRow& row) {
+    const auto task = std::ranges::find(result.tasks, hostileCase.task(), &TaskReport::id);
     const std::string state{task == result.tasks.end() ? "none" : toString(task->state)};
     const std::string verdict{toString(result.verdict)};
     const std::vector<std::string> ids = findingsOf(result);
-    row.got = fmt::format("{} {} [{}] {}", hostileCase.task, state, fmt::join(ids, "|"), verdict);
-    if (!holds(hostileCase.states, state)) row.faults.push_back("state " + state);
+    row.got = fmt::format("{} {} [{}] {}", hostileCase.task(), state, fmt::join(ids, "|"), verdict);
+    if (!holds(hostileCase.expected().states, state)) row.faults.push_back("state " + state);
     if (!holds(hostileCase.verdicts, verdict)) row.faults.push_back("verdict " + verdict);
     if (std::ranges::any_of(result.notices, holdsControls))
         row.faults.emplace_back("a control character in a notice");
     if (takesAPlaceInOut(result.submission)) row.faults.push_back("named " + result.submission);
-    const bool isNamed = std::ranges::any_of(hostileCase.findings,
+    const bool isNamed = std::ranges::any_of(findingsOf(hostileCase),
                                              [&](const std::string& id) { return holds(ids, id); });
     if (mustBeNamed(hostileCase, state) && !isNamed) {
         const std::string why = task == result.tasks.end() ? "" : task->reason;
@@ -109,7 +115,7 @@ bool tells(const SubmissionResult& result, const std::string& secret) {
 /// The cases written out as a class, and the rows as they come.
 class HostileClass {
 public:
-    HostileClass(std::vector<HostileCase> cases, const pipeline::Grader& grader,
+    HostileClass(std::vector<Entry> cases, const pipeline::Grader& grader,
                  const HostileRun& run)
         : cases_(std::move(cases)),
           grader_(grader),
@@ -117,10 +123,10 @@ public:
           rows_(cases_.size() * static_cast<std::size_t>(std::max(1, run.rounds))) {
         const fs::path folder = traces_.folder() / "class";
         fs::create_directory(folder);
-        for (const HostileCase& hostileCase : cases_) {
-            const fs::path own = folder / hostileCase.handedInAs;
+        for (const Entry& hostileCase : cases_) {
+            const fs::path own = folder / hostileCase.folderName;
             fs::create_directory(own);
-            hostile::writeSubmission(hostileCase, traces_.secretFile(), own);
+            corpus::writeSubmission(hostileCase, traces_.secretFile(), own);
         }
         for (const intake::Located& located : intake::findSubmissions(folder))
             located_[located.path.lexically_relative(folder).begin()->string()] = located;
@@ -153,13 +159,13 @@ private:
         if (run_.progress) run_.progress(done_, rows_.size());
     }
 
-    [[nodiscard]] HostileRow gradeOne(const HostileCase& hostileCase) const {
+    [[nodiscard]] HostileRow gradeOne(const Entry& hostileCase) const {
         HostileRow row{hostileCase.name, 0, expectedOf(hostileCase), "", {}};
-        const auto located = located_.find(hostileCase.handedInAs);
-        // What is found nowhere is in nobody's list: as good as refused.
+        const auto located = located_.find(hostileCase.folderName);
+        // Intake found no submission: counts as refused.
         if (located == located_.end()) {
             row.got = "no submission found";
-            if (!holds(hostileCase.states, "notAttempted")) row.faults.push_back(row.got);
+            if (!holds(hostileCase.expected().states, "notAttempted")) row.faults.push_back(row.got);
             return row;
         }
         try {
@@ -178,7 +184,7 @@ private:
     }
 
     Traces traces_;
-    std::vector<HostileCase> cases_;
+    std::vector<Entry> cases_;
     const pipeline::Grader& grader_;
     const HostileRun& run_;
     std::map<std::string, intake::Located> located_;
@@ -223,7 +229,7 @@ std::string HostileTables::table() const {
     return text;
 }
 
-HostileTables runHostileTables(const std::vector<HostileCase>& corpus,
+HostileTables runHostileTables(const std::vector<Entry>& corpus,
                                const pipeline::Grader& grader, const HostileRun& run) {
     if (corpus.empty()) return {};
     return HostileClass{pick(corpus, run.fraction), grader, run}.grade();

@@ -1,7 +1,7 @@
 #ifndef TICKER_SELFTEST_HOSTILETABLES_H
 #define TICKER_SELFTEST_HOSTILETABLES_H
 
-#include <grader/corpus/HostileCase.h>
+#include <grader/corpus/Entry.h>
 #include <grader/pipeline/Grade.h>
 #include <grader/lab/selftest/Traces.h>
 
@@ -54,7 +54,7 @@ struct HostileTables {
 ///
 /// @param grader  Short limits save time: see grader/corpus/hostile/limits.json.
 /// @throws raytracer::Error where the submissions cannot be written.
-[[nodiscard]] HostileTables runHostileTables(const std::vector<hostile::HostileCase>& corpus,
+[[nodiscard]] HostileTables runHostileTables(const std::vector<corpus::Entry>& corpus,
                                              const pipeline::Grader& grader, const HostileRun& run);
 
 }  // namespace ticker::selftest

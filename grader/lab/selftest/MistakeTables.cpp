@@ -1,16 +1,17 @@
 #include <grader/base/CpuTime.h>
-#include <grader/base/WholeFile.h>
 #include <grader/base/Workers.h>
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/selftest/MistakeTables.h>
+#include <grader/result/Names.h>
 #include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tasks/JudgeDistributed.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -21,57 +22,38 @@
 namespace ticker::selftest {
 namespace {
 
-namespace fs = std::filesystem;
-using mistakes::Mistake;
 using tasks::TaskJudgement;
-
-const char* nameOf(TaskState state) {
-    switch (state) {
-        case TaskState::passed:
-            return "passed";
-        case TaskState::failed:
-            return "failed";
-        case TaskState::notAttempted:
-            return "notAttempted";
-        case TaskState::blocked:
-            return "blocked";
-        case TaskState::notGraded:
-            return "notGraded";
-    }
-    return "";
-}
+using corpus::Entry;
 
 std::string firstFinding(const TaskJudgement& judgement) {
     return judgement.findings.empty() ? "" : judgement.findings.front().id;
 }
 
 std::string told(const TaskJudgement& judgement) {
-    std::string text = nameOf(judgement.state);
+    std::string text = std::string{toString(judgement.state)};
     if (!judgement.findings.empty()) text += " " + firstFinding(judgement);
     if (judgement.needsReview) text += " (review)";
     return text;
 }
 
-std::string told(const mistakes::Expectation& expected) {
-    std::string text = nameOf(expected.state);
-    if (!expected.finding.empty()) text += " " + expected.finding;
-    return expected.needsReview ? text + " (review)" : text;
+std::string told(const corpus::Expectation& expected) {
+    const std::string text = fmt::format("{}", fmt::join(expected.states, "|"));
+    const std::string findings =
+        fmt::format("{}", fmt::join(expected.findings.value_or(std::vector<std::string>{}), "|"));
+    return text + (findings.empty() ? "" : " ") + findings +
+           (expected.needsReview ? " (review)" : "");
 }
 
 /// An entry, and the file that it makes of the reference.
 struct Made {
-    Mistake entry;
+    Entry entry;
     std::string source;
 };
 
-std::vector<Made> make(const std::vector<Mistake>& entries, const fs::path& reference) {
+std::vector<Made> make(const std::vector<Entry>& entries) {
     std::vector<Made> made;
-    for (const Mistake& entry : entries) {
-        const std::string text = readWhole(reference / entry.file);
-        made.push_back({entry, mistakes::makeMistake(entry, text)});
-        if (made.back().source == text)
-            throw raytracer::InputError(entry.path, 0, "its \"edits\" change nothing");
-    }
+    for (const Entry& entry : entries)
+        made.push_back({entry, corpus::textsOf(entry).at(entry.file())});
     return made;
 }
 
@@ -88,27 +70,27 @@ std::vector<Made> pick(std::vector<Made> all, const MistakeRun& run) {
     return picked;
 }
 
-bool isAsExpected(const TaskJudgement& own, const mistakes::Expectation& expected) {
-    return own.state == expected.state && firstFinding(own) == expected.finding &&
+bool isAsExpected(const TaskJudgement& own, const corpus::Expectation& expected) {
+    return expected.isMet(toString(own.state), firstFinding(own)) &&
            own.needsReview == expected.needsReview;
 }
 
 void judgeT1(probe::Examinee& examinee, std::uint64_t seed, MistakeRow& row) {
     const TaskJudgement own = tasks::judgeBump(examinee, seed);
     row.seen = told(own);
-    row.asExpected = isAsExpected(own, row.entry.expect);
+    row.asExpected = isAsExpected(own, row.entry.expected());
 }
 
 void judgeT2(probe::Examinee& examinee, std::uint64_t seed, MistakeRow& row) {
     const auto judgement = tasks::judgeDistributed(examinee, {}, seed);
-    const bool shadows = row.entry.task == "T2.1";
+    const bool shadows = row.entry.task() == "T2.1";
     const TaskJudgement& own = shadows ? judgement.softShadows : judgement.depthOfField;
     const TaskJudgement& other = shadows ? judgement.depthOfField : judgement.softShadows;
     const bool otherPassed =
         other.state == TaskState::passed && other.findings.empty() && !other.needsReview;
     row.seen = told(own);
     if (!otherPassed) row.seen += ", other task " + told(other);
-    row.asExpected = isAsExpected(own, row.entry.expect) && otherPassed;
+    row.asExpected = isAsExpected(own, row.entry.expected()) && otherPassed;
 }
 
 /// The first line in which the compiler speaks of an error.
@@ -122,7 +104,7 @@ std::string firstError(const std::string& diagnostics) {
 MistakeRow runOne(const Made& made, const build::Kit& kit, const sandbox::Sandbox& sandbox,
                   std::uint64_t seed) {
     const sandbox::Limits limits;
-    const bool bump = made.entry.task == "T1";
+    const bool bump = made.entry.task() == "T1";
     const build::BuildResult built = build::buildProgram(
         kit, sandbox, limits, bump ? build::SourceFile::bumpySphere : build::SourceFile::renderer,
         made.source);
@@ -142,25 +124,25 @@ MistakeRow runOne(const Made& made, const build::Kit& kit, const sandbox::Sandbo
 
 }  // namespace
 
-std::vector<Mistake> mistakesOf(const std::vector<Mistake>& catalogue, const std::string& task) {
-    std::vector<Mistake> found;
+std::vector<Entry> mistakesOf(const std::vector<Entry>& catalogue, const std::string& task) {
+    std::vector<Entry> found;
     std::ranges::copy_if(catalogue, std::back_inserter(found),
-                         [&](const Mistake& entry) { return entry.task.starts_with(task); });
+                         [&](const Entry& entry) { return entry.task().starts_with(task); });
     return found;
 }
 
-std::vector<Mistake> mistakesCalled(const std::vector<Mistake>& catalogue,
+std::vector<Entry> mistakesCalled(const std::vector<Entry>& catalogue,
                                     const std::vector<std::string>& ids) {
-    std::vector<Mistake> found;
+    std::vector<Entry> found;
     for (const std::string& id : ids) {
         const std::size_t before = found.size();
-        std::ranges::copy_if(catalogue, std::back_inserter(found), [&](const Mistake& entry) {
-            return entry.id == id || entry.task + "/" + entry.id == id;
+        std::ranges::copy_if(catalogue, std::back_inserter(found), [&](const Entry& entry) {
+            return entry.name == id || entry.task() + "/" + entry.name == id;
         });
         if (found.size() > before) continue;
         std::vector<std::string_view> known;
-        for (const Mistake& entry : catalogue)
-            known.push_back(entry.id);
+        for (const Entry& entry : catalogue)
+            known.push_back(entry.name);
         const auto nearest = raytracer::nearestName(id, known);
         throw raytracer::InputError(
             "--case " + id, 0,
@@ -170,10 +152,9 @@ std::vector<Mistake> mistakesCalled(const std::vector<Mistake>& catalogue,
     return found;
 }
 
-std::vector<MistakeRow> runMistakes(const std::vector<Mistake>& entries, const fs::path& reference,
-                                    const build::Kit& kit, const sandbox::Sandbox& sandbox,
+std::vector<MistakeRow> runMistakes(const std::vector<Entry>& entries, const build::Kit& kit, const sandbox::Sandbox& sandbox,
                                     const MistakeRun& run) {
-    const std::vector<Made> picked = pick(make(entries, reference), run);
+    const std::vector<Made> picked = pick(make(entries), run);
     std::vector<MistakeRow> rows(picked.size());
     std::size_t done = 0;
     std::mutex mutex;
@@ -191,8 +172,8 @@ std::string tableOf(const std::vector<MistakeRow>& rows) {
     for (const MistakeRow& row : rows) {
         if (!row.asExpected) ++differing;
         table += fmt::format("{} {:<5} {:<34} {:<38} {:4.0f} + {:3.0f} ms{}\n",
-                             row.asExpected ? " " : "!", row.entry.task, row.entry.id,
-                             told(row.entry.expect), row.probeMs, row.judgeMs,
+                             row.asExpected ? " " : "!", row.entry.task(), row.entry.name,
+                             told(row.entry.expected()), row.probeMs, row.judgeMs,
                              row.asExpected ? "" : "   saw: " + row.seen);
     }
     return table + fmt::format("{} entries, {} not as expected\n", rows.size(), differing);

@@ -2,7 +2,7 @@
 #define TICKER_SELFTEST_MISTAKETABLES_H
 
 #include <grader/build/Kit.h>
-#include <grader/corpus/Catalogue.h>
+#include <grader/corpus/Entry.h>
 #include <grader/sandbox/Sandbox.h>
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct MistakeRun {
 
 /// What became of one entry.
 struct MistakeRow {
-    mistakes::Mistake entry;
+    corpus::Entry entry;
     std::string seen;         ///< "failed shadow.hard", or the compiler's first words
     bool asExpected = false;  ///< and, for T2, the other task passed without review
     double probeMs = 0.0;     ///< CPU of the submission's process
@@ -33,19 +33,18 @@ struct MistakeRow {
 
 /// The entries of `catalogue` that belong to T1 or to T2 ("T2" stands for both of its tasks), or to
 /// either where `task` is empty.
-[[nodiscard]] std::vector<mistakes::Mistake> mistakesOf(
-    const std::vector<mistakes::Mistake>& catalogue, const std::string& task);
+[[nodiscard]] std::vector<corpus::Entry> mistakesOf(
+    const std::vector<corpus::Entry>& catalogue, const std::string& task);
 
 /// The entries with these ids; "T2.1/hard" names the task as well.
 /// @throws raytracer::InputError where there is none, with the nearest id.
-[[nodiscard]] std::vector<mistakes::Mistake> mistakesCalled(
-    const std::vector<mistakes::Mistake>& catalogue, const std::vector<std::string>& ids);
+[[nodiscard]] std::vector<corpus::Entry> mistakesCalled(
+    const std::vector<corpus::Entry>& catalogue, const std::vector<std::string>& ids);
 
-/// Makes each mistake or accepted reading in its file of `reference`, the folder of the reference
-/// solution, compiles it and judges it. An entry that does not compile is not as expected.
+/// Makes each mistake or accepted reading, compiles it and judges it. An entry that does not compile
+/// is not as expected.
 /// @throws raytracer::InputError where an edit does not fit, whether or not the entry is picked.
-[[nodiscard]] std::vector<MistakeRow> runMistakes(const std::vector<mistakes::Mistake>& entries,
-                                                  const std::filesystem::path& reference,
+[[nodiscard]] std::vector<MistakeRow> runMistakes(const std::vector<corpus::Entry>& entries,
                                                   const build::Kit& kit,
                                                   const sandbox::Sandbox& sandbox,
                                                   const MistakeRun& run);

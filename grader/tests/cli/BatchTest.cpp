@@ -1,5 +1,5 @@
 #include <grader/cli/Batch.h>
-#include <grader/corpus/HostileCase.h>
+#include <grader/corpus/Entry.h>
 #include <grader/result/ResultJson.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/TemporaryFolder.h>
@@ -29,7 +29,7 @@ std::string nameOf(std::size_t place) {
 
 std::vector<intake::Located> makeClass(const fs::path& folder, bool withHostile) {
     const fs::path root{TICKER_SOURCE_DIR};
-    const auto corpus = hostile::listHostileCases(root / "grader/corpus/hostile/cases");
+    const auto corpus = corpus::readEntries(root, {"hostile"});
     std::size_t honest = 0;
     for (std::size_t place = 0; place < kHonest.size() + kHostile.size(); ++place) {
         const fs::path target = folder / nameOf(place);
@@ -38,8 +38,8 @@ std::vector<intake::Located> makeClass(const fs::path& folder, bool withHostile)
         } else if (withHostile) {
             fs::create_directory(target);
             const auto found =
-                std::ranges::find(corpus, kHostile.at(place / 3), &hostile::HostileCase::name);
-            hostile::writeSubmission(*found, "/etc/hostname", target);
+                std::ranges::find(corpus, kHostile.at(place / 3), &corpus::Entry::name);
+            corpus::writeSubmission(*found, "/etc/hostname", target);
         }
     }
     return intake::findSubmissions(folder);

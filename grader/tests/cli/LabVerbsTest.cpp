@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Edits that fit the reference: a mistake that the grader calls bump.inverted-u.
-const std::string kFitting = R"json("edits": [{"find": "normal + Bu * normal.cross(Pv)",
-  "replace": "normal - Bu * normal.cross(Pv)"}])json";
+const std::string kFitting = R"json({"find": "normal + Bu * normal.cross(Pv)",
+  "replace": "normal - Bu * normal.cross(Pv)"})json";
 
 /// A project of links to this one, but for what instructors add to.
 class LabVerbs : public testing::Test {
@@ -37,14 +37,15 @@ protected:
 
     [[nodiscard]] fs::path home() const { return folder_.path() / "home"; }
 
-    /// @param more  Members of the entry after its name: edits, and what else it is to hold.
-    void addMistake(const std::string& task, const std::string& id, const std::string& more,
-                    const std::string& finding = "bump.inverted-u") const {
+    /// @param about  Its member "about", and what else the entry is to hold.
+    void addMistake(const std::string& task, const std::string& id, const std::string& edit,
+                    const std::string& finding = "bump.inverted-u",
+                    const std::string& about = R"("about": "t")") const {
         const std::string file = task == "T1" ? "BumpySphere.cpp" : "Renderer.cpp";
         folder_.write("home/grader/corpus/mistakes/" + task + "/" + id + ".json",
-                      R"({"id": ")" + id + R"(", "task": ")" + task + R"(", "file": ")" + file +
-                          R"(", "title": "t", )" + more +
-                          R"(, "expect": {"state": "failed", "finding": ")" + finding + "\"}}");
+                      "{" + about + R"(, "base": "reference", "edits": {")" + file + "\": [" + edit +
+                          R"(]}, "expect": {")" + task +
+                          R"(": {"state": "failed", "findings": [")" + finding + "\"]}}}");
     }
 
     [[nodiscard]] Ran run(const std::string& arguments) const {
@@ -86,7 +87,7 @@ TEST_F(LabVerbs, SelftestSaysWhatATaskOneEntryGivesInsteadOfWhatItExpects) {
 }
 
 TEST_F(LabVerbs, SelftestSaysThatAnEntryDoesNotCompile) {
-    addMistake("T1", "broken", R"("edits": [{"find": "const HeightMap& map", "replace": "oops"}])");
+    addMistake("T1", "broken", R"({"find": "const HeightMap& map", "replace": "oops"})");
     const Ran ran = run("selftest --case broken");
     EXPECT_EQ(ran.status, 1);
     EXPECT_NE(ran.output.find("saw: does not compile: "), std::string::npos) << ran.output;
@@ -95,7 +96,7 @@ TEST_F(LabVerbs, SelftestSaysThatAnEntryDoesNotCompile) {
 // Whether or not an entry is drawn, and for each task.
 TEST_F(LabVerbs, SelftestRefusesAnEntryThatDoesNotFit) {
     for (const std::string task : {"T1", "T2.1"}) {
-        addMistake(task, "zz-misfit", R"("edits": [{"find": "no such line", "replace": ""}])");
+        addMistake(task, "zz-misfit", R"({"find": "no such line", "replace": ""})");
         const Ran ran = run("selftest --task " + task.substr(0, 2) + " --fraction 0.01");
         EXPECT_EQ(ran.status, 2) << ran.output;
         EXPECT_NE(
@@ -107,10 +108,10 @@ TEST_F(LabVerbs, SelftestRefusesAnEntryThatDoesNotFit) {
 }
 
 TEST_F(LabVerbs, SelftestRefusesAnUnknownMember) {
-    addMistake("T1", "typing-slip", R"("titel": "t", )" + kFitting);
+    addMistake("T1", "typing-slip", kFitting, "bump.inverted-u", R"("titel": "t", "about": "t")");
     const Ran ran = run("selftest --task T1 --fraction 0.01");
     EXPECT_EQ(ran.status, 2) << ran.output;
-    EXPECT_NE(ran.errors.find("typing-slip.json: the mistake does not know \"titel\""),
+    EXPECT_NE(ran.errors.find("typing-slip.json: the entry does not know \"titel\""),
               std::string::npos)
         << ran.errors;
 }

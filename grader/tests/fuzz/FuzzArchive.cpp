@@ -4,7 +4,7 @@
 #include "Fuzz.h"
 
 #include <grader/base/Utf8.h>
-#include <grader/corpus/HostileCase.h>
+#include <grader/corpus/Entry.h>
 #include <grader/intake/Intake.h>
 
 #include <algorithm>
@@ -34,13 +34,11 @@ void check(const intake::Submission& submission) {
             "names are UTF-8");
 }
 
-std::string written(const std::string& name, std::vector<hostile::Member> members) {
+std::string written(const std::string& name, std::vector<corpus::Member> members) {
     const tests::TemporaryFolder folder;
-    fs::create_directory(folder.path() / "case");
     fs::create_directory(folder.path() / "out");
-    hostile::HostileCase made;
-    made.folder = folder.path() / "case";
-    made.made = {{name, hostile::MadeArchive{std::move(members)}}};
+    corpus::Entry made;
+    made.made = {{name, corpus::MadeArchive{std::move(members)}}};
     writeSubmission(made, "/nowhere", folder.path() / "out");
     return tests::readFile((folder.path() / "out" / name).string());
 }
@@ -59,7 +57,7 @@ bool give(std::string_view input) {
 }
 
 std::vector<std::string> seeds() {
-    using hostile::Member;
+    using corpus::Member;
     const std::vector<Member> good{{"me/BumpySphere.cpp", Member::Kind::file, "// bumpy\n"},
                                    {"me/Renderer.cpp", Member::Kind::file, "// renderer\n"},
                                    {"me/screenshot.png", Member::Kind::file, "\x89PNG\r\n"},

@@ -1,4 +1,6 @@
-#include <grader/corpus/HostileCase.h>
+#include <grader/corpus/Entry.h>
+#include <grader/tests/support/Files.h>
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <raytracer/base/Error.h>
 
@@ -6,94 +8,75 @@
 
 #include <archive.h>
 #include <archive_entry.h>
-#include <unistd.h>
 
-#include <fstream>
 #include <memory>
 #include <set>
-#include <sstream>
 
-namespace ticker::hostile {
+namespace ticker::corpus {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kCases = fs::path{TICKER_SOURCE_DIR} / "grader/corpus/hostile/cases";
+using tests::TemporaryFolder;
 
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "ticker-test-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw raytracer::Error("mkdtemp");
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
-
-std::string readAll(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
+std::vector<Entry> hostileEntries() {
+    return readEntries(TICKER_SOURCE_DIR, {"hostile"});
 }
 
-HostileCase find(const std::string& name) {
-    for (const HostileCase& each : listHostileCases(kCases))
+Entry find(const std::string& name) {
+    for (const Entry& each : hostileEntries())
         if (each.name == name) return each;
     ADD_FAILURE() << "no case " << name;
     return {};
 }
 
 TEST(HostileCorpus, HoldsAtLeastSeventySubmissions) {
-    EXPECT_GE(listHostileCases(kCases).size(), 70U);
+    EXPECT_GE(hostileEntries().size(), 70U);
 }
 
 // The contract's finding ids have a part before and one after the point.
 TEST(HostileCorpus, NamesTasksAndFindingsAsTheContractDoes) {
     const std::set<std::string> parts{"bump",  "shadow", "dof",    "screenshot",
                                       "build", "run",    "intake", "settings"};
-    for (const HostileCase& each : listHostileCases(kCases)) {
-        EXPECT_TRUE(each.task == "T1" || each.task == "T2.1" || each.task == "T2.2") << each.name;
-        for (const std::string& finding : each.findings)
+    for (const Entry& each : hostileEntries()) {
+        EXPECT_EQ(each.tasks.size(), 1U) << each.name;
+        EXPECT_TRUE(each.task() == "T1" || each.task() == "T2.1" || each.task() == "T2.2")
+            << each.name;
+        for (const std::string& finding :
+             each.expected().findings.value_or(std::vector<std::string>{}))
             EXPECT_TRUE(parts.count(finding.substr(0, finding.find('.'))) == 1)
                 << each.name << ": " << finding;
     }
 }
 
 TEST(HostileCorpus, NeverAwardsTheTick) {
-    for (const HostileCase& each : listHostileCases(kCases))
+    for (const Entry& each : hostileEntries()) {
+        EXPECT_FALSE(each.verdicts.empty()) << each.name;
         for (const std::string& verdict : each.verdicts)
             EXPECT_NE(verdict, "awarded") << each.name;
+    }
 }
 
 // A blocked or failed task without a finding tells its student nothing.
 TEST(HostileCorpus, ExpectsAFindingWhereverATaskCannotPass) {
-    for (const HostileCase& each : listHostileCases(kCases)) {
-        const std::string& state = each.states.front();
-        EXPECT_TRUE(state == "passed" || state == "notAttempted" || !each.findings.empty())
+    for (const Entry& each : hostileEntries()) {
+        const std::string& state = each.expected().states.front();
+        EXPECT_TRUE(state == "passed" || state == "notAttempted" ||
+                    !each.expected().finding().empty())
             << each.name;
     }
 }
 
 TEST(HostileCorpus, GivesEverySubmissionAFolderOfItsOwnInTheClass) {
     std::set<std::string> names;
-    for (const HostileCase& each : listHostileCases(kCases))
-        EXPECT_TRUE(names.insert(each.handedInAs).second) << each.name;
-    EXPECT_EQ(find("named-in-capitals").handedInAs, "SUMMARY.CSV");
-    EXPECT_EQ(find("empty-source").handedInAs, "empty-source");
+    for (const Entry& each : hostileEntries())
+        EXPECT_TRUE(names.insert(each.folderName).second) << each.name;
+    EXPECT_EQ(find("named-in-capitals").folderName, "SUMMARY.CSV");
+    EXPECT_EQ(find("empty-source").folderName, "empty-source");
 }
 
 TEST(WriteSubmission, LaysOutEveryCase) {
-    for (const HostileCase& each : listHostileCases(kCases)) {
+    for (const Entry& each : hostileEntries()) {
         const TemporaryFolder folder;
         EXPECT_NO_THROW(writeSubmission(each, "/nowhere/secret", folder.path())) << each.name;
         EXPECT_FALSE(fs::is_empty(folder.path())) << each.name;
@@ -104,7 +87,7 @@ TEST(WriteSubmission, LaysOutEveryCase) {
 TEST(WriteSubmission, AimsAtTheSecret) {
     const TemporaryFolder folder;
     writeSubmission(find("include-secret"), "/planted/secret.h", folder.path());
-    const std::string text = readAll(folder.path() / "BumpySphere.cpp");
+    const std::string text = tests::readFile(folder.path() / "BumpySphere.cpp");
     EXPECT_NE(text.find("#include \"/planted/secret.h\""), std::string::npos);
     EXPECT_EQ(text.find("@SECRET@"), std::string::npos);
 }
@@ -145,10 +128,9 @@ TEST(WriteSubmission, WritesBombsThatAreSmall) {
 
 std::string complaint(const std::string& expected) {
     const TemporaryFolder folder;
-    fs::create_directory(folder.path() / "case");
-    std::ofstream{folder.path() / "case/expected.json"} << expected;
+    folder.write("grader/corpus/hostile/cases/case/expected.json", expected);
     try {
-        static_cast<void>(listHostileCases(folder.path()));
+        static_cast<void>(readEntries(folder.path(), {"hostile"}));
     } catch (const raytracer::InputError& error) {
         const std::string text = error.what();
         return text.substr(text.find("expected.json"));
@@ -156,14 +138,16 @@ std::string complaint(const std::string& expected) {
     return "none";
 }
 
-TEST(ListHostileCases, NamesTheFieldThatIsWrong) {
-    EXPECT_EQ(complaint("no"), "expected.json: is missing, or not JSON");
-    EXPECT_EQ(complaint("{}"), "expected.json: about: is missing");
-    EXPECT_EQ(complaint(R"({"about": "x", "task": "T1", "states": ["great"], "findings": [],
-                            "verdicts": ["awarded"]})"),
-              "expected.json: states: does not know \"great\"");
-    EXPECT_EQ(complaint(R"({"colour": 1})"), "expected.json: colour: is not known");
+TEST(ReadEntries, NamesTheMemberThatIsWrong) {
+    EXPECT_EQ(complaint("no"), "expected.json:1: is not JSON");
+    EXPECT_EQ(complaint("{}"), "expected.json: the entry needs \"about\"");
+    EXPECT_EQ(complaint(R"({"about": "x", "expect": {"T1": {"state": ["great"]}}})"),
+              "expected.json: \"expect\" of T1 \"state\" does not know \"great\"");
+    EXPECT_EQ(complaint(R"({"about": "x", "expect": {"T1": {"state": "passed"}}, "colour": 1})"),
+              "expected.json: the entry does not know \"colour\"");
+    EXPECT_EQ(complaint(R"({"about": "x", "edits": {"a": []}, "expect": {"T1": {"state": "passed"}}})"),
+              "expected.json: the entry has edits of no \"base\"");
 }
 
 }  // namespace
-}  // namespace ticker::hostile
+}  // namespace ticker::corpus

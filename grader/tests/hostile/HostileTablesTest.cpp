@@ -26,9 +26,9 @@ pipeline::Grader graderOf(sandbox::Sandbox sandbox) {
     return grader;
 }
 
-std::vector<hostile::HostileCase> casesNamed(const std::vector<std::string>& names) {
-    std::vector<hostile::HostileCase> cases;
-    for (hostile::HostileCase& each : hostile::listHostileCases(kRoot / "grader/corpus/hostile/cases"))
+std::vector<corpus::Entry> casesNamed(const std::vector<std::string>& names) {
+    std::vector<corpus::Entry> cases;
+    for (corpus::Entry& each : corpus::readEntries(kRoot, {"hostile"}))
         if (std::ranges::find(names, each.name) != names.end()) cases.push_back(std::move(each));
     return cases;
 }
@@ -38,7 +38,7 @@ TEST(HostileTables, APartOfTheCorpusComesOutAsExpected) {
     run.fraction = 0.03;
     run.rounds = 2;
     const HostileTables tables =
-        runHostileTables(hostile::listHostileCases(kRoot / "grader/corpus/hostile/cases"),
+        runHostileTables(corpus::readEntries(kRoot, {"hostile"}),
                          graderOf(sandbox::Sandbox::best()), run);
     EXPECT_GE(tables.rows.size(), 10U);
     EXPECT_TRUE(tables.passed()) << tables.table();
@@ -47,8 +47,7 @@ TEST(HostileTables, APartOfTheCorpusComesOutAsExpected) {
 TEST(HostileTables, SeeThatStateFindingAndVerdictAreOthersThanExpected) {
     auto cases = casesNamed({"abort"});
     ASSERT_EQ(cases.size(), 1U);
-    cases[0].states = {"passed"};
-    cases[0].findings = {"build.failed"};
+    cases[0].tasks["T1"] = {{"passed"}, {{"build.failed"}}, false};
     cases[0].verdicts = {"awarded"};
 
     const HostileTables tables =
@@ -64,7 +63,7 @@ TEST(HostileTables, SeeThatStateFindingAndVerdictAreOthersThanExpected) {
 TEST(HostileTables, SeeThatWhatHasToBeFoundIsNot) {
     auto cases = casesNamed({"archive-own-kit"});
     ASSERT_EQ(cases.size(), 1U);
-    cases[0].findings = {"dof.picture-differs"};
+    cases[0].tasks.begin()->second.findings = {"dof.picture-differs"};
 
     const HostileTables tables =
         runHostileTables(cases, graderOf(sandbox::Sandbox::best()), HostileRun{});

@@ -3,7 +3,7 @@
 #include "../support/TemporaryFolder.h"
 
 #include <grader/base/FileDescriptor.h>
-#include <grader/corpus/HostileCase.h>
+#include <grader/corpus/Entry.h>
 #include <grader/sandbox/Spawner.h>
 #include <grader/sandbox/StagingFolder.h>
 
@@ -34,12 +34,12 @@ const fs::path kRoot{TICKER_SOURCE_DIR};
 
 // Loops, bombs and those that try to outlive the grader, between honest ones.
 void writeClass(const fs::path& folder) {
-    for (const HostileCase& each : listHostileCases(kRoot / "grader/corpus/hostile/cases"))
+    for (const corpus::Entry& each : corpus::readEntries(kRoot, {"hostile"}))
         for (const char* name : {"blocks-all-signals", "busy-threads", "constexpr-endless",
                                  "daemon", "fork-bomb", "ignores-the-limit", "render-endless"})
             if (each.name == name) {
                 fs::create_directory(folder / name);
-                writeSubmission(each, "/nowhere", folder / name);
+                corpus::writeSubmission(each, "/nowhere", folder / name);
             }
     for (const char* name : {"reference-bump", "reference-distributed"})
         fs::copy(kRoot / "grader/corpus/samples/awarded" / name, folder / name);

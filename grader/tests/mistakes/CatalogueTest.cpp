@@ -1,39 +1,26 @@
-#include <grader/corpus/Catalogue.h>
+#include <grader/corpus/Entry.h>
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <raytracer/base/Error.h>
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 
-namespace ticker::mistakes {
+namespace ticker::corpus {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string readText(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-/// A catalogue of one file, in a folder of its own.
+/// A project whose corpus is one mistake.
 class OneMistake {
 public:
-    explicit OneMistake(const std::string& text, const std::string& id = "example")
-        : folder_(fs::path(testing::TempDir()) /
-                  testing::UnitTest::GetInstance()->current_test_info()->name()) {
-        fs::create_directories(folder_ / "mistakes" / "T1");
-        std::ofstream(folder_ / "mistakes" / "T1" / (id + ".json")) << text;
+    explicit OneMistake(const std::string& text, const std::string& reference = "one\ntwo") {
+        folder_.write("reference_solution/exercise/BumpySphere.cpp", reference);
+        folder_.write("grader/corpus/mistakes/T1/example.json", text);
     }
-    ~OneMistake() { fs::remove_all(folder_); }
-    OneMistake(const OneMistake&) = delete;
-    OneMistake& operator=(const OneMistake&) = delete;
 
-    [[nodiscard]] std::vector<Mistake> read() const { return readCatalogue(folder_); }
+    [[nodiscard]] std::vector<Entry> read() const { return readCatalogue(folder_.path()); }
+    [[nodiscard]] std::string made() const { return textsOf(read().at(0)).at("BumpySphere.cpp"); }
     /// What the reader complains about; empty where it does not.
     [[nodiscard]] std::string complaint() const {
         try {
@@ -45,12 +32,12 @@ public:
     }
 
 private:
-    fs::path folder_;
+    tests::TemporaryFolder folder_;
 };
 
-constexpr const char* kExample = R"({"id": "example", "task": "T1", "file": "BumpySphere.cpp",
-  "title": "t", "edits": [{"find": ["one", "two"], "replace": "three"}],
-  "expect": {"state": "blocked", "finding": "run.crashed"}})";
+constexpr const char* kExample = R"({"about": "t", "base": "reference",
+  "edits": {"BumpySphere.cpp": [{"find": ["one", "two"], "replace": "three"}]},
+  "expect": {"T1": {"state": "blocked", "findings": ["run.crashed"]}}})";
 
 std::string exampleWith(const std::string& find, const std::string& replace) {
     std::string text = kExample;
@@ -58,72 +45,69 @@ std::string exampleWith(const std::string& find, const std::string& replace) {
 }
 
 TEST(Catalogue, EveryMistakeFitsTheReferenceAndChangesIt) {
-    const fs::path root = TICKER_SOURCE_DIR;
     std::set<std::string> ids;
-    for (const Mistake& mistake : readCatalogue(root / "grader" / "corpus")) {
+    for (Entry& mistake : readCatalogue(TICKER_SOURCE_DIR)) {
         SCOPED_TRACE(mistake.path);
-        const std::string reference =
-            readText(root / "reference_solution" / "exercise" / mistake.file);
-        ASSERT_FALSE(reference.empty()) << "there is no such file";
-        EXPECT_NE(makeMistake(mistake, reference), reference);
-        EXPECT_TRUE(ids.insert(mistake.task + "/" + mistake.id).second);
+        const auto changed = textsOf(mistake);
+        ASSERT_EQ(changed.size(), 1U);
+        mistake.edits.begin()->second.clear();
+        EXPECT_NE(changed, textsOf(mistake));
+        ASSERT_EQ(mistake.tasks.size(), 1U);
+        EXPECT_EQ(mistake.tasks.begin()->first, mistake.group);
+        EXPECT_TRUE(ids.insert(mistake.group + "/" + mistake.name).second);
     }
     EXPECT_GT(ids.size(), 0U);
 }
 
 TEST(Catalogue, JoinsLinesAndReadsTheExpectation) {
-    const auto mistakes = OneMistake(kExample).read();
-    ASSERT_EQ(mistakes.size(), 1U);
-    EXPECT_EQ(mistakes[0].edits.at(0).find, "one\ntwo");
-    EXPECT_EQ(mistakes[0].expect.state, TaskState::blocked);
-    EXPECT_EQ(mistakes[0].expect.finding, "run.crashed");
-    EXPECT_FALSE(mistakes[0].expect.needsReview);
-    EXPECT_EQ(makeMistake(mistakes[0], "zero one\ntwo four"), "zero three four");
+    const OneMistake one{kExample, "zero one\ntwo four"};
+    const Entry entry = one.read().at(0);
+    EXPECT_EQ(entry.name, "example");
+    EXPECT_EQ(entry.task(), "T1");
+    EXPECT_EQ(entry.edits.at("BumpySphere.cpp").at(0).find, "one\ntwo");
+    EXPECT_TRUE(entry.expected().isMet("blocked", "run.crashed"));
+    EXPECT_FALSE(entry.expected().isMet("blocked", ""));
+    EXPECT_FALSE(entry.expected().isMet("failed", "run.crashed"));
+    EXPECT_FALSE(entry.expected().needsReview);
+    EXPECT_EQ(one.made(), "zero three four");
 }
 
 TEST(Catalogue, ReadsThatAPersonHasToLook) {
-    const OneMistake read{exampleWith("run.crashed\"", "run.crashed\", \"needsReview\": true")};
-    EXPECT_TRUE(read.read().at(0).expect.needsReview);
+    const OneMistake read{exampleWith("run.crashed\"]", "run.crashed\"], \"needsReview\": true")};
+    EXPECT_TRUE(read.read().at(0).expected().needsReview);
 }
 
 TEST(Catalogue, RefusesAPersonWhoIsNeitherAskedNorNot) {
-    const OneMistake odd{exampleWith("run.crashed\"", "run.crashed\", \"needsReview\": 1")};
+    const OneMistake odd{exampleWith("run.crashed\"]", "run.crashed\"], \"needsReview\": 1")};
     EXPECT_NE(odd.complaint().find("\"needsReview\" must be true or false"), std::string::npos);
 }
 
 TEST(Catalogue, RefusesAnEditThatDoesNotFitOnce) {
-    const auto mistakes = OneMistake(kExample).read();
-    EXPECT_THROW((void)makeMistake(mistakes[0], "one two"), raytracer::InputError);
-    EXPECT_THROW((void)makeMistake(mistakes[0], "one\ntwo one\ntwo"), raytracer::InputError);
+    EXPECT_THROW((void)OneMistake(kExample, "one two").made(), raytracer::InputError);
+    EXPECT_THROW((void)OneMistake(kExample, "one\ntwo one\ntwo").made(), raytracer::InputError);
 }
 
 TEST(Catalogue, NamesTheLineWhereTheTextIsNoJson) {
-    EXPECT_NE(OneMistake("{\n\"id\": ,\n}").complaint().find("example.json:2: "),
+    EXPECT_NE(OneMistake("{\n\"about\": ,\n}").complaint().find("example.json:2: "),
               std::string::npos);
 }
 
 TEST(Catalogue, RefusesAnUnknownMember) {
-    EXPECT_NE(OneMistake(exampleWith("\"title\"", "\"titel\": 1, \"title\""))
+    EXPECT_NE(OneMistake(exampleWith("\"about\"", "\"abuot\": 1, \"about\""))
                   .complaint()
-                  .find("does not know \"titel\""),
+                  .find("does not know \"abuot\""),
               std::string::npos);
 }
 
 TEST(Catalogue, RefusesAMissingMember) {
-    EXPECT_NE(OneMistake(exampleWith("\"title\": \"t\",", "")).complaint().find("needs \"title\""),
+    EXPECT_NE(OneMistake(exampleWith("\"about\": \"t\",", "")).complaint().find("needs \"about\""),
               std::string::npos);
 }
 
 TEST(Catalogue, RefusesAnUnknownState) {
-    EXPECT_NE(OneMistake(exampleWith("blocked", "bocked")).complaint().find("unknown state"),
-              std::string::npos);
-}
-
-TEST(Catalogue, RefusesANameThatIsNotTheFiles) {
-    EXPECT_NE(OneMistake(kExample, "other").complaint().find("file's name"), std::string::npos);
-    EXPECT_NE(OneMistake(exampleWith("\"T1\"", "\"T2.1\"")).complaint().find("folder's name"),
+    EXPECT_NE(OneMistake(exampleWith("blocked", "bocked")).complaint().find("\"state\" does not know \"bocked\""),
               std::string::npos);
 }
 
 }  // namespace
-}  // namespace ticker::mistakes
+}  // namespace ticker::corpus

@@ -24,7 +24,7 @@ protected:
         plan.assets = kSource / "assets";
         plan.reference = kSource / "reference_solution/exercise";
         for (AgreementCase& one :
-             agreementCases(mistakes::readCatalogue(kSource / "grader/corpus")))
+             agreementCases(corpus::readCatalogue(kSource)))
             if (wanted(one)) plan.cases.push_back(std::move(one));
         return {std::move(plan), kit_, sandbox_};
     }

@@ -1,4 +1,4 @@
-#include <grader/corpus/Catalogue.h>
+#include <grader/corpus/Entry.h>
 #include <grader/tests/student/UnpackedPackage.h>
 #include <grader/tests/support/Files.h>
 
@@ -73,9 +73,8 @@ std::set<std::string> secretStatements() {
     const std::string framework = frameworkText();
     for (const std::string& answer : secret)
         EXPECT_EQ(framework.find(answer), std::string::npos) << answer;
-    const fs::path folder = fs::path{TICKER_SOURCE_DIR} / "grader/corpus";
-    for (const mistakes::Mistake& mistake : mistakes::readCatalogue(folder))
-        for (const mistakes::Edit& edit : mistake.edits)
+    for (const corpus::Entry& mistake : corpus::readCatalogue(TICKER_SOURCE_DIR))
+        for (const corpus::Edit& edit : mistake.edits.at(mistake.file()))
             addStatements(edit.replace, secret);
     for (const std::string& statement : known)
         secret.erase(statement);

@@ -1,6 +1,6 @@
 // Writes one C++ file with every mistake of the catalogue's task T1, each in a class of its own:
-//   makeCatalogue CATALOGUE_FOLDER REFERENCE_FILE OUTPUT
-#include <grader/corpus/Catalogue.h>
+//   makeCatalogue PROJECT REFERENCE_FILE OUTPUT
+#include <grader/corpus/Entry.h>
 
 #include <fstream>
 #include <iostream>
@@ -8,19 +8,6 @@
 #include <string>
 
 namespace {
-
-using ticker::mistakes::Mistake;
-
-std::string stateName(ticker::TaskState state) {
-    switch (state) {
-        case ticker::TaskState::passed:
-            return "passed";
-        case ticker::TaskState::blocked:
-            return "blocked";
-        default:
-            return "failed";
-    }
-}
 
 void replaceAll(std::string& text, const std::string& from, const std::string& to) {
     for (std::size_t at = text.find(from); at != std::string::npos;
@@ -52,12 +39,12 @@ int main(int argc, char** argv) {
     std::string table = "{\"reference\", \"\", \"passed\", askReference},\n";
     try {
         int number = 0;
-        for (const Mistake& mistake : ticker::mistakes::readCatalogue(argv[1])) {
-            if (mistake.task != "T1") continue;
+        for (const ticker::corpus::Entry& mistake : ticker::corpus::readCatalogue(argv[1])) {
+            if (mistake.group != "T1") continue;
             const std::string name = "Mistake" + std::to_string(number++);
-            writeClass(out, name, ticker::mistakes::makeMistake(mistake, reference));
-            table += "{\"" + mistake.id + "\", \"" + mistake.expect.finding + "\", \"" +
-                     stateName(mistake.expect.state) + "\", ask" + name + "},\n";
+            writeClass(out, name, ticker::corpus::textsOf(mistake).at(mistake.file()));
+            table += "{\"" + mistake.name + "\", \"" + mistake.expected().finding() + "\", \"" +
+                     mistake.expected().states.front() + "\", ask" + name + "},\n";
         }
     } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';

@@ -10,16 +10,14 @@ namespace {
 
 const std::filesystem::path kRoot{TICKER_SOURCE_DIR};
 
-const std::filesystem::path kReference = kRoot / "reference_solution/exercise";
-
-std::vector<mistakes::Mistake> catalogue() {
-    return mistakesOf(mistakes::readCatalogue(kRoot / "grader/corpus"), "T2");
+std::vector<corpus::Entry> catalogue() {
+    return mistakesOf(corpus::readCatalogue(kRoot), "T2");
 }
 
 TEST(DistributedCatalogue, HasEveryFindingOfTheContract) {
     std::set<std::string> findings;
-    for (const mistakes::Mistake& mistake : catalogue())
-        findings.insert(mistake.expect.finding);
+    for (const corpus::Entry& mistake : catalogue())
+        findings.insert(mistake.expected().finding());
     for (const char* id : {"shadow.hard",
                            "shadow.too-few-rays",
                            "shadow.fixed-samples",
@@ -58,7 +56,7 @@ TEST(DistributedCatalogue, IsJudgedAsItSays) {
     MistakeRun run;
     run.fraction = 0.05;
     run.seed = 20;
-    const auto rows = runMistakes(catalogue(), kReference, build::Kit::besideProgram(),
+    const auto rows = runMistakes(catalogue(), build::Kit::besideProgram(),
                                   sandbox::Sandbox::best(), run);
     EXPECT_GE(rows.size(), 7U);
     for (const MistakeRow& row : rows)
@@ -67,13 +65,13 @@ TEST(DistributedCatalogue, IsJudgedAsItSays) {
 
 // Light by sample fits looser readings, too, at the handout's settings; under others only its own.
 TEST(DistributedCatalogue, DoesNotWarnOfSettingsThatAreFollowed) {
-    std::vector<mistakes::Mistake> entries = catalogue();
-    std::erase_if(entries, [](const auto& entry) { return entry.id != "accepted-per-sample"; });
+    std::vector<corpus::Entry> entries = catalogue();
+    std::erase_if(entries, [](const auto& entry) { return entry.name != "accepted-per-sample"; });
     ASSERT_EQ(entries.size(), 1U);
     for (const std::uint64_t seed : {3U, 16U, 20U, 22U}) {
         MistakeRun run;
         run.seed = seed;
-        const auto rows = runMistakes(entries, kReference, build::Kit::besideProgram(),
+        const auto rows = runMistakes(entries, build::Kit::besideProgram(),
                                       sandbox::Sandbox::best(), run);
         EXPECT_TRUE(rows.at(0).asExpected) << tableOf(rows);
     }
