@@ -10,12 +10,10 @@ install(DIRECTORY "${CMAKE_BINARY_DIR}/kit" DESTINATION "${CMAKE_INSTALL_LIBDIR}
 set(share "${CMAKE_INSTALL_DATADIR}/ticker")
 install(DIRECTORY scenes assets student_template DESTINATION "${share}" USE_SOURCE_PERMISSIONS)
 install(DIRECTORY reference_solution/exercise DESTINATION "${share}/reference_solution")
-install(DIRECTORY grader/integrations grader/corpus/mistakes grader/corpus/samples DESTINATION "${share}/grader"
+install(DIRECTORY grader/integrations grader/corpus/samples DESTINATION "${share}/grader"
   USE_SOURCE_PERMISSIONS
   PATTERN "*.h" EXCLUDE
   PATTERN "CMakeLists.txt" EXCLUDE)
-install(DIRECTORY grader/corpus/hostile/cases DESTINATION "${share}/grader/hostile")
-install(FILES grader/corpus/hostile/limits.json DESTINATION "${share}/grader/hostile")
 install(FILES grader/report/student-view.json DESTINATION "${share}/grader/report")
 install(FILES grader/rubric/rubric.json DESTINATION "${share}/grader/rubric")
 install(DIRECTORY docs DESTINATION "${share}")

@@ -33,9 +33,7 @@ Run addCollect(CLI::App& app, const Voice& voice);
 Run addSession(CLI::App& app, const Voice& voice);
 Run addReport(CLI::App& app, const Voice& voice);
 Run addDoctor(CLI::App& app, const Voice& voice);
-Run addSelftest(CLI::App& app, const Voice& voice);
 Run addPackage(CLI::App& app, const Voice& voice);
-Run addCalibrate(CLI::App& app, const Voice& voice);
 
 }  // namespace ticker::cli
 

@@ -122,9 +122,9 @@ std::shared_ptr<const build::Program> OracleAgreement::programOf(std::size_t rea
     const std::string name = "the reading " + wanted.name;
     build::BuildResult built = build::buildProgram(
         kit_, sandbox_, sandbox::Limits{}, wanted.file,
-        corpus::applyEdits(readWhole(plan_.reference / build::nameOf(wanted.file)), wanted.edits, name));
-    if (!built.program)
-        throw raytracer::Error(name + " does not compile: " + built.diagnostics);
+        corpus::applyEdits(readWhole(plan_.reference / build::nameOf(wanted.file)), wanted.edits,
+                           name));
+    if (!built.program) throw raytracer::Error(name + " does not compile: " + built.diagnostics);
     auto program = std::make_shared<const build::Program>(std::move(*built.program));
     programs_[reading] = program;
     return program;

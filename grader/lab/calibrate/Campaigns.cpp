@@ -1,7 +1,7 @@
+#include <grader/lab/agreement/OracleAgreement.h>
 #include <grader/lab/calibrate/Campaigns.h>
 #include <grader/lab/calibrate/ComparisonCampaign.h>
 #include <grader/lab/calibrate/DecisionCampaign.h>
-#include <grader/lab/agreement/OracleAgreement.h>
 #include <grader/lab/calibrate/PictureCampaign.h>
 #include <grader/lab/calibrate/StageCampaign.h>
 
@@ -35,8 +35,7 @@ std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& da
         subjects, raytracer::readScene(data / "scenes/distributed.xml", data / "assets"),
         programs));
     AgreementPlan plan{data / "scenes", data / "assets", data / "reference_solution/exercise",
-                       agreementCases(corpus::readCatalogue(data)),
-                       kAgreementRounds};
+                       agreementCases(corpus::readCatalogue(data)), kAgreementRounds};
     all.push_back(
         std::make_unique<OracleAgreement>(std::move(plan), programs.kit(), programs.sandbox()));
     return all;

@@ -1,9 +1,9 @@
 #include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/calibrate/DecisionCampaign.h>
-#include <grader/result/Names.h>
 #include <grader/lab/calibrate/DecisionTables.h>
 #include <grader/lab/calibrate/Seed.h>
+#include <grader/result/Names.h>
 #include <grader/tasks/JudgeDistributed.h>
 
 #include <fmt/core.h>

@@ -49,10 +49,9 @@ std::vector<std::string> findingsOf(const Entry& hostileCase) {
 }
 
 std::string expectedOf(const Entry& hostileCase) {
-    return fmt::format("{} {} [{}] {}", hostileCase.task(),
-                       fmt::join(hostileCase.expected().states, "|"),
-                       fmt::join(findingsOf(hostileCase), "|"),
-                       fmt::join(hostileCase.verdicts, "|"));
+    return fmt::format(
+        "{} {} [{}] {}", hostileCase.task(), fmt::join(hostileCase.expected().states, "|"),
+        fmt::join(findingsOf(hostileCase), "|"), fmt::join(hostileCase.verdicts, "|"));
 }
 
 // A case whose task has to pass is about what else is found, such as a picture's fault.
@@ -115,8 +114,7 @@ bool tells(const SubmissionResult& result, const std::string& secret) {
 /// The cases written out as a class, and the rows as they come.
 class HostileClass {
 public:
-    HostileClass(std::vector<Entry> cases, const pipeline::Grader& grader,
-                 const HostileRun& run)
+    HostileClass(std::vector<Entry> cases, const pipeline::Grader& grader, const HostileRun& run)
         : cases_(std::move(cases)),
           grader_(grader),
           run_(run),
@@ -165,7 +163,8 @@ private:
         // Intake found no submission: counts as refused.
         if (located == located_.end()) {
             row.got = "no submission found";
-            if (!holds(hostileCase.expected().states, "notAttempted")) row.faults.push_back(row.got);
+            if (!holds(hostileCase.expected().states, "notAttempted"))
+                row.faults.push_back(row.got);
             return row;
         }
         try {
@@ -229,8 +228,8 @@ std::string HostileTables::table() const {
     return text;
 }
 
-HostileTables runHostileTables(const std::vector<Entry>& corpus,
-                               const pipeline::Grader& grader, const HostileRun& run) {
+HostileTables runHostileTables(const std::vector<Entry>& corpus, const pipeline::Grader& grader,
+                               const HostileRun& run) {
     if (corpus.empty()) return {};
     return HostileClass{pick(corpus, run.fraction), grader, run}.grade();
 }

@@ -2,8 +2,8 @@
 #define TICKER_SELFTEST_HOSTILETABLES_H
 
 #include <grader/corpus/Entry.h>
-#include <grader/pipeline/Grade.h>
 #include <grader/lab/selftest/Traces.h>
+#include <grader/pipeline/Grade.h>
 
 #include <cstddef>
 #include <cstdint>

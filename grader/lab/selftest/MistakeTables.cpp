@@ -22,8 +22,8 @@
 namespace ticker::selftest {
 namespace {
 
-using tasks::TaskJudgement;
 using corpus::Entry;
+using tasks::TaskJudgement;
 
 std::string firstFinding(const TaskJudgement& judgement) {
     return judgement.findings.empty() ? "" : judgement.findings.front().id;
@@ -132,7 +132,7 @@ std::vector<Entry> mistakesOf(const std::vector<Entry>& catalogue, const std::st
 }
 
 std::vector<Entry> mistakesCalled(const std::vector<Entry>& catalogue,
-                                    const std::vector<std::string>& ids) {
+                                  const std::vector<std::string>& ids) {
     std::vector<Entry> found;
     for (const std::string& id : ids) {
         const std::size_t before = found.size();
@@ -152,8 +152,8 @@ std::vector<Entry> mistakesCalled(const std::vector<Entry>& catalogue,
     return found;
 }
 
-std::vector<MistakeRow> runMistakes(const std::vector<Entry>& entries, const build::Kit& kit, const sandbox::Sandbox& sandbox,
-                                    const MistakeRun& run) {
+std::vector<MistakeRow> runMistakes(const std::vector<Entry>& entries, const build::Kit& kit,
+                                    const sandbox::Sandbox& sandbox, const MistakeRun& run) {
     const std::vector<Made> picked = pick(make(entries), run);
     std::vector<MistakeRow> rows(picked.size());
     std::size_t done = 0;

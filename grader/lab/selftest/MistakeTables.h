@@ -33,16 +33,16 @@ struct MistakeRow {
 
 /// The entries of `catalogue` that belong to T1 or to T2 ("T2" stands for both of its tasks), or to
 /// either where `task` is empty.
-[[nodiscard]] std::vector<corpus::Entry> mistakesOf(
-    const std::vector<corpus::Entry>& catalogue, const std::string& task);
+[[nodiscard]] std::vector<corpus::Entry> mistakesOf(const std::vector<corpus::Entry>& catalogue,
+                                                    const std::string& task);
 
 /// The entries with these ids; "T2.1/hard" names the task as well.
 /// @throws raytracer::InputError where there is none, with the nearest id.
-[[nodiscard]] std::vector<corpus::Entry> mistakesCalled(
-    const std::vector<corpus::Entry>& catalogue, const std::vector<std::string>& ids);
+[[nodiscard]] std::vector<corpus::Entry> mistakesCalled(const std::vector<corpus::Entry>& catalogue,
+                                                        const std::vector<std::string>& ids);
 
-/// Makes each mistake or accepted reading, compiles it and judges it. An entry that does not compile
-/// is not as expected.
+/// Makes each mistake or accepted reading, compiles it and judges it. An entry that does not
+/// compile is not as expected.
 /// @throws raytracer::InputError where an edit does not fit, whether or not the entry is picked.
 [[nodiscard]] std::vector<MistakeRow> runMistakes(const std::vector<corpus::Entry>& entries,
                                                   const build::Kit& kit,

@@ -44,7 +44,7 @@ struct ScreenshotRow {
     double judgeMs = 0.0;  ///< CPU of one judgement without the code's own, mean
 };
 
-/// What `ticker selftest --screenshots` prints.
+/// What `./tick selftest --screenshots` prints.
 struct ScreenshotSelfTest {
     std::vector<ScreenshotRow> honest;
     std::vector<ScreenshotRow> bad;

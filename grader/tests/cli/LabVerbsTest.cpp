@@ -43,13 +43,16 @@ protected:
                     const std::string& about = R"("about": "t")") const {
         const std::string file = task == "T1" ? "BumpySphere.cpp" : "Renderer.cpp";
         folder_.write("home/grader/corpus/mistakes/" + task + "/" + id + ".json",
-                      "{" + about + R"(, "base": "reference", "edits": {")" + file + "\": [" + edit +
-                          R"(]}, "expect": {")" + task +
+                      "{" + about + R"(, "base": "reference", "edits": {")" + file + "\": [" +
+                          edit + R"(]}, "expect": {")" + task +
                           R"(": {"state": "failed", "findings": [")" + finding + "\"]}}}");
     }
 
     [[nodiscard]] Ran run(const std::string& arguments) const {
         return runTicker(arguments, (folder_.path() / "errors").string());
+    }
+    [[nodiscard]] Ran runLab(const std::string& arguments) const {
+        return runTicker(arguments, (folder_.path() / "errors").string(), "ticker-lab");
     }
 
     tests::TemporaryFolder folder_;
@@ -67,28 +70,28 @@ private:
 };
 
 TEST_F(LabVerbs, SelftestJudgesOneMistakeOfEitherTask) {
-    const Ran ran = run("selftest --case inverted-u,T2.1/hard-centre");
+    const Ran ran = runLab("selftest --case inverted-u,T2.1/hard-centre");
     EXPECT_EQ(ran.status, 0) << ran.output << ran.errors;
     EXPECT_NE(ran.output.find("T1    inverted-u"), std::string::npos) << ran.output;
     EXPECT_NE(ran.output.find("2 entries, 0 not as expected"), std::string::npos) << ran.output;
 }
 
 TEST_F(LabVerbs, SelftestNamesTheNearestMistake) {
-    const Ran ran = run("selftest --case inverted-uu");
+    const Ran ran = runLab("selftest --case inverted-uu");
     EXPECT_EQ(ran.status, 2);
     EXPECT_NE(ran.errors.find("did you mean inverted-u?"), std::string::npos) << ran.errors;
 }
 
 TEST_F(LabVerbs, SelftestSaysWhatATaskOneEntryGivesInsteadOfWhatItExpects) {
     addMistake("T1", "other-name", kFitting, "bump.inverted-v");
-    const Ran ran = run("selftest --task T1 --case other-name");
+    const Ran ran = runLab("selftest --task T1 --case other-name");
     EXPECT_EQ(ran.status, 1);
     EXPECT_NE(ran.output.find("saw: failed bump.inverted-u"), std::string::npos) << ran.output;
 }
 
 TEST_F(LabVerbs, SelftestSaysThatAnEntryDoesNotCompile) {
     addMistake("T1", "broken", R"({"find": "const HeightMap& map", "replace": "oops"})");
-    const Ran ran = run("selftest --case broken");
+    const Ran ran = runLab("selftest --case broken");
     EXPECT_EQ(ran.status, 1);
     EXPECT_NE(ran.output.find("saw: does not compile: "), std::string::npos) << ran.output;
 }
@@ -97,7 +100,7 @@ TEST_F(LabVerbs, SelftestSaysThatAnEntryDoesNotCompile) {
 TEST_F(LabVerbs, SelftestRefusesAnEntryThatDoesNotFit) {
     for (const std::string task : {"T1", "T2.1"}) {
         addMistake(task, "zz-misfit", R"({"find": "no such line", "replace": ""})");
-        const Ran ran = run("selftest --task " + task.substr(0, 2) + " --fraction 0.01");
+        const Ran ran = runLab("selftest --task " + task.substr(0, 2) + " --fraction 0.01");
         EXPECT_EQ(ran.status, 2) << ran.output;
         EXPECT_NE(
             ran.errors.find(task + "/zz-misfit.json: \"edits\"[0]: its \"find\" must stand once"),
@@ -109,7 +112,7 @@ TEST_F(LabVerbs, SelftestRefusesAnEntryThatDoesNotFit) {
 
 TEST_F(LabVerbs, SelftestRefusesAnUnknownMember) {
     addMistake("T1", "typing-slip", kFitting, "bump.inverted-u", R"("titel": "t", "about": "t")");
-    const Ran ran = run("selftest --task T1 --fraction 0.01");
+    const Ran ran = runLab("selftest --task T1 --fraction 0.01");
     EXPECT_EQ(ran.status, 2) << ran.output;
     EXPECT_NE(ran.errors.find("typing-slip.json: the entry does not know \"titel\""),
               std::string::npos)
@@ -168,8 +171,15 @@ TEST_F(LabVerbs, PackageSaysWhichFolderCannotBeMade) {
     EXPECT_NE(ran.errors.find(folder + ": cannot be made"), std::string::npos) << ran.errors;
 }
 
+TEST_F(LabVerbs, TickerSaysWhereTheLabsVerbsAre) {
+    const Ran ran = run("selftest --task T1");
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_NE(ran.errors.find("selftest: is in ticker-lab: ./tick selftest"), std::string::npos)
+        << ran.errors;
+}
+
 TEST_F(LabVerbs, CalibrateSaysThatItNeedsACheckout) {
-    const Ran ran = run("calibrate --check");
+    const Ran ran = runLab("calibrate --check");
     EXPECT_EQ(ran.status, 2);
     EXPECT_NE(ran.errors.find("works in the project's checkout only"), std::string::npos)
         << ran.errors;

@@ -19,11 +19,12 @@ struct Ran {
     std::string errors;  ///< stderr
 };
 
-/// Runs the program `ticker` of the build folder through a shell.
+/// Runs the program `ticker` of the build folder, or another one, through a shell.
 /// @param arguments  As typed; `errorsFile` is a file of the test's own.
-inline Ran runTicker(const std::string& arguments, const std::string& errorsFile) {
-    const std::string command =
-        std::string{TICKER_BINARY_DIR} + "/bin/ticker " + arguments + " 2>'" + errorsFile + "'";
+inline Ran runTicker(const std::string& arguments, const std::string& errorsFile,
+                     const std::string& program = "ticker") {
+    const std::string command = std::string{TICKER_BINARY_DIR} + "/bin/" + program + " " +
+                                arguments + " 2>'" + errorsFile + "'";
     std::FILE* const pipe = ::popen(command.c_str(), "r");
     if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
     Ran ran;

@@ -145,8 +145,9 @@ TEST(ReadEntries, NamesTheMemberThatIsWrong) {
               "expected.json: \"expect\" of T1 \"state\" does not know \"great\"");
     EXPECT_EQ(complaint(R"({"about": "x", "expect": {"T1": {"state": "passed"}}, "colour": 1})"),
               "expected.json: the entry does not know \"colour\"");
-    EXPECT_EQ(complaint(R"({"about": "x", "edits": {"a": []}, "expect": {"T1": {"state": "passed"}}})"),
-              "expected.json: the entry has edits of no \"base\"");
+    EXPECT_EQ(
+        complaint(R"({"about": "x", "edits": {"a": []}, "expect": {"T1": {"state": "passed"}}})"),
+        "expected.json: the entry has edits of no \"base\"");
 }
 
 }  // namespace

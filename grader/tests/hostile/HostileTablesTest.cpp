@@ -37,9 +37,8 @@ TEST(HostileTables, APartOfTheCorpusComesOutAsExpected) {
     HostileRun run;
     run.fraction = 0.03;
     run.rounds = 2;
-    const HostileTables tables =
-        runHostileTables(corpus::readEntries(kRoot, {"hostile"}),
-                         graderOf(sandbox::Sandbox::best()), run);
+    const HostileTables tables = runHostileTables(corpus::readEntries(kRoot, {"hostile"}),
+                                                  graderOf(sandbox::Sandbox::best()), run);
     EXPECT_GE(tables.rows.size(), 10U);
     EXPECT_TRUE(tables.passed()) << tables.table();
 }

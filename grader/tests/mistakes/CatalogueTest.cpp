@@ -105,7 +105,9 @@ TEST(Catalogue, RefusesAMissingMember) {
 }
 
 TEST(Catalogue, RefusesAnUnknownState) {
-    EXPECT_NE(OneMistake(exampleWith("blocked", "bocked")).complaint().find("\"state\" does not know \"bocked\""),
+    EXPECT_NE(OneMistake(exampleWith("blocked", "bocked"))
+                  .complaint()
+                  .find("\"state\" does not know \"bocked\""),
               std::string::npos);
 }
 

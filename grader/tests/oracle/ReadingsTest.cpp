@@ -14,7 +14,7 @@ namespace {
 
 const std::filesystem::path kSource = TICKER_SOURCE_DIR;
 
-/// The campaign that `ticker calibrate` runs whole, with some of its readings.
+/// The campaign that `./tick calibrate` runs whole, with some of its readings.
 class OracleReadings : public testing::Test {
 protected:
     template <typename Predicate>
@@ -23,8 +23,7 @@ protected:
         plan.scenes = kSource / "scenes";
         plan.assets = kSource / "assets";
         plan.reference = kSource / "reference_solution/exercise";
-        for (AgreementCase& one :
-             agreementCases(corpus::readCatalogue(kSource)))
+        for (AgreementCase& one : agreementCases(corpus::readCatalogue(kSource)))
             if (wanted(one)) plan.cases.push_back(std::move(one));
         return {std::move(plan), kit_, sandbox_};
     }

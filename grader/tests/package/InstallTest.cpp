@@ -40,7 +40,7 @@ TEST(Install, TheInstalledTickerGradesWhereNoCheckoutIs) {
 
     const tests::RootRun calibrated = root.run("/opt/ticker/bin/ticker calibrate --check");
     EXPECT_EQ(calibrated.status, 2) << calibrated.errors;
-    EXPECT_NE(calibrated.errors.find("works in the project's checkout only"), std::string::npos)
+    EXPECT_NE(calibrated.errors.find("is in ticker-lab: ./tick calibrate"), std::string::npos)
         << calibrated.errors;
 
     const tests::RootRun packed =

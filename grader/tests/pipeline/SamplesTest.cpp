@@ -29,8 +29,7 @@ class Sample : public testing::TestWithParam<corpus::Entry> {};
 
 TEST_P(Sample, GetsTheVerdictOfItsFolderForTheReasonsThatItNames) {
     const corpus::Entry& sample = GetParam();
-    const auto located =
-        intake::findSubmissions(std::filesystem::path{sample.path}.parent_path());
+    const auto located = intake::findSubmissions(std::filesystem::path{sample.path}.parent_path());
     ASSERT_EQ(located.size(), 1U);
 
     const SubmissionResult result = gradeSubmission(intake::readSubmission(located[0]),
@@ -49,7 +48,8 @@ TEST_P(Sample, GetsTheVerdictOfItsFolderForTheReasonsThatItNames) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EverySample, Sample,
-                         testing::ValuesIn(corpus::readEntries(TICKER_SOURCE_DIR, {"samples"})), sampleName);
+                         testing::ValuesIn(corpus::readEntries(TICKER_SOURCE_DIR, {"samples"})),
+                         sampleName);
 
 }  // namespace
 }  // namespace ticker::pipeline

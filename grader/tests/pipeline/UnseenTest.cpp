@@ -22,8 +22,7 @@ class Unseen : public ::testing::TestWithParam<corpus::Entry> {};
 
 TEST_P(Unseen, GetsItsStateAndOneOfItsFindings) {
     const corpus::Entry& unseen = GetParam();
-    const auto located =
-        intake::findSubmissions(std::filesystem::path{unseen.path}.parent_path());
+    const auto located = intake::findSubmissions(std::filesystem::path{unseen.path}.parent_path());
     ASSERT_EQ(located.size(), 1U);
 
     const SubmissionResult result =
@@ -40,7 +39,8 @@ TEST_P(Unseen, GetsItsStateAndOneOfItsFindings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EverySolution, Unseen,
-                         ::testing::ValuesIn(corpus::readEntries(TICKER_SOURCE_DIR, {"unseen"})), unseenName);
+                         ::testing::ValuesIn(corpus::readEntries(TICKER_SOURCE_DIR, {"unseen"})),
+                         unseenName);
 
 }  // namespace
 }  // namespace ticker::pipeline

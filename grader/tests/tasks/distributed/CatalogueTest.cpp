@@ -56,8 +56,8 @@ TEST(DistributedCatalogue, IsJudgedAsItSays) {
     MistakeRun run;
     run.fraction = 0.05;
     run.seed = 20;
-    const auto rows = runMistakes(catalogue(), build::Kit::besideProgram(),
-                                  sandbox::Sandbox::best(), run);
+    const auto rows =
+        runMistakes(catalogue(), build::Kit::besideProgram(), sandbox::Sandbox::best(), run);
     EXPECT_GE(rows.size(), 7U);
     for (const MistakeRow& row : rows)
         EXPECT_TRUE(row.asExpected) << tableOf(rows);
@@ -71,8 +71,8 @@ TEST(DistributedCatalogue, DoesNotWarnOfSettingsThatAreFollowed) {
     for (const std::uint64_t seed : {3U, 16U, 20U, 22U}) {
         MistakeRun run;
         run.seed = seed;
-        const auto rows = runMistakes(entries, build::Kit::besideProgram(),
-                                      sandbox::Sandbox::best(), run);
+        const auto rows =
+            runMistakes(entries, build::Kit::besideProgram(), sandbox::Sandbox::best(), run);
         EXPECT_TRUE(rows.at(0).asExpected) << tableOf(rows);
     }
 }

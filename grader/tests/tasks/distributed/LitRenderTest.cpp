@@ -1,8 +1,8 @@
 // Shadows inside of a render: what a thread cast between the beginning and the end of a point's
 // lighting has to explain the point's colour.
 #include <grader/tasks/shadows/checks/LitRender.h>
-#include <grader/tests/tasks/distributed/AlteredExaminee.h>
 #include <grader/tests/support/LocalExaminee.h>
+#include <grader/tests/tasks/distributed/AlteredExaminee.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // What cannot be seen is judged by statistics in two stages: a failure counts where it comes again.
 #include <grader/tasks/JudgeDistributed.h>
-#include <grader/tests/tasks/distributed/AlteredExaminee.h>
 #include <grader/tests/support/LocalExaminee.h>
+#include <grader/tests/tasks/distributed/AlteredExaminee.h>
 
 #include <gtest/gtest.h>
 
@@ -31,10 +31,10 @@ public:
         ++sittings_;
         if (turn == Turn::silent) return {{probe::IlluminateAnswer{}}, {}};
         AlteredExaminee hidden{reference_,
-                                         [=](RenderSettings& settings) {
-                                             if (turn == Turn::wrong) settings.lightSize *= 0.7;
-                                         },
-                                         rays_ == Rays::hidden};
+                               [=](RenderSettings& settings) {
+                                   if (turn == Turn::wrong) settings.lightSize *= 0.7;
+                               },
+                               rays_ == Rays::hidden};
         probe::Sitting sitting = hidden.ask(questions);
         for (probe::Answer& answer : sitting.answers)
             std::get<probe::IlluminateAnswer>(answer).eventsCut = rays_ == Rays::beyondTheLog;

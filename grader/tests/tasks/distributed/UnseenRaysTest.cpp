@@ -1,6 +1,6 @@
 #include <grader/tasks/JudgeDistributed.h>
-#include <grader/tests/tasks/distributed/AlteredExaminee.h>
 #include <grader/tests/support/LocalExaminee.h>
+#include <grader/tests/tasks/distributed/AlteredExaminee.h>
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 namespace ticker::selftest {
 namespace {
 
-// A tenth of `ticker selftest --screenshots`: an honest picture fails with less than 3e-7.
+// A tenth of `./tick selftest --screenshots`: an honest picture fails with less than 3e-7.
 TEST(ScreenshotTables, FindNothingInHonestPicturesAndNameTheOthers) {
     const std::filesystem::path root{TICKER_SOURCE_DIR};
     const std::vector<pipeline::SpecScene> scenes =

@@ -3,6 +3,7 @@
 #include <grader/cli/Progress.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
+#include <grader/lab/LabVerbs.h>
 #include <grader/lab/calibrate/Campaigns.h>
 #include <grader/lab/calibrate/Document.h>
 #include <grader/lab/calibrate/RunCampaign.h>

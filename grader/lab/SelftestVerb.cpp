@@ -3,6 +3,7 @@
 #include <grader/cli/Progress.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
+#include <grader/lab/LabVerbs.h>
 #include <grader/lab/selftest/BumpTables.h>
 #include <grader/lab/selftest/HostileTables.h>
 #include <grader/lab/selftest/MistakeTables.h>
@@ -83,8 +84,7 @@ bool testMistakes(const SelftestOptions& options, const std::string& task,
 }
 
 /// The whole corpus, or those of it that were asked for.
-std::vector<corpus::Entry> hostileCases(const Home& home,
-                                               const std::vector<std::string>& wanted) {
+std::vector<corpus::Entry> hostileCases(const Home& home, const std::vector<std::string>& wanted) {
     auto corpus = corpus::readEntries(home.data, {"hostile"});
     if (wanted.empty()) return corpus;
     std::vector<corpus::Entry> picked;

@@ -1,0 +1,81 @@
+#include <grader/cli/Program.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ticker::cli {
+namespace {
+
+using raytracer::ExitCode;
+using raytracer::toInt;
+
+int report(const CLI::App& app, const std::string& message, ExitCode code) {
+    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), message.c_str());
+    return toInt(code);
+}
+
+/// Says what CLI11 found wrong, in one line, or prints the help that was asked for.
+int answer(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return report(app, error.what() + (" (" + app.get_name() + " --help tells all)"),
+                  ExitCode::badInput);
+}
+
+std::string quoted(const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word)
+        text += c == '\'' ? "'\\''" : std::string{c};
+    return text + "'";
+}
+
+std::string commandLine(const Voice& voice, int argc, char** argv) {
+    std::string line = voice.command;
+    for (int i = 1; i < argc; ++i)
+        line += " " + quoted(argv[i]);
+    return line;
+}
+
+}  // namespace
+
+int runProgram(const Program& program, const std::vector<AddVerb>& verbs, int argc, char** argv) {
+    CLI::App app{program.description, program.name};
+    app.set_version_flag("--version", TICKER_VERSION);
+    app.require_subcommand(1);
+    app.fallthrough();
+    Voice voice;
+    // The script tick hands over to this program under another name.
+    const char* command = std::getenv("TICKER_COMMAND");
+    voice.command = quoted(command != nullptr ? command : argv[0]);
+    voice.commandLine = commandLine(voice, argc, argv);
+    app.add_flag("--quiet", voice.quiet, "Say nothing but errors");
+    app.add_flag("--verbose", voice.verbose, "Say more");
+
+    std::vector<Run> runs;
+    for (const AddVerb add : verbs)
+        runs.push_back(add(app, voice));
+    try {
+        app.parse(argc, argv);
+        const std::vector<CLI::App*> known = app.get_subcommands(nullptr);
+        for (std::size_t i = 0; i < known.size(); ++i)
+            if (known[i]->parsed()) return toInt(runs.at(i)());
+    } catch (const CLI::ParseError& error) {
+        return answer(app, error);
+    } catch (const raytracer::Error& error) {
+        return report(app, error.what(), error.exitCode());
+    } catch (const std::exception& error) {
+        return report(app, std::string{"unexpected: "} + error.what(), ExitCode::notGradable);
+    }
+    return toInt(ExitCode::badInput);
+}
+
+}  // namespace ticker::cli

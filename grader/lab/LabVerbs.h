@@ -1,0 +1,14 @@
+#ifndef TICKER_LAB_LABVERBS_H
+#define TICKER_LAB_LABVERBS_H
+
+#include <grader/cli/verbs/Verb.h>
+
+namespace ticker::cli {
+
+// The verbs of ticker-lab; see Verb.h.
+Run addSelftest(CLI::App& app, const Voice& voice);
+Run addCalibrate(CLI::App& app, const Voice& voice);
+
+}  // namespace ticker::cli
+
+#endif
