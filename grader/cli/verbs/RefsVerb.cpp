@@ -27,16 +27,16 @@ struct RefsOptions {
     std::string scenes;
 };
 
-std::atomic<bool> stopAsked{false};
+std::atomic<bool> refsStopAsked{false};
 extern "C" void askRefsToStop(int /*signal*/) {
-    stopAsked = true;
+    refsStopAsked = true;
 }
 
 /// Lets Ctrl-C end a render between two rows.
 class StopMonitor final : public raytracer::RenderMonitor {
 public:
     void rowFinished(int /*row*/, int /*done*/, int /*rows*/) override {}
-    [[nodiscard]] bool interrupted() const override { return stopAsked; }
+    [[nodiscard]] bool interrupted() const override { return refsStopAsked; }
 };
 
 std::vector<oracle::ReferenceScene> readScenes(const std::filesystem::path& folder,
