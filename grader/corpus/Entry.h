@@ -79,8 +79,9 @@ struct Entry {
 [[nodiscard]] std::map<std::string, std::string> textsOf(const Entry& entry);
 
 /// Writes the submission into `folder`, which must exist and be empty.
-/// @param secret  Path of a file that the submission shall go for: stands for @SECRET@ in its
-///                texts. Its contents must turn up in no output.
+/// @param secret  Path of a file that the submission shall go for: its texts have it where the
+/// entry
+///                has the mark of README.md. Its contents must turn up in no output.
 /// @throws raytracer::Error where it cannot be written.
 void writeSubmission(const Entry& entry, const std::filesystem::path& secret,
                      const std::filesystem::path& folder);

@@ -4,8 +4,8 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/selftest/MistakeTables.h>
 #include <grader/result/Names.h>
-#include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tasks/JudgeDistributed.h>
+#include <grader/tasks/bump/JudgeBump.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>
