@@ -2,6 +2,7 @@
 // a bare compiler that builds programs from the same files. Medians of interleaved rounds, two
 // workers.
 #include <grader/bench/Harness.h>
+#include <grader/exercise/Exercise.h>
 
 #include <grader/base/WholeFile.h>
 
@@ -113,7 +114,7 @@ public:
         for (int round = 0; round < options_.rounds; ++round) {
             bare.push_back((bareSeconds(kBump) + bareSeconds(kDistributed)) / 2.0);
             bump.push_back(perSubmission("bump", kBump, startUp));
-            distributed.push_back(perSubmission("distributed", kDistributed, startUp));
+            distributed.push_back(perSubmission("two tasks", kDistributed, startUp));
             ratio.push_back((bump.back() + distributed.back()) / 2.0 / bare.back());
         }
         std::vector<Figure> figures{
@@ -186,7 +187,7 @@ private:
 
     [[nodiscard]] Words bareCommand(const std::string& sample, std::size_t place) const {
         Words words{"/usr/bin/g++", "-O2", "-std=c++20", "-I" + (kit_ / "include").string()};
-        for (const char* file : {"BumpySphere.cpp", "Renderer.cpp"}) {
+        for (const std::string& file : theExercise().files()) {
             const fs::path own = options_.root / "grader/corpus/samples/awarded" / sample / file;
             words.push_back((fs::exists(own) ? own : kit_ / "template" / file).string());
         }

@@ -2,6 +2,7 @@
 #include <grader/base/WholeFile.h>
 #include <grader/bench/Harness.h>
 #include <grader/build/Build.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/picture/DecodePicture.h>
 #include <grader/sandbox/HelperProgram.h>
 #include <grader/sandbox/RunAt.h>
@@ -51,15 +52,16 @@ std::vector<std::string> compileCommand(const build::Kit& kit, const fs::path& s
     words.insert(words.end(), kit.compileFlags().begin(), kit.compileFlags().end());
     words.insert(words.end(),
                  {"-I" + inKit("include"), "-include", inKit("pch/Framework.h"), source.string(),
-                  inKit("template/Renderer.o"), inKit("lib/probe.o"), "-Wl,--whole-archive",
-                  inKit("lib/libkit.a"), "-Wl,--no-whole-archive", "-o", program.string()});
+                  inKit(build::Kit::templateObject(kit.files().back())), inKit("lib/probe.o"),
+                  "-Wl,--whole-archive", inKit("lib/libkit.a"), "-Wl,--no-whole-archive", "-o",
+                  program.string()});
     words.insert(words.end(), kit.linkFlags().begin(), kit.linkFlags().end());
     return words;
 }
 
 std::vector<Figure> compiling(const sandbox::Sandbox& jail, const Options& options) {
     const build::Kit kit = build::Kit::besideProgram();
-    const fs::path source = options.project / "reference_solution/exercise/BumpySphere.cpp";
+    const fs::path source = options.project / theExercise().reference / kit.files().front();
     const std::string text = readWhole(source);
     const build::JobFolder folder;
     const auto command = compileCommand(kit, source, folder.path() / "probe");
@@ -67,8 +69,7 @@ std::vector<Figure> compiling(const sandbox::Sandbox& jail, const Options& optio
     const Pair pair = measurePair(
         options.rounds,
         [&] {
-            const auto built =
-                build::buildProgram(kit, jail, limits, build::SourceFile::bumpySphere, text);
+            const auto built = build::buildProgram(kit, jail, limits, kit.files().front(), text);
             require(built.program.has_value(), "compiling in the sandbox");
         },
         [&] { runProgram(command); });

@@ -21,14 +21,6 @@ namespace {
 using sandbox::Outcome;
 using Kind = BuildResult::Kind;
 
-const char* objectNameOf(SourceFile file) {
-    return file == SourceFile::bumpySphere ? "BumpySphere.o" : "Renderer.o";
-}
-
-SourceFile otherThan(SourceFile file) {
-    return file == SourceFile::bumpySphere ? SourceFile::renderer : SourceFile::bumpySphere;
-}
-
 // The compiler driver's message about a failed linker: the code itself compiled.
 constexpr std::string_view kLinkerFailed = "ld returned 1 exit status";
 
@@ -42,16 +34,16 @@ struct Attempt {
 class Job {
 public:
     Job(const Kit& kit, const sandbox::Sandbox& sandbox, const sandbox::Limits& limits,
-        SourceFile file)
+        std::string file)
         : kit_(kit),
           sandbox_(sandbox),
           limits_(limits),
-          file_(file),
+          file_(std::move(file)),
           kitPath_{kit.folder(), "/kit"},
           sourcePath_{sources_.path(), "/source"} {}
 
     void writeSource(std::string_view source) const {
-        const fs::path file = sources_.path() / nameOf(file_);
+        const fs::path file = sources_.path() / file_;
         std::ofstream stream{file, std::ios::binary};
         stream.write(source.data(), static_cast<std::streamsize>(source.size()));
         if (!stream.flush()) throw raytracer::Error("cannot write " + file.string());
@@ -82,7 +74,7 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string inKit(const char* name) const {
+    [[nodiscard]] std::string inKit(const std::string& name) const {
         return (sandbox_.pathFor(kitPath_) / name).string();
     }
 
@@ -94,8 +86,9 @@ private:
         words.push_back("-I" + inKit("include"));
         if (precompiled)
             words.insert(words.end(), {"-Winvalid-pch", "-include", inKit("pch/Framework.h")});
-        words.push_back((sandbox_.pathFor(sourcePath_) / nameOf(file_)).string());
-        words.push_back(inKit("template/") + objectNameOf(otherThan(file_)));
+        words.push_back((sandbox_.pathFor(sourcePath_) / file_).string());
+        for (const std::string& other : kit_.files())
+            if (other != file_) words.push_back(inKit(Kit::templateObject(other)));
         words.push_back(inKit("lib/probe.o"));
         words.insert(words.end(), {"-Wl,--whole-archive", inKit("lib/libkit.a"),
                                    "-Wl,--no-whole-archive", "-o", "probe"});
@@ -143,8 +136,7 @@ private:
         if (kind == Kind::built) return {};
         std::string text = readableDiagnostics(
             outcome.output,
-            {sandbox_.pathFor(sourcePath_), sandbox_.pathFor(kitPath_), kit_.folder()},
-            nameOf(file_));
+            {sandbox_.pathFor(sourcePath_), sandbox_.pathFor(kitPath_), kit_.folder()}, file_);
         if (outcome.end == Outcome::End::wallLimit)
             text += fmt::format("the compiler was stopped after {:.0f} s\n", limits_.wallSeconds);
         if (outcome.end == Outcome::End::outputLimit)
@@ -155,7 +147,7 @@ private:
     const Kit& kit_;
     const sandbox::Sandbox& sandbox_;
     const sandbox::Limits& limits_;
-    SourceFile file_;
+    std::string file_;
     JobFolder sources_;
     sandbox::ReadOnlyPath kitPath_;
     sandbox::ReadOnlyPath sourcePath_;
@@ -164,7 +156,8 @@ private:
 }  // namespace
 
 BuildResult buildProgram(const Kit& kit, const sandbox::Sandbox& sandbox,
-                         const sandbox::Limits& limits, SourceFile file, std::string_view source) {
+                         const sandbox::Limits& limits, const std::string& file,
+                         std::string_view source) {
     const Job job{kit, sandbox, limits, file};
     job.writeSource(source);
     Attempt attempt = job.compileAndLink(true);

@@ -31,14 +31,14 @@ struct BuildResult {
     int compilations = 0;  ///< how often the compiler was run
 };
 
-/// Compiles one submitted file and links it with the kit and the template's other file.
+/// Compiles one submitted file and links it with the kit and the template's other files.
 ///
 /// The file is compiled alone, with nothing else of the submission around it, so that it can only
 /// break its own task. If it does not compile with the kit's precompiled header, it is compiled
 /// again without: that header declares more names than the file asked for. The diagnostics are
 /// those of the second run. A file that compiled but did not link is not compiled again.
 [[nodiscard]] BuildResult buildProgram(const Kit& kit, const sandbox::Sandbox& sandbox,
-                                       const sandbox::Limits& limits, SourceFile file,
+                                       const sandbox::Limits& limits, const std::string& file,
                                        std::string_view source);
 
 }  // namespace ticker::build

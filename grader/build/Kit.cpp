@@ -39,10 +39,6 @@ fs::path copyForEverybody(const fs::path& folder) {
 
 }  // namespace
 
-std::string nameOf(SourceFile file) {
-    return file == SourceFile::bumpySphere ? "BumpySphere.cpp" : "Renderer.cpp";
-}
-
 Kit Kit::besideProgram() {
     const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
     const fs::path installed = prefix / "lib" / "ticker" / "kit";
@@ -60,11 +56,14 @@ Kit Kit::at(const fs::path& folder) {
         kit.compiler_ = json.at("compiler");
         kit.compileFlags_ = json.at("compile").get<std::vector<std::string>>();
         kit.linkFlags_ = json.at("link").get<std::vector<std::string>>();
+        kit.files_ = json.at("files").get<std::vector<std::string>>();
     } catch (const nlohmann::json::exception& error) {
         throw raytracer::Error(fmt::format("{}: {}", file.string(), error.what()));
     }
-    for (const char* part : {"lib/libkit.a", "lib/probe.o", "pch/Framework.h.gch",
-                             "template/BumpySphere.o", "template/Renderer.o"})
+    std::vector<std::string> parts{"lib/libkit.a", "lib/probe.o", "pch/Framework.h.gch"};
+    for (const std::string& name : kit.files_)
+        parts.push_back(templateObject(name));
+    for (const std::string& part : parts)
         if (!fs::is_regular_file(folder / part))
             throw raytracer::Error(fmt::format("the kit lacks {}", (folder / part).string()));
     const fs::path whole = fs::canonical(folder);
@@ -72,8 +71,12 @@ Kit Kit::at(const fs::path& folder) {
     return kit;
 }
 
-std::string Kit::templateSource(SourceFile file) const {
-    return readPart(folder_ / "template" / nameOf(file));
+std::string Kit::templateSource(const std::string& file) const {
+    return readPart(folder_ / "template" / file);
+}
+
+std::string Kit::templateObject(const std::string& file) {
+    return "template/" + fs::path{file}.stem().string() + ".o";
 }
 
 }  // namespace ticker::build

@@ -7,12 +7,6 @@
 
 namespace ticker::build {
 
-/// The two files that a submission may bring; `BumpySphere.cpp` is option 1.
-enum class SourceFile { bumpySphere, renderer };
-
-/// "BumpySphere.cpp" or "Renderer.cpp".
-[[nodiscard]] std::string nameOf(SourceFile file);
-
 /// Everything that submissions are compiled and linked with, prebuilt in one folder
 /// (grader/build/kit).
 class Kit {
@@ -30,8 +24,12 @@ public:
     [[nodiscard]] const std::vector<std::string>& compileFlags() const { return compileFlags_; }
     [[nodiscard]] const std::vector<std::string>& linkFlags() const { return linkFlags_; }
 
-    /// The stub, as students received it.
-    [[nodiscard]] std::string templateSource(SourceFile file) const;
+    /// The files that a submission may bring, by name.
+    [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+    /// One of them, as students received it.
+    [[nodiscard]] std::string templateSource(const std::string& file) const;
+    /// The same compiled; the path is relative to the kit's folder.
+    [[nodiscard]] static std::string templateObject(const std::string& file);
 
 private:
     Kit() = default;
@@ -40,6 +38,7 @@ private:
     std::string compiler_;
     std::vector<std::string> compileFlags_;
     std::vector<std::string> linkFlags_;
+    std::vector<std::string> files_;
 };
 
 }  // namespace ticker::build

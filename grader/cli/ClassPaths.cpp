@@ -2,6 +2,8 @@
 #include <grader/intake/Skipped.h>
 #include <grader/report/Escape.h>
 
+#include <grader/exercise/Exercise.h>
+
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
@@ -36,8 +38,9 @@ std::vector<intake::Located> locate(const ClassPaths& from) {
         }
     if (all.empty())
         throw raytracer::InputError(from.paths.front(), 0,
-                                    "no submission here; expected BumpySphere.cpp or Renderer.cpp "
-                                    "in a folder, a zip, or a folder of such");
+                                    "no submission here; expected " +
+                                        enumerated(theExercise().files(), "or") +
+                                        " in a folder, a zip, or a folder of such");
     return all;
 }
 

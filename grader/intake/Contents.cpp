@@ -43,16 +43,17 @@ void dropDecoration(std::string& stem) {
         stem.pop_back();
 }
 
-// A whole project is handed in with the kit's half of BumpySphere in it.
-bool isOfTheKit(std::string_view path) {
-    constexpr std::string_view kOwn = "framework/src/geometry/BumpySphere.cpp";
-    return path == kOwn || (path.ends_with(kOwn) && path[path.size() - kOwn.size() - 1] == '/');
+// A whole project is handed in with files of the framework in it that have the same names.
+bool isOfTheKit(std::string_view path, const Exercise& exercise) {
+    return std::ranges::any_of(exercise.frameworkFiles, [&](const std::string& own) {
+        return path == own || (path.ends_with(own) && path[path.size() - own.size() - 1] == '/');
+    });
 }
 
 }  // namespace
 
-std::optional<Part> partOf(std::string_view path) {
-    if (isOfTheKit(path)) return std::nullopt;
+std::optional<std::string> partOf(std::string_view path, const Exercise& exercise) {
+    if (isOfTheKit(path, exercise)) return std::nullopt;
     std::string name = lowered(lastComponent(path));
     dropSpaces(name);
     dropEnd(name, ".txt");
@@ -63,8 +64,8 @@ std::optional<Part> partOf(std::string_view path) {
     std::string stem = name.substr(0, dot);
     dropDecoration(stem);
     dropSpaces(stem);
-    for (const Part part : kParts)
-        if (stem + extension == lowered(nameOf(part))) return part;
+    for (const std::string& part : exercise.parts())
+        if (stem + extension == lowered(part)) return part;
     return std::nullopt;
 }
 
@@ -96,8 +97,8 @@ Finding refusal(std::string id, std::string message, std::string hint) {
     return finding;
 }
 
-std::uint64_t byteLimitOf(Part part, const IntakeLimits& limits) {
-    return part == Part::screenshot ? limits.screenshotBytes : limits.sourceBytes;
+std::uint64_t byteLimitOf(std::string_view part, const IntakeLimits& limits) {
+    return part == kScreenshotPart ? limits.screenshotBytes : limits.sourceBytes;
 }
 
 Finding tooLarge(std::string_view path, std::uint64_t limit) {

@@ -1,6 +1,7 @@
 #ifndef TICKER_INTAKE_CONTENTS_H
 #define TICKER_INTAKE_CONTENTS_H
 
+#include <grader/exercise/Exercise.h>
 #include <grader/intake/Submission.h>
 
 #include <cstdint>
@@ -23,11 +24,12 @@ struct IntakeLimits {
     int depth = 16;               ///< folders in folders
     double largestRatio = 100.0;  ///< unpacked to packed, above `ratioFreeBytes`
     std::uint64_t ratioFreeBytes = 16U << 20U;
+    const Exercise* exercise = &theExercise();  ///< whose files are taken
 };
 
-/// A file that may be one of the three parts.
+/// A file that may be one of the parts.
 struct Candidate {
-    Part part = Part::bumpySphere;
+    std::string part;                ///< its name
     std::string path;                ///< inside the submission
     std::string bytes;               ///< empty where it was not read
     std::optional<Finding> refusal;  ///< why it was not read
@@ -48,18 +50,18 @@ struct Contents {
 };
 
 /// The part that a file of this path may be: by its last component, whatever its case, also with
-/// what browsers and systems add to a name ("Renderer (1).cpp", "Renderer.cpp.txt") or with another
-/// ending of C++ ("Renderer.cc"). The framework's own BumpySphere.cpp is none.
-[[nodiscard]] std::optional<Part> partOf(std::string_view path);
+/// what browsers and systems add to a name ("File (1).cpp", "File.cpp.txt") or with another ending
+/// of C++ ("File.cc"). The framework's own files are none.
+[[nodiscard]] std::optional<std::string> partOf(std::string_view path, const Exercise& exercise);
 
-/// True for what systems leave behind: "__MACOSX/...", "._Renderer.cpp", ".git/...".
+/// True for what systems leave behind: "__MACOSX/...", "._File.cpp", ".git/...".
 [[nodiscard]] bool isLitter(std::string_view path);
 
 /// A finding of severity fail.
 [[nodiscard]] Finding refusal(std::string id, std::string message, std::string hint);
 
 /// How many bytes of a part are taken.
-[[nodiscard]] std::uint64_t byteLimitOf(Part part, const IntakeLimits& limits);
+[[nodiscard]] std::uint64_t byteLimitOf(std::string_view part, const IntakeLimits& limits);
 /// intake.too-large, about one part.
 [[nodiscard]] Finding tooLarge(std::string_view path, std::uint64_t limit);
 

@@ -21,7 +21,7 @@ bool isHidden(const fs::path& path) {
     return name.starts_with('.') || name == "__MACOSX";
 }
 
-Entries entriesOf(const fs::path& folder) {
+Entries entriesOf(const fs::path& folder, const Exercise& exercise) {
     Entries entries;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator{folder, error}) {
@@ -29,7 +29,7 @@ Entries entriesOf(const fs::path& folder) {
         entries.isEmpty = false;
         if (entry.is_directory(error) && !entry.is_symlink(error)) {
             entries.folders.push_back(entry.path());
-        } else if (const auto part = partOf(entry.path().string())) {
+        } else if (const auto part = partOf(entry.path().string(), exercise)) {
             entries.parts.insert(*part);
         } else if (isArchive(entry.path().filename().string()) && entry.is_regular_file(error)) {
             entries.archives.push_back(entry.path());
@@ -53,8 +53,8 @@ Place placeAt(const fs::path& path, int depth) {
     return {path, isArchive(name) ? withoutArchiveEnding(name) : name, {}, depth};
 }
 
-std::vector<Place> placesInExport(const fs::path& exported) {
-    const MoodleExport found = readMoodleExport(exported);
+std::vector<Place> placesInExport(const fs::path& exported, const Exercise& exercise) {
+    const MoodleExport found = readMoodleExport(exported, exercise);
     std::vector<Place> places;
     for (const std::string& owner : found.owners)
         places.push_back({exported, owner, owner});
@@ -64,7 +64,7 @@ std::vector<Place> placesInExport(const fs::path& exported) {
     return places;
 }
 
-// ann/tick/Renderer.cpp beside bob/work/Renderer.cpp: they are ann and bob, not tick and work. Of
+// ann/tick/File.cpp beside bob/work/File.cpp: they are ann and bob, not tick and work. Of
 // ann/zoe/ and ann/yan/ neither may pass for zoe or yan: they are ann-zoe and ann-yan.
 void nameAfter(const std::string& person, int depth, Below& child) {
     const bool isAlone = child.submissions.size() == 1;
@@ -80,12 +80,12 @@ void add(Below& below, const Below& child) {
     below.parts.insert(child.parts.begin(), child.parts.end());
 }
 
-Below look(const fs::path& folder, int depth) {
-    const Entries entries = entriesOf(folder);
+Below look(const fs::path& folder, int depth, const Exercise& exercise) {
+    const Entries entries = entriesOf(folder, exercise);
     std::vector<Below> children;
     if (depth < kDeepest)
         for (const fs::path& child : entries.folders)
-            children.push_back(look(child, depth + 1));
+            children.push_back(look(child, depth + 1, exercise));
     const bool people = arePeople(children, entries);
     for (std::size_t i = 0; people && i < children.size(); ++i)
         nameAfter(entries.folders[i].filename().string(), depth + 1, children[i]);
@@ -95,8 +95,8 @@ Below look(const fs::path& folder, int depth) {
     for (const Below& child : children)
         add(below, child);
     below.parts.insert(entries.parts.begin(), entries.parts.end());
-    if (!entries.parts.empty() || isKit(children, entries) ||
-        isOneInPieces(below, children, entries))
+    if (!entries.parts.empty() || isKit(children, entries, exercise) ||
+        isOneInPieces(below, children, entries, exercise))
         return {{placeAt(folder, depth)}, below.parts, true, false};
     for (const fs::path& archive : entries.archives)
         below.submissions.push_back(placeAt(archive, depth + 1));
@@ -108,22 +108,22 @@ Below look(const fs::path& folder, int depth) {
 
 // Everybody in the exports below the folders that an unpacker made. Beside other people's work such
 // a folder is a student's, who made up the names in it.
-std::vector<Place> placesInUnpacked(const fs::path& folder) {
-    const Entries entries = entriesOf(folder);
-    const bool allAreExports =
-        entries.parts.empty() && std::ranges::all_of(entries.archives, [](const fs::path& archive) {
-            return !placesInExport(archive).empty();
-        });
+std::vector<Place> placesInUnpacked(const fs::path& folder, const Exercise& exercise) {
+    const Entries entries = entriesOf(folder, exercise);
+    const bool allAreExports = entries.parts.empty() &&
+                               std::ranges::all_of(entries.archives, [&](const fs::path& archive) {
+                                   return !placesInExport(archive, exercise).empty();
+                               });
     if (!allAreExports) return {};
     std::vector<Place> found;
     std::vector<Place> others;
     for (const fs::path& archive : entries.archives)
         others.push_back(placeAt(archive, 1));
     for (const fs::path& child : entries.folders) {
-        const std::vector<Place> places = placesInExport(child);
+        const std::vector<Place> places = placesInExport(child, exercise);
         found.insert(found.end(), places.begin(), places.end());
         if (!places.empty()) continue;
-        const Below below = look(child, 1);
+        const Below below = look(child, 1, exercise);
         if (!below.submissions.empty()) return {};
         if (!below.isEmpty) others.push_back(placeAt(child, 1));
     }
@@ -132,10 +132,10 @@ std::vector<Place> placesInUnpacked(const fs::path& folder) {
     return found;
 }
 
-std::vector<Place> placesIn(const fs::path& folder) {
-    std::vector<Place> found = placesInExport(folder);
-    if (found.empty()) found = placesInUnpacked(folder);
-    if (found.empty()) found = look(folder, 0).submissions;
+std::vector<Place> placesIn(const fs::path& folder, const Exercise& exercise) {
+    std::vector<Place> found = placesInExport(folder, exercise);
+    if (found.empty()) found = placesInUnpacked(folder, exercise);
+    if (found.empty()) found = look(folder, 0, exercise).submissions;
     return found;
 }
 
@@ -157,16 +157,16 @@ std::vector<Located> named(const std::vector<Place>& places) {
 
 }  // namespace
 
-std::vector<Located> findSubmissions(const fs::path& path) {
+std::vector<Located> findSubmissions(const fs::path& path, const Exercise& exercise) {
     std::error_code error;
     const fs::path whole = fs::canonical(path, error);
     if (error) throw raytracer::InputError(path.string(), 0, "cannot be read: " + error.message());
     std::vector<Place> found;
     if (fs::is_directory(whole)) {
-        found = placesIn(whole);
+        found = placesIn(whole, exercise);
         if (found.empty()) found = {placeAt(whole, 0)};
     } else if (fs::is_regular_file(whole) && isArchive(whole.filename().string())) {
-        found = placesInExport(whole);
+        found = placesInExport(whole, exercise);
         if (found.empty()) found = {placeAt(whole, 0)};
     } else {
         throw raytracer::InputError(path.string(), 0, "neither a folder nor a zip or tar archive");

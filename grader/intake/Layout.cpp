@@ -7,6 +7,8 @@ namespace ticker::intake {
 namespace fs = std::filesystem;
 namespace {
 
+const std::string kPicture{kScreenshotPart};
+
 // "Pictures" -> "picture", "tick1star" -> "tickstar"
 std::string kindOf(const fs::path& folder) {
     std::string kind;
@@ -28,7 +30,8 @@ bool arePeople(const std::vector<Below>& children, const Entries& entries) {
     return one >= 2 && one > more;
 }
 
-bool isOneInPieces(const Below& below, const std::vector<Below>& children, const Entries& entries) {
+bool isOneInPieces(const Below& below, const std::vector<Below>& children, const Entries& entries,
+                   const Exercise& exercise) {
     const std::set<std::string> ofCode{"src",  "source",   "code",     "exercise",
                                        "tick", "tickstar", "solution", "work"};
     const std::set<std::string> ofPicture{"pic",        "picture", "image",  "img",
@@ -37,35 +40,37 @@ bool isOneInPieces(const Below& below, const std::vector<Below>& children, const
     std::size_t pictures = 0;
     for (std::size_t i = 0; i < children.size(); ++i) {
         if (children[i].submissions.empty()) continue;
-        const bool isPicture = children[i].parts == std::multiset<Part>{Part::screenshot};
+        const bool isPicture = children[i].parts == std::multiset<std::string>{kPicture};
         if (!(isPicture ? ofPicture : ofCode).contains(kindOf(entries.folders[i]))) return false;
         ++(isPicture ? pictures : code);
     }
     return entries.archives.empty() && code == 1 && pictures == 1 &&
-           std::ranges::all_of(kParts, [&](Part part) { return below.parts.count(part) <= 1; });
+           std::ranges::all_of(exercise.parts(), [&](const std::string& part) {
+               return below.parts.count(part) <= 1;
+           });
 }
 
-bool isKit(const std::vector<Below>& children, const Entries& entries) {
-    const Below* exercise = nullptr;
+bool isKit(const std::vector<Below>& children, const Entries& entries, const Exercise& exercise) {
+    const Below* solved = nullptr;
     const Below* framework = nullptr;
     std::size_t others = entries.archives.size();
     bool othersHaveCode = !entries.archives.empty();
     for (std::size_t i = 0; i < children.size(); ++i) {
         const fs::path name = entries.folders[i].filename();
         if (name == "exercise") {
-            exercise = &children[i];
+            solved = &children[i];
         } else if (name == "framework") {
             framework = &children[i];
         } else if (!children[i].submissions.empty()) {
             ++others;
-            othersHaveCode = othersHaveCode ||
-                             children[i].parts.count(Part::screenshot) < children[i].parts.size();
+            othersHaveCode =
+                othersHaveCode || children[i].parts.count(kPicture) < children[i].parts.size();
         }
     }
-    if (exercise == nullptr || framework == nullptr || framework->isSubmission) return false;
-    // The kit's exercise holds both files, so that nothing is added to somebody's half.
-    const bool isWhole =
-        exercise->parts.contains(Part::bumpySphere) && exercise->parts.contains(Part::renderer);
+    if (solved == nullptr || framework == nullptr || framework->isSubmission) return false;
+    // The kit's exercise holds all files, so that nothing is added to a part of the work.
+    const bool isWhole = std::ranges::all_of(
+        exercise.files(), [&](const std::string& file) { return solved->parts.contains(file); });
     return others == 0 || (others == 1 && (isWhole || !othersHaveCode));
 }
 

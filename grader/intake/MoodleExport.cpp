@@ -13,9 +13,9 @@ namespace {
 constexpr std::string_view kSubmission = "_assignsubmission_";
 
 // Moodle turns underscores of names into spaces, so the first mark is Moodle's own.
-//   folders      Ann Lee_123_assignsubmission_file/src/Renderer.cpp
-//   before 4.1   Ann Lee_123_assignsubmission_file_/src/Renderer.cpp
-//   flat         Ann Lee_123_assignsubmission_file_Renderer.cpp
+//   folders      Ann Lee_123_assignsubmission_file/src/File.cpp
+//   before 4.1   Ann Lee_123_assignsubmission_file_/src/File.cpp
+//   flat         Ann Lee_123_assignsubmission_file_File.cpp
 std::optional<MoodleFile> readFrom(std::string_view path) {
     const std::size_t mark = path.substr(0, path.find('/')).find(kSubmission);
     if (mark == std::string_view::npos || mark == 0) return std::nullopt;
@@ -36,30 +36,30 @@ struct Member {
     bool mayBeWork = false;
 };
 
-bool mayBeWork(std::string_view file) {
-    return !isLitter(file) && (isArchive(file) || partOf(file));
+bool mayBeWork(std::string_view file, const Exercise& exercise) {
+    return !isLitter(file) && (isArchive(file) || partOf(file, exercise));
 }
 
-bool mayBeWork(const fs::directory_entry& entry) {
+bool mayBeWork(const fs::directory_entry& entry, const Exercise& exercise) {
     std::error_code error;
     const std::string name = entry.path().filename().string();
     if (name.starts_with('.') || name == "__MACOSX") return false;
-    if (!entry.is_directory(error) || entry.is_symlink(error)) return mayBeWork(name);
+    if (!entry.is_directory(error) || entry.is_symlink(error)) return mayBeWork(name, exercise);
     return !fs::is_empty(entry.path(), error);
 }
 
-std::vector<Member> membersOf(const fs::path& exported) {
+std::vector<Member> membersOf(const fs::path& exported, const Exercise& exercise) {
     std::error_code error;
     std::vector<Member> members;
     if (!fs::is_directory(exported, error)) {
         for (std::string& path : listArchive(exported)) {
-            const bool isWork = mayBeWork(path);
+            const bool isWork = mayBeWork(path, exercise);
             members.push_back({std::move(path), isWork});
         }
         return members;
     }
     for (const fs::directory_entry& entry : fs::directory_iterator{exported, error})
-        members.push_back({entry.path().filename().string(), mayBeWork(entry)});
+        members.push_back({entry.path().filename().string(), mayBeWork(entry, exercise)});
     return members;
 }
 
@@ -72,10 +72,10 @@ std::optional<MoodleFile> readMoodlePath(std::string_view path) {
     return slash == std::string_view::npos ? std::nullopt : readFrom(path.substr(slash + 1));
 }
 
-MoodleExport readMoodleExport(const fs::path& exported) {
+MoodleExport readMoodleExport(const fs::path& exported, const Exercise& exercise) {
     std::set<std::string> owners;
     std::set<std::string> others;
-    for (const Member& member : membersOf(exported)) {
+    for (const Member& member : membersOf(exported, exercise)) {
         if (const auto file = readMoodlePath(member.path))
             owners.insert(file->owner);
         else if (member.mayBeWork)

@@ -1,6 +1,8 @@
 #ifndef TICKER_INTAKE_MOODLEEXPORT_H
 #define TICKER_INTAKE_MOODLEEXPORT_H
 
+#include <grader/exercise/Exercise.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,7 +14,7 @@ namespace ticker::intake {
 /// A file of a Moodle export: whose it is, and where it lies in what he handed in.
 struct MoodleFile {
     std::string owner;  ///< "Ann Lee_123", "Participant_123", "Default group": raw bytes
-    std::string path;   ///< "src/Renderer.cpp", "onlinetext/onlinetext.html"; may be empty
+    std::string path;   ///< "src/File.cpp", "onlinetext/onlinetext.html"; may be empty
 };
 
 /// Takes a path of an export apart, whichever of Moodle's layouts it follows, also below one folder
@@ -26,7 +28,8 @@ struct MoodleExport {
 };
 
 /// One name in Moodle's manner makes no export: most of what may be work has to fit.
-[[nodiscard]] MoodleExport readMoodleExport(const std::filesystem::path& exported);
+[[nodiscard]] MoodleExport readMoodleExport(const std::filesystem::path& exported,
+                                            const Exercise& exercise);
 
 /// Stands for an owner, in Located, where "ann" is one of the others.
 [[nodiscard]] std::string ownerOfOther(std::string_view other);

@@ -154,9 +154,10 @@ private:
     // Every member is unpacked, in memory and piece by piece, so that bombs are found wherever
     // they are; only candidates are kept.
     void readFile(const std::string& path) {
-        const std::optional<Part> part = isLitter(path) ? std::nullopt : partOf(path);
+        const std::optional<std::string> part =
+            isLitter(path) ? std::nullopt : partOf(path, *limits_.exercise);
         const bool isPacked = !part && !isLitter(path) && isArchive(path);
-        Candidate candidate{part.value_or(Part::renderer), path, {}, {}};
+        Candidate candidate{part.value_or(""), path, {}, {}};
         const std::uint64_t limit =
             isPacked ? limits_.archiveBytes : byteLimitOf(candidate.part, limits_);
         std::string buffer(64U << 10U, '\0');

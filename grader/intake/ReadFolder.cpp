@@ -104,7 +104,8 @@ private:
 
     void take(int parent, const std::string& name, const std::string& path, bool isFile,
               bool isFolder) {
-        const std::optional<Part> part = isLitter(path) ? std::nullopt : partOf(path);
+        const std::optional<std::string> part =
+            isLitter(path) ? std::nullopt : partOf(path, *limits_.exercise);
         if (part && !isFolder)
             contents_.candidates.push_back(candidate(parent, name, path, *part));
         else if (auto packed = isFile ? archiveAt(parent, name, path) : std::nullopt)
@@ -135,7 +136,7 @@ private:
     }
 
     [[nodiscard]] Candidate candidate(int parent, const std::string& name, const std::string& path,
-                                      Part part) const {
+                                      const std::string& part) const {
         Candidate result{part, path, {}, {}};
         const std::uint64_t limit = byteLimitOf(part, limits_);
         auto bytes = bytesAt(parent, name, limit);

@@ -27,20 +27,18 @@ Finding notText(std::string_view path) {
                    "Save the file as UTF-8 and hand it in again.");
 }
 
-Finding ambiguous(Part part, const std::vector<const Candidate*>& candidates) {
+Finding ambiguous(const std::string& part, const std::vector<const Candidate*>& candidates) {
     std::string paths;
     for (const Candidate* candidate : candidates)
         paths += (paths.empty() ? "" : ", ") + raytracer::inQuotes(candidate->path);
-    return refusal(
-        "intake.ambiguous",
-        fmt::format("More than one file may be {}, and they differ: {}.", nameOf(part), paths),
-        "Hand in one of them only; the tool never chooses.");
+    return refusal("intake.ambiguous",
+                   fmt::format("More than one file may be {}, and they differ: {}.", part, paths),
+                   "Hand in one of them only; the tool never chooses.");
 }
 
 // The name that somebody probably meant to be `part`.
-std::optional<std::string> nearMiss(Part part, const Contents& contents) {
-    const std::string wanted = nameOf(part);
-    const std::array<std::string_view, 1> known{wanted};
+std::optional<std::string> nearMiss(std::string_view part, const Contents& contents) {
+    const std::array known{part};
     for (const std::string& path : contents.others) {
         if (isLitter(path)) continue;
         const std::string_view name = std::string_view{path}.substr(path.find_last_of('/') + 1);
@@ -50,7 +48,7 @@ std::optional<std::string> nearMiss(Part part, const Contents& contents) {
 }
 
 bool isSource(const Candidate& candidate) {
-    return candidate.part != Part::screenshot;
+    return candidate.part != kScreenshotPart;
 }
 
 // Somebody handed in a zip, beside his picture or alone. Where his code lies open, a zip is
@@ -78,7 +76,8 @@ void openArchives(Contents& contents, const IntakeLimits& limits) {
 /// Turns what was found into a submission.
 class Assembly {
 public:
-    Assembly(std::string name, Contents contents) : contents_(std::move(contents)) {
+    Assembly(std::string name, Contents contents, const Exercise& exercise)
+        : exercise_(exercise), contents_(std::move(contents)) {
         submission_.name = std::move(name);
     }
 
@@ -86,7 +85,7 @@ public:
         for (Finding& finding : contents_.refusals)
             submission_.findings.push_back({std::nullopt, std::move(finding)});
         if (submission_.findings.empty()) {
-            for (const Part part : kParts)
+            for (const std::string& part : exercise_.parts())
                 choose(part);
             reportMissing();
         }
@@ -96,7 +95,7 @@ public:
     }
 
 private:
-    void choose(Part part) {
+    void choose(const std::string& part) {
         std::vector<const Candidate*> candidates;
         for (const Candidate& candidate : contents_.candidates)
             if (candidate.part == part) candidates.push_back(&candidate);
@@ -109,45 +108,48 @@ private:
             submission_.findings.push_back({part, ambiguous(part, candidates)});
         else if (first.refusal)
             submission_.findings.push_back({part, *first.refusal});
-        else if (part != Part::screenshot && !isText(first.bytes))
+        else if (part != kScreenshotPart && !isText(first.bytes))
             submission_.findings.push_back({part, notText(first.path)});
         else
             accept(part, candidates);
     }
 
-    void accept(Part part, const std::vector<const Candidate*>& candidates) {
-        submission_.parts[static_cast<std::size_t>(part)] = candidates.front()->bytes;
+    void accept(const std::string& part, const std::vector<const Candidate*>& candidates) {
+        submission_.parts[part] = candidates.front()->bytes;
         for (std::size_t i = 1; i < candidates.size(); ++i)
             contents_.others.push_back(asUtf8(candidates[i]->path));
     }
 
-    [[nodiscard]] bool isMissing(Part part) const {
+    [[nodiscard]] bool isMissing(std::string_view part) const {
         return !submission_.part(part) && submission_.refusalOf(part) == nullptr;
     }
 
     // One source is enough: a missing one is worth a word only where a name comes close to it, or
     // where there is none at all.
     void reportMissing() {
-        const bool noSource = isMissing(Part::bumpySphere) && isMissing(Part::renderer);
+        const std::vector<std::string> files = exercise_.files();
+        const bool noSource =
+            std::ranges::all_of(files, [&](const std::string& file) { return isMissing(file); });
         bool hinted = false;
-        for (const Part part : kParts) {
+        for (const std::string& part : exercise_.parts()) {
             const auto near = isMissing(part) ? nearMiss(part, contents_) : std::nullopt;
             if (!near) continue;
-            hinted = hinted || part != Part::screenshot;
-            Finding finding =
-                refusal("intake.missing-file", fmt::format("There is no {}.", nameOf(part)),
-                        fmt::format("Did you mean {}? Rename it to {}.", raytracer::inQuotes(*near),
-                                    nameOf(part)));
+            hinted = hinted || part != kScreenshotPart;
+            Finding finding = refusal(
+                "intake.missing-file", fmt::format("There is no {}.", part),
+                fmt::format("Did you mean {}? Rename it to {}.", raytracer::inQuotes(*near), part));
             submission_.findings.push_back({part, std::move(finding)});
         }
         if (noSource && !hinted)
             submission_.findings.push_back(
                 {std::nullopt,
                  refusal("intake.missing-file",
-                         "There is neither BumpySphere.cpp nor Renderer.cpp.",
+                         (files.size() > 1 ? "There is neither " : "There is no ") +
+                             enumerated(files, "nor") + ".",
                          "Hand in the file of the option that you chose, and screenshot.png.")});
     }
 
+    const Exercise& exercise_;
     Contents contents_;
     Submission submission_;
 };
@@ -159,7 +161,7 @@ Submission readSubmission(const Located& located, const IntakeLimits& limits) {
                             ? readFolder(located.path, limits, located.owner)
                             : readArchive(located.path, limits, located.owner);
     openArchives(contents, limits);
-    return Assembly{located.name, std::move(contents)}.take();
+    return Assembly{located.name, std::move(contents), *limits.exercise}.take();
 }
 
 }  // namespace ticker::intake

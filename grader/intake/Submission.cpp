@@ -2,20 +2,15 @@
 
 namespace ticker::intake {
 
-std::string nameOf(Part part) {
-    switch (part) {
-        case Part::bumpySphere:
-            return "BumpySphere.cpp";
-        case Part::renderer:
-            return "Renderer.cpp";
-        default:
-            return "screenshot.png";
-    }
+const std::optional<std::string>& Submission::part(std::string_view which) const {
+    static const std::optional<std::string> kMissing;
+    const auto found = parts.find(which);
+    return found == parts.end() ? kMissing : found->second;
 }
 
-const Finding* Submission::refusalOf(Part which) const {
+const Finding* Submission::refusalOf(std::string_view which) const {
     for (const IntakeFinding& entry : findings)
-        if (entry.finding.severity == Severity::fail && (!entry.part || entry.part == which))
+        if (entry.finding.severity == Severity::fail && (!entry.part || *entry.part == which))
             return &entry.finding;
     return nullptr;
 }

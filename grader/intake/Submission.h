@@ -3,25 +3,18 @@
 
 #include <grader/result/Finding.h>
 
-#include <array>
-#include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ticker::intake {
 
-/// The three files that make up a submission.
-enum class Part { bumpySphere, renderer, screenshot };
-
-inline constexpr std::array kParts{Part::bumpySphere, Part::renderer, Part::screenshot};
-
-/// "BumpySphere.cpp", "Renderer.cpp" or "screenshot.png".
-[[nodiscard]] std::string nameOf(Part part);
-
-/// Something that intake has to say about one part.
+/// Something that intake has to say about one part: one of `Exercise::parts`, by its name.
 struct IntakeFinding {
-    std::optional<Part> part;  ///< empty: about the submission as a whole
+    std::optional<std::string> part;  ///< empty: about the submission as a whole
     Finding finding;
 };
 
@@ -29,15 +22,14 @@ struct IntakeFinding {
 /// ambiguous is empty; `findings` says why.
 struct Submission {
     std::string name;
-    std::array<std::optional<std::string>, kParts.size()> parts;  ///< bytes, indexed by Part
+    std::map<std::string, std::optional<std::string>, std::less<>> parts;  ///< bytes, by name
     std::vector<std::string> ignored;     ///< paths of everything else; untrusted, one line each
     std::vector<IntakeFinding> findings;  ///< intake.*
 
-    [[nodiscard]] const std::optional<std::string>& part(Part which) const {
-        return parts[static_cast<std::size_t>(which)];
-    }
+    /// Its bytes; empty where it is missing.
+    [[nodiscard]] const std::optional<std::string>& part(std::string_view which) const;
     /// A finding that keeps this part, or the whole submission, from being graded; null: none.
-    [[nodiscard]] const Finding* refusalOf(Part which) const;
+    [[nodiscard]] const Finding* refusalOf(std::string_view which) const;
 };
 
 }  // namespace ticker::intake

@@ -3,6 +3,7 @@
 #include <grader/cli/Progress.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/lab/LabVerbs.h>
 #include <grader/lab/selftest/BumpTables.h>
 #include <grader/lab/selftest/HostileTables.h>
@@ -56,10 +57,8 @@ std::vector<selftest::RightSource> rightSources(const Home& home) {
           "grader/corpus/samples/awarded/bump-z-up",
           "grader/corpus/samples/awarded/distributed-half-width",
           "grader/corpus/samples/awarded/distributed-phong-per-sample"})
-        for (const build::SourceFile file :
-             {build::SourceFile::bumpySphere, build::SourceFile::renderer})
-            if (const auto path = home.data / folder / build::nameOf(file);
-                std::filesystem::exists(path))
+        for (const std::string& file : theExercise().files())
+            if (const auto path = home.data / folder / file; std::filesystem::exists(path))
                 sources.push_back({folder, file, readWhole(path)});
     return sources;
 }

@@ -12,23 +12,6 @@ namespace ticker::pipeline {
 namespace {
 
 using build::BuildResult;
-using build::SourceFile;
-using intake::Part;
-
-Part partOf(SourceFile file) {
-    return file == SourceFile::bumpySphere ? Part::bumpySphere : Part::renderer;
-}
-
-std::vector<std::string> tasksOf(SourceFile file) {
-    if (file == SourceFile::bumpySphere) return {"T1"};
-    return {"T2.1", "T2.2"};
-}
-
-bool isChosen(SourceFile file, OptionChoice option) {
-    return option == OptionChoice::automatic ||
-           (option == OptionChoice::t1) == (file == SourceFile::bumpySphere);
-}
-
 void closeAll(FileWork& work, TaskState state, const std::string& reason) {
     for (TaskReport& task : work.tasks) {
         if (!isOpen(task)) continue;
@@ -83,15 +66,11 @@ bool outgrowsAProgram(std::string_view diagnostics) {
 
 // Of the functions that a file has to define, the one that the linkers' words say is missing. Who
 // leaves out a class's first virtual function is told of its table.
-const char* missingFunction(std::string_view diagnostics) {
-    for (const auto& [symbol, function] :
-         {std::pair{"vtable for raytracer::BumpySphere", "BumpySphere::getNormalAt"},
-          std::pair{"raytracer::BumpySphere::getNormalAt(", "BumpySphere::getNormalAt"},
-          std::pair{"raytracer::Renderer::illuminate(", "Renderer::illuminate"},
-          std::pair{"raytracer::Renderer::render(", "Renderer::render"}})
-        for (const char* before : {"undefined symbol: ", "undefined reference to `"})
-            if (diagnostics.find(std::string{before} + symbol) != std::string_view::npos)
-                return function;
+const TaskEntry* missingFunction(std::string_view diagnostics, const Exercise& exercise) {
+    for (const TaskEntry& task : exercise.tasks)
+        for (const std::string& symbol : task.symbols)
+            for (const char* before : {"undefined symbol: ", "undefined reference to `"})
+                if (diagnostics.find(before + symbol) != std::string_view::npos) return &task;
     return nullptr;
 }
 
@@ -111,16 +90,17 @@ Finding emptyFinding(const std::string& source, const std::string& name) {
 }
 
 /// Message and hint for a file with errors.
-void explainErrors(const std::string& diagnostics, const std::string& name, Finding& finding) {
+void explainErrors(const std::string& diagnostics, const std::string& name,
+                   const Exercise& exercise, Finding& finding) {
     if (outgrowsAProgram(diagnostics)) {
         finding.message = fmt::format(
             "{} makes a program that is too large: its global and static variables take 2 GB or "
             "more.",
             name);
         finding.hint = "Look for an array whose size is far beyond what it has to hold.";
-    } else if (const char* function = missingFunction(diagnostics)) {
+    } else if (const TaskEntry* task = missingFunction(diagnostics, exercise)) {
         finding.message =
-            fmt::format("{} defines no {}, or one with other arguments.", name, function);
+            fmt::format("{} defines no {}, or one with other arguments.", name, task->function);
         finding.hint = "Keep its first line, and the namespace around it, as in the stub.";
     } else {
         const std::string error = firstError(diagnostics);
@@ -132,7 +112,7 @@ void explainErrors(const std::string& diagnostics, const std::string& name, Find
     }
 }
 
-Finding buildFinding(const BuildResult& result, const std::string& name) {
+Finding buildFinding(const BuildResult& result, const std::string& name, const Exercise& exercise) {
     Finding finding;
     finding.severity = Severity::fail;
     switch (result.kind) {
@@ -150,12 +130,13 @@ Finding buildFinding(const BuildResult& result, const std::string& name) {
             break;
         default:
             finding.id = "build.failed";
-            explainErrors(result.diagnostics, name, finding);
+            explainErrors(result.diagnostics, name, exercise, finding);
     }
     return finding;
 }
 
-void buildFile(FileWork& work, const std::string& source, SourceFile file, const Grader& grader) {
+void buildFile(FileWork& work, const std::string& source, const std::string& file,
+               const Grader& grader) {
     BuildResult result =
         build::buildProgram(grader.kit, grader.sandbox, grader.policy.compile, file, source);
     work.compileMs = result.wallMs;
@@ -166,20 +147,22 @@ void buildFile(FileWork& work, const std::string& source, SourceFile file, const
     if (result.kind == BuildResult::Kind::ourFault)
         return closeAll(work, TaskState::notGraded,
                         "the compiler could not be run: " + result.diagnostics);
-    blockAll(work, buildFinding(result, nameOf(file)), false);
-    work.diagnostics = Diagnostics{nameOf(file), result.diagnostics};
+    blockAll(work, buildFinding(result, file, *grader.exercise), false);
+    work.diagnostics = Diagnostics{file, result.diagnostics};
 }
 
 }  // namespace
 
-TaskReport blankReport(const std::string& task) {
+TaskReport blankReport(const std::string& task, const Exercise& exercise) {
     TaskReport report;
     report.id = task;
-    if (task == "T1") report.title = "Bump mapping";
-    if (task == "T2.1") report.title = "Soft shadows";
-    if (task == "T2.2") report.title = "Depth of field";
-    if (task == "screenshot") report.title = "Screenshot";
+    if (const TaskEntry* entry = exercise.task(task)) report.title = entry->title;
+    if (task == kScreenshotTask) report.title = "Screenshot";
     return report;
+}
+
+void settle(TaskReport& task, TaskJudgement judgement) {
+    static_cast<TaskJudgement&>(task) = std::move(judgement);
 }
 
 Finding forbiddenCallFinding() {
@@ -198,26 +181,26 @@ bool isOpen(const TaskReport& task) {
     return task.state == TaskState::notGraded && task.reason.empty();
 }
 
-FileWork prepareFile(const intake::Submission& submission, SourceFile file, const Grader& grader) {
+FileWork prepareFile(const intake::Submission& submission, const std::string& file,
+                     const Grader& grader) {
     FileWork work;
-    for (const std::string& task : tasksOf(file))
-        work.tasks.push_back(blankReport(task));
-    const std::string name = nameOf(file);
-    if (!isChosen(file, grader.option)) {
+    for (const TaskEntry& task : grader.exercise->tasks)
+        if (task.file == file) work.tasks.push_back(blankReport(task.id, *grader.exercise));
+    if (!grader.option.empty() && !grader.exercise->isIn(grader.option, file)) {
         closeAll(work, TaskState::notAttempted, "another option was to be judged");
         return work;
     }
-    if (const Finding* refusal = submission.refusalOf(partOf(file))) {
+    if (const Finding* refusal = submission.refusalOf(file)) {
         blockAll(work, *refusal, isForAPerson(*refusal));
         return work;
     }
-    const std::optional<std::string>& source = submission.part(partOf(file));
+    const std::optional<std::string>& source = submission.part(file);
     if (!source) {
-        closeAll(work, TaskState::notAttempted, fmt::format("there is no {}", name));
+        closeAll(work, TaskState::notAttempted, fmt::format("there is no {}", file));
         return work;
     }
     if (!intake::holdsCode(*source)) {
-        blockAll(work, emptyFinding(*source, name), false);
+        blockAll(work, emptyFinding(*source, file), false);
         return work;
     }
     const std::string stub = grader.kit.templateSource(file);

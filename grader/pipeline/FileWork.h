@@ -20,11 +20,14 @@ struct FileWork {
     double compileMs = 0.0;
 };
 
-/// A report of a task that nobody has judged yet.
-[[nodiscard]] TaskReport blankReport(const std::string& task);
+/// A report of a task that is not judged yet.
+[[nodiscard]] TaskReport blankReport(const std::string& task, const Exercise& exercise);
+
+/// Takes over what a judge says.
+void settle(TaskReport& task, TaskJudgement judgement);
 
 /// Checks one file in, finds out which of its tasks were attempted, and builds it where one was.
-[[nodiscard]] FileWork prepareFile(const intake::Submission& submission, build::SourceFile file,
+[[nodiscard]] FileWork prepareFile(const intake::Submission& submission, const std::string& file,
                                    const Grader& grader);
 
 /// What is said of a program that answered, but was ended at a forbidden system call in a run that

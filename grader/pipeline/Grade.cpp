@@ -5,11 +5,8 @@
 #include <grader/pipeline/Inputs.h>
 #include <grader/pipeline/Questioning.h>
 #include <grader/pipeline/Screenshot.h>
-#include <grader/tasks/bump/BumpPicture.h>
-#include <grader/tasks/bump/JudgeBump.h>
-#include <grader/tasks/lens/JudgeLens.h>
-#include <grader/tasks/lens/PictureDoubt.h>
-#include <grader/tasks/shadows/JudgeShadows.h>
+
+#include <raytracer/base/Error.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,52 +17,37 @@
 namespace ticker::pipeline {
 namespace {
 
-using build::SourceFile;
-using tasks::TaskJudgement;
-
 using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-void settle(TaskReport& task, TaskJudgement judgement) {
-    if (!isOpen(task)) return;
-    task.state = judgement.state;
-    task.reason = std::move(judgement.reason);
-    task.findings = std::move(judgement.findings);
-    task.needsReview = judgement.needsReview;
-    task.plots = std::move(judgement.plots);
-    task.rasters = std::move(judgement.rasters);
+const Task& codeOf(const Grader& grader, const std::string& id) {
+    const auto found = std::ranges::find(grader.tasks, id, &Task::id);
+    if (found == grader.tasks.end())
+        throw raytracer::Error("the exercise names task " + id + ", which has no code");
+    return *found;
 }
 
-/// @return  What option 2's answers show of the aperture, see `TaskJudgement`.
-std::optional<double> judge(FileWork& work, SourceFile file, Questioning& questioning,
-                            std::uint64_t seed) {
-    if (file == SourceFile::bumpySphere) {
-        settle(work.tasks.at(0), questioning.run([&](probe::Examinee& examinee) {
-            return tasks::judgeBump(examinee, seed);
+/// Judges the tasks of a file that are open.
+void judge(FileWork& work, const Grader& grader, Questioning& questioning, std::uint64_t seed) {
+    std::vector<std::pair<TaskReport*, std::future<TaskJudgement>>> begun;
+    for (TaskReport& report : work.tasks) {
+        if (!isOpen(report)) continue;
+        const auto ask = codeOf(grader, report.id).judge;
+        begun.emplace_back(&report, questioning.begin([ask, seed](probe::Examinee& examinee) {
+            return ask(examinee, seed);
         }));
-        return std::nullopt;
     }
-    auto shadows = questioning.begin([seed, open = isOpen(work.tasks.at(0))](auto& examinee) {
-        return open ? tasks::judgeShadows(examinee, seed) : TaskJudgement{};
-    });
-    auto lens = questioning.run([&](probe::Examinee& examinee) {
-        return isOpen(work.tasks.at(1)) ? tasks::judgeLens(examinee, seed) : TaskJudgement{};
-    });
-    settle(work.tasks.at(0), shadows.get());
-    const std::optional<double> aperture = lens.apertureFactor;
-    settle(work.tasks.at(1), std::move(lens));
-    return aperture;
+    // Where nothing runs in parallel, the last one is asked first, as before there were rows.
+    for (auto each = begun.rbegin(); each != begun.rend(); ++each)
+        settle(*each->first, each->second.get());
 }
 
-void doubt(std::vector<TaskReport>& tasks, bool isT1, const Gallery& rendered,
-           const std::optional<double>& aperture) {
-    if (isT1)
-        tasks::doubtBumps(tasks.at(0), rendered.bumpMisfit);
-    else
-        tasks::doubtPicture(tasks, rendered.misfits, aperture);
+void doubt(std::vector<TaskReport>& tasks, const Grader& grader, const RenderEvidence& renders) {
+    for (const TaskReport& task : tasks)
+        if (const auto check = codeOf(grader, task.id).doubt) check(tasks, renders);
 }
 
 bool isBlocked(const TaskReport& task) {
@@ -76,8 +58,8 @@ bool isNotAttempted(const TaskReport& task) {
     return task.state == TaskState::notAttempted;
 }
 
-TaskReport refused(const Finding& refusal) {
-    TaskReport report = blankReport("screenshot");
+TaskReport refused(const Finding& refusal, const Exercise& exercise) {
+    TaskReport report = blankReport(std::string{kScreenshotTask}, exercise);
     report.state = TaskState::blocked;
     report.reason = refusal.message;
     report.findings = {refusal};
@@ -102,29 +84,29 @@ public:
     Grading(const intake::Submission& submission, const Grader& grader, std::uint64_t seed)
         : submission_(submission),
           grader_(grader),
-          seed_(questionSeed(submission, seed)),
+          seed_(questionSeed(submission, seed, *grader.exercise)),
           budget_(grader.policy.submission) {}
 
-    void file(SourceFile file, SubmissionResult& result) {
-        const bool isT1 = file == SourceFile::bumpySphere;
+    void file(const std::string& file, SubmissionResult& result) {
         std::future<void> expectations;
-        if (grader_.isAlone && hasFile(file))
+        if (grader_.isAlone && submission_.part(file))
             expectations =
-                std::async(std::launch::async, [&] { prepareExpectations(grader_.scenes, isT1); });
+                std::async(std::launch::async, [&] { prepareExpectations(grader_.scenes, file); });
         FileWork work = prepareFile(submission_, file, grader_);
         JudgedFile judged{file, false, std::nullopt, {}};
         result.timing.compileMs += work.compileMs;
         if (work.program) {
             Questioning questioning{*work.program, grader_, budget_};
             auto gallery = questioning.begin([&](probe::Examinee& examinee) {
-                return renderSpecScenes(grader_.scenes, isT1, examinee);
+                return renderSpecScenes(grader_.scenes, file, examinee);
             });
-            const std::optional<double> aperture = judge(work, file, questioning, seed_);
+            judge(work, grader_, questioning, seed_);
             // Code that crashed or loops would do so again.
             const bool isUsable = std::ranges::none_of(work.tasks, isBlocked);
             if (isUsable) {
                 Gallery rendered = gallery.get();
-                if (!grader_.scenes.empty()) doubt(work.tasks, isT1, rendered, aperture);
+                if (!grader_.scenes.empty())
+                    doubt(work.tasks, grader_, {rendered.misfits, rendered.bumpMisfit});
                 judged.renders = std::move(rendered).moveTo(result);
             }
             gallery = {};
@@ -139,13 +121,13 @@ public:
     }
 
     void screenshot(SubmissionResult& result) {
-        if (const Finding* refusal = submission_.refusalOf(intake::Part::screenshot))
-            return result.tasks.push_back(refused(*refusal));
-        TaskReport report = judgeScreenshotFile(submission_.part(intake::Part::screenshot), files_,
-                                                grader_, budget_, seed_, result);
+        if (const Finding* refusal = submission_.refusalOf(kScreenshotPart))
+            return result.tasks.push_back(refused(*refusal, *grader_.exercise));
+        TaskReport report = judgeScreenshotFile(submission_.part(kScreenshotPart), files_, grader_,
+                                                budget_, seed_, result);
         if ((report.state == TaskState::failed || isNotChecked(report)) &&
             std::ranges::all_of(result.tasks, isNotAttempted)) {
-            report = blankReport("screenshot");
+            report = blankReport(std::string{kScreenshotTask}, *grader_.exercise);
             report.state = TaskState::notAttempted;
             report.reason = "no task was attempted";
         }
@@ -153,9 +135,9 @@ public:
     }
 
     void sources(SubmissionResult& result) const {
-        for (const intake::Part part : {intake::Part::bumpySphere, intake::Part::renderer})
+        for (const std::string& part : grader_.exercise->files())
             if (const auto& bytes = submission_.part(part))
-                result.sources.push_back({nameOf(part), *bytes});
+                result.sources.push_back({part, *bytes});
     }
 
     void notices(SubmissionResult& result) const {
@@ -173,13 +155,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool hasFile(SourceFile file) const {
-        return submission_
-            .part(file == SourceFile::bumpySphere ? intake::Part::bumpySphere
-                                                  : intake::Part::renderer)
-            .has_value();
-    }
-
     const intake::Submission& submission_;
     const Grader& grader_;
     std::uint64_t seed_;  ///< of the questions
@@ -203,8 +178,8 @@ SubmissionResult gradeSubmission(const intake::Submission& submission, const Gra
     const Clock::time_point start = Clock::now();
     Grading grading{submission, grader, seed};
     SubmissionResult result = blankResult(submission.name, grader, seed);
-    grading.file(SourceFile::bumpySphere, result);
-    grading.file(SourceFile::renderer, result);
+    for (const std::string& file : grader.exercise->files())
+        grading.file(file, result);
     grading.screenshot(result);
     grading.sources(result);
     grading.notices(result);
@@ -218,8 +193,8 @@ SubmissionResult gradeSubmission(const intake::Submission& submission, const Gra
 SubmissionResult notGradedResult(const std::string& name, const std::string& reason,
                                  const Grader& grader, std::uint64_t seed) {
     SubmissionResult result = blankResult(name, grader, seed);
-    for (const char* task : {"T1", "T2.1", "T2.2", "screenshot"}) {
-        result.tasks.push_back(blankReport(task));
+    for (const std::string& task : grader.exercise->reported()) {
+        result.tasks.push_back(blankReport(task, *grader.exercise));
         result.tasks.back().reason = reason;
     }
     return rubric::applyRubric(grader.rubric, std::move(result));

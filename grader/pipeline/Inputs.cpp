@@ -8,17 +8,17 @@ namespace ticker::pipeline {
 namespace fs = std::filesystem;
 namespace {
 
-Digest& addParts(Digest& digest, const intake::Submission& submission) {
-    for (const intake::Part part : intake::kParts) {
+Digest& addParts(Digest& digest, const intake::Submission& submission, const Exercise& exercise) {
+    for (const std::string& part : exercise.parts()) {
         const auto& bytes = submission.part(part);
         digest.add(bytes ? "there" : "missing").add(bytes.value_or(""));
     }
     return digest;
 }
 
-std::string filesOf(const intake::Submission& submission) {
+std::string filesOf(const intake::Submission& submission, const Exercise& exercise) {
     Digest digest;
-    addParts(digest.add(submission.name), submission);
+    addParts(digest.add(submission.name), submission, exercise);
     for (const std::string& path : submission.ignored)
         digest.add(path);
     for (const intake::IntakeFinding& found : submission.findings)
@@ -48,14 +48,15 @@ Inputs inputsOf(const intake::Submission& submission, const Grader& grader, std:
     Digest how;
     how.add(grader.rubricText)
         .add(sandbox::toString(grader.sandbox.level()))
-        .add(std::to_string(static_cast<int>(grader.option)))
+        .add(grader.option)
         .add(std::to_string(seed));
-    return {filesOf(submission), grader.build, how.text()};
+    return {filesOf(submission, *grader.exercise), grader.build, how.text()};
 }
 
-std::uint64_t questionSeed(const intake::Submission& submission, std::uint64_t seed) {
+std::uint64_t questionSeed(const intake::Submission& submission, std::uint64_t seed,
+                           const Exercise& exercise) {
     Digest digest;
-    addParts(digest.add(std::to_string(seed)), submission);
+    addParts(digest.add(std::to_string(seed)), submission, exercise);
     constexpr int kHexadecimal = 16;
     return std::stoull(digest.text().substr(0, 16), nullptr, kHexadecimal);
 }

@@ -24,7 +24,8 @@ namespace ticker::pipeline {
 /// What a submission's hidden questions are drawn from: the class's seed and the files themselves.
 /// The same files get the same questions under one seed, whatever the submission is called; other
 /// files get others, which no earlier report tells.
-[[nodiscard]] std::uint64_t questionSeed(const intake::Submission& submission, std::uint64_t seed);
+[[nodiscard]] std::uint64_t questionSeed(const intake::Submission& submission, std::uint64_t seed,
+                                         const Exercise& exercise = theExercise());
 
 }  // namespace ticker::pipeline
 

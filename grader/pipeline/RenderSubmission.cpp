@@ -6,16 +6,15 @@
 
 #include <raytracer/base/Error.h>
 
-#include <algorithm>
 #include <string>
 
 namespace ticker::pipeline {
 namespace {
 
-build::SourceFile fileFor(const raytracer::SceneDescription& scene) {
-    const bool bumpy = std::ranges::any_of(
-        scene.spheres, [](const auto& sphere) { return sphere.heightMap != nullptr; });
-    return bumpy ? build::SourceFile::bumpySphere : build::SourceFile::renderer;
+std::string fileFor(const raytracer::SceneDescription& scene, const Grader& grader) {
+    for (const Task& task : grader.tasks)
+        if (task.isSeenIn(scene)) return std::string{grader.exercise->fileOf(task.id)};
+    throw raytracer::Error("no task has to do with this scene");
 }
 
 }  // namespace
@@ -23,18 +22,15 @@ build::SourceFile fileFor(const raytracer::SceneDescription& scene) {
 raytracer::ByteImage renderSubmission(const intake::Submission& submission, const Grader& grader,
                                       const raytracer::SceneDescription& scene,
                                       const raytracer::RenderSettings& settings) {
-    const build::SourceFile file = fileFor(scene);
-    const auto& source =
-        submission.part(file == build::SourceFile::bumpySphere ? intake::Part::bumpySphere
-                                                               : intake::Part::renderer);
+    const std::string file = fileFor(scene, grader);
+    const auto& source = submission.part(file);
     if (!source)
         throw raytracer::InputError(submission.name, 0,
-                                    "has no " + build::nameOf(file) + ", which this scene needs");
+                                    "has no " + file + ", which this scene needs");
     const build::BuildResult built =
         build::buildProgram(grader.kit, grader.sandbox, grader.policy.compile, file, *source);
     if (!built.program)
-        throw raytracer::InputError(build::nameOf(file), 0,
-                                    "does not compile; ticker check shows why");
+        throw raytracer::InputError(file, 0, "does not compile; ticker check shows why");
     sandbox::Limits limits = grader.policy.run;
     constexpr double kPatience = 60.0;  // a full picture is many times the grader's small ones
     limits.cpuSeconds *= kPatience;
@@ -42,9 +38,7 @@ raytracer::ByteImage renderSubmission(const intake::Submission& submission, cons
     build::SandboxedExaminee examinee{*built.program, grader.sandbox, limits};
     const probe::Sitting sitting = examinee.ask({probe::RenderQuestion{scene, settings, 1, 0}});
     const auto picture = pictureFrom(std::get<probe::RenderAnswer>(sitting.answers.at(0)));
-    if (!picture)
-        throw raytracer::InputError(build::nameOf(file), 0,
-                                    "gave no picture: " + sitting.end.detail);
+    if (!picture) throw raytracer::InputError(file, 0, "gave no picture: " + sitting.end.detail);
     return *picture;
 }
 

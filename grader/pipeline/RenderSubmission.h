@@ -10,9 +10,9 @@
 
 namespace ticker::pipeline {
 
-/// The picture that a submission's code renders, made in the sandbox. A scene with a bumpy sphere
-/// is rendered with the submission's BumpySphere.cpp, any other with its Renderer.cpp; the
-/// template's file stands in for the other one.
+/// The picture that a submission's code renders, made in the sandbox. It is made with
+/// the file of the first task that is seen in the scene (`Task::isSeenIn`); the template's stand in
+/// for the others.
 /// @throws raytracer::InputError saying why there is no picture: the file is missing, does not
 ///         compile, crashed, ran out of time.
 [[nodiscard]] raytracer::ByteImage renderSubmission(const intake::Submission& submission,

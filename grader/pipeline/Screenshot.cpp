@@ -22,7 +22,6 @@ namespace ticker::pipeline {
 namespace {
 
 using raytracer::ByteImage;
-using tasks::TaskJudgement;
 using tasks::screenshot::Scene;
 
 Finding finding(const char* id, std::string message, std::string hint) {
@@ -35,15 +34,8 @@ Finding finding(const char* id, std::string message, std::string hint) {
     return result;
 }
 
-void settleScreenshot(TaskReport& report, TaskJudgement judgement) {
-    report.state = judgement.state;
-    report.reason = std::move(judgement.reason);
-    report.findings = std::move(judgement.findings);
-    report.needsReview = judgement.needsReview;
-}
-
 void fail(TaskReport& report, Finding finding) {
-    settleScreenshot(report, {TaskState::failed, "", {std::move(finding)}, false});
+    settle(report, {TaskState::failed, "", {std::move(finding)}, false});
 }
 
 Finding unreadable(const picture::DecodeFailure& failure) {
@@ -91,19 +83,18 @@ public:
         const bool any = std::ranges::any_of(files, &JudgedFile::isAttempted);
         const bool both = std::ranges::all_of(files, &JudgedFile::isAttempted);
         for (const SpecScene& spec : grader.scenes) {
-            const build::SourceFile wanted =
-                spec.isForT1 ? build::SourceFile::bumpySphere : build::SourceFile::renderer;
-            const auto file = std::ranges::find(files, wanted, &JudgedFile::file);
+            const auto file = std::ranges::find(files, spec.file, &JudgedFile::file);
             Scene scene;
             scene.name = spec.name;
-            scene.isForT1 = spec.isForT1;
+            scene.file = spec.file;
+            scene.isRandom = spec.isRandom;
             scene.isWanted =
                 spec.isHandedIn && (!any || (file != files.end() && file->isAttempted));
-            scene.mayMixBoth = both && spec.isForT1;
+            scene.mayMixBoth = both && !spec.isRandom;
             scene.description = &spec.scene;
             scene.expected = [&spec] { return metrics::viewOf(spec.expected().picture); };
             if (file != files.end()) addOwn(*file, grader, budget, scene);
-            if (!spec.isForT1) scene.whyUnlikeItself = whyUnlikeItself(tasks);
+            if (spec.isRandom) scene.whyUnlikeItself = whyUnlikeItself(tasks);
             scenes_.push_back(std::move(scene));
         }
     }
@@ -142,7 +133,7 @@ TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
                                const std::vector<JudgedFile>& files, const Grader& grader,
                                build::TimeBudget& budget, std::uint64_t seed,
                                SubmissionResult& result) {
-    TaskReport report = blankReport("screenshot");
+    TaskReport report = blankReport(std::string{kScreenshotTask}, *grader.exercise);
     if (!bytes) {
         fail(report, finding("screenshot.missing", "There is no screenshot.png.",
                              "Render your option's scene with tick1star and hand the picture in."));
@@ -157,11 +148,11 @@ TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
     const ByteImage& image = std::get<ByteImage>(decoded);
     show(image, result);
     const Scenes scenes{files, grader, budget, result.tasks};
-    settleScreenshot(report, tasks::judgeScreenshot(metrics::viewOf(image), scenes.all(), seed));
+    settle(report, tasks::judgeScreenshot(metrics::viewOf(image), scenes.all(), seed));
     result.timing.probeMs += scenes.wallMs();
     if (scenes.madeForbiddenCall()) {
         const Finding call = forbiddenCallFinding();
-        settleScreenshot(report, {TaskState::blocked, call.message, {call}, true});
+        settle(report, {TaskState::blocked, call.message, {call}, true});
     }
     return report;
 }

@@ -15,9 +15,9 @@
 
 namespace ticker::pipeline {
 
-/// One of the two files after its tasks were judged: what a screenshot is compared with.
+/// One file after its tasks were judged: what a screenshot is compared with.
 struct JudgedFile {
-    build::SourceFile file = build::SourceFile::bumpySphere;
+    std::string file;
     bool isAttempted = false;
     std::optional<build::Program> program;  ///< there, where it renders
     std::vector<Rendered> renders;

@@ -5,6 +5,7 @@
 #include <grader/picture/EncodePicture.h>
 #include <grader/probe/AnswerMemory.h>
 #include <grader/tasks/bump/BumpPicture.h>
+#include <grader/tasks/lens/PictureDoubt.h>
 
 #include <raytracer/image/Image.h>
 #include <raytracer/io/ImageWriter.h>
@@ -50,7 +51,7 @@ Comparison compare(const Expectation& expected, const probe::RenderAnswer& answe
 }
 
 Comparison bestFitting(const SpecScene& scene, const probe::RenderAnswer& answer,
-                       std::vector<tasks::Misfit>& misfits) {
+                       std::vector<Misfit>& misfits) {
     // What is farther off is no accepted reading of the light.
     constexpr double kNearMiss = 2.0;
     Comparison best = compare(scene.expected(), answer);
@@ -109,24 +110,37 @@ void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnsw
     gallery.scores.push_back(std::move(render));
 }
 
-/// The largest misfit of option 1's pictures; empty where one did not come.
+bool hasRelief(const raytracer::SceneDescription& scene) {
+    return std::ranges::any_of(scene.spheres,
+                               [](const auto& sphere) { return sphere.heightMap != nullptr; });
+}
+
+/// What is asked beside the picture of a scene with a bumpy sphere.
+struct Relief {
+    std::size_t picture = 0;
+    tasks::BumpPicture plan;
+};
+
+/// The largest misfit of pictures with a relief; empty where there are none, or one did not come.
 /// @param answers  To what was asked beside the pictures, in the same order.
-std::optional<double> worstMisfit(const std::vector<tasks::BumpPicture>& plans,
+std::optional<double> worstMisfit(const std::vector<Relief>& reliefs,
                                   const std::vector<std::optional<raytracer::ByteImage>>& pictures,
                                   std::span<const probe::Answer> answers) {
+    if (reliefs.empty()) return std::nullopt;
     double worst = 0.0;
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-        if (!pictures[i]) return std::nullopt;
+    for (std::size_t i = 0; i < reliefs.size(); ++i) {
+        const auto& picture = pictures[reliefs[i].picture];
+        if (!picture) return std::nullopt;
         const auto& answer = std::get<probe::NormalAnswer>(answers[i]);
-        worst = std::max(worst, tasks::bumpMisfit(plans[i], answer, pictures[i]->rgb));
+        worst = std::max(worst, tasks::bumpMisfit(reliefs[i].plan, answer, picture->rgb));
     }
     return worst;
 }
 
 }  // namespace
 
-std::vector<tasks::Misfit> misfitsOf(const SpecScene& scene, const probe::RenderAnswer& answer) {
-    std::vector<tasks::Misfit> misfits;
+std::vector<Misfit> misfitsOf(const SpecScene& scene, const probe::RenderAnswer& answer) {
+    std::vector<Misfit> misfits;
     static_cast<void>(bestFitting(scene, answer, misfits));
     return misfits;
 }
@@ -145,19 +159,21 @@ std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answe
 }
 
 std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
-                                      const std::filesystem::path& assets) {
-    const auto read = [&](const char* name) {
-        return raytracer::readScene(scenes / (std::string{name} + ".xml"), assets);
-    };
+                                      const std::filesystem::path& assets,
+                                      const Exercise& exercise) {
     std::vector<SpecScene> result;
-    for (const char* name : {"bump-mapping", "bumpmap-test"})
-        result.push_back({name, true, true, read(name), settingsOf(320, 240), {}, {}});
-    result.back().isHandedIn = false;
-    result.push_back(
-        {"distributed", false, true, read("distributed"), settingsOf(160, 120), {}, {}});
+    for (const SceneEntry& entry : exercise.scenes)
+        result.push_back({entry.name,
+                          entry.file,
+                          entry.isRandom,
+                          entry.isHandedIn,
+                          raytracer::readScene(scenes / (entry.name + ".xml"), assets),
+                          settingsOf(entry.width, entry.height),
+                          {},
+                          {}});
     const auto later = [](auto work) { return std::async(std::launch::deferred, work).share(); };
     for (SpecScene& scene : result)
-        if (scene.isForT1)
+        if (!scene.isRandom)
             scene.expectations.push_back(
                 later([description = scene.scene, settings = scene.settings] {
                     return expectPinhole(description, settings);
@@ -179,22 +195,22 @@ std::vector<Rendered> Gallery::moveTo(SubmissionResult& result) && {
     return std::move(rendered);
 }
 
-Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
+Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, std::string_view file,
                          probe::Examinee& examinee) {
     std::vector<const SpecScene*> asked;
     std::vector<probe::Question> questions;
     for (const SpecScene& scene : scenes) {
-        if (scene.isForT1 != isT1) continue;
+        if (scene.file != file) continue;
         asked.push_back(&scene);
         questions.emplace_back(probe::RenderQuestion{scene.scene, scene.settings, 1, 0});
     }
     Gallery gallery;
     if (questions.empty()) return gallery;
-    std::vector<tasks::BumpPicture> bumps;
-    for (const SpecScene* scene : asked)
-        if (isT1) {
-            bumps.push_back(tasks::planBumpPicture(scene->scene, scene->settings));
-            questions.emplace_back(bumps.back().question);
+    std::vector<Relief> reliefs;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        if (hasRelief(asked[i]->scene)) {
+            reliefs.push_back({i, tasks::planBumpPicture(asked[i]->scene, asked[i]->settings)});
+            questions.emplace_back(reliefs.back().plan.question);
         }
     const probe::Sitting sitting = examinee.ask(questions);
     std::vector<std::optional<raytracer::ByteImage>> pictures;
@@ -203,17 +219,16 @@ Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, bool isT1,
         pictures.push_back(pictureFrom(answer));
         if (pictures[i]) addRender(gallery, *asked[i], answer, *pictures[i]);
     }
-    if (isT1)
-        gallery.bumpMisfit =
-            worstMisfit(bumps, pictures, std::span(sitting.answers).subspan(pictures.size()));
+    gallery.bumpMisfit =
+        worstMisfit(reliefs, pictures, std::span(sitting.answers).subspan(pictures.size()));
     for (std::size_t i = 0; i < asked.size(); ++i)
         if (pictures[i]) gallery.rendered.push_back({asked[i]->name, *std::move(pictures[i])});
     return gallery;
 }
 
-void prepareExpectations(const std::vector<SpecScene>& scenes, bool isT1) {
+void prepareExpectations(const std::vector<SpecScene>& scenes, std::string_view file) {
     for (const SpecScene& scene : scenes)
-        if (scene.isForT1 == isT1) static_cast<void>(scene.expected());
+        if (scene.file == file) static_cast<void>(scene.expected());
 }
 
 }  // namespace ticker::pipeline

@@ -7,13 +7,10 @@
 #include <grader/result/Tally.h>
 
 #include <fmt/core.h>
-#include <array>
 #include <cstddef>
 
 namespace ticker::report {
 namespace {
-
-constexpr std::array kTasks{"T1", "T2.1", "T2.2", "screenshot"};
 
 /// The verdicts as one bar, each part a button that filters the table.
 std::string verdictBar(const Tally& tally) {
@@ -106,7 +103,7 @@ std::string thumbnails(const SubmissionResult& result) {
     return html;
 }
 
-std::string row(const SubmissionResult& result) {
+std::string row(const SubmissionResult& result, const std::vector<std::string>& tasks) {
     std::string ids;
     std::string list;
     for (const std::string& id : findingIds(result)) {
@@ -124,7 +121,7 @@ std::string row(const SubmissionResult& result) {
         escapeHtml(result.submission), static_cast<int>(result.verdict),
         badge(toString(result.verdict), wordsFor(result.verdict)),
         address(result.submission + "/student.html"));
-    for (const char* task : kTasks)
+    for (const std::string& task : tasks)
         html += stateCell(result, task);
     return html +
            fmt::format("<td>{}</td><td class=\"thumbs\">{}</td></tr>\n", list, thumbnails(result));
@@ -134,24 +131,25 @@ std::string heading(std::string_view text) {
     return fmt::format("<th scope=\"col\"><button type=\"button\">{}</button></th>", text);
 }
 
-std::string table(const std::vector<SubmissionResult>& results) {
+std::string table(const std::vector<SubmissionResult>& results,
+                  const std::vector<std::string>& tasks) {
     std::string html =
         "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of submissions\">"
         "<table><caption>A heading sorts, a name opens the report for staff; &ndash; means not "
         "attempted."
         "</caption><thead><tr>" +
         heading("Submission") + heading("Verdict");
-    for (const char* task : kTasks)
+    for (const std::string& task : tasks)
         html += heading(sentence(task));
     html += heading("What was found") + "<th scope=\"col\">Pictures</th></tr></thead><tbody>\n";
     for (const SubmissionResult& result : results)
-        html += row(result);
+        html += row(result, tasks);
     return html + "</tbody></table></div>";
 }
 
 }  // namespace
 
-std::string classPage(const std::vector<SubmissionResult>& results) {
+std::string classPage(const std::vector<SubmissionResult>& results, const Exercise& exercise) {
     const Tally tally = tallyOf(results);
     const std::string title = counted(results.size(), "submission");
     return page("Tick 1*: " + title, classCss(), classJs(),
@@ -161,7 +159,7 @@ std::string classPage(const std::vector<SubmissionResult>& results) {
                             "<footer><p>Proposed by ticker; a person decides.</p></footer>",
                             title, verdictBar(tally), taskCounts(tally),
                             findingCounts(tally, results.size()), filters(tally, results.size()),
-                            table(results)));
+                            table(results, exercise.reported())));
 }
 
 }  // namespace ticker::report

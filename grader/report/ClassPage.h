@@ -1,6 +1,7 @@
 #ifndef TICKER_REPORT_CLASSPAGE_H
 #define TICKER_REPORT_CLASSPAGE_H
 
+#include <grader/exercise/Exercise.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <string>
@@ -9,7 +10,8 @@
 namespace ticker::report {
 
 /// The text of index.html: a class at a glance, with links to `<submission>/report.html`.
-[[nodiscard]] std::string classPage(const std::vector<SubmissionResult>& results);
+[[nodiscard]] std::string classPage(const std::vector<SubmissionResult>& results,
+                                    const Exercise& exercise = theExercise());
 
 }  // namespace ticker::report
 

@@ -22,7 +22,7 @@ std::vector<std::string_view> linesOf(std::string_view text) {
     return lines;
 }
 
-/// "Renderer.cpp:12:5: error: what": a line of a compiler's output that points at the file.
+/// "File.cpp:12:5: error: what": a line of a compiler's output that points at the file.
 struct Remark {
     int line = 0;
     std::string_view kind;  ///< "error" or "warning"

@@ -1,6 +1,7 @@
 #ifndef TICKER_REPORT_PAGEPARTS_H
 #define TICKER_REPORT_PAGEPARTS_H
 
+#include <grader/exercise/Exercise.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <map>
@@ -57,7 +58,8 @@ enum class PictureKeys {
 
 /// Expected and submitted pictures; empty where there are none.
 [[nodiscard]] std::string picturesSection(const SubmissionResult& result, const Album& album,
-                                          PictureKeys keys = PictureKeys::all);
+                                          PictureKeys keys = PictureKeys::all,
+                                          const Exercise& exercise = theExercise());
 
 /// What the compiler said, beside the student's lines; empty where it said nothing.
 [[nodiscard]] std::string diagnosticsSection(const SubmissionResult& result);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -122,25 +123,28 @@ std::string ofRender(const RenderScore& render, const Album& album, PictureKeys 
 }
 
 /// The scene that a screenshot should show: the handout's own of the file that was worked on; null
-/// where it may be either.
-const RenderScore* screenshotScene(const SubmissionResult& result) {
-    const auto isWorkedOn = [&](std::string_view start) {
-        return std::ranges::any_of(result.tasks, [&](const TaskReport& task) {
-            return task.id.starts_with(start) && task.state != TaskState::notAttempted;
-        });
-    };
-    if (isWorkedOn("T1") == isWorkedOn("T2")) return nullptr;
-    const auto scene = std::ranges::find(
-        result.renders, isWorkedOn("T1") ? "bump-mapping" : "distributed", &RenderScore::scene);
-    return scene == result.renders.end() ? nullptr : &*scene;
+/// where it may be another's.
+const RenderScore* screenshotScene(const SubmissionResult& result, const Exercise& exercise) {
+    std::set<std::string_view> files;
+    for (const TaskReport& task : result.tasks)
+        if (task.state != TaskState::notAttempted) files.insert(exercise.fileOf(task.id));
+    files.erase("");
+    if (files.size() != 1) return nullptr;
+    const auto scene = std::ranges::find_if(exercise.scenes, [&](const SceneEntry& entry) {
+        return entry.isHandedIn && files.contains(entry.file);
+    });
+    if (scene == exercise.scenes.end()) return nullptr;
+    const auto render = std::ranges::find(result.renders, scene->name, &RenderScore::scene);
+    return render == result.renders.end() ? nullptr : &*render;
 }
 
-std::string ofScreenshot(const SubmissionResult& result, const Album& album, PictureKeys keys) {
+std::string ofScreenshot(const SubmissionResult& result, const Album& album, PictureKeys keys,
+                         const Exercise& exercise) {
     const std::string file{kScreenshotFile};
     if (!album.has(file)) return "";
     const Shown submitted{album.addressOf(file), "submitted", "screenshot.png as handed in",
                           "Submitted: screenshot.png as handed in"};
-    const RenderScore* scene = screenshotScene(result);
+    const RenderScore* scene = screenshotScene(result, exercise);
     if (scene == nullptr) return alone("screenshot.png", submitted);
     const Shown expected = expectedPicture(*scene, album);
     if (expected.source.empty()) return alone("screenshot.png", submitted);
@@ -149,11 +153,12 @@ std::string ofScreenshot(const SubmissionResult& result, const Album& album, Pic
 
 }  // namespace
 
-std::string picturesSection(const SubmissionResult& result, const Album& album, PictureKeys keys) {
+std::string picturesSection(const SubmissionResult& result, const Album& album, PictureKeys keys,
+                            const Exercise& exercise) {
     std::string html;
     for (const RenderScore& render : result.renders)
         html += ofRender(render, album, keys);
-    html += ofScreenshot(result, album, keys);
+    html += ofScreenshot(result, album, keys, exercise);
     if (html.empty()) return "";
     const std::string intro =
         "<p class=\"soft\">They explain; they fail nobody: accepted readings of the handout "

@@ -67,16 +67,10 @@ void withholdPictures(SubmissionResult& result, const StudentPolicy& policy) {
     });
 }
 
-/// Which file a task is solved in.
-std::string_view fileOf(std::string_view task) {
-    if (task == "T1") return "BumpySphere.cpp";
-    return task.starts_with("T2") ? "Renderer.cpp" : "";
-}
-
-std::string compilerText(const SubmissionResult& result, const TaskReport& task) {
+std::string compilerText(const StudentView& view, const TaskReport& task) {
     if (task.state != TaskState::blocked) return "";
-    for (const Diagnostics& said : result.diagnostics)
-        if (said.file == fileOf(task.id) && !said.text.empty())
+    for (const Diagnostics& said : view.result().diagnostics)
+        if (said.file == view.exercise().fileOf(task.id) && !said.text.empty())
             return fmt::format("What the compiler said about {}:\n{}\n", said.file, said.text);
     return "";
 }
@@ -89,7 +83,7 @@ std::string findingText(const Finding& finding) {
     return text;
 }
 
-/// "T1, or T2.1 and T2.2 together": what the rubric asks for.
+/// "A, or B and C together": what the rubric asks for.
 std::string ruleOf(const std::vector<Option>& options) {
     std::string ways;
     for (const Option& option : options)
@@ -99,12 +93,12 @@ std::string ruleOf(const std::vector<Option>& options) {
     return (options.size() > 1 ? " One option is enough: " : " It takes ") + ways + ".";
 }
 
-/// " Edit BumpySphere.cpp (T1) or Renderer.cpp (T2.1 and T2.2)."
-std::string filesOf(const std::vector<Option>& options) {
+/// " Edit One.cpp (A) or Other.cpp (B and C)."
+std::string filesOf(const std::vector<Option>& options, const Exercise& exercise) {
     std::string text;
     for (const Option& option : options)
         text += fmt::format("{}{} ({})", text.empty() ? " Edit " : " or ",
-                            fileOf(option.tasks.front()), listed(option.tasks));
+                            exercise.fileOf(option.tasks.front()), listed(option.tasks));
     return text.empty() ? text : text + ".";
 }
 
@@ -121,7 +115,8 @@ std::string sentenceFor(const StudentView& view) {
         case Verdict::notAwarded:
             return std::ranges::any_of(result.tasks, concernsStudent)
                        ? "No tick yet." + ruleOf(result.options)
-                       : "No tick yet: no task was worked on." + filesOf(result.options);
+                       : "No tick yet: no task was worked on." +
+                             filesOf(result.options, view.exercise());
         case Verdict::needsReview:
             return "A person will look at this before it counts.";
         case Verdict::notGraded:
@@ -140,10 +135,11 @@ std::string withoutNewlinesAtEnd(std::string text) {
 }  // namespace
 
 StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment,
-                         std::optional<Verdict> proposed)
+                         std::optional<Verdict> proposed, const Exercise& exercise)
     : result_(std::move(result)),
       comment_(std::move(comment)),
-      proposed_(proposed.value_or(result_.verdict)) {
+      proposed_(proposed.value_or(result_.verdict)),
+      exercise_(&exercise) {
     result_.seed = 0;
     for (TaskReport& task : result_.tasks)
         withhold(task, policy);
@@ -180,7 +176,7 @@ std::string shortText(const StudentView& view, const TaskReport& task) {
 std::string taskText(const StudentView& view, const TaskReport& task) {
     const std::string text = shortText(view, task);
     if (saidBefore(view.result(), task) != nullptr) return text;
-    return withoutNewlinesAtEnd(text + "\n" + cleanText(compilerText(view.result(), task)));
+    return withoutNewlinesAtEnd(text + "\n" + cleanText(compilerText(view, task)));
 }
 
 std::string headingOf(const StudentView& view, const TaskReport& task) {

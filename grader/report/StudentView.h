@@ -1,6 +1,7 @@
 #ifndef TICKER_REPORT_STUDENTVIEW_H
 #define TICKER_REPORT_STUDENTVIEW_H
 
+#include <grader/exercise/Exercise.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <filesystem>
@@ -32,16 +33,18 @@ public:
     /// @param comment  What the person who decided says; empty: nobody said anything.
     /// @param proposed  The tool's own verdict; nothing: as in `result`.
     StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment = {},
-                std::optional<Verdict> proposed = {});
+                std::optional<Verdict> proposed = {}, const Exercise& exercise = theExercise());
 
     [[nodiscard]] const SubmissionResult& result() const { return result_; }
     [[nodiscard]] const std::string& comment() const { return comment_; }
     [[nodiscard]] Verdict proposed() const { return proposed_; }
+    [[nodiscard]] const Exercise& exercise() const { return *exercise_; }
 
 private:
     SubmissionResult result_;
     std::string comment_;
     Verdict proposed_;
+    const Exercise* exercise_;
 };
 
 /// True where the student worked on this task, or something is to be said about it.
@@ -53,7 +56,7 @@ private:
 /// True where the verdict is one: a score that a platform may store and release.
 [[nodiscard]] bool hasScore(const SubmissionResult& result);
 
-/// "T1 Bump mapping", "Screenshot": stable and unique in a result.
+/// Id and title, "Screenshot": stable and unique in a result.
 [[nodiscard]] std::string taskName(const TaskReport& task);
 
 /// The findings of one task with their hints, as plain text over several lines; not escaped for any

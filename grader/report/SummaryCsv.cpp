@@ -8,12 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace ticker::report {
 namespace {
-
-constexpr std::array kTasks{"T1", "T2.1", "T2.2", "screenshot"};
 
 std::string stateOf(const SubmissionResult& result, const std::string& id) {
     for (const TaskReport& task : result.tasks)
@@ -38,15 +35,15 @@ std::string decisionOf(const SubmissionResult& result, const std::vector<Decisio
 }  // namespace
 
 std::string summaryCsv(const std::vector<SubmissionResult>& results,
-                       const std::vector<Decision>& decisions) {
+                       const std::vector<Decision>& decisions, const Exercise& exercise) {
     std::string text = "submission,verdict,score,option";
-    for (const char* task : kTasks)
+    for (const std::string& task : exercise.reported())
         text += fmt::format(",{}", task);
     text += ",findings,ruling,decidedBy,decidedAt,comment\r\n";
     for (const SubmissionResult& result : results) {
         text += fmt::format("{},{},{:g},{}", escapeCsv(result.submission), toString(result.verdict),
                             result.score, escapeCsv(result.option));
-        for (const char* task : kTasks)
+        for (const std::string& task : exercise.reported())
             text += "," + stateOf(result, task);
         text += "," + escapeCsv(findingsOf(result)) + "," + decisionOf(result, decisions) + "\r\n";
     }

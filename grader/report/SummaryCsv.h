@@ -1,6 +1,7 @@
 #ifndef TICKER_REPORT_SUMMARYCSV_H
 #define TICKER_REPORT_SUMMARYCSV_H
 
+#include <grader/exercise/Exercise.h>
 #include <grader/result/Decision.h>
 #include <grader/result/SubmissionResult.h>
 
@@ -15,7 +16,8 @@ namespace ticker::report {
 /// "notYet"), by whom, when (UTC) and the comment; empty where nobody did. Lines end in CR LF (RFC
 /// 4180).
 [[nodiscard]] std::string summaryCsv(const std::vector<SubmissionResult>& results,
-                                     const std::vector<Decision>& decisions = {});
+                                     const std::vector<Decision>& decisions = {},
+                                     const Exercise& exercise = theExercise());
 
 }  // namespace ticker::report
 

@@ -5,6 +5,7 @@
 #include <grader/result/Inputs.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,16 +21,23 @@ enum class TaskState {
     notGraded      ///< our fault; never a score
 };
 
-/// The judgement of one task. Ids: "T1", "T2.1", "T2.2", "screenshot".
-struct TaskReport {
-    std::string id;
-    std::string title;
+/// What is known about one task. A judge says passed, failed, blocked (crashed, timed out) or
+/// notGraded; notAttempted and build failures are known before anything is asked.
+struct TaskJudgement {
     TaskState state = TaskState::notGraded;
     std::string reason;  ///< one sentence; empty where the findings say it all
-    std::vector<Finding> findings;
+    std::vector<Finding> findings;        ///< the most important first
     bool needsReview = false;             ///< the state is the best guess, but a person should look
     std::vector<ScatterPlot> plots = {};  ///< what was seen, where no finding shows it
     std::vector<Raster> rasters = {};     ///< likewise
+    /// Half-width / dofAmount of the accepted aperture that the answers show; stands in no file.
+    std::optional<double> apertureFactor = {};
+};
+
+/// The judgement of one task of the exercise, or of the "screenshot".
+struct TaskReport : TaskJudgement {
+    std::string id;
+    std::string title;
 };
 
 /// How the reason of a task begins that is blocked because nothing could be compared.
@@ -39,6 +47,9 @@ inline constexpr std::string_view kNotChecked = "not checked: ";
 [[nodiscard]] inline bool isNotChecked(const TaskReport& task) {
     return task.state == TaskState::blocked && task.reason.starts_with(kNotChecked);
 }
+
+/// What a result calls the option of a submission that worked on more than one.
+inline constexpr std::string_view kSeveralOptions = "both";
 
 /// One way to earn the tick: all of its tasks must pass.
 struct Option {
@@ -51,7 +62,7 @@ enum class Verdict { awarded, notAwarded, needsReview, notGraded };
 
 /// One picture that the submission rendered, and how it compares.
 struct RenderScore {
-    std::string scene;  ///< "bump-mapping", "distributed", "bumpmap-test"
+    std::string scene;  ///< its name
     int width = 0;
     int height = 0;
     double flip = 0.0;
@@ -67,7 +78,7 @@ struct RenderScore {
 
 /// A picture that belongs to a result, as a file below `OUT/<submission>/`.
 struct ResultPicture {
-    std::string file;     ///< "images/expected-bump-mapping.png"
+    std::string file;     ///< "images/expected-SCENE.png"
     std::string caption;  ///< for its alternative text
     std::string png;      ///< the file's bytes; empty in a result that was read back
 };
@@ -75,13 +86,13 @@ struct ResultPicture {
 /// What the compiler said about one of the student's files, made safe to read but not to embed:
 /// it still has to be escaped.
 struct Diagnostics {
-    std::string file;  ///< "Renderer.cpp"; its lines are among SubmissionResult::sources
+    std::string file;  ///< its name; its lines are among SubmissionResult::sources
     std::string text;  ///< capped; paths relative
 };
 
 /// A source as it was handed in, for people to read: a file below `OUT/<submission>/code/`.
 struct SourceText {
-    std::string file;   ///< "Renderer.cpp"
+    std::string file;   ///< its name
     std::string bytes;  ///< untrusted; may not be valid UTF-8; empty in a result that was read back
 };
 
@@ -99,7 +110,7 @@ struct SubmissionResult {
     Verdict verdict = Verdict::notGraded;
     double score = 0.0;
     double maxScore = 1.0;
-    std::string option = "none";  ///< the one worked on, by its name; "both", also for more; "none"
+    std::string option = "none";  ///< the one worked on, by its name; `kSeveralOptions`; "none"
     std::vector<Option> options;  ///< the rubric's; empty in results of older tools
     std::uint64_t seed = 0;
     std::string sandboxLevel = "none";

@@ -42,7 +42,7 @@ bool passesForSure(const SubmissionResult& result, const Option& option) {
                         [&](const std::string& id) { return findTask(result, id)->needsReview; });
 }
 
-/// "T1", "T2.1", ... without the screenshot's task, which is no exercise.
+/// The tasks without the screenshot's, which is no exercise.
 template <typename Predicate>
 bool anyExercise(const Rubric& rubric, const SubmissionResult& result, Predicate predicate) {
     return std::any_of(result.tasks.begin(), result.tasks.end(), [&](const TaskReport& task) {
@@ -96,7 +96,8 @@ bool attempted(const SubmissionResult& result, const Option& option) {
 std::string optionOf(const Rubric& rubric, const SubmissionResult& result) {
     std::string name = "none";
     for (const Option& option : rubric.options)
-        if (attempted(result, option)) name = name == "none" ? option.name : "both";
+        if (attempted(result, option))
+            name = name == "none" ? option.name : std::string{kSeveralOptions};
     return name;
 }
 

@@ -33,27 +33,33 @@ double numberOf(const JsonValue& value, double atLeast) {
     return *number;
 }
 
-Option readOption(const JsonValue& member) {
+/// "\"a\", \"b\" or \"c\"": the tasks of the exercise.
+std::string knownTasks(const Exercise& exercise) {
+    std::vector<std::string> ids;
+    for (const TaskEntry& task : exercise.tasks)
+        ids.push_back('"' + task.id + '"');
+    return enumerated(ids, "or");
+}
+
+Option readOption(const JsonValue& member, const Exercise& exercise) {
     static constexpr std::array<std::string_view, 3> kMembers{"name", "tasks", "points"};
-    static constexpr std::array<std::string_view, 3> kTasks{"T1", "T2.1", "T2.2"};
     member.allowOnly(kMembers);
     Option option{.name = member.at("name").text(),
                   .tasks = {},
                   .points = numberOf(member.at("points"), 0.0)};
     for (const JsonValue& task : itemsOf(member.at("tasks"))) {
         option.tasks.push_back(task.text());
-        if (std::ranges::find(kTasks, option.tasks.back()) == kTasks.end())
-            task.expect("\"T1\", \"T2.1\" or \"T2.2\"");
+        if (exercise.task(option.tasks.back()) == nullptr) task.expect(knownTasks(exercise));
     }
     return option;
 }
 
 /// Results name the option that was worked on, or one of two words that no option may have.
-std::vector<Option> readOptions(const JsonValue& member) {
-    std::set<std::string> taken{"", "both", "none"};
+std::vector<Option> readOptions(const JsonValue& member, const Exercise& exercise) {
+    std::set<std::string> taken{"", std::string{kSeveralOptions}, "none"};
     std::vector<Option> options;
     for (const JsonValue& each : itemsOf(member)) {
-        options.push_back(readOption(each));
+        options.push_back(readOption(each, exercise));
         if (!taken.insert(options.back().name).second)
             each.at("name").expect("a name of its own, other than \"both\" and \"none\"");
     }
@@ -83,7 +89,7 @@ std::map<std::string, Severity> readSeverities(const JsonValue& member) {
 
 }  // namespace
 
-Rubric readRubric(const std::filesystem::path& path) {
+Rubric readRubric(const std::filesystem::path& path, const Exercise& exercise) {
     const JsonValue top = JsonValue::parse(readWhole(path, "cannot be read; expected a rubric"),
                                            path.string(), kWords);
     static constexpr std::array<std::string_view, 4> kMembers{"maxScore", "options",
@@ -91,7 +97,7 @@ Rubric readRubric(const std::filesystem::path& path) {
     top.allowOnly(kMembers);
     Rubric rubric;
     rubric.maxScore = numberOf(top.at("maxScore"), 1e-9);
-    rubric.options = readOptions(top.at("options"));
+    rubric.options = readOptions(top.at("options"), exercise);
     rubric.screenshotTask = top.at("screenshotTask").text();
     if (!rubric.screenshotTask.empty() && rubric.screenshotTask != "screenshot")
         top.at("screenshotTask").expect("\"screenshot\", or \"\" where no picture is asked for");

@@ -1,6 +1,7 @@
 #ifndef TICKER_RUBRIC_RUBRIC_H
 #define TICKER_RUBRIC_RUBRIC_H
 
+#include <grader/exercise/Exercise.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <filesystem>
@@ -21,7 +22,8 @@ struct Rubric {
 /// Reads a rubric file.
 /// @throws raytracer::InputError naming the file, the line, the member and what was expected: also
 ///         for a finding that does not exist.
-[[nodiscard]] Rubric readRubric(const std::filesystem::path& file);
+[[nodiscard]] Rubric readRubric(const std::filesystem::path& file,
+                                const Exercise& exercise = theExercise());
 
 /// The result with its severities, task states, option, score and verdict as the rubric has them:
 ///  - a failed task passes where the rubric softened its last finding of severity fail; a passed

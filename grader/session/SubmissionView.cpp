@@ -2,6 +2,7 @@
 #include <grader/session/Highlight.h>
 #include <grader/session/SubmissionView.h>
 
+#include <grader/exercise/Exercise.h>
 #include <grader/report/Escape.h>
 #include <grader/report/PageParts.h>
 #include <grader/report/Words.h>
@@ -71,7 +72,7 @@ std::string notices(const SubmissionResult& result) {
 
 std::vector<SourceText> sourcesIn(const fs::path& folder) {
     std::vector<SourceText> sources;
-    for (const char* name : {"BumpySphere.cpp", "Renderer.cpp"}) {
+    for (const std::string& name : theExercise().files()) {
         std::error_code error;
         if (!fs::is_regular_file(fs::symlink_status(folder / name, error))) continue;
         sources.push_back({name, readIfThere(folder / name).value_or("")});

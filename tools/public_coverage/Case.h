@@ -10,7 +10,7 @@ namespace ticker::coverage {
 
 /// A solution whose merits are known: does a public test fail on it?
 struct Case {
-    std::string task;                          ///< "T1", "T2.1", "T2.2", or "T2" for a whole file
+    std::string task;                          ///< a task, or an option for a whole file
     std::string name;                          ///< "inverted-u", "sample bump-inverted"
     std::string title;                         ///< what is wrong with it, in a few words
     bool right = false;                        ///< no public test may fail

@@ -2,22 +2,31 @@
 #include <grader/build/Kit.h>
 #include <grader/cli/Home.h>
 #include <grader/cli/verbs/GradeOptions.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/pipeline/Inputs.h>
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <map>
 #include <random>
+#include <vector>
 
 namespace ticker::cli {
 namespace {
 
-const std::map<std::string, pipeline::OptionChoice>& choices() {
-    static const std::map<std::string, pipeline::OptionChoice> kChoices{
-        {"auto", pipeline::OptionChoice::automatic},
-        {"T1", pipeline::OptionChoice::t1},
-        {"T2", pipeline::OptionChoice::t2}};
-    return kChoices;
+constexpr const char* kAllOptions = "auto";
+
+std::vector<std::string> optionNames() {
+    std::vector<std::string> names;
+    for (const OptionEntry& option : theExercise().options)
+        names.push_back(option.name);
+    return names;
+}
+
+std::vector<std::string> choices() {
+    std::vector<std::string> names = optionNames();
+    names.insert(names.begin(), kAllOptions);
+    return names;
 }
 
 }  // namespace
@@ -32,8 +41,10 @@ sandbox::Sandbox openSandbox(const std::string& level) {
 void addGradeOptions(CLI::App& verb, GradeOptions& options) {
     verb.add_option("--seed", options.seed,
                     "Whole number that the hidden questions are drawn from");
-    verb.add_option("--option", options.option, "Which option to judge: T1, T2 or auto (both)")
-        ->check(CLI::IsMember({"auto", "T1", "T2"}));
+    verb.add_option("--option", options.option,
+                    "Which option to judge: " + fmt::format("{}", fmt::join(optionNames(), ", ")) +
+                        " or auto (both)")
+        ->check(CLI::IsMember(choices()));
     verb.add_option("--sandbox", options.sandbox, "Level A, B or C, auto (the best), or none")
         ->check(CLI::IsMember({"auto", "A", "B", "C", "none"}));
     verb.add_option("--rubric", options.rubric, "Another rubric than the kit's own");
@@ -48,7 +59,7 @@ pipeline::Grader makeGrader(const GradeOptions& options) {
                             .policy = sandbox::defaultPolicy(),
                             .rubric = rubric::readRubric(rubric),
                             .toolVersion = TICKER_VERSION,
-                            .option = choices().at(options.option),
+                            .option = options.option == kAllOptions ? "" : options.option,
                             .scenes = pipeline::readSpecScenes(home.scenes(), home.assets())};
     grader.build = pipeline::toolBuild(grader.kit, {home.scenes(), home.assets()});
     grader.rubricText = readIfThere(rubric).value_or("");

@@ -15,7 +15,7 @@ cd lib/ticker/kit
 
 # Does the kit fit this system's C library? The image must not be built if not.
 trial=$(mktemp)
-'@COMPILER@' template/BumpySphere.o template/Renderer.o lib/probe.o \
+'@COMPILER@' template/*.o lib/probe.o \
   -Wl,--whole-archive lib/libkit.a -Wl,--no-whole-archive -o "$trial" @LINK@
 rm -f "$trial"
 

@@ -8,7 +8,6 @@
 namespace ticker::calibrate {
 namespace {
 
-using build::SourceFile;
 using corpus::Edit;
 using corpus::Entry;
 using oracle::BumpReading;
@@ -29,9 +28,9 @@ std::vector<Edit> editsOf(const std::vector<Entry>& catalogue, const std::string
 }
 
 std::vector<AgreementCase> distributedCases(const std::vector<Entry>& catalogue) {
-    std::vector<AgreementCase> cases{{"reference", SourceFile::renderer, {}, {}}};
+    std::vector<AgreementCase> cases{{"reference", "Renderer.cpp", {}, {}}};
     const auto add = [&](const char* name, const char* task, const char* id, auto change) {
-        AgreementCase next{name, SourceFile::renderer, editsOf(catalogue, task, id), {}};
+        AgreementCase next{name, "Renderer.cpp", editsOf(catalogue, task, id), {}};
         change(next.reading);
         cases.push_back(std::move(next));
     };
@@ -56,7 +55,7 @@ std::vector<AgreementCase> distributedCases(const std::vector<Entry>& catalogue)
     add("bias-1e-3", "T2.1", "accepted-bias-1e-3", [](Reading& r) { r.shadowBias = 1e-3; });
     add("bias-1e-6", "T2.1", "accepted-bias-1e-6", [](Reading& r) { r.shadowBias = 1e-6; });
 
-    AgreementCase together{"half-aperture-surface-to-centre-eye", SourceFile::renderer, {}, {}};
+    AgreementCase together{"half-aperture-surface-to-centre-eye", "Renderer.cpp", {}, {}};
     for (const auto& [task, id] : {std::pair{"T2.2", "accepted-half-aperture"},
                                    {"T2.1", "accepted-surface"},
                                    {"T2.1", "accepted-distance-to-centre"},
@@ -98,9 +97,9 @@ constexpr const char* kSmooth =
     "    }";
 
 std::vector<AgreementCase> bumpCases() {
-    std::vector<AgreementCase> cases{{"bump-reference", SourceFile::bumpySphere, {}, {}}};
+    std::vector<AgreementCase> cases{{"bump-reference", "BumpySphere.cpp", {}, {}}};
     const auto add = [&](const char* name, std::vector<Edit> edits, auto change) {
-        AgreementCase next{name, SourceFile::bumpySphere, std::move(edits), {}};
+        AgreementCase next{name, "BumpySphere.cpp", std::move(edits), {}};
         change(next.reading.bump);
         cases.push_back(std::move(next));
     };

@@ -1,8 +1,8 @@
 #ifndef TICKER_CALIBRATE_AGREEMENTCASES_H
 #define TICKER_CALIBRATE_AGREEMENTCASES_H
 
-#include <grader/build/Kit.h>
 #include <grader/corpus/Entry.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/oracle/Reading.h>
 
 #include <string>
@@ -14,9 +14,12 @@ namespace ticker::calibrate {
 /// is told.
 struct AgreementCase {
     std::string name;        ///< "surface"
-    build::SourceFile file;  ///< which file of the reference is edited
+    std::string file;        ///< which file of the reference is edited
     std::vector<corpus::Edit> edits;
     oracle::Reading reading;
+
+    /// Whether it is about the relief alone, in which nothing is random.
+    [[nodiscard]] bool isBump() const { return file == theExercise().files().front(); }
 };
 
 /// The accepted readings (docs/decisions/0003), one at a time, and all at once.

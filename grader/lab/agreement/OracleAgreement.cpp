@@ -18,7 +18,6 @@
 namespace ticker::calibrate {
 namespace {
 
-using build::SourceFile;
 using oracle::Moments;
 using raytracer::RenderSettings;
 using raytracer::SceneDescription;
@@ -97,7 +96,7 @@ OracleAgreement::OracleAgreement(AgreementPlan plan, const build::Kit& kit,
     std::ranges::sort(scenes_, {}, &Scene::name);
     for (std::size_t reading = 0; reading < plan_.cases.size(); ++reading)
         for (std::size_t scene = 0; scene < scenes_.size(); ++scene) {
-            const bool isBump = plan_.cases[reading].file == SourceFile::bumpySphere;
+            const bool isBump = plan_.cases[reading].isBump();
             const auto& spheres = scenes_[scene].description.spheres;
             if (isBump && std::ranges::none_of(
                               spheres, [](const auto& sphere) { return !!sphere.heightMap; }))
@@ -122,8 +121,7 @@ std::shared_ptr<const build::Program> OracleAgreement::programOf(std::size_t rea
     const std::string name = "the reading " + wanted.name;
     build::BuildResult built = build::buildProgram(
         kit_, sandbox_, sandbox::Limits{}, wanted.file,
-        corpus::applyEdits(readWhole(plan_.reference / build::nameOf(wanted.file)), wanted.edits,
-                           name));
+        corpus::applyEdits(readWhole(plan_.reference / wanted.file), wanted.edits, name));
     if (!built.program) throw raytracer::Error(name + " does not compile: " + built.diagnostics);
     auto program = std::make_shared<const build::Program>(std::move(*built.program));
     programs_[reading] = program;
@@ -142,7 +140,7 @@ std::string OracleAgreement::unitName(std::size_t unit) const {
 std::string OracleAgreement::run(std::size_t unit) {
     const Unit& wanted = units_.at(unit);
     const std::shared_ptr<const build::Program> program = programOf(wanted.reading);
-    const bool isBump = plan_.cases[wanted.reading].file == SourceFile::bumpySphere;
+    const bool isBump = plan_.cases[wanted.reading].isBump();
     return isBump ? runBump(wanted, *program) : runNoisy(unit, *program);
 }
 

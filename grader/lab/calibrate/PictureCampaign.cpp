@@ -2,6 +2,7 @@
 #include <grader/lab/calibrate/Bounds.h>
 #include <grader/lab/calibrate/PictureCampaign.h>
 #include <grader/lab/calibrate/Seed.h>
+#include <grader/tasks/lens/PictureDoubt.h>
 
 #include <raytracer/base/Error.h>
 
@@ -41,8 +42,8 @@ bool isCompared(const Subject& subject) {
     return std::ranges::find(kOthers, subject.expect.finding()) == kOthers.end();
 }
 
-double smallestOf(const std::vector<tasks::Misfit>& misfits) {
-    return std::ranges::min_element(misfits, {}, &tasks::Misfit::meanSquare)->meanSquare;
+double smallestOf(const std::vector<Misfit>& misfits) {
+    return std::ranges::min_element(misfits, {}, &Misfit::meanSquare)->meanSquare;
 }
 
 /// Renders of one kind of subject.

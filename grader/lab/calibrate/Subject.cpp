@@ -53,8 +53,8 @@ const build::Program& Programs::of(const Subject& subject) {
         slot = &slots_[subject.name];
     }
     std::call_once(slot->once, [&] {
-        build::BuildResult built = build::buildProgram(kit_, sandbox_, sandbox::Limits{},
-                                                       build::SourceFile::renderer, subject.source);
+        build::BuildResult built =
+            build::buildProgram(kit_, sandbox_, sandbox::Limits{}, "Renderer.cpp", subject.source);
         if (!built.program)
             throw raytracer::Error(
                 fmt::format("{} does not compile: {}", subject.name, built.diagnostics));

@@ -15,11 +15,11 @@
 
 namespace ticker::calibrate {
 
-/// A Renderer.cpp that the decision is tried on, and what has to come out.
+/// A file that the decision is tried on, and what has to come out.
 struct Subject {
     std::string name;  ///< "T2.1/light-size-0.36"
     std::string source;
-    std::string task;  ///< "T2.1" or "T2.2": where `expect` belongs; empty: both have to pass
+    std::string task;  ///< where `expect` belongs; empty: both have to pass
     corpus::Expectation expect;
 
     [[nodiscard]] bool isRight() const { return expect.passes(); }

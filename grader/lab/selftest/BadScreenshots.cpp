@@ -24,17 +24,17 @@ Picture throughTheLens(const std::vector<pipeline::SpecScene>& scenes, const cha
                        std::uint64_t seed) {
     OracleExaminee code{{}, {}, false};
     const auto scene = std::ranges::find(scenes, name, &pipeline::SpecScene::name);
-    return ScreenshotStudent{scenes, scene->isForT1, code}.render(*scene, 640, 480, seed);
+    return ScreenshotStudent{scenes, !scene->isRandom, code}.render(*scene, 640, 480, seed);
 }
 
 /// Collects pictures that come with honest code of one option but are not what it renders.
 class BadPictures {
 public:
-    BadPictures(const ScreenshotBench& bench, bool isForT1, std::uint64_t seed)
-        : bench_(bench), isForT1_(isForT1), seed_(seed) {}
+    BadPictures(const ScreenshotBench& bench, bool isDeterministic, std::uint64_t seed)
+        : bench_(bench), isDeterministic_(isDeterministic), seed_(seed) {}
 
     [[nodiscard]] std::vector<Case> all() {
-        isForT1_ ? addOtherReliefs() : addOtherLenses();
+        isDeterministic_ ? addOtherReliefs() : addOtherLenses();
         addOtherScenes();
         addEdits();
         addMishaps();
@@ -47,13 +47,13 @@ private:
     void add(const char* expected, const char* kind, Make make) {
         Case made;
         made.kind = kind;
-        made.name = isForT1_ ? "option 1" : "option 2";
+        made.name = isDeterministic_ ? "option 1" : "option 2";
         made.expected = expected;
         const std::uint64_t seed = seed_ += 1000;
-        made.judge = [&bench = bench_, isForT1 = isForT1_, seed,
+        made.judge = [&bench = bench_, isDeterministic = isDeterministic_, seed,
                       make = std::move(make)](double& judgeMs) {
-            OracleExaminee code{{}, {}, isForT1};
-            const ScreenshotStudent student{bench.scenes, isForT1, code};
+            OracleExaminee code{{}, {}, isDeterministic};
+            const ScreenshotStudent student{bench.scenes, isDeterministic, code};
             return student.handIn(make(student, seed), seed + 1, judgeMs);
         };
         cases_.push_back(std::move(made));
@@ -62,13 +62,13 @@ private:
     template <class Change>
     void addStranger(const char* kind, Change change) {
         add("screenshot.not-from-this-code", kind,
-            [&bench = bench_, isForT1 = isForT1_, change](const ScreenshotStudent&,
-                                                          std::uint64_t seed) {
+            [&bench = bench_, isDeterministic = isDeterministic_, change](const ScreenshotStudent&,
+                                                                          std::uint64_t seed) {
                 Reading reading;
                 Mistake mistake;
                 change(reading, mistake);
-                OracleExaminee code{reading, mistake, isForT1};
-                return ScreenshotStudent{bench.scenes, isForT1, code}.render(640, seed);
+                OracleExaminee code{reading, mistake, isDeterministic};
+                return ScreenshotStudent{bench.scenes, isDeterministic, code}.render(640, seed);
             });
     }
 
@@ -115,15 +115,15 @@ private:
 
     void addOtherScenes() {
         for (const pipeline::SpecScene& scene : bench_.scenes) {
-            if (scene.isHandedIn && scene.isForT1 == isForT1_) continue;
+            if (scene.isHandedIn && scene.isRandom != isDeterministic_) continue;
             add("screenshot.not-this-scene", "another scene",
                 [&scene, &bench = bench_](const ScreenshotStudent&, std::uint64_t seed) {
-                    OracleExaminee code{{}, {}, scene.isForT1};
-                    return ScreenshotStudent{bench.scenes, scene.isForT1, code}.render(scene, 640,
-                                                                                       480, seed);
+                    OracleExaminee code{{}, {}, !scene.isRandom};
+                    return ScreenshotStudent{bench.scenes, !scene.isRandom, code}.render(scene, 640,
+                                                                                         480, seed);
                 });
         }
-        if (isForT1_)
+        if (isDeterministic_)
             add("screenshot.not-this-scene", "another scene, through the lens",
                 [&bench = bench_](const ScreenshotStudent&, std::uint64_t seed) {
                     return throughTheLens(bench.scenes, "bumpmap-test", seed);
@@ -166,7 +166,7 @@ private:
             [](const ByteView& p) {
                 return metrics::resized(p, 5 * p.width / 4, 5 * p.height / 4);
             },
-            isForT1_ ? "screenshot.unverified" : "");
+            isDeterministic_ ? "screenshot.unverified" : "");
     }
 
     void addRecolourings() {
@@ -199,7 +199,7 @@ private:
     }
 
     const ScreenshotBench& bench_;
-    bool isForT1_;
+    bool isDeterministic_;
     std::uint64_t seed_;
     std::vector<Case> cases_;
 };

@@ -1,9 +1,10 @@
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
-#include <grader/sandbox/SandboxPolicy.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/lab/selftest/OracleExaminee.h>
 #include <grader/lab/selftest/ScreenshotCases.h>
 #include <grader/lab/selftest/ScreenshotStudent.h>
+#include <grader/sandbox/SandboxPolicy.h>
 
 #include <raytracer/base/Error.h>
 
@@ -77,16 +78,19 @@ private:
     std::uint64_t next_;
 };
 
-Case byOracle(const ScreenshotBench& bench, bool isForT1, std::size_t number, std::uint64_t seed) {
+Case byOracle(const ScreenshotBench& bench, bool isDeterministic, std::size_t number,
+              std::uint64_t seed) {
     const int width = kWidths[number % kWidths.size()];
     const int rays = number % 7 == 6 ? 200 : 50;  // one in seven took its time
     Case made;
-    made.kind = isForT1 ? "option 1, the oracle's readings" : "option 2, the oracle's readings";
+    made.kind =
+        isDeterministic ? "option 1, the oracle's readings" : "option 2, the oracle's readings";
     made.name = fmt::format("reading {}, {} pixels wide, {} rays", number, width, rays);
-    made.judge = [&bench, isForT1, number, width, rays, seed](double& judgeMs) {
-        OracleExaminee code{
-            isForT1 ? bumpReading(number) : distributedReading(number), {}, isForT1};
-        const ScreenshotStudent student{bench.scenes, isForT1, code};
+    made.judge = [&bench, isDeterministic, number, width, rays, seed](double& judgeMs) {
+        OracleExaminee code{isDeterministic ? bumpReading(number) : distributedReading(number),
+                            {},
+                            isDeterministic};
+        const ScreenshotStudent student{bench.scenes, isDeterministic, code};
         return student.handIn(student.render(width, seed, rays), seed + 1, judgeMs);
     };
     return made;
@@ -108,17 +112,17 @@ struct LateProgram {
 
 Case byProgram(const ScreenshotBench& bench, const std::shared_ptr<LateProgram>& late,
                std::size_t i, std::uint64_t seed) {
-    const bool isForT1 = late->source.file == build::SourceFile::bumpySphere;
+    const bool isDeterministic = late->source.file == theExercise().files().front();
     // A large picture of option 2 takes half a minute.
-    const int width = isForT1 ? kWidths[i % kWidths.size()] : kWidths.front();
+    const int width = isDeterministic ? kWidths[i % kWidths.size()] : kWidths.front();
     Case made;
-    made.kind = isForT1 ? "option 1, compiled" : "option 2, compiled";
+    made.kind = isDeterministic ? "option 1, compiled" : "option 2, compiled";
     made.name = fmt::format("{}, {} pixels wide", late->source.name, width);
-    made.judge = [&bench, late, isForT1, width, seed](double& judgeMs) {
+    made.judge = [&bench, late, isDeterministic, width, seed](double& judgeMs) {
         if (!late->program) late->program = programOf(bench, late->source);
         const sandbox::Limits limits = sandbox::defaultPolicy().run;
         build::SandboxedExaminee code{*late->program, bench.sandbox, limits};
-        const ScreenshotStudent student{bench.scenes, isForT1, code};
+        const ScreenshotStudent student{bench.scenes, isDeterministic, code};
         return student.handIn(student.render(width, seed), seed + 1, judgeMs);
     };
     return made;
@@ -129,9 +133,9 @@ Case byProgram(const ScreenshotBench& bench, const std::shared_ptr<LateProgram>&
 std::vector<ScreenshotCase> honestScreenshots(const ScreenshotBench& bench, std::uint64_t seed) {
     Seeds seeds{seed};
     std::vector<Case> cases;
-    for (const bool isForT1 : {true, false})
+    for (const bool isDeterministic : {true, false})
         for (std::size_t i = 0; i < kByOracle; ++i)
-            cases.push_back(byOracle(bench, isForT1, i, seeds.next()));
+            cases.push_back(byOracle(bench, isDeterministic, i, seeds.next()));
     for (const RightSource& source : bench.sources) {
         const auto late = std::make_shared<LateProgram>(LateProgram{source, std::nullopt});
         for (std::size_t i = 0; i < kPicturesOfASource; ++i)

@@ -2,6 +2,7 @@
 #include <grader/base/Workers.h>
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/lab/selftest/MistakeTables.h>
 #include <grader/result/Names.h>
 #include <grader/tasks/JudgeDistributed.h>
@@ -105,9 +106,8 @@ MistakeRow runOne(const Made& made, const build::Kit& kit, const sandbox::Sandbo
                   std::uint64_t seed) {
     const sandbox::Limits limits;
     const bool bump = made.entry.task() == "T1";
-    const build::BuildResult built = build::buildProgram(
-        kit, sandbox, limits, bump ? build::SourceFile::bumpySphere : build::SourceFile::renderer,
-        made.source);
+    const std::string file{theExercise().fileOf(made.entry.task())};
+    const build::BuildResult built = build::buildProgram(kit, sandbox, limits, file, made.source);
     MistakeRow row;
     row.entry = made.entry;
     if (!built.program) {

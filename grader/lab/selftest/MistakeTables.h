@@ -31,8 +31,8 @@ struct MistakeRow {
     double judgeMs = 0.0;     ///< CPU of the judgement itself
 };
 
-/// The entries of `catalogue` that belong to T1 or to T2 ("T2" stands for both of its tasks), or to
-/// either where `task` is empty.
+/// The entries of `catalogue` that belong to T1 or to T2 (its option stands for both of its tasks),
+/// or to either where `task` is empty.
 [[nodiscard]] std::vector<corpus::Entry> mistakesOf(const std::vector<corpus::Entry>& catalogue,
                                                     const std::string& task);
 

@@ -29,11 +29,11 @@ raytracer::ByteImage asked(probe::Examinee& code, const SpecScene& scene,
 
 }  // namespace
 
-ScreenshotStudent::ScreenshotStudent(const std::vector<SpecScene>& scenes, bool isForT1,
+ScreenshotStudent::ScreenshotStudent(const std::vector<SpecScene>& scenes, bool isDeterministic,
                                      probe::Examinee& code)
-    : scenes_(scenes), isForT1_(isForT1), code_(code) {
+    : scenes_(scenes), isDeterministic_(isDeterministic), code_(code) {
     for (const SpecScene& scene : scenes) {
-        if (scene.isForT1 != isForT1) continue;
+        if (scene.isRandom == isDeterministic) continue;
         if (scene.isHandedIn) scene_ = &scene;
         own_.push_back({scene.name, asked(code, scene, scene.settings)});
     }
@@ -60,11 +60,12 @@ tasks::TaskJudgement ScreenshotStudent::handIn(const Picture& picture, std::uint
     for (const SpecScene& spec : scenes_) {
         Scene scene;
         scene.name = spec.name;
-        scene.isForT1 = spec.isForT1;
-        scene.isWanted = spec.isHandedIn && spec.isForT1 == isForT1_;
+        scene.file = spec.file;
+        scene.isRandom = spec.isRandom;
+        scene.isWanted = spec.isHandedIn && spec.isRandom != isDeterministic_;
         scene.description = &spec.scene;
         scene.expected = [&spec] { return metrics::viewOf(spec.expected().picture); };
-        if (spec.isForT1 == isForT1_) scene.examinee = &code_;
+        if (spec.isRandom != isDeterministic_) scene.examinee = &code_;
         const auto own = std::ranges::find(own_, spec.name, &pipeline::Rendered::scene);
         if (own != own_.end()) scene.own = metrics::viewOf(own->picture);
         scenes.push_back(scene);

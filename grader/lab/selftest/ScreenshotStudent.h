@@ -15,7 +15,7 @@ namespace ticker::selftest {
 class ScreenshotStudent {
 public:
     /// @param scenes, code  Must outlive this object. The code is asked for its own pictures.
-    ScreenshotStudent(const std::vector<pipeline::SpecScene>& scenes, bool isForT1,
+    ScreenshotStudent(const std::vector<pipeline::SpecScene>& scenes, bool isDeterministic,
                       probe::Examinee& code);
 
     /// The option's scene at a width of so many pixels, as its code renders it.
@@ -35,7 +35,7 @@ public:
 
 private:
     const std::vector<pipeline::SpecScene>& scenes_;
-    bool isForT1_;
+    bool isDeterministic_;
     probe::Examinee& code_;
     const pipeline::SpecScene* scene_ = nullptr;
     std::vector<pipeline::Rendered> own_;

@@ -29,7 +29,7 @@ namespace ticker::oracle {
 
 /// One picture of the reference folder.
 struct ReferenceScene {
-    std::string name;  ///< of the files: "distributed"
+    std::string name;  ///< of the files
     raytracer::SceneDescription scene;
     raytracer::RenderSettings settings;
     bool pinhole = false;  ///< rendered like the template: for option 1

@@ -1,20 +1,12 @@
 #ifndef TICKER_TASKS_DISTRIBUTED_PICTUREDOUBT_H
 #define TICKER_TASKS_DISTRIBUTED_PICTUREDOUBT_H
 
-#include <grader/result/SubmissionResult.h>
+#include <grader/exercise/Task.h>
 
 #include <optional>
 #include <vector>
 
 namespace ticker::tasks {
-
-/// How far a picture of the handout's scene is from what an accepted aperture gives.
-struct Misfit {
-    double apertureFactor = 1.0;  ///< half-width / dofAmount: 1 or 0.5
-    /// Mean square of a pixel's difference in standard errors: below 1, since pixels without noise
-    /// count, too.
-    double meanSquare = 0.0;
-};
 
 /// Right pictures have 0.04 (points in strata) to 1.05, hard shadows 1.5, everything sharp 3.2: see
 /// the campaign *pictures* in docs/calibration.md.

@@ -99,7 +99,7 @@ private:
     // Scenes that differ in their bump map alone are like each other: the code or the relief tells.
     [[nodiscard]] bool isRatherThanThis(const Scene& scene) const {
         if (verify(picture_, scene, seed_).kind == Verification::Kind::same) return true;
-        return scene.isForT1 && scene_.isForT1 && scene.hasOwn() && scene_.hasOwn() &&
+        return !scene.isRandom && !scene_.isRandom && scene.hasOwn() && scene_.hasOwn() &&
                isRather(reliefOf(picture_, scene), reliefOf(picture_, scene_));
     }
 
@@ -117,7 +117,7 @@ private:
             std::optional<TaskJudgement> slight = judgeSlightColours(verification);
             return slight ? *std::move(slight) : passed({savedAgain(verification.agreement)});
         }
-        if (scene_.isForT1) return passed({});
+        if (!scene_.isRandom) return passed({});
         const Picture windows = cutOut(picture_, verification.own->windows);
         const std::optional<double> noise =
             noiseRatio(windows.view(), verification.own->pixels.view());
@@ -147,7 +147,7 @@ private:
         if (likenessTo(scene_) < kSameScene) return failed(notThisScene(scene_.name, ""));
         if (scene_.mayMixBoth)
             return passed({unverified("it may have been rendered with both of the files")});
-        if (scene_.isForT1 && scene_.hasOwn() && isSofter(reliefOf(picture_, scene_)))
+        if (!scene_.isRandom && scene_.hasOwn() && isSofter(reliefOf(picture_, scene_)))
             return passedInDoubt(perhapsThroughTheLens());
         if (own == nullptr) return passedInDoubt(perhapsNotFromThisCode(picture_, scene_, whole));
         return judgeStranger(verification, whole);
@@ -161,7 +161,7 @@ private:
         const TaskJudgement doubt = passedInDoubt(likeThisCode(scene_));
         const bool windowsAgree = verification.kind == Verification::Kind::same;
         const bool isSameRelief =
-            scene_.isForT1 && scene_.hasOwn() && isSame(reliefOf(picture_, scene_));
+            !scene_.isRandom && scene_.hasOwn() && isSame(reliefOf(picture_, scene_));
         if (isSameRelief && !windowsAgree) return doubt;
         const OwnWindows& own = *verification.own;
         const Picture windows = cutOut(picture_, own.windows);
@@ -169,7 +169,7 @@ private:
             suspect(windows.view(), scene_, own.windows, seed_);
         if (windowsAgree && (!suspicion || suspicion->id.empty()))
             return whole.tilesOff <= kSmallThing ? failed(paintedOver(whole)) : doubt;
-        if (!scene_.isForT1 && !suspicion && looksRightInOtherColours()) return doubt;
+        if (scene_.isRandom && !suspicion && looksRightInOtherColours()) return doubt;
         return failed(notFromThisCode(picture_, scene_, verification.agreement, suspicion));
     }
 

@@ -47,7 +47,7 @@ bool repeatsUnderSeeds(const Scene& scene, const Windows& windows, std::uint64_t
     const std::optional<Picture> first = renderWindows(scene, windows, seed);
     for (std::uint64_t i = 1; i <= kSeeds; ++i) {
         const std::optional<Picture> other = renderWindows(scene, windows, seed + i);
-        if (!first || !other || !agreementOf(other->view(), first->view(), !scene.isForT1).agrees)
+        if (!first || !other || !agreementOf(other->view(), first->view(), scene.isRandom).agrees)
             return false;
     }
     return true;
@@ -65,7 +65,7 @@ Windows wholeFrame() {
 std::string whyNotRepeated(const Scene& scene, int width, int height, std::uint64_t seed) {
     if (scene.examinee == nullptr) return {};
     if (!scene.whyUnlikeItself.empty()) return scene.whyUnlikeItself;
-    const Windows parts = drawWindows(scene.isForT1, width, height, seed);
+    const Windows parts = drawWindows(!scene.isRandom, width, height, seed);
     const bool rendersParts = !rendersOf(scene, questionsFor(scene, parts, seed)).empty();
     const Windows windows = rendersParts ? parts : wholeFrame();
     if (!repeatsWithThreads(scene, windows, seed))

@@ -17,8 +17,9 @@ using metrics::Picture;
 /// A scene of the handout, and what is known of how it looks. Pictures have the handout's shape,
 /// 4 : 3, and any size.
 struct Scene {
-    std::string name;         ///< "bump-mapping"
-    bool isForT1 = true;      ///< nothing in it is random
+    std::string name;         ///< of scenes/NAME.xml
+    std::string file;         ///< whose tasks it shows
+    bool isRandom = false;    ///< two right renders differ by noise
     bool isWanted = true;     ///< a screenshot of it is what an attempted option asks for
     bool mayMixBoth = false;  ///< the student may have rendered it with both files, we with one
     const raytracer::SceneDescription* description = nullptr;

@@ -184,8 +184,8 @@ std::optional<Suspicion> suspectBump(const ByteView& picture, const Scene& scene
 
 std::optional<Suspicion> suspect(const ByteView& windowsOfPicture, const Scene& scene,
                                  const Windows& windows, std::uint64_t seed) {
-    return scene.isForT1 ? suspectBump(windowsOfPicture, scene, windows, seed)
-                         : suspectDistributed(windowsOfPicture, scene, windows, seed);
+    return !scene.isRandom ? suspectBump(windowsOfPicture, scene, windows, seed)
+                           : suspectDistributed(windowsOfPicture, scene, windows, seed);
 }
 
 }  // namespace ticker::tasks::screenshot

@@ -24,15 +24,16 @@ Verification unanswered(const probe::ProcessEnd& end) {
 
 Verification compareOnce(const ByteView& picture, const Scene& scene, std::uint64_t seed,
                          int stage) {
-    const Windows windows = drawWindows(scene.isForT1, picture.width, picture.height, seed, stage);
+    const Windows windows =
+        drawWindows(!scene.isRandom, picture.width, picture.height, seed, stage);
     OwnRender own = askForWindows(scene, windows, seed + static_cast<std::uint64_t>(stage));
     if (!own.windows) return unanswered(own.end);
     Verification result;
     result.agreement =
-        agreementOf(cutOut(picture, windows).view(), own.windows->view(), !scene.isForT1);
+        agreementOf(cutOut(picture, windows).view(), own.windows->view(), scene.isRandom);
     result.kind =
         result.agreement.agrees ? Verification::Kind::same : Verification::Kind::different;
-    result.own = OwnWindows{windows, *std::move(own.windows), !scene.isForT1};
+    result.own = OwnWindows{windows, *std::move(own.windows), scene.isRandom};
     return result;
 }
 
@@ -41,7 +42,7 @@ Verification compareOnce(const ByteView& picture, const Scene& scene, std::uint6
 Verification verify(const ByteView& picture, const Scene& scene, std::uint64_t seed) {
     if (scene.examinee == nullptr) return unknown("");
     Verification first = compareOnce(picture, scene, seed, 0);
-    if (first.kind != Verification::Kind::different || scene.isForT1) return first;
+    if (first.kind != Verification::Kind::different || !scene.isRandom) return first;
     Verification second = compareOnce(picture, scene, seed, 1);
     if (second.kind == Verification::Kind::same) second.own = std::move(first.own);
     return second;

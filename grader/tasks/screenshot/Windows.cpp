@@ -53,8 +53,8 @@ constexpr Layout kLayoutT2{{kDistributed, kDistributed}, 16, 16, 4, 25};
 constexpr Layout kNarrowLayoutT2{{kNarrowFirst, kNarrowSecond}, 24, 24, 4, 0};
 constexpr int kNarrow = 480;
 
-const Layout& layoutFor(bool isForT1, int width) {
-    if (isForT1) return kLayoutT1;
+const Layout& layoutFor(bool isDeterministic, int width) {
+    if (isDeterministic) return kLayoutT1;
     return width < kNarrow ? kNarrowLayoutT2 : kLayoutT2;
 }
 
@@ -88,8 +88,8 @@ bool isSensibleSize(int width, int height) {
     return width >= kSmallestWidth && std::abs(3 * width - 4 * height) <= kRounding;
 }
 
-Windows drawWindows(bool isForT1, int width, int height, std::uint64_t seed, int stage) {
-    const Layout& layout = layoutFor(isForT1, width);
+Windows drawWindows(bool isDeterministic, int width, int height, std::uint64_t seed, int stage) {
+    const Layout& layout = layoutFor(isDeterministic, width);
     std::mt19937_64 generator{seed};
     const auto jitter = [&] {
         return static_cast<int>(generator() % static_cast<std::uint64_t>(2 * layout.jitter + 1)) -

@@ -29,7 +29,7 @@ struct Windows {
 /// About 2000 pixels where mistakes show: the rims of shadows and of blurred balls, lit relief. A
 /// little off from seed to seed, so that nobody knows them before. Another stage, other pixels.
 /// @param stage  0 or 1.
-[[nodiscard]] Windows drawWindows(bool isForT1, int width, int height, std::uint64_t seed,
+[[nodiscard]] Windows drawWindows(bool isDeterministic, int width, int height, std::uint64_t seed,
                                   int stage = 0);
 
 /// The windows of a picture, one below the other.

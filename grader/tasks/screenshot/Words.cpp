@@ -31,10 +31,6 @@ std::string sceneFile(const std::string& name) {
     return "scenes/" + name + ".xml";
 }
 
-std::string optionOf(const Scene& scene) {
-    return scene.isForT1 ? "BumpySphere.cpp" : "Renderer.cpp";
-}
-
 void addSize(Finding& finding, const ByteView& picture) {
     finding.evidence.emplace_back("width", static_cast<double>(picture.width));
     finding.evidence.emplace_back("height", static_cast<double>(picture.height));
@@ -66,8 +62,8 @@ Finding otherCode(const ByteView& picture, const Scene& scene, Severity severity
                   const std::string& told) {
     Finding result = finding(
         kScreenshotNotFromThisCode, severity,
-        fmt::format("The picture shows {}, but not as this {} renders it{}", scene.name,
-                    optionOf(scene), told),
+        fmt::format("The picture shows {}, but not as this {} renders it{}", scene.name, scene.file,
+                    told),
         fmt::format(
             "Render {} once more with the code that you hand in, at the handout's settings, "
             "and hand in both together.",
@@ -187,7 +183,7 @@ Finding notFromThisCode(const ByteView& picture, const Scene& scene, const Agree
     Finding result = otherCode(picture, scene, Severity::fail, told);
     if (suspicion && !suspicion->id.empty())
         result.evidence.emplace_back("looksLike", suspicion->id);
-    if (scene.isForT1) {
+    if (!scene.isRandom) {
         result.evidence.emplace_back("differingShare", agreement.differing);
     } else {
         result.evidence.emplace_back("energy", agreement.energy.energy);
@@ -212,7 +208,7 @@ Finding likeThisCode(const Scene& scene) {
                    fmt::format("The picture looks like what this {} renders, but pixel by pixel it "
                                "differs: it may have been scaled, cut, saved as JPEG or with fewer "
                                "colours, or rendered by an earlier version.",
-                               optionOf(scene)),
+                               scene.file),
                    "Hand in the file that tick1star -o screenshot.png writes, as it is.");
 }
 

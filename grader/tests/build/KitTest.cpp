@@ -24,7 +24,7 @@ std::string outputOf(const std::string& command) {
 TEST(Kit, LiesBesideTheProgramsOfItsBuildTree) {
     const Kit kit = Kit::besideProgram();
     EXPECT_TRUE(std::filesystem::exists(kit.folder() / "include/raytracer/render/Renderer.h"));
-    EXPECT_EQ(kit.templateSource(SourceFile::renderer),
+    EXPECT_EQ(kit.templateSource("Renderer.cpp"),
               tests::readFile("student_template/exercise/Renderer.cpp"));
 }
 

@@ -19,7 +19,7 @@ using probe::Sitting;
 using EndKind = ProcessEnd::Kind;
 
 /// Builds a submission and asks it, under limits that keep the test short.
-Sitting ask(SourceFile file, const std::string& source,
+Sitting ask(const std::string& file, const std::string& source,
             const std::vector<probe::Question>& questions) {
     static const sandbox::Sandbox theSandbox = sandbox::Sandbox::best();
     static const Kit kit = Kit::besideProgram();
@@ -46,12 +46,12 @@ std::string bumpySphere(const std::string& body, const std::string& before = {})
 }
 
 Sitting askBumpySphere(const std::string& body, const std::string& before = {}) {
-    return ask(SourceFile::bumpySphere, bumpySphere(body, before), {tests::normalQuestion()});
+    return ask("BumpySphere.cpp", bumpySphere(body, before), {tests::normalQuestion()});
 }
 
 TEST(SandboxedExaminee, AnswersAsTheSolutionDoes) {
     const Sitting sitting =
-        ask(SourceFile::renderer, tests::readFile("reference_solution/exercise/Renderer.cpp"),
+        ask("Renderer.cpp", tests::readFile("reference_solution/exercise/Renderer.cpp"),
             {tests::normalQuestion(), tests::illuminateQuestion(100), tests::renderQuestion(50)});
 
     EXPECT_EQ(sitting.end.kind, EndKind::finished) << sitting.end.detail;
@@ -67,9 +67,9 @@ TEST(SandboxedExaminee, AnswersAsTheSolutionDoes) {
 TEST(SandboxedExaminee, LetsThreadsRun) {
     probe::RenderQuestion question = tests::renderQuestion();
     const std::string source = tests::readFile("reference_solution/exercise/Renderer.cpp");
-    const Sitting one = ask(SourceFile::renderer, source, {question});
+    const Sitting one = ask("Renderer.cpp", source, {question});
     question.settings.threads = 2;
-    const Sitting two = ask(SourceFile::renderer, source, {question});
+    const Sitting two = ask("Renderer.cpp", source, {question});
     EXPECT_EQ(two.end.kind, EndKind::finished) << two.end.detail;
     EXPECT_EQ(std::get<probe::RenderAnswer>(one.answers.at(0)).images,
               std::get<probe::RenderAnswer>(two.answers.at(0)).images);
@@ -135,7 +135,7 @@ TEST(SandboxedExaminee, SharesOneBudgetAmongItsSittings) {
     const sandbox::Sandbox theSandbox = sandbox::Sandbox::best();
     const Kit kit = Kit::besideProgram();
     const BuildResult built =
-        buildProgram(kit, theSandbox, sandbox::defaultPolicy().compile, SourceFile::bumpySphere,
+        buildProgram(kit, theSandbox, sandbox::defaultPolicy().compile, "BumpySphere.cpp",
                      bumpySphere("for (volatile int i = 0;; i = i + 1) {}"));
     ASSERT_TRUE(built.program) << built.diagnostics;
     TimeBudget budget{{2.0, 600.0}};

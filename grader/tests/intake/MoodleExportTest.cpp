@@ -62,13 +62,13 @@ std::map<std::string, Submission> readExport(const std::vector<NamedBytes>& memb
 void expectSomePeople(std::map<std::string, Submission> read) {
     ASSERT_EQ(read.size(), 4U);
     const Submission& jr = read["J\xC3\xBCrgen ONeill, jr_7"];
-    EXPECT_EQ(jr.part(Part::renderer), "jr");
-    EXPECT_EQ(jr.part(Part::screenshot), "p");
+    EXPECT_EQ(jr.part("Renderer.cpp"), "jr");
+    EXPECT_EQ(jr.part("screenshot.png"), "p");
     EXPECT_TRUE(jr.findings.empty());
-    EXPECT_EQ(read["Ann Lee b_12"].part(Part::bumpySphere), "ann");
+    EXPECT_EQ(read["Ann Lee b_12"].part("BumpySphere.cpp"), "ann");
     EXPECT_EQ(read["Ann Lee b_12"].ignored, std::vector<std::string>{"notes.pdf"});
-    EXPECT_EQ(read["Bob_123"].part(Part::renderer), "bob");
-    EXPECT_EQ(read["Bob_123"].part(Part::screenshot), "q");
+    EXPECT_EQ(read["Bob_123"].part("Renderer.cpp"), "bob");
+    EXPECT_EQ(read["Bob_123"].part("screenshot.png"), "q");
     EXPECT_EQ(read["Bob_123"].ignored, std::vector<std::string>{"tick.zip/w/a.txt"});
     ASSERT_EQ(read["Cy_9"].findings.size(), 1U);
     EXPECT_EQ(read["Cy_9"].findings[0].finding.id, "intake.missing-file");
@@ -99,8 +99,8 @@ TEST(MoodleExport, KeepsNumbersUnderBlindMarkingAndGroupsInNames) {
                                                {"Default group", 0, {}, {{"Renderer.cpp", "y"}}}};
         const auto teamed = readExport(tests::moodleExport(teams, layout), true);
         ASSERT_EQ(teamed.size(), 2U);
-        EXPECT_EQ(teamed.at("Team A-Ann_3").part(Part::renderer), "x");
-        EXPECT_EQ(teamed.at("Default group").part(Part::renderer), "y");
+        EXPECT_EQ(teamed.at("Team A-Ann_3").part("Renderer.cpp"), "x");
+        EXPECT_EQ(teamed.at("Default group").part("Renderer.cpp"), "y");
     }
 }
 
@@ -111,8 +111,8 @@ TEST(MoodleExport, LetsNobodyHandInForSomebodyElse) {
     for (const bool unpacked : {false, true}) {
         const auto read = readExport(members, unpacked);
         ASSERT_EQ(read.size(), 2U);
-        EXPECT_EQ(read.at("Ann_1").part(Part::renderer), "ann");
-        EXPECT_EQ(read.at("Bob_2").part(Part::renderer), "bob");
+        EXPECT_EQ(read.at("Ann_1").part("Renderer.cpp"), "ann");
+        EXPECT_EQ(read.at("Bob_2").part("Renderer.cpp"), "bob");
     }
 }
 
@@ -124,7 +124,7 @@ TEST(MoodleExport, KeepsTheIdOfAVeryLongName) {
     const auto located = findSubmissions(folder.path() / "e.zip");
     ASSERT_EQ(located.size(), 1U);
     EXPECT_EQ(located[0].name, std::string(95, 'x') + "_4711");
-    EXPECT_EQ(readSubmission(located[0]).part(Part::renderer), "x");
+    EXPECT_EQ(readSubmission(located[0]).part("Renderer.cpp"), "x");
 }
 
 TEST(MoodleExport, IsNoneWhereOnlyTheWordsComeInAName) {
@@ -141,8 +141,8 @@ TEST(MoodleExport, IsNotMadeOfAClassByOneFolderThatIsNamedSo) {
                                           {"mallory_1_assignsubmission_file_/Renderer.cpp", "m"}};
     const auto read = readExport(members, true);
     ASSERT_EQ(read.size(), 3U);
-    EXPECT_EQ(read.at("ann").part(Part::renderer), "ann");
-    EXPECT_EQ(read.at("bob").part(Part::renderer), "bob");
+    EXPECT_EQ(read.at("ann").part("Renderer.cpp"), "ann");
+    EXPECT_EQ(read.at("bob").part("Renderer.cpp"), "bob");
     const auto zipped = readExport(members, false);
     ASSERT_EQ(zipped.size(), 1U);
     EXPECT_EQ(zipped.begin()->second.findings.at(0).finding.id, "intake.ambiguous");
@@ -153,8 +153,8 @@ TEST(MoodleExport, InTheFolderOfAStudentDoesNotRenameHim) {
         {"aaron/zoe_1_assignsubmission_file_/Renderer.cpp", "aaron"}, {"zoe/Renderer.cpp", "zoe"}};
     const auto read = readExport(members, true);
     ASSERT_EQ(read.size(), 2U);
-    EXPECT_EQ(read.at("aaron").part(Part::renderer), "aaron");
-    EXPECT_EQ(read.at("zoe").part(Part::renderer), "zoe");
+    EXPECT_EQ(read.at("aaron").part("Renderer.cpp"), "aaron");
+    EXPECT_EQ(read.at("zoe").part("Renderer.cpp"), "zoe");
 }
 
 TEST(MoodleExport, IsReadBesideTheZipThatItCameIn) {
@@ -177,8 +177,8 @@ TEST(MoodleExport, DropsNobodyWhoseFolderDoesNotFit) {
     for (const bool unpacked : {false, true}) {
         auto read = readExport(members, unpacked);
         ASSERT_EQ(read.size(), 6U);
-        EXPECT_EQ(read.at("late").part(Part::renderer), "late");
-        EXPECT_EQ(read.at("later").part(Part::renderer), "later");
+        EXPECT_EQ(read.at("late").part("Renderer.cpp"), "late");
+        EXPECT_EQ(read.at("later").part("Renderer.cpp"), "later");
         read.erase("late");
         read.erase("later");
         expectSomePeople(read);
@@ -192,7 +192,7 @@ TEST(ReadSubmission, OpensAZipOnlyWhereNoCodeLiesBesideIt) {
     tests::writeFolder(folder.path() / "bob", {{"a.zip", zipOf({{"Renderer.cpp", "1"}})},
                                                {"b.zip", zipOf({{"Renderer.cpp", "2"}})}});
     const Submission ann = readSubmission({"ann", folder.path() / "ann"});
-    EXPECT_EQ(ann.part(Part::renderer), "new");
+    EXPECT_EQ(ann.part("Renderer.cpp"), "new");
     EXPECT_EQ(ann.ignored, std::vector<std::string>{"old.zip"});
     const Submission bob = readSubmission({"bob", folder.path() / "bob"});
     ASSERT_EQ(bob.findings.size(), 1U);

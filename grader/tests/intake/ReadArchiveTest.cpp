@@ -55,7 +55,7 @@ Submission readOf(const std::string& name, const std::vector<Member>& members,
 
 /// The refusal of the whole submission.
 Finding refusalOf(const Submission& submission) {
-    const Finding* finding = submission.refusalOf(Part::renderer);
+    const Finding* finding = submission.refusalOf("Renderer.cpp");
     return finding == nullptr ? Finding{} : *finding;
 }
 
@@ -68,8 +68,8 @@ TEST(ReadArchive, FindsTheFilesInAZipAndInATar) {
                           {"__MACOSX/work/._Renderer.cpp", "litter", AE_IFREG, ""},
                           {"work/readme", "", AE_IFREG, ""}});
         EXPECT_TRUE(submission.findings.empty()) << name;
-        EXPECT_EQ(submission.part(Part::renderer), "render") << name;
-        EXPECT_EQ(submission.part(Part::screenshot), "picture") << name;
+        EXPECT_EQ(submission.part("Renderer.cpp"), "render") << name;
+        EXPECT_EQ(submission.part("screenshot.png"), "picture") << name;
         EXPECT_EQ(submission.ignored.size(), 2U) << name;
     }
 }
@@ -82,7 +82,7 @@ TEST(ReadArchive, RefusesMembersThatEscapeNamingThem) {
         const Finding finding = refusalOf(submission);
         EXPECT_EQ(finding.id, "intake.unsafe-archive") << path;
         EXPECT_NE(finding.message.find("Renderer.cpp"), std::string::npos) << finding.message;
-        EXPECT_FALSE(submission.part(Part::bumpySphere)) << path;
+        EXPECT_FALSE(submission.part("BumpySphere.cpp")) << path;
     }
 }
 
@@ -182,7 +182,7 @@ TEST(ReadArchive, SurvivesDamage) {
             damaged[generator() % damaged.size()] = static_cast<char>(generator() & 0xFFU);
         folder.write("work.zip", damaged);
         const Submission submission = readSubmission({"somebody", file});
-        EXPECT_LE(submission.part(Part::renderer).value_or("").size(), 256U << 10U);
+        EXPECT_LE(submission.part("Renderer.cpp").value_or("").size(), 256U << 10U);
     }
 }
 

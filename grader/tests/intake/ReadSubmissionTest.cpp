@@ -16,7 +16,7 @@ Submission read(const tests::TemporaryFolder& folder) {
     return readSubmission({"somebody", folder.path()});
 }
 
-std::string idOf(const Submission& submission, Part part) {
+std::string idOf(const Submission& submission, std::string_view part) {
     const Finding* finding = submission.refusalOf(part);
     return finding == nullptr ? "" : finding->id;
 }
@@ -32,9 +32,9 @@ TEST(ReadSubmission, FindsTheThreeFilesInNestedFoldersAndListsTheRest) {
     const Submission submission = read(folder);
 
     EXPECT_EQ(submission.name, "somebody");
-    EXPECT_EQ(submission.part(Part::bumpySphere), "bump");
-    EXPECT_EQ(submission.part(Part::renderer), "render");
-    EXPECT_EQ(submission.part(Part::screenshot), "picture");
+    EXPECT_EQ(submission.part("BumpySphere.cpp"), "bump");
+    EXPECT_EQ(submission.part("Renderer.cpp"), "render");
+    EXPECT_EQ(submission.part("screenshot.png"), "picture");
     EXPECT_TRUE(submission.findings.empty());
     EXPECT_EQ(submission.ignored, (std::vector<std::string>{"__MACOSX", "work/notes.txt"}));
 }
@@ -43,7 +43,7 @@ TEST(ReadSubmission, KeepsTheOriginalBytes) {
     const tests::TemporaryFolder folder;
     const std::string bytes = "\xEF\xBB\xBF// CRLF\r\nint x;\r\n";
     folder.write("Renderer.cpp", bytes);
-    EXPECT_EQ(read(folder).part(Part::renderer), bytes);
+    EXPECT_EQ(read(folder).part("Renderer.cpp"), bytes);
 }
 
 TEST(ReadSubmission, UnderstandsWhatBrowsersDoToNames) {
@@ -52,7 +52,7 @@ TEST(ReadSubmission, UnderstandsWhatBrowsersDoToNames) {
           " BumpySphere.cpp ", "BumpySphere.cpp.txt"}) {
         const tests::TemporaryFolder folder;
         folder.write(name, "bump");
-        EXPECT_EQ(read(folder).part(Part::bumpySphere), "bump") << name;
+        EXPECT_EQ(read(folder).part("BumpySphere.cpp"), "bump") << name;
     }
 }
 
@@ -60,7 +60,7 @@ TEST(ReadSubmission, TakesOtherEndingsOfTheSameLanguage) {
     for (const char* name : {"BumpySphere.cc", "BumpySphere.cxx", "BumpySphere (1).CC"}) {
         const tests::TemporaryFolder folder;
         folder.write(name, "bump");
-        EXPECT_EQ(read(folder).part(Part::bumpySphere), "bump") << name;
+        EXPECT_EQ(read(folder).part("BumpySphere.cpp"), "bump") << name;
     }
 }
 
@@ -69,7 +69,7 @@ TEST(ReadSubmission, LeavesOutTheKitsOwnFileOfTheSameName) {
     folder.write("tick/exercise/BumpySphere.cpp", "bump");
     folder.write("tick/framework/src/geometry/BumpySphere.cpp", "constructor");
     const Submission submission = read(folder);
-    EXPECT_EQ(submission.part(Part::bumpySphere), "bump");
+    EXPECT_EQ(submission.part("BumpySphere.cpp"), "bump");
     EXPECT_TRUE(submission.findings.empty());
     EXPECT_EQ(submission.ignored,
               std::vector<std::string>{"tick/framework/src/geometry/BumpySphere.cpp"});
@@ -83,7 +83,7 @@ TEST(ReadSubmission, SuggestsTheNearestNameWhenOneIsMissing) {
 
     ASSERT_EQ(submission.findings.size(), 1U);
     EXPECT_EQ(submission.findings[0].finding.id, "intake.missing-file");
-    EXPECT_EQ(submission.findings[0].part, Part::bumpySphere);
+    EXPECT_EQ(submission.findings[0].part, "BumpySphere.cpp");
     EXPECT_NE(submission.findings[0].finding.hint.find("BumpSphere.cpp"), std::string::npos);
 }
 
@@ -91,8 +91,8 @@ TEST(ReadSubmission, SaysSoWhereThereIsNoSourceAtAll) {
     const tests::TemporaryFolder folder;
     folder.write("essay.docx", "text");
     const Submission submission = read(folder);
-    EXPECT_EQ(idOf(submission, Part::renderer), "intake.missing-file");
-    EXPECT_EQ(idOf(submission, Part::bumpySphere), "intake.missing-file");
+    EXPECT_EQ(idOf(submission, "Renderer.cpp"), "intake.missing-file");
+    EXPECT_EQ(idOf(submission, "BumpySphere.cpp"), "intake.missing-file");
 }
 
 TEST(ReadSubmission, MissesNothingWhereOneOptionWasChosen) {
@@ -109,17 +109,17 @@ TEST(ReadSubmission, NeverChoosesBetweenTwoThatDiffer) {
 
     const Submission submission = read(folder);
 
-    EXPECT_EQ(idOf(submission, Part::renderer), "intake.ambiguous");
-    EXPECT_FALSE(submission.part(Part::renderer));
-    EXPECT_EQ(idOf(submission, Part::bumpySphere), "");
-    EXPECT_EQ(submission.part(Part::bumpySphere), "bump");
+    EXPECT_EQ(idOf(submission, "Renderer.cpp"), "intake.ambiguous");
+    EXPECT_FALSE(submission.part("Renderer.cpp"));
+    EXPECT_EQ(idOf(submission, "BumpySphere.cpp"), "");
+    EXPECT_EQ(submission.part("BumpySphere.cpp"), "bump");
 }
 
 TEST(ReadSubmission, AsksAboutNamesThatDifferInCaseOnly) {
     const tests::TemporaryFolder folder;
     folder.write("Renderer.cpp", "one");
     folder.write("renderer.cpp", "two");
-    EXPECT_EQ(idOf(read(folder), Part::renderer), "intake.ambiguous");
+    EXPECT_EQ(idOf(read(folder), "Renderer.cpp"), "intake.ambiguous");
 }
 
 TEST(ReadSubmission, TakesEqualCopiesAsOne) {
@@ -127,7 +127,7 @@ TEST(ReadSubmission, TakesEqualCopiesAsOne) {
     folder.write("a/Renderer.cpp", "same");
     folder.write("b/Renderer.cpp", "same");
     const Submission submission = read(folder);
-    EXPECT_EQ(submission.part(Part::renderer), "same");
+    EXPECT_EQ(submission.part("Renderer.cpp"), "same");
     EXPECT_TRUE(submission.findings.empty());
 }
 
@@ -138,16 +138,16 @@ TEST(ReadSubmission, RefusesWhatIsNoText) {
                                      "ELF\0\0\0"s}) {
         const tests::TemporaryFolder folder;
         folder.write("Renderer.cpp", bytes);
-        EXPECT_EQ(idOf(read(folder), Part::renderer), "intake.not-text");
+        EXPECT_EQ(idOf(read(folder), "Renderer.cpp"), "intake.not-text");
     }
 }
 
 TEST(ReadSubmission, RefusesASourceOverTheLimitAndTakesOneAtIt) {
     const tests::TemporaryFolder folder;
     folder.write("Renderer.cpp", std::string(256U << 10U, ' '));
-    EXPECT_EQ(idOf(read(folder), Part::renderer), "");
+    EXPECT_EQ(idOf(read(folder), "Renderer.cpp"), "");
     folder.write("Renderer.cpp", std::string((256U << 10U) + 1, ' '));
-    EXPECT_EQ(idOf(read(folder), Part::renderer), "intake.too-large");
+    EXPECT_EQ(idOf(read(folder), "Renderer.cpp"), "intake.too-large");
 }
 
 TEST(ReadSubmission, RefusesALinkAndAPipe) {
@@ -155,9 +155,9 @@ TEST(ReadSubmission, RefusesALinkAndAPipe) {
     std::filesystem::create_symlink("/etc/passwd", folder.path() / "Renderer.cpp");
     ASSERT_EQ(mkfifo((folder.path() / "BumpySphere.cpp").c_str(), 0600), 0);
     const Submission submission = read(folder);
-    EXPECT_EQ(idOf(submission, Part::renderer), "intake.unsafe-archive");
-    EXPECT_EQ(idOf(submission, Part::bumpySphere), "intake.unsafe-archive");
-    EXPECT_FALSE(submission.part(Part::renderer));
+    EXPECT_EQ(idOf(submission, "Renderer.cpp"), "intake.unsafe-archive");
+    EXPECT_EQ(idOf(submission, "BumpySphere.cpp"), "intake.unsafe-archive");
+    EXPECT_FALSE(submission.part("Renderer.cpp"));
 }
 
 TEST(ReadSubmission, DoesNotFollowLinksToFolders) {
@@ -165,7 +165,7 @@ TEST(ReadSubmission, DoesNotFollowLinksToFolders) {
     folder.write("Renderer.cpp", "render");
     std::filesystem::create_directory_symlink("..", folder.path() / "up");
     const Submission submission = read(folder);
-    EXPECT_EQ(submission.part(Part::renderer), "render");
+    EXPECT_EQ(submission.part("Renderer.cpp"), "render");
     EXPECT_EQ(submission.ignored, std::vector<std::string>{"up"});
 }
 
@@ -177,7 +177,7 @@ TEST(ReadSubmission, StopsCountingFiles) {
     IntakeLimits limits;
     limits.members = 20;
     const Submission submission = readSubmission({"somebody", folder.path()}, limits);
-    EXPECT_EQ(idOf(submission, Part::renderer), "intake.too-large");
+    EXPECT_EQ(idOf(submission, "Renderer.cpp"), "intake.too-large");
 }
 
 }  // namespace

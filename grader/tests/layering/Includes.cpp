@@ -29,7 +29,7 @@ std::optional<std::string> layerOf(const fs::path& file) {
         return "raytracer/" + (at(2) == "include" ? at(4) : at(3));
     }
     if (at(0) == "student_template" && at(1) == "tests" && at(2) == "questions") return "questions";
-    if (at(1) == "exercise") return "exercise";
+    if (at(0) != "grader" && at(1) == "exercise") return "exercise";
     if (at(1) == "tasks" && isTableOfFindings(file.filename().string())) return "findings";
     const bool isSubmission = at(1) == "corpus" && parts.size() > 3;
     if (at(0) == "grader" && at(1) != "tests" && at(1) != "bench" && at(1) != "integrations" &&

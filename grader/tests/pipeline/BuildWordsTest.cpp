@@ -15,7 +15,7 @@ using tests::taskOf;
 SubmissionResult gradeBumpySphere(const std::string& source) {
     intake::Submission work;
     work.name = "somebody";
-    work.parts[0] = source;
+    work.parts["BumpySphere.cpp"] = source;
     return gradeSubmission(work, tests::testGrader(), 1);
 }
 
@@ -63,7 +63,7 @@ TEST(BuildWords, NameTheFunctionThatALinkerMisses) {
 
     intake::Submission work;
     work.name = "somebody";
-    work.parts[1] =
+    work.parts["Renderer.cpp"] =
         "#include <raytracer/render/Renderer.h>\n"
         "using namespace raytracer;\n"
         "Image Renderer::render(const Scene&) const { return Image{settings()}; }\n";

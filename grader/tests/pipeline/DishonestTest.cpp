@@ -25,7 +25,8 @@ std::string referenceWith(const char* file, const std::string& function, const s
 SubmissionResult gradeRenderer(const std::string& atTheBeginningOfRender) {
     intake::Submission work;
     work.name = "somebody";
-    work.parts[1] = referenceWith("Renderer.cpp", "Renderer::render", atTheBeginningOfRender);
+    work.parts["Renderer.cpp"] =
+        referenceWith("Renderer.cpp", "Renderer::render", atTheBeginningOfRender);
     return gradeSubmission(work, tests::testGraderWithScenes(), 1);
 }
 
@@ -62,8 +63,9 @@ TEST(Dishonest, NobodyCanTellWhetherHeIsWatched) {
 TEST(Dishonest, BumpsOnLargeSpheresAloneAreNone) {
     intake::Submission work;
     work.name = "somebody";
-    work.parts[0] = referenceWith("BumpySphere.cpp", "BumpySphere::getNormalAt",
-                                  "if (radius() < 3.0) return Sphere::getNormalAt(position);");
+    work.parts["BumpySphere.cpp"] =
+        referenceWith("BumpySphere.cpp", "BumpySphere::getNormalAt",
+                      "if (radius() < 3.0) return Sphere::getNormalAt(position);");
     const SubmissionResult result = gradeSubmission(work, tests::testGrader(), 1);
     EXPECT_EQ(taskOf(result, "T1").state, TaskState::failed);
     EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"bump.wrong"});
@@ -72,7 +74,8 @@ TEST(Dishonest, BumpsOnLargeSpheresAloneAreNone) {
 SubmissionResult gradeBumps(const std::string& atTheBeginning) {
     intake::Submission work;
     work.name = "somebody";
-    work.parts[0] = referenceWith("BumpySphere.cpp", "BumpySphere::getNormalAt", atTheBeginning);
+    work.parts["BumpySphere.cpp"] =
+        referenceWith("BumpySphere.cpp", "BumpySphere::getNormalAt", atTheBeginning);
     return gradeSubmission(work, tests::testGraderWithScenes(), 1);
 }
 
@@ -109,7 +112,7 @@ TEST(Honest, BumpsOfAnyStrengthShowInThePicture) {
             source.insert(source.find(term), std::string{strength} + " * ");
         intake::Submission work;
         work.name = "somebody";
-        work.parts[0] = source;
+        work.parts["BumpySphere.cpp"] = source;
         const SubmissionResult result = gradeSubmission(work, tests::testGraderWithScenes(), 1);
         EXPECT_EQ(taskOf(result, "T1").state, TaskState::passed) << strength;
         EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{}) << strength;
@@ -121,12 +124,12 @@ TEST(Honest, LightsThatAreLostBehindASurfaceAreNamed) {
     work.name = "somebody";
     for (const char* slip : {"if (N.dot(light.position() - P) <= 0.0) break;",
                              "if (N.dot(light.position() - P) <= 0.0) return colour;"}) {
-        work.parts[1] = referenceWith("Renderer.cpp", "for (const PointLight&", slip);
+        work.parts["Renderer.cpp"] = referenceWith("Renderer.cpp", "for (const PointLight&", slip);
         const SubmissionResult result = gradeSubmission(work, tests::testGrader(), 1);
         EXPECT_EQ(findingIds(taskOf(result, "T2.1")), Ids{"shadow.lights-mixed"}) << slip;
     }
-    work.parts[1] = referenceWith("Renderer.cpp", "for (const PointLight&",
-                                  "if (N.dot(light.position() - P) <= 0.0) continue;");
+    work.parts["Renderer.cpp"] = referenceWith("Renderer.cpp", "for (const PointLight&",
+                                               "if (N.dot(light.position() - P) <= 0.0) continue;");
     const SubmissionResult spared = gradeSubmission(work, tests::testGrader(), 1);
     EXPECT_EQ(taskOf(spared, "T2.1").state, TaskState::passed) << "nothing comes from there";
 }
@@ -152,7 +155,7 @@ TEST(DoubtPicture, TakesNoiseForNoise) {
 }
 
 TEST(DoubtPicture, WantsTheApertureThatTheAnswersShow) {
-    const std::vector<tasks::Misfit> half{{1.0, 5.0}, {0.5, 0.7}};
+    const std::vector<Misfit> half{{1.0, 5.0}, {0.5, 0.7}};
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
     tasks::doubtPicture(tasks, half, 0.5);
     tasks::doubtPicture(tasks, half, std::nullopt);

@@ -10,7 +10,6 @@
 namespace ticker::pipeline {
 namespace {
 
-using intake::Part;
 using tests::findingIds;
 using tests::taskOf;
 
@@ -24,8 +23,8 @@ intake::Submission submission(const std::optional<std::string>& bumpySphere,
                               const std::optional<std::string>& renderer = {}) {
     intake::Submission result;
     result.name = "somebody";
-    result.parts[0] = bumpySphere;
-    result.parts[1] = renderer;
+    result.parts["BumpySphere.cpp"] = bumpySphere;
+    result.parts["Renderer.cpp"] = renderer;
     return result;
 }
 
@@ -143,7 +142,7 @@ TEST(GradeSubmission, PassesOnWhatIntakeRefused) {
     Finding refused;
     refused.id = "intake.ambiguous";
     refused.message = "two files";
-    work.findings.push_back({Part::bumpySphere, refused});
+    work.findings.push_back({"BumpySphere.cpp", refused});
     const SubmissionResult result = grade(work);
     EXPECT_EQ(taskOf(result, "T1").state, TaskState::blocked);
     EXPECT_EQ(taskOf(result, "T1").reason, "two files");
@@ -167,7 +166,7 @@ TEST(GradeSubmission, RefusesAWholeArchive) {
 
 TEST(GradeSubmission, JudgesTheChosenOptionOnly) {
     Grader grader = tests::testGrader();
-    grader.option = OptionChoice::t2;
+    grader.option = "T2";
     const SubmissionResult result =
         gradeSubmission(submission("this is no C++\n", stub("Renderer.cpp")), grader, kSeed);
     EXPECT_EQ(taskOf(result, "T1").state, TaskState::notAttempted);
@@ -193,7 +192,8 @@ TEST(GradeSubmission, ShowsWhatTheCodeRendersBesideWhatWasExpected) {
     intake::Submission work =
         submission(tests::readFile("reference_solution/exercise/BumpySphere.cpp"),
                    tests::readFile("reference_solution/exercise/Renderer.cpp"));
-    work.parts[2] = tests::readFile("grader/corpus/samples/awarded/reference-bump/screenshot.png");
+    work.parts["screenshot.png"] =
+        tests::readFile("grader/corpus/samples/awarded/reference-bump/screenshot.png");
 
     const SubmissionResult result = gradeSubmission(work, tests::testGraderWithScenes(), kSeed);
 

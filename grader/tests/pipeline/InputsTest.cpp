@@ -5,12 +5,10 @@
 namespace ticker::pipeline {
 namespace {
 
-using intake::Part;
-
 intake::Submission submissionOf(const std::string& renderer) {
     intake::Submission result;
     result.name = "ann";
-    result.parts[static_cast<std::size_t>(Part::renderer)] = renderer;
+    result.parts["Renderer.cpp"] = renderer;
     return result;
 }
 
@@ -25,9 +23,9 @@ TEST(QuestionSeed, IsTheSameForTheSameFilesUnderTheSameSeed) {
 
 TEST(QuestionSeed, IsAnotherForEveryOtherFile) {
     intake::Submission moved;
-    moved.parts[static_cast<std::size_t>(Part::bumpySphere)] = "x";
+    moved.parts["BumpySphere.cpp"] = "x";
     intake::Submission more = submissionOf("x");
-    more.parts[static_cast<std::size_t>(Part::screenshot)] = "";
+    more.parts["screenshot.png"] = "";
     const std::uint64_t first = questionSeed(submissionOf("x"), kClassSeed);
     for (const intake::Submission& other : {submissionOf("x "), submissionOf(""), moved, more})
         EXPECT_NE(questionSeed(other, kClassSeed), first);

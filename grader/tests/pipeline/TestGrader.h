@@ -19,7 +19,7 @@ inline const pipeline::Grader& testGrader() {
                               sandbox::defaultPolicy(),
                               rubric::readRubric(root / "grader/rubric/rubric.json"),
                               "test",
-                              pipeline::OptionChoice::automatic};
+                              {}};
         made.policy.run.cpuSeconds = 2.0;
         return made;
     }();

@@ -118,7 +118,7 @@ TaskReport task(const std::string& id, TaskState state, const std::string& reaso
                               : id == "T2.1" ? "Soft shadows"
                               : id == "T2.2" ? "Depth of field"
                                              : "Screenshot";
-    return {id, title, state, reason, {}, false};
+    return {{state, reason, {}}, id, title};
 }
 
 Finding invertedU() {

@@ -45,8 +45,9 @@ SubmissionResult example() {
     finding.rasters.resize(1);
     finding.rasters[0].title = "relief";
     finding.rasters[0].image = "images/T1-1.png";
-    TaskReport t1{"T1", "Bump mapping", TaskState::failed, "", {finding}, false};
-    TaskReport shot{"screenshot", "Screenshot", TaskState::notAttempted, "there is none", {}, true};
+    TaskReport t1{{TaskState::failed, "", {finding}, false}, "T1", "Bump mapping"};
+    TaskReport shot{
+        {TaskState::notAttempted, "there is none", {}, true}, "screenshot", "Screenshot"};
     SubmissionResult result;
     result.submission = "Zo\xC3\xAB, \"the\" =ray</td>";
     result.verdict = Verdict::notAwarded;

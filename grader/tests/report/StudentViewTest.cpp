@@ -147,7 +147,7 @@ TEST(StudentView, TellsTheRuleOfTheRubric) {
     result.options.clear();
     EXPECT_EQ(told(), "No tick yet.") << "a result of an older ticker";
     for (TaskReport& task : result.tasks)
-        task = {task.id, task.title, TaskState::notAttempted, "", {}};
+        task = {{TaskState::notAttempted, "", {}}, task.id, task.title};
     result.options = {{"lens", {"T2.1", "T2.2"}, 1.0}};
     EXPECT_EQ(told(), "No tick yet: no task was worked on. Edit Renderer.cpp (T2.1 and T2.2).");
 }

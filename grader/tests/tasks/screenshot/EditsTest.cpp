@@ -25,8 +25,8 @@ Scene scene() {
     return scene;
 }
 
-OwnWindows windowsOf(bool isForT1) {
-    const Windows windows = drawWindows(isForT1, 320, 240, 3);
+OwnWindows windowsOf(bool isDeterministic) {
+    const Windows windows = drawWindows(isDeterministic, 320, 240, 3);
     return {windows, cutOut(photo().view(), windows), false};
 }
 

@@ -28,7 +28,8 @@ const std::vector<SpecScene>& scenes() {
 /// The oracle with the handout's reading, on either option.
 class Honest {
 public:
-    explicit Honest(bool isForT1) : code_({}, {}, isForT1), student_(scenes(), isForT1, code_) {}
+    explicit Honest(bool isDeterministic)
+        : code_({}, {}, isDeterministic), student_(scenes(), isDeterministic, code_) {}
     const ScreenshotStudent* operator->() const { return &student_; }
 
     [[nodiscard]] TaskJudgement handIn(const Picture& picture) const {
@@ -52,8 +53,8 @@ std::string evidence(const TaskJudgement& judgement, const std::string& key) {
 }
 
 TEST(JudgeScreenshot, PassesHonestPicturesWithoutAWord) {
-    for (const bool isForT1 : {true, false}) {
-        const Honest student{isForT1};
+    for (const bool isDeterministic : {true, false}) {
+        const Honest student{isDeterministic};
         const TaskJudgement judgement = student.handIn(student->render(320, kSeed));
         EXPECT_EQ(judgement.state, TaskState::passed);
         EXPECT_TRUE(judgement.findings.empty()) << firstId(judgement);

@@ -68,11 +68,11 @@ private:
     std::uint64_t sittings_ = 0;
 };
 
-std::string why(const Grey& grey, bool isForT1 = false, bool knowsParts = true) {
+std::string why(const Grey& grey, bool isDeterministic = false, bool knowsParts = true) {
     Code code{grey, knowsParts};
     const raytracer::SceneDescription description;
     Scene scene;
-    scene.isForT1 = isForT1;
+    scene.isRandom = !isDeterministic;
     scene.description = &description;
     scene.examinee = &code;
     return whyNotRepeated(scene, 640, 480, 3);

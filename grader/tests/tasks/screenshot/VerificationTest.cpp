@@ -58,11 +58,11 @@ struct Said {
     Verification verification;
     std::size_t sittings;
 };
-Said say(const std::vector<double>& greys, bool isForT1 = false) {
+Said say(const std::vector<double>& greys, bool isDeterministic = false) {
     GreyCode code{greys};
     const raytracer::SceneDescription description;
     Scene scene;
-    scene.isForT1 = isForT1;
+    scene.isRandom = !isDeterministic;
     scene.description = &description;
     scene.examinee = &code;
     Picture picture{640, 480, {}};

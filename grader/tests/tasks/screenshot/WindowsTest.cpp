@@ -24,19 +24,19 @@ TEST(SensibleSize, IsTheHandoutsShapeFrom320Upwards) {
 }
 
 TEST(Windows, AreAFewThousandPixelsInsideTheFrameWithRoomToShift) {
-    for (const bool isForT1 : {true, false})
+    for (const bool isDeterministic : {true, false})
         for (const int width : kWidths)
             for (std::uint64_t seed = 0; seed < 50; ++seed) {
                 int pixels = 0;
                 for (const metrics::Box& box :
-                     drawWindows(isForT1, width, width * 3 / 4, seed).boxes) {
+                     drawWindows(isDeterministic, width, width * 3 / 4, seed).boxes) {
                     EXPECT_GE(box.x, kFarthestShift);
                     EXPECT_GE(box.y, kFarthestShift);
                     EXPECT_LE(box.x + box.width, width - kFarthestShift);
                     EXPECT_LE(box.y + box.height, width * 3 / 4 - kFarthestShift);
                     pixels += box.width * box.height;
                 }
-                const bool isNarrow = !isForT1 && width < 480;
+                const bool isNarrow = !isDeterministic && width < 480;
                 EXPECT_NEAR(pixels, isNarrow ? 3456 : 2300, 300);
             }
 }

@@ -1,0 +1,45 @@
+#include <grader/tasks/Tasks.h>
+
+#include <grader/tasks/bump/BumpPicture.h>
+#include <grader/tasks/bump/JudgeBump.h>
+#include <grader/tasks/lens/JudgeLens.h>
+#include <grader/tasks/lens/PictureDoubt.h>
+#include <grader/tasks/shadows/JudgeShadows.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace ticker::tasks {
+namespace {
+
+bool hasRelief(const raytracer::SceneDescription& scene) {
+    return std::ranges::any_of(scene.spheres,
+                               [](const auto& sphere) { return sphere.heightMap != nullptr; });
+}
+
+bool isAnyScene(const raytracer::SceneDescription& /*scene*/) {
+    return true;
+}
+
+void doubtT1(std::vector<TaskReport>& tasks, const RenderEvidence& renders) {
+    doubtBumps(tasks.at(0), renders.bumpMisfit);
+}
+
+void doubtT22(std::vector<TaskReport>& tasks, const RenderEvidence& renders) {
+    std::optional<double> aperture;
+    for (const TaskReport& task : tasks)
+        if (task.apertureFactor) aperture = task.apertureFactor;
+    doubtPicture(tasks, renders.misfits, aperture);
+}
+
+}  // namespace
+
+std::span<const Task> theTasks() {
+    static constexpr std::array kTasks{Task{"T1", judgeBump, hasRelief, doubtT1},
+                                       Task{"T2.1", judgeShadows, isAnyScene, nullptr},
+                                       Task{"T2.2", judgeLens, isAnyScene, doubtT22}};
+    return kTasks;
+}
+
+}  // namespace ticker::tasks
