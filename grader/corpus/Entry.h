@@ -31,7 +31,7 @@ struct Expectation {
     [[nodiscard]] std::string finding() const;
     /// True where this id is among the findings that are right.
     [[nodiscard]] bool names(std::string_view finding) const;
-    /// @param firstFinding  The most important one's id; empty: there is none.
+    /// @param firstFinding  The most important finding's id; empty if the task has no finding.
     [[nodiscard]] bool isMet(std::string_view state, std::string_view firstFinding) const;
 };
 
@@ -43,7 +43,7 @@ struct Entry {
     std::string name;        ///< of its folder, or of its file without ".json"
     std::string about;       ///< what it is, in a few words
     std::string folderName;  ///< under which it is handed in; mostly `name`
-    std::filesystem::path base;  ///< folder of the files that are edited; empty: there is none
+    std::filesystem::path base;  ///< folder of the files that are edited; empty if no file is edited
     std::map<std::string, std::vector<Edit>> edits;  ///< by file; none: the base's file as it is
     std::vector<std::filesystem::path> files;        ///< that lie beside the entry
     std::vector<MadeFile> made;

@@ -52,7 +52,7 @@ struct Exercise {
     [[nodiscard]] std::vector<std::string> parts() const;
     /// The tasks' ids and the screenshot's: what a result reports on.
     [[nodiscard]] std::vector<std::string> reported() const;
-    /// Null where there is none of this id.
+    /// Null if no task has this id.
     [[nodiscard]] const TaskEntry* task(std::string_view id) const;
     /// The file that a task is solved in; empty for the screenshot.
     [[nodiscard]] std::string_view fileOf(std::string_view task) const;

@@ -51,7 +51,7 @@ struct Contents {
 
 /// The part that a file of this path may be: by its last component, whatever its case, also with
 /// what browsers and systems add to a name ("File (1).cpp", "File.cpp.txt") or with another ending
-/// of C++ ("File.cc"). The framework's own files are none.
+/// of C++ ("File.cc"). The framework's own files do not count.
 [[nodiscard]] std::optional<std::string> partOf(std::string_view path, const Exercise& exercise);
 
 /// True for what systems leave behind: "__MACOSX/...", "._File.cpp", ".git/...".

@@ -121,7 +121,7 @@ struct Relief {
     tasks::BumpPicture plan;
 };
 
-/// The largest misfit of pictures with a relief; empty where there are none, or one did not come.
+/// The largest misfit of pictures with a relief; empty if no scene has a relief, or if a picture is missing.
 /// @param answers  To what was asked beside the pictures, in the same order.
 std::optional<double> worstMisfit(const std::vector<Relief>& reliefs,
                                   const std::vector<std::optional<raytracer::ByteImage>>& pictures,

@@ -17,7 +17,6 @@ namespace ticker::calibrate {
 namespace {
 
 using tasks::DistributedJudgement;
-using tasks::TaskJudgement;
 
 constexpr std::size_t kBlock = 50;
 

@@ -12,7 +12,6 @@
 namespace ticker::selftest {
 namespace {
 
-using tasks::TaskJudgement;
 
 constexpr std::array kGainNames{
     "unit tangents", "P_u by sin theta", "P_u by 1 / sin theta", "slopes over (u, v)",

@@ -24,7 +24,6 @@ namespace ticker::selftest {
 namespace {
 
 using corpus::Entry;
-using tasks::TaskJudgement;
 
 std::string firstFinding(const TaskJudgement& judgement) {
     return judgement.findings.empty() ? "" : judgement.findings.front().id;

@@ -1,7 +1,7 @@
 #ifndef TICKER_SELFTEST_SCREENSHOTCASES_H
 #define TICKER_SELFTEST_SCREENSHOTCASES_H
 
-#include <grader/tasks/TaskJudgement.h>
+#include <grader/result/SubmissionResult.h>
 #include <grader/lab/selftest/ScreenshotTables.h>
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct ScreenshotCase {
     std::string expected;  ///< finding; empty: none above a note
     /// Makes the picture and has it judged. Tells the CPU that the judgement took, without that of
     /// other processes.
-    std::function<tasks::TaskJudgement(double& judgeMs)> judge;
+    std::function<TaskJudgement(double& judgeMs)> judge;
 };
 
 /// @param bench  Must outlive the cases.

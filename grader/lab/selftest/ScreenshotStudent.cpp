@@ -54,7 +54,7 @@ Picture ScreenshotStudent::render(const SpecScene& scene, int width, int height,
     return {image.width, image.height, std::move(image.rgb)};
 }
 
-tasks::TaskJudgement ScreenshotStudent::handIn(const Picture& picture, std::uint64_t seed,
+TaskJudgement ScreenshotStudent::handIn(const Picture& picture, std::uint64_t seed,
                                                double& judgeMs) const {
     std::vector<Scene> scenes;
     for (const SpecScene& spec : scenes_) {
@@ -71,7 +71,7 @@ tasks::TaskJudgement ScreenshotStudent::handIn(const Picture& picture, std::uint
         scenes.push_back(scene);
     }
     const double before = threadCpuMs();
-    tasks::TaskJudgement judgement = tasks::judgeScreenshot(picture.view(), scenes, seed);
+    TaskJudgement judgement = tasks::judgeScreenshot(picture.view(), scenes, seed);
     judgeMs = threadCpuMs() - before;
     return judgement;
 }

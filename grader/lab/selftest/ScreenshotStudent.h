@@ -1,7 +1,7 @@
 #ifndef TICKER_SELFTEST_SCREENSHOTSTUDENT_H
 #define TICKER_SELFTEST_SCREENSHOTSTUDENT_H
 
-#include <grader/tasks/TaskJudgement.h>
+#include <grader/result/SubmissionResult.h>
 #include <grader/metrics/View.h>
 #include <grader/pipeline/SpecScenes.h>
 #include <grader/probe/Examinee.h>
@@ -27,7 +27,7 @@ public:
 
     /// What the grader says when this picture comes with the code.
     /// @param judgeMs  Told the CPU that it took this thread.
-    [[nodiscard]] tasks::TaskJudgement handIn(const metrics::Picture& picture,
+    [[nodiscard]] TaskJudgement handIn(const metrics::Picture& picture,
                                                  std::uint64_t seed, double& judgeMs) const;
 
     /// The option's own scene.

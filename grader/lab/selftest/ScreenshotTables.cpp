@@ -12,7 +12,7 @@ namespace {
 
 using Case = ScreenshotCase;
 
-std::string told(const tasks::TaskJudgement& judgement) {
+std::string told(const TaskJudgement& judgement) {
     for (const Finding& finding : judgement.findings)
         if (finding.severity != Severity::note) return finding.id;
     return judgement.needsReview ? "a person should look" : "";
@@ -35,7 +35,7 @@ void judge(const Case& one, std::vector<ScreenshotRow>& rows, ScreenshotSelfTest
         rows.push_back({one.kind, one.expected, 0, 0, 0.0});
     ScreenshotRow& row = rows.back();
     double judgeMs = 0.0;
-    const tasks::TaskJudgement judgement = one.judge(judgeMs);
+    const TaskJudgement judgement = one.judge(judgeMs);
     row.judgeMs = (row.judgeMs * row.judged + judgeMs) / (row.judged + 1);
     ++row.judged;
     const std::string seen = told(judgement);

@@ -32,7 +32,7 @@ using Manifest = std::map<std::string, Provenance>;
 /// Hash of a number, likewise.
 [[nodiscard]] std::string numberHash(std::uint64_t number);
 
-/// The manifest of a folder; empty if there is none.
+/// The manifest of a folder; empty if the folder has no manifest.
 /// @throws raytracer::InputError if it is damaged.
 [[nodiscard]] Manifest readManifest(const std::filesystem::path& folder);
 

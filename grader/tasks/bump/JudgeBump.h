@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_BUMP_JUDGEBUMP_H
 #define TICKER_TASKS_BUMP_JUDGEBUMP_H
 
-#include <grader/tasks/TaskJudgement.h>
+#include <grader/result/SubmissionResult.h>
 #include <grader/probe/Examinee.h>
 
 #include <cstdint>

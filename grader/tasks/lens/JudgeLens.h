@@ -2,7 +2,7 @@
 #define TICKER_TASKS_LENS_JUDGELENS_H
 
 #include <grader/probe/Examinee.h>
-#include <grader/tasks/TaskJudgement.h>
+#include <grader/result/SubmissionResult.h>
 
 #include <cstdint>
 

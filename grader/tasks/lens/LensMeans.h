@@ -2,7 +2,7 @@
 #define TICKER_TASKS_DISTRIBUTED_LENSMEANS_H
 
 #include <grader/probe/Question.h>
-#include <grader/tasks/TaskJudgement.h>
+#include <grader/result/SubmissionResult.h>
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_SCREENSHOT_JUDGESCREENSHOT_H
 #define TICKER_TASKS_SCREENSHOT_JUDGESCREENSHOT_H
 
-#include <grader/tasks/TaskJudgement.h>
+#include <grader/result/SubmissionResult.h>
 #include <grader/tasks/screenshot/Scene.h>
 
 #include <cstdint>

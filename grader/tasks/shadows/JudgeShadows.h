@@ -2,7 +2,7 @@
 #define TICKER_TASKS_SHADOWS_JUDGESHADOWS_H
 
 #include <grader/probe/Examinee.h>
-#include <grader/tasks/TaskJudgement.h>
+#include <grader/result/SubmissionResult.h>
 
 #include <cstdint>
 

@@ -2,7 +2,7 @@
 #define TICKER_TASKS_DISTRIBUTED_FINDINGTEXT_H
 
 #include <grader/result/FindingText.h>
-#include <grader/tasks/TaskJudgement.h>
+#include <grader/result/SubmissionResult.h>
 
 #include <span>
 #include <string>

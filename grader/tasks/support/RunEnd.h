@@ -2,7 +2,7 @@
 #define TICKER_TASKS_DISTRIBUTED_RUNEND_H
 
 #include <grader/probe/Examinee.h>
-#include <grader/tasks/TaskJudgement.h>
+#include <grader/result/SubmissionResult.h>
 
 #include <optional>
 #include <string_view>

@@ -80,7 +80,7 @@ private:
     std::vector<Change> changes_;
 };
 
-bool isSound(const tasks::TaskJudgement& judgement) {
+bool isSound(const TaskJudgement& judgement) {
     const bool hasFailure = std::ranges::any_of(
         judgement.findings, [](const Finding& f) { return f.severity == Severity::fail; });
     return judgement.state != TaskState::failed || hasFailure;
@@ -93,7 +93,7 @@ bool give(std::string_view input) {
     Liar liar{changesIn(input.substr(1))};
     const auto seed = static_cast<unsigned char>(input.front());
     if (seed % 2 == 0) {
-        const tasks::TaskJudgement bump = tasks::judgeBump(liar, seed / 2U % 4U);
+        const TaskJudgement bump = tasks::judgeBump(liar, seed / 2U % 4U);
         require(isSound(bump), "a failed task has a finding");
         return bump.state == TaskState::passed;
     }

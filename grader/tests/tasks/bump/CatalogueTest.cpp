@@ -24,7 +24,7 @@ std::string stateName(TaskState state) {
     }
 }
 
-tasks::TaskJudgement judgeCompiled(const CompiledMistake& mistake, std::uint64_t seed) {
+TaskJudgement judgeCompiled(const CompiledMistake& mistake, std::uint64_t seed) {
     selftest::FunctionExaminee examinee(mistake.normalAt);
     return tasks::judgeBump(examinee, seed);
 }
@@ -40,7 +40,7 @@ TEST(BumpCatalogue, EveryMistakeGetsItsFindingAndAHintOnTwoSeeds) {
     for (const CompiledMistake& mistake : compiledCatalogue())
         for (const std::uint64_t seed : {41U, 42U}) {
             SCOPED_TRACE(mistake.id);
-            const tasks::TaskJudgement judgement = judgeCompiled(mistake, seed);
+            const TaskJudgement judgement = judgeCompiled(mistake, seed);
             EXPECT_EQ(stateName(judgement.state), mistake.state) << judgement.reason;
             const std::string got = judgement.findings.empty() ? "" : judgement.findings.front().id;
             EXPECT_EQ(got, mistake.finding) << judgement.reason;

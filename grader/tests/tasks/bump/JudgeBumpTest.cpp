@@ -12,7 +12,6 @@ namespace ticker::tests {
 namespace {
 
 using tasks::judgeBump;
-using tasks::TaskJudgement;
 using probe::ProcessEnd;
 using selftest::FunctionExaminee;
 using selftest::modelNormal;

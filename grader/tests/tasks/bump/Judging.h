@@ -13,20 +13,20 @@ using raytracer::Vector3;
 using selftest::Point;
 
 /// The judgement of a function.
-inline tasks::TaskJudgement judge(const selftest::NormalFunction& function,
+inline TaskJudgement judge(const selftest::NormalFunction& function,
                                      std::uint64_t seed = 5) {
     selftest::FunctionExaminee examinee(function);
     return tasks::judgeBump(examinee, seed);
 }
 
 /// The judgement of a reading with a mistake in it.
-inline tasks::TaskJudgement judge(const selftest::Reading& reading,
+inline TaskJudgement judge(const selftest::Reading& reading,
                                      selftest::Slip slip = selftest::Slip::none) {
     return judge([&](const Point& point) { return modelNormal(reading, slip, point); });
 }
 
 /// The id of the first finding, empty for none.
-inline std::string firstId(const tasks::TaskJudgement& judgement) {
+inline std::string firstId(const TaskJudgement& judgement) {
     return judgement.findings.empty() ? std::string{} : judgement.findings.front().id;
 }
 

@@ -21,7 +21,7 @@ void expectAllPass(NormalAt normalAt) {
             reading.singlePrecision = single;
             selftest::FunctionExaminee examinee(
                 [&](const Point& point) { return normalAt(reading, point); });
-            const tasks::TaskJudgement judgement = tasks::judgeBump(examinee, 100 + i);
+            const TaskJudgement judgement = tasks::judgeBump(examinee, 100 + i);
             EXPECT_EQ(judgement.state, TaskState::passed)
                 << selftest::describe(reading) << ": " << judgement.reason;
         }

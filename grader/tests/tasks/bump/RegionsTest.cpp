@@ -12,7 +12,6 @@
 namespace ticker::tests {
 namespace {
 
-using tasks::TaskJudgement;
 using selftest::FunctionExaminee;
 using selftest::HeightMap;
 using selftest::modelNormal;

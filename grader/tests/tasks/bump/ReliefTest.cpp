@@ -11,7 +11,6 @@
 namespace ticker::tests {
 namespace {
 
-using tasks::TaskJudgement;
 using selftest::Slip;
 
 const EvidenceValue* evidence(const TaskJudgement& judgement, const std::string& key) {

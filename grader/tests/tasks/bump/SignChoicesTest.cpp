@@ -60,7 +60,7 @@ TEST(PlusBeforeBothCrossProducts, IsRightInFourSignChoicesHalfRightInEightAndInv
         const Signs signs{sign(0), sign(1), sign(2), sign(3)};
         selftest::FunctionExaminee examinee(
             [&](const Point& point) { return asPrinted(signs, point); });
-        const tasks::TaskJudgement judgement = tasks::judgeBump(examinee, 7);
+        const TaskJudgement judgement = tasks::judgeBump(examinee, 7);
         const std::string got = judgement.findings.empty() ? "" : judgement.findings.front().id;
         EXPECT_EQ(got, expected(signs)) << "choice " << choice << ": " << judgement.reason;
         EXPECT_EQ(judgement.state, got.empty() ? TaskState::passed : TaskState::failed);

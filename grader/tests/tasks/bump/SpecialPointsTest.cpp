@@ -12,7 +12,6 @@
 namespace ticker::tests {
 namespace {
 
-using tasks::TaskJudgement;
 using selftest::modelNormal;
 using selftest::Slip;
 

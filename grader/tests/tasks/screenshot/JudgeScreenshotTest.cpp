@@ -12,7 +12,6 @@
 namespace ticker::selftest {
 namespace {
 
-using tasks::TaskJudgement;
 using metrics::ByteView;
 using pipeline::SpecScene;
 
