@@ -33,15 +33,24 @@ LevelPair addPair(Questionnaire& questionnaire, const Ball& ball, probe::HeightM
     return {flat, questionnaire.add(ball, std::move(map), directions)};
 }
 
-/// @param along  The tangent of either point that the tilts are measured along.
-/// @param usual  The tilt on a ramp of this slope.
-template <typename Along, typename Usual>
-double opposition(const std::vector<Vector3>& pairs, const std::vector<Vector3>& tilts, Along along,
-                  Usual usual) {
+/// Neighbours at the map's edge may be clamped, wrapped or mirrored. A wide difference that is 0 on
+/// the zigzag shows this choice at the seam alone: pairs near the seam are not compared.
+bool isAwayFromSeam(double u) {
+    constexpr double kMargin = 16.0 / FinenessPlan::kColumns;
+    return u > kMargin && u < 1.0 - kMargin;
+}
+
+/// @param counts  Whether the pair that begins at a point is compared.
+/// @param along   The tangent of either point that the tilts are measured along.
+/// @param usual   The tilt on a ramp of this slope.
+template <typename Counts, typename Along, typename Usual>
+double opposition(const std::vector<Vector3>& pairs, const std::vector<Vector3>& tilts,
+                  Counts counts, Along along, Usual usual) {
     double opposite = 0.0;
     double size = 0.0;
     double expected = 0.0;
     for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
+        if (!counts(pairs[i])) continue;
         const double one = tilts[i].dot(along(pairs[i]));
         const double two = tilts[i + 1].dot(along(pairs[i + 1]));
         if (!std::isfinite(one * two)) continue;
@@ -89,10 +98,12 @@ Fineness readFineness(const FinenessPlan& plan, const Answers& answers,
     const AxisResponse& onV = ramps.response->v;
     return {opposition(
                 plan.pairsU, answers.tiltsBeyond(plan.zigzagU.flat, plan.zigzagU.map),
+                [&](const Vector3& n) { return isAwayFromSeam(landing.u(n)); },
                 [&](const Vector3& n) { return landing.alongU(n); },
                 [&](const Vector3& n) { return timesU * strengthAt(onU, landing.v(n)); }),
             opposition(
                 plan.pairsV, answers.tiltsBeyond(plan.zigzagV.flat, plan.zigzagV.map),
+                [](const Vector3&) { return true; },
                 [&](const Vector3& n) { return landing.alongV(n); },
                 [&](const Vector3& n) { return timesV * strengthAt(onV, landing.v(n)); })};
 }

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 
 namespace ticker::tasks::bump {
@@ -40,9 +42,10 @@ selftest::NormalFunction rounded(const Landing& landing, const Steps& u, const S
 
 const Landing kUpright({0.0, 1.0, 0.0}, 0.37, false);
 
-Fineness finenessOf(const selftest::NormalFunction& function, const Landing& landing = kUpright) {
+Fineness finenessOf(const selftest::NormalFunction& function, const Landing& landing = kUpright,
+                    std::uint64_t seed = 4) {
     Questionnaire questionnaire;
-    Draws draws(4);
+    Draws draws(seed);
     const FinenessPlan plan = planFineness(questionnaire, draws, {{0.0, 0.0, 20.0}, 12.0});
     RampJudgement ramps;
     ramps.shape = {1001, 801, 90, 0.5, 2.0};
@@ -61,6 +64,25 @@ TEST(ReadFineness, SeesThatNeighboursTiltOppositeWays) {
             EXPECT_GT(fineness.u, 0.99) << strength;
             EXPECT_GT(fineness.v, 0.99) << strength;
         }
+}
+
+// Central differences over three texels to either side are 0 on the zigzag, but for clamped
+// neighbours at the seam.
+TEST(ReadFineness, LeavesOutWhatOnlyTheSeamShows) {
+    const selftest::NormalFunction wide = [](const selftest::Point& point) {
+        const Vector3 n = (point.position - point.centre).normalised();
+        const int width = point.map.width();
+        const int height = point.map.height();
+        const int c = std::min(static_cast<int>(kUpright.u(n) * width), width - 1);
+        const int r = std::min(static_cast<int>(kUpright.v(n) * height), height - 1);
+        const double alongU =
+            point.map.at(std::min(c + 3, width - 1), r) - point.map.at(std::max(c - 3, 0), r);
+        const double alongV =
+            point.map.at(c, std::min(r + 3, height - 1)) - point.map.at(c, std::max(r - 3, 0));
+        return (n - 0.2 * (alongU * kUpright.alongU(n) + alongV * kUpright.alongV(n))).normalised();
+    };
+    for (std::uint64_t seed = 0; seed < 200; ++seed)
+        EXPECT_TRUE(finenessOf(wide, kUpright, seed).good()) << seed;
 }
 
 TEST(ReadFineness, SeesWhoRoundsToWholeDegrees) {
