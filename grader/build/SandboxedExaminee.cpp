@@ -151,7 +151,7 @@ Outcome SandboxedExaminee::run(const sandbox::Command& command) {
     return outcome;
 }
 
-probe::Sitting SandboxedExaminee::ask(const std::vector<probe::Question>& questions) {
+probe::Run SandboxedExaminee::ask(const std::vector<probe::Question>& questions) {
     const probe::AnswerLayout layout = probe::layoutFor(questions);
     const FileDescriptor message = sandbox::sealedCopy(probe::encodeQuestions(questions));
     const sandbox::SharedMemory memory{layout.totalBytes};
@@ -165,17 +165,15 @@ probe::Sitting SandboxedExaminee::ask(const std::vector<probe::Question>& questi
     command.limits = budget_ == nullptr ? limits_ : budget_->cut(limits_);
     const Outcome outcome = run(command);
 
-    probe::Sitting sitting{probe::readAnswers(questions, memory.bytes()), {}};
-    const bool finished =
-        hasFinished(outcome, probe::saysFinished(memory.bytes()), sitting.answers);
-    sitting.end = endOf(outcome, finished, program_, command.limits);
-    if (sitting.end.kind == EndKind::timedOut && budget_ != nullptr && budget_->isSpent())
-        sitting.end.detail = ofTheBudget(budget_->all());
-    madeForbiddenCall_ = madeForbiddenCall_ || sitting.end.kind == EndKind::forbiddenCall;
-    if (sitting.end.kind == EndKind::finished &&
-        std::ranges::any_of(sitting.answers, saysOutOfMemory))
-        sitting.end = {EndKind::memory, kBadAlloc};
-    return sitting;
+    probe::Run run{probe::readAnswers(questions, memory.bytes()), {}};
+    const bool finished = hasFinished(outcome, probe::saysFinished(memory.bytes()), run.answers);
+    run.end = endOf(outcome, finished, program_, command.limits);
+    if (run.end.kind == EndKind::timedOut && budget_ != nullptr && budget_->isSpent())
+        run.end.detail = ofTheBudget(budget_->all());
+    madeForbiddenCall_ = madeForbiddenCall_ || run.end.kind == EndKind::forbiddenCall;
+    if (run.end.kind == EndKind::finished && std::ranges::any_of(run.answers, saysOutOfMemory))
+        run.end = {EndKind::memory, kBadAlloc};
+    return run;
 }
 
 }  // namespace ticker::build

@@ -20,7 +20,7 @@ public:
         : program_(program), sandbox_(sandbox), limits_(limits), budget_(budget) {}
 
     /// @throws raytracer::Error if a question contradicts itself: a mistake of the caller.
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override;
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override;
 
     /// CPU and wall time of all runs so far, milliseconds.
     [[nodiscard]] double cpuMs() const { return cpuMs_; }

@@ -37,7 +37,7 @@ public:
                                            std::uint64_t fresh);
 
     /// @throws raytracer::InputError where a word of `regrade` is nobody's name and nobody's
-    ///         finding: a slip of the pen would regrade nothing and say nothing.
+    ///         finding: a typing error would regrade nothing and say nothing.
     void checkRegrade(const std::vector<intake::Located>& submissions) const;
 
     /// The result that still holds. Without `regrade`: one of the very same inputs. With it: one

@@ -38,8 +38,8 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-std::string commandLine(const Voice& voice, int argc, char** argv) {
-    std::string line = voice.command;
+std::string commandLine(const GlobalOptions& global, int argc, char** argv) {
+    std::string line = global.command;
     for (int i = 1; i < argc; ++i)
         line += " " + quoted(argv[i]);
     return line;
@@ -52,17 +52,17 @@ int runProgram(const Program& program, const std::vector<AddVerb>& verbs, int ar
     app.set_version_flag("--version", TICKER_VERSION);
     app.require_subcommand(1);
     app.fallthrough();
-    Voice voice;
+    GlobalOptions global;
     // The script tick hands over to this program under another name.
     const char* command = std::getenv("TICKER_COMMAND");
-    voice.command = quoted(command != nullptr ? command : argv[0]);
-    voice.commandLine = commandLine(voice, argc, argv);
-    app.add_flag("--quiet", voice.quiet, "Say nothing but errors");
-    app.add_flag("--verbose", voice.verbose, "Say more");
+    global.command = quoted(command != nullptr ? command : argv[0]);
+    global.commandLine = commandLine(global, argc, argv);
+    app.add_flag("--quiet", global.quiet, "Say nothing but errors");
+    app.add_flag("--verbose", global.verbose, "Say more");
 
     std::vector<Run> runs;
     for (const AddVerb add : verbs)
-        runs.push_back(add(app, voice));
+        runs.push_back(add(app, global));
     try {
         app.parse(argc, argv);
         const std::vector<CLI::App*> known = app.get_subcommands(nullptr);

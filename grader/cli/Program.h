@@ -15,7 +15,7 @@ struct Program {
 };
 
 /// Adds one verb to the command line and gives back what runs it.
-using AddVerb = Run (*)(CLI::App& app, const Voice& voice);
+using AddVerb = Run (*)(CLI::App& app, const GlobalOptions& global);
 
 /// Reads the command line, runs the verb that it names, and reports errors in one line on stderr.
 /// @return the exit status.

@@ -7,7 +7,7 @@ namespace {
 
 /// A verb that only the lab has: says where it is.
 template <const char* const& name>
-Run addElsewhere(CLI::App& app, const Voice& /*voice*/) {
+Run addElsewhere(CLI::App& app, const GlobalOptions& /*global*/) {
     app.add_subcommand(name)->group("")->allow_extras()->fallthrough(false)->set_help_flag();
     return []() -> raytracer::ExitCode {
         throw raytracer::InputError(name, 0, std::string{"is in ticker-lab: ./tick "} + name);

@@ -43,7 +43,8 @@ struct Entry {
     std::string name;        ///< of its folder, or of its file without ".json"
     std::string about;       ///< what it is, in a few words
     std::string folderName;  ///< under which it is handed in; mostly `name`
-    std::filesystem::path base;  ///< folder of the files that are edited; empty if no file is edited
+    std::filesystem::path
+        base;  ///< folder of the files that are edited; empty if no file is edited
     std::map<std::string, std::vector<Edit>> edits;  ///< by file; none: the base's file as it is
     std::vector<std::filesystem::path> files;        ///< that lie beside the entry
     std::vector<MadeFile> made;

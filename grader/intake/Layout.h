@@ -30,7 +30,7 @@ struct Place {
 struct Below {
     std::vector<Place> submissions;
     std::multiset<std::string> parts;  ///< of all of them, but for archives
-    bool isSubmission = false;  ///< the folder itself is one
+    bool isSubmission = false;         ///< the folder itself is one
     bool isEmpty = true;
 };
 

@@ -108,7 +108,7 @@ void requireCheckout(const Home& home) {
                 "calibrate there");
 }
 
-raytracer::ExitCode calibrateAll(const CalibrateOptions& options, const Voice& voice) {
+raytracer::ExitCode calibrateAll(const CalibrateOptions& options, const GlobalOptions& global) {
     const Home home = Home::find();
     requireCheckout(home);
     const build::Kit kit = build::Kit::besideProgram();
@@ -119,7 +119,7 @@ raytracer::ExitCode calibrateAll(const CalibrateOptions& options, const Voice& v
     for (const auto& campaign : calibrate::campaigns(home.data, programs)) {
         if (!options.only.empty() && campaign->name() != options.only) continue;
         any = true;
-        good = calibrateOne(*campaign, options, placesOf(home), mayDraw(voice.quiet)) && good;
+        good = calibrateOne(*campaign, options, placesOf(home), mayDraw(global.quiet)) && good;
     }
     if (!any) throw raytracer::InputError("--only", 0, "there is no campaign " + options.only);
     return good ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
@@ -127,7 +127,7 @@ raytracer::ExitCode calibrateAll(const CalibrateOptions& options, const Voice& v
 
 }  // namespace
 
-Run addCalibrate(CLI::App& app, const Voice& voice) {
+Run addCalibrate(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<CalibrateOptions>();
     CLI::App* verb = app.add_subcommand(
         "calibrate",
@@ -142,7 +142,7 @@ Run addCalibrate(CLI::App& app, const Voice& voice) {
     verb->add_option("--jobs", options->jobs, "Threads")->check(CLI::Range(1, 256));
     verb->add_option("--sandbox", options->sandbox, "Level A, B or C; auto: the best")
         ->check(CLI::IsMember({"auto", "A", "B", "C"}));
-    return [options, &voice] { return calibrateAll(*options, voice); };
+    return [options, &global] { return calibrateAll(*options, global); };
 }
 
 }  // namespace ticker::cli

@@ -139,14 +139,14 @@ bool runTables(const SelftestOptions& options, bool draw) {
     return good;
 }
 
-raytracer::ExitCode selftest(const SelftestOptions& options, const Voice& voice) {
-    return runTables(options, mayDraw(voice.quiet)) ? raytracer::ExitCode::success
-                                                    : raytracer::ExitCode::checkFailed;
+raytracer::ExitCode selftest(const SelftestOptions& options, const GlobalOptions& global) {
+    return runTables(options, mayDraw(global.quiet)) ? raytracer::ExitCode::success
+                                                     : raytracer::ExitCode::checkFailed;
 }
 
 }  // namespace
 
-Run addSelftest(CLI::App& app, const Voice& voice) {
+Run addSelftest(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<SelftestOptions>();
     // What passes here passes again; how often rarities come is what `calibrate` counts.
     constexpr std::uint64_t kUsualSeed = 1;
@@ -169,7 +169,7 @@ Run addSelftest(CLI::App& app, const Voice& voice) {
         ->check(CLI::IsMember({"auto", "A", "B", "C"}));
     verb->add_option("--seed", options->grade.seed,
                      "Whole number that the hidden questions are drawn from; 1 unless told");
-    return [options, &voice] { return selftest(*options, voice); };
+    return [options, &global] { return selftest(*options, global); };
 }
 
 }  // namespace ticker::cli

@@ -36,9 +36,9 @@ raytracer::ByteImage renderSubmission(const intake::Submission& submission, cons
     limits.cpuSeconds *= kPatience;
     limits.wallSeconds *= kPatience;
     build::SandboxedExaminee examinee{*built.program, grader.sandbox, limits};
-    const probe::Sitting sitting = examinee.ask({probe::RenderQuestion{scene, settings, 1, 0}});
-    const auto picture = pictureFrom(std::get<probe::RenderAnswer>(sitting.answers.at(0)));
-    if (!picture) throw raytracer::InputError(file, 0, "gave no picture: " + sitting.end.detail);
+    const probe::Run run = examinee.ask({probe::RenderQuestion{scene, settings, 1, 0}});
+    const auto picture = pictureFrom(std::get<probe::RenderAnswer>(run.answers.at(0)));
+    if (!picture) throw raytracer::InputError(file, 0, "gave no picture: " + run.end.detail);
     return *picture;
 }
 

@@ -121,7 +121,8 @@ struct Relief {
     tasks::BumpPicture plan;
 };
 
-/// The largest misfit of pictures with a relief; empty if no scene has a relief, or if a picture is missing.
+/// The largest misfit of pictures with a relief; empty if no scene has a relief, or if a picture is
+/// missing.
 /// @param answers  To what was asked beside the pictures, in the same order.
 std::optional<double> worstMisfit(const std::vector<Relief>& reliefs,
                                   const std::vector<std::optional<raytracer::ByteImage>>& pictures,
@@ -212,15 +213,15 @@ Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, std::string_view 
             reliefs.push_back({i, tasks::planBumpPicture(asked[i]->scene, asked[i]->settings)});
             questions.emplace_back(reliefs.back().plan.question);
         }
-    const probe::Sitting sitting = examinee.ask(questions);
+    const probe::Run run = examinee.ask(questions);
     std::vector<std::optional<raytracer::ByteImage>> pictures;
     for (std::size_t i = 0; i < asked.size(); ++i) {
-        const auto& answer = std::get<probe::RenderAnswer>(sitting.answers.at(i));
+        const auto& answer = std::get<probe::RenderAnswer>(run.answers.at(i));
         pictures.push_back(pictureFrom(answer));
         if (pictures[i]) addRender(gallery, *asked[i], answer, *pictures[i]);
     }
     gallery.bumpMisfit =
-        worstMisfit(reliefs, pictures, std::span(sitting.answers).subspan(pictures.size()));
+        worstMisfit(reliefs, pictures, std::span(run.answers).subspan(pictures.size()));
     for (std::size_t i = 0; i < asked.size(); ++i)
         if (pictures[i]) gallery.rendered.push_back({asked[i]->name, *std::move(pictures[i])});
     return gallery;

@@ -78,8 +78,8 @@ struct Gallery {
     std::vector<Rendered> moveTo(SubmissionResult& result) &&;
 };
 
-/// Asks the submission for the pictures of a file's scenes. A picture that did not come is left out.
-/// Pictures fail no submission; a misfit may leave it to a person (tasks/lens/PictureDoubt.h,
+/// Asks the submission for the pictures of a file's scenes. A picture that did not come is left
+/// out. Pictures fail no submission; a misfit may leave it to a person (tasks/lens/PictureDoubt.h,
 /// tasks/bump/BumpPicture.h).
 [[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, std::string_view file,
                                        probe::Examinee& examinee);

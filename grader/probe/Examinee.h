@@ -25,7 +25,7 @@ struct ProcessEnd {
 };
 
 /// All answers of one run, in the order of the questions, and how the process ended.
-struct Sitting {
+struct Run {
     std::vector<Answer> answers;
     ProcessEnd end;
 };
@@ -40,7 +40,7 @@ public:
     Examinee& operator=(const Examinee&) = delete;
 
     /// Puts the questions to a fresh process. Never throws because of what the submission does.
-    [[nodiscard]] virtual Sitting ask(const std::vector<Question>& questions) = 0;
+    [[nodiscard]] virtual Run ask(const std::vector<Question>& questions) = 0;
 };
 
 }  // namespace ticker::probe

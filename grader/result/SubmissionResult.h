@@ -25,7 +25,7 @@ enum class TaskState {
 /// notGraded; notAttempted and build failures are known before anything is asked.
 struct TaskJudgement {
     TaskState state = TaskState::notGraded;
-    std::string reason;  ///< one sentence; empty where the findings say it all
+    std::string reason;                   ///< one sentence; empty where the findings say it all
     std::vector<Finding> findings;        ///< the most important first
     bool needsReview = false;             ///< the state is the best guess, but a person should look
     std::vector<ScatterPlot> plots = {};  ///< what was seen, where no finding shows it

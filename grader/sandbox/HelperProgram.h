@@ -11,7 +11,8 @@ namespace ticker::sandbox {
 /// @throws raytracer::Error if it is in neither place.
 [[nodiscard]] std::filesystem::path findProgram(const std::string& name);
 
-/// Finds bubblewrap: /usr/bin/bwrap, /usr/local/bin/bwrap or on the PATH; empty if it is not installed.
+/// Finds bubblewrap: /usr/bin/bwrap, /usr/local/bin/bwrap or on the PATH; empty if it is not
+/// installed.
 [[nodiscard]] std::filesystem::path findBubblewrap();
 
 }  // namespace ticker::sandbox

@@ -79,7 +79,7 @@ private:
         return take(size, isMark ? 'm' : 'c');
     }
 
-    // A quote that is not closed ends with its line, so that one slip does not colour the rest.
+    // A quote that is not closed ends with its line, so that one mistake does not colour the rest.
     [[nodiscard]] std::size_t quoted(char quote) const {
         for (std::size_t i = 1; i < rest_.size() && rest_[i] != '\n'; ++i) {
             if (rest_[i] == '\\')

@@ -1,5 +1,5 @@
-#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/Home.h>
+#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/intake/Intake.h>
 #include <grader/report/Escape.h>
@@ -40,8 +40,7 @@ void print(const SubmissionResult& result) {
     }
     for (const Diagnostics& said : result.diagnostics)
         if (!said.text.empty())
-            fmt::print("\nWhat the compiler said about {}:\n{}\n", said.file,
-                       cleanText(said.text));
+            fmt::print("\nWhat the compiler said about {}:\n{}\n", said.file, cleanText(said.text));
     for (const std::string& notice : result.notices)
         fmt::print("note: {}\n", report::escapeLine(notice));
     fmt::print("\n{}: {}\n", report::escapeLine(result.submission),
@@ -80,7 +79,7 @@ raytracer::ExitCode check(const CheckOptions& options) {
 
 }  // namespace
 
-Run addCheck(CLI::App& app, const Voice& /*voice*/) {
+Run addCheck(CLI::App& app, const GlobalOptions& /*global*/) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App* verb = app.add_subcommand("check", "The full diagnosis of one submission, as text");
     verb->add_option("folder", options->folder, "Folder or zip with the files")->required();

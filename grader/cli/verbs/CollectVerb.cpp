@@ -19,7 +19,7 @@ struct CollectOptions {
     std::string studentView;
 };
 
-raytracer::ExitCode collect(const CollectOptions& options, const Voice& voice) {
+raytracer::ExitCode collect(const CollectOptions& options, const GlobalOptions& global) {
     const std::string& out = options.out;
     if (!std::filesystem::is_directory(out))
         throw raytracer::InputError(out, 0, "is no folder; expected one with results below");
@@ -30,7 +30,7 @@ raytracer::ExitCode collect(const CollectOptions& options, const Voice& voice) {
         fmt::print(stderr, "ticker: {}\n", problem);
     writeClass(out);
     writeStudentPages(out, store::readClass(out), options.studentView);
-    if (!voice.quiet)
+    if (!global.quiet)
         fmt::print(stderr, "{} taken in, {} known already\nopen {}/index.html\n",
                    report::counted(collected.taken, "result"), collected.known, out);
     return collected.unreadable.empty() ? raytracer::ExitCode::success
@@ -39,13 +39,13 @@ raytracer::ExitCode collect(const CollectOptions& options, const Voice& voice) {
 
 }  // namespace
 
-Run addCollect(CLI::App& app, const Voice& voice) {
+Run addCollect(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<CollectOptions>();
     CLI::App* verb = app.add_subcommand(
         "collect", "Take in results that were written into OUT elsewhere, by a cluster's nodes");
     verb->add_option("out", options->out, "Folder with <submission>/result.json files")->required();
     addStudentView(*verb, options->studentView);
-    return [options, &voice] { return collect(*options, voice); };
+    return [options, &global] { return collect(*options, global); };
 }
 
 }  // namespace ticker::cli

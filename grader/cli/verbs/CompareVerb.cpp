@@ -97,7 +97,7 @@ void writeMaps(const Comparison& comparison, const fs::path& folder) {
                         folder / "noise.png");
 }
 
-raytracer::ExitCode compare(const CompareOptions& options, const Voice& voice) {
+raytracer::ExitCode compare(const CompareOptions& options, const GlobalOptions& global) {
     const raytracer::ByteImage reference = raytracer::readImage(options.reference);
     const raytracer::ByteImage test = raytracer::readImage(options.test);
     if (reference.width != test.width || reference.height != test.height)
@@ -111,13 +111,13 @@ raytracer::ExitCode compare(const CompareOptions& options, const Voice& voice) {
     fmt::print("{}", options.json ? jsonText(comparison) : metrics::table(comparison));
     if (options.maps.empty()) return raytracer::ExitCode::success;
     writeMaps(comparison, options.maps);
-    if (!voice.quiet) fmt::print(stderr, "maps: {}\n", options.maps);
+    if (!global.quiet) fmt::print(stderr, "maps: {}\n", options.maps);
     return raytracer::ExitCode::success;
 }
 
 }  // namespace
 
-Run addCompare(CLI::App& app, const Voice& voice) {
+Run addCompare(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<CompareOptions>();
     CLI::App* verb =
         app.add_subcommand("compare", "Say how two pictures differ: numbers, maps, noise or more");
@@ -128,7 +128,7 @@ Run addCompare(CLI::App& app, const Voice& voice) {
     verb->add_option("--ppd", options->pixelsPerDegree,
                      "Pixels in one degree of view, for FLIP; 67 if not given")
         ->check(CLI::Range(4.0, 500.0));
-    return [options, &voice] { return compare(*options, voice); };
+    return [options, &global] { return compare(*options, global); };
 }
 
 }  // namespace ticker::cli

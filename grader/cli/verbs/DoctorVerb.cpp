@@ -79,7 +79,7 @@ raytracer::ExitCode examine() {
 
 }  // namespace
 
-Run addDoctor(CLI::App& app, const Voice& /*voice*/) {
+Run addDoctor(CLI::App& app, const GlobalOptions& /*global*/) {
     app.add_subcommand("doctor", "What this machine offers: compiler, sandbox, processor, disk");
     return [] { return examine(); };
 }

@@ -2,10 +2,10 @@
 #include <grader/cli/ClassPaths.h>
 #include <grader/cli/ClassRun.h>
 #include <grader/cli/Formats.h>
-#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/Interrupt.h>
 #include <grader/cli/Output.h>
 #include <grader/cli/Progress.h>
+#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/StudentPages.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/report/Words.h>
@@ -76,12 +76,12 @@ raytracer::ExitCode exitCodeOf(const Tally& tally, bool stopped) {
     return tally.unexpected > 0 ? raytracer::ExitCode::checkFailed : raytracer::ExitCode::success;
 }
 
-void report(const Tally& tally, std::size_t total, const BatchOptions& options, const Voice& voice,
-            bool stopped) {
-    if (!voice.quiet) fmt::print(stderr, "{}\n", closingLine(tally));
-    if (!voice.quiet && !options.resultsOnly)
+void report(const Tally& tally, std::size_t total, const BatchOptions& options,
+            const GlobalOptions& global, bool stopped) {
+    if (!global.quiet) fmt::print(stderr, "{}\n", closingLine(tally));
+    if (!global.quiet && !options.resultsOnly)
         fmt::print(stderr, "open {0}/index.html, or decide in a browser: {1} session {0}\n",
-                   options.out, voice.command);
+                   options.out, global.command);
     if (tally.unexpected > 0)
         fmt::print(stderr, "ticker: {} of {} got another verdict than their folder says\n",
                    tally.unexpected, tally.all());
@@ -89,7 +89,7 @@ void report(const Tally& tally, std::size_t total, const BatchOptions& options, 
         fmt::print(stderr, "ticker: stopped, but everything was graded: nothing is left to do\n");
     else if (stopped)
         fmt::print(stderr, "ticker: stopped after {} of {}; they are kept. Go on with\n  {}{}\n",
-                   tally.all(), total, voice.commandLine, options.resume ? "" : " --resume");
+                   tally.all(), total, global.commandLine, options.resume ? "" : " --resume");
 }
 
 /// Prints and counts one result.
@@ -119,17 +119,17 @@ int workersOf(const BatchOptions& options) {
     return options.workers > 0 ? options.workers : std::max(1, cores);
 }
 
-void warnOfStore(const ClassRun& run, const BatchOptions& options, const Voice& voice) {
+void warnOfStore(const ClassRun& run, const BatchOptions& options, const GlobalOptions& global) {
     if (!run.notice().empty()) fmt::print(stderr, "ticker: {}\n", run.notice());
     const std::size_t earlier = run.size();
-    if (!voice.quiet && earlier > 0 && !options.keepsResults() && !options.grade.seed)
+    if (!global.quiet && earlier > 0 && !options.keepsResults() && !options.grade.seed)
         fmt::print(stderr,
                    "ticker: {} holds {}; all are made anew with a fresh seed (--resume "
                    "keeps them)\n",
                    options.out, report::counted(earlier, "result"));
 }
 
-raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
+raytracer::ExitCode grade(const BatchOptions& options, const GlobalOptions& global) {
     std::vector<intake::Located> submissions = locate(options.from);
     if (!options.share.empty()) submissions = shareOf(std::move(submissions), options.share);
     const std::string skipped = skippedLine(options.from);
@@ -137,14 +137,14 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
     grader.isAlone = submissions.size() == 1;
     ClassRun run{options.out, {options.regrade, grader.build}, !options.resultsOnly};
     run.checkRegrade(submissions);
-    warnOfStore(run, options, voice);
+    warnOfStore(run, options, global);
     const std::uint64_t seed =
         run.settleSeed(options.grade.seed, options.keepsResults(), seedOf(options.grade));
     const std::atomic<bool>& stop = catchInterrupts();
 
     Tally tally;
     {
-        Progress progress{submissions.size(), mayDraw(voice.quiet)};
+        Progress progress{submissions.size(), mayDraw(global.quiet)};
         gradeAll(
             submissions, grader, seed, workersOf(options), stop,
             {.known = [&](const intake::Located& located,
@@ -161,15 +161,15 @@ raytracer::ExitCode grade(const BatchOptions& options, const Voice& voice) {
         writeStudentPages(options.out, store::readClass(options.out), options.formats.studentView);
     if (!options.formats.names.empty())
         writeFormats(options.out, store::readClass(options.out), options.formats);
-    report(tally, submissions.size(), options, voice, stop);
+    report(tally, submissions.size(), options, global, stop);
     if (!skipped.empty()) fmt::print(stderr, "ticker: {}\n", skipped);
-    if (voice.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
+    if (global.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
     return exitCodeOf(tally, stop);
 }
 
 }  // namespace
 
-Run addGrade(CLI::App& app, const Voice& voice) {
+Run addGrade(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<BatchOptions>();
     CLI::App* verb = app.add_subcommand("grade", "Judge submissions and write results and pages");
     verb->add_option("path", options->from.paths,
@@ -199,7 +199,7 @@ Run addGrade(CLI::App& app, const Voice& voice) {
         ->check(CLI::IsMember(formatNames()));
     addFormatOptions(*verb, options->formats);
     addGradeOptions(*verb, options->grade);
-    return [options, &voice] { return grade(*options, voice); };
+    return [options, &global] { return grade(*options, global); };
 }
 
 }  // namespace ticker::cli

@@ -73,7 +73,7 @@ constexpr std::array kKinds{
          packPrairieLearn},
 };
 
-raytracer::ExitCode pack(const PackageOptions& options, const Voice& voice) {
+raytracer::ExitCode pack(const PackageOptions& options, const GlobalOptions& global) {
     const auto* const kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& known) {
         return known.name == options.kind;
     });
@@ -83,7 +83,7 @@ raytracer::ExitCode pack(const PackageOptions& options, const Voice& voice) {
     if (error)
         throw raytracer::InputError(folder.string(), 0, "cannot be made: " + error.message());
     kind->write(options);
-    if (!voice.quiet)
+    if (!global.quiet)
         fmt::print(stderr, "{}: {}, {:.1f} MB\n", options.file, kind->whatItIs,
                    static_cast<double>(fs::file_size(options.file)) / 1e6);
     return raytracer::ExitCode::success;
@@ -91,7 +91,7 @@ raytracer::ExitCode pack(const PackageOptions& options, const Voice& voice) {
 
 }  // namespace
 
-Run addPackage(CLI::App& app, const Voice& voice) {
+Run addPackage(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<PackageOptions>();
     std::vector<std::string> names;
     std::string help = "What to make:";
@@ -105,7 +105,7 @@ Run addPackage(CLI::App& app, const Voice& voice) {
     verb->add_option("--rubric", options->rubric, "Carry another rubric than the kit's own");
     verb->add_option("--student-view", options->studentView,
                      "Carry another policy of what students may see than the kit's own");
-    return [options, &voice] { return pack(*options, voice); };
+    return [options, &global] { return pack(*options, global); };
 }
 
 }  // namespace ticker::cli

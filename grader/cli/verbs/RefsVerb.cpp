@@ -79,7 +79,7 @@ raytracer::ExitCode checkThem(const std::filesystem::path& folder,
     return allPassed ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
 }
 
-raytracer::ExitCode refs(const RefsOptions& options, const Voice& voice) {
+raytracer::ExitCode refs(const RefsOptions& options, const GlobalOptions& global) {
     const Home home = Home::find();
     std::signal(SIGINT, askRefsToStop);
     StopMonitor monitor;
@@ -92,9 +92,9 @@ raytracer::ExitCode refs(const RefsOptions& options, const Voice& voice) {
     oracle::ReferenceOptions how;
     how.seed = std::random_device{}();
     how.toolVersion = TICKER_VERSION;
-    if (options.check) return checkThem(folder, scenes, how, voice.quiet);
+    if (options.check) return checkThem(folder, scenes, how, global.quiet);
     std::filesystem::create_directories(folder);
-    if (!oracle::writeReferences(folder, scenes, how, listener(voice.quiet)))
+    if (!oracle::writeReferences(folder, scenes, how, listener(global.quiet)))
         return raytracer::ExitCode::interrupted;
     fmt::print("{} references in {}\n", scenes.size(), folder.string());
     return raytracer::ExitCode::success;
@@ -102,14 +102,14 @@ raytracer::ExitCode refs(const RefsOptions& options, const Voice& voice) {
 
 }  // namespace
 
-Run addRefs(CLI::App& app, const Voice& voice) {
+Run addRefs(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<RefsOptions>();
     CLI::App* verb = app.add_subcommand(
         "refs", "Make the reference pictures anew, or look whether they drifted");
     verb->add_flag("--check", options->check, "Render again and compare; exit 1 on a drift");
     verb->add_option("--folder", options->folder, "Instead of assets/references");
     verb->add_option("--scenes", options->scenes, "Instead of scenes/");
-    return [options, &voice] { return refs(*options, voice); };
+    return [options, &global] { return refs(*options, global); };
 }
 
 }  // namespace ticker::cli

@@ -1,5 +1,5 @@
-#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/Home.h>
+#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/intake/Intake.h>
 #include <grader/oracle/references/References.h>
@@ -75,7 +75,7 @@ raytracer::ExitCode renderBySubmission(const RenderOptions& options) {
 }
 
 // tick1star is the renderer: the same program that students run, with its progress bar and Ctrl-C.
-raytracer::ExitCode becomeTick1star(const RenderOptions& options, const Voice& voice) {
+raytracer::ExitCode becomeTick1star(const RenderOptions& options, const GlobalOptions& global) {
     const Home home = Home::find();
     const std::string program = (home.programs / "tick1star-reference").string();
     std::vector<std::string> words{program,       "-i",       options.scene,         "-o",
@@ -87,7 +87,7 @@ raytracer::ExitCode becomeTick1star(const RenderOptions& options, const Voice& v
     pass("--seed", options.seed ? std::to_string(*options.seed) : "");
     pass("--threads", options.threads > 0 ? std::to_string(options.threads) : "");
     pass("--dof-rays", options.samples > 0 ? std::to_string(options.samples) : "");
-    if (voice.quiet) words.emplace_back("--quiet");
+    if (global.quiet) words.emplace_back("--quiet");
     std::vector<char*> arguments;
     for (std::string& word : words)
         arguments.push_back(word.data());
@@ -98,7 +98,7 @@ raytracer::ExitCode becomeTick1star(const RenderOptions& options, const Voice& v
 
 }  // namespace
 
-Run addRender(CLI::App& app, const Voice& voice) {
+Run addRender(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App* verb = app.add_subcommand("render", "Render a scene");
     verb->add_option("scene", options->scene, "Scene file")->required();
@@ -112,10 +112,10 @@ Run addRender(CLI::App& app, const Voice& voice) {
     verb->add_option("--solution", options->solution, "A submission's folder; else the reference");
     verb->add_option("--engine", options->engine, "solution, or the grader's own oracle")
         ->check(CLI::IsMember({"solution", "oracle"}));
-    return [options, &voice] {
+    return [options, &global] {
         if (options->engine == "oracle") return renderByOracle(*options);
         if (!options->solution.empty()) return renderBySubmission(*options);
-        return becomeTick1star(*options, voice);
+        return becomeTick1star(*options, global);
     };
 }
 

@@ -49,7 +49,7 @@ raytracer::ExitCode report(ReportOptions options) {
 
 }  // namespace
 
-Run addReport(CLI::App& app, const Voice& /*voice*/) {
+Run addReport(CLI::App& app, const GlobalOptions& /*global*/) {
     auto options = std::make_shared<ReportOptions>();
     CLI::App* verb = app.add_subcommand("report", "The results in OUT in another format");
     verb->add_option("out", options->folder, "Folder that ticker grade wrote")->required();

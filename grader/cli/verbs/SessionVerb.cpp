@@ -32,7 +32,7 @@ sigset_t blockEnding() {
     return ending;
 }
 
-raytracer::ExitCode run(const SessionOptions& options, const Voice& voice) {
+raytracer::ExitCode run(const SessionOptions& options, const GlobalOptions& global) {
     if (!store::Store::isIn(options.out))
         throw raytracer::InputError(options.out, 0,
                                     "holds no results.sqlite; expected the OUT of ticker grade");
@@ -44,7 +44,7 @@ raytracer::ExitCode run(const SessionOptions& options, const Voice& voice) {
     if (!view.notice().empty()) fmt::print(stderr, "ticker: {}\n", view.notice());
     fmt::print("{}\n", server.address());
     std::fflush(stdout);
-    if (!voice.quiet)
+    if (!global.quiet)
         fmt::print(stderr,
                    "{}. Open the address in a browser on this machine; it lets in "
                    "whoever has it. Ctrl-C ends the session.\n",
@@ -61,7 +61,7 @@ raytracer::ExitCode run(const SessionOptions& options, const Voice& voice) {
 
 }  // namespace
 
-Run addSession(CLI::App& app, const Voice& voice) {
+Run addSession(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<SessionOptions>();
     CLI::App* verb =
         app.add_subcommand("session", "Decide about the submissions in OUT, in a browser");
@@ -69,7 +69,7 @@ Run addSession(CLI::App& app, const Voice& voice) {
     verb->add_option("--port", options->port, "Port of 127.0.0.1; the last session's, or any")
         ->check(CLI::Range(1, 65535));
     addStudentView(*verb, options->studentView);
-    return [options, &voice] { return run(*options, voice); };
+    return [options, &global] { return run(*options, global); };
 }
 
 }  // namespace ticker::cli

@@ -13,7 +13,7 @@ class App;
 namespace ticker::cli {
 
 /// What every verb understands.
-struct Voice {
+struct GlobalOptions {
     bool quiet = false;              ///< nothing on stderr but errors
     bool verbose = false;            ///< more on stderr
     std::string command = "ticker";  ///< how this program was called, for a shell
@@ -23,17 +23,18 @@ struct Voice {
 /// Runs a verb after its command line was read.
 using Run = std::function<raytracer::ExitCode()>;
 
-// Each adds one verb to the command line and gives back what runs it. `voice` outlives the program.
-Run addGrade(CLI::App& app, const Voice& voice);
-Run addCheck(CLI::App& app, const Voice& voice);
-Run addRender(CLI::App& app, const Voice& voice);
-Run addCompare(CLI::App& app, const Voice& voice);
-Run addRefs(CLI::App& app, const Voice& voice);
-Run addCollect(CLI::App& app, const Voice& voice);
-Run addSession(CLI::App& app, const Voice& voice);
-Run addReport(CLI::App& app, const Voice& voice);
-Run addDoctor(CLI::App& app, const Voice& voice);
-Run addPackage(CLI::App& app, const Voice& voice);
+// Each adds one verb to the command line and gives back what runs it. `global` outlives the
+// program.
+Run addGrade(CLI::App& app, const GlobalOptions& global);
+Run addCheck(CLI::App& app, const GlobalOptions& global);
+Run addRender(CLI::App& app, const GlobalOptions& global);
+Run addCompare(CLI::App& app, const GlobalOptions& global);
+Run addRefs(CLI::App& app, const GlobalOptions& global);
+Run addCollect(CLI::App& app, const GlobalOptions& global);
+Run addSession(CLI::App& app, const GlobalOptions& global);
+Run addReport(CLI::App& app, const GlobalOptions& global);
+Run addDoctor(CLI::App& app, const GlobalOptions& global);
+Run addPackage(CLI::App& app, const GlobalOptions& global);
 
 }  // namespace ticker::cli
 

@@ -13,8 +13,8 @@ namespace ticker::calibrate {
 /// One accepted reading in both languages: an edit of the reference solution, and what the oracle
 /// is told.
 struct AgreementCase {
-    std::string name;        ///< "surface"
-    std::string file;        ///< which file of the reference is edited
+    std::string name;  ///< "surface"
+    std::string file;  ///< which file of the reference is edited
     std::vector<corpus::Edit> edits;
     oracle::Reading reading;
 

@@ -57,12 +57,11 @@ std::vector<std::vector<raytracer::ColourRGB>> rendersOf(const build::Program& p
                                                          int repetitions) {
     const sandbox::Limits limits;
     build::SandboxedExaminee examinee{program, sandbox, limits};
-    const probe::Sitting sitting =
-        examinee.ask({probe::RenderQuestion{scene, settings, repetitions, 0}});
-    const auto& answer = std::get<probe::RenderAnswer>(sitting.answers.at(0));
+    const probe::Run run = examinee.ask({probe::RenderQuestion{scene, settings, repetitions, 0}});
+    const auto& answer = std::get<probe::RenderAnswer>(run.answers.at(0));
     if (answer.state != probe::AnswerState::answered ||
         answer.images.size() != static_cast<std::size_t>(repetitions))
-        throw raytracer::Error("the reference did not answer: " + sitting.end.detail);
+        throw raytracer::Error("the reference did not answer: " + run.end.detail);
     return answer.images;
 }
 

@@ -74,11 +74,11 @@ std::string ComparisonCampaign::run(std::size_t unit) {
     probe::RenderQuestion question;
     question.scene = scene_;
     question.settings = smallPicture();
-    const probe::Sitting sitting = examinee.ask({question});
+    const probe::Run run = examinee.ask({question});
     const auto* answer =
-        sitting.answers.empty() ? nullptr : std::get_if<probe::RenderAnswer>(&sitting.answers[0]);
+        run.answers.empty() ? nullptr : std::get_if<probe::RenderAnswer>(&run.answers[0]);
     if (answer == nullptr || answer->images.empty())
-        throw raytracer::Error(subject.name + " gave no picture: " + sitting.end.detail);
+        throw raytracer::Error(subject.name + " gave no picture: " + run.end.detail);
     const PictureScores scores = methods().score(answer->images.front());
     const bool ours = passes(tasks::judgeDistributed(examinee, {}, kSeed));
     return nlohmann::json{{"subject", subject.name},

@@ -95,11 +95,10 @@ std::string PictureCampaign::run(std::size_t unit) {
     for (std::uint64_t i = 0; i < kRendersPerUnit; ++i) {
         raytracer::RenderSettings settings = scene_.settings;
         settings.seed = seedOf("picture " + subject.name) + i;
-        const probe::Sitting sitting =
-            examinee.ask({probe::RenderQuestion{scene_.scene, settings, 1, 0}});
-        const auto& answer = std::get<probe::RenderAnswer>(sitting.answers.at(0));
+        const probe::Run run = examinee.ask({probe::RenderQuestion{scene_.scene, settings, 1, 0}});
+        const auto& answer = std::get<probe::RenderAnswer>(run.answers.at(0));
         if (answer.state != probe::AnswerState::answered || answer.images.empty())
-            throw raytracer::Error(subject.name + " gave no picture: " + sitting.end.detail);
+            throw raytracer::Error(subject.name + " gave no picture: " + run.end.detail);
         misfits.push_back(std::round(1e4 * smallestOf(pipeline::misfitsOf(scene_, answer))) / 1e4);
     }
     return json{{"subject", subject.name}, {"right", subject.isRight()}, {"misfits", misfits}}

@@ -2,8 +2,8 @@
 #include <grader/lab/calibrate/Bounds.h>
 #include <grader/lab/calibrate/Seed.h>
 #include <grader/lab/calibrate/StageCampaign.h>
-#include <grader/tasks/shadows/checks/PenumbraCheck.h>
 #include <grader/tasks/lens/PictureCheck.h>
+#include <grader/tasks/shadows/checks/PenumbraCheck.h>
 
 #include <raytracer/base/Error.h>
 
@@ -34,11 +34,10 @@ struct Stage {
 
 template <class Answer>
 Answer answerOf(probe::Examinee& examinee, const probe::Question& question) {
-    const probe::Sitting sitting = examinee.ask({question});
-    const auto* answer =
-        sitting.answers.empty() ? nullptr : std::get_if<Answer>(&sitting.answers.front());
+    const probe::Run run = examinee.ask({question});
+    const auto* answer = run.answers.empty() ? nullptr : std::get_if<Answer>(&run.answers.front());
     if (answer == nullptr || answer->state != probe::AnswerState::answered)
-        throw raytracer::Error("a right submission did not answer: " + sitting.end.detail);
+        throw raytracer::Error("a right submission did not answer: " + run.end.detail);
     return *answer;
 }
 

@@ -1,9 +1,9 @@
-#include <grader/metrics/Alignment.h>
-#include <grader/oracle/references/References.h>
 #include <grader/lab/selftest/OracleExaminee.h>
 #include <grader/lab/selftest/PictureTricks.h>
 #include <grader/lab/selftest/ScreenshotCases.h>
 #include <grader/lab/selftest/ScreenshotStudent.h>
+#include <grader/metrics/Alignment.h>
+#include <grader/oracle/references/References.h>
 
 #include <raytracer/io/ImageWriter.h>
 

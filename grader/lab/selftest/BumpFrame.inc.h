@@ -35,13 +35,13 @@ class BumpFrame {
     static constexpr Real kPi = std::numbers::pi_v<Real>;
 
 public:
-    BumpFrame(const Reading& reading, Slip slip, const Point& point)
-        : reading_(reading), slip_(slip) {
+    BumpFrame(const Reading& reading, Mistake mistake, const Point& point)
+        : reading_(reading), mistake_(mistake) {
         const Vector3& centre = point.centre;
         const Vector3& p = point.position;
         offset_ = {Real(p.x - centre.x), Real(p.y - centre.y), Real(p.z - centre.z)};
         n_ = offset_.unit();
-        lookUp_ = slip == Slip::noCentre ? V{Real(p.x), Real(p.y), Real(p.z)}.unit() : n_;
+        lookUp_ = mistake == Mistake::noCentre ? V{Real(p.x), Real(p.y), Real(p.z)}.unit() : n_;
         setAxes(reading.top);
         setAngles();
     }
@@ -59,10 +59,10 @@ public:
     }
 
     [[nodiscard]] V tangentU() const {
-        const Real turn = longitude_ + (slip_ == Slip::otherOrigin ? kPi / 2 : Real(0));
-        if (slip_ == Slip::otherAxis)  // the formula of another axis, with these angles
+        const Real turn = longitude_ + (mistake_ == Mistake::otherOrigin ? kPi / 2 : Real(0));
+        if (mistake_ == Mistake::otherAxis)  // the formula of another axis, with these angles
             return right_ * -std::sin(turn) + up_ * std::cos(turn);
-        if (reading_.tangents == Reading::Tangents::numeric && slip_ != Slip::otherSense) {
+        if (reading_.tangents == Reading::Tangents::numeric && mistake_ != Mistake::otherSense) {
             const Real step = Real(0.001);
             return (surface(turn + step, polar_) - surface(turn - step, polar_)).unit();
         }
@@ -71,12 +71,12 @@ public:
     }
 
     [[nodiscard]] V tangentV() const {
-        const Real turn = longitude_ + (slip_ == Slip::otherOrigin ? kPi / 2 : Real(0));
+        const Real turn = longitude_ + (mistake_ == Mistake::otherOrigin ? kPi / 2 : Real(0));
         const Real s = std::sin(polar_);
         const Real c = std::cos(polar_);
-        if (slip_ == Slip::otherAxis)
+        if (mistake_ == Mistake::otherAxis)
             return right_ * (std::cos(turn) * c) + up_ * (std::sin(turn) * c) - front_ * s;
-        if (reading_.tangents == Reading::Tangents::numeric && slip_ != Slip::otherSense) {
+        if (reading_.tangents == Reading::Tangents::numeric && mistake_ != Mistake::otherSense) {
             const Real step = Real(0.001);
             return (surface(turn, polar_ + step) - surface(turn, polar_ - step)).unit();
         }
@@ -86,7 +86,7 @@ public:
 
 private:
     [[nodiscard]] Real tangentSense() const {
-        return reading_.mirrored != (slip_ == Slip::otherSense) ? Real(-1) : Real(1);
+        return reading_.mirrored != (mistake_ == Mistake::otherSense) ? Real(-1) : Real(1);
     }
 
     void setAxes(Reading::Top top) {
@@ -104,12 +104,12 @@ private:
                 up_ = x, right_ = y, front_ = z;
                 break;
         }
-        if (slip_ == Slip::upsideDown) up_ = up_ * Real(-1), right_ = right_ * Real(-1);
+        if (mistake_ == Mistake::upsideDown) up_ = up_ * Real(-1), right_ = right_ * Real(-1);
     }
 
     void setAngles() {
         longitude_ = std::atan2(lookUp_.dot(right_), lookUp_.dot(front_));
-        if (slip_ == Slip::noQuadrant)
+        if (mistake_ == Mistake::noQuadrant)
             longitude_ = std::atan(lookUp_.dot(right_) / lookUp_.dot(front_));
         if (reading_.mirrored) longitude_ = -longitude_;
         const Real height = lookUp_.dot(up_);
@@ -119,12 +119,13 @@ private:
             polar_ = std::atan2(across, height);
         }
         const Real tall = offset_.dot(up_);
-        if (slip_ == Slip::acosBeyondOne) polar_ = std::acos(tall);
-        if (slip_ == Slip::clampedAcos) polar_ = std::acos(std::clamp(tall, Real(-1), Real(1)));
-        const Real turns = longitude_ / (slip_ == Slip::halfTurn ? kPi : 2 * kPi);
+        if (mistake_ == Mistake::acosBeyondOne) polar_ = std::acos(tall);
+        if (mistake_ == Mistake::clampedAcos)
+            polar_ = std::acos(std::clamp(tall, Real(-1), Real(1)));
+        const Real turns = longitude_ / (mistake_ == Mistake::halfTurn ? kPi : 2 * kPi);
         u_ = fraction(turns + Real(reading_.uOrigin));
-        v_ = slip_ == Slip::evenRows ? (1 - height) / 2 : polar_ / kPi;
-        if (slip_ == Slip::halfRows) v_ /= 2;
+        v_ = mistake_ == Mistake::evenRows ? (1 - height) / 2 : polar_ / kPi;
+        if (mistake_ == Mistake::halfRows) v_ /= 2;
     }
 
     static Real fraction(Real value) {
@@ -133,7 +134,7 @@ private:
     }
 
     const Reading& reading_;
-    Slip slip_;
+    Mistake mistake_;
     V offset_;
     V n_;
     V lookUp_;

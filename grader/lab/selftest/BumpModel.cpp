@@ -10,8 +10,8 @@
 namespace ticker::selftest {
 namespace {
 
-struct SlipNames {
-    Slip slip;
+struct MistakeNames {
+    Mistake mistake;
     const char* id;
     const char* finding;
 };
@@ -20,54 +20,54 @@ constexpr const char* kWrong = "bump.wrong";
 constexpr const char* kTurning = "bump.longitude-dependent";
 
 constexpr std::array kNames{
-    SlipNames{Slip::none, "none", ""},
-    SlipNames{Slip::invertedU, "inverted-u", "bump.inverted-u"},
-    SlipNames{Slip::invertedV, "inverted-v", "bump.inverted-v"},
-    SlipNames{Slip::inverted, "inverted", "bump.inverted"},
-    SlipNames{Slip::upsideDown, "upside-down", "bump.upside-down"},
-    SlipNames{Slip::swapped, "swapped-tangents", "bump.swapped-axes"},
-    SlipNames{Slip::swappedHalf, "swapped-tangents-one-sign", "bump.swapped-axes"},
-    SlipNames{Slip::transposed, "row-before-column", "bump.swapped-axes"},
-    SlipNames{Slip::otherAxis, "tangents-of-another-axis", kTurning},
-    SlipNames{Slip::otherOrigin, "tangents-of-another-origin", kTurning},
-    SlipNames{Slip::otherSense, "tangents-of-mirrored-longitude", kTurning},
-    SlipNames{Slip::notUnit, "not-normalised", "bump.not-unit"},
-    SlipNames{Slip::acosBeyondOne, "acos-without-radius-row-clamped", "bump.not-finite"},
-    SlipNames{Slip::clampedAcos, "clamped-acos-without-radius", kWrong},
-    SlipNames{Slip::unitGradient, "unit-gradient", "bump.not-finite"},
-    SlipNames{Slip::flat, "same-texel-twice", "bump.flat"},
-    SlipNames{Slip::noWrap, "column-beyond-the-last", "run.crashed"},
-    SlipNames{Slip::noLastRow, "row-beyond-the-last", "run.crashed"},
-    SlipNames{Slip::noCentre, "centre-not-subtracted", kWrong},
-    SlipNames{Slip::uOnly, "u-only", kWrong},
-    SlipNames{Slip::vOnly, "v-only", kWrong},
-    SlipNames{Slip::sameSlopeTwice, "same-slope-twice", kWrong},
-    SlipNames{Slip::absolute, "absolute-difference", kWrong},
-    SlipNames{Slip::wholeNumbers, "int-difference", kWrong},
-    SlipNames{Slip::evenRows, "rows-by-height", kWrong},
-    SlipNames{Slip::halfTurn, "twice-round", kWrong},
-    SlipNames{Slip::noQuadrant, "atan-without-quadrant", kWrong},
-    SlipNames{Slip::inward, "points-inwards", kWrong},
-    SlipNames{Slip::hemisphere, "v-inverted-below-equator", kWrong},
-    SlipNames{Slip::firstRow, "slope-of-the-first-row", kWrong},
-    SlipNames{Slip::firstColumn, "slope-of-the-first-column", kWrong},
-    SlipNames{Slip::uHemisphere, "u-inverted-below-equator", kWrong},
-    SlipNames{Slip::lowRows, "u-inverted-below-row-300", kWrong},
-    SlipNames{Slip::farColumns, "v-inverted-right-of-column-300", kWrong},
-    SlipNames{Slip::rowsEnd, "rows-end-at-511", kWrong},
-    SlipNames{Slip::longerSide, "longer-side-for-both", kWrong},
-    SlipNames{Slip::halfRows, "half-the-rows", kWrong},
-    SlipNames{Slip::farNeighbour, "neighbour-fifty-texels-away", kWrong},
-    SlipNames{Slip::darkHalf, "dark-half-inverted", kWrong},
-    SlipNames{Slip::falling, "falling-slopes-ignored", kWrong},
-    SlipNames{Slip::signedBytes, "signed-bytes", kWrong},
-    SlipNames{Slip::byteDifference, "difference-in-a-byte", kWrong},
-    SlipNames{Slip::behind, "smooth-behind", kWrong},
-    SlipNames{Slip::cameraFacing, "turned-to-the-camera", kWrong},
+    MistakeNames{Mistake::none, "none", ""},
+    MistakeNames{Mistake::invertedU, "inverted-u", "bump.inverted-u"},
+    MistakeNames{Mistake::invertedV, "inverted-v", "bump.inverted-v"},
+    MistakeNames{Mistake::inverted, "inverted", "bump.inverted"},
+    MistakeNames{Mistake::upsideDown, "upside-down", "bump.upside-down"},
+    MistakeNames{Mistake::swapped, "swapped-tangents", "bump.swapped-axes"},
+    MistakeNames{Mistake::swappedHalf, "swapped-tangents-one-sign", "bump.swapped-axes"},
+    MistakeNames{Mistake::transposed, "row-before-column", "bump.swapped-axes"},
+    MistakeNames{Mistake::otherAxis, "tangents-of-another-axis", kTurning},
+    MistakeNames{Mistake::otherOrigin, "tangents-of-another-origin", kTurning},
+    MistakeNames{Mistake::otherSense, "tangents-of-mirrored-longitude", kTurning},
+    MistakeNames{Mistake::notUnit, "not-normalised", "bump.not-unit"},
+    MistakeNames{Mistake::acosBeyondOne, "acos-without-radius-row-clamped", "bump.not-finite"},
+    MistakeNames{Mistake::clampedAcos, "clamped-acos-without-radius", kWrong},
+    MistakeNames{Mistake::unitGradient, "unit-gradient", "bump.not-finite"},
+    MistakeNames{Mistake::flat, "same-texel-twice", "bump.flat"},
+    MistakeNames{Mistake::noWrap, "column-beyond-the-last", "run.crashed"},
+    MistakeNames{Mistake::noLastRow, "row-beyond-the-last", "run.crashed"},
+    MistakeNames{Mistake::noCentre, "centre-not-subtracted", kWrong},
+    MistakeNames{Mistake::uOnly, "u-only", kWrong},
+    MistakeNames{Mistake::vOnly, "v-only", kWrong},
+    MistakeNames{Mistake::sameSlopeTwice, "same-slope-twice", kWrong},
+    MistakeNames{Mistake::absolute, "absolute-difference", kWrong},
+    MistakeNames{Mistake::wholeNumbers, "int-difference", kWrong},
+    MistakeNames{Mistake::evenRows, "rows-by-height", kWrong},
+    MistakeNames{Mistake::halfTurn, "twice-round", kWrong},
+    MistakeNames{Mistake::noQuadrant, "atan-without-quadrant", kWrong},
+    MistakeNames{Mistake::inward, "points-inwards", kWrong},
+    MistakeNames{Mistake::hemisphere, "v-inverted-below-equator", kWrong},
+    MistakeNames{Mistake::firstRow, "slope-of-the-first-row", kWrong},
+    MistakeNames{Mistake::firstColumn, "slope-of-the-first-column", kWrong},
+    MistakeNames{Mistake::uHemisphere, "u-inverted-below-equator", kWrong},
+    MistakeNames{Mistake::lowRows, "u-inverted-below-row-300", kWrong},
+    MistakeNames{Mistake::farColumns, "v-inverted-right-of-column-300", kWrong},
+    MistakeNames{Mistake::rowsEnd, "rows-end-at-511", kWrong},
+    MistakeNames{Mistake::longerSide, "longer-side-for-both", kWrong},
+    MistakeNames{Mistake::halfRows, "half-the-rows", kWrong},
+    MistakeNames{Mistake::farNeighbour, "neighbour-fifty-texels-away", kWrong},
+    MistakeNames{Mistake::darkHalf, "dark-half-inverted", kWrong},
+    MistakeNames{Mistake::falling, "falling-slopes-ignored", kWrong},
+    MistakeNames{Mistake::signedBytes, "signed-bytes", kWrong},
+    MistakeNames{Mistake::byteDifference, "difference-in-a-byte", kWrong},
+    MistakeNames{Mistake::behind, "smooth-behind", kWrong},
+    MistakeNames{Mistake::cameraFacing, "turned-to-the-camera", kWrong},
 };
 
-const SlipNames& namesOf(Slip slip) {
-    return kNames.at(static_cast<std::size_t>(slip));
+const MistakeNames& namesOf(Mistake mistake) {
+    return kNames.at(static_cast<std::size_t>(mistake));
 }
 
 template <std::size_t N, typename Enum>
@@ -77,8 +77,8 @@ const char* name(const std::array<const char*, N>& names, Enum value) {
 
 }  // namespace
 
-Vector3 modelNormal(const Reading& reading, Slip slip, const Point& point) {
-    return compiledNormal(reading, slip, point);
+Vector3 modelNormal(const Reading& reading, Mistake mistake, const Point& point) {
+    return compiledNormal(reading, mistake, point);
 }
 
 std::string describe(const Reading& reading) {
@@ -97,12 +97,12 @@ std::string describe(const Reading& reading) {
         reading.singlePrecision ? ", float" : "");
 }
 
-std::string idOf(Slip slip) {
-    return namesOf(slip).id;
+std::string idOf(Mistake mistake) {
+    return namesOf(mistake).id;
 }
 
-std::string expectedFinding(Slip slip) {
-    return namesOf(slip).finding;
+std::string expectedFinding(Mistake mistake) {
+    return namesOf(mistake).finding;
 }
 
 }  // namespace ticker::selftest

@@ -52,7 +52,7 @@ struct Reading {
 }
 
 /// What a student does wrong. Each is known to the catalogue under the same id, with its finding.
-enum class Slip {
+enum class Mistake {
     none,
     invertedU,
     invertedV,
@@ -99,17 +99,17 @@ enum class Slip {
     cameraFacing     ///< the normal turned towards the eye
 };
 
-inline constexpr Slip kLastSlip = Slip::cameraFacing;
+inline constexpr Mistake kLastMistake = Mistake::cameraFacing;
 
 /// The normal that this reading gives at a point, with a mistake made in it.
-[[nodiscard]] Vector3 modelNormal(const Reading& reading, Slip slip, const Point& point);
+[[nodiscard]] Vector3 modelNormal(const Reading& reading, Mistake mistake, const Point& point);
 
 /// In a few words, for tables and test output.
 [[nodiscard]] std::string describe(const Reading& reading);
 /// The catalogue's id.
-[[nodiscard]] std::string idOf(Slip slip);
+[[nodiscard]] std::string idOf(Mistake mistake);
 /// The finding that the grader must report first; empty for none.
-[[nodiscard]] std::string expectedFinding(Slip slip);
+[[nodiscard]] std::string expectedFinding(Mistake mistake);
 
 }  // namespace ticker::selftest
 

@@ -22,19 +22,19 @@ class Model {
     static constexpr Real kPi = std::numbers::pi_v<Real>;
 
 public:
-    Model(const Reading& reading, Slip slip, const Point& point)
+    Model(const Reading& reading, Mistake mistake, const Point& point)
         : reading_(reading),
-          slip_(slip),
+          mistake_(mistake),
           point_(point),
-          frame_(reading, slip, point),
-          heights_(reading, slip, point.map) {}
+          frame_(reading, mistake, point),
+          heights_(reading, mistake, point.map) {}
 
     [[nodiscard]] Vector3 normal() {
         const V& n = frame_.normal();
-        if (slip_ == Slip::behind && n.z > 0) return toVector(n);
+        if (mistake_ == Mistake::behind && n.z > 0) return toVector(n);
         const Vector3 result = toVector(tilted());
-        const bool away = slip_ == Slip::cameraFacing && result.dot(point_.position) > 0.0;
-        return slip_ == Slip::inward || away ? -result : result;
+        const bool away = mistake_ == Mistake::cameraFacing && result.dot(point_.position) > 0.0;
+        return mistake_ == Mistake::inward || away ? -result : result;
     }
 
 private:
@@ -42,10 +42,10 @@ private:
 
     /// A difference, as it is kept.
     [[nodiscard]] Real stored(Real value) const {
-        if (slip_ == Slip::absolute) return std::abs(value);
-        if (slip_ == Slip::wholeNumbers) return Real(static_cast<int>(value));
-        if (slip_ == Slip::falling) return std::max(Real(0), value);
-        if (slip_ == Slip::byteDifference)
+        if (mistake_ == Mistake::absolute) return std::abs(value);
+        if (mistake_ == Mistake::wholeNumbers) return Real(static_cast<int>(value));
+        if (mistake_ == Mistake::falling) return std::max(Real(0), value);
+        if (mistake_ == Mistake::byteDifference)
             return Real(static_cast<std::uint8_t>(std::lround(value * 51))) / 51;
         return value;
     }
@@ -53,30 +53,30 @@ private:
     void findSlopes() {
         const Real column = frame_.u() * Real(heights_.columnsUsed());
         const Real row = frame_.v() * Real(heights_.rowsUsed());
-        const Real uRow = slip_ == Slip::firstRow ? Real(0) : row;
-        const Real vColumn = slip_ == Slip::firstColumn ? Real(0) : column;
-        const Real step = slip_ == Slip::farNeighbour ? Real(50) : Real(1);
+        const Real uRow = mistake_ == Mistake::firstRow ? Real(0) : row;
+        const Real vColumn = mistake_ == Mistake::firstColumn ? Real(0) : column;
+        const Real step = mistake_ == Mistake::farNeighbour ? Real(50) : Real(1);
         bu_ = heights_.difference(column, uRow, step, 0);
         bv_ = heights_.difference(vColumn, row, 0, step);
-        if (slip_ == Slip::sameSlopeTwice) bv_ = bu_;
-        if (slip_ == Slip::lowRows && row > 300) bu_ = -bu_;
-        if (slip_ == Slip::farColumns && column > 300) bv_ = -bv_;
+        if (mistake_ == Mistake::sameSlopeTwice) bv_ = bu_;
+        if (mistake_ == Mistake::lowRows && row > 300) bu_ = -bu_;
+        if (mistake_ == Mistake::farColumns && column > 300) bv_ = -bv_;
         bu_ = stored(bu_), bv_ = stored(bv_);
-        if (slip_ == Slip::flat || slip_ == Slip::vOnly) bu_ = 0;
-        if (slip_ == Slip::flat || slip_ == Slip::uOnly) bv_ = 0;
-        if (slip_ == Slip::unitGradient) {
+        if (mistake_ == Mistake::flat || mistake_ == Mistake::vOnly) bu_ = 0;
+        if (mistake_ == Mistake::flat || mistake_ == Mistake::uOnly) bv_ = 0;
+        if (mistake_ == Mistake::unitGradient) {
             const Real length = std::hypot(bu_, bv_);
             bu_ /= length, bv_ /= length;
         }
     }
 
     void makeSigns() {
-        if (slip_ == Slip::invertedU || slip_ == Slip::inverted) bu_ = -bu_;
-        if (slip_ == Slip::invertedV || slip_ == Slip::inverted) bv_ = -bv_;
-        if (slip_ == Slip::swappedHalf) bu_ = -bu_;
+        if (mistake_ == Mistake::invertedU || mistake_ == Mistake::inverted) bu_ = -bu_;
+        if (mistake_ == Mistake::invertedV || mistake_ == Mistake::inverted) bv_ = -bv_;
+        if (mistake_ == Mistake::swappedHalf) bu_ = -bu_;
         if (frame_.polar() <= kPi / 2) return;
-        if (slip_ == Slip::hemisphere) bv_ = -bv_;
-        if (slip_ == Slip::uHemisphere) bu_ = -bu_;
+        if (mistake_ == Mistake::hemisphere) bv_ = -bv_;
+        if (mistake_ == Mistake::uHemisphere) bu_ = -bu_;
     }
 
     [[nodiscard]] V tilted() {
@@ -86,7 +86,7 @@ private:
         const V& n = frame_.normal();
         V pu = frame_.tangentU();
         V pv = frame_.tangentV();
-        if (slip_ == Slip::swapped || slip_ == Slip::swappedHalf) std::swap(pu, pv);
+        if (mistake_ == Mistake::swapped || mistake_ == Mistake::swappedHalf) std::swap(pu, pv);
         const Real k = Real(reading_.strength);
         V sum;
         switch (reading_.gain) {
@@ -110,7 +110,7 @@ private:
         if (reading_.gain == Reading::Gain::equation) sum = crossed(pu, pv, k * sense);
         if (reading_.gain == Reading::Gain::blinn)
             sum = crossed(pu, pv, k / pu.cross(pv).dot(frame_.normal()));
-        return slip_ == Slip::notUnit ? sum : sum.unit();
+        return mistake_ == Mistake::notUnit ? sum : sum.unit();
     }
 
     /// n + (B_u (n x P_v) - B_v (n x P_u)) k: right for k of the sign of h in P_u x P_v = h n.
@@ -151,7 +151,7 @@ private:
         Chord alongV = chord(0, Real(1) / Real(heights_.rowsUsed()));
         bu_ = alongU.rise, bv_ = alongV.rise;
         makeSigns();
-        if (slip_ == Slip::swapped || slip_ == Slip::swappedHalf) std::swap(bu_, bv_);
+        if (mistake_ == Mistake::swapped || mistake_ == Mistake::swappedHalf) std::swap(bu_, bv_);
         alongU.rise = bu_, alongV.rise = bv_;
         V normal = vectorOf(alongU).cross(vectorOf(alongV)).unit();
         if (normal.dot(frame_.normal()) < 0) normal = normal * Real(-1);
@@ -176,7 +176,7 @@ private:
     }
 
     const Reading& reading_;
-    Slip slip_;
+    Mistake mistake_;
     const Point& point_;
     BumpFrame<Real> frame_;
     BumpSampler<Real> heights_;
@@ -185,9 +185,9 @@ private:
 };
 
 /// Compiled under whatever options the including file has.
-inline Vector3 compiledNormal(const Reading& reading, Slip slip, const Point& point) {
-    if (reading.singlePrecision) return Model<float>(reading, slip, point).normal();
-    return Model<double>(reading, slip, point).normal();
+inline Vector3 compiledNormal(const Reading& reading, Mistake mistake, const Point& point) {
+    if (reading.singlePrecision) return Model<float>(reading, mistake, point).normal();
+    return Model<double>(reading, mistake, point).normal();
 }
 
 }  // namespace

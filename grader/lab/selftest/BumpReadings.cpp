@@ -73,40 +73,41 @@ std::vector<Reading> readingsForMistakes() {
     return readings;
 }
 
-std::vector<Slip> allSlips() {
-    std::vector<Slip> slips;
-    for (int i = 1; i <= static_cast<int>(kLastSlip); ++i)
-        slips.push_back(static_cast<Slip>(i));
-    return slips;
+std::vector<Mistake> allMistakes() {
+    std::vector<Mistake> mistakes;
+    for (int i = 1; i <= static_cast<int>(kLastMistake); ++i)
+        mistakes.push_back(static_cast<Mistake>(i));
+    return mistakes;
 }
 
 /// The reading, changed where a mistake would be none, or another one, in it.
-Reading fittingFor(Slip slip, Reading reading) {
+Reading fittingFor(Mistake mistake, Reading reading) {
     // Which way up a map stands round another axis is anybody's choice.
-    if (slip == Slip::upsideDown) reading.top = Reading::Top::y;
+    if (mistake == Mistake::upsideDown) reading.top = Reading::Top::y;
     // A sixth of a difference is never a whole number: that sphere is flat.
-    if (slip == Slip::wholeNumbers) reading.difference = Reading::Difference::forward;
+    if (mistake == Mistake::wholeNumbers) reading.difference = Reading::Difference::forward;
     // Three times as far, it would reach over the seam from a tenth of the map.
-    if (slip == Slip::farNeighbour) reading.difference = Reading::Difference::forward;
+    if (mistake == Mistake::farNeighbour) reading.difference = Reading::Difference::forward;
     // Turned tangents have no area at the equator, which Blinn's form divides by.
-    if (slip == Slip::otherOrigin && reading.gain == Reading::Gain::blinn)
+    if (mistake == Mistake::otherOrigin && reading.gain == Reading::Gain::blinn)
         reading.gain = Reading::Gain::equation;
     // A polar angle that is no number makes a row that is none: clamped, the tangents show it.
-    if (slip == Slip::acosBeyondOne) reading.edge = Reading::Edge::clamp;
+    if (mistake == Mistake::acosBeyondOne) reading.edge = Reading::Edge::clamp;
     // These are mistakes of the height itself.
-    if (slip == Slip::darkHalf || slip == Slip::signedBytes || slip == Slip::byteDifference)
+    if (mistake == Mistake::darkHalf || mistake == Mistake::signedBytes ||
+        mistake == Mistake::byteDifference)
         reading.heights = Reading::Heights::given;
     // Numeric tangents have no length at the poles, where this angle often is.
-    if (slip == Slip::clampedAcos) reading.tangents = Reading::Tangents::formula;
+    if (mistake == Mistake::clampedAcos) reading.tangents = Reading::Tangents::formula;
     return reading;
 }
 
 /// What a displaced surface's normal has no place for: tangents, the sum, single differences.
-bool canHaveSlip(const Reading& reading, Slip slip) {
-    constexpr std::array kOfAnySurface{Slip::invertedU, Slip::invertedV, Slip::inverted,
-                                       Slip::swapped, Slip::swappedHalf};
+bool canHaveMistake(const Reading& reading, Mistake mistake) {
+    constexpr std::array kOfAnySurface{Mistake::invertedU, Mistake::invertedV, Mistake::inverted,
+                                       Mistake::swapped, Mistake::swappedHalf};
     return !isDisplaced(reading) ||
-           std::find(kOfAnySurface.begin(), kOfAnySurface.end(), slip) != kOfAnySurface.end();
+           std::find(kOfAnySurface.begin(), kOfAnySurface.end(), mistake) != kOfAnySurface.end();
 }
 
 }  // namespace ticker::selftest

@@ -16,14 +16,14 @@ namespace ticker::selftest {
 [[nodiscard]] std::vector<Reading> readingsForMistakes();
 
 /// Every mistake that the model knows.
-[[nodiscard]] std::vector<Slip> allSlips();
+[[nodiscard]] std::vector<Mistake> allMistakes();
 
 /// False for what a displaced surface's normal has no place for: tangents, the sum, single
 /// differences.
-[[nodiscard]] bool canHaveSlip(const Reading& reading, Slip slip);
+[[nodiscard]] bool canHaveMistake(const Reading& reading, Mistake mistake);
 
 /// The reading, changed where a mistake would be none, or another one, in it.
-[[nodiscard]] Reading fittingFor(Slip slip, Reading reading);
+[[nodiscard]] Reading fittingFor(Mistake mistake, Reading reading);
 
 }  // namespace ticker::selftest
 

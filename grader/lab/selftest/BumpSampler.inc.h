@@ -15,8 +15,8 @@ namespace {
 template <typename Real>
 class BumpSampler {
 public:
-    BumpSampler(const Reading& reading, Slip slip, const HeightMap& map)
-        : reading_(reading), slip_(slip), map_(map) {}
+    BumpSampler(const Reading& reading, Mistake mistake, const HeightMap& map)
+        : reading_(reading), mistake_(mistake), map_(map) {}
 
     /// By what u and v are multiplied.
     [[nodiscard]] int columnsUsed() const { return used(map_.width()); }
@@ -93,7 +93,7 @@ private:
 
     [[nodiscard]] int used(int side) const {
         const int longer = std::max(map_.width(), map_.height());
-        return (slip_ == Slip::longerSide ? longer : side) - (reading_.lessOne ? 1 : 0);
+        return (mistake_ == Mistake::longerSide ? longer : side) - (reading_.lessOne ? 1 : 0);
     }
 
     static int mirror(int index, int count) {
@@ -106,8 +106,8 @@ private:
         const int h = map_.height();
         int c = column;
         int r = row;
-        const bool bareColumn = slip_ == Slip::noWrap;
-        const bool bareRow = slip_ == Slip::noLastRow;
+        const bool bareColumn = mistake_ == Mistake::noWrap;
+        const bool bareRow = mistake_ == Mistake::noLastRow;
         switch (reading_.edge) {
             case Reading::Edge::wrap:
                 c = (c % w + w) % w, r = (r % h + h) % h;
@@ -121,16 +121,16 @@ private:
         }
         if (bareColumn) c = column;
         if (bareRow) r = row;
-        if (slip_ == Slip::rowsEnd) r = std::min(r, 511);
-        if (slip_ == Slip::transposed) return valueOf(map_.at(r % w, c % h));
+        if (mistake_ == Mistake::rowsEnd) r = std::min(r, 511);
+        if (mistake_ == Mistake::transposed) return valueOf(map_.at(r % w, c % h));
         return valueOf(map_.at(c, r));
     }
 
     /// What the reading makes of a height.
     [[nodiscard]] Real valueOf(double height) const {
         const auto byte = static_cast<int>(std::lround(height * 51.0));
-        if (slip_ == Slip::signedBytes) return Real(static_cast<std::int8_t>(byte)) / 51;
-        if (slip_ == Slip::darkHalf) return std::abs(Real(height) - Real(2.5));
+        if (mistake_ == Mistake::signedBytes) return Real(static_cast<std::int8_t>(byte)) / 51;
+        if (mistake_ == Mistake::darkHalf) return std::abs(Real(height) - Real(2.5));
         switch (reading_.heights) {
             case Reading::Heights::given:
                 break;
@@ -143,7 +143,7 @@ private:
     }
 
     const Reading& reading_;
-    Slip slip_;
+    Mistake mistake_;
     const HeightMap& map_;
 };
 

@@ -12,7 +12,6 @@
 namespace ticker::selftest {
 namespace {
 
-
 constexpr std::array kGainNames{
     "unit tangents", "P_u by sin theta", "P_u by 1 / sin theta", "slopes over (u, v)",
     "Blinn's form",  "cross products",   "displaced surface",    "displaced unit sphere"};
@@ -28,7 +27,7 @@ std::vector<std::size_t> sample(std::size_t count, double fraction) {
 /// One judgement to make.
 struct Case {
     Reading reading;
-    Slip slip = Slip::none;
+    Mistake mistake = Mistake::none;
     std::uint64_t seed = 0;
     std::size_t row = 0;
 };
@@ -38,7 +37,7 @@ std::vector<Case> acceptedCases(double fraction, const std::vector<std::uint64_t
     std::vector<Case> cases;
     for (const std::size_t i : sample(readings.size() * seeds.size(), fraction)) {
         const Reading& reading = readings[i % readings.size()];
-        cases.push_back({reading, Slip::none, seeds[i / readings.size()],
+        cases.push_back({reading, Mistake::none, seeds[i / readings.size()],
                          static_cast<std::size_t>(reading.gain)});
     }
     return cases;
@@ -49,10 +48,10 @@ std::vector<Case> mistakenCases() {
     const std::vector<Reading> readings = readingsForMistakes();
     std::vector<Case> cases;
     std::size_t row = 0;
-    for (const Slip slip : allSlips()) {
+    for (const Mistake mistake : allMistakes()) {
         for (const Reading& reading : readings)
-            if (canHaveSlip(reading, slip))
-                cases.push_back({fittingFor(slip, reading), slip, 0, row});
+            if (canHaveMistake(reading, mistake))
+                cases.push_back({fittingFor(mistake, reading), mistake, 0, row});
         ++row;
     }
     return cases;
@@ -82,9 +81,9 @@ bool isMisleading(const std::string& expected, const std::string& got) {
 
 void judge(const Case& one, TableRow& row, std::vector<Surprise>& surprises) {
     FunctionExaminee examinee(
-        [&](const Point& point) { return modelNormal(one.reading, one.slip, point); });
+        [&](const Point& point) { return modelNormal(one.reading, one.mistake, point); });
     const TaskJudgement judgement = tasks::judgeBump(examinee, one.seed);
-    const std::string expected = expectedFinding(one.slip);
+    const std::string expected = expectedFinding(one.mistake);
     const std::string got = firstFailure(judgement);
     const bool passed = judgement.state == TaskState::passed;
     ++row.judged;
@@ -93,7 +92,7 @@ void judge(const Case& one, TableRow& row, std::vector<Surprise>& surprises) {
     const bool misleading = isMisleading(expected, got);
     if (misleading) ++row.misleading;
     if (got != expected || passed != expected.empty())
-        surprises.push_back({idOf(one.slip), describe(one.reading), one.seed, expected, got,
+        surprises.push_back({idOf(one.mistake), describe(one.reading), one.seed, expected, got,
                              judgement.reason, passed, misleading});
 }
 
@@ -153,8 +152,8 @@ BumpSelfTest runBumpSelfTest(double fraction, const std::vector<std::uint64_t>& 
     BumpSelfTest result;
     for (const char* name : kGainNames)
         result.accepted.push_back({name, "passed", 0, 0, 0, 0});
-    for (const Slip slip : allSlips())
-        result.refused.push_back({idOf(slip), expectedFinding(slip), 0, 0, 0, 0});
+    for (const Mistake mistake : allMistakes())
+        result.refused.push_back({idOf(mistake), expectedFinding(mistake), 0, 0, 0, 0});
 
     const std::vector<Case> accepted = acceptedCases(fraction, seeds);
     const std::vector<Case> refused = refusedCases(fraction, seeds);

@@ -28,12 +28,12 @@ probe::NormalAnswer answer(const NormalFunction& function, const probe::NormalQu
 
 }  // namespace
 
-probe::Sitting FunctionExaminee::ask(const std::vector<probe::Question>& questions) {
-    ++sittings_;
-    probe::Sitting sitting;
+probe::Run FunctionExaminee::ask(const std::vector<probe::Question>& questions) {
+    ++runs_;
+    probe::Run run;
     for (const probe::Question& question : questions)
-        sitting.answers.emplace_back(answer(function_, std::get<probe::NormalQuestion>(question)));
-    return sitting;
+        run.answers.emplace_back(answer(function_, std::get<probe::NormalQuestion>(question)));
+    return run;
 }
 
 }  // namespace ticker::selftest

@@ -30,14 +30,14 @@ class FunctionExaminee final : public probe::Examinee {
 public:
     explicit FunctionExaminee(NormalFunction function) : function_(std::move(function)) {}
 
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override;
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override;
 
     /// How often it was asked.
-    [[nodiscard]] int sittings() const { return sittings_; }
+    [[nodiscard]] int runs() const { return runs_; }
 
 private:
     NormalFunction function_;
-    int sittings_ = 0;
+    int runs_ = 0;
 };
 
 }  // namespace ticker::selftest

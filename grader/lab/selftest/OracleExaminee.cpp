@@ -30,11 +30,11 @@ struct Reply {
 
 }  // namespace
 
-probe::Sitting OracleExaminee::ask(const std::vector<probe::Question>& questions) {
-    probe::Sitting sitting;
+probe::Run OracleExaminee::ask(const std::vector<probe::Question>& questions) {
+    probe::Run run;
     for (const probe::Question& question : questions)
-        sitting.answers.push_back(std::visit(Reply{*this}, question));
-    return sitting;
+        run.answers.push_back(std::visit(Reply{*this}, question));
+    return run;
 }
 
 std::vector<raytracer::ColourRGB> OracleExaminee::render(const raytracer::SceneDescription& scene,

@@ -19,7 +19,7 @@ public:
     OracleExaminee(const oracle::Reading& reading, const oracle::Mistake& mistake, bool isPinhole)
         : reading_(reading), mistake_(mistake), isPinhole_(isPinhole) {}
 
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override;
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override;
 
     /// One render, linear, rows from the top.
     [[nodiscard]] std::vector<raytracer::ColourRGB> render(

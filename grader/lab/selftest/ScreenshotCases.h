@@ -1,8 +1,8 @@
 #ifndef TICKER_SELFTEST_SCREENSHOTCASES_H
 #define TICKER_SELFTEST_SCREENSHOTCASES_H
 
-#include <grader/result/SubmissionResult.h>
 #include <grader/lab/selftest/ScreenshotTables.h>
+#include <grader/result/SubmissionResult.h>
 
 #include <cstdint>
 #include <functional>

@@ -19,11 +19,11 @@ using tasks::screenshot::Scene;
 
 raytracer::ByteImage asked(probe::Examinee& code, const SpecScene& scene,
                            const raytracer::RenderSettings& settings) {
-    const probe::Sitting sitting = code.ask({probe::RenderQuestion{scene.scene, settings, 1, 0}});
+    const probe::Run run = code.ask({probe::RenderQuestion{scene.scene, settings, 1, 0}});
     std::optional<raytracer::ByteImage> image =
-        pipeline::pictureFrom(std::get<probe::RenderAnswer>(sitting.answers.at(0)));
+        pipeline::pictureFrom(std::get<probe::RenderAnswer>(run.answers.at(0)));
     if (!image)
-        throw raytracer::Error("a student of the selftest gave no picture: " + sitting.end.detail);
+        throw raytracer::Error("a student of the selftest gave no picture: " + run.end.detail);
     return *std::move(image);
 }
 
@@ -55,7 +55,7 @@ Picture ScreenshotStudent::render(const SpecScene& scene, int width, int height,
 }
 
 TaskJudgement ScreenshotStudent::handIn(const Picture& picture, std::uint64_t seed,
-                                               double& judgeMs) const {
+                                        double& judgeMs) const {
     std::vector<Scene> scenes;
     for (const SpecScene& spec : scenes_) {
         Scene scene;

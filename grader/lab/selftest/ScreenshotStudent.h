@@ -1,10 +1,10 @@
 #ifndef TICKER_SELFTEST_SCREENSHOTSTUDENT_H
 #define TICKER_SELFTEST_SCREENSHOTSTUDENT_H
 
-#include <grader/result/SubmissionResult.h>
 #include <grader/metrics/View.h>
 #include <grader/pipeline/SpecScenes.h>
 #include <grader/probe/Examinee.h>
+#include <grader/result/SubmissionResult.h>
 
 #include <cstdint>
 #include <vector>
@@ -27,8 +27,8 @@ public:
 
     /// What the grader says when this picture comes with the code.
     /// @param judgeMs  Told the CPU that it took this thread.
-    [[nodiscard]] TaskJudgement handIn(const metrics::Picture& picture,
-                                                 std::uint64_t seed, double& judgeMs) const;
+    [[nodiscard]] TaskJudgement handIn(const metrics::Picture& picture, std::uint64_t seed,
+                                       double& judgeMs) const;
 
     /// The option's own scene.
     [[nodiscard]] const pipeline::SpecScene& scene() const { return *scene_; }

@@ -6,8 +6,8 @@
 #define TICKER_ORACLE_CONES_INL_H
 #endif
 
-#include <grader/oracle/kernel/Intersect-inl.h>
 #include <grader/oracle/Setup.h>
+#include <grader/oracle/kernel/Intersect-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {

@@ -6,9 +6,9 @@
 #define TICKER_ORACLE_LENS_INL_H
 #endif
 
+#include <grader/oracle/Setup.h>
 #include <grader/oracle/kernel/Kernel.h>
 #include <grader/oracle/kernel/Sampling-inl.h>
-#include <grader/oracle/Setup.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {

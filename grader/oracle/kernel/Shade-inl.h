@@ -7,8 +7,8 @@
 #endif
 
 #include <grader/oracle/Bump.h>
-#include <grader/oracle/kernel/Intersect-inl.h>
 #include <grader/oracle/Setup.h>
+#include <grader/oracle/kernel/Intersect-inl.h>
 
 #include <hwy/contrib/math/math-inl.h>
 

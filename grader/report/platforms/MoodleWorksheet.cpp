@@ -1,7 +1,7 @@
 #include <grader/report/platforms/MoodleWorksheet.h>
 
-#include <grader/report/platforms/CsvFile.h>
 #include <grader/report/Escape.h>
+#include <grader/report/platforms/CsvFile.h>
 #include <grader/report/platforms/MoodleColumns.h>
 
 #include <raytracer/base/Error.h>

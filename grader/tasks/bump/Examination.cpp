@@ -128,11 +128,11 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.proportion = readProportion(plan.proportion, answers);
     const RampJudgement& ramps = examination.ramps();
     if (!ramps.response) return examination;
-    const Landing& landing = ramps.fit->landing;
+    const Parametrisation& parametrisation = ramps.fit->parametrisation;
     examination.regions = readRegions(plan.regions, answers, ramps);
-    examination.slopes = readSlopes(plan.slopes, answers, landing, *ramps.response);
-    examination.edges = readEdges(plan.edges, answers, landing);
-    examination.letters = readLetters(plan.letters, answers, landing, *ramps.response);
+    examination.slopes = readSlopes(plan.slopes, answers, parametrisation, *ramps.response);
+    examination.edges = readEdges(plan.edges, answers, parametrisation);
+    examination.letters = readLetters(plan.letters, answers, parametrisation, *ramps.response);
     examination.fineness = readFineness(plan.fineness, answers, ramps);
     return examination;
 }

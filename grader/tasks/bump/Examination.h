@@ -1,10 +1,10 @@
 #ifndef TICKER_TASKS_BUMP_EXAMINATION_H
 #define TICKER_TASKS_BUMP_EXAMINATION_H
 
+#include <grader/tasks/bump/answers/Letters.h>
 #include <grader/tasks/bump/questions/CoarseRamps.h>
 #include <grader/tasks/bump/questions/Conduct.h>
 #include <grader/tasks/bump/questions/Fineness.h>
-#include <grader/tasks/bump/answers/Letters.h>
 #include <grader/tasks/bump/questions/MapEdges.h>
 #include <grader/tasks/bump/questions/Proportion.h>
 #include <grader/tasks/bump/questions/RampLadder.h>
@@ -18,7 +18,7 @@
 
 namespace ticker::tasks::bump {
 
-/// The first sitting: everything that a right submission is asked.
+/// The first run: everything that a right submission is asked.
 struct MainPlan {
     Questionnaire questionnaire;
     RegionPlan regions;  ///< first, at the ladder's points, so that what remembers a map shows
@@ -33,10 +33,10 @@ struct MainPlan {
 
 [[nodiscard]] MainPlan planMain(std::uint64_t seed);
 
-/// The second sitting, for a submission whose ramps do not tell where the map lies.
+/// The second run, for a submission whose ramps do not tell where the map lies.
 [[nodiscard]] CoarsePlan planCoarse(std::uint64_t seed);
 
-/// The last sitting, which only a failing submission sees: where does it do better?
+/// The last run, which only a failing submission sees: where does it do better?
 struct HintPlan {
     Questionnaire questionnaire;
     RampPlan square;              ///< columns and rows may be exchanged without harm
@@ -50,7 +50,7 @@ struct HintPlan {
 
 [[nodiscard]] HintPlan planHints(std::uint64_t seed);
 
-/// What the sittings before the last showed.
+/// What the runs before the last showed.
 struct Examination {
     Conduct conduct;
     bool mapIgnored = false;  ///< two maps on the same sphere gave the same tilts
@@ -67,11 +67,11 @@ struct Examination {
     [[nodiscard]] bool agreesWithRamps() const;
 };
 
-/// @param coarse  From a sitting of its own; counts where other ramps do not tell the map's place.
+/// @param coarse  From a run of its own; counts where other ramps do not tell the map's place.
 [[nodiscard]] Examination examine(const MainPlan& plan, const Answers& answers,
                                   const std::optional<RampJudgement>& coarse = std::nullopt);
 
-/// What the last sitting showed.
+/// What the last run showed.
 struct Hints {
     RampJudgement square;
     RampJudgement unitSphere;

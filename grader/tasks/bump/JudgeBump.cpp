@@ -95,8 +95,9 @@ TaskJudgement failed(const std::vector<Fault>& faults, const Examination& examin
                      const Answers& answers) {
     Finding finding = describe(faults, examination, hints);
     if (examination.ramps().response)
-        finding.rasters = drawRelief(plan.letters, answers, examination.ramps().fit->landing,
-                                     *examination.ramps().response);
+        finding.rasters =
+            drawRelief(plan.letters, answers, examination.ramps().fit->parametrisation,
+                       *examination.ramps().response);
     TaskJudgement judgement;
     judgement.state = faults.front() == Fault::threw ? TaskState::blocked : TaskState::failed;
     judgement.reason = finding.message;
@@ -127,8 +128,9 @@ TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed) {
         const std::optional<Hints> hints = askForHints(examinee, seed);
         judgement = failed(diagnose(examination, hints), examination, hints, plan, answers);
     } else if (examination.ramps().response) {
-        judgement.rasters = drawRelief(plan.letters, answers, examination.ramps().fit->landing,
-                                       *examination.ramps().response);
+        judgement.rasters =
+            drawRelief(plan.letters, answers, examination.ramps().fit->parametrisation,
+                       *examination.ramps().response);
     }
     addNotes(judgement, sideNotes(examination));
     return judgement;

@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_BUMP_JUDGEBUMP_H
 #define TICKER_TASKS_BUMP_JUDGEBUMP_H
 
-#include <grader/result/SubmissionResult.h>
 #include <grader/probe/Examinee.h>
+#include <grader/result/SubmissionResult.h>
 
 #include <cstdint>
 

@@ -47,9 +47,9 @@ bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntiali
 bool antialiases(probe::Examinee& examinee, const LensLog& tiny, std::uint64_t seed) {
     if (!staysInPixels(tiny) || meetInPoints(tiny)) return false;
     const probe::RenderQuestion asked = drawFineQuestion(seed);
-    const probe::Sitting sitting = examinee.ask({asked});
+    const probe::Run run = examinee.ask({asked});
     const auto* answer =
-        sitting.answers.empty() ? nullptr : std::get_if<probe::RenderAnswer>(&sitting.answers[0]);
+        run.answers.empty() ? nullptr : std::get_if<probe::RenderAnswer>(&run.answers[0]);
     if (answer == nullptr || answer->state != probe::AnswerState::answered || answer->wrongSize)
         return false;
     return staysInPixels(readLensLog(asked, *answer));
@@ -59,12 +59,12 @@ bool antialiases(probe::Examinee& examinee, const LensLog& tiny, std::uint64_t s
 
 TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed) {
     const LensQuestions asked = drawLensQuestions(seed);
-    const probe::Sitting sitting = examinee.ask({asked.handout, asked.other});
-    if (std::optional<TaskJudgement> blocked = judgeUnanswered(sitting, "render"))
+    const probe::Run run = examinee.ask({asked.handout, asked.other});
+    if (std::optional<TaskJudgement> blocked = judgeUnanswered(run, "render"))
         return *std::move(blocked);
 
-    const auto& handout = std::get<probe::RenderAnswer>(sitting.answers[0]);
-    const auto& other = std::get<probe::RenderAnswer>(sitting.answers[1]);
+    const auto& handout = std::get<probe::RenderAnswer>(run.answers[0]);
+    const auto& other = std::get<probe::RenderAnswer>(run.answers[1]);
     if (handout.wrongSize)
         return judgementOf({distributedFinding(kDofWrong, Severity::fail,
                                                "A picture of the size in settings() was expected; "

@@ -31,10 +31,10 @@ Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t 
     const std::uint64_t own = seedOf(seed, stage);
     for (const bool onePicture : {false, true}) {
         const probe::RenderQuestion asked = drawPictureQuestion(own, onePicture);
-        const probe::Sitting sitting = examinee.ask({asked});
-        const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
+        const probe::Run run = examinee.ask({asked});
+        const auto* answer = answeredBy<probe::RenderAnswer>(run);
         if (answer == nullptr || answer->wrongSize || answer->images.empty())
-            return unanswered(sitting, "render");
+            return unanswered(run, "render");
         if (onePicture || !sameEachTime(*answer))
             return stageOf(judgePictures(asked, *answer, own));
     }
@@ -44,9 +44,9 @@ Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t 
 Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
                    std::uint64_t stage) {
     const probe::RenderQuestion asked = drawThreadsQuestion(seedOf(seed, stage));
-    const probe::Sitting sitting = examinee.ask({asked});
-    const auto* answer = answeredBy<probe::RenderAnswer>(sitting);
-    if (answer == nullptr || answer->wrongSize) return unanswered(sitting, "render");
+    const probe::Run run = examinee.ask({asked});
+    const auto* answer = answeredBy<probe::RenderAnswer>(run);
+    if (answer == nullptr || answer->wrongSize) return unanswered(run, "render");
     LensLog log = readLensLog(asked, *answer);
     log.mayAntialias = mayAntialias;
     return {judgeWithThreads(log), std::nullopt};
@@ -57,8 +57,8 @@ Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t s
 Stage judgeNext(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
                 std::uint64_t stage) {
     const NextRender asked = drawNextRender(seedOf(seed, stage));
-    const probe::Sitting sitting = examinee.ask({asked.before, asked.next});
-    const auto* answer = answeredBy<probe::RenderAnswer>(sitting, 1);
+    const probe::Run run = examinee.ask({asked.before, asked.next});
+    const auto* answer = answeredBy<probe::RenderAnswer>(run, 1);
     if (answer == nullptr || answer->wrongSize) return {};
     LensLog log = readLensLog(asked.next, *answer);
     log.mayAntialias = mayAntialias;

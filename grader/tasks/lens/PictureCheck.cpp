@@ -1,6 +1,6 @@
 #include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/PictureCheck.h>
-#include <grader/tasks/lens/PictureSuspects.h>
+#include <grader/tasks/lens/PictureMistakes.h>
 #include <grader/tasks/lens/Pictures.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/FindingText.h>
@@ -26,7 +26,7 @@ constexpr double kMostZ = 6.0;
 constexpr double kMostExcess = 9.0;
 constexpr double kSharedExcess = 120.0;
 
-Finding findingOf(const FindingText& text, const std::string& seen, const Suspect* runnerUp,
+Finding findingOf(const FindingText& text, const std::string& seen, const PictureMistake* runnerUp,
                   double z) {
     Finding finding = distributedFinding(
         text, Severity::fail,
@@ -39,7 +39,7 @@ Finding findingOf(const FindingText& text, const std::string& seen, const Suspec
     return finding;
 }
 
-// Large differences have to have the suspect's shape; small ones have that of their noise.
+// Large differences have to have the mistake's shape; small ones have that of their noise.
 bool hasName(const Bank& bank, double z, double meanSquares, std::size_t pixels) {
     constexpr double kShare = 0.35;
     constexpr double kSmall = 4.0;
@@ -54,7 +54,7 @@ Finding nameOf(const Bank& bank, double z, bool scaled, bool named) {
     return findingOf(kDofWrong, "it differs in a way that is not known", bank.second, z);
 }
 
-// A brightness that explains nearly all, and more than any other suspect.
+// A brightness that explains nearly all, and more than any other mistake.
 bool isScaled(const SeenPictures& seen, const ExpectedPicture& expected, const Bank& bank) {
     constexpr double kNearlyAll = 0.1;
     const std::optional<Plane> scaled = rescaled(seen, expected);
@@ -87,8 +87,8 @@ Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen, d
     Reading reading;
     reading.apertureFactor = factor;
     const ExpectedPicture expected = expectedPicture(asked, reading, seed);
-    const std::vector<Suspect> suspects = suspectsFor(factor);
-    const Bank bank = tryAll(suspects, asked, seen, expected, seed + 1);
+    const std::vector<PictureMistake> mistakes = pictureMistakes(factor);
+    const Bank bank = tryAll(mistakes, asked, seen, expected, seed + 1);
     const double tile = largestTileZ(seen, expected);
     const Excess excess = excessVariance(seen, expected);
     const double meanSquares = meanSquaredZ(seen, expected);

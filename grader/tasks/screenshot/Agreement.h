@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_SCREENSHOT_AGREEMENT_H
 #define TICKER_TASKS_SCREENSHOT_AGREEMENT_H
 
-#include <grader/tasks/screenshot/Scene.h>
 #include <grader/metrics/NoiseEnergy.h>
+#include <grader/tasks/screenshot/Scene.h>
 
 #include <optional>
 

@@ -1,9 +1,9 @@
 #ifndef TICKER_TASKS_SCREENSHOT_EDITS_H
 #define TICKER_TASKS_SCREENSHOT_EDITS_H
 
+#include <grader/metrics/Alignment.h>
 #include <grader/tasks/screenshot/Scene.h>
 #include <grader/tasks/screenshot/Windows.h>
-#include <grader/metrics/Alignment.h>
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 #include <grader/tasks/screenshot/Edits.h>
 #include <grader/tasks/screenshot/Relief.h>
 #include <grader/tasks/screenshot/Repetition.h>
-#include <grader/tasks/screenshot/Suspects.h>
+#include <grader/tasks/screenshot/SeenMistake.h>
 #include <grader/tasks/screenshot/Verification.h>
 #include <grader/tasks/screenshot/Whole.h>
 #include <grader/tasks/screenshot/Windows.h>
@@ -165,12 +165,12 @@ private:
         if (isSameRelief && !windowsAgree) return doubt;
         const OwnWindows& own = *verification.own;
         const Picture windows = cutOut(picture_, own.windows);
-        const std::optional<Suspicion> suspicion =
-            suspect(windows.view(), scene_, own.windows, seed_);
-        if (windowsAgree && (!suspicion || suspicion->id.empty()))
+        const std::optional<SeenMistake> mistake =
+            seenMistake(windows.view(), scene_, own.windows, seed_);
+        if (windowsAgree && (!mistake || mistake->id.empty()))
             return whole.tilesOff <= kSmallThing ? failed(paintedOver(whole)) : doubt;
-        if (scene_.isRandom && !suspicion && looksRightInOtherColours()) return doubt;
-        return failed(notFromThisCode(picture_, scene_, verification.agreement, suspicion));
+        if (scene_.isRandom && !mistake && looksRightInOtherColours()) return doubt;
+        return failed(notFromThisCode(picture_, scene_, verification.agreement, mistake));
     }
 
     [[nodiscard]] bool looksRightInOtherColours() const {

@@ -15,9 +15,9 @@ using Renders = std::vector<std::vector<raytracer::ColourRGB>>;
 
 // Linear colours, before bytes hide small differences; empty where some did not come.
 Renders rendersOf(const Scene& scene, const std::vector<probe::Question>& questions) {
-    const probe::Sitting sitting = scene.examinee->ask(questions);
+    const probe::Run run = scene.examinee->ask(questions);
     Renders renders;
-    for (const probe::Answer& any : sitting.answers) {
+    for (const probe::Answer& any : run.answers) {
         const auto* answer = std::get_if<probe::RenderAnswer>(&any);
         if (answer == nullptr || answer->state != probe::AnswerState::answered ||
             answer->wrongSize || answer->images.size() != 1)

@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_SCREENSHOT_WHOLE_H
 #define TICKER_TASKS_SCREENSHOT_WHOLE_H
 
-#include <grader/tasks/screenshot/Scene.h>
 #include <grader/metrics/Alignment.h>
+#include <grader/tasks/screenshot/Scene.h>
 
 #include <array>
 

@@ -129,18 +129,18 @@ std::vector<probe::Question> questionsFor(const Scene& scene, const Windows& win
 }
 
 OwnRender askForWindows(const Scene& scene, const Windows& windows, std::uint64_t seed) {
-    const probe::Sitting sitting = scene.examinee->ask(questionsFor(scene, windows, seed));
+    const probe::Run run = scene.examinee->ask(questionsFor(scene, windows, seed));
 
     Picture strip{windows.boxes.front().width, 0, {}};
-    for (const probe::Answer& any : sitting.answers) {
+    for (const probe::Answer& any : run.answers) {
         const auto* answer = std::get_if<probe::RenderAnswer>(&any);
-        if (answer == nullptr || !isWhole(*answer)) return {std::nullopt, sitting.end};
+        if (answer == nullptr || !isWhole(*answer)) return {std::nullopt, run.end};
         for (const raytracer::ColourRGB& colour : answer->images.front())
             for (const std::uint8_t byte : raytracer::toneMapped(colour))
                 strip.rgb.push_back(byte);
         strip.height += answer->height;
     }
-    return {std::move(strip), sitting.end};
+    return {std::move(strip), run.end};
 }
 
 std::optional<Picture> renderWindows(const Scene& scene, const Windows& windows,

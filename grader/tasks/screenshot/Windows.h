@@ -1,9 +1,9 @@
 #ifndef TICKER_TASKS_SCREENSHOT_WINDOWS_H
 #define TICKER_TASKS_SCREENSHOT_WINDOWS_H
 
-#include <grader/tasks/screenshot/Scene.h>
 #include <grader/metrics/Alignment.h>
 #include <grader/probe/Question.h>
+#include <grader/tasks/screenshot/Scene.h>
 
 #include <cstdint>
 #include <optional>

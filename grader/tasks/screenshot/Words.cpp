@@ -174,15 +174,14 @@ Finding paintedOver(const TileDifference& difference) {
 }
 
 Finding notFromThisCode(const ByteView& picture, const Scene& scene, const Agreement& agreement,
-                        const std::optional<Suspicion>& suspicion) {
+                        const std::optional<SeenMistake>& mistake) {
     std::string told = ": it was made by other code, or with other settings.";
-    if (suspicion && suspicion->id.empty())
+    if (mistake && mistake->id.empty())
         told = ": it is right, but of another reading, made by other code or with other settings.";
-    if (suspicion && !suspicion->id.empty())
-        told = fmt::format(": it shows {}, which this code does not.", suspicion->words);
+    if (mistake && !mistake->id.empty())
+        told = fmt::format(": it shows {}, which this code does not.", mistake->words);
     Finding result = otherCode(picture, scene, Severity::fail, told);
-    if (suspicion && !suspicion->id.empty())
-        result.evidence.emplace_back("looksLike", suspicion->id);
+    if (mistake && !mistake->id.empty()) result.evidence.emplace_back("looksLike", mistake->id);
     if (!scene.isRandom) {
         result.evidence.emplace_back("differingShare", agreement.differing);
     } else {

@@ -1,11 +1,11 @@
 #ifndef TICKER_TASKS_SCREENSHOT_WORDS_H
 #define TICKER_TASKS_SCREENSHOT_WORDS_H
 
+#include <grader/result/Finding.h>
 #include <grader/tasks/screenshot/Agreement.h>
 #include <grader/tasks/screenshot/Edits.h>
-#include <grader/tasks/screenshot/Suspects.h>
+#include <grader/tasks/screenshot/SeenMistake.h>
 #include <grader/tasks/screenshot/Whole.h>
-#include <grader/result/Finding.h>
 
 #include <optional>
 #include <string>
@@ -28,7 +28,7 @@ namespace ticker::tasks::screenshot {
 
 [[nodiscard]] Finding notFromThisCode(const ByteView& picture, const Scene& scene,
                                       const Agreement& agreement,
-                                      const std::optional<Suspicion>& suspicion);
+                                      const std::optional<SeenMistake>& mistake);
 /// As above, where no windows of the code's are known: doubt.
 [[nodiscard]] Finding perhapsNotFromThisCode(const ByteView& picture, const Scene& scene,
                                              const TileDifference& difference);

@@ -40,14 +40,13 @@ TaskJudgement judgeShadows(probe::Examinee& examinee, std::uint64_t seed) {
     std::vector<probe::Question> questions;
     for (const ShadowQuestion& question : asked)
         questions.emplace_back(question.question);
-    const probe::Sitting sitting = examinee.ask(questions);
-    if (std::optional<TaskJudgement> blocked = judgeUnanswered(sitting, "illuminate"))
+    const probe::Run run = examinee.ask(questions);
+    if (std::optional<TaskJudgement> blocked = judgeUnanswered(run, "illuminate"))
         return *std::move(blocked);
 
     std::vector<ShadowLog> logs;
     for (std::size_t i = 0; i < asked.size(); ++i)
-        logs.push_back(
-            readShadowLog(asked[i], std::get<probe::IlluminateAnswer>(sitting.answers[i])));
+        logs.push_back(readShadowLog(asked[i], std::get<probe::IlluminateAnswer>(run.answers[i])));
     ShadowOutcome outcome = judgeSoftShadows(logs);
     bool needsReview = judgeUnseenShadows(examinee, seed, outcome);
     if (outcome.reading && !outcome.cut && !hasFailure(outcome.findings))

@@ -11,9 +11,9 @@ namespace ticker::tasks {
 
 Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
     const PenumbraQuestion asked = drawPenumbraQuestion(seedOf(seed, stage));
-    const probe::Sitting sitting = examinee.ask({asked.question});
-    const auto* answer = answeredBy<probe::IlluminateAnswer>(sitting);
-    if (answer == nullptr) return unanswered(sitting, "illuminate");
+    const probe::Run run = examinee.ask({asked.question});
+    const auto* answer = answeredBy<probe::IlluminateAnswer>(run);
+    if (answer == nullptr) return unanswered(run, "illuminate");
     PenumbraVerdict verdict = checkPenumbra(asked, *answer);
     if (verdict.ambiguous)
         return doubtful(kShadowUnseenRays,
@@ -25,17 +25,17 @@ Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t
 Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
     const std::uint64_t own = seedOf(seed, stage);
     const std::array asked{drawLitQuestion(own, 1), drawLitQuestion(own, 2)};
-    const probe::Sitting sitting = examinee.ask({asked[0], asked[1]});
+    const probe::Run run = examinee.ask({asked[0], asked[1]});
     // What render itself does wrong is no matter of shadows.
-    const auto* alone = answeredBy<probe::RenderAnswer>(sitting);
+    const auto* alone = answeredBy<probe::RenderAnswer>(run);
     if (alone == nullptr) return {};
     if (const auto said = litDifference(readLitRender(asked[0], *alone)))
         return doubtful(kShadowNotInRenders,
                         "Asked about single points, illuminate casts the shadow rays that were "
                         "expected; inside of render, " +
                             *said + ": a person has to compare the two.");
-    const auto* together = answeredBy<probe::RenderAnswer>(sitting, 1);
-    if (together == nullptr) return unanswered(sitting, "render, with two threads,");
+    const auto* together = answeredBy<probe::RenderAnswer>(run, 1);
+    if (together == nullptr) return unanswered(run, "render, with two threads,");
     if (const auto said = litDifference(readLitRender(asked[1], *together)))
         return {distributedFinding(kShadowThreadsMixed, Severity::fail,
                                    "With one thread the shadows are right; with two, and "

@@ -54,8 +54,8 @@ struct Missing {
     std::string message;
 };
 
-Missing firstMissing(const probe::Sitting& sitting) {
-    for (const probe::Answer& answer : sitting.answers) {
+Missing firstMissing(const probe::Run& run) {
+    for (const probe::Answer& answer : run.answers) {
         const Missing missing = std::visit(
             [](const auto& given) {
                 return Missing{given.state, given.message};
@@ -68,25 +68,24 @@ Missing firstMissing(const probe::Sitting& sitting) {
 
 }  // namespace
 
-std::optional<TaskJudgement> judgeUnanswered(const probe::Sitting& sitting,
-                                             std::string_view function) {
+std::optional<TaskJudgement> judgeUnanswered(const probe::Run& run, std::string_view function) {
     TaskJudgement judgement;
-    if (sitting.end.kind == Kind::ourFault) {
+    if (run.end.kind == Kind::ourFault) {
         judgement.state = TaskState::notGraded;
-        judgement.reason = "The program could not be run: " + sitting.end.detail;
+        judgement.reason = "The program could not be run: " + run.end.detail;
         return judgement;
     }
-    const Missing missing = firstMissing(sitting);
+    const Missing missing = firstMissing(run);
     const bool hasAll = missing.state == AnswerState::answered;
-    if (hasAll && sitting.end.kind == Kind::finished) return std::nullopt;
+    if (hasAll && run.end.kind == Kind::finished) return std::nullopt;
 
-    EndText text = textOf(sitting.end.kind);
+    EndText text = textOf(run.end.kind);
     std::string seen = text.seen;
     if (missing.state == AnswerState::threw) {
         text = {kRunCrashed.id, "", "Find out where the exception comes from; nobody catches it."};
         seen = fmt::format("an exception came out of it: {}", missing.message);
-    } else if (!sitting.end.detail.empty()) {
-        seen += " (" + sitting.end.detail + ")";
+    } else if (!run.end.detail.empty()) {
+        seen += " (" + run.end.detail + ")";
     }
     Finding finding;
     finding.id = text.id;

@@ -12,7 +12,7 @@ namespace ticker::tasks {
 /// The judgement of a task whose answers cannot be judged, because some are missing; empty where
 /// all are there.
 /// @param function  The student's function that was asked: "illuminate".
-[[nodiscard]] std::optional<TaskJudgement> judgeUnanswered(const probe::Sitting& sitting,
+[[nodiscard]] std::optional<TaskJudgement> judgeUnanswered(const probe::Run& run,
                                                            std::string_view function);
 
 }  // namespace ticker::tasks

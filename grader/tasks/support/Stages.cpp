@@ -15,8 +15,8 @@ Stage doubtful(const FindingText& text, std::string why) {
     return {std::nullopt, distributedFinding(text, Severity::warn, std::move(why))};
 }
 
-Stage unanswered(const probe::Sitting& sitting, std::string_view function) {
-    std::optional<TaskJudgement> blocked = judgeUnanswered(sitting, function);
+Stage unanswered(const probe::Run& run, std::string_view function) {
+    std::optional<TaskJudgement> blocked = judgeUnanswered(run, function);
     if (!blocked || blocked->findings.empty())
         return doubtful(kRunNoAnswer, "Questions that were asked once more got no answer.");
     Finding doubt = std::move(blocked->findings.front());

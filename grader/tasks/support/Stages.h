@@ -29,13 +29,13 @@ struct Stage {
 [[nodiscard]] Stage doubtful(const FindingText& text, std::string why);
 
 /// An answer that does not come here, though it came before, is a doubt and no failure.
-[[nodiscard]] Stage unanswered(const probe::Sitting& sitting, std::string_view function);
+[[nodiscard]] Stage unanswered(const probe::Run& run, std::string_view function);
 
 /// @return  Null where the question has no answer in full.
 template <class Answer>
-const Answer* answeredBy(const probe::Sitting& sitting, std::size_t question = 0) {
-    if (sitting.answers.size() <= question) return nullptr;
-    const auto* answer = std::get_if<Answer>(&sitting.answers[question]);
+const Answer* answeredBy(const probe::Run& run, std::size_t question = 0) {
+    if (run.answers.size() <= question) return nullptr;
+    const auto* answer = std::get_if<Answer>(&run.answers[question]);
     return answer != nullptr && answer->state == probe::AnswerState::answered ? answer : nullptr;
 }
 

@@ -15,12 +15,12 @@ namespace {
 using probe::AnswerState;
 using probe::NormalAnswer;
 using probe::ProcessEnd;
-using probe::Sitting;
+using probe::Run;
 using EndKind = ProcessEnd::Kind;
 
 /// Builds a submission and asks it, under limits that keep the test short.
-Sitting ask(const std::string& file, const std::string& source,
-            const std::vector<probe::Question>& questions) {
+Run ask(const std::string& file, const std::string& source,
+        const std::vector<probe::Question>& questions) {
     static const sandbox::Sandbox theSandbox = sandbox::Sandbox::best();
     static const Kit kit = Kit::besideProgram();
     const BuildResult built =
@@ -45,20 +45,20 @@ std::string bumpySphere(const std::string& body, const std::string& before = {})
            body + "\n}\n}\n";
 }
 
-Sitting askBumpySphere(const std::string& body, const std::string& before = {}) {
+Run askBumpySphere(const std::string& body, const std::string& before = {}) {
     return ask("BumpySphere.cpp", bumpySphere(body, before), {tests::normalQuestion()});
 }
 
 TEST(SandboxedExaminee, AnswersAsTheSolutionDoes) {
-    const Sitting sitting =
+    const Run run =
         ask("Renderer.cpp", tests::readFile("reference_solution/exercise/Renderer.cpp"),
             {tests::normalQuestion(), tests::illuminateQuestion(100), tests::renderQuestion(50)});
 
-    EXPECT_EQ(sitting.end.kind, EndKind::finished) << sitting.end.detail;
-    ASSERT_EQ(sitting.answers.size(), 3U);
-    EXPECT_EQ(std::get<NormalAnswer>(sitting.answers[0]).state, AnswerState::answered);
-    EXPECT_EQ(std::get<probe::IlluminateAnswer>(sitting.answers[1]).events.size(), 4U);
-    const auto& render = std::get<probe::RenderAnswer>(sitting.answers[2]);
+    EXPECT_EQ(run.end.kind, EndKind::finished) << run.end.detail;
+    ASSERT_EQ(run.answers.size(), 3U);
+    EXPECT_EQ(std::get<NormalAnswer>(run.answers[0]).state, AnswerState::answered);
+    EXPECT_EQ(std::get<probe::IlluminateAnswer>(run.answers[1]).events.size(), 4U);
+    const auto& render = std::get<probe::RenderAnswer>(run.answers[2]);
     EXPECT_EQ(render.events.size(), 50U);
     EXPECT_TRUE(render.eventsCut);
     EXPECT_NE(render.images[0], render.images[1]);
@@ -67,35 +67,35 @@ TEST(SandboxedExaminee, AnswersAsTheSolutionDoes) {
 TEST(SandboxedExaminee, LetsThreadsRun) {
     probe::RenderQuestion question = tests::renderQuestion();
     const std::string source = tests::readFile("reference_solution/exercise/Renderer.cpp");
-    const Sitting one = ask("Renderer.cpp", source, {question});
+    const Run one = ask("Renderer.cpp", source, {question});
     question.settings.threads = 2;
-    const Sitting two = ask("Renderer.cpp", source, {question});
+    const Run two = ask("Renderer.cpp", source, {question});
     EXPECT_EQ(two.end.kind, EndKind::finished) << two.end.detail;
     EXPECT_EQ(std::get<probe::RenderAnswer>(one.answers.at(0)).images,
               std::get<probe::RenderAnswer>(two.answers.at(0)).images);
 }
 
 TEST(SandboxedExaminee, KeepsWhatWasAnsweredBeforeACrash) {
-    const Sitting sitting = askBumpySphere(
+    const Run run = askBumpySphere(
         "if (position.x > 0.9) *static_cast<volatile int*>(nullptr) = 1;\n"
         "return Sphere::getNormalAt(position);");
 
-    EXPECT_EQ(sitting.end.kind, EndKind::crashed);
-    EXPECT_NE(sitting.end.detail.find("SIGSEGV"), std::string::npos) << sitting.end.detail;
-    const auto& answer = std::get<NormalAnswer>(sitting.answers.at(0));
+    EXPECT_EQ(run.end.kind, EndKind::crashed);
+    EXPECT_NE(run.end.detail.find("SIGSEGV"), std::string::npos) << run.end.detail;
+    const auto& answer = std::get<NormalAnswer>(run.answers.at(0));
     EXPECT_EQ(answer.state, AnswerState::missing);
     EXPECT_EQ(answer.normals[0], (raytracer::Vector3{0.0, 0.0, -1.0}));
     EXPECT_TRUE(probe::isUnanswered(answer.normals[1]));
 }
 
 TEST(SandboxedExaminee, CountsExceptionsAndGoesOn) {
-    const Sitting sitting = askBumpySphere(
+    const Run run = askBumpySphere(
         "if (position.x == 1.0) throw std::runtime_error(\"column \\x01 <b>\");\n"
         "return Sphere::getNormalAt(position);",
         "#include <stdexcept>");
 
-    EXPECT_EQ(sitting.end.kind, EndKind::finished);
-    const auto& answer = std::get<NormalAnswer>(sitting.answers.at(0));
+    EXPECT_EQ(run.end.kind, EndKind::finished);
+    const auto& answer = std::get<NormalAnswer>(run.answers.at(0));
     EXPECT_EQ(answer.state, AnswerState::threw);
     EXPECT_EQ(answer.exceptions, 1U);
     EXPECT_EQ(answer.message, "column \x01 <b>");
@@ -104,18 +104,18 @@ TEST(SandboxedExaminee, CountsExceptionsAndGoesOn) {
 }
 
 TEST(SandboxedExaminee, SaysHowMuchMemoryItHadUsed) {
-    const Sitting sitting = askBumpySphere(
+    const Run run = askBumpySphere(
         "kept = new char[300'000'000];\n"
         "std::memset(kept, 1, 300'000'000);\n"
         "std::abort();",
         "#include <cstring>\nstatic char* volatile kept;");
-    EXPECT_EQ(sitting.end.kind, EndKind::memory);
-    EXPECT_NE(sitting.end.detail.find("may have 400 MB"), std::string::npos) << sitting.end.detail;
+    EXPECT_EQ(run.end.kind, EndKind::memory);
+    EXPECT_NE(run.end.detail.find("may have 400 MB"), std::string::npos) << run.end.detail;
 }
 
 TEST(SandboxedExaminee, SaysOfAStatusThatItMayMeanThatNothingWasStarted) {
-    const Sitting sitting = askBumpySphere("_exit(126);");
-    EXPECT_NE(sitting.end.detail.find("not be started"), std::string::npos) << sitting.end.detail;
+    const Run run = askBumpySphere("_exit(126);");
+    EXPECT_NE(run.end.detail.find("not be started"), std::string::npos) << run.end.detail;
 }
 
 // Says, as the probe does after the last question, that everything is answered.
@@ -124,14 +124,14 @@ constexpr const char* kMark =
     "pwrite(4, &word, sizeof word, 0); }";
 
 TEST(SandboxedExaminee, RunsNothingOfTheSubmissionAfterTheLastAnswer) {
-    const Sitting sitting = askBumpySphere(
+    const Run run = askBumpySphere(
         "static const int registered = std::atexit([] { fork(); });\n"
         "return registered == 0 ? Sphere::getNormalAt(position) : Vector3{};",
         "struct AtTheEnd { ~AtTheEnd() { fork(); } };\nstatic AtTheEnd atTheEnd;");
-    EXPECT_EQ(sitting.end.kind, EndKind::finished) << sitting.end.detail;
+    EXPECT_EQ(run.end.kind, EndKind::finished) << run.end.detail;
 }
 
-TEST(SandboxedExaminee, SharesOneBudgetAmongItsSittings) {
+TEST(SandboxedExaminee, SharesOneBudgetAmongItsRuns) {
     const sandbox::Sandbox theSandbox = sandbox::Sandbox::best();
     const Kit kit = Kit::besideProgram();
     const BuildResult built =
@@ -144,7 +144,7 @@ TEST(SandboxedExaminee, SharesOneBudgetAmongItsSittings) {
     EXPECT_EQ(examinee.ask({tests::normalQuestion()}).end.kind, EndKind::timedOut);
     EXPECT_TRUE(budget.isSpent());
     const double before = examinee.wallMs();
-    const Sitting second = examinee.ask({tests::normalQuestion()});
+    const Run second = examinee.ask({tests::normalQuestion()});
     EXPECT_EQ(second.end.kind, EndKind::timedOut);
     EXPECT_NE(second.end.detail.find("all runs of a submission together may take 600 s"),
               std::string::npos)
@@ -183,10 +183,10 @@ void PrintTo(const Ending& ending, std::ostream* out) {
 class SandboxedExamineeEnds : public testing::TestWithParam<Ending> {};
 
 TEST_P(SandboxedExamineeEnds, AsTheKernelSaysAndWithNothingAnswered) {
-    const Sitting sitting = askBumpySphere(GetParam().body, GetParam().before);
-    EXPECT_EQ(sitting.end.kind, GetParam().expected) << sitting.end.detail;
-    ASSERT_EQ(sitting.answers.size(), 1U);
-    EXPECT_TRUE(probe::isUnanswered(std::get<NormalAnswer>(sitting.answers[0]).normals[2]));
+    const Run run = askBumpySphere(GetParam().body, GetParam().before);
+    EXPECT_EQ(run.end.kind, GetParam().expected) << run.end.detail;
+    ASSERT_EQ(run.answers.size(), 1U);
+    EXPECT_TRUE(probe::isUnanswered(std::get<NormalAnswer>(run.answers[0]).normals[2]));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -216,7 +216,8 @@ INSTANTIATE_TEST_SUITE_P(
         Ending{"AFork", "fork(); return {};", "", EndKind::forbiddenCall},
         Ending{"ASocket", "socket(AF_INET, SOCK_STREAM, 0); return {};", "#include <sys/socket.h>",
                EndKind::forbiddenCall},
-        Ending{"AForkAfterAForgedMark", "mark(); fork(); return {};", kMark, EndKind::forbiddenCall},
+        Ending{"AForkAfterAForgedMark", "mark(); fork(); return {};", kMark,
+               EndKind::forbiddenCall},
         Ending{"ACrashAfterAForgedMark", "mark(); __builtin_trap();", kMark, EndKind::crashed},
         Ending{"AnExitAfterAForgedMark", "mark(); _exit(0);", kMark, EndKind::exitedEarly},
         Ending{"ALoopAfterAForgedMark", "mark(); for (volatile int i = 0;; i = i + 1) {}", kMark,

@@ -67,8 +67,9 @@ TEST_F(CompareVerb, TellsOtherSeedsFromAnotherAperture) {
     const std::string one = render("one.png", "--seed 1");
     const std::string other = run("compare " + one + " " + render("two.png", "--seed 2")).output;
     EXPECT_NE(other.find("equal up to noise"), std::string::npos) << other;
-    const std::string half = render("half.png", "--seed 3 --solution '" TICKER_SOURCE_DIR
-                                                "/grader/corpus/samples/awarded/distributed-half-width'");
+    const std::string half =
+        render("half.png", "--seed 3 --solution '" TICKER_SOURCE_DIR
+                           "/grader/corpus/samples/awarded/distributed-half-width'");
     const Ran ran = run("compare --json " + one + " " + half);
     const nlohmann::json json = nlohmann::json::parse(ran.output);
     EXPECT_EQ(json.at("outcome"), "different") << ran.output;

@@ -104,8 +104,9 @@ TEST_F(Verbs, GradeTakesARubricWhoseOptionsHaveNamesOfTheirOwn) {
 
 TEST_F(Verbs, GradeGivesTheSameResultForTheSameSeedButForTiming) {
     const auto resultOf = [&](const std::string& out) {
-        const Ran ran = run("grade " + repository("grader/corpus/samples/awarded/reference-distributed") +
-                            " -o '" + at(out).string() + "' --seed 11");
+        const Ran ran =
+            run("grade " + repository("grader/corpus/samples/awarded/reference-distributed") +
+                " -o '" + at(out).string() + "' --seed 11");
         EXPECT_EQ(ran.status, 0) << ran.errors;
         auto result =
             nlohmann::json::parse(readBytes(at(out) / "reference-distributed" / "result.json"));
@@ -164,8 +165,8 @@ TEST_F(Verbs, WrongUsageAndUnreadableInputExitWithTwoAndOneLine) {
 
 TEST_F(Verbs, ReportReadsBackWhatGradeWrote) {
     const std::string out = at("out").string();
-    ASSERT_EQ(run("grade " + repository("grader/corpus/samples/notAwarded/template-untouched") + " -o '" +
-                  out + "' --seed 7")
+    ASSERT_EQ(run("grade " + repository("grader/corpus/samples/notAwarded/template-untouched") +
+                  " -o '" + out + "' --seed 7")
                   .status,
               0);
     const Ran csv = run("report '" + out + "' --format csv");
@@ -179,8 +180,9 @@ protected:
     ClassOfStubs() {
         for (const char* name : {"ann", "bob", "cyd"}) {
             fs::create_directories(at("class"));
-            fs::copy(fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples/notAwarded/template-untouched",
-                     at("class") / name);
+            fs::copy(
+                fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples/notAwarded/template-untouched",
+                at("class") / name);
         }
     }
     Ran grade(const std::string& more) {

@@ -111,10 +111,11 @@ TEST_F(LabVerbs, SelftestRefusesAnEntryThatDoesNotFit) {
 }
 
 TEST_F(LabVerbs, SelftestRefusesAnUnknownMember) {
-    addMistake("T1", "typing-slip", kFitting, "bump.inverted-u", R"("titel": "t", "about": "t")");
+    addMistake("T1", "typing-mistake", kFitting, "bump.inverted-u",
+               R"("titel": "t", "about": "t")");
     const Ran ran = runLab("selftest --task T1 --fraction 0.01");
     EXPECT_EQ(ran.status, 2) << ran.output;
-    EXPECT_NE(ran.errors.find("typing-slip.json: the entry does not know \"titel\""),
+    EXPECT_NE(ran.errors.find("typing-mistake.json: the entry does not know \"titel\""),
               std::string::npos)
         << ran.errors;
 }

@@ -43,9 +43,10 @@ TEST(Sections, OfTheHandoutThatMessagesNameAreThere) {
     static const std::regex kCited{
         R"re("((Option 1: |[0-9], [A-Z]|Soft shadows \(T|Depth of field \(T|Test and submit)[^"]*)")re"};
     int cited = 0;
-    for (const char* folder : {"grader/tasks", "grader/intake", "grader/pipeline",
-                               "grader/build", "student_template/tests"})
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{kTopFolder / folder}) {
+    for (const char* folder : {"grader/tasks", "grader/intake", "grader/pipeline", "grader/build",
+                               "student_template/tests"})
+        for (const fs::directory_entry& entry :
+             fs::recursive_directory_iterator{kTopFolder / folder}) {
             if (!entry.is_regular_file()) continue;
             const std::string text =
                 tests::readFile(entry.path().lexically_relative(kTopFolder).string());

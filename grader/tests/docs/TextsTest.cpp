@@ -33,7 +33,8 @@ std::vector<std::string> texts() {
     std::vector<std::string> found;
     for (const char* folder :
          {"docs", "grader", "reference_solution", "scenes", "student_template", "tools"})
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{kCheckout / folder}) {
+        for (const fs::directory_entry& entry :
+             fs::recursive_directory_iterator{kCheckout / folder}) {
             const std::string name = entry.path().lexically_relative(kCheckout);
             if (entry.is_regular_file() && kKinds.contains(entry.path().extension()) &&
                 !isForeign(name))

@@ -31,9 +31,9 @@ const Exercise& toyExercise() {
 
 // The probe has no question about fog: the toy's judge is content with a program that answers.
 TaskJudgement judgeFog(probe::Examinee& examinee, std::uint64_t /*seed*/) {
-    const probe::Sitting sitting = examinee.ask({tests::normalQuestion()});
+    const probe::Run run = examinee.ask({tests::normalQuestion()});
     TaskJudgement judgement;
-    judgement.state = sitting.answers.size() == 1 ? TaskState::passed : TaskState::failed;
+    judgement.state = run.answers.size() == 1 ? TaskState::passed : TaskState::failed;
     return judgement;
 }
 

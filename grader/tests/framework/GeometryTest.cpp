@@ -29,7 +29,8 @@ TEST(SphereIntersection, IsTheFarSideSeenFromInside) {
     const std::optional<RaycastHit> hit = kSphere.intersectionWith({{0, 1, 5}, {0, 1, 0}});
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->distance, 1.0, kGeometryRounding);
-    EXPECT_NEAR((hit->normal - Vector3{0, 1, 0}).magnitude(), 0.0, kGeometryRounding);  // still outwards
+    EXPECT_NEAR((hit->normal - Vector3{0, 1, 0}).magnitude(), 0.0,
+                kGeometryRounding);  // still outwards
 }
 
 TEST(SphereIntersection, CountsInLengthsOfTheDirection) {

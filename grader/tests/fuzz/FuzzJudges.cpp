@@ -3,8 +3,8 @@
 #include "../support/LocalExaminee.h"
 #include "Fuzz.h"
 
-#include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tasks/JudgeDistributed.h>
+#include <grader/tasks/bump/JudgeBump.h>
 
 #include <algorithm>
 #include <array>
@@ -57,7 +57,7 @@ class Liar final : public probe::Examinee {
 public:
     explicit Liar(std::vector<Change> changes) : changes_(std::move(changes)) {}
 
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
         const probe::AnswerLayout layout = probe::layoutFor(questions);
         std::vector<std::uint64_t> words((layout.totalBytes + 7) / 8);
         const auto memory = std::as_writable_bytes(std::span{words});

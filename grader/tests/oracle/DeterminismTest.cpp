@@ -1,5 +1,5 @@
-#include <grader/oracle/kernel/Kernel.h>
 #include <grader/oracle/Oracle.h>
+#include <grader/oracle/kernel/Kernel.h>
 #include <grader/tests/oracle/TestScenes.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Code that answers questions and renders something else.
-#include <grader/tasks/lens/PictureDoubt.h>
 #include <grader/pipeline/Grade.h>
+#include <grader/tasks/lens/PictureDoubt.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>
 
@@ -122,11 +122,12 @@ TEST(Honest, BumpsOfAnyStrengthShowInThePicture) {
 TEST(Honest, LightsThatAreLostBehindASurfaceAreNamed) {
     intake::Submission work;
     work.name = "somebody";
-    for (const char* slip : {"if (N.dot(light.position() - P) <= 0.0) break;",
-                             "if (N.dot(light.position() - P) <= 0.0) return colour;"}) {
-        work.parts["Renderer.cpp"] = referenceWith("Renderer.cpp", "for (const PointLight&", slip);
+    for (const char* mistake : {"if (N.dot(light.position() - P) <= 0.0) break;",
+                                "if (N.dot(light.position() - P) <= 0.0) return colour;"}) {
+        work.parts["Renderer.cpp"] =
+            referenceWith("Renderer.cpp", "for (const PointLight&", mistake);
         const SubmissionResult result = gradeSubmission(work, tests::testGrader(), 1);
-        EXPECT_EQ(findingIds(taskOf(result, "T2.1")), Ids{"shadow.lights-mixed"}) << slip;
+        EXPECT_EQ(findingIds(taskOf(result, "T2.1")), Ids{"shadow.lights-mixed"}) << mistake;
     }
     work.parts["Renderer.cpp"] = referenceWith("Renderer.cpp", "for (const PointLight&",
                                                "if (N.dot(light.position() - P) <= 0.0) continue;");

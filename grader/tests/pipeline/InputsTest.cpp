@@ -32,7 +32,8 @@ TEST(QuestionSeed, IsAnotherForEveryOtherFile) {
 }
 
 TEST(QuestionSeed, IsAnotherForEveryClass) {
-    EXPECT_NE(questionSeed(submissionOf("x"), kClassSeed), questionSeed(submissionOf("x"), kClassSeed + 1));
+    EXPECT_NE(questionSeed(submissionOf("x"), kClassSeed),
+              questionSeed(submissionOf("x"), kClassSeed + 1));
     EXPECT_NE(questionSeed(submissionOf("x"), kClassSeed), kClassSeed);
 }
 

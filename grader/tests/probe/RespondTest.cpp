@@ -133,13 +133,13 @@ TEST(Respond, LetsThreadsTakeTurns) {
 }
 
 TEST(Respond, AnswersManyQuestionsInOrder) {
-    const Sitting sitting = tests::LocalExaminee{}.ask(
+    const Run run = tests::LocalExaminee{}.ask(
         {tests::normalQuestion(), tests::renderQuestion(4), tests::illuminateQuestion()});
-    ASSERT_EQ(sitting.answers.size(), 3U);
-    EXPECT_EQ(sitting.end.kind, ProcessEnd::Kind::finished);
-    EXPECT_TRUE(std::holds_alternative<NormalAnswer>(sitting.answers[0]));
-    EXPECT_EQ(std::get<RenderAnswer>(sitting.answers[1]).events.size(), 4U);
-    EXPECT_EQ(std::get<IlluminateAnswer>(sitting.answers[2]).state, AnswerState::answered);
+    ASSERT_EQ(run.answers.size(), 3U);
+    EXPECT_EQ(run.end.kind, ProcessEnd::Kind::finished);
+    EXPECT_TRUE(std::holds_alternative<NormalAnswer>(run.answers[0]));
+    EXPECT_EQ(std::get<RenderAnswer>(run.answers[1]).events.size(), 4U);
+    EXPECT_EQ(std::get<IlluminateAnswer>(run.answers[2]).state, AnswerState::answered);
 }
 
 }  // namespace

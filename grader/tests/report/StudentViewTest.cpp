@@ -1,6 +1,6 @@
-#include <grader/report/platforms/PlatformFormats.h>
 #include <grader/report/StudentPage.h>
 #include <grader/report/StudentView.h>
+#include <grader/report/platforms/PlatformFormats.h>
 
 #include <raytracer/base/Error.h>
 

@@ -15,7 +15,7 @@ namespace ticker::tests {
 /// a solution that crashes takes the test with it.
 class LocalExaminee final : public probe::Examinee {
 public:
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
         const probe::AnswerLayout layout = probe::layoutFor(questions);
         std::vector<std::uint64_t> words((layout.totalBytes + 7) / 8);
         const auto memory = std::as_writable_bytes(std::span{words});

@@ -27,10 +27,11 @@ struct Cell {
     double seenV = 0.0;
 };
 
-Cell placeCell(const HeightMapDescription& map, const Landing& landing, const Vector3& direction) {
+Cell placeCell(const HeightMapDescription& map, const Parametrisation& parametrisation,
+               const Vector3& direction) {
     Cell cell;
-    const double u = landing.u(direction);
-    const double v = landing.v(direction);
+    const double u = parametrisation.u(direction);
+    const double v = parametrisation.v(direction);
     cell.column = u * kLetterMapWidth;
     cell.row = v * kLetterMapHeight;
     const int column = std::min(static_cast<int>(cell.column), kLetterMapWidth - 1);
@@ -58,18 +59,18 @@ void scale(std::vector<Cell>& cells, double Cell::*seen, double Cell::*expected)
 
 using CellGrid = std::vector<Cell>;
 
-CellGrid recover(const LetterPlan& plan, const Answers& answers, const Landing& landing,
-                 const Response& response) {
+CellGrid recover(const LetterPlan& plan, const Answers& answers,
+                 const Parametrisation& parametrisation, const Response& response) {
     const HeightMapDescription& map = answers.asked().question(plan.question).map;
     const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.flat, plan.question);
     CellGrid grid;
     grid.reserve(tilts.size());
     for (std::size_t i = 0; i < tilts.size(); ++i) {
         const Vector3& n = plan.directions[i];
-        Cell cell = placeCell(map, landing, n);
-        const double v = landing.v(n);
-        cell.seenU = -tilts[i].dot(landing.alongU(n)) / strengthAt(response.u, v);
-        cell.seenV = -tilts[i].dot(landing.alongV(n)) / strengthAt(response.v, v);
+        Cell cell = placeCell(map, parametrisation, n);
+        const double v = parametrisation.v(n);
+        cell.seenU = -tilts[i].dot(parametrisation.alongU(n)) / strengthAt(response.u, v);
+        cell.seenV = -tilts[i].dot(parametrisation.alongV(n)) / strengthAt(response.v, v);
         grid.push_back(cell);
     }
     scale(grid, &Cell::seenU, &Cell::trueU);
@@ -235,14 +236,14 @@ std::string look(const LetterCount& count, bool lowered) {
     return half ? "half" : "unclear";
 }
 
-LetterReading readLetters(const LetterPlan& plan, const Answers& answers, const Landing& landing,
-                          const Response& response) {
-    return countEdges(recover(plan, answers, landing, response));
+LetterReading readLetters(const LetterPlan& plan, const Answers& answers,
+                          const Parametrisation& parametrisation, const Response& response) {
+    return countEdges(recover(plan, answers, parametrisation, response));
 }
 
 std::vector<Raster> drawRelief(const LetterPlan& plan, const Answers& answers,
-                               const Landing& landing, const Response& response) {
-    const CellGrid grid = recover(plan, answers, landing, response);
+                               const Parametrisation& parametrisation, const Response& response) {
+    const CellGrid grid = recover(plan, answers, parametrisation, response);
     std::vector<double> heights;
     heights.reserve(grid.size());
     for (const Cell& cell : grid)

@@ -1,11 +1,11 @@
 #ifndef TICKER_TASKS_BUMP_LETTERS_H
 #define TICKER_TASKS_BUMP_LETTERS_H
 
-#include <grader/tasks/bump/questions/Draws.h>
-#include <grader/tasks/bump/answers/Landing.h>
-#include <grader/tasks/bump/answers/Response.h>
-#include <grader/tasks/bump/questions/Tilt.h>
 #include <grader/result/Finding.h>
+#include <grader/tasks/bump/answers/Parametrisation.h>
+#include <grader/tasks/bump/answers/Response.h>
+#include <grader/tasks/bump/questions/Draws.h>
+#include <grader/tasks/bump/questions/Tilt.h>
 
 #include <cstddef>
 #include <string>
@@ -63,12 +63,14 @@ struct LetterReading {
 
 /// The recovered height differences along the grid, and those of the map.
 [[nodiscard]] LetterReading readLetters(const LetterPlan& plan, const Answers& answers,
-                                        const Landing& landing, const Response& response);
+                                        const Parametrisation& parametrisation,
+                                        const Response& response);
 
 /// Two pictures of the near side: the map where this submission lays it, and the relief that its
 /// normals show.
 [[nodiscard]] std::vector<Raster> drawRelief(const LetterPlan& plan, const Answers& answers,
-                                             const Landing& landing, const Response& response);
+                                             const Parametrisation& parametrisation,
+                                             const Response& response);
 
 }  // namespace ticker::tasks::bump
 

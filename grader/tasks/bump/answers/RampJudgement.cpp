@@ -46,11 +46,12 @@ RampKind kindOf(const Response& response) {
     return RampKind::strangeDirection;
 }
 
-RampKind kindWithoutLanding(const std::vector<RampTilts>& tilts, const RampJudgement& judgement) {
+RampKind kindWithoutParametrisation(const std::vector<RampTilts>& tilts,
+                                    const RampJudgement& judgement) {
     if (judgement.transposed) return RampKind::swapped;
     const bool lost = losesSigns(tilts, &RampTilts::onURamp, &RampTilts::onUBow) ||
                       losesSigns(tilts, &RampTilts::onVRamp, &RampTilts::onVBow);
-    return lost ? RampKind::signLost : RampKind::strangeLanding;
+    return lost ? RampKind::signLost : RampKind::strangeParametrisation;
 }
 
 }  // namespace
@@ -72,14 +73,14 @@ RampJudgement judgeRamps(const RampShape& shape, const std::vector<RampTilts>& t
     if (judgement.kind != RampKind::silent) return judgement;
 
     const std::vector<Sighting> seen = sightings(tilts);
-    judgement.fit = fitLanding(seen);
+    judgement.fit = fitParametrisation(seen);
     if (!judgement.fit || !judgement.fit->good()) {
-        const auto other = fitLanding(transpose(seen));
+        const auto other = fitParametrisation(transpose(seen));
         judgement.transposed = other && other->good();
-        judgement.kind = kindWithoutLanding(tilts, judgement);
+        judgement.kind = kindWithoutParametrisation(tilts, judgement);
         return judgement;
     }
-    judgement.response = measureResponse(tilts, judgement.fit->landing);
+    judgement.response = measureResponse(tilts, judgement.fit->parametrisation);
     judgement.kind = kindOf(*judgement.response);
     return judgement;
 }

@@ -1,9 +1,9 @@
 #ifndef TICKER_TASKS_BUMP_RAMPJUDGEMENT_H
 #define TICKER_TASKS_BUMP_RAMPJUDGEMENT_H
 
-#include <grader/tasks/bump/answers/Landing.h>
-#include <grader/tasks/bump/questions/Ramps.h>
+#include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/answers/Response.h>
+#include <grader/tasks/bump/questions/Ramps.h>
 
 #include <optional>
 #include <vector>
@@ -19,21 +19,21 @@ enum class RampKind {
     inverted,
     invertedU,
     invertedV,
-    slopeUIgnored,    ///< a slope along u alone tilts nothing
-    slopeVIgnored,    ///< a slope along v alone tilts nothing
-    signLost,         ///< falling slopes tilt like rising ones
-    strangeLanding,   ///< texels lie where no polar coordinates put them
-    patchy,           ///< right, but at many points nothing tilts
-    strangeDirection  ///< tilts fit nothing known
+    slopeUIgnored,           ///< a slope along u alone tilts nothing
+    slopeVIgnored,           ///< a slope along v alone tilts nothing
+    signLost,                ///< falling slopes tilt like rising ones
+    strangeParametrisation,  ///< texels lie where no polar coordinates put them
+    patchy,                  ///< right, but at many points nothing tilts
+    strangeDirection         ///< tilts fit nothing known
 };
 
 struct RampJudgement {
     RampKind kind = RampKind::silent;
     RampShape shape;  ///< of the ramps
     RampStrength strength;
-    std::optional<LandingFit> fit;     ///< where enough points told their place
-    std::optional<Response> response;  ///< where the fit is good
-    bool transposed = false;           ///< columns follow the polar angle, rows the longitude
+    std::optional<ParametrisationFit> fit;  ///< where enough points told their place
+    std::optional<Response> response;       ///< where the fit is good
+    bool transposed = false;                ///< columns follow the polar angle, rows the longitude
 };
 
 [[nodiscard]] RampJudgement judgeRamps(const RampShape& shape, const std::vector<RampTilts>& tilts);

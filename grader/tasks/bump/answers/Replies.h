@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_BUMP_REPLIES_H
 #define TICKER_TASKS_BUMP_REPLIES_H
 
-#include <grader/tasks/bump/answers/Landing.h>
+#include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/answers/Response.h>
 
 #include <raytracer/math/Vector3.h>
@@ -50,7 +50,8 @@ inline constexpr double kSenseTolerance = 15.0 * std::numbers::pi / 180.0;
 }
 
 /// Which tangents explain the tilts: those of another longitude, or of angles in degrees.
-void explainTangents(const Replies& replies, const Landing& landing, Response& response);
+void explainTangents(const Replies& replies, const Parametrisation& parametrisation,
+                     Response& response);
 
 }  // namespace ticker::tasks::bump
 

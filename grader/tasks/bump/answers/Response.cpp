@@ -19,14 +19,15 @@ constexpr double kDeadShare = 0.01;
 // Isolated points may stray for unknown reasons; a picture's worth of them may not.
 constexpr double kAlmostAll = 0.985;
 
-Replies ordinaryReplies(const std::vector<RampTilts>& tilts, const Landing& landing) {
+Replies ordinaryReplies(const std::vector<RampTilts>& tilts,
+                        const Parametrisation& parametrisation) {
     Replies replies;
     for (const RampTilts& tilt : tilts) {
-        const double u = landing.u(tilt.direction);
-        const double v = landing.v(tilt.direction);
+        const double u = parametrisation.u(tilt.direction);
+        const double v = parametrisation.v(tilt.direction);
         if (std::min(v, 1.0 - v) < kPoleMargin || turnDistance(u, 0.0) < kSeamMargin) continue;
-        const Vector3 alongU = landing.alongU(tilt.direction);
-        const Vector3 alongV = landing.alongV(tilt.direction);
+        const Vector3 alongU = parametrisation.alongU(tilt.direction);
+        const Vector3 alongV = parametrisation.alongV(tilt.direction);
         if (isFinite(tilt.onURamp))
             replies.onU.push_back({tilt.direction, u, v, alongU, alongV, tilt.onURamp});
         if (isFinite(tilt.onVRamp))
@@ -207,8 +208,9 @@ bool Response::dependsOnLongitude() const {
            u.strengthRatio > kUnequal || v.strengthRatio > kUnequal || tangentTurn != 0.0;
 }
 
-Response measureResponse(const std::vector<RampTilts>& tilts, const Landing& landing) {
-    const Replies replies = ordinaryReplies(tilts, landing);
+Response measureResponse(const std::vector<RampTilts>& tilts,
+                         const Parametrisation& parametrisation) {
+    const Replies replies = ordinaryReplies(tilts, parametrisation);
     const double usual = std::max(middleLength(replies.onU), middleLength(replies.onV));
     Response response;
     response.u = measureAxis(replies.onU, usual);
@@ -217,7 +219,7 @@ Response measureResponse(const std::vector<RampTilts>& tilts, const Landing& lan
     const auto v = matrixRow(replies.onV);
     response.matrix = {{{u[0], u[1]}, {v[1], v[0]}}};
     if (response.u.sense == Sense::mixed || response.v.sense == Sense::mixed)
-        explainTangents(replies, landing, response);
+        explainTangents(replies, parametrisation, response);
     return response;
 }
 

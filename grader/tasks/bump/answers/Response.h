@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_BUMP_RESPONSE_H
 #define TICKER_TASKS_BUMP_RESPONSE_H
 
-#include <grader/tasks/bump/answers/Landing.h>
+#include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/questions/Ramps.h>
 
 #include <array>
@@ -68,7 +68,8 @@ struct Response {
     [[nodiscard]] bool dependsOnLongitude() const;
 };
 
-[[nodiscard]] Response measureResponse(const std::vector<RampTilts>& tilts, const Landing& landing);
+[[nodiscard]] Response measureResponse(const std::vector<RampTilts>& tilts,
+                                       const Parametrisation& parametrisation);
 
 /// The strength of the tilt at a polar angle, from the bands' middle values.
 [[nodiscard]] double strengthAt(const AxisResponse& axis, double v);

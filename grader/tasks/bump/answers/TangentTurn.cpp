@@ -25,24 +25,25 @@ struct Tangents {
     Vector3 alongV;
 };
 
-Tangents tangentsOf(const Reply& reply, const Landing& landing, const Angles& angles) {
-    const Vector3& axis = landing.axis();
+Tangents tangentsOf(const Reply& reply, const Parametrisation& parametrisation,
+                    const Angles& angles) {
+    const Vector3& axis = parametrisation.axis();
     const Vector3& n = reply.direction;
     const Vector3 outwards = (n - axis * n.dot(axis)).normalised();
     const Vector3 right = outwards.cross(axis);
     const Vector3 turned = outwards * std::cos(angles.turn) + right * std::sin(angles.turn);
     const double polar = angles.polarTimes * std::numbers::pi * reply.v;
     const Vector3 alongU = turned.cross(axis);
-    return {landing.mirrored() ? -alongU : alongU,
+    return {parametrisation.mirrored() ? -alongU : alongU,
             turned * std::cos(polar) - axis * std::sin(polar)};
 }
 
 /// The direction in which tangents of other angles tilt.
-double angleOf(const Reply& reply, const Landing& landing, const Angles& angles, Form form,
-               bool slopeAlongU) {
-    const Tangents tangents = tangentsOf(reply, landing, angles);
+double angleOf(const Reply& reply, const Parametrisation& parametrisation, const Angles& angles,
+               Form form, bool slopeAlongU) {
+    const Tangents tangents = tangentsOf(reply, parametrisation, angles);
     const Vector3& n = reply.direction;
-    const double sense = landing.mirrored() ? -1.0 : 1.0;
+    const double sense = parametrisation.mirrored() ? -1.0 : 1.0;
     const Vector3 crossed = slopeAlongU ? tangents.alongV.cross(n) : n.cross(tangents.alongU);
     const Vector3 direct = slopeAlongU ? tangents.alongU : tangents.alongV;
     const Vector3 tilt = form == Form::direct ? direct : crossed * sense;
@@ -51,12 +52,13 @@ double angleOf(const Reply& reply, const Landing& landing, const Angles& angles,
 
 /// The share of the tilts that `anglesOf(reply)` explains.
 template <typename AnglesOf>
-double shareExplained(const Replies& replies, const Landing& landing, Form form,
+double shareExplained(const Replies& replies, const Parametrisation& parametrisation, Form form,
                       AnglesOf anglesOf) {
     double explained = 0.0;
     const auto count = [&](const std::vector<Reply>& asked, bool slopeAlongU) {
         for (const Reply& reply : asked)
-            if (near(reply.angle(), angleOf(reply, landing, anglesOf(reply), form, slopeAlongU)))
+            if (near(reply.angle(),
+                     angleOf(reply, parametrisation, anglesOf(reply), form, slopeAlongU)))
                 explained += 1.0;
     };
     count(replies.onU, true);
@@ -66,13 +68,13 @@ double shareExplained(const Replies& replies, const Landing& landing, Form form,
 }
 
 /// Degrees by which tangents that are turned about the axis explain the tilts; 0 where none do.
-double findTangentTurn(const Replies& replies, const Landing& landing) {
+double findTangentTurn(const Replies& replies, const Parametrisation& parametrisation) {
     constexpr int kStep = 10;
     constexpr double kExplained = 0.985;
     for (int turn = 180; turn > -180; turn -= kStep) {
         if (std::abs(turn) < 20) continue;
         for (const Form form : {Form::direct, Form::crossProducts})
-            if (shareExplained(replies, landing, form, [turn](const Reply&) {
+            if (shareExplained(replies, parametrisation, form, [turn](const Reply&) {
                     return Angles{turn / kDegrees, 1.0};
                 }) >= kExplained)
                 return turn;
@@ -82,7 +84,7 @@ double findTangentTurn(const Replies& replies, const Landing& landing) {
 
 /// Sines and cosines of degrees: the longitude grows 57 times as fast as the point's, from where
 /// the student's is 0, and so does the polar angle.
-bool areInDegrees(const Replies& replies, const Landing& landing) {
+bool areInDegrees(const Replies& replies, const Parametrisation& parametrisation) {
     // Half a texel's uncertainty in u is 5 degrees then; by chance a twelfth fits.
     constexpr double kExplained = 0.7;
     constexpr double kFaster = kDegrees - 1.0;
@@ -92,20 +94,23 @@ bool areInDegrees(const Replies& replies, const Landing& landing) {
             for (const Form form : {Form::direct, Form::crossProducts}) {
                 const auto anglesOf = [&](const Reply& reply) {
                     const double fromStart = 2.0 * std::numbers::pi * (reply.u - start);
-                    const double sense = landing.mirrored() ? -1.0 : 1.0;
+                    const double sense = parametrisation.mirrored() ? -1.0 : 1.0;
                     return Angles{longitude ? sense * kFaster * fromStart : 0.0,
                                   polar ? kDegrees : 1.0};
                 };
-                if (shareExplained(replies, landing, form, anglesOf) >= kExplained) return true;
+                if (shareExplained(replies, parametrisation, form, anglesOf) >= kExplained)
+                    return true;
             }
     return false;
 }
 
 }  // namespace
 
-void explainTangents(const Replies& replies, const Landing& landing, Response& response) {
-    response.tangentTurn = findTangentTurn(replies, landing);
-    response.tangentsInDegrees = response.tangentTurn == 0.0 && areInDegrees(replies, landing);
+void explainTangents(const Replies& replies, const Parametrisation& parametrisation,
+                     Response& response) {
+    response.tangentTurn = findTangentTurn(replies, parametrisation);
+    response.tangentsInDegrees =
+        response.tangentTurn == 0.0 && areInDegrees(replies, parametrisation);
 }
 
 }  // namespace ticker::tasks::bump

@@ -90,22 +90,22 @@ FinenessPlan planFineness(Questionnaire& questionnaire, Draws& draws, const Ball
 Fineness readFineness(const FinenessPlan& plan, const Answers& answers,
                       const RampJudgement& ramps) {
     constexpr double kUpright = 0.998;
-    const Landing& landing = ramps.fit->landing;
-    if (std::abs(landing.axis().y) < kUpright) return {};
+    const Parametrisation& parametrisation = ramps.fit->parametrisation;
+    if (std::abs(parametrisation.axis().y) < kUpright) return {};
     const double timesU = kRise / ramps.shape.slope(ramps.shape.columns);
     const double timesV = kRise / ramps.shape.slope(ramps.shape.rows);
     const AxisResponse& onU = ramps.response->u;
     const AxisResponse& onV = ramps.response->v;
     return {opposition(
                 plan.pairsU, answers.tiltsBeyond(plan.zigzagU.flat, plan.zigzagU.map),
-                [&](const Vector3& n) { return isAwayFromSeam(landing.u(n)); },
-                [&](const Vector3& n) { return landing.alongU(n); },
-                [&](const Vector3& n) { return timesU * strengthAt(onU, landing.v(n)); }),
+                [&](const Vector3& n) { return isAwayFromSeam(parametrisation.u(n)); },
+                [&](const Vector3& n) { return parametrisation.alongU(n); },
+                [&](const Vector3& n) { return timesU * strengthAt(onU, parametrisation.v(n)); }),
             opposition(
                 plan.pairsV, answers.tiltsBeyond(plan.zigzagV.flat, plan.zigzagV.map),
                 [](const Vector3&) { return true; },
-                [&](const Vector3& n) { return landing.alongV(n); },
-                [&](const Vector3& n) { return timesV * strengthAt(onV, landing.v(n)); })};
+                [&](const Vector3& n) { return parametrisation.alongV(n); },
+                [&](const Vector3& n) { return timesV * strengthAt(onV, parametrisation.v(n)); })};
 }
 
 }  // namespace ticker::tasks::bump

@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_BUMP_FINENESS_H
 #define TICKER_TASKS_BUMP_FINENESS_H
 
-#include <grader/tasks/bump/questions/Draws.h>
 #include <grader/tasks/bump/answers/RampJudgement.h>
+#include <grader/tasks/bump/questions/Draws.h>
 #include <grader/tasks/bump/questions/Slopes.h>
 #include <grader/tasks/bump/questions/Tilt.h>
 

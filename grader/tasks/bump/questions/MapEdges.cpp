@@ -90,16 +90,17 @@ EdgePlan planEdges(Questionnaire& questionnaire, Draws& draws, const Ball& ball)
     return plan;
 }
 
-MapEdges readEdges(const EdgePlan& plan, const Answers& answers, const Landing& landing) {
+MapEdges readEdges(const EdgePlan& plan, const Answers& answers,
+                   const Parametrisation& parametrisation) {
     constexpr double kNearSeam = 0.06;
     constexpr double kFarFromSeam = 0.1;
     constexpr double kNearPole = 0.06;
     constexpr double kFarFromPole = 0.2;
     const auto toPole = [&](const Vector3& n) {
-        return std::min(landing.v(n), 1.0 - landing.v(n));
+        return std::min(parametrisation.v(n), 1.0 - parametrisation.v(n));
     };
     const auto bySeam = [&](const Vector3& n) {
-        const double distance = turnDistance(landing.u(n), 0.0);
+        const double distance = turnDistance(parametrisation.u(n), 0.0);
         if (toPole(n) < kFarFromPole) return Where::neither;
         if (distance < kNearSeam) return Where::edge;
         return distance > kFarFromSeam ? Where::elsewhere : Where::neither;

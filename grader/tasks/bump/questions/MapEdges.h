@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_BUMP_MAPEDGES_H
 #define TICKER_TASKS_BUMP_MAPEDGES_H
 
+#include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/questions/Draws.h>
-#include <grader/tasks/bump/answers/Landing.h>
 #include <grader/tasks/bump/questions/Tilt.h>
 
 #include <cstddef>
@@ -36,7 +36,7 @@ struct MapEdges {
 };
 
 [[nodiscard]] MapEdges readEdges(const EdgePlan& plan, const Answers& answers,
-                                 const Landing& landing);
+                                 const Parametrisation& parametrisation);
 
 }  // namespace ticker::tasks::bump
 

@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_BUMP_RAMPS_H
 #define TICKER_TASKS_BUMP_RAMPS_H
 
-#include <grader/tasks/bump/answers/Landing.h>
+#include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/questions/Tilt.h>
 
 #include <cstddef>

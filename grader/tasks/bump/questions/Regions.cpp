@@ -48,7 +48,7 @@ struct Leans {
 
 /// The map falls where the ramps rise.
 Leans readLeans(const RegionPlan& plan, const Answers& answers, const RampJudgement& ramps) {
-    const Landing& landing = ramps.fit->landing;
+    const Parametrisation& parametrisation = ramps.fit->parametrisation;
     const AxisResponse& onU = ramps.response->u;
     const AxisResponse& onV = ramps.response->v;
     const double timesU = kFall / ramps.shape.slope(ramps.shape.columns);
@@ -57,13 +57,13 @@ Leans readLeans(const RegionPlan& plan, const Answers& answers, const RampJudgem
     Leans leans;
     for (std::size_t i = 0; i < tilts.size(); ++i) {
         const Vector3& n = plan.directions[i];
-        const double u = landing.u(n);
-        const double v = landing.v(n);
-        if (!isFinite(tilts[i]) || !isOrdinary(landing, n)) continue;
-        leans.alongU.push_back(
-            {u, v, onU.sign() * tilts[i].dot(landing.alongU(n)), timesU * strengthAt(onU, v)});
-        leans.alongV.push_back(
-            {u, v, onV.sign() * tilts[i].dot(landing.alongV(n)), timesV * strengthAt(onV, v)});
+        const double u = parametrisation.u(n);
+        const double v = parametrisation.v(n);
+        if (!isFinite(tilts[i]) || !isOrdinary(parametrisation, n)) continue;
+        leans.alongU.push_back({u, v, onU.sign() * tilts[i].dot(parametrisation.alongU(n)),
+                                timesU * strengthAt(onU, v)});
+        leans.alongV.push_back({u, v, onV.sign() * tilts[i].dot(parametrisation.alongV(n)),
+                                timesV * strengthAt(onV, v)});
     }
     return leans;
 }

@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_BUMP_REGIONS_H
 #define TICKER_TASKS_BUMP_REGIONS_H
 
-#include <grader/tasks/bump/questions/Draws.h>
 #include <grader/tasks/bump/answers/RampJudgement.h>
+#include <grader/tasks/bump/questions/Draws.h>
 #include <grader/tasks/bump/questions/Tilt.h>
 
 #include <cstddef>

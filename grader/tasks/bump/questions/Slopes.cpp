@@ -98,12 +98,12 @@ private:
 /// all.
 template <typename Leans>
 double share(const std::vector<Vector3>& directions, const std::vector<Vector3>& tilts,
-             const Landing& landing, Leans leans) {
+             const Parametrisation& parametrisation, Leans leans) {
     constexpr double kNothing = 1e-9;
     double right = 0.0;
     double count = 0.0;
     for (std::size_t i = 0; i < directions.size(); ++i) {
-        if (!isOrdinary(landing, directions[i])) continue;
+        if (!isOrdinary(parametrisation, directions[i])) continue;
         if (!(tilts[i].magnitude() > kNothing)) continue;
         count += 1.0;
         if (leans(tilts[i], directions[i])) right += 1.0;
@@ -117,21 +117,22 @@ LevelPair addPair(Questionnaire& questionnaire, const Ball& ball, HeightMapDescr
     return {flat, questionnaire.add(ball, std::move(map), directions)};
 }
 
-void readField(const SlopePlan& plan, const Answers& answers, const Landing& landing,
-               const Response& response, SlopeAgreement& agreement) {
+void readField(const SlopePlan& plan, const Answers& answers,
+               const Parametrisation& parametrisation, const Response& response,
+               SlopeAgreement& agreement) {
     const HeightMapDescription& map = answers.asked().question(plan.field.map).map;
     const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.field.flat, plan.field.map);
     SignAgreement alongU;
     SignAgreement alongV;
     for (std::size_t i = 0; i < tilts.size(); ++i) {
         const Vector3& n = plan.fieldDirections[i];
-        if (!isOrdinary(landing, n)) continue;
-        const double u = landing.u(n);
-        const double v = landing.v(n);
+        if (!isOrdinary(parametrisation, n)) continue;
+        const double u = parametrisation.u(n);
+        const double v = parametrisation.v(n);
         alongU.add(slopeAlongU(map, u, v) * strengthAt(response.u, v),
-                   -response.u.sign() * tilts[i].dot(landing.alongU(n)));
+                   -response.u.sign() * tilts[i].dot(parametrisation.alongU(n)));
         alongV.add(slopeAlongV(map, u, v) * strengthAt(response.v, v),
-                   -response.v.sign() * tilts[i].dot(landing.alongV(n)));
+                   -response.v.sign() * tilts[i].dot(parametrisation.alongV(n)));
     }
     agreement.fieldU = alongU.value();
     agreement.fieldV = alongV.value();
@@ -160,21 +161,22 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     return plan;
 }
 
-SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers, const Landing& landing,
-                          const Response& response) {
+SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers,
+                          const Parametrisation& parametrisation, const Response& response) {
     const auto leansU = [&](const Vector3& tilt, const Vector3& n) {
-        return -response.u.sign() * tilt.dot(landing.alongU(n)) > 0.5 * tilt.magnitude();
+        return -response.u.sign() * tilt.dot(parametrisation.alongU(n)) > 0.5 * tilt.magnitude();
     };
     const auto leansV = [&](const Vector3& tilt, const Vector3& n) {
-        return -response.v.sign() * tilt.dot(landing.alongV(n)) > 0.5 * tilt.magnitude();
+        return -response.v.sign() * tilt.dot(parametrisation.alongV(n)) > 0.5 * tilt.magnitude();
     };
     const auto measure = [&](const LevelPair& pair, const auto& leans) {
-        return share(plan.directions, answers.tiltsBeyond(pair.flat, pair.map), landing, leans);
+        return share(plan.directions, answers.tiltsBeyond(pair.flat, pair.map), parametrisation,
+                     leans);
     };
     SlopeAgreement agreement;
     agreement.sawtoothU = measure(plan.sawtoothU, leansU);
     agreement.sawtoothV = measure(plan.sawtoothV, leansV);
-    readField(plan, answers, landing, response, agreement);
+    readField(plan, answers, parametrisation, response, agreement);
     return agreement;
 }
 

@@ -1,9 +1,9 @@
 #ifndef TICKER_TASKS_BUMP_SLOPES_H
 #define TICKER_TASKS_BUMP_SLOPES_H
 
-#include <grader/tasks/bump/questions/Draws.h>
-#include <grader/tasks/bump/answers/Landing.h>
+#include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/answers/Response.h>
+#include <grader/tasks/bump/questions/Draws.h>
 #include <grader/tasks/bump/questions/Tilt.h>
 
 #include <cstddef>
@@ -46,7 +46,8 @@ struct SlopeAgreement {
 };
 
 [[nodiscard]] SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers,
-                                        const Landing& landing, const Response& response);
+                                        const Parametrisation& parametrisation,
+                                        const Response& response);
 
 /// The slope of a byte map along u at a point, heights per texel, over two texels.
 [[nodiscard]] double slopeAlongU(const probe::HeightMapDescription& map, double u, double v);

@@ -75,19 +75,19 @@ const probe::NormalQuestion& Questionnaire::question(std::size_t number) const {
     return std::get<probe::NormalQuestion>(questions_.at(number));
 }
 
-Answers::Answers(const Questionnaire& asked, probe::Sitting sitting)
-    : asked_(&asked), sitting_(std::move(sitting)) {
-    sitting_.answers.resize(asked.questions().size());
-    for (std::size_t i = 0; i < sitting_.answers.size(); ++i) {
-        if (!std::holds_alternative<probe::NormalAnswer>(sitting_.answers[i]))
-            sitting_.answers[i] = probe::NormalAnswer{};
-        std::get<probe::NormalAnswer>(sitting_.answers[i])
+Answers::Answers(const Questionnaire& asked, probe::Run run)
+    : asked_(&asked), run_(std::move(run)) {
+    run_.answers.resize(asked.questions().size());
+    for (std::size_t i = 0; i < run_.answers.size(); ++i) {
+        if (!std::holds_alternative<probe::NormalAnswer>(run_.answers[i]))
+            run_.answers[i] = probe::NormalAnswer{};
+        std::get<probe::NormalAnswer>(run_.answers[i])
             .normals.resize(asked.question(i).positions.size(), {kNothing, kNothing, kNothing});
     }
 }
 
 const probe::NormalAnswer& Answers::answer(std::size_t number) const {
-    return std::get<probe::NormalAnswer>(sitting_.answers.at(number));
+    return std::get<probe::NormalAnswer>(run_.answers.at(number));
 }
 
 std::vector<Vector3> Answers::tilts(std::size_t number) const {

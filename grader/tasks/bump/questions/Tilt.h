@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_BUMP_TILT_H
 #define TICKER_TASKS_BUMP_TILT_H
 
-#include <grader/tasks/bump/questions/Draws.h>
 #include <grader/probe/Examinee.h>
+#include <grader/tasks/bump/questions/Draws.h>
 #include <questions/BumpQuestions.h>
 
 #include <raytracer/math/Vector3.h>
@@ -36,7 +36,7 @@ using raytracer::questions::tiltOf;
 /// A map without slope, of half the greatest height unless another is given.
 [[nodiscard]] probe::HeightMapDescription flatMap(int width, int height, double level = 2.5);
 
-/// Collects the questions of one sitting; a question's number finds its answer later.
+/// Collects the questions of one run; a question's number finds its answer later.
 class Questionnaire {
 public:
     /// @param seed  Draws the spheres' materials and what else is in their scenes: a submission
@@ -59,9 +59,9 @@ private:
 /// What came back, put beside what was asked.
 class Answers {
 public:
-    Answers(const Questionnaire& asked, probe::Sitting sitting);
+    Answers(const Questionnaire& asked, probe::Run run);
 
-    [[nodiscard]] const probe::ProcessEnd& end() const { return sitting_.end; }
+    [[nodiscard]] const probe::ProcessEnd& end() const { return run_.end; }
     [[nodiscard]] const Questionnaire& asked() const { return *asked_; }
     /// The answer to a question; its normals are as many as were asked for, and not finite where
     /// none came.
@@ -73,7 +73,7 @@ public:
 
 private:
     const Questionnaire* asked_;
-    probe::Sitting sitting_;
+    probe::Run run_;
 };
 
 }  // namespace ticker::tasks::bump

@@ -39,11 +39,11 @@ void addLetters(Evidence& evidence, const LetterReading& letters) {
     addEdges(evidence, "letterLAlongV", letters.l.alongV);
 }
 
-void addLanding(Evidence& evidence, const LandingFit& fit) {
-    const Vector3& axis = fit.landing.axis();
+void addParametrisation(Evidence& evidence, const ParametrisationFit& fit) {
+    const Vector3& axis = fit.parametrisation.axis();
     evidence.emplace_back("topOfMap", std::vector<double>{axis.x, axis.y, axis.z});
-    evidence.emplace_back("uFacingTheCamera", fit.landing.u({0.0, 0.0, -1.0}));
-    evidence.emplace_back("mirrored", fit.landing.mirrored());
+    evidence.emplace_back("uFacingTheCamera", fit.parametrisation.u({0.0, 0.0, -1.0}));
+    evidence.emplace_back("mirrored", fit.parametrisation.mirrored());
     evidence.emplace_back("strayShare", fit.strayShare);
 }
 
@@ -86,7 +86,7 @@ Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examina
     evidence.emplace_back("steepOverGentleSlopes", static_cast<double>(ProportionPlan::kTimes));
     evidence.emplace_back("steepOverGentleTilts", examination.proportion.growth);
     if (examination.edges) evidence.emplace_back("seamOverElsewhere", examination.edges->seam);
-    if (examination.ramps().fit) addLanding(evidence, *examination.ramps().fit);
+    if (examination.ramps().fit) addParametrisation(evidence, *examination.ramps().fit);
     addOffence(evidence, "exception", examination.conduct.threw);
     addOffence(evidence, "notFinite", examination.conduct.notFinite);
     addOffence(evidence, "notUnit", examination.conduct.notUnit);

@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_BUMP_BUMPEVIDENCE_H
 #define TICKER_TASKS_BUMP_BUMPEVIDENCE_H
 
-#include <grader/tasks/bump/words/Diagnosis.h>
 #include <grader/result/Finding.h>
+#include <grader/tasks/bump/words/Diagnosis.h>
 
 #include <vector>
 

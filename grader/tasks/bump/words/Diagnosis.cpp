@@ -68,8 +68,8 @@ std::optional<WrongReason> reasonOf(RampKind kind) {
             return WrongReason::slopeVIgnored;
         case RampKind::signLost:
             return WrongReason::signLost;
-        case RampKind::strangeLanding:
-            return WrongReason::strangeLanding;
+        case RampKind::strangeParametrisation:
+            return WrongReason::strangeParametrisation;
         case RampKind::patchy:
             return WrongReason::patchy;
         case RampKind::strangeDirection:
@@ -129,7 +129,7 @@ std::optional<WrongReason> findWrong(const Examination& examination) {
     // Wrong tangents tip a normal over here and there; then they are what is wrong.
     if (inward.count > 0.5 * inward.asked) return WrongReason::inward;
     if (tiltsWithoutSlope(examination)) return WrongReason::flatTilted;
-    if (kind == RampKind::strangeLanding && !growsWithSlope(examination))
+    if (kind == RampKind::strangeParametrisation && !growsWithSlope(examination))
         return WrongReason::doesNotGrow;
     if (const auto reason = reasonOf(kind)) return reason;
     if (!hasSenses(kind)) return std::nullopt;
@@ -153,7 +153,7 @@ bool standsOnItsHead(const Examination& examination) {
     // Downwards within 45 degrees of straight down.
     constexpr double kDownwards = -0.7;
     return examination.ramps().response.has_value() &&
-           examination.ramps().fit->landing.axis().y < kDownwards;
+           examination.ramps().fit->parametrisation.axis().y < kDownwards;
 }
 
 bool pointsInwards(const Examination& examination) {

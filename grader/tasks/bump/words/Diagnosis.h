@@ -42,7 +42,7 @@ enum class WrongReason {
     slopeUIgnored,
     slopeVIgnored,
     signLost,
-    strangeLanding,
+    strangeParametrisation,
     smallSlopesLost,  ///< ramps tilt nothing, steps do
     patchy,
     strangeDirection,

@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_BUMP_DIRECTIONWORDS_H
 #define TICKER_TASKS_BUMP_DIRECTIONWORDS_H
 
-#include <grader/tasks/bump/words/Phrases.h>
 #include <grader/tasks/bump/answers/Response.h>
+#include <grader/tasks/bump/words/Phrases.h>
 
 namespace ticker::tasks::bump {
 

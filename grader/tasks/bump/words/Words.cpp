@@ -228,7 +228,8 @@ std::vector<Finding> sideNotes(const Examination& examination) {
     // is seen from inside says nothing.
     const bool placed = examination.ramps().response.has_value() && !standsOnItsHead(examination) &&
                         !pointsInwards(examination);
-    if (placed && examination.ramps().fit->landing.mirrored()) notes.push_back(mirroredNote());
+    if (placed && examination.ramps().fit->parametrisation.mirrored())
+        notes.push_back(mirroredNote());
     for (Finding& finding : notes)
         if (finding.severity == Severity::warn)
             finding.message +=

@@ -1,9 +1,9 @@
 #ifndef TICKER_TASKS_BUMP_WORDS_H
 #define TICKER_TASKS_BUMP_WORDS_H
 
-#include <grader/tasks/bump/words/Diagnosis.h>
-#include <grader/tasks/bump/Examination.h>
 #include <grader/result/Finding.h>
+#include <grader/tasks/bump/Examination.h>
+#include <grader/tasks/bump/words/Diagnosis.h>
 
 #include <optional>
 #include <vector>

@@ -3,7 +3,7 @@
 #include <grader/tasks/bump/questions/Numbers.h>
 #include <grader/tasks/bump/words/DirectionWords.h>
 #include <grader/tasks/bump/words/GrowthWords.h>
-#include <grader/tasks/bump/words/LandingWords.h>
+#include <grader/tasks/bump/words/ParametrisationWords.h>
 
 #include <fmt/format.h>
 
@@ -198,7 +198,7 @@ Words wrongWords(WrongReason reason, const Examination& examination,
         case WrongReason::slopeVIgnored:
             return ignoredWords("v", "rows");
         case WrongReason::signLost:
-        case WrongReason::strangeLanding:
+        case WrongReason::strangeParametrisation:
             return landingWords(examination, hints);
         case WrongReason::smallSlopesLost:
             return smallSlopesWords();

@@ -133,19 +133,19 @@ int raiseLimits(std::span<char*>) {
 }
 
 constexpr Trick kGreedyTricks[] = {{"loop", loop},
-                             {"busy-threads", busyThreads},
-                             {"ignore-cpu-limit", ignoreCpuLimit},
-                             {"block-all-signals", blockAllSignals},
-                             {"segv-handler-loop", segvHandlerLoop},
-                             {"sleep", sleepForever},
-                             {"new-bomb", newBomb},
-                             {"map-bomb", mapBomb},
-                             {"stack-overflow", stackOverflow},
-                             {"thread-bomb", threadBomb},
-                             {"flood", flood},
-                             {"fork-bomb", forkBomb},
-                             {"big-file", bigFile},
-                             {"raise-limits", raiseLimits}};
+                                   {"busy-threads", busyThreads},
+                                   {"ignore-cpu-limit", ignoreCpuLimit},
+                                   {"block-all-signals", blockAllSignals},
+                                   {"segv-handler-loop", segvHandlerLoop},
+                                   {"sleep", sleepForever},
+                                   {"new-bomb", newBomb},
+                                   {"map-bomb", mapBomb},
+                                   {"stack-overflow", stackOverflow},
+                                   {"thread-bomb", threadBomb},
+                                   {"flood", flood},
+                                   {"fork-bomb", forkBomb},
+                                   {"big-file", bigFile},
+                                   {"raise-limits", raiseLimits}};
 
 }  // namespace
 

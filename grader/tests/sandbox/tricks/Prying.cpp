@@ -138,24 +138,24 @@ int becomeRoot(std::span<char*>) {
 }
 
 constexpr Trick kPryingTricks[] = {{"daemon", daemonise},
-                             {"kill-parent", killParent},
-                             {"kill-all", killAll},
-                             {"trace-parent", traceParent},
-                             {"internet-socket", internetSocket},
-                             {"abstract-socket", abstractSocket},
-                             {"read-file", readFile},
-                             {"write-file", writeFile},
-                             {"file-status", fileStatus},
-                             {"list-folder", listFolder},
-                             {"make-link", makeLink},
-                             {"forge-report", forgeReport},
-                             {"new-namespaces", newNamespaces},
-                             {"io-uring", ioUring},
-                             {"memory-file", memoryFile},
-                             {"other-program", otherProgram},
-                             {"type-into-terminal", typeIntoTerminal},
-                             {"other-architecture", otherArchitecture},
-                             {"become-root", becomeRoot}};
+                                   {"kill-parent", killParent},
+                                   {"kill-all", killAll},
+                                   {"trace-parent", traceParent},
+                                   {"internet-socket", internetSocket},
+                                   {"abstract-socket", abstractSocket},
+                                   {"read-file", readFile},
+                                   {"write-file", writeFile},
+                                   {"file-status", fileStatus},
+                                   {"list-folder", listFolder},
+                                   {"make-link", makeLink},
+                                   {"forge-report", forgeReport},
+                                   {"new-namespaces", newNamespaces},
+                                   {"io-uring", ioUring},
+                                   {"memory-file", memoryFile},
+                                   {"other-program", otherProgram},
+                                   {"type-into-terminal", typeIntoTerminal},
+                                   {"other-architecture", otherArchitecture},
+                                   {"become-root", becomeRoot}};
 
 }  // namespace
 

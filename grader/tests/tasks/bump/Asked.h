@@ -1,9 +1,9 @@
 #ifndef TICKER_TESTS_BUMP_ASKED_H
 #define TICKER_TESTS_BUMP_ASKED_H
 
-#include <grader/tasks/bump/answers/Landing.h>
-#include <grader/tasks/bump/questions/Tilt.h>
 #include <grader/lab/selftest/FunctionExaminee.h>
+#include <grader/tasks/bump/answers/Parametrisation.h>
+#include <grader/tasks/bump/questions/Tilt.h>
 
 #include <algorithm>
 #include <functional>
@@ -12,7 +12,7 @@
 namespace ticker::tests {
 
 using tasks::bump::Answers;
-using tasks::bump::Landing;
+using tasks::bump::Parametrisation;
 using tasks::bump::Questionnaire;
 
 /// What a function answers to all questions.
@@ -32,18 +32,18 @@ struct Place {
 };
 
 /// The reference's: axis upwards, u from the back, not mirrored.
-inline const tasks::bump::Landing kLanding({0.0, 1.0, 0.0}, 0.5, false);
+inline const tasks::bump::Parametrisation kParametrisation({0.0, 1.0, 0.0}, 0.5, false);
 
 /// A submission that tilts in proportion to the slope: `times` has a factor for either axis, 1 for
 /// right.
 inline selftest::NormalFunction inProportion(
-    const Landing& landing,
+    const Parametrisation& parametrisation,
     std::function<std::pair<double, double>(const Place&, const selftest::Point&)> times) {
-    return [landing, times = std::move(times)](const selftest::Point& point) {
+    return [parametrisation, times = std::move(times)](const selftest::Point& point) {
         const raytracer::Vector3 n = (point.position - point.centre).normalised();
         const int width = point.map.width();
         const int height = point.map.height();
-        Place at{landing.u(n), landing.v(n), 0, 0, 0.0, 0.0};
+        Place at{parametrisation.u(n), parametrisation.v(n), 0, 0, 0.0, 0.0};
         at.column = std::min(static_cast<int>(at.u * width), width - 1);
         at.row = std::min(static_cast<int>(at.v * height), height - 1);
         at.alongU = 0.5 * (point.map.at((at.column + 1) % width, at.row) -
@@ -51,7 +51,8 @@ inline selftest::NormalFunction inProportion(
         at.alongV = 0.5 * (point.map.at(at.column, std::min(at.row + 1, height - 1)) -
                            point.map.at(at.column, std::max(at.row - 1, 0)));
         const auto [onU, onV] = times(at, point);
-        return (n - onU * at.alongU * landing.alongU(n) - onV * at.alongV * landing.alongV(n))
+        return (n - onU * at.alongU * parametrisation.alongU(n) -
+                onV * at.alongV * parametrisation.alongV(n))
             .normalised();
     };
 }

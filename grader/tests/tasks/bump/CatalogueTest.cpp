@@ -1,5 +1,5 @@
-#include <grader/tasks/bump/JudgeBump.h>
 #include <grader/lab/selftest/BumpTables.h>
+#include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tests/tasks/bump/StandIn.h>
 
 #include <gtest/gtest.h>
@@ -50,12 +50,13 @@ TEST(BumpCatalogue, EveryMistakeGetsItsFindingAndAHintOnTwoSeeds) {
 
 TEST(BumpCatalogue, KnowsEveryMistakeOfTheModelByTheSameFinding) {
     const std::vector<CompiledMistake>& catalogue = compiledCatalogue();
-    for (const selftest::Slip slip : selftest::allSlips()) {
-        const auto same = std::find_if(
-            catalogue.begin(), catalogue.end(),
-            [slip](const CompiledMistake& entry) { return entry.id == selftest::idOf(slip); });
-        ASSERT_NE(same, catalogue.end()) << selftest::idOf(slip);
-        EXPECT_EQ(same->finding, selftest::expectedFinding(slip)) << same->id;
+    for (const selftest::Mistake mistake : selftest::allMistakes()) {
+        const auto same = std::find_if(catalogue.begin(), catalogue.end(),
+                                       [mistake](const CompiledMistake& entry) {
+                                           return entry.id == selftest::idOf(mistake);
+                                       });
+        ASSERT_NE(same, catalogue.end()) << selftest::idOf(mistake);
+        EXPECT_EQ(same->finding, selftest::expectedFinding(mistake)) << same->id;
     }
 }
 

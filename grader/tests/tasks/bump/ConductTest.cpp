@@ -24,13 +24,13 @@ struct Made {
     Questionnaire questionnaire;
     std::size_t ordinary;
     ConductPlan plan;
-    probe::Sitting sitting;
+    probe::Run run;
 
     Made() : ordinary(addOrdinary(questionnaire)), plan(addPlan(questionnaire)) {
         selftest::FunctionExaminee smooth([](const selftest::Point& point) {
             return (point.position - point.centre).normalised();
         });
-        sitting = smooth.ask(questionnaire.questions());
+        run = smooth.ask(questionnaire.questions());
     }
     static std::size_t addOrdinary(Questionnaire& questionnaire) {
         return questionnaire.add(
@@ -42,11 +42,9 @@ struct Made {
         return planConduct(questionnaire, draws);
     }
     [[nodiscard]] NormalAnswer& answer(std::size_t question) {
-        return std::get<NormalAnswer>(sitting.answers.at(question));
+        return std::get<NormalAnswer>(run.answers.at(question));
     }
-    [[nodiscard]] Conduct read() const {
-        return readConduct(plan, Answers(questionnaire, sitting));
-    }
+    [[nodiscard]] Conduct read() const { return readConduct(plan, Answers(questionnaire, run)); }
 };
 
 /// What comes of one odd normal at the second point of a question.

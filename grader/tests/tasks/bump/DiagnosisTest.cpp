@@ -16,7 +16,7 @@ Examination fine() {
     examination.conduct.largestTilt = 0.5;
     examination.conduct.inward.asked = 1000.0;
     examination.ladder.ramps.kind = RampKind::right;
-    examination.ladder.ramps.fit = LandingFit{Landing({0.0, 1.0, 0.0}, 0.5, false)};
+    examination.ladder.ramps.fit = ParametrisationFit{Parametrisation({0.0, 1.0, 0.0}, 0.5, false)};
     examination.ladder.ramps.response = Response{};
     examination.regions = RegionAgreement{};
     examination.slopes = SlopeAgreement{1.0, 1.0, 1.0, 1.0};
@@ -75,8 +75,8 @@ TEST(FindWrong, NamesWhatIsWrongWithTheRamps) {
     EXPECT_EQ(ofKind(RampKind::slopeUIgnored), WrongReason::slopeUIgnored);
     EXPECT_EQ(ofKind(RampKind::slopeVIgnored), WrongReason::slopeVIgnored);
     EXPECT_EQ(ofKind(RampKind::signLost), WrongReason::signLost);
-    EXPECT_EQ(ofKind(RampKind::strangeLanding), WrongReason::strangeLanding);
-    EXPECT_EQ(ofKind(RampKind::strangeLanding, false), WrongReason::doesNotGrow);
+    EXPECT_EQ(ofKind(RampKind::strangeParametrisation), WrongReason::strangeParametrisation);
+    EXPECT_EQ(ofKind(RampKind::strangeParametrisation, false), WrongReason::doesNotGrow);
     EXPECT_EQ(ofKind(RampKind::patchy, false), WrongReason::patchy);
     EXPECT_EQ(ofKind(RampKind::strangeDirection), WrongReason::strangeDirection);
     EXPECT_EQ(ofKind(RampKind::right, false), WrongReason::doesNotGrow);
@@ -214,7 +214,8 @@ TEST(Diagnose, KnowsTransposedAndUpsideDownMaps) {
     EXPECT_EQ(transposed(true, true, true), Ids{"bump.wrong"});
     const auto towards = [](double y, double flatTilt) {
         return idsAfter([=](Examination& e) {
-            e.ladder.ramps.fit = LandingFit{Landing({std::sqrt(1.0 - y * y), y, 0.0}, 0.5, false)};
+            e.ladder.ramps.fit =
+                ParametrisationFit{Parametrisation({std::sqrt(1.0 - y * y), y, 0.0}, 0.5, false)};
             e.ladder.flatTilt = flatTilt;
         });
     };

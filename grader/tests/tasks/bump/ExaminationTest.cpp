@@ -1,4 +1,4 @@
-// Which ramps count, and what the last sitting hints at, on submissions made by hand.
+// Which ramps count, and what the last run hints at, on submissions made by hand.
 #include <grader/tasks/bump/Examination.h>
 #include <grader/tests/tasks/bump/Asked.h>
 
@@ -19,7 +19,7 @@ RampJudgement coarse(RampKind kind, bool responds) {
     RampJudgement judgement;
     judgement.kind = kind;
     judgement.shape.rise = 77.0;
-    judgement.fit = LandingFit{tests::kLanding};
+    judgement.fit = ParametrisationFit{tests::kParametrisation};
     if (responds) {
         judgement.response = Response{};
         judgement.response->u.bandStrength.fill(1.0);
@@ -32,7 +32,7 @@ RampJudgement coarse(RampKind kind, bool responds) {
 bool coarseCounts(const Times& times, RampKind kind, bool responds) {
     const MainPlan plan = planMain(8);
     const Answers answers =
-        tests::answersOf(plan.questionnaire, tests::inProportion(tests::kLanding, times));
+        tests::answersOf(plan.questionnaire, tests::inProportion(tests::kParametrisation, times));
     const Examination examination = examine(plan, answers, coarse(kind, responds));
     EXPECT_EQ(examination.regions.has_value(), examination.ramps().response.has_value());
     return examination.ramps().shape.rise == 77.0;
@@ -57,7 +57,7 @@ Hints hintsOf(const selftest::NormalFunction& function) {
 }
 
 Hints hintsOf(const Times& times) {
-    return hintsOf(tests::inProportion(tests::kLanding, times));
+    return hintsOf(tests::inProportion(tests::kParametrisation, times));
 }
 
 TEST(ReadHints, FindNothingInARightReading) {
@@ -102,7 +102,7 @@ TEST(ReadHints, TellThatTheOrderOfThePointsMatters) {
     const auto dependsOn = [](int every, double by) {
         int asked = 0;
         const auto plain = tests::inProportion(
-            tests::kLanding,
+            tests::kParametrisation,
             [](const Place&, const selftest::Point&) { return std::pair(5.0, 5.0); });
         return hintsOf([&, plain](const selftest::Point& point) {
                    const double more = asked++ % every == 0 ? by : 0.0;

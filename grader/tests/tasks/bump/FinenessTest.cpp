@@ -24,32 +24,33 @@ Steps inSteps(int count) {
 }
 
 /// Forward differences at the rounded place; the tangents are those of the point.
-selftest::NormalFunction rounded(const Landing& landing, const Steps& u, const Steps& v,
-                                 double strength = 1.0) {
+selftest::NormalFunction rounded(const Parametrisation& parametrisation, const Steps& u,
+                                 const Steps& v, double strength = 1.0) {
     return [=](const selftest::Point& point) {
         const Vector3 n = (point.position - point.centre).normalised();
         const int width = point.map.width();
         const int height = point.map.height();
-        const int c = std::min(static_cast<int>(u(landing.u(n)) * width), width - 1);
-        const int r = std::min(static_cast<int>(v(landing.v(n)) * height), height - 1);
+        const int c = std::min(static_cast<int>(u(parametrisation.u(n)) * width), width - 1);
+        const int r = std::min(static_cast<int>(v(parametrisation.v(n)) * height), height - 1);
         const double here = point.map.at(c, r);
         const double alongU = point.map.at((c + 1) % width, r) - here;
         const double alongV = point.map.at(c, std::min(r + 1, height - 1)) - here;
-        return (n - strength * (alongU * landing.alongU(n) + alongV * landing.alongV(n)))
+        return (n - strength *
+                        (alongU * parametrisation.alongU(n) + alongV * parametrisation.alongV(n)))
             .normalised();
     };
 }
 
-const Landing kUpright({0.0, 1.0, 0.0}, 0.37, false);
+const Parametrisation kUpright({0.0, 1.0, 0.0}, 0.37, false);
 
-Fineness finenessOf(const selftest::NormalFunction& function, const Landing& landing = kUpright,
-                    std::uint64_t seed = 4) {
+Fineness finenessOf(const selftest::NormalFunction& function,
+                    const Parametrisation& parametrisation = kUpright, std::uint64_t seed = 4) {
     Questionnaire questionnaire;
     Draws draws(seed);
     const FinenessPlan plan = planFineness(questionnaire, draws, {{0.0, 0.0, 20.0}, 12.0});
     RampJudgement ramps;
     ramps.shape = {1001, 801, 90, 0.5, 2.0};
-    ramps.fit = LandingFit{landing};
+    ramps.fit = ParametrisationFit{parametrisation};
     ramps.response = Response{};
     ramps.response->u.bandStrength.fill(0.5 / 1000);
     ramps.response->v.bandStrength.fill(0.5 / 800);
@@ -59,8 +60,9 @@ Fineness finenessOf(const selftest::NormalFunction& function, const Landing& lan
 TEST(ReadFineness, SeesThatNeighboursTiltOppositeWays) {
     for (const double strength : {0.05, 1.0, 50.0})
         for (const bool mirrored : {false, true}) {
-            const Landing landing({0.0, 1.0, 0.0}, 0.1, mirrored);
-            const Fineness fineness = finenessOf(rounded(landing, exact, exact, strength), landing);
+            const Parametrisation parametrisation({0.0, 1.0, 0.0}, 0.1, mirrored);
+            const Fineness fineness =
+                finenessOf(rounded(parametrisation, exact, exact, strength), parametrisation);
             EXPECT_GT(fineness.u, 0.99) << strength;
             EXPECT_GT(fineness.v, 0.99) << strength;
         }
@@ -97,7 +99,7 @@ TEST(ReadFineness, SeesWhoRoundsToWholeDegrees) {
 
 TEST(ReadFineness, SaysNothingAboutFinerStepsOtherPolesAndWhatIsSmoothedAway) {
     EXPECT_TRUE(finenessOf(rounded(kUpright, inSteps(1000), inSteps(1000))).good());
-    const Landing sideways({1.0, 0.0, 0.0}, 0.1, false);
+    const Parametrisation sideways({1.0, 0.0, 0.0}, 0.1, false);
     EXPECT_EQ(finenessOf(rounded(sideways, inSteps(360), exact), sideways).u, 1.0);
     EXPECT_EQ(finenessOf(rounded(kUpright, inSteps(360), exact, 0.01)).u, 1.0);
 }

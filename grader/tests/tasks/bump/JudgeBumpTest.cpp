@@ -11,12 +11,12 @@
 namespace ticker::tests {
 namespace {
 
-using tasks::judgeBump;
 using probe::ProcessEnd;
 using selftest::FunctionExaminee;
+using selftest::Mistake;
 using selftest::modelNormal;
 using selftest::Reading;
-using selftest::Slip;
+using tasks::judgeBump;
 
 const EvidenceValue* evidence(const TaskJudgement& judgement, const std::string& key) {
     for (const auto& [name, value] : judgement.findings.front().evidence)
@@ -24,11 +24,11 @@ const EvidenceValue* evidence(const TaskJudgement& judgement, const std::string&
     return nullptr;
 }
 
-/// Ends every sitting in a given way, without an answer.
+/// Ends every run in a given way, without an answer.
 class Broken final : public probe::Examinee {
 public:
     explicit Broken(ProcessEnd::Kind kind) : kind_(kind) {}
-    probe::Sitting ask(const std::vector<probe::Question>&) override {
+    probe::Run ask(const std::vector<probe::Question>&) override {
         return {{}, {kind_, "some detail"}};
     }
 
@@ -36,25 +36,25 @@ private:
     ProcessEnd::Kind kind_;
 };
 
-TEST(JudgeBump, PassesARightReadingInOneSittingWithoutFindings) {
+TEST(JudgeBump, PassesARightReadingInOneRunWithoutFindings) {
     FunctionExaminee examinee(
-        [](const Point& point) { return modelNormal({}, Slip::none, point); });
+        [](const Point& point) { return modelNormal({}, Mistake::none, point); });
     const TaskJudgement judgement = judgeBump(examinee, 1);
     EXPECT_EQ(judgement.state, TaskState::passed);
     EXPECT_TRUE(judgement.findings.empty());
-    EXPECT_EQ(examinee.sittings(), 1);
+    EXPECT_EQ(examinee.runs(), 1);
 }
 
 TEST(JudgeBump, NeedsTwoSittingsAtMost) {
     FunctionExaminee examinee(
-        [](const Point& point) { return modelNormal({}, Slip::inverted, point); });
+        [](const Point& point) { return modelNormal({}, Mistake::inverted, point); });
     (void)judgeBump(examinee, 1);
-    EXPECT_EQ(examinee.sittings(), 2);
+    EXPECT_EQ(examinee.runs(), 2);
 }
 
 TEST(JudgeBump, SaysTheSameForTheSameSeed) {
-    const TaskJudgement one = judge({}, Slip::otherAxis);
-    const TaskJudgement two = judge({}, Slip::otherAxis);
+    const TaskJudgement one = judge({}, Mistake::otherAxis);
+    const TaskJudgement two = judge({}, Mistake::otherAxis);
     ASSERT_EQ(firstId(one), firstId(two));
     EXPECT_EQ(one.findings.front().message, two.findings.front().message);
     EXPECT_EQ(one.findings.front().evidence, two.findings.front().evidence);
@@ -74,7 +74,7 @@ TEST(JudgeBump, JudgesTheSignWhateverTheStrength) {
         Reading reading;
         reading.strength = strength;
         EXPECT_EQ(judge(reading).state, TaskState::passed) << strength;
-        EXPECT_EQ(firstId(judge(reading, Slip::invertedV)), "bump.inverted-v") << strength;
+        EXPECT_EQ(firstId(judge(reading, Mistake::invertedV)), "bump.inverted-v") << strength;
     }
 }
 
@@ -85,8 +85,8 @@ TEST(JudgeBump, MakesUpForTheLeanOfADisplacedSurfacesChords) {
     for (const double strength : {0.2, 1.0, 5.0, 20.0}) {  // 1 + 0.005 to 0.5 times the height
         reading.strength = strength;
         EXPECT_EQ(judge(reading).state, TaskState::passed) << strength;
-        EXPECT_EQ(firstId(judge(reading, Slip::inverted)), "bump.inverted") << strength;
-        EXPECT_EQ(firstId(judge(reading, Slip::invertedU)), "bump.inverted-u") << strength;
+        EXPECT_EQ(firstId(judge(reading, Mistake::inverted)), "bump.inverted") << strength;
+        EXPECT_EQ(firstId(judge(reading, Mistake::invertedU)), "bump.inverted-u") << strength;
     }
 }
 
@@ -95,7 +95,7 @@ TEST(JudgeBump, RefusesALeanThatIsMoreThanThatOfChords) {
         return judge([=](const Point& point) {
             const Vector3 n = smooth(point);
             const Vector3 right = n.cross({0.0, 1.0, 0.0}).normalised();
-            return (modelNormal({}, Slip::none, point) + right * lean).normalised();
+            return (modelNormal({}, Mistake::none, point) + right * lean).normalised();
         });
     };
     EXPECT_EQ(leaning(0.03).state, TaskState::passed);
@@ -105,7 +105,7 @@ TEST(JudgeBump, RefusesALeanThatIsMoreThanThatOfChords) {
 TEST(JudgeBump, ListsNoFindingTwice) {
     // Half as long everywhere: at points that show, and at those that do not.
     const TaskJudgement judgement =
-        judge([](const Point& point) { return 0.5 * modelNormal({}, Slip::none, point); });
+        judge([](const Point& point) { return 0.5 * modelNormal({}, Mistake::none, point); });
     const auto listed = std::count_if(judgement.findings.begin(), judgement.findings.end(),
                                       [](const Finding& f) { return f.id == "bump.not-unit"; });
     EXPECT_EQ(listed, 1);
@@ -120,7 +120,7 @@ TEST(JudgeBump, CallsATiltThatNobodyCanSeeFlat) {
 
 TEST(JudgeBump, ReportsTheFirstFaultAndTheOthersAsEvidence) {
     const TaskJudgement judgement =
-        judge([](const Point& point) { return 1.1 * modelNormal({}, Slip::invertedU, point); });
+        judge([](const Point& point) { return 1.1 * modelNormal({}, Mistake::invertedU, point); });
     ASSERT_EQ(firstId(judgement), "bump.not-unit");
     EXPECT_EQ(std::get<std::string>(*evidence(judgement, "also")), "bump.inverted-u");
 }
@@ -153,39 +153,39 @@ TEST(JudgeBump, NeverBlamesTheStudentForOurFault) {
 }
 
 TEST(JudgeBump, TellsACentreThatIsMissingByASphereAtTheOrigin) {
-    const TaskJudgement judgement = judge({}, Slip::noCentre);
+    const TaskJudgement judgement = judge({}, Mistake::noCentre);
     ASSERT_EQ(firstId(judgement), "bump.wrong");
     EXPECT_NE(judgement.findings.front().hint.find("centre is not subtracted"), std::string::npos);
 }
 
 /// Code that takes each point for the one on the other side of the centre, along these axes.
-TaskJudgement judgeReflected(Slip slip, const Vector3& signs, bool turnedBack) {
+TaskJudgement judgeReflected(Mistake mistake, const Vector3& signs, bool turnedBack) {
     return judge([=](const Point& point) {
         const auto reflected = [&](const Vector3& v) {
             return Vector3{v.x * signs.x, v.y * signs.y, v.z * signs.z};
         };
         Point other = point;
         other.position = point.centre + reflected(point.position - point.centre);
-        const Vector3 normal = modelNormal({}, slip, other);
+        const Vector3 normal = modelNormal({}, mistake, other);
         return turnedBack ? reflected(normal) : normal;
     });
 }
 
 TEST(JudgeBump, SaysFirstThatEveryNormalPointsInwards) {
-    const TaskJudgement judgement = judgeReflected(Slip::none, {-1.0, -1.0, -1.0}, false);
+    const TaskJudgement judgement = judgeReflected(Mistake::none, {-1.0, -1.0, -1.0}, false);
     ASSERT_EQ(judgement.findings.size(), 1U) << "where the map lies is another matter";
     EXPECT_EQ(firstId(judgement), "bump.wrong");
     EXPECT_NE(judgement.reason.find("points into the sphere"), std::string::npos);
 }
 
 TEST(JudgeBump, DoesNotCallAMapMirroredThatStandsOnItsHead) {
-    const TaskJudgement judgement = judgeReflected(Slip::none, {1.0, -1.0, 1.0}, true);
+    const TaskJudgement judgement = judgeReflected(Mistake::none, {1.0, -1.0, 1.0}, true);
     ASSERT_EQ(judgement.findings.size(), 1U);
     EXPECT_EQ(firstId(judgement), "bump.upside-down");
 }
 
 TEST(JudgeBump, SaysOfAnInvertedAxisThatTheMapStandsOnItsHead) {
-    const TaskJudgement judgement = judgeReflected(Slip::invertedV, {1.0, -1.0, 1.0}, true);
+    const TaskJudgement judgement = judgeReflected(Mistake::invertedV, {1.0, -1.0, 1.0}, true);
     ASSERT_EQ(judgement.findings.size(), 1U);
     EXPECT_EQ(firstId(judgement), "bump.inverted-v");
     EXPECT_NE(judgement.reason.find("stands on its head"), std::string::npos);

@@ -25,14 +25,14 @@ struct Tilts {
 RampJudgement judge(const std::function<void(double u, double v, Tilts&)>& change) {
     std::vector<RampTilts> all;
     for (const Vector3& n : tests::spread(900)) {
-        const double u = tests::kLanding.u(n);
-        const double v = tests::kLanding.v(n);
+        const double u = tests::kParametrisation.u(n);
+        const double v = tests::kParametrisation.v(n);
         Tilts at{.bowU = 1.0 - 2.0 * u, .bowV = 1.0 - 2.0 * v};
         change(u, v, at);
-        const Vector3 onU =
-            -at.onU * tests::kLanding.alongU(n) - at.acrossU * tests::kLanding.alongV(n);
-        const Vector3 onV =
-            -at.onV * tests::kLanding.alongV(n) - at.acrossV * tests::kLanding.alongU(n);
+        const Vector3 onU = -at.onU * tests::kParametrisation.alongU(n) -
+                            at.acrossU * tests::kParametrisation.alongV(n);
+        const Vector3 onV = -at.onV * tests::kParametrisation.alongV(n) -
+                            at.acrossV * tests::kParametrisation.alongU(n);
         all.push_back({n, onU, onU * at.bowU, onV, onV * at.bowV});
     }
     return judgeRamps({}, all);
@@ -40,7 +40,7 @@ RampJudgement judge(const std::function<void(double u, double v, Tilts&)>& chang
 
 void right(double, double, Tilts&) {}
 
-TEST(JudgeRamps, FindTheLandingAndTheSenses) {
+TEST(JudgeRamps, FindTheParametrisationAndTheSenses) {
     const RampJudgement judgement = judge(right);
     EXPECT_EQ(judgement.kind, RampKind::right);
     ASSERT_TRUE(judgement.fit);
@@ -48,7 +48,7 @@ TEST(JudgeRamps, FindTheLandingAndTheSenses) {
     EXPECT_NEAR(judgement.fit->medianUError, 0.0, 1e-6);
     EXPECT_NEAR(judgement.fit->medianVError, 0.0, 1e-6);
     EXPECT_EQ(judgement.fit->strayShare, 0.0);
-    EXPECT_NEAR(judgement.fit->landing.axis().y, 1.0, 1e-6);
+    EXPECT_NEAR(judgement.fit->parametrisation.axis().y, 1.0, 1e-6);
     EXPECT_NEAR(judgement.strength.alongU, 1.0, 1e-9);
     EXPECT_FALSE(judgement.transposed);
     EXPECT_EQ(judge([](double, double, Tilts& t) { t.onU = -1.0; }).kind, RampKind::invertedU);
@@ -124,7 +124,7 @@ TEST(JudgeRamps, KnowPlacesThatNoPolarCoordinatesGive) {
     EXPECT_EQ(judge([](double u, double, Tilts& t) {
                   t.bowV = 1.0 - 2.0 * std::fmod(5.0 * u, 1.0);
               }).kind,
-              RampKind::strangeLanding);
+              RampKind::strangeParametrisation);
     const auto opposite = [](double share) {
         return judge([=](double u, double, Tilts& t) {
                    t.bowV = std::fmod(5.0 * u, 1.0) < share ? -0.5 : 0.5;
@@ -132,7 +132,7 @@ TEST(JudgeRamps, KnowPlacesThatNoPolarCoordinatesGive) {
             .kind;
     };
     EXPECT_EQ(opposite(0.08), RampKind::signLost);
-    EXPECT_EQ(opposite(0.12), RampKind::strangeLanding);
+    EXPECT_EQ(opposite(0.12), RampKind::strangeParametrisation);
 }
 
 /// A submission that tilts by `tilted(slope)` along each axis.
@@ -142,8 +142,8 @@ LadderJudgement judgeSubmission(const std::function<double(double, bool isU)>& t
     const Ball ball{{0.0, 0.0, 25.0}, 15.0};
     const RampLadder ladder = planLadder(questionnaire, draws, ball, tests::spread(400));
     const Answers answers = tests::answersOf(
-        questionnaire,
-        tests::inProportion(tests::kLanding, [&](const tests::Place& at, const selftest::Point&) {
+        questionnaire, tests::inProportion(tests::kParametrisation, [&](const tests::Place& at,
+                                                                        const selftest::Point&) {
             const auto times = [&](double slope, bool isU) {
                 return slope == 0.0 ? 0.0 : tilted(slope, isU) / slope;
             };

@@ -1,8 +1,8 @@
 #ifndef TICKER_TESTS_BUMP_JUDGING_H
 #define TICKER_TESTS_BUMP_JUDGING_H
 
-#include <grader/tasks/bump/JudgeBump.h>
 #include <grader/lab/selftest/BumpModel.h>
+#include <grader/tasks/bump/JudgeBump.h>
 
 #include <cstdint>
 #include <string>
@@ -13,16 +13,15 @@ using raytracer::Vector3;
 using selftest::Point;
 
 /// The judgement of a function.
-inline TaskJudgement judge(const selftest::NormalFunction& function,
-                                     std::uint64_t seed = 5) {
+inline TaskJudgement judge(const selftest::NormalFunction& function, std::uint64_t seed = 5) {
     selftest::FunctionExaminee examinee(function);
     return tasks::judgeBump(examinee, seed);
 }
 
 /// The judgement of a reading with a mistake in it.
 inline TaskJudgement judge(const selftest::Reading& reading,
-                                     selftest::Slip slip = selftest::Slip::none) {
-    return judge([&](const Point& point) { return modelNormal(reading, slip, point); });
+                           selftest::Mistake mistake = selftest::Mistake::none) {
+    return judge([&](const Point& point) { return modelNormal(reading, mistake, point); });
 }
 
 /// The id of the first finding, empty for none.

@@ -1,6 +1,6 @@
 // The handout's own test, letters H and L, by hand.
-#include <grader/tasks/bump/questions/LetterMap.h>
 #include <grader/tasks/bump/answers/Letters.h>
+#include <grader/tasks/bump/questions/LetterMap.h>
 #include <grader/tests/tasks/bump/Asked.h>
 
 #include <gtest/gtest.h>
@@ -63,16 +63,16 @@ Letter letterOf(const Place& at) {
 using Times = std::function<std::pair<double, double>(const Place&)>;
 
 /// Questions, answers and what every axis answers with the same strength everywhere.
-struct Sitting {
+struct Run {
     Questionnaire questionnaire;
     LetterPlan plan;
     Answers answers;
     Response response;
 
-    explicit Sitting(const Times& times)
+    explicit Run(const Times& times)
         : plan(planned(questionnaire)),
           answers(tests::answersOf(
-              questionnaire, tests::inProportion(tests::kLanding,
+              questionnaire, tests::inProportion(tests::kParametrisation,
                                                  [times](const Place& at, const selftest::Point&) {
                                                      return times(at);
                                                  }))) {
@@ -84,7 +84,7 @@ struct Sitting {
         return planLetters(questionnaire, draws);
     }
     [[nodiscard]] LetterReading read() const {
-        return readLetters(plan, answers, tests::kLanding, response);
+        return readLetters(plan, answers, tests::kParametrisation, response);
     }
 };
 
@@ -94,7 +94,7 @@ std::pair<double, double> right(const Place&) {
 
 TEST(PlanLetters, AsksOnAGridOverTheNearSide) {
     Questionnaire questionnaire;
-    const LetterPlan plan = Sitting::planned(questionnaire);
+    const LetterPlan plan = Run::planned(questionnaire);
     ASSERT_EQ(plan.directions.size(), 128U * 64U);
     const auto longitude = [](const Vector3& n) { return std::atan2(n.x, -n.z); };
     const Vector3& first = plan.directions.front();
@@ -117,7 +117,7 @@ void expectAll(const EdgeCount& edges, int EdgeCount::*kind, int least, int most
 // Of four letters of each kind; an H has four upright edges but for its bar, an L two and one at
 // its foot.
 TEST(ReadLetters, FindsEveryEdgeOfARightReading) {
-    const LetterReading reading = Sitting(right).read();
+    const LetterReading reading = Run(right).read();
     expectAll(reading.h.alongU, &EdgeCount::right, 265, 295);
     expectAll(reading.h.alongV, &EdgeCount::right, 143, 161);
     expectAll(reading.l.alongU, &EdgeCount::right, 165, 183);
@@ -126,14 +126,14 @@ TEST(ReadLetters, FindsEveryEdgeOfARightReading) {
 }
 
 TEST(ReadLetters, TellsTheAxisAndTheLetterThatAreWrong) {
-    const LetterReading reading = Sitting([](const Place& at) {
+    const LetterReading reading = Run([](const Place& at) {
                                       return std::pair(letterOf(at) == Letter::h ? -1.0 : 1.0, 1.0);
                                   }).read();
     expectAll(reading.h.alongU, &EdgeCount::opposite, 265, 295);
     expectAll(reading.h.alongV, &EdgeCount::right, 143, 161);
     expectAll(reading.l.alongU, &EdgeCount::right, 165, 183);
     EXPECT_FALSE(reading.good());
-    const LetterReading other = Sitting([](const Place& at) {
+    const LetterReading other = Run([](const Place& at) {
                                     return std::pair(1.0, letterOf(at) == Letter::l ? -1.0 : 1.0);
                                 }).read();
     expectAll(other.l.alongV, &EdgeCount::opposite, 117, 131);
@@ -144,7 +144,7 @@ TEST(ReadLetters, TellsTheAxisAndTheLetterThatAreWrong) {
 // Of a tenth of the change at an edge; the other letters set the scale.
 TEST(ReadLetters, TakesHardlyAnyChangeForNone) {
     const auto faint = [](double times) {
-        return Sitting([=](const Place& at) {
+        return Run([=](const Place& at) {
                    return std::pair(1.0, letterOf(at) == Letter::l ? times : 1.0);
                })
             .read()
@@ -157,9 +157,9 @@ TEST(ReadLetters, TakesHardlyAnyChangeForNone) {
 }
 
 TEST(DrawRelief, ShowsTheMapAndTheSameReliefOfARightReading) {
-    const Sitting sitting(right);
+    const Run run(right);
     const std::vector<Raster> rasters =
-        drawRelief(sitting.plan, sitting.answers, tests::kLanding, sitting.response);
+        drawRelief(run.plan, run.answers, tests::kParametrisation, run.response);
     ASSERT_EQ(rasters.size(), 2U);
     for (const Raster& raster : rasters) {
         ASSERT_EQ(raster.values.size(), 128U * 64U);
@@ -168,9 +168,9 @@ TEST(DrawRelief, ShowsTheMapAndTheSameReliefOfARightReading) {
     }
     double off = 0.0;
     for (std::size_t i = 0; i < rasters[0].values.size(); ++i) {
-        const Vector3& n = sitting.plan.directions[i];
-        const double height = letterHeight(static_cast<int>(tests::kLanding.u(n) * 640),
-                                           static_cast<int>(tests::kLanding.v(n) * 320));
+        const Vector3& n = run.plan.directions[i];
+        const double height = letterHeight(static_cast<int>(tests::kParametrisation.u(n) * 640),
+                                           static_cast<int>(tests::kParametrisation.v(n) * 320));
         ASSERT_NEAR(rasters[0].values[i], 0.5 + 0.4 * height, 1e-6) << i;
         off += std::abs(rasters[1].values[i] - rasters[0].values[i]) / (128.0 * 64.0);
     }

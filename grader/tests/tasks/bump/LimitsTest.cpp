@@ -1,6 +1,6 @@
 // Where an agreement ends.
-#include <grader/tasks/bump/answers/Landing.h>
 #include <grader/tasks/bump/answers/Letters.h>
+#include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/questions/Regions.h>
 #include <grader/tasks/bump/questions/Slopes.h>
 
@@ -59,26 +59,27 @@ TEST(Letters, AreReadByTheirEdges) {
     EXPECT_EQ(look({right, {10, 10, 0}}, false), "unclear");
 }
 
-TEST(LandingFit, IsGoodUpToItsLimits) {
-    const LandingFit fit{Landing({0.0, 1.0, 0.0}, 0.5, false), 1.05, 0.019, 0.019, 0.029};
+TEST(ParametrisationFit, IsGoodUpToItsLimits) {
+    const ParametrisationFit fit{Parametrisation({0.0, 1.0, 0.0}, 0.5, false), 1.05, 0.019, 0.019,
+                                 0.029};
     EXPECT_TRUE(fit.good());
-    const auto after = [&](double LandingFit::*part, double value) {
-        LandingFit changed = fit;
+    const auto after = [&](double ParametrisationFit::*part, double value) {
+        ParametrisationFit changed = fit;
         changed.*part = value;
         return changed.good();
     };
-    EXPECT_TRUE(after(&LandingFit::axisLength, 0.95));
-    EXPECT_FALSE(after(&LandingFit::axisLength, 1.07));
-    EXPECT_FALSE(after(&LandingFit::axisLength, 0.93));
-    EXPECT_FALSE(after(&LandingFit::medianUError, 0.021));
-    EXPECT_FALSE(after(&LandingFit::medianVError, 0.021));
-    EXPECT_FALSE(after(&LandingFit::strayShare, 0.031));
+    EXPECT_TRUE(after(&ParametrisationFit::axisLength, 0.95));
+    EXPECT_FALSE(after(&ParametrisationFit::axisLength, 1.07));
+    EXPECT_FALSE(after(&ParametrisationFit::axisLength, 0.93));
+    EXPECT_FALSE(after(&ParametrisationFit::medianUError, 0.021));
+    EXPECT_FALSE(after(&ParametrisationFit::medianVError, 0.021));
+    EXPECT_FALSE(after(&ParametrisationFit::strayShare, 0.031));
 }
 
 TEST(IsOrdinary, EndsBeforePolesAndSeam) {
-    const Landing landing({0.0, 1.0, 0.0}, 0.5, false);
+    const Parametrisation parametrisation({0.0, 1.0, 0.0}, 0.5, false);
     const auto at = [&](double u, double v) {
-        return isOrdinary(landing, landing.direction(u, v));
+        return isOrdinary(parametrisation, parametrisation.direction(u, v));
     };
     EXPECT_TRUE(at(0.3, 0.061));
     EXPECT_FALSE(at(0.3, 0.059));

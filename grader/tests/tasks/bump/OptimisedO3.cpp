@@ -5,7 +5,7 @@
 namespace ticker::tests {
 
 raytracer::Vector3 normalAtO3(const selftest::Reading& reading, const selftest::Point& point) {
-    return selftest::compiledNormal(reading, selftest::Slip::none, point);
+    return selftest::compiledNormal(reading, selftest::Mistake::none, point);
 }
 
 }  // namespace ticker::tests

@@ -1,5 +1,5 @@
-#include <grader/tasks/bump/JudgeBump.h>
 #include <grader/lab/selftest/BumpTables.h>
+#include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tests/tasks/bump/Optimised.h>
 
 #include <gtest/gtest.h>

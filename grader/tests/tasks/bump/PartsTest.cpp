@@ -1,5 +1,5 @@
 // The pure parts of the judgement, each by itself.
-#include <grader/tasks/bump/answers/Landing.h>
+#include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/answers/Poisson.h>
 #include <grader/tasks/bump/questions/Tilt.h>
 #include <grader/tests/tasks/bump/Spread.h>
@@ -17,10 +17,10 @@ constexpr double kRounding = 1e-11;
 
 using tests::spread;
 
-std::vector<Sighting> seenThrough(const Landing& landing) {
+std::vector<Sighting> seenThrough(const Parametrisation& parametrisation) {
     std::vector<Sighting> seen;
     for (const Vector3& n : spread(400))
-        seen.push_back({n, landing.u(n), landing.v(n)});
+        seen.push_back({n, parametrisation.u(n), parametrisation.v(n)});
     return seen;
 }
 
@@ -33,61 +33,61 @@ TEST(TiltOf, UndoesTheNormalisationWhateverTheStrength) {
     }
 }
 
-TEST(Landing, RunsToTheRightAndDownwardsOnTheNearSide) {
-    const Landing landing({0.0, 1.0, 0.0}, 0.5, false);
+TEST(Parametrisation, RunsToTheRightAndDownwardsOnTheNearSide) {
+    const Parametrisation parametrisation({0.0, 1.0, 0.0}, 0.5, false);
     const Vector3 nearest{0.0, 0.0, -1.0};
-    EXPECT_NEAR(landing.u(nearest), 0.5, kRounding);
-    EXPECT_NEAR(landing.v(nearest), 0.5, kRounding);
-    EXPECT_NEAR(landing.alongU(nearest).x, 1.0, kRounding);
-    EXPECT_NEAR(landing.alongV(nearest).y, -1.0, kRounding);
+    EXPECT_NEAR(parametrisation.u(nearest), 0.5, kRounding);
+    EXPECT_NEAR(parametrisation.v(nearest), 0.5, kRounding);
+    EXPECT_NEAR(parametrisation.alongU(nearest).x, 1.0, kRounding);
+    EXPECT_NEAR(parametrisation.alongV(nearest).y, -1.0, kRounding);
 }
 
-TEST(Landing, FindsThePointOfEveryTexelAgain) {
+TEST(Parametrisation, FindsThePointOfEveryTexelAgain) {
     for (const bool mirrored : {false, true})
         for (const Vector3& axis : {Vector3{0, 1, 0}, Vector3{0, 0, -1}, Vector3{1, 0, 0}}) {
-            const Landing landing(axis, 0.3, mirrored);
-            const Vector3 direction = landing.direction(0.7, 0.2);
-            EXPECT_NEAR(landing.u(direction), 0.7, kRounding);
-            EXPECT_NEAR(landing.v(direction), 0.2, kRounding);
+            const Parametrisation parametrisation(axis, 0.3, mirrored);
+            const Vector3 direction = parametrisation.direction(0.7, 0.2);
+            EXPECT_NEAR(parametrisation.u(direction), 0.7, kRounding);
+            EXPECT_NEAR(parametrisation.v(direction), 0.2, kRounding);
         }
 }
 
-TEST(FitLanding, FindsAxisOriginAndMirrorAgain) {
+TEST(FitParametrisation, FindsAxisOriginAndMirrorAgain) {
     for (const bool mirrored : {false, true})
         for (const Vector3& axis :
              {Vector3{0, 1, 0}, Vector3{0, -1, 0}, Vector3{0, 0, 1}, Vector3{0.6, 0.0, 0.8}}) {
-            const auto fit = fitLanding(seenThrough(Landing(axis, 0.83, mirrored)));
+            const auto fit = fitParametrisation(seenThrough(Parametrisation(axis, 0.83, mirrored)));
             ASSERT_TRUE(fit.has_value());
             EXPECT_TRUE(fit->good());
-            EXPECT_EQ(fit->landing.mirrored(), mirrored);
-            EXPECT_NEAR(fit->landing.axis().dot(axis), 1.0, 1e-6);
-            EXPECT_NEAR(turnDistance(fit->landing.uOffset(), 0.83), 0.0, 1e-6);
+            EXPECT_EQ(fit->parametrisation.mirrored(), mirrored);
+            EXPECT_NEAR(fit->parametrisation.axis().dot(axis), 1.0, 1e-6);
+            EXPECT_NEAR(turnDistance(fit->parametrisation.uOffset(), 0.83), 0.0, 1e-6);
         }
 }
 
-TEST(FitLanding, IsNotMovedByAFewStrayPoints) {
-    std::vector<Sighting> seen = seenThrough(Landing({0.0, 1.0, 0.0}, 0.25, false));
+TEST(FitParametrisation, IsNotMovedByAFewStrayPoints) {
+    std::vector<Sighting> seen = seenThrough(Parametrisation({0.0, 1.0, 0.0}, 0.25, false));
     for (std::size_t i = 0; i < seen.size(); i += 50)
         seen[i].u = seen[i].v = 0.5;
-    const auto fit = fitLanding(seen);
+    const auto fit = fitParametrisation(seen);
     ASSERT_TRUE(fit.has_value());
     EXPECT_TRUE(fit->good());
     EXPECT_GT(fit->strayShare, 0.0);
 }
 
-TEST(FitLanding, RefusesRowsThatFollowTheHeight) {
+TEST(FitParametrisation, RefusesRowsThatFollowTheHeight) {
     std::vector<Sighting> seen;
     for (const Vector3& n : spread(400))
-        seen.push_back({n, Landing({0.0, 1.0, 0.0}, 0.0, false).u(n), 0.5 - 0.5 * n.y});
-    const auto fit = fitLanding(seen);
+        seen.push_back({n, Parametrisation({0.0, 1.0, 0.0}, 0.0, false).u(n), 0.5 - 0.5 * n.y});
+    const auto fit = fitParametrisation(seen);
     EXPECT_FALSE(fit.has_value() && fit->good());
 }
 
-TEST(FitLanding, SaysNothingWhereTooFewPointsTell) {
-    std::vector<Sighting> seen = seenThrough(Landing({0.0, 1.0, 0.0}, 0.0, false));
+TEST(FitParametrisation, SaysNothingWhereTooFewPointsTell) {
+    std::vector<Sighting> seen = seenThrough(Parametrisation({0.0, 1.0, 0.0}, 0.0, false));
     for (std::size_t i = 40; i < seen.size(); ++i)
         seen[i].v = std::nan("");
-    EXPECT_FALSE(fitLanding(seen).has_value());
+    EXPECT_FALSE(fitParametrisation(seen).has_value());
 }
 
 TEST(Integrate, GivesBackTheHeightsOfAnEvenField) {

@@ -29,16 +29,16 @@ double growthOf(const selftest::NormalFunction& function) {
     return proportionOf(function).growth;
 }
 
-MapEdges edgesOf(const selftest::NormalFunction& function, const Landing& landing) {
+MapEdges edgesOf(const selftest::NormalFunction& function, const Parametrisation& parametrisation) {
     Questionnaire questionnaire;
     Draws draws(4);
     const EdgePlan plan = planEdges(questionnaire, draws, kBall);
-    return readEdges(plan, tests::answersOf(questionnaire, function), landing);
+    return readEdges(plan, tests::answersOf(questionnaire, function), parametrisation);
 }
 
 selftest::NormalFunction modelOf(const selftest::Reading& reading) {
     return [reading](const Point& point) {
-        return selftest::modelNormal(reading, selftest::Slip::none, point);
+        return selftest::modelNormal(reading, selftest::Mistake::none, point);
     };
 }
 
@@ -46,15 +46,15 @@ selftest::NormalFunction modelOf(const selftest::Reading& reading) {
 template <typename HeightAt>
 selftest::NormalFunction withHeights(HeightAt heightAt) {
     return [heightAt](const Point& point) {
-        const Landing landing({0.0, 1.0, 0.0}, 0.5, false);
+        const Parametrisation parametrisation({0.0, 1.0, 0.0}, 0.5, false);
         const Vector3 n = tests::smooth(point);
-        const int column = static_cast<int>(landing.u(n) * point.map.width());
-        const int row =
-            std::min(static_cast<int>(landing.v(n) * point.map.height()), point.map.height() - 1);
+        const int column = static_cast<int>(parametrisation.u(n) * point.map.width());
+        const int row = std::min(static_cast<int>(parametrisation.v(n) * point.map.height()),
+                                 point.map.height() - 1);
         const double here = heightAt(point.map, column, row);
         const double onU = heightAt(point.map, column + 1, row) - here;
         const double onV = heightAt(point.map, column, row + 1) - here;
-        return (n - onU * landing.alongU(n) - onV * landing.alongV(n)).normalised();
+        return (n - onU * parametrisation.alongU(n) - onV * parametrisation.alongV(n)).normalised();
     };
 }
 
@@ -83,7 +83,7 @@ TEST(ReadProportion, IsGoodForEveryAcceptedReading) {
 
 TEST(ReadProportion, SeesSlopesThatAreCutOffOrBent) {
     const auto bent = [](auto bend) {
-        return tests::inProportion(Landing({0.0, 1.0, 0.0}, 0.5, false),
+        return tests::inProportion(Parametrisation({0.0, 1.0, 0.0}, 0.5, false),
                                    [bend](const tests::Place& at, const Point&) {
                                        const auto factor = [&](double slope) {
                                            return slope == 0.0 ? 1.0 : bend(slope) / slope;
@@ -105,7 +105,8 @@ selftest::NormalFunction turnedBy(double (*angleOf)(double)) {
     return [angleOf](const Point& point) {
         selftest::Reading reading;
         const Vector3 n = tests::smooth(point);
-        const Vector3 tilt = tiltOf(selftest::modelNormal(reading, selftest::Slip::none, point), n);
+        const Vector3 tilt =
+            tiltOf(selftest::modelNormal(reading, selftest::Mistake::none, point), n);
         const double slope = tilt.magnitude();
         if (slope == 0.0) return n;
         const double angle = angleOf(slope);
@@ -136,29 +137,29 @@ TEST(ReadProportion, LeavesSmoothSpheresToOthers) {
 TEST(ReadEdges, AreGoodForEveryAcceptedReading) {
     for (const selftest::Reading& reading : selftest::acceptedReadings()) {
         if (reading.top != selftest::Reading::Top::y) continue;
-        const Landing landing({0.0, 1.0, 0.0}, reading.uOrigin, reading.mirrored);
-        const MapEdges edges = edgesOf(modelOf(reading), landing);
+        const Parametrisation parametrisation({0.0, 1.0, 0.0}, reading.uOrigin, reading.mirrored);
+        const MapEdges edges = edgesOf(modelOf(reading), parametrisation);
         EXPECT_LE(edges.seam, 0.6 * MapEdges::kMost) << describe(reading);
         EXPECT_LE(edges.endRows, 0.6 * MapEdges::kMost) << describe(reading);
     }
 }
 
 TEST(ReadEdges, SeeAnyHeightThatTheMapDoesNotHave) {
-    const Landing landing({0.0, 1.0, 0.0}, 0.5, false);
+    const Parametrisation parametrisation({0.0, 1.0, 0.0}, 0.5, false);
     for (const double height : {0.0, 2.5, -1.0}) {
-        const MapEdges edges = edgesOf(beyondTheEdge(height), landing);
+        const MapEdges edges = edgesOf(beyondTheEdge(height), parametrisation);
         EXPECT_FALSE(edges.goodSeam()) << height << ": " << edges.seam;
         EXPECT_FALSE(edges.goodEndRows()) << height << ": " << edges.endRows;
     }
 }
 
 TEST(ReadEdges, TellTheSeamFromTheLastRow) {
-    const Landing landing({0.0, 1.0, 0.0}, 0.5, false);
+    const Parametrisation parametrisation({0.0, 1.0, 0.0}, 0.5, false);
     const MapEdges rows =
         edgesOf(withHeights([](const selftest::HeightMap& map, int column, int row) {
                     return row < map.height() ? map.at(column % map.width(), row) : 0.0;
                 }),
-                landing);
+                parametrisation);
     EXPECT_TRUE(rows.goodSeam());
     EXPECT_FALSE(rows.goodEndRows());
 }

@@ -14,9 +14,9 @@ namespace {
 
 using selftest::FunctionExaminee;
 using selftest::HeightMap;
+using selftest::Mistake;
 using selftest::modelNormal;
 using selftest::Reading;
-using selftest::Slip;
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -35,12 +35,12 @@ double along(const Point& point) {
 template <typename IsWrong>
 TaskJudgement judgeInvertedWhere(IsWrong isWrong) {
     return judge([=](const Point& point) {
-        return modelNormal({}, isWrong(point) ? Slip::invertedU : Slip::none, point);
+        return modelNormal({}, isWrong(point) ? Mistake::invertedU : Mistake::none, point);
     });
 }
 
 TEST(BumpRegions, NameTheRowsInWhichALargeMapDiffers) {
-    const TaskJudgement judgement = judge({}, Slip::lowRows);
+    const TaskJudgement judgement = judge({}, Mistake::lowRows);
     ASSERT_EQ(firstId(judgement), "bump.wrong");
     EXPECT_TRUE(contains(judgement.reason, "along u")) << judgement.reason;
     EXPECT_TRUE(contains(judgement.reason, "mostly in rows")) << judgement.reason;
@@ -61,7 +61,7 @@ TEST(BumpRegions, NameNoSignThatIsWrongInSomeRowsOrGreysAlone) {
     const TaskJudgement rows = judgeInvertedWhere(
         [](const Point& point) { return down(point) * point.map.height() < 300.0; });
     EXPECT_EQ(firstId(rows), "bump.wrong");
-    EXPECT_EQ(firstId(judge({}, Slip::darkHalf)), "bump.wrong");
+    EXPECT_EQ(firstId(judge({}, Mistake::darkHalf)), "bump.wrong");
 }
 
 TEST(BumpRegions, LieBehindTheEyeAsWellAsInFront) {
@@ -70,41 +70,41 @@ TEST(BumpRegions, LieBehindTheEyeAsWellAsInFront) {
     EXPECT_EQ(judgement.state, TaskState::failed);
 }
 
-TEST(BumpHeights, MayBeRoundedToBytesWhichASecondSittingShows) {
+TEST(BumpHeights, MayBeRoundedToBytesWhichASecondRunShows) {
     Reading reading;
     reading.heights = Reading::Heights::rounded;
     FunctionExaminee examinee(
-        [&](const Point& point) { return modelNormal(reading, Slip::none, point); });
+        [&](const Point& point) { return modelNormal(reading, Mistake::none, point); });
     EXPECT_EQ(tasks::judgeBump(examinee, 5).state, TaskState::passed);
-    EXPECT_EQ(examinee.sittings(), 2);
-    EXPECT_EQ(firstId(judge(reading, Slip::invertedV)), "bump.inverted-v");
+    EXPECT_EQ(examinee.runs(), 2);
+    EXPECT_EQ(firstId(judge(reading, Mistake::invertedV)), "bump.inverted-v");
 }
 
 TEST(BumpHeights, MayFollowAnotherCurveThroughTheGreys) {
     Reading reading;
     reading.heights = Reading::Heights::gamma;
     EXPECT_EQ(judge(reading).state, TaskState::passed);
-    EXPECT_EQ(firstId(judge(reading, Slip::inverted)), "bump.inverted");
+    EXPECT_EQ(firstId(judge(reading, Mistake::inverted)), "bump.inverted");
 }
 
 TEST(BumpHints, SayThatAMapIsRememberedNotThatTheSphereIsSmooth) {
     std::shared_ptr<const HeightMap> first;
     const TaskJudgement judgement = judge([&](const Point& point) {
         if (!first) first = std::make_shared<const HeightMap>(point.map);
-        return modelNormal({}, Slip::none, {*first, point.centre, point.radius, point.position});
+        return modelNormal({}, Mistake::none, {*first, point.centre, point.radius, point.position});
     });
     ASSERT_EQ(firstId(judgement), "bump.wrong");
     EXPECT_TRUE(contains(judgement.findings.front().hint, "static")) << judgement.reason;
 }
 
 TEST(BumpHints, TellASizeThatIsWrittenInBySmallerMaps) {
-    const TaskJudgement judgement = judge({}, Slip::rowsEnd);
+    const TaskJudgement judgement = judge({}, Mistake::rowsEnd);
     ASSERT_EQ(firstId(judgement), "bump.wrong");
     EXPECT_TRUE(contains(judgement.findings.front().hint, "written in")) << judgement.reason;
 }
 
 TEST(BumpHints, TellTheRowsThatAreNeverRead) {
-    const TaskJudgement judgement = judge({}, Slip::halfRows);
+    const TaskJudgement judgement = judge({}, Mistake::halfRows);
     ASSERT_EQ(firstId(judgement), "bump.wrong");
     EXPECT_TRUE(contains(judgement.reason, "last rows")) << judgement.reason;
 }
@@ -112,7 +112,7 @@ TEST(BumpHints, TellTheRowsThatAreNeverRead) {
 TEST(BumpHints, SayThatAPointGetsItsNormalFromTheOneBefore) {
     Vector3 before{1.0, 0.0, 0.0};
     const TaskJudgement judgement = judge([&](const Point& point) {
-        const Vector3 normal = modelNormal({}, Slip::none, point);
+        const Vector3 normal = modelNormal({}, Mistake::none, point);
         const Vector3 mean = (normal + 0.5 * before).normalised();
         before = normal;
         return mean;
@@ -122,7 +122,7 @@ TEST(BumpHints, SayThatAPointGetsItsNormalFromTheOneBefore) {
 }
 
 TEST(BumpHints, TellTheHalfOnWhichASignIsWrong) {
-    const TaskJudgement judgement = judge({}, Slip::uHemisphere);
+    const TaskJudgement judgement = judge({}, Mistake::uHemisphere);
     ASSERT_EQ(firstId(judgement), "bump.wrong");
     EXPECT_TRUE(contains(judgement.reason, "inverted from 50 % to 100 %")) << judgement.reason;
 }

@@ -11,7 +11,7 @@
 namespace ticker::tests {
 namespace {
 
-using selftest::Slip;
+using selftest::Mistake;
 
 const EvidenceValue* evidence(const TaskJudgement& judgement, const std::string& key) {
     for (const auto& [name, value] : judgement.findings.front().evidence)
@@ -20,7 +20,7 @@ const EvidenceValue* evidence(const TaskJudgement& judgement, const std::string&
 }
 
 TEST(BumpRelief, ShowsTheHalfInvertedLettersInWordsAndPictures) {
-    const TaskJudgement judgement = judge({}, Slip::invertedU);
+    const TaskJudgement judgement = judge({}, Mistake::invertedU);
     ASSERT_EQ(firstId(judgement), "bump.inverted-u");
     EXPECT_EQ(std::get<std::string>(*evidence(judgement, "letterH")), "half");
     EXPECT_EQ(std::get<std::string>(*evidence(judgement, "letterL")), "half");
@@ -50,13 +50,13 @@ double likeness(const std::vector<float>& a, const std::vector<float>& b) {
 
 TEST(BumpRelief, RecoversTheReliefThatTheNormalsShow) {
     // Inverted along both axes, so the picture must be the negative of the true one.
-    const TaskJudgement inverted = judge({}, Slip::inverted);
+    const TaskJudgement inverted = judge({}, Mistake::inverted);
     const std::vector<Raster>& lowered = inverted.findings.front().rasters;
     EXPECT_LT(likeness(lowered.at(0).values, lowered.at(1).values), -0.9);
     EXPECT_EQ(std::get<std::string>(*evidence(inverted, "letterH")), "lowered");
     EXPECT_EQ(std::get<std::string>(*evidence(inverted, "letterL")), "raised");
     // Upside down, but raised.
-    const TaskJudgement turned = judge({}, Slip::upsideDown);
+    const TaskJudgement turned = judge({}, Mistake::upsideDown);
     const std::vector<Raster>& raised = turned.findings.front().rasters;
     EXPECT_GT(likeness(raised.at(0).values, raised.at(1).values), 0.9);
 }

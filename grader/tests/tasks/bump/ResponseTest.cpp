@@ -25,22 +25,23 @@ Tilt turned(double degrees, double strength = 1.0) {
 }
 
 template <typename OnU, typename OnV>
-Response measureTilts(const OnU& onU, const OnV& onV, const Landing& landing = tests::kLanding) {
+Response measureTilts(const OnU& onU, const OnV& onV,
+                      const Parametrisation& parametrisation = tests::kParametrisation) {
     std::vector<RampTilts> tilts;
     for (const Vector3& n : tests::spread(1600)) {
-        const double u = landing.u(n);
-        const double v = landing.v(n);
+        const double u = parametrisation.u(n);
+        const double v = parametrisation.v(n);
         const Tilt a = onU(u, v);
         const Tilt b = onV(u, v);
-        const Vector3 alongU = landing.alongU(n);
-        const Vector3 alongV = landing.alongV(n);
+        const Vector3 alongU = parametrisation.alongU(n);
+        const Vector3 alongV = parametrisation.alongV(n);
         tilts.push_back({n,
                          -a.towards * alongU - a.sideways * alongV,
                          {},
                          -b.towards * alongV - b.sideways * alongU,
                          {}});
     }
-    return measureResponse(tilts, landing);
+    return measureResponse(tilts, parametrisation);
 }
 
 Tilt rightTilt(double, double) {
@@ -51,7 +52,7 @@ TEST(Response, OfARightReadingIsTheIdentity) {
     for (const bool mirrored : {false, true}) {
         const Response response =
             measureTilts([](double, double) { return turned(0.0, 3.0); }, rightTilt,
-                         Landing(Vector3{0.6, 0.0, 0.8}, 0.2, mirrored));
+                         Parametrisation(Vector3{0.6, 0.0, 0.8}, 0.2, mirrored));
         EXPECT_EQ(response.u.sense, Sense::right);
         EXPECT_EQ(response.v.sense, Sense::right);
         EXPECT_EQ(response.u.shares.right, 1.0);
@@ -93,7 +94,7 @@ TEST(Response, HasTheDirectionOfEveryBandAndTheFarthest) {
     EXPECT_NEAR(response.u.bandDirection[1], 40.0, 1e-6);
     EXPECT_NEAR(response.u.bandDirection[6], -50.0, 1e-6);
     EXPECT_NEAR(response.u.worstDirection, -50.0, 1e-6);
-    EXPECT_GT(tests::kLanding.v(response.u.worst), 0.5);
+    EXPECT_GT(tests::kParametrisation.v(response.u.worst), 0.5);
     EXPECT_EQ(response.u.bandsThatTurn, 0);
     EXPECT_FALSE(response.dependsOnLongitude());
     const double mean = 0.5 * (std::cos(40.0 * kPi / 180.0) + std::cos(50.0 * kPi / 180.0));
@@ -123,7 +124,7 @@ TEST(Response, ForgivesAPointInAHundredButNoMore) {
     const Response few = deadWhere(0.022);  // of which the first 0.012 are left out
     EXPECT_GT(few.u.shares.dead, 0.005);
     EXPECT_EQ(few.u.sense, Sense::right);
-    EXPECT_LT(tests::kLanding.u(few.u.deadAt), 0.022);
+    EXPECT_LT(tests::kParametrisation.u(few.u.deadAt), 0.022);
     const Response many = deadWhere(0.04);
     EXPECT_EQ(many.u.sense, Sense::mixed);
     EXPECT_NEAR(many.u.shares.dead, 0.028, 0.006);
@@ -197,21 +198,22 @@ TEST(Response, FindsTangentsOfAnotherLongitudeToTenDegrees) {
     for (const bool mirrored : {false, true})
         for (const bool crossed : {false, true})
             for (const double degrees : {60.0, -40.0, 180.0}) {
-                const Landing landing({0.0, 1.0, 0.0}, 0.5, mirrored);
+                const Parametrisation parametrisation({0.0, 1.0, 0.0}, 0.5, mirrored);
                 const double turns = (mirrored ? -degrees : degrees) / 360.0;
                 const double sense = mirrored ? -1.0 : 1.0;
                 std::vector<RampTilts> tilts;
                 for (const Vector3& n : tests::spread(800)) {
-                    const Vector3 there = landing.direction(landing.u(n) + turns, landing.v(n));
-                    const Vector3 alongU = landing.alongU(there);
-                    const Vector3 alongV = landing.alongV(there);
+                    const Vector3 there = parametrisation.direction(parametrisation.u(n) + turns,
+                                                                    parametrisation.v(n));
+                    const Vector3 alongU = parametrisation.alongU(there);
+                    const Vector3 alongV = parametrisation.alongV(there);
                     tilts.push_back({n,
                                      crossed ? n.cross(alongV) * sense : -alongU,
                                      {},
                                      crossed ? alongU.cross(n) * sense : -alongV,
                                      {}});
                 }
-                EXPECT_NEAR(measureResponse(tilts, landing).tangentTurn, degrees, 10.0)
+                EXPECT_NEAR(measureResponse(tilts, parametrisation).tangentTurn, degrees, 10.0)
                     << mirrored << crossed;
             }
     EXPECT_EQ(measureTilts(rightTilt, rightTilt).tangentTurn, 0.0);

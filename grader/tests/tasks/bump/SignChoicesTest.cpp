@@ -1,6 +1,6 @@
 // Acceptance: a plus before both cross products, in all sign choices of P_u, P_v, B_u and B_v.
-#include <grader/tasks/bump/JudgeBump.h>
 #include <grader/lab/selftest/FunctionExaminee.h>
+#include <grader/tasks/bump/JudgeBump.h>
 
 #include <gtest/gtest.h>
 

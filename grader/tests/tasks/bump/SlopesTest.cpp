@@ -14,7 +14,7 @@ namespace {
 
 using tests::Place;
 
-const Landing kLanding({0.0, 1.0, 0.0}, 0.5, false);
+const Parametrisation kParametrisation({0.0, 1.0, 0.0}, 0.5, false);
 const Ball kBall{{0.0, 0.0, 20.0}, 12.0};
 
 using Times = std::function<std::pair<double, double>(const Place&, const selftest::Point&)>;
@@ -35,8 +35,9 @@ SlopeAgreement slopesOf(const Times& times, const Response& response = evenRespo
     Questionnaire questionnaire;
     Draws draws(4);
     const SlopePlan plan = planSlopes(questionnaire, draws, kBall);
-    const Answers answers = tests::answersOf(questionnaire, tests::inProportion(kLanding, times));
-    return readSlopes(plan, answers, kLanding, response);
+    const Answers answers =
+        tests::answersOf(questionnaire, tests::inProportion(kParametrisation, times));
+    return readSlopes(plan, answers, kParametrisation, response);
 }
 
 TEST(ReadSlopes, AgreesWithARightReadingEverywhere) {
@@ -123,7 +124,7 @@ TEST(SlopeAlong, IsTheDifferenceOverTwoTexels) {
 RampJudgement judgementOf(double strength) {
     RampJudgement judgement;
     judgement.shape = {1001, 801, 90, 0.5, 2.0};
-    judgement.fit = LandingFit{kLanding};
+    judgement.fit = ParametrisationFit{kParametrisation};
     judgement.response = evenResponse();
     judgement.response->u.bandStrength.fill(strength * 0.5 / 1000);
     judgement.response->v.bandStrength.fill(strength * 0.5 / 800);
@@ -131,13 +132,14 @@ RampJudgement judgementOf(double strength) {
 }
 
 RegionAgreement regionsOf(const Times& times, double strength = 1.0,
-                          const Landing& landing = kLanding) {
+                          const Parametrisation& parametrisation = kParametrisation) {
     Questionnaire questionnaire;
     Draws draws(4);
     const RegionPlan plan = planRegions(questionnaire, draws, kBall, draws.directions(2000));
-    const Answers answers = tests::answersOf(questionnaire, tests::inProportion(landing, times));
+    const Answers answers =
+        tests::answersOf(questionnaire, tests::inProportion(parametrisation, times));
     RampJudgement ramps = judgementOf(strength);
-    ramps.fit = LandingFit{landing};
+    ramps.fit = ParametrisationFit{parametrisation};
     return readRegions(plan, answers, ramps);
 }
 
@@ -208,7 +210,7 @@ TEST(AreTheSame, WantsTheSameTiltsAtAlmostAllPoints) {
         const Answers answers = tests::answersOf(questionnaire, [&](const selftest::Point& point) {
             const Vector3 n = (point.position - point.centre).normalised();
             const double more = point.map.at(0, 0) > 1.5 && n.y > 2.0 * share - 1.0 ? off : 0.0;
-            return (n + kLanding.alongU(n) * (tilt + more)).normalised();
+            return (n + kParametrisation.alongU(n) * (tilt + more)).normalised();
         });
         return areTheSame(answers, one, two);
     };

@@ -12,11 +12,11 @@
 namespace ticker::tests {
 namespace {
 
+using selftest::Mistake;
 using selftest::modelNormal;
-using selftest::Slip;
 
 TEST(BumpSpecialPoints, NamesTheTexelOfAnExceptionAndBlocks) {
-    const TaskJudgement judgement = judge({}, Slip::noWrap);
+    const TaskJudgement judgement = judge({}, Mistake::noWrap);
     EXPECT_EQ(judgement.state, TaskState::blocked);
     ASSERT_EQ(firstId(judgement), "run.crashed");
     EXPECT_NE(judgement.reason.find("column"), std::string::npos);
@@ -37,7 +37,7 @@ template <typename IsSpecial, typename Special>
 TaskJudgement judgeWith(IsSpecial isSpecial, Special special) {
     return judge([=](const Point& point) {
         if (isSpecial(smooth(point))) return special();
-        return modelNormal({}, Slip::none, point);
+        return modelNormal({}, Mistake::none, point);
     });
 }
 

@@ -1,6 +1,6 @@
 // The numbers in what is said of aims, by hand.
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/shadows/answers/ShadowAims.h>
+#include <grader/tasks/support/Draw.h>
 #include <grader/tests/tasks/distributed/ShadowByHand.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/shadows/answers/ShadowAims.h>
+#include <grader/tasks/support/Draw.h>
 
 #include <gtest/gtest.h>
 

@@ -21,7 +21,7 @@ public:
     AlteredExaminee(probe::Examinee& inner, Alter alter, bool hideRays = false)
         : inner_(inner), alter_(std::move(alter)), hideRays_(hideRays) {}
 
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
         std::vector<probe::Question> altered = questions;
         for (probe::Question& question : altered)
             std::visit([this](auto& asked) { change(asked); }, question);

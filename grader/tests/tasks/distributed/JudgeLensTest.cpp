@@ -1,7 +1,7 @@
 // T2.2 judged from logs made by hand.
-#include <grader/tasks/support/Draw.h>
 #include <grader/tasks/lens/JudgeDepthOfField.h>
 #include <grader/tasks/lens/LensPlots.h>
+#include <grader/tasks/support/Draw.h>
 #include <grader/tests/tasks/distributed/LensByHand.h>
 
 #include <gtest/gtest.h>

@@ -58,8 +58,8 @@ TEST(Focus, LiesOnAnotherPlane) {
 }
 
 TEST(Focus, LiesAtThatDistanceInsteadOfOnThatPlane) {
-    const auto finding =
-        judgeFocusOf([](const Vector3& focal, const Vector3&) { return focal.normalised() * kPlane; });
+    const auto finding = judgeFocusOf(
+        [](const Vector3& focal, const Vector3&) { return focal.normalised() * kPlane; });
     ASSERT_EQ(idOf(finding), "dof.focal-distance");
     EXPECT_NEAR(numberIn(*finding, "meetingZ"), kPlane / Vector3(-0.3, 0.1, 1.0).magnitude(), 1e-9);
 }

@@ -1,5 +1,5 @@
-#include <grader/tasks/lens/PictureCheck.h>
 #include <grader/oracle/Oracle.h>
+#include <grader/tasks/lens/PictureCheck.h>
 
 #include <gtest/gtest.h>
 

@@ -11,16 +11,16 @@ namespace {
 class Silent final : public probe::Examinee {
 public:
     explicit Silent(probe::ProcessEnd::Kind kind) : kind_(kind) {}
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
-        probe::Sitting sitting;
-        sitting.end = {kind_, "signal 11"};
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run;
+        run.end = {kind_, "signal 11"};
         for (const probe::Question& question : questions) {
             if (std::holds_alternative<probe::RenderQuestion>(question))
-                sitting.answers.emplace_back(probe::RenderAnswer{});
+                run.answers.emplace_back(probe::RenderAnswer{});
             else
-                sitting.answers.emplace_back(probe::IlluminateAnswer{});
+                run.answers.emplace_back(probe::IlluminateAnswer{});
         }
-        return sitting;
+        return run;
     }
 
 private:

@@ -23,16 +23,16 @@ public:
 
     explicit StartsElsewhere(Start start) : start_(std::move(start)) {}
 
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
-        probe::Sitting sitting = reference_.ask(questions);
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run = reference_.ask(questions);
         for (std::size_t i = 0; i < questions.size(); ++i) {
             const auto* asked = std::get_if<probe::IlluminateQuestion>(&questions[i]);
             if (asked == nullptr) continue;
-            for (probe::Event& event : std::get<probe::IlluminateAnswer>(sitting.answers[i]).events)
+            for (probe::Event& event : std::get<probe::IlluminateAnswer>(run.answers[i]).events)
                 if (event.kind == probe::Event::Kind::rayCast)
                     event.a = start_(asked->points.at(event.ask), event.a);
         }
-        return sitting;
+        return run;
     }
 
 private:

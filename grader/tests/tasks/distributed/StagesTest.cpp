@@ -19,34 +19,34 @@ enum class Turn { right, wrong, silent };
 
 enum class Rays { hidden, beyondTheLog };
 
-/// The reference, whose light is too small where told; the first sitting is right.
+/// The reference, whose light is too small where told; the first run is right.
 class Staged final : public probe::Examinee {
 public:
     Staged(std::vector<Turn> stages, Rays rays) : stages_(std::move(stages)), rays_(rays) {}
 
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
         if (std::holds_alternative<probe::RenderQuestion>(questions.front()))
             return reference_.ask(questions);
-        const Turn turn = sittings_ == 0 ? Turn::right : stages_.at(sittings_ - 1);
-        ++sittings_;
+        const Turn turn = runs_ == 0 ? Turn::right : stages_.at(runs_ - 1);
+        ++runs_;
         if (turn == Turn::silent) return {{probe::IlluminateAnswer{}}, {}};
         AlteredExaminee hidden{reference_,
                                [=](RenderSettings& settings) {
                                    if (turn == Turn::wrong) settings.lightSize *= 0.7;
                                },
                                rays_ == Rays::hidden};
-        probe::Sitting sitting = hidden.ask(questions);
-        for (probe::Answer& answer : sitting.answers)
+        probe::Run run = hidden.ask(questions);
+        for (probe::Answer& answer : run.answers)
             std::get<probe::IlluminateAnswer>(answer).eventsCut = rays_ == Rays::beyondTheLog;
-        return sitting;
+        return run;
     }
-    [[nodiscard]] std::size_t stages() const { return sittings_ - 1; }
+    [[nodiscard]] std::size_t stages() const { return runs_ - 1; }
 
 private:
     tests::LocalExaminee reference_;
     std::vector<Turn> stages_;
     Rays rays_;
-    std::size_t sittings_ = 0;
+    std::size_t runs_ = 0;
 };
 
 struct Said {

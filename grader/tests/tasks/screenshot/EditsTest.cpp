@@ -1,5 +1,5 @@
-#include <grader/tasks/screenshot/Edits.h>
 #include <grader/lab/selftest/PictureTricks.h>
+#include <grader/tasks/screenshot/Edits.h>
 
 #include <gtest/gtest.h>
 

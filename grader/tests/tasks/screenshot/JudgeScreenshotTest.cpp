@@ -1,8 +1,8 @@
-#include <grader/tasks/screenshot/JudgeScreenshot.h>
-#include <grader/metrics/Alignment.h>
 #include <grader/lab/selftest/OracleExaminee.h>
 #include <grader/lab/selftest/PictureTricks.h>
 #include <grader/lab/selftest/ScreenshotStudent.h>
+#include <grader/metrics/Alignment.h>
+#include <grader/tasks/screenshot/JudgeScreenshot.h>
 
 #include <gtest/gtest.h>
 
@@ -183,12 +183,12 @@ TEST(JudgeScreenshot, SaysThatThePictureIsOneOfTheOldKitsWhereItLiesOnePixelLow)
 class WholeFramesOnly final : public probe::Examinee {
 public:
     explicit WholeFramesOnly(probe::Examinee& inner) : inner_(inner) {}
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
-        probe::Sitting sitting = inner_.ask(questions);
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run = inner_.ask(questions);
         for (std::size_t i = 0; i < questions.size(); ++i)
             if (!std::get<probe::RenderQuestion>(questions[i]).settings.region.isWholeFrame())
-                std::get<probe::RenderAnswer>(sitting.answers[i]).state = probe::AnswerState::threw;
-        return sitting;
+                std::get<probe::RenderAnswer>(run.answers[i]).state = probe::AnswerState::threw;
+        return run;
     }
 
 private:
@@ -209,7 +209,7 @@ TEST(JudgeScreenshot, PassesCodeThatRendersWholeFramesOnlyWithANote) {
 /// Once it is asked for parts of the frame the machine has no memory left for the sandbox.
 class Unstartable final : public probe::Examinee {
 public:
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
         const auto& first = std::get<probe::RenderQuestion>(questions.front());
         if (first.settings.region.isWholeFrame())
             return OracleExaminee{{}, {}, false}.ask(questions);
@@ -232,16 +232,16 @@ TEST(JudgeScreenshot, SaysNothingAboutThePictureWhereWeFailed) {
 /// for all pixels.
 class OnePattern final : public probe::Examinee {
 public:
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
         oracle::Mistake mistake;
-        mistake.lensOffsetX = 0.1 * static_cast<double>(sittings_ % 3) - 0.1;
-        mistake.lensOffsetY = 0.1 * static_cast<double>(sittings_ % 2);
-        ++sittings_;
+        mistake.lensOffsetX = 0.1 * static_cast<double>(runs_ % 3) - 0.1;
+        mistake.lensOffsetY = 0.1 * static_cast<double>(runs_ % 2);
+        ++runs_;
         return OracleExaminee{{}, mistake, false}.ask(questions);
     }
 
 private:
-    int sittings_ = 0;
+    int runs_ = 0;
 };
 
 TEST(JudgeScreenshot, BlamesNobodyWhosePicturesDifferFromOneToTheNext) {

@@ -20,8 +20,8 @@ double noise(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
 
 /// What a pixel of a render depends on.
 struct Pixel {
-    std::uint64_t sitting;
-    std::uint64_t question;  ///< within the sitting
+    std::uint64_t run;
+    std::uint64_t question;  ///< within the run
     std::uint64_t seed;
     std::uint64_t place;  ///< in the full frame
     int threads;
@@ -36,13 +36,13 @@ class Code final : public probe::Examinee {
 public:
     Code(Grey grey, bool knowsParts) : grey_(std::move(grey)), knowsParts_(knowsParts) {}
 
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
-        probe::Sitting sitting;
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run;
         for (std::size_t i = 0; i < questions.size(); ++i)
-            sitting.answers.emplace_back(
+            run.answers.emplace_back(
                 render(std::get<probe::RenderQuestion>(questions[i]).settings, i));
-        ++sittings_;
-        return sitting;
+        ++runs_;
+        return run;
     }
 
 private:
@@ -57,7 +57,7 @@ private:
             for (int x = 0; x < answer.width; ++x) {
                 const int place = (settings.region.y + y) * settings.width + settings.region.x + x;
                 answer.images[0].emplace_back(
-                    grey_({sittings_, question, settings.seed, static_cast<std::uint64_t>(place),
+                    grey_({runs_, question, settings.seed, static_cast<std::uint64_t>(place),
                            settings.threads}));
             }
         return answer;
@@ -65,7 +65,7 @@ private:
 
     Grey grey_;
     bool knowsParts_;
-    std::uint64_t sittings_ = 0;
+    std::uint64_t runs_ = 0;
 };
 
 std::string why(const Grey& grey, bool isDeterministic = false, bool knowsParts = true) {
@@ -99,9 +99,8 @@ TEST(Repetition, IsMissingWhereThreadsMeet) {
 }
 
 TEST(Repetition, IsMissingWhereNumbersAreDrawnAnewInEachProcess) {
-    EXPECT_NE(
-        why([](const Pixel& pixel) { return 0.3 + 0.1 * noise(pixel.sitting, pixel.place, 1); }),
-        "");
+    EXPECT_NE(why([](const Pixel& pixel) { return 0.3 + 0.1 * noise(pixel.run, pixel.place, 1); }),
+              "");
 }
 
 TEST(Repetition, IsMissingWhereTheFirstPixelDecidesForAll) {

@@ -24,39 +24,39 @@ private:
     std::uint32_t state_;
 };
 
-/// Renders another grey in each sitting; nothing once it has run out of them.
+/// Renders another grey in each run; nothing once it has run out of them.
 class GreyCode final : public probe::Examinee {
 public:
     explicit GreyCode(std::vector<double> greys) : greys_(std::move(greys)) {}
 
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
-        probe::Sitting sitting;
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run;
         for (const probe::Question& question : questions) {
             const auto& settings = std::get<probe::RenderQuestion>(question).settings;
             probe::RenderAnswer answer;
             answer.width = settings.imageWidth();
             answer.height = settings.imageHeight();
             answer.images.resize(1);
-            if (sittings_ < greys_.size()) answer.state = probe::AnswerState::answered;
-            for (int i = 0; i < answer.width * answer.height && sittings_ < greys_.size(); ++i)
-                answer.images[0].push_back(noise_.colour(greys_[sittings_]));
-            sitting.answers.emplace_back(std::move(answer));
+            if (runs_ < greys_.size()) answer.state = probe::AnswerState::answered;
+            for (int i = 0; i < answer.width * answer.height && runs_ < greys_.size(); ++i)
+                answer.images[0].push_back(noise_.colour(greys_[runs_]));
+            run.answers.emplace_back(std::move(answer));
         }
-        ++sittings_;
-        return sitting;
+        ++runs_;
+        return run;
     }
-    [[nodiscard]] std::size_t sittings() const { return sittings_; }
+    [[nodiscard]] std::size_t runs() const { return runs_; }
 
 private:
     std::vector<double> greys_;
     Noise noise_{7};
-    std::size_t sittings_ = 0;
+    std::size_t runs_ = 0;
 };
 
 /// What is said of a picture of grey 0.3 when the code renders these greys, one each time.
 struct Said {
     Verification verification;
-    std::size_t sittings;
+    std::size_t runs;
 };
 Said say(const std::vector<double>& greys, bool isDeterministic = false) {
     GreyCode code{greys};
@@ -70,14 +70,14 @@ Said say(const std::vector<double>& greys, bool isDeterministic = false) {
     for (int i = 0; i < picture.width * picture.height; ++i)
         for (const std::uint8_t byte : raytracer::toneMapped(noise.colour(0.3)))
             picture.rgb.push_back(byte);
-    return {verify(picture.view(), scene, 5), code.sittings()};
+    return {verify(picture.view(), scene, 5), code.runs()};
 }
 
 /// A process that ends like this, and answers nothing.
 class Ending final : public probe::Examinee {
 public:
     explicit Ending(probe::ProcessEnd end) : end_(std::move(end)) {}
-    [[nodiscard]] probe::Sitting ask(const std::vector<probe::Question>& questions) override {
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
         return {std::vector<probe::Answer>(questions.size(), probe::RenderAnswer{}), end_};
     }
 
@@ -111,17 +111,17 @@ TEST(Verify, TellsOurFailureFromTheCodes) {
 
 // Each agreement is missed with a chance of 5e-4, under seeds that are fixed.
 TEST(Verify, AsksOnceWhereTheWindowsAgree) {
-    const auto [verification, sittings] = say({0.3});
+    const auto [verification, runs] = say({0.3});
     EXPECT_EQ(verification.kind, Verification::Kind::same);
-    EXPECT_EQ(sittings, 1U);
+    EXPECT_EQ(runs, 1U);
     ASSERT_TRUE(verification.own);
     EXPECT_EQ(verification.own->windows.boxes, drawWindows(false, 640, 480, 5, 0).boxes);
 }
 
 TEST(Verify, AsksAgainElsewhereWhereTheyDiffer) {
-    const auto [once, sittings] = say({0.5, 0.3});
+    const auto [once, runs] = say({0.5, 0.3});
     EXPECT_EQ(once.kind, Verification::Kind::same);
-    EXPECT_EQ(sittings, 2U);
+    EXPECT_EQ(runs, 2U);
     EXPECT_EQ(once.own->windows.boxes, drawWindows(false, 640, 480, 5, 0).boxes)
         << "where it differed";
     const auto [twice, two] = say({0.5, 0.5});
@@ -131,9 +131,9 @@ TEST(Verify, AsksAgainElsewhereWhereTheyDiffer) {
 }
 
 TEST(Verify, AsksOnceWhereNothingIsRandom) {
-    const auto [verification, sittings] = say({0.7, 0.7, 0.7}, true);
+    const auto [verification, runs] = say({0.7, 0.7, 0.7}, true);
     EXPECT_EQ(verification.kind, Verification::Kind::different);
-    EXPECT_EQ(sittings, 1U);
+    EXPECT_EQ(runs, 1U);
 }
 
 TEST(Verify, KnowsNothingWithoutAnswersOrWithoutCode) {

@@ -41,8 +41,9 @@ ByteImage toBytes(const Image& image) {
 
 std::string encodePng(const ByteImage& image) {
     std::string bytes;
-    const int written = stbi_write_png_to_func(append, &bytes, image.width, image.height, kRgbChannels,
-                                               image.rgb.data(), image.width * kRgbChannels);
+    const int written =
+        stbi_write_png_to_func(append, &bytes, image.width, image.height, kRgbChannels,
+                               image.rgb.data(), image.width * kRgbChannels);
     if (written == 0) throw Error("a picture cannot be packed as PNG");
     return bytes;
 }

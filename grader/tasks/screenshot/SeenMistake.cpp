@@ -1,6 +1,6 @@
 #include <grader/tasks/bump/BumpFindings.h>
 #include <grader/tasks/lens/LensFindings.h>
-#include <grader/tasks/screenshot/Suspects.h>
+#include <grader/tasks/screenshot/SeenMistake.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
 
 #include <grader/metrics/NoiseEnergy.h>
@@ -19,17 +19,18 @@ namespace {
 using oracle::Mistake;
 using oracle::Reading;
 
-struct Suspect {
-    Suspicion suspicion;
+/// One hypothesis about a picture: what a person sees of it, and what the oracle renders for it.
+struct Candidate {
+    SeenMistake seen;
     Reading reading;
     Mistake mistake;
 };
 
 template <class Change>
-Suspect make(std::string_view id, const char* words, const Change& change) {
-    Suspect suspect{{std::string{id}, words}, {}, {}};
-    change(suspect.reading, suspect.mistake);
-    return suspect;
+Candidate make(std::string_view id, const char* words, const Change& change) {
+    Candidate candidate{{std::string{id}, words}, {}, {}};
+    change(candidate.reading, candidate.mistake);
+    return candidate;
 }
 
 // As the template renders: what bump maps are seen with.
@@ -38,10 +39,10 @@ void asPinhole(Reading& reading, Mistake& mistake) {
     mistake.aperture = Mistake::Aperture::none;
 }
 
-std::vector<Suspect> rightPictures() {
+std::vector<Candidate> rightPictures() {
     using oracle::LightShape;
     const auto none = [](Reading&, Mistake&) {};
-    std::vector<Suspect> all{make("", "what the handout asks for", none)};
+    std::vector<Candidate> all{make("", "what the handout asks for", none)};
     for (const LightShape shape :
          {LightShape::surface, LightShape::uniformRadius, LightShape::polarHelper})
         all.push_back(make("", "what the handout asks for",
@@ -51,8 +52,8 @@ std::vector<Suspect> rightPictures() {
     return all;
 }
 
-std::vector<Suspect> wrongShadows() {
-    std::vector<Suspect> all;
+std::vector<Candidate> wrongShadows() {
+    std::vector<Candidate> all;
     const auto add = [&](const FindingText& text, const char* words, const auto& change) {
         all.push_back(make(text.id, words, change));
     };
@@ -76,8 +77,8 @@ std::vector<Suspect> wrongShadows() {
     return all;
 }
 
-std::vector<Suspect> wrongLenses() {
-    std::vector<Suspect> all;
+std::vector<Candidate> wrongLenses() {
+    std::vector<Candidate> all;
     const auto add = [&](const FindingText& text, const char* words, const auto& change) {
         all.push_back(make(text.id, words, change));
     };
@@ -99,8 +100,8 @@ std::vector<Suspect> wrongLenses() {
     return all;
 }
 
-Picture render(const Suspect& suspect, const Scene& scene, const Windows& windows, bool isPinhole,
-               std::uint64_t seed) {
+Picture render(const Candidate& candidate, const Scene& scene, const Windows& windows,
+               bool isPinhole, std::uint64_t seed) {
     Picture strip{windows.boxes.front().width, 0, {}};
     for (const metrics::Box& box : windows.boxes) {
         raytracer::RenderSettings settings;
@@ -108,8 +109,8 @@ Picture render(const Suspect& suspect, const Scene& scene, const Windows& window
         settings.height = windows.frameHeight;
         settings.region = {box.x, box.y, box.width, box.height};
         if (isPinhole) settings.dofRayCount = settings.shadowRayCount = 1;
-        const oracle::Oracle renderer{*scene.description, settings, suspect.reading,
-                                      suspect.mistake};
+        const oracle::Oracle renderer{*scene.description, settings, candidate.reading,
+                                      candidate.mistake};
         const raytracer::Image image = renderer.studentRender(seed++);
         for (const raytracer::ColourRGB& colour : image.pixels())
             for (const std::uint8_t byte : raytracer::toneMapped(colour))
@@ -119,24 +120,24 @@ Picture render(const Suspect& suspect, const Scene& scene, const Windows& window
     return strip;
 }
 
-std::optional<Suspicion> suspectDistributed(const ByteView& picture, const Scene& scene,
-                                            const Windows& windows, std::uint64_t seed) {
+std::optional<SeenMistake> distributedMistake(const ByteView& picture, const Scene& scene,
+                                              const Windows& windows, std::uint64_t seed) {
     constexpr double kByFar = 0.35;
-    std::vector<Suspect> all = rightPictures();
-    for (std::vector<Suspect>& more : std::array{wrongShadows(), wrongLenses()})
+    std::vector<Candidate> all = rightPictures();
+    for (std::vector<Candidate>& more : std::array{wrongShadows(), wrongLenses()})
         all.insert(all.end(), more.begin(), more.end());
-    std::optional<Suspicion> best;
+    std::optional<SeenMistake> best;
     metrics::NoiseEnergy least;
     double right = 0.0;
     for (const double aperture : {1.0, 0.5})
-        for (Suspect suspect : all) {
-            suspect.reading.apertureFactor *= aperture;
-            const Picture rendered = render(suspect, scene, windows, false, seed);
+        for (Candidate candidate : all) {
+            candidate.reading.apertureFactor *= aperture;
+            const Picture rendered = render(candidate, scene, windows, false, seed);
             const metrics::NoiseEnergy energy = metrics::noiseEnergy(rendered.view(), picture);
-            if (suspect.suspicion.id.empty() && (right == 0.0 || energy.energy < right))
+            if (candidate.seen.id.empty() && (right == 0.0 || energy.energy < right))
                 right = energy.energy;
             if (best && energy.energy >= least.energy) continue;
-            best = suspect.suspicion;
+            best = candidate.seen;
             least = energy;
         }
     const bool isClear = least.probability() >= kSmallestChance || least.energy < kByFar * right;
@@ -144,8 +145,8 @@ std::optional<Suspicion> suspectDistributed(const ByteView& picture, const Scene
 }
 
 /// The readings of a bump map that look most unlike each other, and what is wrong with each.
-std::vector<Suspect> bumpPictures() {
-    std::vector<Suspect> all;
+std::vector<Candidate> bumpPictures() {
+    std::vector<Candidate> all;
     for (const double origin : {0.0, 0.25, 0.5, 0.75})
         for (const bool isMirrored : {false, true})
             for (const auto& [u, v, id, words] :
@@ -165,16 +166,16 @@ std::vector<Suspect> bumpPictures() {
 }
 
 // Strength, interpolation and differences vary; what stays is which side of a bump is lit.
-std::optional<Suspicion> suspectBump(const ByteView& picture, const Scene& scene,
-                                     const Windows& windows, std::uint64_t seed) {
+std::optional<SeenMistake> bumpMistake(const ByteView& picture, const Scene& scene,
+                                       const Windows& windows, std::uint64_t seed) {
     constexpr double kLikeEnough = 0.8;
-    std::optional<Suspicion> best;
+    std::optional<SeenMistake> best;
     double most = kLikeEnough;
-    for (const Suspect& suspect : bumpPictures()) {
-        const Picture rendered = render(suspect, scene, windows, true, seed);
+    for (const Candidate& candidate : bumpPictures()) {
+        const Picture rendered = render(candidate, scene, windows, true, seed);
         const double likeness = metrics::correlation(rendered.view(), picture);
         if (likeness <= most) continue;
-        best = suspect.suspicion;
+        best = candidate.seen;
         most = likeness;
     }
     return best;
@@ -182,10 +183,10 @@ std::optional<Suspicion> suspectBump(const ByteView& picture, const Scene& scene
 
 }  // namespace
 
-std::optional<Suspicion> suspect(const ByteView& windowsOfPicture, const Scene& scene,
-                                 const Windows& windows, std::uint64_t seed) {
-    return !scene.isRandom ? suspectBump(windowsOfPicture, scene, windows, seed)
-                           : suspectDistributed(windowsOfPicture, scene, windows, seed);
+std::optional<SeenMistake> seenMistake(const ByteView& windowsOfPicture, const Scene& scene,
+                                       const Windows& windows, std::uint64_t seed) {
+    return !scene.isRandom ? bumpMistake(windowsOfPicture, scene, windows, seed)
+                           : distributedMistake(windowsOfPicture, scene, windows, seed);
 }
 
 }  // namespace ticker::tasks::screenshot

@@ -1,4 +1,4 @@
-#include <grader/tasks/bump/words/LandingWords.h>
+#include <grader/tasks/bump/words/ParametrisationWords.h>
 
 #include <fmt/format.h>
 

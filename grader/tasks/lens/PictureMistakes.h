@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_PICTURESUSPECTS_H
-#define TICKER_TASKS_DISTRIBUTED_PICTURESUSPECTS_H
+#ifndef TICKER_TASKS_DISTRIBUTED_PICTUREMISTAKES_H
+#define TICKER_TASKS_DISTRIBUTED_PICTUREMISTAKES_H
 
 #include <grader/oracle/Reading.h>
 #include <grader/probe/Question.h>
@@ -12,7 +12,7 @@
 namespace ticker::tasks {
 
 /// A mistake in T2.2 that changes pictures in a known way.
-struct Suspect {
+struct PictureMistake {
     const FindingText* text;
     const char* seen;  ///< what a person sees of it
     oracle::Reading reading;
@@ -21,22 +21,22 @@ struct Suspect {
 };
 
 /// @param factor  Of the accepted aperture.
-[[nodiscard]] std::vector<Suspect> suspectsFor(double factor);
+[[nodiscard]] std::vector<PictureMistake> pictureMistakes(double factor);
 
-/// What the matched filters of all suspects say.
+/// What the matched filters of all mistakes say.
 struct Bank {
-    const Suspect* best = nullptr;  ///< null where none fits
-    const Suspect* second = nullptr;
+    const PictureMistake* best = nullptr;  ///< null where none fits
+    const PictureMistake* second = nullptr;
     Match bestMatch;
     double bestLeaves = 1.0;  ///< share of the squared difference that it does not explain
     double largest = 0.0;     ///< |z|
     double squares = 0.0;     ///< of all z
     double spread = 0.0;      ///< largest of all `Match::spread`
 };
-/// @param suspects  Must outlive the answer.
-[[nodiscard]] Bank tryAll(const std::vector<Suspect>& suspects, const probe::RenderQuestion& asked,
-                          const SeenPictures& seen, const ExpectedPicture& expected,
-                          std::uint64_t seed);
+/// @param mistakes  Must outlive the answer.
+[[nodiscard]] Bank tryAll(const std::vector<PictureMistake>& mistakes,
+                          const probe::RenderQuestion& asked, const SeenPictures& seen,
+                          const ExpectedPicture& expected, std::uint64_t seed);
 
 }  // namespace ticker::tasks
 

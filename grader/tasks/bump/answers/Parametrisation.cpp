@@ -1,4 +1,4 @@
-#include <grader/tasks/bump/answers/Landing.h>
+#include <grader/tasks/bump/answers/Parametrisation.h>
 
 #include <grader/tasks/bump/questions/Numbers.h>
 
@@ -65,7 +65,7 @@ struct Columns {
 };
 
 /// The origin and sense of the columns round an axis, from the mean phase of u against longitude.
-Columns fitColumns(const std::vector<Sighting>& sightings, const Landing& round) {
+Columns fitColumns(const std::vector<Sighting>& sightings, const Parametrisation& round) {
     std::complex<double> forwards;
     std::complex<double> backwards;
     for (const Sighting& sighting : sightings) {
@@ -79,24 +79,24 @@ Columns fitColumns(const std::vector<Sighting>& sightings, const Landing& round)
     return {fraction(std::arg(mirrored ? backwards : forwards) / kTurn), mirrored};
 }
 
-LandingFit measure(const std::vector<Sighting>& sightings, const Landing& landing,
-                   double axisLength) {
+ParametrisationFit measure(const std::vector<Sighting>& sightings,
+                           const Parametrisation& parametrisation, double axisLength) {
     std::vector<double> uErrors;
     std::vector<double> vErrors;
     double stray = 0.0;
     for (const Sighting& sighting : sightings) {
         if (std::isnan(sighting.u) || std::isnan(sighting.v)) continue;
-        if (std::abs(sighting.direction.dot(landing.axis())) > kNearAxis) continue;
-        const double u = landing.u(sighting.direction);
+        if (std::abs(sighting.direction.dot(parametrisation.axis())) > kNearAxis) continue;
+        const double u = parametrisation.u(sighting.direction);
         if (turnDistance(u, 0.0) < kNearSeam) continue;
         uErrors.push_back(turnDistance(sighting.u, u));
-        vErrors.push_back(std::abs(sighting.v - landing.v(sighting.direction)));
-        const bool near =
-            uErrors.back() <= LandingFit::kStray && vErrors.back() <= LandingFit::kStray;
+        vErrors.push_back(std::abs(sighting.v - parametrisation.v(sighting.direction)));
+        const bool near = uErrors.back() <= ParametrisationFit::kStray &&
+                          vErrors.back() <= ParametrisationFit::kStray;
         if (!near) stray += 1.0;
     }
     const double count = std::max(1.0, static_cast<double>(uErrors.size()));
-    return {landing, axisLength, median(uErrors), median(vErrors), stray / count};
+    return {parametrisation, axisLength, median(uErrors), median(vErrors), stray / count};
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ double turnDistance(double a, double b) {
     return std::min(apart, 1.0 - apart);
 }
 
-Landing::Landing(const Vector3& axis, double uOffset, bool mirrored)
+Parametrisation::Parametrisation(const Vector3& axis, double uOffset, bool mirrored)
     : axis_(axis), uOffset_(uOffset), mirrored_(mirrored) {
     const Vector3 towardsCamera{0.0, 0.0, -1.0};
     const Vector3 upwards{0.0, 1.0, 0.0};
@@ -115,44 +115,44 @@ Landing::Landing(const Vector3& axis, double uOffset, bool mirrored)
     right_ = meridian_.cross(axis_);
 }
 
-double Landing::longitude(const Vector3& direction) const {
+double Parametrisation::longitude(const Vector3& direction) const {
     return std::atan2(direction.dot(right_), direction.dot(meridian_));
 }
 
-double Landing::u(const Vector3& direction) const {
+double Parametrisation::u(const Vector3& direction) const {
     const double turns = longitude(direction) / kTurn;
     return fraction(uOffset_ + (mirrored_ ? -turns : turns));
 }
 
-double Landing::v(const Vector3& direction) const {
+double Parametrisation::v(const Vector3& direction) const {
     return std::acos(std::clamp(direction.dot(axis_), -1.0, 1.0)) / kPi;
 }
 
-Vector3 Landing::alongU(const Vector3& direction) const {
+Vector3 Parametrisation::alongU(const Vector3& direction) const {
     const Vector3 right = direction.cross(axis_).normalised();
     return mirrored_ ? -right : right;
 }
 
-Vector3 Landing::alongV(const Vector3& direction) const {
+Vector3 Parametrisation::alongV(const Vector3& direction) const {
     return (direction * direction.dot(axis_) - axis_).normalised();
 }
 
-Vector3 Landing::direction(double u, double v) const {
+Vector3 Parametrisation::direction(double u, double v) const {
     const double turns = mirrored_ ? uOffset_ - u : u - uOffset_;
     const double longitude = kTurn * turns;
     return axis_ * std::cos(kPi * v) +
            (meridian_ * std::cos(longitude) + right_ * std::sin(longitude)) * std::sin(kPi * v);
 }
 
-bool isOrdinary(const Landing& landing, const Vector3& direction) {
+bool isOrdinary(const Parametrisation& parametrisation, const Vector3& direction) {
     constexpr double kPoleMargin = 0.06;
     constexpr double kSeamMargin = 0.02;
-    const double v = landing.v(direction);
+    const double v = parametrisation.v(direction);
     return std::min(v, 1.0 - v) >= kPoleMargin &&
-           turnDistance(landing.u(direction), 0.0) >= kSeamMargin;
+           turnDistance(parametrisation.u(direction), 0.0) >= kSeamMargin;
 }
 
-bool LandingFit::good() const {
+bool ParametrisationFit::good() const {
     constexpr double kAxisTolerance = 0.06;
     constexpr double kMedianTolerance = 0.02;
     constexpr double kStrayShare = 0.03;
@@ -160,7 +160,7 @@ bool LandingFit::good() const {
            medianVError <= kMedianTolerance && strayShare <= kStrayShare;
 }
 
-std::optional<LandingFit> fitLanding(const std::vector<Sighting>& sightings) {
+std::optional<ParametrisationFit> fitParametrisation(const std::vector<Sighting>& sightings) {
     const auto usable = std::count_if(sightings.begin(), sightings.end(), [](const Sighting& s) {
         return !std::isnan(s.u) && !std::isnan(s.v);
     });
@@ -168,8 +168,9 @@ std::optional<LandingFit> fitLanding(const std::vector<Sighting>& sightings) {
     const Vector3 axis = fitAxisRobustly(sightings);
     const double length = axis.magnitude();
     if (!(length > 0.05)) return std::nullopt;
-    const Columns columns = fitColumns(sightings, Landing(axis / length, 0.0, false));
-    return measure(sightings, Landing(axis / length, columns.offset, columns.mirrored), length);
+    const Columns columns = fitColumns(sightings, Parametrisation(axis / length, 0.0, false));
+    return measure(sightings, Parametrisation(axis / length, columns.offset, columns.mirrored),
+                   length);
 }
 
 }  // namespace ticker::tasks::bump

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_BUMP_LANDINGWORDS_H
-#define TICKER_TASKS_BUMP_LANDINGWORDS_H
+#ifndef TICKER_TASKS_BUMP_PARAMETRISATIONWORDS_H
+#define TICKER_TASKS_BUMP_PARAMETRISATIONWORDS_H
 
 #include <grader/tasks/bump/Examination.h>
 #include <grader/tasks/bump/words/Phrases.h>

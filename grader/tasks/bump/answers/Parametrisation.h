@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_BUMP_LANDING_H
-#define TICKER_TASKS_BUMP_LANDING_H
+#ifndef TICKER_TASKS_BUMP_PARAMETRISATION_H
+#define TICKER_TASKS_BUMP_PARAMETRISATION_H
 
 #include <raytracer/math/Vector3.h>
 
@@ -13,12 +13,12 @@ using raytracer::Vector3;
 /// Where a submission lays the map on the sphere: row 0 round `axis`, columns round it.
 /// Directions are unit vectors from the sphere's centre; (u, v) are map coordinates, 0 to 1 from
 /// the left and from the top.
-class Landing {
+class Parametrisation {
 public:
     /// @param axis      Towards the map's top row, unit length.
     /// @param uOffset   u of the reference meridian, which `longitude` counts from.
     /// @param mirrored  True where columns run to the left, seen from outside with `axis` up.
-    Landing(const Vector3& axis, double uOffset, bool mirrored);
+    Parametrisation(const Vector3& axis, double uOffset, bool mirrored);
 
     [[nodiscard]] const Vector3& axis() const { return axis_; }
     [[nodiscard]] bool mirrored() const { return mirrored_; }
@@ -44,7 +44,7 @@ private:
 };
 
 /// Far enough from poles and seam for any difference and any interpolation.
-[[nodiscard]] bool isOrdinary(const Landing& landing, const Vector3& direction);
+[[nodiscard]] bool isOrdinary(const Parametrisation& parametrisation, const Vector3& direction);
 
 /// What one point told about the map: its place on the sphere and the map coordinates that its
 /// tilts reveal; not a number where they reveal none.
@@ -54,23 +54,24 @@ struct Sighting {
     double v = 0.0;
 };
 
-/// How well a landing explains what was seen.
-struct LandingFit {
-    Landing landing;
+/// How well a parametrisation explains what was seen.
+struct ParametrisationFit {
+    Parametrisation parametrisation;
     double axisLength = 0.0;    ///< 1 where rows follow the polar angle
     double medianUError = 0.0;  ///< turns
     double medianVError = 0.0;  ///< half turns
     double strayShare = 0.0;    ///< points that are off by more than `kStray`
 
     static constexpr double kStray = 0.05;
-    /// True where spherical polar coordinates round some axis explain the landing. The limits
-    /// leave room for a texel, for W - 1 and for differences over a hundredth of the map; rows
-    /// that follow the height instead of the polar angle are off by 0.07 in the median.
+    /// True where spherical polar coordinates round some axis explain the parametrisation. The
+    /// limits leave room for a texel, for W - 1 and for differences over a hundredth of the map;
+    /// rows that follow the height instead of the polar angle are off by 0.07 in the median.
     [[nodiscard]] bool good() const;
 };
 
-/// The landing that fits best; empty with fewer than 50 usable points.
-[[nodiscard]] std::optional<LandingFit> fitLanding(const std::vector<Sighting>& sightings);
+/// The parametrisation that fits best; empty with fewer than 50 usable points.
+[[nodiscard]] std::optional<ParametrisationFit> fitParametrisation(
+    const std::vector<Sighting>& sightings);
 
 /// The distance of two map coordinates that go round: at most 0.5.
 [[nodiscard]] double turnDistance(double a, double b);

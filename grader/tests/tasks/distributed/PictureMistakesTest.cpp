@@ -1,5 +1,5 @@
 #include <grader/tasks/lens/PictureCheck.h>
-#include <grader/tasks/lens/PictureSuspects.h>
+#include <grader/tasks/lens/PictureMistakes.h>
 
 #include <gtest/gtest.h>
 
@@ -33,8 +33,8 @@ SeenPictures seeing(Plane pixels) {
 }
 
 TEST(TryAll, FindsNothingInThePictureThatIsExpected) {
-    const std::vector<Suspect> suspects = suspectsFor(1.0);
-    const Bank bank = tryAll(suspects, asked(), seeing(expected().mean), expected(), kSeed);
+    const std::vector<PictureMistake> mistakes = pictureMistakes(1.0);
+    const Bank bank = tryAll(mistakes, asked(), seeing(expected().mean), expected(), kSeed);
     EXPECT_EQ(bank.best, nullptr);
     EXPECT_EQ(bank.second, nullptr);
     EXPECT_EQ(bank.largest, 0.0);
@@ -44,12 +44,12 @@ TEST(TryAll, FindsNothingInThePictureThatIsExpected) {
 }
 
 TEST(TryAll, NamesTheSuspectWhosePictureItIs) {
-    const std::vector<Suspect> suspects = suspectsFor(1.0);
-    ASSERT_EQ(suspects.size(), 11U);
+    const std::vector<PictureMistake> mistakes = pictureMistakes(1.0);
+    ASSERT_EQ(mistakes.size(), 11U);
     for (const std::size_t i : {0U, 1U, 4U, 9U}) {
-        const Suspect& own = suspects[i];
+        const PictureMistake& own = mistakes[i];
         const Plane picture = mistakenPicture(asked(), own.reading, own.mistake, kSeed);
-        const Bank bank = tryAll(suspects, asked(), seeing(picture), expected(), kSeed);
+        const Bank bank = tryAll(mistakes, asked(), seeing(picture), expected(), kSeed);
         ASSERT_NE(bank.best, nullptr);
         EXPECT_EQ(bank.best, &own) << own.text->id;
         EXPECT_NEAR(bank.bestMatch.amplitude, 1.0, 1e-9);
