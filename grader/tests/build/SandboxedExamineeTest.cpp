@@ -15,12 +15,11 @@ namespace {
 using probe::AnswerState;
 using probe::NormalAnswer;
 using probe::ProcessEnd;
-using probe::Run;
 using EndKind = ProcessEnd::Kind;
 
 /// Builds a submission and asks it, under limits that keep the test short.
-Run ask(const std::string& file, const std::string& source,
-        const std::vector<probe::Question>& questions) {
+probe::Run ask(const std::string& file, const std::string& source,
+               const std::vector<probe::Question>& questions) {
     static const sandbox::Sandbox theSandbox = sandbox::Sandbox::best();
     static const Kit kit = Kit::besideProgram();
     const BuildResult built =
@@ -45,12 +44,12 @@ std::string bumpySphere(const std::string& body, const std::string& before = {})
            body + "\n}\n}\n";
 }
 
-Run askBumpySphere(const std::string& body, const std::string& before = {}) {
+probe::Run askBumpySphere(const std::string& body, const std::string& before = {}) {
     return ask("BumpySphere.cpp", bumpySphere(body, before), {tests::normalQuestion()});
 }
 
 TEST(SandboxedExaminee, AnswersAsTheSolutionDoes) {
-    const Run run =
+    const probe::Run run =
         ask("Renderer.cpp", tests::readFile("reference_solution/exercise/Renderer.cpp"),
             {tests::normalQuestion(), tests::illuminateQuestion(100), tests::renderQuestion(50)});
 
@@ -67,16 +66,16 @@ TEST(SandboxedExaminee, AnswersAsTheSolutionDoes) {
 TEST(SandboxedExaminee, LetsThreadsRun) {
     probe::RenderQuestion question = tests::renderQuestion();
     const std::string source = tests::readFile("reference_solution/exercise/Renderer.cpp");
-    const Run one = ask("Renderer.cpp", source, {question});
+    const probe::Run one = ask("Renderer.cpp", source, {question});
     question.settings.threads = 2;
-    const Run two = ask("Renderer.cpp", source, {question});
+    const probe::Run two = ask("Renderer.cpp", source, {question});
     EXPECT_EQ(two.end.kind, EndKind::finished) << two.end.detail;
     EXPECT_EQ(std::get<probe::RenderAnswer>(one.answers.at(0)).images,
               std::get<probe::RenderAnswer>(two.answers.at(0)).images);
 }
 
 TEST(SandboxedExaminee, KeepsWhatWasAnsweredBeforeACrash) {
-    const Run run = askBumpySphere(
+    const probe::Run run = askBumpySphere(
         "if (position.x > 0.9) *static_cast<volatile int*>(nullptr) = 1;\n"
         "return Sphere::getNormalAt(position);");
 
@@ -89,7 +88,7 @@ TEST(SandboxedExaminee, KeepsWhatWasAnsweredBeforeACrash) {
 }
 
 TEST(SandboxedExaminee, CountsExceptionsAndGoesOn) {
-    const Run run = askBumpySphere(
+    const probe::Run run = askBumpySphere(
         "if (position.x == 1.0) throw std::runtime_error(\"column \\x01 <b>\");\n"
         "return Sphere::getNormalAt(position);",
         "#include <stdexcept>");
@@ -104,7 +103,7 @@ TEST(SandboxedExaminee, CountsExceptionsAndGoesOn) {
 }
 
 TEST(SandboxedExaminee, SaysHowMuchMemoryItHadUsed) {
-    const Run run = askBumpySphere(
+    const probe::Run run = askBumpySphere(
         "kept = new char[300'000'000];\n"
         "std::memset(kept, 1, 300'000'000);\n"
         "std::abort();",
@@ -114,7 +113,7 @@ TEST(SandboxedExaminee, SaysHowMuchMemoryItHadUsed) {
 }
 
 TEST(SandboxedExaminee, SaysOfAStatusThatItMayMeanThatNothingWasStarted) {
-    const Run run = askBumpySphere("_exit(126);");
+    const probe::Run run = askBumpySphere("_exit(126);");
     EXPECT_NE(run.end.detail.find("not be started"), std::string::npos) << run.end.detail;
 }
 
@@ -124,7 +123,7 @@ constexpr const char* kMark =
     "pwrite(4, &word, sizeof word, 0); }";
 
 TEST(SandboxedExaminee, RunsNothingOfTheSubmissionAfterTheLastAnswer) {
-    const Run run = askBumpySphere(
+    const probe::Run run = askBumpySphere(
         "static const int registered = std::atexit([] { fork(); });\n"
         "return registered == 0 ? Sphere::getNormalAt(position) : Vector3{};",
         "struct AtTheEnd { ~AtTheEnd() { fork(); } };\nstatic AtTheEnd atTheEnd;");
@@ -144,7 +143,7 @@ TEST(SandboxedExaminee, SharesOneBudgetAmongItsRuns) {
     EXPECT_EQ(examinee.ask({tests::normalQuestion()}).end.kind, EndKind::timedOut);
     EXPECT_TRUE(budget.isSpent());
     const double before = examinee.wallMs();
-    const Run second = examinee.ask({tests::normalQuestion()});
+    const probe::Run second = examinee.ask({tests::normalQuestion()});
     EXPECT_EQ(second.end.kind, EndKind::timedOut);
     EXPECT_NE(second.end.detail.find("all runs of a submission together may take 600 s"),
               std::string::npos)
@@ -183,7 +182,7 @@ void PrintTo(const Ending& ending, std::ostream* out) {
 class SandboxedExamineeEnds : public testing::TestWithParam<Ending> {};
 
 TEST_P(SandboxedExamineeEnds, AsTheKernelSaysAndWithNothingAnswered) {
-    const Run run = askBumpySphere(GetParam().body, GetParam().before);
+    const probe::Run run = askBumpySphere(GetParam().body, GetParam().before);
     EXPECT_EQ(run.end.kind, GetParam().expected) << run.end.detail;
     ASSERT_EQ(run.answers.size(), 1U);
     EXPECT_TRUE(probe::isUnanswered(std::get<NormalAnswer>(run.answers[0]).normals[2]));

@@ -133,7 +133,7 @@ TEST(Respond, LetsThreadsTakeTurns) {
 }
 
 TEST(Respond, AnswersManyQuestionsInOrder) {
-    const Run run = tests::LocalExaminee{}.ask(
+    const probe::Run run = tests::LocalExaminee{}.ask(
         {tests::normalQuestion(), tests::renderQuestion(4), tests::illuminateQuestion()});
     ASSERT_EQ(run.answers.size(), 3U);
     EXPECT_EQ(run.end.kind, ProcessEnd::Kind::finished);

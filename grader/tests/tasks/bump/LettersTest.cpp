@@ -63,13 +63,13 @@ Letter letterOf(const Place& at) {
 using Times = std::function<std::pair<double, double>(const Place&)>;
 
 /// Questions, answers and what every axis answers with the same strength everywhere.
-struct Run {
+struct AskedLetters {
     Questionnaire questionnaire;
     LetterPlan plan;
     Answers answers;
     Response response;
 
-    explicit Run(const Times& times)
+    explicit AskedLetters(const Times& times)
         : plan(planned(questionnaire)),
           answers(tests::answersOf(
               questionnaire, tests::inProportion(tests::kParametrisation,
@@ -94,7 +94,7 @@ std::pair<double, double> right(const Place&) {
 
 TEST(PlanLetters, AsksOnAGridOverTheNearSide) {
     Questionnaire questionnaire;
-    const LetterPlan plan = Run::planned(questionnaire);
+    const LetterPlan plan = AskedLetters::planned(questionnaire);
     ASSERT_EQ(plan.directions.size(), 128U * 64U);
     const auto longitude = [](const Vector3& n) { return std::atan2(n.x, -n.z); };
     const Vector3& first = plan.directions.front();
@@ -117,7 +117,7 @@ void expectAll(const EdgeCount& edges, int EdgeCount::*kind, int least, int most
 // Of four letters of each kind; an H has four upright edges but for its bar, an L two and one at
 // its foot.
 TEST(ReadLetters, FindsEveryEdgeOfARightReading) {
-    const LetterReading reading = Run(right).read();
+    const LetterReading reading = AskedLetters(right).read();
     expectAll(reading.h.alongU, &EdgeCount::right, 265, 295);
     expectAll(reading.h.alongV, &EdgeCount::right, 143, 161);
     expectAll(reading.l.alongU, &EdgeCount::right, 165, 183);
@@ -126,14 +126,14 @@ TEST(ReadLetters, FindsEveryEdgeOfARightReading) {
 }
 
 TEST(ReadLetters, TellsTheAxisAndTheLetterThatAreWrong) {
-    const LetterReading reading = Run([](const Place& at) {
+    const LetterReading reading = AskedLetters([](const Place& at) {
                                       return std::pair(letterOf(at) == Letter::h ? -1.0 : 1.0, 1.0);
                                   }).read();
     expectAll(reading.h.alongU, &EdgeCount::opposite, 265, 295);
     expectAll(reading.h.alongV, &EdgeCount::right, 143, 161);
     expectAll(reading.l.alongU, &EdgeCount::right, 165, 183);
     EXPECT_FALSE(reading.good());
-    const LetterReading other = Run([](const Place& at) {
+    const LetterReading other = AskedLetters([](const Place& at) {
                                     return std::pair(1.0, letterOf(at) == Letter::l ? -1.0 : 1.0);
                                 }).read();
     expectAll(other.l.alongV, &EdgeCount::opposite, 117, 131);
@@ -144,7 +144,7 @@ TEST(ReadLetters, TellsTheAxisAndTheLetterThatAreWrong) {
 // Of a tenth of the change at an edge; the other letters set the scale.
 TEST(ReadLetters, TakesHardlyAnyChangeForNone) {
     const auto faint = [](double times) {
-        return Run([=](const Place& at) {
+        return AskedLetters([=](const Place& at) {
                    return std::pair(1.0, letterOf(at) == Letter::l ? times : 1.0);
                })
             .read()
@@ -157,7 +157,7 @@ TEST(ReadLetters, TakesHardlyAnyChangeForNone) {
 }
 
 TEST(DrawRelief, ShowsTheMapAndTheSameReliefOfARightReading) {
-    const Run run(right);
+    const AskedLetters run(right);
     const std::vector<Raster> rasters =
         drawRelief(run.plan, run.answers, tests::kParametrisation, run.response);
     ASSERT_EQ(rasters.size(), 2U);
