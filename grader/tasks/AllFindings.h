@@ -8,11 +8,11 @@
 
 namespace ticker::tasks {
 
-/// Every finding once: those of each task in the order in which they are reported, then the general
-/// ones. docs/findings.md is made from it.
+/// Every finding once: the findings of each task in the order in which they are reported, then the
+/// general ones. docs/findings.md is generated from this list.
 [[nodiscard]] std::span<const FindingText* const> allFindings();
 
-/// @return  Null where no finding has this id.
+/// @return  The text of this id; null if no finding has it.
 [[nodiscard]] const FindingText* findText(std::string_view id);
 
 }  // namespace ticker::tasks

@@ -6,7 +6,7 @@
 
 namespace ticker::tasks {
 
-/// Which of the two tasks the submission attempted; the other one is still the stub.
+/// Which of the two tasks are attempted. A task that is not attempted is still the stub.
 struct DistributedAttempt {
     bool softShadows = true;   ///< T2.1
     bool depthOfField = true;  ///< T2.2

@@ -7,7 +7,7 @@
 
 namespace ticker::tasks {
 
-/// The code of every task that an exercise's file may name: the one registration.
+/// The code of all tasks that an exercise may name. A task is registered here only.
 [[nodiscard]] std::span<const Task> theTasks();
 
 }  // namespace ticker::tasks

@@ -17,7 +17,7 @@ using raytracer::SceneDescription;
 using raytracer::SphereDescription;
 using raytracer::Vector3;
 
-/// Of one pixel, as the exercise's camera has them: from the origin along +z, 45 degrees wide.
+/// Ray of one pixel for the exercise's camera: from the origin along +z, field of view 45 degrees.
 Vector3 rayOf(int x, int y, const raytracer::RenderSettings& settings) {
     const double pitch = 2.0 * std::tan(std::numbers::pi / 8.0) / settings.width;
     return Vector3{(x + 0.5 - 0.5 * settings.width) * pitch,
@@ -34,8 +34,8 @@ std::optional<Vector3> meet(const SphereDescription& sphere, const Vector3& dire
     return direction * (along - std::sqrt(rest));
 }
 
-/// Direct light on a sphere that nothing else shades. What is mirrored is nearly always the dark
-/// background, which is the same for any normal.
+/// Direct light on a sphere that no other object shadows. Mirrored light is left out: it is nearly
+/// always the dark background, which is the same for any normal.
 ColourRGB shade(const BumpPicture& plan, const Vector3& position, const Vector3& normal) {
     const SphereDescription& sphere = plan.scene.spheres[plan.sphere];
     const raytracer::Material& material = sphere.material;

@@ -13,8 +13,9 @@
 
 namespace ticker::tasks {
 
-/// The scene's bumpy sphere, asked about where pixels of a picture show it. Code may know a
-/// question from a picture: what it draws is held against what it answers.
+/// A rendered picture and normals at the same points of its bumpy sphere. Code can recognise the
+/// grader's questions and answer them rightly while it draws something else; comparing the two
+/// shows it.
 struct BumpPicture {
     raytracer::SceneDescription scene;
     std::size_t sphere = 0;           ///< index of the bumpy one
@@ -22,20 +23,21 @@ struct BumpPicture {
     probe::NormalQuestion question;   ///< at these pixels
 };
 
-/// @param scene     With one bumpy sphere, which nothing hides.
-/// @param settings  Those of the picture.
+/// The pixels of the scene's bumpy sphere and the question about them.
+/// @param scene     Contains one bumpy sphere, which nothing hides.
+/// @param settings  The picture's settings.
 [[nodiscard]] BumpPicture planBumpPicture(const raytracer::SceneDescription& scene,
                                           const raytracer::RenderSettings& settings);
 
-/// How far the picture is from one that is shaded with the answered normals, over how far it is
-/// from the smooth sphere's (root mean square of bytes). Far below 1 where the code draws what it
-/// answers, 1 or more where it draws a smooth sphere.
-/// @param rgb  The picture through the tone curve, three bytes for each pixel.
+/// Distance of the picture from one shaded with the answered normals, divided by its distance from
+/// the smooth sphere's picture (root mean square of bytes). Far below 1 if the code draws what it
+/// answers, 1 or more if it draws a smooth sphere.
+/// @param rgb  The picture after the tone curve, three bytes for each pixel.
 [[nodiscard]] double bumpMisfit(const BumpPicture& plan, const probe::NormalAnswer& answer,
                                 const std::vector<std::uint8_t>& rgb);
 
-/// Leaves T1 to a person where it has passed, but its pictures do not show it.
-/// @param misfit  The largest of its pictures; empty: one did not come.
+/// Sends T1 to review if it has passed but its pictures do not show the bumps.
+/// @param misfit  The largest misfit of its pictures; empty if a picture is missing.
 void doubtBumps(TaskReport& task, const std::optional<double>& misfit);
 
 }  // namespace ticker::tasks

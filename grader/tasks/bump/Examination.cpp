@@ -6,16 +6,17 @@
 namespace ticker::tasks::bump {
 namespace {
 
-/// Spheres on either side of every plane through the eye: `side` is 1 in front, -1 behind.
-/// So large that their far side is about four times as far away as their near side.
+/// Draws a sphere beside every plane through the eye, so large that its far side is about four
+/// times as far away as its near side.
+/// @param side  1: in front of the eye; -1: behind it.
 Ball drawBall(Draws& draws, double side) {
     const double distance = draws.uniform(20.0, 30.0);
     return {{-side * draws.uniform(0.7, 2.0), side * draws.uniform(0.3, 1.5), side * distance},
             distance * draws.uniform(0.55, 0.65)};
 }
 
-/// Flat, but for its last two fifths: teeth of so many bytes for each texel that even code which
-/// rounds heights or tilts little shows them.
+/// Heights that are flat except in the last two fifths. There they are teeth, steep enough to show
+/// even in code that rounds heights or tilts little.
 std::vector<double> lateTeeth(int count) {
     constexpr int kToothSlope = 8;
     std::vector<double> heights(static_cast<std::size_t>(count), 0.0);
@@ -24,7 +25,7 @@ std::vector<double> lateTeeth(int count) {
     return heights;
 }
 
-/// Whether slopes at the map's end tilt at any place.
+/// Whether the slopes at the map's end tilt any normal.
 bool seesSlope(const Answers& answers, std::size_t flat, std::size_t question) {
     constexpr double kSomeTilt = 2e-5;  // single precision leaves half of it
     constexpr double kSomePoints = 0.02;
@@ -35,15 +36,15 @@ bool seesSlope(const Answers& answers, std::size_t flat, std::size_t question) {
     return seen > kSomePoints * static_cast<double>(tilts.size());
 }
 
-/// Ramps of whole bytes tell where the map lies, or anything at all where most points of the others
-/// are not tilted.
+/// True if most points of the first ramps are not tilted, and ramps of whole bytes show the
+/// parametrisation or any tilt at all.
 bool tellsMore(const RampJudgement& coarse, const RampJudgement& ramps) {
     constexpr double kNothing = 1e-13;
     const bool mostlyLevel = !(std::max(ramps.strength.alongU, ramps.strength.alongV) > kNothing);
     return coarse.response || (mostlyLevel && coarse.kind != RampKind::silent);
 }
 
-/// Whether the order of the points makes a difference to more than a few.
+/// Whether the order of the points changes more than a few normals.
 bool differs(const Answers& answers, std::size_t forwards, std::size_t backwards) {
     constexpr double kRounding = 1e-9;
     constexpr double kSomePoints = 0.02;
@@ -94,8 +95,8 @@ HintPlan planHints(std::uint64_t seed) {
     const auto ask = [&](const Ball& ball, double rise) {
         return planRamps(plan.questionnaire, ball, {side, side, side, rise, kBase}, directions);
     };
-    // All maps of one size, so that code which remembers a size does well; lower ramps on smaller
-    // spheres.
+    // All maps have one size, so that code that remembers a size is right here. Smaller spheres get
+    // lower ramps.
     const Ball ball = drawBall(draws, 1.0);
     plan.square = ask(ball, kRise);
     plan.unitSphere = ask({{}, 1.0}, 0.2 * kRise);
@@ -122,7 +123,7 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.conduct = readConduct(plan.conduct, answers);
     examination.mapIgnored = areTheSame(answers, plan.regions.question, plan.ladder.gentle.uFlat);
     examination.ladder = judgeLadder(plan.ladder, answers);
-    // What ramps of fractions showed is rounding then.
+    // The results of the ramps of fractions are then an effect of rounding.
     if (coarse && tellsMore(*coarse, examination.ramps()))
         examination.ladder = {*coarse, examination.ladder.flatTilt};
     examination.proportion = readProportion(plan.proportion, answers);

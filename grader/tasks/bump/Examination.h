@@ -18,10 +18,10 @@
 
 namespace ticker::tasks::bump {
 
-/// The first run: everything that a right submission is asked.
+/// The first run: the questions that every submission gets.
 struct MainPlan {
     Questionnaire questionnaire;
-    RegionPlan regions;  ///< first, at the ladder's points, so that what remembers a map shows
+    RegionPlan regions;  ///< first, at the ladder's points: shows a remembered map
     RampLadder ladder;
     SlopePlan slopes;
     ProportionPlan proportion;
@@ -33,16 +33,17 @@ struct MainPlan {
 
 [[nodiscard]] MainPlan planMain(std::uint64_t seed);
 
-/// The second run, for a submission whose ramps do not tell where the map lies.
+/// The second run, for a submission whose ramps do not show the parametrisation.
 [[nodiscard]] CoarsePlan planCoarse(std::uint64_t seed);
 
-/// The last run, which only a failing submission sees: where does it do better?
+/// The last run, for failing submissions only: special cases in which the code may be right, for
+/// hints.
 struct HintPlan {
     Questionnaire questionnaire;
-    RampPlan square;              ///< columns and rows may be exchanged without harm
+    RampPlan square;              ///< columns and rows can be exchanged without harm
     RampPlan unitSphere;          ///< centre at the origin, radius 1
     RampPlan sceneSphere;         ///< the exercise's own sphere
-    std::size_t lastColumns = 0;  ///< a map that slopes in its last columns only
+    std::size_t lastColumns = 0;  ///< a map with slopes in its last columns only
     std::size_t lastRows = 0;
     std::size_t forwards = 0;   ///< one map at the same points,
     std::size_t backwards = 0;  ///< in the opposite order
@@ -50,35 +51,35 @@ struct HintPlan {
 
 [[nodiscard]] HintPlan planHints(std::uint64_t seed);
 
-/// What the runs before the last showed.
+/// Results of the first and second run.
 struct Examination {
     Conduct conduct;
     bool mapIgnored = false;  ///< two maps on the same sphere gave the same tilts
     LadderJudgement ladder;
     Proportion proportion;
-    std::optional<RegionAgreement> regions;  ///< where the map's place is known, as are the next
+    std::optional<RegionAgreement> regions;  ///< this and the next need a known parametrisation
     std::optional<SlopeAgreement> slopes;
     std::optional<MapEdges> edges;
     std::optional<LetterReading> letters;
     std::optional<Fineness> fineness;
 
     [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }
-    /// Every map says what the ramps said.
+    /// All other maps agree with the ramps.
     [[nodiscard]] bool agreesWithRamps() const;
 };
 
-/// @param coarse  From a run of its own; counts where other ramps do not tell the map's place.
+/// @param coarse  The second run's result; used if the other ramps do not show the parametrisation.
 [[nodiscard]] Examination examine(const MainPlan& plan, const Answers& answers,
                                   const std::optional<RampJudgement>& coarse = std::nullopt);
 
-/// What the last run showed.
+/// Results of the last run.
 struct Hints {
     RampJudgement square;
     RampJudgement unitSphere;
     RampJudgement sceneSphere;
-    bool lastColumnsSeen = true;  ///< the map's last columns lie somewhere on the sphere
+    bool lastColumnsSeen = true;  ///< the map's last columns are used somewhere on the sphere
     bool lastRowsSeen = true;
-    bool dependsOnOrder = false;  ///< the normal at a point depends on what was asked before
+    bool dependsOnOrder = false;  ///< the normal at a point depends on the questions before it
 };
 
 [[nodiscard]] Hints readHints(const HintPlan& plan, const Answers& answers);

@@ -64,7 +64,7 @@ TaskJudgement blocked(EndWords words, const std::string& detail) {
     return {TaskState::blocked, finding.message, {finding}, false};
 }
 
-/// The judgement where the process did not come to an honest end; empty where it did.
+/// The judgement if the process did not end properly; empty if it did.
 std::optional<TaskJudgement> judgeEnd(const Answers& answers, const Conduct& conduct) {
     const ProcessEnd& end = answers.end();
     if (end.kind == ProcessEnd::Kind::ourFault)
@@ -74,7 +74,7 @@ std::optional<TaskJudgement> judgeEnd(const Answers& answers, const Conduct& con
     return std::nullopt;
 }
 
-/// What ramps of whole bytes say; empty where the process ends badly.
+/// Judgement of ramps of whole bytes; empty if the process ends badly.
 std::optional<RampJudgement> askForCoarseRamps(probe::Examinee& examinee, std::uint64_t seed) {
     const CoarsePlan plan = planCoarse(seed);
     const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));
@@ -82,7 +82,8 @@ std::optional<RampJudgement> askForCoarseRamps(probe::Examinee& examinee, std::u
     return judgeRamps(plan.ramps.shape, readCoarse(plan, answers));
 }
 
-/// Asks again where that helps to explain a fault. A process that ends badly explains nothing.
+/// Asks the hint questions if they help to explain a fault; empty otherwise, and if the process
+/// ends badly.
 std::optional<Hints> askForHints(probe::Examinee& examinee, std::uint64_t seed) {
     const HintPlan plan = planHints(seed);
     const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));
@@ -105,7 +106,8 @@ TaskJudgement failed(const std::vector<Fault>& faults, const Examination& examin
     return judgement;
 }
 
-/// A failure at points that show says all that a warning of others could.
+/// Adds the notes. A failure at points that a picture shows makes warnings about other points
+/// superfluous.
 void addNotes(TaskJudgement& judgement, std::vector<Finding> notes) {
     const bool failed = !judgement.findings.empty();
     for (Finding& note : notes)

@@ -10,8 +10,8 @@ namespace ticker::tasks {
 
 /// Judges task T1 by asking the submission for normals.
 ///
-/// @param seed  The hidden questions are drawn from it; equal seeds give equal findings.
-/// @return      Findings of task T1 (bump.*, run.*), most important first.
+/// @param seed  Source of the hidden questions; equal seeds give equal findings.
+/// @return      Findings of task T1 (bump.*, run.*), the most important first.
 [[nodiscard]] TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed);
 
 }  // namespace ticker::tasks

@@ -15,7 +15,7 @@ namespace {
 
 using probe::HeightMapDescription;
 
-/// One point of the grid: where it lies on the map, what the map holds there, what was recovered.
+/// One point of the grid: its place on the map, the map's height and slopes, the recovered slopes.
 struct Cell {
     double column = 0.0;  // texels, not rounded
     double row = 0.0;
@@ -43,7 +43,7 @@ Cell placeCell(const HeightMapDescription& map, const Parametrisation& parametri
     return cell;
 }
 
-/// Brings recovered slopes to the size of the true ones, keeping their signs.
+/// Scales recovered slopes to the size of the true ones; signs stay.
 void scale(std::vector<Cell>& cells, double Cell::*seen, double Cell::*expected) {
     double seenSquares = 0.0;
     double trueSquares = 0.0;
@@ -94,8 +94,8 @@ Step stepBetween(const Cell& from, const Cell& to) {
 
 constexpr double kFull = 0.95;  // of the letter's height
 constexpr double kNone = 0.05;
-// Share of the true change that is a change at all. The exact normal of the displaced surface keeps
-// less of an H, which stands high, than of an L.
+// A change below this share of the true one counts as no change. The exact normal of the displaced
+// surface keeps less of an H, which stands high, than of an L.
 constexpr double kSure = 0.1;
 
 /// Follows one row or column of the grid and counts the edges that it crosses.
@@ -119,7 +119,7 @@ private:
     static bool isLevel(const Cell& cell) { return isFull(cell) || std::abs(cell.height) <= kNone; }
 
     void count(Letter kind, double change) {
-        // Only crossings that run along one axis say something about that axis.
+        // Only crossings along one axis count for that axis.
         constexpr double kMostly = 0.8;
         LetterCount& letter = kind == Letter::h ? reading_.h : reading_.l;
         const bool alongU = std::abs(sum_.trueU) > kMostly;
@@ -185,9 +185,9 @@ Raster raster(const std::string& title, const std::vector<double>& heights) {
     return picture;
 }
 
-/// Ramps have shown that slopes tilt on larger spheres; here a change the wrong way speaks against
-/// the code, and that there is hardly any. A coarse step may miss many of these short edges, though
-/// it finds those of a larger map.
+/// The ramps have shown that slopes tilt on larger spheres. Here two things fail: changes of the
+/// wrong sign, and hardly any change. Coarse sampling may miss many of these short edges, though it
+/// finds those of a larger map.
 bool agrees(const EdgeCount& edges) {
     constexpr int kOneOf = 20;
     return 9 * edges.opposite <= edges.right && kOneOf * edges.right >= edges.crossed();
@@ -201,7 +201,7 @@ bool agrees(const LetterCount& count) {
 
 LetterPlan planLetters(Questionnaire& questionnaire, Draws& draws) {
     LetterPlan plan;
-    // Steps of no simple fraction of a texel, so that the grid's points lie anywhere in texels.
+    // The steps are no simple fraction of a texel, so that grid points fall anywhere within texels.
     const double width = draws.uniform(0.975, 0.985) * std::numbers::pi;
     const double height = draws.uniform(0.485, 0.495) * std::numbers::pi;
     for (int row = 0; row < LetterPlan::kRows; ++row)

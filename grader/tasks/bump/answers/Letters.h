@@ -13,28 +13,29 @@
 
 namespace ticker::tasks::bump {
 
-/// The handout's own test: a map of bright letters H and dark letters L on grey, asked for on a
-/// grid over the near side of the scene's sphere.
+/// The handout's own test: a map of bright letters H and dark letters L on grey. Normals are asked
+/// on a grid over the near side of the scene's sphere.
 struct LetterPlan {
     static constexpr int kColumns = 128;  ///< from about -88 to 88 degrees of longitude
     static constexpr int kRows = 64;      ///< from about 44 degrees above the equator to 44 below
 
     std::vector<Vector3> directions;  ///< row after row from the top
-    std::size_t flat = 0;             ///< of the same size, at the same points
+    std::size_t flat = 0;             ///< flat map of the same size, at the same points
     std::size_t question = 0;
 };
 
 [[nodiscard]] LetterPlan planLetters(Questionnaire& questionnaire, Draws& draws);
 
-/// Paths over one kind of letter's edges, and whether the recovered height changed the right way.
+/// Grid paths that cross the edges of one kind of letter, by the change of the recovered height
+/// there.
 struct EdgeCount {
     int right = 0;
     int opposite = 0;
     int lost = 0;  ///< hardly any change
 
     [[nodiscard]] int crossed() const { return right + opposite + lost; }
-    /// Hardly any opposite change, and a change at half the edges: a coarse sampling of a steep
-    /// edge may miss it.
+    /// Hardly any opposite change, and the right change at half of the edges or more: a coarse
+    /// sampling may miss a steep edge.
     [[nodiscard]] bool mostlyRight() const {
         return 9 * opposite <= right && 2 * right >= crossed() && right > 0;
     }
@@ -43,8 +44,8 @@ struct EdgeCount {
     }
 };
 
-/// One kind of letter: what its vertical strokes' edges say (crossed along u) and what its
-/// horizontal ones say (crossed along v).
+/// Edges of one kind of letter: those of its vertical strokes (crossed along u) and of its
+/// horizontal strokes (crossed along v).
 struct LetterCount {
     EdgeCount alongU;
     EdgeCount alongV;
@@ -57,17 +58,17 @@ struct LetterReading {
     [[nodiscard]] bool good() const;
 };
 
-/// "raised", "lowered", "half" or "unclear": how a letter looks that should be raised, or (with
-/// `lowered` true) lowered.
+/// How a letter looks: "raised", "lowered", "half" or "unclear".
+/// @param lowered  True if the letter should be lowered.
 [[nodiscard]] std::string look(const LetterCount& count, bool lowered);
 
-/// The recovered height differences along the grid, and those of the map.
+/// Compares the recovered height differences along the grid with those of the map.
 [[nodiscard]] LetterReading readLetters(const LetterPlan& plan, const Answers& answers,
                                         const Parametrisation& parametrisation,
                                         const Response& response);
 
-/// Two pictures of the near side: the map where this submission lays it, and the relief that its
-/// normals show.
+/// Two pictures of the near side: the map as the submission lays it on the sphere, and the relief
+/// recovered from its normals.
 [[nodiscard]] std::vector<Raster> drawRelief(const LetterPlan& plan, const Answers& answers,
                                              const Parametrisation& parametrisation,
                                              const Response& response);

@@ -12,9 +12,9 @@ namespace ticker::tasks::bump {
 namespace {
 
 constexpr std::size_t kFewestSightings = 50;
-// Nearer to the axis than this cosine (10 degrees) a point says little about its longitude.
+// Within this cosine of the axis (10 degrees) a point says little about its longitude.
 constexpr double kNearAxis = 0.985;
-// A difference that reaches over the seam tells no place: three texels of a map of 260.
+// A difference that reaches across the seam shows no place: three texels of a map of 260.
 constexpr double kNearSeam = 0.015;
 
 double fraction(double value) {
@@ -22,7 +22,7 @@ double fraction(double value) {
     return rest < 1.0 ? rest : 0.0;
 }
 
-/// The solution of a symmetric 3 x 3 system by Cramer's rule; zero where there is none.
+/// Solution of a symmetric 3 x 3 system by Cramer's rule; zero if the system is singular.
 Vector3 solve(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& right) {
     const double determinant = a.dot(b.cross(c));
     if (std::abs(determinant) < 1e-12) return {};
@@ -30,8 +30,8 @@ Vector3 solve(const Vector3& a, const Vector3& b, const Vector3& c, const Vector
            determinant;
 }
 
-/// The vector whose products with the directions come nearest to cos(pi v), in least squares over
-/// the points that lie within `tolerance` of `guess`'s products.
+/// The vector whose dot products with the directions fit cos(pi v) best, in least squares over the
+/// points within `tolerance` of the products of `guess`.
 Vector3 fitAxis(const std::vector<Sighting>& sightings, const Vector3& guess, double tolerance) {
     Vector3 xs;
     Vector3 ys;
@@ -49,7 +49,8 @@ Vector3 fitAxis(const std::vector<Sighting>& sightings, const Vector3& guess, do
     return solve(xs, ys, zs, right);
 }
 
-/// First all points, then only those near to the earlier fit: poles and seams stray.
+/// Fits all points first, then only those near the fit before: points at poles and seams are
+/// outliers.
 Vector3 fitAxisRobustly(const std::vector<Sighting>& sightings) {
     constexpr double kEverything = 10.0;
     constexpr std::array kTolerances{0.5, 0.2};
@@ -64,7 +65,7 @@ struct Columns {
     bool mirrored = false;
 };
 
-/// The origin and sense of the columns round an axis, from the mean phase of u against longitude.
+/// Origin and direction of the columns round an axis, from the mean phase of u against longitude.
 Columns fitColumns(const std::vector<Sighting>& sightings, const Parametrisation& round) {
     std::complex<double> forwards;
     std::complex<double> backwards;

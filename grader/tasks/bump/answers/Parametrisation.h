@@ -10,14 +10,14 @@ namespace ticker::tasks::bump {
 
 using raytracer::Vector3;
 
-/// Where a submission lays the map on the sphere: row 0 round `axis`, columns round it.
-/// Directions are unit vectors from the sphere's centre; (u, v) are map coordinates, 0 to 1 from
-/// the left and from the top.
+/// A spherical parametrisation of the map: rows follow the polar angle from `axis`, columns the
+/// longitude round it. Directions are unit vectors from the sphere's centre. (u, v) are map
+/// coordinates: u from 0 at the left to 1 at the right, v from 0 at the top to 1 at the bottom.
 class Parametrisation {
 public:
-    /// @param axis      Towards the map's top row, unit length.
-    /// @param uOffset   u of the reference meridian, which `longitude` counts from.
-    /// @param mirrored  True where columns run to the left, seen from outside with `axis` up.
+    /// @param axis      Points towards the map's top row; unit length.
+    /// @param uOffset   u of the reference meridian, from which `longitude` counts.
+    /// @param mirrored  True if columns run to the left, seen from outside with `axis` up.
     Parametrisation(const Vector3& axis, double uOffset, bool mirrored);
 
     [[nodiscard]] const Vector3& axis() const { return axis_; }
@@ -28,11 +28,11 @@ public:
     [[nodiscard]] double v(const Vector3& direction) const;  ///< in [0, 1]
     /// Radians to the right, counted from the meridian nearest to the camera.
     [[nodiscard]] double longitude(const Vector3& direction) const;
-    /// The unit tangent along which columns grow.
+    /// Unit tangent in the direction of growing columns.
     [[nodiscard]] Vector3 alongU(const Vector3& direction) const;
-    /// The unit tangent along which rows grow.
+    /// Unit tangent in the direction of growing rows.
     [[nodiscard]] Vector3 alongV(const Vector3& direction) const;
-    /// The unit vector from the centre to the point at (u, v).
+    /// Unit vector from the centre to the point at (u, v).
     [[nodiscard]] Vector3 direction(double u, double v) const;
 
 private:
@@ -43,37 +43,37 @@ private:
     bool mirrored_;
 };
 
-/// Far enough from poles and seam for any difference and any interpolation.
+/// True if the point is far enough from the poles and the seam for every finite difference and
+/// every interpolation.
 [[nodiscard]] bool isOrdinary(const Parametrisation& parametrisation, const Vector3& direction);
 
-/// What one point told about the map: its place on the sphere and the map coordinates that its
-/// tilts reveal; not a number where they reveal none.
+/// A point of the sphere and the map coordinates that its tilts show; NaN if they show none.
 struct Sighting {
     Vector3 direction;
     double u = 0.0;
     double v = 0.0;
 };
 
-/// How well a parametrisation explains what was seen.
+/// How well a parametrisation explains the sightings.
 struct ParametrisationFit {
     Parametrisation parametrisation;
-    double axisLength = 0.0;    ///< 1 where rows follow the polar angle
+    double axisLength = 0.0;    ///< 1 if rows follow the polar angle
     double medianUError = 0.0;  ///< turns
     double medianVError = 0.0;  ///< half turns
     double strayShare = 0.0;    ///< points that are off by more than `kStray`
 
     static constexpr double kStray = 0.05;
-    /// True where spherical polar coordinates round some axis explain the parametrisation. The
-    /// limits leave room for a texel, for W - 1 and for differences over a hundredth of the map;
-    /// rows that follow the height instead of the polar angle are off by 0.07 in the median.
+    /// True if spherical polar coordinates round some axis explain the sightings. The limits leave
+    /// room for one texel, for W - 1 in place of W and for differences over a hundredth of the map.
+    /// Rows that follow the height instead of the polar angle have a median error of 0.07.
     [[nodiscard]] bool good() const;
 };
 
-/// The parametrisation that fits best; empty with fewer than 50 usable points.
+/// The best fitting parametrisation; empty with fewer than 50 usable points.
 [[nodiscard]] std::optional<ParametrisationFit> fitParametrisation(
     const std::vector<Sighting>& sightings);
 
-/// The distance of two map coordinates that go round: at most 0.5.
+/// Distance between two periodic map coordinates (period 1); at most 0.5.
 [[nodiscard]] double turnDistance(double a, double b);
 
 }  // namespace ticker::tasks::bump

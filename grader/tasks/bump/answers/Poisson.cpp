@@ -7,7 +7,7 @@
 namespace ticker::tasks::bump {
 namespace {
 
-/// The orthonormal cosine transform of `size` values, as a matrix: row k is frequency k.
+/// The orthonormal cosine transform of `size` values as a matrix; row k is frequency k.
 class CosineTransform {
 public:
     explicit CosineTransform(std::size_t size) : size_(size), matrix_(size * size) {
@@ -23,7 +23,7 @@ public:
         return matrix_[frequency * size_ + index];
     }
     [[nodiscard]] std::size_t size() const { return size_; }
-    /// What the second difference multiplies a frequency by.
+    /// Eigenvalue of the second difference for a frequency.
     [[nodiscard]] double eigenvalue(std::size_t frequency) const {
         return 2.0 * std::cos(std::numbers::pi * static_cast<double>(frequency) /
                               static_cast<double>(size_)) -
@@ -37,7 +37,7 @@ private:
 
 using Values = std::vector<double>;
 
-/// Transforms every row (or back), and every column.
+/// Transforms all rows and all columns, forwards or back.
 Values transform(const Values& grid, const CosineTransform& across, const CosineTransform& along,
                  bool back) {
     const std::size_t columns = across.size();
@@ -58,7 +58,7 @@ Values transform(const Values& grid, const CosineTransform& across, const Cosine
     return whole;
 }
 
-/// What flows into each cell less what flows out.
+/// Divergence of each cell: flow in minus flow out.
 Values divergence(const GridDifferences& differences) {
     const auto columns = static_cast<std::size_t>(differences.columns);
     const auto rows = static_cast<std::size_t>(differences.rows);

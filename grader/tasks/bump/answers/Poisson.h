@@ -6,7 +6,7 @@
 namespace ticker::tasks::bump {
 
 /// Differences between neighbours of a grid: `right[i]` from cell i to the next column, `down[i]`
-/// from cell i to the next row. The last column's and the last row's are not used.
+/// from cell i to the next row. The last column of `right` and the last row of `down` are not used.
 struct GridDifferences {
     int columns = 0;
     int rows = 0;
@@ -14,10 +14,10 @@ struct GridDifferences {
     std::vector<double> down;
 };
 
-/// The heights whose differences come nearest to those, in least squares; their mean is 0.
-/// Exact: the normal equations are Poisson's with free edges, and cosine transforms solve them
-/// (T. Simchony, R. Chellappa, M. Shao, "Direct Analytical Methods for Solving Poisson Equations
-/// in Computer Vision Problems", PAMI 1990).
+/// The heights whose differences fit these best in least squares; their mean is 0. Exact: the
+/// normal equations are a Poisson equation with free edges, solved by cosine transforms (T.
+/// Simchony, R. Chellappa, M. Shao, "Direct Analytical Methods for Solving Poisson Equations in
+/// Computer Vision Problems", PAMI 1990).
 [[nodiscard]] std::vector<double> integrate(const GridDifferences& differences);
 
 }  // namespace ticker::tasks::bump

@@ -13,7 +13,7 @@ std::vector<Sighting> transpose(std::vector<Sighting> seen) {
     return seen;
 }
 
-/// True where hardly any bow tilts against its ramp, though half of every bow falls.
+/// True if hardly any bow tilts against its ramp, though half of every bow falls.
 bool losesSigns(const std::vector<RampTilts>& tilts, Vector3 RampTilts::*ramp,
                 Vector3 RampTilts::*bow) {
     constexpr double kHardlyAny = 0.1;
@@ -61,11 +61,12 @@ RampJudgement judgeRamps(const RampShape& shape, const std::vector<RampTilts>& t
     RampJudgement judgement;
     judgement.shape = shape;
     judgement.strength = strength(tilts);
-    // An axis counts as ignored only where hardly a point is tilted.
+    // An axis counts as ignored only if hardly any point is tilted.
     constexpr double kHardlyAPoint = 0.95;
     const auto [alongU, alongV] = strength(tilts, kHardlyAPoint);
     const double strongest = std::max(alongU, alongV);
-    // Far below double precision's rounding. Not above, rather than below: not-a-number is no tilt.
+    // Far below double precision's rounding. The comparison is written so that NaN counts as no
+    // tilt.
     constexpr double kNothing = 1e-13;
     if (!(strongest > kNothing)) return judgement;
     if (!(alongU > kIgnoredShare * strongest)) judgement.kind = RampKind::slopeUIgnored;

@@ -10,7 +10,7 @@
 
 namespace ticker::tasks::bump {
 
-/// What one set of ramps says about a submission.
+/// What one set of ramps shows about a submission.
 enum class RampKind {
     right,
     silent,  ///< no ramp tilts anything
@@ -22,17 +22,17 @@ enum class RampKind {
     slopeUIgnored,           ///< a slope along u alone tilts nothing
     slopeVIgnored,           ///< a slope along v alone tilts nothing
     signLost,                ///< falling slopes tilt like rising ones
-    strangeParametrisation,  ///< texels lie where no polar coordinates put them
-    patchy,                  ///< right, but at many points nothing tilts
-    strangeDirection         ///< tilts fit nothing known
+    strangeParametrisation,  ///< polar coordinates do not explain where texels lie
+    patchy,                  ///< right, but many points are not tilted
+    strangeDirection         ///< the tilts fit no known reading
 };
 
 struct RampJudgement {
     RampKind kind = RampKind::silent;
     RampShape shape;  ///< of the ramps
     RampStrength strength;
-    std::optional<ParametrisationFit> fit;  ///< where enough points told their place
-    std::optional<Response> response;       ///< where the fit is good
+    std::optional<ParametrisationFit> fit;  ///< present if enough points show their place
+    std::optional<Response> response;       ///< present if the fit is good
     bool transposed = false;                ///< columns follow the polar angle, rows the longitude
 };
 

@@ -14,7 +14,7 @@
 
 namespace ticker::tasks::bump {
 
-/// A point that has to follow the rules.
+/// A point at which the tilt must follow the slope.
 struct Reply {
     Vector3 direction;
     double u = 0.0;
@@ -34,22 +34,23 @@ struct Reply {
     }
 };
 
-/// All of them, on both ramps.
+/// The replies on both ramps.
 struct Replies {
     std::vector<Reply> onU;
     std::vector<Reply> onV;
 };
 
-// Coarse finite-difference tangents, or tangents of the texel instead of the point, turn an honest
+// Coarse finite-difference tangents, and tangents at the texel instead of the point, turn a right
 // tilt by up to 6 degrees on these maps.
 inline constexpr double kSenseTolerance = 15.0 * std::numbers::pi / 180.0;
 
-/// True where two angles are the same within that tolerance.
+/// True if two angles agree within `kSenseTolerance`.
 [[nodiscard]] inline bool near(double angle, double target) {
     return std::abs(std::remainder(angle - target, 2.0 * std::numbers::pi)) <= kSenseTolerance;
 }
 
-/// Which tangents explain the tilts: those of another longitude, or of angles in degrees.
+/// Sets the fields of `response` that name the wrong tangents: of another longitude, or of angles
+/// in degrees.
 void explainTangents(const Replies& replies, const Parametrisation& parametrisation,
                      Response& response);
 

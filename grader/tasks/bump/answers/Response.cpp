@@ -11,12 +11,14 @@
 namespace ticker::tasks::bump {
 namespace {
 
-// Poles and the seam have rules of their own. Differences over a hundredth of the map reach so far.
+// Poles and the seam have rules of their own. Differences over a hundredth of the map reach this
+// far.
 constexpr double kPoleMargin = 8.0 / 180.0;
 constexpr double kSeamMargin = 0.012;
-// A tilt below this share of the usual one is none. At 8 degrees from the pole sin theta is 0.14.
+// A tilt below this share of the usual one counts as no tilt. At 8 degrees from the pole sin theta
+// is 0.14.
 constexpr double kDeadShare = 0.01;
-// Isolated points may stray for unknown reasons; a picture's worth of them may not.
+// Isolated points may stray for unknown reasons, but not so many that a picture shows them.
 constexpr double kAlmostAll = 0.985;
 
 Replies ordinaryReplies(const std::vector<RampTilts>& tilts,
@@ -87,8 +89,8 @@ Cells meanDirections(const std::vector<Reply>& replies, double deadLength) {
     return sums;
 }
 
-/// How far the sectors of a band disagree: 0 where all agree, or where none has a direction of its
-/// own (as where the direction changes with latitude); 1 where their directions cancel out.
+/// Disagreement between the sectors of a band: 0 if all agree, or if no sector has a clear
+/// direction (the direction changes with latitude); 1 if their directions cancel out.
 double disagreement(const std::array<std::complex<double>, kSectors>& sectors) {
     double lengths = 0.0;
     std::complex<double> sum;
@@ -100,8 +102,8 @@ double disagreement(const std::array<std::complex<double>, kSectors>& sectors) {
 }
 
 void describeBands(const std::vector<Reply>& replies, double deadLength, AxisResponse& axis) {
-    // Directions that turn with longitude leave 0.5 and more; a direction that flips within a band
-    // leaves 0.25 (the mean of some 15 signs); honest code less than 0.02.
+    // Directions that turn with longitude give 0.5 and more, a direction that flips within a band
+    // 0.25 (the mean of about 15 signs), right code less than 0.02.
     constexpr double kDisagree = 0.35;
     const Cells cells = meanDirections(replies, deadLength);
     for (std::size_t band = 0; band < kBands; ++band) {
@@ -117,8 +119,8 @@ void describeBands(const std::vector<Reply>& replies, double deadLength, AxisRes
     }
 }
 
-/// The largest ratio of two sectors' mean strengths. Every strength is first divided by the middle
-/// one of its neighbours in polar angle, so that latitude does not count.
+/// Largest ratio of two sectors' mean strengths. Every strength is first divided by the median of
+/// its neighbours in polar angle, so that latitude does not count.
 double strengthRatio(std::vector<Reply> replies) {
     constexpr std::size_t kHalfWindow = 12;
     constexpr std::size_t kStrengthSectors = 16;
@@ -173,7 +175,7 @@ void findWorst(const std::vector<Reply>& replies, double deadLength, AxisRespons
 AxisResponse measureAxis(const std::vector<Reply>& replies, double usualLength) {
     AxisResponse axis;
     const double own = middleLength(replies);
-    // An axis whose every tilt is a ten-thousandth of the other's does not answer at all.
+    // An axis whose tilts are below a ten-thousandth of the other's counts as not tilted.
     const double deadLength = std::max(kDeadShare * own, 1e-4 * usualLength);
     axis.shares = countSenses(replies, deadLength);
     axis.sense = senseOf(axis.shares);
@@ -201,8 +203,9 @@ std::array<double, 2> matrixRow(const std::vector<Reply>& replies) {
 
 bool Response::dependsOnLongitude() const {
     constexpr int kFewestBands = 3;
-    // Honest code: 1.1 (the exact normal of the displaced surface is weaker where that is higher),
-    // and 10 percent of noise where differences take now one texel, now two.
+    // Right code gives 1.1 (the exact normal of the displaced surface is weaker where the surface
+    // is higher), and 10 percent of noise if differences cover one texel in some places and two in
+    // others.
     constexpr double kUnequal = 1.8;
     return u.bandsThatTurn >= kFewestBands || v.bandsThatTurn >= kFewestBands ||
            u.strengthRatio > kUnequal || v.strengthRatio > kUnequal || tangentTurn != 0.0;

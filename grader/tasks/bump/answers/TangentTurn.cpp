@@ -7,19 +7,19 @@
 namespace ticker::tasks::bump {
 namespace {
 
-/// How a tangent of each axis becomes a tilt.
+/// How the tangents of the two axes make a tilt.
 enum class Form {
     direct,        ///< B_u P_u and B_v P_v
-    crossProducts  ///< B_u (n x P_v) and B_v (n x P_u), with signs that fit
+    crossProducts  ///< B_u (n x P_v) and B_v (n x P_u), with the signs that fit
 };
 
-/// The angles that tangents are made from, instead of the point's own.
+/// The angles from which the code computes its tangents, relative to the point's own.
 struct Angles {
     double turn = 0.0;        ///< added to the longitude
-    double polarTimes = 1.0;  ///< the polar angle's factor
+    double polarTimes = 1.0;  ///< factor of the polar angle
 };
 
-/// Tangents of those angles.
+/// The tangents at those angles.
 struct Tangents {
     Vector3 alongU;
     Vector3 alongV;
@@ -38,7 +38,7 @@ Tangents tangentsOf(const Reply& reply, const Parametrisation& parametrisation,
             turned * std::cos(polar) - axis * std::sin(polar)};
 }
 
-/// The direction in which tangents of other angles tilt.
+/// The direction of the tilt with tangents at those angles.
 double angleOf(const Reply& reply, const Parametrisation& parametrisation, const Angles& angles,
                Form form, bool slopeAlongU) {
     const Tangents tangents = tangentsOf(reply, parametrisation, angles);
@@ -50,7 +50,7 @@ double angleOf(const Reply& reply, const Parametrisation& parametrisation, const
     return std::atan2(tilt.dot(reply.across), tilt.dot(reply.alongSlope));
 }
 
-/// The share of the tilts that `anglesOf(reply)` explains.
+/// Share of the tilts that `anglesOf(reply)` explains.
 template <typename AnglesOf>
 double shareExplained(const Replies& replies, const Parametrisation& parametrisation, Form form,
                       AnglesOf anglesOf) {
@@ -67,7 +67,8 @@ double shareExplained(const Replies& replies, const Parametrisation& parametrisa
     return explained / std::max(1.0, asked);
 }
 
-/// Degrees by which tangents that are turned about the axis explain the tilts; 0 where none do.
+/// Degrees by which the tangents are turned about the axis, if such a turn explains the tilts; 0 if
+/// no turn does.
 double findTangentTurn(const Replies& replies, const Parametrisation& parametrisation) {
     constexpr int kStep = 10;
     constexpr double kExplained = 0.985;
@@ -82,10 +83,10 @@ double findTangentTurn(const Replies& replies, const Parametrisation& parametris
     return 0.0;
 }
 
-/// Sines and cosines of degrees: the longitude grows 57 times as fast as the point's, from where
-/// the student's is 0, and so does the polar angle.
+/// True if the tangents take sines and cosines of angles in degrees: the longitude, counted from
+/// where the student's is 0, and the polar angle both grow 57 times as fast as the point's.
 bool areInDegrees(const Replies& replies, const Parametrisation& parametrisation) {
-    // Half a texel's uncertainty in u is 5 degrees then; by chance a twelfth fits.
+    // Half a texel's uncertainty in u is then 5 degrees; by chance a twelfth of the tilts fits.
     constexpr double kExplained = 0.7;
     constexpr double kFaster = kDegrees - 1.0;
     for (const double start : {0.5, 0.0, 0.25, 0.75})

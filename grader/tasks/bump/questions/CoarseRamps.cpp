@@ -12,10 +12,10 @@ namespace ticker::tasks::bump {
 namespace {
 
 constexpr std::size_t kPointsPerPlace = 16;
-// Of 6 bytes for each texel the mean of 16 rounded slopes knows a bow's place to a hundredth.
+// With 6 bytes for each texel the mean of 16 rounded slopes gives a bow's place to a hundredth.
 constexpr int kBytesPerTexel = 6;
 
-/// A point within some thirty texels, most of a tooth.
+/// A random point within about thirty texels, most of a tooth.
 Vector3 beside(const Vector3& place, Draws& draws) {
     constexpr double kReach = 0.08;  // radians
     return (place + draws.direction() * kReach).normalised();
@@ -32,7 +32,7 @@ double medianOf(const Points& points, Part part) {
     return median(values);
 }
 
-/// The mean of the tilts that are within `reach` of the middle one: all but those at a step.
+/// Mean of the tilts that lie within `reach` of the median: points at a step are left out.
 Vector3 steadyMean(const Points& points, Which which, double reach) {
     const Vector3 middle{medianOf(points, [which](const RampTilts& t) { return (t.*which).x; }),
                          medianOf(points, [which](const RampTilts& t) { return (t.*which).y; }),
@@ -47,7 +47,8 @@ Vector3 steadyMean(const Points& points, Which which, double reach) {
     return sum / count;
 }
 
-/// Two bytes, as the ramp shows them: rounding makes one, the sphere's curvature less than another.
+/// The tilt of a slope of two bytes, measured on the ramp: rounding causes one byte, the sphere's
+/// curvature less than another.
 double reachOf(const Points& points, Which ramp) {
     return 2.0 / kBytesPerTexel *
            medianOf(points, [ramp](const RampTilts& t) { return (t.*ramp).magnitude(); });

@@ -9,9 +9,10 @@
 
 namespace ticker::tasks::bump {
 
-/// Ramps and bows whose heights are whole bytes, as a picture's are: for code that rounds heights
-/// to bytes, which no picture shows and every ramp of fractions does. Slopes are whole bytes, too,
-/// so that a bow's are right on average only: each place is asked for at several points beside it.
+/// Ramps and bows with heights in whole bytes, as in pictures. They serve code that rounds heights
+/// to bytes: it is right on every picture, but not on ramps with fractional heights. Slopes are
+/// whole bytes, too, so that a bow's slopes are right on average only: several points are asked for
+/// beside each place.
 struct CoarsePlan {
     Questionnaire questionnaire;
     std::vector<Vector3> places;
@@ -20,7 +21,7 @@ struct CoarsePlan {
 
 [[nodiscard]] CoarsePlan planCoarse(Draws& draws, const Ball& ball);
 
-/// The mean tilts at each place. Steps at which bytes begin anew are left out.
+/// Mean tilts at each place. Points at the step from 255 to 0 are left out.
 [[nodiscard]] std::vector<RampTilts> readCoarse(const CoarsePlan& plan, const Answers& answers);
 
 }  // namespace ticker::tasks::bump

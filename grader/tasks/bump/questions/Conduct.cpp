@@ -17,7 +17,7 @@ using probe::HeightMapDescription;
 // The exercise's own sphere.
 constexpr Ball kSceneBall{{0.0, 0.0, 3.5}, 0.7};
 
-/// Random bytes: any texel differs from its neighbours.
+/// A map of random bytes: neighbours differ at every texel.
 HeightMapDescription noise(Draws& draws, int width, int height) {
     HeightMapDescription map{width, height, {}, {}, {}};
     for (int i = 0; i < width * height; ++i)
@@ -25,7 +25,7 @@ HeightMapDescription noise(Draws& draws, int width, int height) {
     return map;
 }
 
-/// Points of the near side whose x, or y, is exactly the centre's (either zero, and a rounding
+/// Points of the near side whose x, or y, is exactly the centre's (each zero, and a rounding error
 /// beside it): the middle column and row of a picture of odd size.
 std::vector<Vector3> visibleMeridians() {
     std::vector<Vector3> directions;
@@ -39,7 +39,7 @@ std::vector<Vector3> visibleMeridians() {
     return directions;
 }
 
-/// The far half of those, and the circle through the centre that faces the eye with its edge.
+/// The far half of those circles, and the circle through the centre that the eye sees edge-on.
 std::vector<Vector3> hiddenMeridians() {
     std::vector<Vector3> directions;
     for (int step = -8; step <= 8; ++step) {
@@ -54,7 +54,7 @@ std::vector<Vector3> hiddenMeridians() {
     return directions;
 }
 
-/// Rings so near to the ends of all three axes that they lie in a map's first or last row.
+/// Rings close to both ends of all three axes: they lie in a map's first or last row.
 std::vector<Vector3> lastRows() {
     std::vector<Vector3> directions;
     for (const Vector3& axis : {Vector3{0, 1, 0}, Vector3{0, 0, 1}, Vector3{1, 0, 0}})
@@ -70,7 +70,7 @@ std::vector<Vector3> lastRows() {
     return directions;
 }
 
-/// Both ends of all three axes, exactly, and within single precision's rounding of them.
+/// Both ends of all three axes, exactly and within single precision's rounding.
 std::vector<Vector3> poles() {
     std::vector<Vector3> directions;
     for (const Vector3& axis : {Vector3{0, 1, 0}, Vector3{0, 0, 1}, Vector3{1, 0, 0}})
@@ -108,8 +108,8 @@ public:
     }
 
 private:
-    // An exception ends the program, so it counts wherever a picture may ask. A value that is
-    // merely odd does not count at a pole, even where that faces the eye.
+    // An exception ends the program, so it counts at every point that a picture may show. A wrong
+    // value does not count at a pole, even one that faces the eye.
     [[nodiscard]] bool ends() const { return shows() || place_ == Place::nearestPoint; }
     [[nodiscard]] bool shows() const {
         return place_ == Place::ordinary || place_ == Place::rough ||
@@ -148,7 +148,8 @@ private:
         if (tilt > conduct_.largestTilt) conduct_.largestTilt = tilt;
     }
 
-    /// The answer says how many points threw, not which: all that are not finite, as a rule.
+    /// The answer has the number of exceptions, but not their points: normally these are the points
+    /// that are not finite.
     void readUnanswered(std::size_t point) {
         if (answer_.state == AnswerState::missing) return note(conduct_.missing, question_, point);
         if (exceptionsSeen_ == answer_.exceptions) return note(notFinite(), question_, point);
@@ -164,7 +165,7 @@ private:
     std::uint32_t exceptionsSeen_ = 0;
 };
 
-/// One map, then another, at the same point of the same sphere.
+/// Asks for one map, then another, at the same point of the same sphere.
 void addOtherMaps(ConductPlan& plan, Questionnaire& questionnaire, Draws& draws) {
     constexpr int kPoints = 8;
     const HeightMapDescription one = noise(draws, 90, 70);
@@ -185,7 +186,7 @@ double largestChange(const ConductPlan& plan, const Answers& answers) {
     return largest;
 }
 
-/// Between the first half and the second.
+/// Median change between the first half and the second.
 double middleChange(const std::vector<Vector3>& normals) {
     const std::size_t half = normals.size() / 2;
     std::vector<double> changes;

@@ -16,7 +16,7 @@ namespace ticker::tasks::bump {
 
 using raytracer::Vector3;
 
-/// Where the hidden questions come from: equal seeds give equal draws on every machine
+/// Random numbers of the hidden questions. Equal seeds give equal draws on every machine
 /// (splitmix64; the standard library's distributions may differ between systems).
 class Draws {
 public:
@@ -41,7 +41,7 @@ public:
         return Vector3{ring * std::sin(longitude), y, -ring * std::cos(longitude)}.normalised();
     }
 
-    /// So many unit vectors.
+    /// `count` unit vectors, each uniform over the sphere.
     [[nodiscard]] std::vector<Vector3> directions(int count) {
         std::vector<Vector3> drawn;
         drawn.reserve(static_cast<std::size_t>(count));

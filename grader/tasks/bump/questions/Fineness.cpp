@@ -11,7 +11,7 @@ namespace {
 constexpr int kAcross = 64;
 constexpr double kRise = 20.0 * kByte;  // for each texel
 
-/// Up by `kHalf` texels, down by as many.
+/// Rises for `kHalf` texels, then falls for as many.
 std::vector<double> zigzag(int count) {
     constexpr int kPeriod = 2 * FinenessPlan::kHalf;
     std::vector<double> heights;
@@ -33,15 +33,15 @@ LevelPair addPair(Questionnaire& questionnaire, const Ball& ball, probe::HeightM
     return {flat, questionnaire.add(ball, std::move(map), directions)};
 }
 
-/// Neighbours at the map's edge may be clamped, wrapped or mirrored. A wide difference that is 0 on
-/// the zigzag shows this choice at the seam alone: pairs near the seam are not compared.
+/// Neighbours at the map's edge may be clamped, wrapped or mirrored. A wide difference is 0 on the
+/// zigzag except at the seam, where this choice shows: pairs near the seam are not compared.
 bool isAwayFromSeam(double u) {
     constexpr double kMargin = 16.0 / FinenessPlan::kColumns;
     return u > kMargin && u < 1.0 - kMargin;
 }
 
 /// @param counts  Whether the pair that begins at a point is compared.
-/// @param along   The tangent of either point that the tilts are measured along.
+/// @param along   The tangent at either point along which tilts are measured.
 /// @param usual   The tilt on a ramp of this slope.
 template <typename Counts, typename Along, typename Usual>
 double opposition(const std::vector<Vector3>& pairs, const std::vector<Vector3>& tilts,

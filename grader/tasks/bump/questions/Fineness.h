@@ -10,14 +10,14 @@
 
 namespace ticker::tasks::bump {
 
-/// Zigzags that turn every `kHalf` texels, along u and along v, asked for at pairs of points that
-/// lie so many texels apart where the map's poles are above and below.
+/// Zigzags that turn every `kHalf` texels, along u and along v. Pairs of points are asked for that
+/// lie `kHalf` texels apart if the map's poles are above and below.
 struct FinenessPlan {
     static constexpr int kColumns = 2100;
     static constexpr int kRows = 1050;
     static constexpr int kHalf = 3;  ///< texels: half a degree on either axis
 
-    std::vector<Vector3> pairsU;  ///< two by two
+    std::vector<Vector3> pairsU;  ///< one pair after the other
     std::vector<Vector3> pairsV;
     LevelPair zigzagU;  ///< at `pairsU`
     LevelPair zigzagV;
@@ -26,9 +26,10 @@ struct FinenessPlan {
 [[nodiscard]] FinenessPlan planFineness(Questionnaire& questionnaire, Draws& draws,
                                         const Ball& ball);
 
-/// How surely two points of a pair tilt opposite ways: 1 always, -1 never. Whatever difference,
-/// interpolation or smoothing a code takes, a zigzag's slope turns round in half a period. Who
-/// rounds u to whole degrees reads the same texel twice, or one that is a whole period away.
+/// Agreement of the two tilts of a pair: 1 if they are always opposite, -1 if they are always
+/// equal. A zigzag's slope changes sign after half a period under every difference, interpolation
+/// or smoothing. Code that rounds u to whole degrees reads the same texel twice, or one that is a
+/// whole period away.
 struct Fineness {
     double u = 1.0;
     double v = 1.0;
@@ -38,9 +39,9 @@ struct Fineness {
     [[nodiscard]] bool good() const { return goodU() && goodV(); }
 };
 
-/// Says 1 where the question does not fit: with poles elsewhere, and where a wide difference
-/// smooths the zigzag away.
-/// @param ramps  What the ramps said; they told the map's place.
+/// Compares the tilts of the pairs. Returns 1 if the question does not apply: poles elsewhere, or a
+/// wide difference that averages the zigzag out.
+/// @param ramps  The ramps' judgement, with the parametrisation.
 [[nodiscard]] Fineness readFineness(const FinenessPlan& plan, const Answers& answers,
                                     const RampJudgement& ramps);
 

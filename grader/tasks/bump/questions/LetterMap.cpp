@@ -21,7 +21,7 @@ struct Stroke {
     double top;
     double bottom;
 
-    /// 0 outside, 1 inside, even slopes between.
+    /// Coverage at (x, y): 0 outside, 1 inside, an even slope at the edge.
     [[nodiscard]] double coverage(double x, double y) const {
         const double depth = std::min({x - left, right - x, y - top, bottom - y});
         return std::clamp(0.5 + depth / kEdge, 0.0, 1.0);

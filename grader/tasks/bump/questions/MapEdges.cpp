@@ -12,8 +12,8 @@ namespace {
 constexpr int kEdgeMapWidth = 64;
 constexpr int kEdgeMapHeight = 48;
 
-/// One wave, from 0.3 above `base` near either end to 0.3 below it in the middle. From one texel to
-/// the next it rises by 2 bytes at most.
+/// One wave, from 0.3 above `base` near both ends to 0.3 below it in the middle. It rises by at
+/// most 2 bytes from one texel to the next.
 std::vector<double> waves(int count, double base, double phase) {
     constexpr double kLift = 0.3;
     std::vector<double> heights;
@@ -22,7 +22,7 @@ std::vector<double> waves(int count, double base, double phase) {
     return heights;
 }
 
-/// Rings within the first or last row, whichever axis has the poles.
+/// Rings within the first or last row, for poles on any axis.
 void addEndRows(std::vector<Vector3>& directions) {
     constexpr int kPoints = 12;
     constexpr double kFromPole = 0.03;  // radians; a row has 0.065
@@ -38,7 +38,7 @@ void addEndRows(std::vector<Vector3>& directions) {
 
 enum class Where { edge, elsewhere, neither };
 
-/// The second largest tilt at the edge over the largest elsewhere: one point may stray.
+/// Second largest tilt at the edge divided by the largest elsewhere: one outlier is allowed.
 double ratioOf(const std::vector<Vector3>& directions, const std::vector<Vector3>& tilts,
                const std::function<Where(const Vector3&)>& whereIs) {
     double largest = 0.0;
@@ -63,8 +63,8 @@ double ratioOf(const std::vector<Vector3>& directions, const std::vector<Vector3
 }  // namespace
 
 EdgePlan planEdges(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
-    // One column of 64 has 15 of the points that count; two of them miss it once in a million
-    // times.
+    // One column of 64 has 15 of the points that count; the chance that fewer than two points hit
+    // it is one in a million.
     constexpr int kPoints = 1600;
     EdgePlan plan;
     plan.directions = draws.directions(kPoints);

@@ -10,26 +10,26 @@
 
 namespace ticker::tasks::bump {
 
-/// Two maps of one gentle wave at a great height, which close without a step: the last column goes
-/// on in the first one, and so does the last row. What a code reads beyond the edge (the other end,
-/// the last texel again, the one before it) hardly matters; a height that the map does not have
-/// makes a wall.
+/// Two maps of one gentle wave at a great height. Both are periodic: the last column continues in
+/// the first one, and the last row in the first. A neighbour beyond the edge may be the other end,
+/// the last texel again or the one before it, which hardly matters here; a height from outside the
+/// map makes a wall.
 struct EdgePlan {
     std::vector<Vector3> directions;
-    std::size_t flat = 0;  ///< of height 0: chords of a displaced surface lean even there
+    std::size_t flat = 0;  ///< height 0: normals of chords lean even there
     std::size_t columnWaves = 0;
     std::size_t rowWaves = 0;
 };
 
 [[nodiscard]] EdgePlan planEdges(Questionnaire& questionnaire, Draws& draws, const Ball& ball);
 
-/// How many times as far the normal tilts at the map's edge as anywhere else: 1 where all is well.
+/// Tilt at the map's edge divided by the tilt elsewhere; 1 is right.
 struct MapEdges {
     double seam = 1.0;     ///< first and last columns
     double endRows = 1.0;  ///< first and last rows
 
-    // The texels beside a neighbour are three slopes away at most; the middle of the map is 17, a
-    // height of 0 is 110, or 18 for a difference over six texels.
+    // Neighbours at the edge are at most three slopes away. The height of the map's middle would be
+    // 17, a height of 0 would be 110, or 18 with a difference over six texels.
     static constexpr double kMost = 6.0;
     [[nodiscard]] bool goodSeam() const { return seam <= kMost; }
     [[nodiscard]] bool goodEndRows() const { return endRows <= kMost; }

@@ -10,10 +10,10 @@ namespace {
 
 using probe::HeightMapDescription;
 
-// A hundredth of the map is four texels: any difference is one of random texels, too.
+// A hundredth of the map is four texels, so that every difference spans random texels.
 constexpr int kWidth = 400;
 constexpr int kHeight = 200;
-constexpr int kLevels = 5;  // random texels: 0 to 5 of these
+constexpr int kLevels = 5;  // random heights: 0 to 5 of these
 
 HeightMapDescription scaled(const std::vector<int>& texels, int base, int bytesPerLevel) {
     HeightMapDescription map{kWidth, kHeight, {}, {}, {}};
@@ -23,7 +23,7 @@ HeightMapDescription scaled(const std::vector<int>& texels, int base, int bytesP
     return map;
 }
 
-/// Share of the points whose normal is a right angle or more away from the smooth one.
+/// Share of the points whose normal makes an angle of 90 degrees or more with the smooth one.
 double shareBelow(const std::vector<Vector3>& normals, const std::vector<Vector3>& smooth) {
     double below = 0.0;
     for (std::size_t i = 0; i < smooth.size(); ++i)
@@ -50,7 +50,7 @@ ProportionPlan planProportion(Questionnaire& questionnaire, Draws& draws, const 
 }
 
 Proportion readProportion(const ProportionPlan& plan, const Answers& answers) {
-    // Single precision leaves a tenth of this.
+    // Ten times single precision's rounding.
     constexpr double kSomeTilt = 5e-6;
     constexpr double kSomePoints = 0.1;
     Proportion proportion;

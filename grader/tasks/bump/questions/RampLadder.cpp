@@ -10,8 +10,8 @@
 namespace ticker::tasks::bump {
 namespace {
 
-// Gentle ramps are so low beside the sphere's radius that the exact normal of the displaced surface
-// is as good as in proportion to the slope.
+// Gentle ramps are very low beside the sphere's radius: even the exact normal of the displaced
+// surface is almost proportional to the slope.
 constexpr double kGentleRise = 0.1;
 constexpr double kModerateRise = 1.0;
 constexpr double kSteepRise = 5.0;
@@ -21,10 +21,11 @@ double strongest(const std::vector<RampTilts>& tilts) {
     return std::max(middle.alongU, middle.alongV);
 }
 
-/// Both ramps, the steep one against the gentle one: do tilts grow, and keep their direction?
+/// Compares the steep ramp with the gentle one: whether tilts grow, and whether they keep their
+/// direction.
 void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTilts>& steep,
                   LadderJudgement& judgement) {
-    // The displaced surface's exact normal: 30; in proportion: 50, and 5 beyond a moderate ramp.
+    // Exact normal of the displaced surface: 30. Proportional tilts: 50, or 5 from a moderate ramp.
     constexpr double kGrows = 2.0;
     std::vector<double> growth;
     double agreeing = 0.0;
@@ -42,10 +43,10 @@ void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTi
     judgement.steepAgrees = agreeing / (2.0 * static_cast<double>(count));
 }
 
-/// Takes the ramps that tell most: gentle ones unless they tilt so little that rounding shows.
+/// Judges the gentle ramps, or moderate ones if rounding shows in the gentle ramps' tilts.
 void judgeRungs(const RampLadder& ladder, const Answers& answers, LadderJudgement& judgement) {
-    // Single precision leaves 1e-7 in a normal, and 1e-5 where the normal is that of chords over a
-    // texel: far below either limit.
+    // Single precision leaves 1e-7 in a normal, and 1e-5 in the normal of chords over a texel: both
+    // are far below the limits.
     constexpr double kClear = 5e-6;
     constexpr double kClearOfChords = 2e-3;
     const std::vector<RampTilts> steep = readRamps(ladder.steep, answers);
@@ -55,8 +56,8 @@ void judgeRungs(const RampLadder& ladder, const Answers& answers, LadderJudgemen
         std::vector<RampTilts> moderate = readRamps(ladder.moderate, answers);
         const bool tells = strongest(low) > kClear && judgement.ramps.response;
         const RampJudgement second = judgeRamps(ladder.moderate.shape, moderate);
-        // Axes exchanged on these long maps tilt a displaced surface little, however high it is:
-        // then only gentle ramps are in proportion.
+        // With exchanged axes these long maps tilt a displaced surface little, whatever their
+        // height: only the gentle ramps are then proportional.
         if (second.response || !tells) {
             judgement.ramps = second;
             low = std::move(moderate);

@@ -12,21 +12,21 @@ namespace ticker::tasks::bump {
 
 /// Ramps of three steepnesses on one sphere.
 struct RampLadder {
-    RampPlan gentle;    ///< a rise of 0.1, at any grey: tilts are in proportion to slopes
-    RampPlan moderate;  ///< heights of 0 to 1: ten times that, where the gentle ones tilt little
-    RampPlan steep;     ///< heights of 0 to 5, as maps have them
+    RampPlan gentle;    ///< a rise of 0.1, at any grey: tilts are proportional to slopes
+    RampPlan moderate;  ///< heights of 0 to 1: ten times that, used if gentle ramps tilt little
+    RampPlan steep;     ///< heights of 0 to 5, as in real maps
 };
 
-/// @param directions  Where to ask; the steep ramps ask at the first half of them.
+/// @param directions  Points to ask for; the steep ramps use the first half of them.
 [[nodiscard]] RampLadder planLadder(Questionnaire& questionnaire, Draws& draws, const Ball& ball,
                                     const std::vector<Vector3>& directions);
 
-/// Sides of ramps that no submission can know.
+/// Ramps of random sides, so that a submission cannot expect their size.
 [[nodiscard]] RampShape drawShape(Draws& draws, double rise);
 
 struct LadderJudgement {
     RampJudgement ramps;         ///< on the gentlest ramps that tilt clearly
-    double flatTilt = 0.0;       ///< largest middle tilt on maps without slope
+    double flatTilt = 0.0;       ///< largest median tilt on maps without slope
     bool growsWithSlope = true;  ///< 50 times the slope tilts at least twice as much
     double steepAgrees = 1.0;    ///< share of the points at which a ramp from black to white tilts
                                  ///< in the same direction as a gentle one

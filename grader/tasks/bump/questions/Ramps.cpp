@@ -12,7 +12,7 @@ namespace {
 namespace questions = raytracer::questions;
 using probe::HeightMapDescription;
 
-/// Rounded, and from 0 again after 255.
+/// Rounds to whole bytes, modulo 256.
 double inWholeBytes(double height) {
     return kByte * static_cast<double>(std::lround(height / kByte) % 256);
 }
@@ -55,7 +55,7 @@ RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball, const RampSha
     RampPlan plan;
     plan.shape = shape;
     plan.directions = std::move(directions);
-    // As high as the middle of the ramps.
+    // As high as the ramps' middle.
     const double middle = shape.base + 0.5 * shape.rise;
     plan.uFlat =
         questionnaire.add(ball, flatMap(shape.columns, shape.across, middle), plan.directions);

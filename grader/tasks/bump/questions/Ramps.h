@@ -11,21 +11,22 @@ namespace ticker::tasks::bump {
 
 /// Size and steepness of a set of ramps.
 struct RampShape {
-    int columns = 2080;     ///< of those along u
-    int rows = 1536;        ///< of those along v
+    int columns = 2080;     ///< of ramps along u
+    int rows = 1536;        ///< of ramps along v
     int across = 96;        ///< texels at a right angle to the slope
-    double rise = 5.0;      ///< height from end to end
+    double rise = 5.0;      ///< height difference between the ends
     double base = 0.0;      ///< height of the lowest texel
-    int bytesPerTexel = 0;  ///< if any: the slope in whole bytes, beginning anew after each 255
+    int bytesPerTexel = 0;  ///< not 0: a slope in whole bytes, which restarts at 0 after 255
 
-    /// Height per texel of a ramp that is so long.
+    /// Height per texel of a ramp that is `texels` long.
     [[nodiscard]] double slope(int texels) const {
         return bytesPerTexel == 0 ? rise / (texels - 1) : kByte * bytesPerTexel;
     }
 };
 
-/// Six questions at the same points of the same sphere: a ramp, a bow (a parabola of the same slope
-/// at its start, falling again from the middle) and a flat map of their size, along u and along v.
+/// Six questions at the same points of the same sphere, three along u and three along v: a ramp, a
+/// bow (a parabola with the ramp's slope at its start, which falls from the middle on) and a flat
+/// map of their size.
 struct RampPlan {
     RampShape shape;
     std::vector<Vector3> directions;
@@ -40,12 +41,12 @@ struct RampPlan {
 [[nodiscard]] RampPlan planRamps(Questionnaire& questionnaire, const Ball& ball,
                                  const RampShape& shape, std::vector<Vector3> directions);
 
-/// The same sides at the same points, of another steepness: the flat maps serve both.
+/// Ramps and bows of another steepness, with the same sides at the same points. They share the flat
+/// maps of `first`.
 [[nodiscard]] RampPlan planMoreRamps(Questionnaire& questionnaire, const Ball& ball,
                                      const RampPlan& first, double rise);
 
-/// Tilts at one point, less the tilt on the flat map of that size; not finite where an answer is
-/// missing.
+/// Tilts at one point, less the tilt on the flat map of that size; NaN if an answer is missing.
 struct RampTilts {
     Vector3 direction;
     Vector3 onURamp;
@@ -56,11 +57,11 @@ struct RampTilts {
 
 [[nodiscard]] std::vector<RampTilts> readRamps(const RampPlan& plan, const Answers& answers);
 
-/// Where on the map each point lies: a bow's slope is that of the ramp times 1 - 2 x, so the ratio
-/// of the two tilts tells x whatever their sign, their direction and their strength.
+/// Map coordinates of each point. A bow's slope is that of the ramp times 1 - 2 x, so the ratio of
+/// the two tilts gives x, whatever the tilts' sign, direction and strength.
 [[nodiscard]] std::vector<Sighting> sightings(const std::vector<RampTilts>& tilts);
 
-/// The length of the tilt on each ramp that this share of the points does not exceed.
+/// Quantile of the tilt's length on each ramp.
 struct RampStrength {
     double alongU = 0.0;
     double alongV = 0.0;

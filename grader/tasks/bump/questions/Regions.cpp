@@ -16,7 +16,7 @@ constexpr std::size_t kSlices = 8;
 
 constexpr double kFall = 2.0 * kByte;  // for each texel
 
-/// Falls, and begins anew after 64 texels: two of these make 252 bytes.
+/// Falls, and restarts after 64 texels: two such waves together take 252 bytes.
 std::vector<double> teeth(int count) {
     constexpr int kTooth = 64;
     std::vector<double> heights;
@@ -26,12 +26,12 @@ std::vector<double> teeth(int count) {
     return heights;
 }
 
-/// A point and its tilt along one axis of the map, positive where that is as on the ramps.
+/// A point and its tilt along one axis of the map, positive if it has the ramps' sign.
 struct Lean {
     double u = 0.0;
     double v = 0.0;
     double along = 0.0;
-    double usual = 0.0;  ///< what it is on ramps, for this slope at this polar angle
+    double usual = 0.0;  ///< tilt that the ramps show for this slope at this polar angle
 
     [[nodiscard]] std::size_t region() const {
         const double height = 0.5 - 0.5 * std::cos(std::numbers::pi * v);
@@ -46,7 +46,7 @@ struct Leans {
     std::vector<Lean> alongV;
 };
 
-/// The map falls where the ramps rise.
+/// Signs are turned, because the map falls where the ramps rise.
 Leans readLeans(const RegionPlan& plan, const Answers& answers, const RampJudgement& ramps) {
     const Parametrisation& parametrisation = ramps.fit->parametrisation;
     const AxisResponse& onU = ramps.response->u;
@@ -68,7 +68,7 @@ Leans readLeans(const RegionPlan& plan, const Answers& answers, const RampJudgem
     return leans;
 }
 
-/// Points and those that stray, over one coordinate of the map.
+/// Counts points and wrong points over one coordinate of the map.
 class Bins {
 public:
     void add(double coordinate, bool strays) {
@@ -77,8 +77,8 @@ public:
         if (strays) strays_[bin] += 1.0;
     }
 
-    /// The longest run of bins in which most points stray, where they clearly do and it is not all
-    /// of them; bins of a few points say nothing.
+    /// The longest run of bins in which most points are wrong; empty if these are not clearly a
+    /// part of the map. Bins of a few points do not count.
     [[nodiscard]] std::optional<TexelRange> range(int count) const {
         constexpr double kFew = 4.0;
         Run longest;
@@ -119,8 +119,8 @@ private:
 };
 
 RegionShares shareOf(const std::vector<Lean>& leans, const HeightMapDescription& map) {
-    // The displaced surface tilts by a third of what is in proportion where it is high; a tilt that
-    // depends on the map's size may be weaker by the ratio of two sides.
+    // The displaced surface tilts by a third of the proportional value where it is high. A tilt
+    // that depends on the map's size may be weaker by the ratio of two sides.
     constexpr double kSome = 0.02;
     constexpr double kFewest = 15.0;
     std::array<double, kZones * kSlices> asked{};
@@ -164,8 +164,8 @@ RegionPlan planRegions(Questionnaire& questionnaire, Draws& draws, const Ball& b
 }
 
 bool RegionShares::good() const {
-    // Teeth end at 2 percent of the points, and at 20 for differences over a hundredth of the map;
-    // then 16 of 40 points of a region stray once in a million times.
+    // Teeth end at 2 percent of the points, or at 20 for differences over a hundredth of the map.
+    // Then 16 of 40 points of a region are wrong with a chance of one in a million.
     constexpr double kMost = 0.75;
     constexpr double kWorst = 0.4;
     return asOnRamps >= kMost && worst >= kWorst;

@@ -11,15 +11,15 @@
 
 namespace ticker::tasks::bump {
 
-/// One large map, which falls along both axes everywhere, in whole bytes: what a code does on the
-/// ramps it must do at every column and row of this, too. Not as large as pictures are: code that
-/// copies the map in every call is slow, but right. The ramps are as long as pictures.
+/// One large map that falls along both axes everywhere, in whole bytes. The tilts must be as on the
+/// ramps at all its columns and rows. It is smaller than usual pictures: code that copies the map
+/// in every call is slow, but right. The ramps are as long as pictures.
 struct RegionPlan {
     std::vector<Vector3> directions;
     std::size_t question = 0;
 };
 
-/// @param directions  Points to ask for; more are drawn.
+/// @param directions  Points to ask for; the function draws more.
 [[nodiscard]] RegionPlan planRegions(Questionnaire& questionnaire, Draws& draws, const Ball& ball,
                                      std::vector<Vector3> directions);
 
@@ -29,12 +29,12 @@ struct TexelRange {
     int last = 0;
 };
 
-/// How one axis does over the whole map.
+/// Result for one axis over the whole map.
 struct RegionShares {
     double asOnRamps = 1.0;  ///< share of the points that tilt along this axis as on the ramps
-    double worst = 1.0;      ///< that share in the worst region of a 48th of the sphere
-    double best = 0.0;       ///< and in the best
-    /// Where most of the others lie, unless that is everywhere; to a 64th of the map.
+    double worst = 1.0;      ///< that share in the worst region (a 48th of the sphere)
+    double best = 0.0;       ///< that share in the best region
+    /// Range with most of the wrong points, to a 64th of the map; empty if they lie everywhere.
     std::optional<TexelRange> columns;
     std::optional<TexelRange> rows;
 
@@ -49,16 +49,16 @@ struct RegionAgreement {
     int height = 0;
 
     [[nodiscard]] bool good() const { return u.good() && v.good(); }
-    /// Some regions are right, others not.
+    /// Some regions are right and others wrong.
     [[nodiscard]] bool isLocal() const { return u.isLocal() || v.isLocal(); }
 };
 
-/// @param ramps  What the ramps said; they told the map's place.
+/// @param ramps  The ramps' judgement, with the parametrisation.
 [[nodiscard]] RegionAgreement readRegions(const RegionPlan& plan, const Answers& answers,
                                           const RampJudgement& ramps);
 
-/// True where a map is no other than the one that was asked for before it: something is
-/// remembered. Compares the normals of two questions at the same points.
+/// Compares the normals of two questions at the same points. True if they are equal although the
+/// maps differ: the code remembers the map before.
 [[nodiscard]] bool areTheSame(const Answers& answers, std::size_t question, std::size_t other);
 
 }  // namespace ticker::tasks::bump

@@ -22,7 +22,7 @@ std::vector<double> sawtooth(int count) {
     return heights;
 }
 
-/// cos and sin of a phase that grows evenly over `count` texels.
+/// Cosine and sine of a phase that grows evenly over `count` texels.
 struct Phases {
     std::vector<double> cosines;
     std::vector<double> sines;
@@ -45,14 +45,15 @@ void addWave(std::vector<double>& values, const Phases& columns, const Phases& r
                             rows.sines[row] * columns.sines[column];
 }
 
-/// Bytes from 32 to 224. Waves close round the sphere; the shortest are 45 texels long.
+/// Random bytes from 32 to 224. The waves are periodic round the sphere; the shortest are 45 texels
+/// long.
 HeightMapDescription randomField(Draws& draws) {
     constexpr int kFieldWidth = 420;
     constexpr int kFieldHeight = 230;
     constexpr int kWaves = 6;
     std::vector<double> values(static_cast<std::size_t>(kFieldWidth) * kFieldHeight, 0.0);
     for (int wave = 0; wave < kWaves; ++wave) {
-        // The first two see to it that there is some slope along each axis.
+        // The first two waves ensure some slope along each axis.
         const double round = wave == 0 ? 7.0 : draws.integer(-8, 8);
         const double down = wave == 1 ? 4.0 : draws.uniform(-4.5, 4.5);
         addWave(values, Phases(kFieldWidth, round, draws.uniform(0.0, kTurn)),
@@ -78,8 +79,8 @@ int texel(double coordinate, int count) {
     return std::clamp(static_cast<int>(coordinate * count), 0, count - 1);
 }
 
-/// How well what was seen has the sign of what was expected: 1 always, -1 never. Big pairs count
-/// for more; how much was seen does not matter, since that is the code's choice.
+/// Agreement of signs between observed and expected values: 1 always, -1 never. Large pairs weigh
+/// more. The scale of the observed values does not matter: the code may choose its strength.
 class SignAgreement {
 public:
     void add(double expected, double seen) {
@@ -94,8 +95,7 @@ private:
     double size_ = 0.0;
 };
 
-/// The share for which `leans(tilt, direction)` holds, of the ordinary points that are tilted at
-/// all.
+/// Share of the tilted ordinary points for which `leans(tilt, direction)` holds.
 template <typename Leans>
 double share(const std::vector<Vector3>& directions, const std::vector<Vector3>& tilts,
              const Parametrisation& parametrisation, Leans leans) {

@@ -11,14 +11,14 @@
 
 namespace ticker::tasks::bump {
 
-/// A map, and the flat one of its size at the same points.
+/// A map, and a flat map of its size at the same points.
 struct LevelPair {
     std::size_t flat = 0;
     std::size_t map = 0;
 };
 
-/// Slopes as pictures have them: sawtooth ramps of whole bytes along u and along v, and a smooth
-/// random field of bytes.
+/// Slopes as in pictures: sawtooth ramps of whole bytes along u and along v, and a smooth random
+/// field of bytes.
 struct SlopePlan {
     std::vector<Vector3> directions;
     std::vector<Vector3> fieldDirections;
@@ -29,15 +29,15 @@ struct SlopePlan {
 
 [[nodiscard]] SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& ball);
 
-/// How well the tilts keep to what they are on ramps, each axis with its sign there.
+/// Agreement of the tilts with those on the ramps, each axis with its sign there.
 struct SlopeAgreement {
-    double sawtoothU = 0.0;  ///< share of the points whose tilt leans the same way
+    double sawtoothU = 0.0;  ///< share of the points whose tilt has the same sign
     double sawtoothV = 0.0;
-    double fieldU = 0.0;  ///< of the tilt along u: the share that leans as the slope along u says,
-                          ///< weighted by both, less the share that leans the other way
+    double fieldU = 0.0;  ///< share of the tilt along u that has the slope's sign, weighted by
+                          ///< both, less the share with the opposite sign
     double fieldV = 0.0;
 
-    /// Sawtooth: the teeth's edges and what a wide difference smears of them are a third at most.
+    /// Sawtooth: at most a third of the points lie at the teeth's edges, wide differences included.
     /// Field: an interpolated or widely differenced slope keeps 0.97.
     [[nodiscard]] bool good() const {
         return sawtoothU >= 0.6 && sawtoothV >= 0.6 && fieldAgrees();
@@ -49,7 +49,7 @@ struct SlopeAgreement {
                                         const Parametrisation& parametrisation,
                                         const Response& response);
 
-/// The slope of a byte map along u at a point, heights per texel, over two texels.
+/// Slope of a byte map along u at a point, in heights per texel, over two texels.
 [[nodiscard]] double slopeAlongU(const probe::HeightMapDescription& map, double u, double v);
 /// Likewise along v.
 [[nodiscard]] double slopeAlongV(const probe::HeightMapDescription& map, double u, double v);

@@ -20,7 +20,7 @@ Vector3 drawPlace(Draws& draws) {
 raytracer::Material drawMaterial(Draws& draws) {
     raytracer::Material material;
     material.colour = drawColour(draws);
-    // As in most scene files, which leave the rest at its defaults.
+    // As in most scene files, which leave the other properties at their defaults.
     if (draws.integer(0, 1) == 0) return material;
     material.phongKD = draws.uniform(0.3, 1.0);
     material.phongKS = draws.uniform(0.0, 1.5);
@@ -29,7 +29,7 @@ raytracer::Material drawMaterial(Draws& draws) {
     return material;
 }
 
-/// Lights as in the handout's scenes and, at times, other objects.
+/// Lights as in the handout's scenes and, sometimes, other objects.
 raytracer::SceneDescription drawCompany(Draws& draws) {
     raytracer::SceneDescription scene;
     scene.ambientLighting = drawColour(draws) * 0.1;

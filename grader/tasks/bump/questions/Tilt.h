@@ -33,15 +33,14 @@ struct Ball {
 
 using raytracer::questions::tiltOf;
 
-/// A map without slope, of half the greatest height unless another is given.
+/// A map without slope; `level` is half of the greatest height.
 [[nodiscard]] probe::HeightMapDescription flatMap(int width, int height, double level = 2.5);
 
-/// Collects the questions of one run; a question's number finds its answer later.
+/// Collects the questions of one run; a question's number later finds its answer.
 class Questionnaire {
 public:
-    /// @param seed  Draws the spheres' materials and what else is in their scenes: a submission
-    /// must
-    ///              not be able to tell a question's sphere from a picture's.
+    /// @param seed  Source of the spheres' materials and of the other objects in their scenes: a
+    ///              submission must not be able to tell a question's sphere from a picture's.
     explicit Questionnaire(std::uint64_t seed = 0) : draws_(seed + 0xFACADEU) {}
 
     /// Asks for the normals of `ball` at the points that lie in `directions`.
@@ -56,19 +55,18 @@ private:
     std::vector<probe::Question> questions_;
 };
 
-/// What came back, put beside what was asked.
+/// The answers of one run, with their questions.
 class Answers {
 public:
     Answers(const Questionnaire& asked, probe::Run run);
 
     [[nodiscard]] const probe::ProcessEnd& end() const { return run_.end; }
     [[nodiscard]] const Questionnaire& asked() const { return *asked_; }
-    /// The answer to a question; its normals are as many as were asked for, and not finite where
-    /// none came.
+    /// The answer to a question. It has as many normals as were asked for; a missing normal is NaN.
     [[nodiscard]] const probe::NormalAnswer& answer(std::size_t number) const;
     [[nodiscard]] std::vector<Vector3> tilts(std::size_t number) const;
-    /// Likewise, less the tilts on a flat map of the same size at the same points: the chords of
-    /// a displaced surface lean even there, by half of their step.
+    /// The tilts less those on a flat map of the same size at the same points: the chords of a
+    /// displaced surface lean even on a flat map, by half of their step.
     [[nodiscard]] std::vector<Vector3> tiltsBeyond(std::size_t flat, std::size_t number) const;
 
 private:

@@ -8,7 +8,7 @@
 
 namespace ticker::tasks::bump {
 
-/// Everything that was measured, as result.json has it. docs/findings explains the keys.
+/// All measured values for result.json. docs/findings.md explains the keys.
 [[nodiscard]] Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examination);
 
 }  // namespace ticker::tasks::bump

@@ -9,12 +9,11 @@
 namespace ticker::tasks::bump {
 namespace {
 
-// A tilt of a thousandth changes no pixel by as much as a grey step, not even at a step from black
-// to white.
+// A tilt of a thousandth changes no pixel by a grey step, not even at an edge from black to white.
 constexpr double kVisibleTilt = 1e-3;
 
-/// A sign is named only where every map agrees: what is inverted in some rows or greys alone is no
-/// matter of one sign.
+/// Names a sign only if every map agrees: an inversion in some rows or greys alone is not a matter
+/// of one sign.
 std::optional<Fault> faultOf(const Examination& examination) {
     const bool agrees = examination.agreesWithRamps();
     switch (examination.ramps().kind) {
@@ -39,15 +38,15 @@ bool isFlat(const Examination& examination) {
            !(conduct.largestTilt > kVisibleTilt);
 }
 
-/// Where a flat map tilts the normal, what ramps add to that says nothing.
+/// True if a flat map tilts the normal. The differences that ramps make then say nothing.
 bool tiltsWithoutSlope(const Examination& examination) {
-    // Normals of chords over a hundredth of the map lean by 0.03; what leans less is made up for.
+    // Normals of chords over a hundredth of the map lean by 0.03; smaller tilts are subtracted.
     constexpr double kFlatTilt = 0.1;
     return examination.ladder.flatTilt > kFlatTilt;
 }
 
-/// Any strength is right that leaves something of the normal: on these ramps a strength of 20 tilts
-/// by 0.001.
+/// Any strength is right that leaves some of the normal: a strength of 20 leaves 0.001 on these
+/// ramps.
 bool liesFlat(const Examination& examination) {
     constexpr double kFlat = 1e3;
     const RampStrength& strength = examination.ramps().strength;
@@ -79,23 +78,24 @@ std::optional<WrongReason> reasonOf(RampKind kind) {
     }
 }
 
-/// Each axis has one sense on the ramps, right or inverted.
+/// True if each axis has one sense on the ramps, right or inverted.
 bool hasSenses(RampKind kind) {
     return kind == RampKind::right || kind == RampKind::inverted || kind == RampKind::invertedU ||
            kind == RampKind::invertedV;
 }
 
-/// Where other maps do not say what the ramps say.
+/// The reason if other maps disagree with the ramps.
 std::optional<WrongReason> findDisagreement(const Examination& examination) {
     if (examination.agreesWithRamps()) return std::nullopt;
     const bool regionsDiffer = examination.regions && !examination.regions->good();
-    // Which rows and columns, where it is a matter of these.
+    // Names the rows and columns if only some are wrong.
     if (regionsDiffer && examination.regions->isLocal()) return WrongReason::regionsDiffer;
     if (!examination.slopes || !examination.slopes->good()) return WrongReason::slopesDiffer;
     return regionsDiffer ? WrongReason::regionsDiffer : WrongReason::steepDiffers;
 }
 
-/// A look-up with columns and rows exchanged leaves maps that are not square: the square ones tell.
+/// A look-up with columns and rows exchanged leaves the map unless the map is square. So square
+/// maps decide.
 bool isTransposed(const Examination& examination, const std::optional<Hints>& hints) {
     const bool unclear = !examination.ramps().response;
     return unclear && (examination.ramps().transposed || (hints && hints->square.transposed));
@@ -119,14 +119,14 @@ const FindingText& textOf(Fault fault) {
 }
 
 std::optional<WrongReason> findWrong(const Examination& examination) {
-    // Half a degree: what is seen is above that.
+    // Half a degree; observed changes are larger.
     constexpr double kSomeChange = 0.01;
     if (examination.conduct.chance > kSomeChange) return WrongReason::chance;
     if (examination.mapIgnored) return WrongReason::mapIgnored;
     const Offence& inward = examination.conduct.inward;
     const RampKind kind = examination.ramps().kind;
     if (liesFlat(examination)) return WrongReason::normalMissing;
-    // Wrong tangents tip a normal over here and there; then they are what is wrong.
+    // Wrong tangents turn a few normals inwards; the tangents are then the fault.
     if (inward.count > 0.5 * inward.asked) return WrongReason::inward;
     if (tiltsWithoutSlope(examination)) return WrongReason::flatTilted;
     if (kind == RampKind::strangeParametrisation && !growsWithSlope(examination))
@@ -134,9 +134,9 @@ std::optional<WrongReason> findWrong(const Examination& examination) {
     if (const auto reason = reasonOf(kind)) return reason;
     if (!hasSenses(kind)) return std::nullopt;
     if (const auto reason = findDisagreement(examination)) return reason;
-    // What follows asks whether a submission that is right on ramps is right elsewhere, too.
+    // The remaining reasons concern submissions that are right on ramps.
     if (kind != RampKind::right) return std::nullopt;
-    // Tangents of the texel's corner tip a very strong tilt over at the seam's step.
+    // Tangents at the texel's corner turn a very strong tilt inwards at the seam's step.
     constexpr double kSomeInward = 0.01;
     if (inward.count > kSomeInward * inward.asked) return WrongReason::inward;
     if (!growsWithSlope(examination)) return WrongReason::doesNotGrow;
@@ -150,14 +150,14 @@ std::optional<WrongReason> findWrong(const Examination& examination) {
 }
 
 bool standsOnItsHead(const Examination& examination) {
-    // Downwards within 45 degrees of straight down.
+    // Downwards, within 45 degrees of straight down.
     constexpr double kDownwards = -0.7;
     return examination.ramps().response.has_value() &&
            examination.ramps().fit->parametrisation.axis().y < kDownwards;
 }
 
 bool pointsInwards(const Examination& examination) {
-    // Wrong tangents tip some normals over, and a turn to the camera half of them.
+    // Wrong tangents turn some normals inwards, and a normal turned to the camera about half.
     constexpr double kNearlyAll = 0.9;
     const Offence& inward = examination.conduct.inward;
     return inward.count > kNearlyAll * inward.asked;
@@ -174,10 +174,10 @@ std::vector<Fault> diagnose(const Examination& examination, const std::optional<
         faults.push_back(Fault::flat);
         return faults;
     }
-    // Answers that are missing or not finite explain anything odd.
+    // Missing answers and answers that are not finite explain all other oddities.
     const bool incomplete = conduct.threw || conduct.notFinite;
     const bool inward = !incomplete && pointsInwards(examination);
-    // Seen from inside, signs and the map's place are others than those that were written.
+    // Seen from inside, signs and the map's place differ from those in the code.
     if (inward) faults.push_back(Fault::wrong);
     const bool telling = !tiltsWithoutSlope(examination);
     if (const auto fault = faultOf(examination); fault && telling) faults.push_back(*fault);

@@ -9,7 +9,7 @@
 
 namespace ticker::tasks::bump {
 
-/// What is wrong with a submission, in the order in which it is reported: the first that applies.
+/// The faults of T1, in the order in which they are reported.
 enum class Fault {
     threw,
     notFinite,
@@ -24,18 +24,18 @@ enum class Fault {
     wrong
 };
 
-/// Its row among the findings.
+/// The fault's row in the table of findings.
 [[nodiscard]] const FindingText& textOf(Fault fault);
 
-/// Every fault that applies, most important first; empty for a right submission.
+/// Every fault that applies, the most important first; empty for a right submission.
 [[nodiscard]] std::vector<Fault> diagnose(const Examination& examination,
                                           const std::optional<Hints>& hints);
 
-/// Why a submission is wrong that fits no name: the first that applies.
+/// Why a submission is wrong, if no named fault applies. The first reason that applies is reported.
 enum class WrongReason {
     chance,         ///< the same point of the same map gets another normal each time
     mapIgnored,     ///< another map gives the same normals
-    remembers,      ///< a point's normal depends on the map that was asked about just before
+    remembers,      ///< the normal depends on the map of the question just before
     normalMissing,  ///< a gentle slope lays the normal flat into the surface
     inward,
     flatTilted,
@@ -59,7 +59,7 @@ enum class WrongReason {
 /// Row 0 lies at the bottom of the sphere.
 [[nodiscard]] bool standsOnItsHead(const Examination& examination);
 
-/// Nearly every normal points into the sphere: nothing else that is seen then means what it says.
+/// True if nearly every normal points into the sphere. No other result then has its usual meaning.
 [[nodiscard]] bool pointsInwards(const Examination& examination);
 
 [[nodiscard]] std::optional<WrongReason> findWrong(const Examination& examination);

@@ -16,7 +16,7 @@ std::string directionInWords(const AxisResponse& axis) {
                        percent(axis.shares.across), percent(axis.shares.dead));
 }
 
-/// ", everywhere 30 degrees off", where every band of an axis agrees on that.
+/// ", everywhere 30 degrees off" if every band of an axis agrees on that; empty otherwise.
 std::string commonTurn(const AxisResponse& axis) {
     constexpr double kAgree = 10.0;
     const auto [least, most] =
@@ -26,7 +26,7 @@ std::string commonTurn(const AxisResponse& axis) {
     return fmt::format(", everywhere {:.0f} degrees off", middle);
 }
 
-/// ", inverted from 50 % to 100 % of the map's height", where the sign changes with the row alone.
+/// ", inverted from 50 % to 100 % of the map's height" if the sign changes with the row alone.
 std::string invertedRows(const AxisResponse& axis) {
     constexpr double kNear = 30.0;
     std::size_t first = kBands;
@@ -44,7 +44,7 @@ std::string invertedRows(const AxisResponse& axis) {
                        percent(share(last + 1)));
 }
 
-/// ", by 49 degrees at the map's top, -49 at its bottom", where the direction turns with the row.
+/// ", by 49 degrees at the map's top, -49 at its bottom" if the direction turns with the row.
 std::string twist(const AxisResponse& axis) {
     constexpr double kClearly = 40.0;
     const double top = axis.bandDirection.front();
@@ -52,7 +52,7 @@ std::string twist(const AxisResponse& axis) {
     for (std::size_t band = 1; band < kBands; ++band) {
         const double step =
             std::remainder(axis.bandDirection[band] - axis.bandDirection[band - 1], 360.0);
-        // One way all along, and in small steps: a sign that changes is a step of 180.
+        // The direction turns one way, in small steps: a change of sign is a step of 180.
         if (std::abs(step) > 60.0 || (std::abs(step) > 3.0 && step * turned < 0.0)) return {};
         turned += step;
     }
@@ -67,7 +67,7 @@ std::string seenAlong(const AxisResponse& axis) {
     return directionInWords(axis) + commonTurn(axis) + invertedRows(axis) + twist(axis);
 }
 
-/// What to look at first; empty where the shares tell nothing.
+/// Where to look first; empty if the shares do not tell.
 std::string hintOf(const Response& response) {
     if (!invertedRows(response.u).empty() || !invertedRows(response.v).empty())
         return "A sign changes on the way down. Look for a comparison or an abs that turns the "
@@ -89,7 +89,7 @@ std::string hintOf(const Response& response) {
     return {};
 }
 
-/// "below the equator", where all points that are not tilted lie in one half of the sphere.
+/// "below the equator" if all points that are not tilted lie in one half of the sphere.
 std::string halfOf(const AxisResponse& axis) {
     constexpr double kBeyond = 0.05;
     constexpr double kWide = 0.5;

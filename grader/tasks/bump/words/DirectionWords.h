@@ -6,10 +6,10 @@
 
 namespace ticker::tasks::bump {
 
-/// What bump.wrong says of tilts in directions that fit no reading.
+/// Words of bump.wrong for tilts whose direction fits no reading.
 [[nodiscard]] Words directionWords(const Response& response);
 
-/// What it says where many points are not tilted at all.
+/// Words of bump.wrong if many points are not tilted at all.
 [[nodiscard]] Words patchyWords(const Response& response);
 
 }  // namespace ticker::tasks::bump

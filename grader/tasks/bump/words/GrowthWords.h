@@ -6,7 +6,7 @@
 
 namespace ticker::tasks::bump {
 
-// Where the tilt does not grow as the slope does.
+// Words of bump.wrong for tilts that do not grow with the slope.
 
 /// Steps tilt, even slopes do not.
 [[nodiscard]] Words smallSlopesWords();

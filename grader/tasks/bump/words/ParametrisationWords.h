@@ -8,11 +8,11 @@
 
 namespace ticker::tasks::bump {
 
-/// What bump.wrong says where the map does not lie on the sphere as it should. Where a submission
-/// does better tells why.
+/// Words of bump.wrong for a wrong parametrisation. The hints (cases in which the submission is
+/// right) tell the cause.
 [[nodiscard]] Words landingWords(const Examination& examination, const std::optional<Hints>& hints);
 
-/// What bump.wrong says where all is well on square maps of one size.
+/// Words of bump.wrong for code that is right on square maps of one size.
 [[nodiscard]] Words sizeWords();
 
 }  // namespace ticker::tasks::bump

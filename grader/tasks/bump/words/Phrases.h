@@ -22,9 +22,9 @@ struct Words {
 [[nodiscard]] std::string quoted(const std::string& text);
 /// "12 of 17000 points".
 [[nodiscard]] std::string pointsOf(const Offence& offence);
-/// Where the first point lies, and on which map.
+/// The first point and the size of its map.
 [[nodiscard]] std::string firstAt(const Offence& offence);
-/// Where a point lies on the sphere, as a person would say it.
+/// A point's place on the sphere, in everyday words.
 [[nodiscard]] std::string placeInWords(const raytracer::Vector3& direction);
 
 }  // namespace ticker::tasks::bump

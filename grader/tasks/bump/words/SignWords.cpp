@@ -11,7 +11,7 @@ constexpr const char* kOneSign =
     " Two cross products with the same sign before both always invert one axis: Equations (2) and "
     "(3) have a plus and a minus.";
 
-/// What an inverted axis is called, and which of a letter's edges show it.
+/// The name of an inverted axis, and the edges of a letter that show it.
 struct AxisNames {
     const char* axis;
     const char* other;

@@ -5,15 +5,16 @@
 
 namespace ticker::tasks::bump {
 
-/// What is said where both axes are inverted, or one alone.
+/// Words for an inversion of both axes, or of one.
 [[nodiscard]] Words invertedWords();
 [[nodiscard]] Words invertedUWords();
 [[nodiscard]] Words invertedVWords();
 
-/// What is said where the map's top row lies at the bottom.
+/// Words for a map whose top row lies at the bottom of the sphere.
 [[nodiscard]] Words upsideDownWords();
 
-/// What is said of a sign while the map stands on its head, too: turned round, it may be right.
+/// Words for a wrong sign on a map that is upside down, too: once the map is turned round, the sign
+/// may be right.
 [[nodiscard]] Words signOnItsHeadWords(Words sign);
 
 }  // namespace ticker::tasks::bump

@@ -18,7 +18,7 @@ namespace {
 
 Words threwWords(const Offence& offence) {
     const bool lookUp = offence.message.find("outside the map") != std::string::npos;
-    // What a double that is not a number, or far too large, becomes as an int.
+    // The value of a NaN or of a far too large double as an int.
     const bool overflow = offence.message.find("2147483648") != std::string::npos;
     Words words;
     words.message = fmt::format("The program stops at {}: \"{}\". The first is {}.",
@@ -68,7 +68,7 @@ Words flatWords() {
         "Option 1: What to do, steps 3 and 4"};
 }
 
-// Where the direction is right, or inverted, at every longitude, only a factor can change.
+// If the direction is right, or inverted, at every longitude, only a factor can change.
 bool onlyStrengthChanges(const Response& response) {
     const auto keepsDirection = [](const AxisResponse& axis) {
         return axis.bandsThatTurn == 0 &&
@@ -129,7 +129,7 @@ Words swappedWords(const Examination& examination, const std::optional<Hints>& h
         "Option 1: The sign trap; What to do, step 2"};
 }
 
-/// What the points that were answered show is worth as much as the exception.
+/// The fault of the points that were answered is reported beside the exception.
 void addNext(Words& words, const Words& next) {
     words.message += " Where it answers, another mistake shows: " + next.message;
     words.hint += " Then: " + next.hint;
@@ -224,8 +224,8 @@ std::vector<Finding> sideNotes(const Examination& examination) {
         notes.push_back(note(kBumpNotUnit, Severity::warn, notUnitWords(conduct.notUnitHidden)));
     if (examination.edges && examination.edges->goodSeam() && !examination.edges->goodEndRows())
         notes.push_back(endRowsWarning(*examination.edges));
-    // What reads from right to left on its head may do so from left to right on its feet, and what
-    // is seen from inside says nothing.
+    // A text that is mirrored on an upside-down map may be right once the map is turned round. A
+    // view from inside the sphere says nothing.
     const bool placed = examination.ramps().response.has_value() && !standsOnItsHead(examination) &&
                         !pointsInwards(examination);
     if (placed && examination.ramps().fit->parametrisation.mirrored())

@@ -11,12 +11,12 @@
 namespace ticker::tasks::bump {
 
 /// The finding that a student reads: message, hint, section and evidence.
-/// @param faults  Everything that `diagnose` found; the first is described, the others stand in
-///                the evidence.
+/// @param faults  All faults that `diagnose` found; the first is described, the others are named in
+///         the evidence.
 [[nodiscard]] Finding describe(const std::vector<Fault>& faults, const Examination& examination,
                                const std::optional<Hints>& hints);
 
-/// What does no harm but should be known: mirrored text, trouble at poles.
+/// Findings that are harmless but should be known: mirrored text, trouble at poles.
 [[nodiscard]] std::vector<Finding> sideNotes(const Examination& examination);
 
 }  // namespace ticker::tasks::bump

@@ -94,7 +94,7 @@ Words chanceWords(double change) {
             "Option 1: Theory"};
 }
 
-/// ", mostly in columns 0 to 310", or nothing where they are all over the map.
+/// ", mostly in columns 0 to 310"; empty if the points lie all over the map.
 std::string rangeInWords(const char* what, const std::optional<TexelRange>& range) {
     if (!range) return {};
     return fmt::format(", mostly in {} {} to {}", what, range->first, range->last);

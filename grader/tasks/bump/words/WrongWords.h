@@ -8,7 +8,7 @@
 
 namespace ticker::tasks::bump {
 
-/// What bump.wrong says, for each reason.
+/// Words of bump.wrong for each reason.
 [[nodiscard]] Words wrongWords(WrongReason reason, const Examination& examination,
                                const std::optional<Hints>& hints);
 
