@@ -14,7 +14,7 @@
 namespace ticker::tasks {
 namespace {
 
-/// The point that is nearest to all rays of a pixel (least squares), and how far they pass it.
+/// The point nearest to all rays of a pixel (least squares), and the rays' distance from it.
 struct Meeting {
     Vector3 point;
     double farthest = 0.0;
@@ -60,13 +60,13 @@ Finding withHint(Finding finding, const std::string& more) {
     return finding;
 }
 
-/// Where the rays of all pixels meet.
+/// The points where the rays of all pixels meet.
 struct Meetings {
     std::vector<Vector3> points;
     double lowZ = 1e30;
     double highZ = -1e30;
     double offRay = 0.0;       ///< largest distance from the pinhole ray
-    double offDistance = 0.0;  ///< likewise from the point at the focal distance along it
+    double offDistance = 0.0;  ///< largest distance from the point at the focal distance along it
     double spread = 0.0;       ///< largest distance of a ray from its pixel's point
 };
 
@@ -86,12 +86,13 @@ Meetings meetingsOf(const LensLog& log) {
     return all;
 }
 
-/// One coordinate of the points where rays meet, over all pixels.
+/// One coordinate of the meeting points, over all pixels.
 struct Coordinate {
     const char* name;
     double Vector3::*axis;
-    bool isByLength = true;  ///< that of the point at the focal distance along the pinhole ray
-    bool isOnPlane = true;   ///< that of the focal point
+    /// Equals that of the point at the focal distance along the pinhole ray.
+    bool isByLength = true;
+    bool isOnPlane = true;  ///< equals that of the focal point
 };
 
 std::array<Coordinate, 3> coordinatesOf(const LensLog& log, const Meetings& meetings) {
@@ -109,7 +110,8 @@ std::array<Coordinate, 3> coordinatesOf(const LensLog& log, const Meetings& meet
     return all;
 }
 
-// Some coordinates of the focal point are those of the point at the focal distance along the ray.
+// Explains meeting points that have some coordinates of the point at the focal distance along the
+// ray.
 std::optional<Finding> explainCoordinates(const LensLog& log, const Meetings& meetings) {
     std::string byLength;
     for (const Coordinate& one : coordinatesOf(log, meetings)) {

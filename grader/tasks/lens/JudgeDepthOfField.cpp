@@ -22,13 +22,13 @@ bool isFinite(const LensLog& log) {
     });
 }
 
-// Where pixels have no rays at all nothing can be said about their rays.
+// Whether pixels without any ray exist, whose rays cannot be judged.
 bool lacksRays(const LensLog& log) {
     return std::any_of(log.pixels.begin(), log.pixels.end(),
                        [](const LensPixel& pixel) { return pixel.rays.empty(); });
 }
 
-// Every picture shows light or the background: pure black is what nobody has set.
+// Every pixel of a picture shows light or the background: a black pixel was not set.
 std::optional<Finding> checkComplete(const LensLog& log) {
     const auto unset = [](const LensPixel& pixel) {
         return pixel.rays.empty() && pixel.colour == ColourRGB{};
@@ -79,7 +79,7 @@ const std::vector<LensCheck>& lensChecks() {
     return kChecks;
 }
 
-// What is wrong with a picture whose questions were answered rightly under other conditions.
+// The first failure of a picture, for code that answered right under other conditions.
 std::optional<Finding> firstFailure(const LensLog& log) {
     if (lacksRays(log)) return checkComplete(log);
     LensSeen seen{.log = log};
@@ -89,7 +89,7 @@ std::optional<Finding> firstFailure(const LensLog& log) {
     return *wrong;
 }
 
-// `wrong` under the name of the condition that brings it about.
+// `wrong` with the name of the condition that causes it.
 Finding renamed(const FindingText& text, Severity severity, const std::string& condition,
                 Finding wrong) {
     Finding finding = distributedFinding(text, severity, condition + wrong.message);

@@ -9,25 +9,26 @@
 
 namespace ticker::tasks {
 
-/// What the answers about `render` say.
+/// Result of the answers about `render`.
 struct LensOutcome {
     std::vector<Finding> findings;         ///< of T2.2, unsorted
     std::optional<double> apertureFactor;  ///< half-width / dofAmount of the accepted reading
-    std::vector<ScatterPlot> plots;        ///< where rays start and meet, where no finding shows it
-    bool rayless = false;    ///< casts no ray that could be seen: only pictures can be judged
-    bool valueless = false;  ///< its rays could be seen, but not what colour each of them gave
+    std::vector<ScatterPlot>
+        plots;               ///< starts and meeting points of the rays, unless a finding shows them
+    bool rayless = false;    ///< no ray is visible: only pictures can be judged
+    bool valueless = false;  ///< the rays are visible, but not the colour of each
     bool cut = false;        ///< casts more rays than could be followed
 };
 
 /// Judges T2.2 from answered questions alone.
-/// @param handout  At the handout's settings.
-/// @param other    At other settings: what is wrong there alone is a warning.
+/// @param handout  Answers at the handout's settings.
+/// @param other    Answers at other settings: a fault there alone is a warning.
 [[nodiscard]] LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other);
 
-/// Judges `render` with several threads, where all was right with one.
+/// Judges `render` with several threads, for code that is right with one.
 [[nodiscard]] std::optional<Finding> judgeWithThreads(const LensLog& log);
 
-/// Judges `render` after another one in the same program, where all was right in the first.
+/// Judges `render` after another render in the same program, for code that is right in the first.
 [[nodiscard]] std::optional<Finding> judgeNextRender(const LensLog& log);
 
 }  // namespace ticker::tasks

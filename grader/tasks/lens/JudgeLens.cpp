@@ -15,9 +15,9 @@
 namespace ticker::tasks {
 namespace {
 
-// Looks at pictures where the rays do not tell all, and at threads and a second render where they
-// do.
-// @return  Whether a person has to look.
+// Judges pictures if the rays leave something open; otherwise renders with two threads and a second
+// render.
+// @return  Whether the submission needs review.
 bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntialias,
                   LensOutcome& outcome) {
     if (outcome.rayless || outcome.valueless || (outcome.cut && !hasFailure(outcome.findings))) {
@@ -43,7 +43,7 @@ bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntiali
            threads;
 }
 
-// Whether rays that stay inside of the large pixels of a tiny frame do so in small ones, too.
+// Whether rays that stay inside the large pixels of a tiny frame also stay inside small ones.
 bool antialiases(probe::Examinee& examinee, const LensLog& tiny, std::uint64_t seed) {
     if (!staysInPixels(tiny) || meetInPoints(tiny)) return false;
     const probe::RenderQuestion asked = drawFineQuestion(seed);

@@ -10,8 +10,8 @@ namespace ticker::tasks {
 
 /// Judges task T2.2 by asking the submission for small renders.
 ///
-/// @param seed  Every hidden question is drawn from it; equal seeds give equal findings for code
-///              that uses the kit's generator.
+/// @param seed  Source of every hidden question; equal seeds give equal findings for code that uses
+///              the kit's generator.
 [[nodiscard]] TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed);
 
 }  // namespace ticker::tasks

@@ -17,10 +17,10 @@
 namespace ticker::tasks {
 namespace {
 
-/// Lens points of all pixels.
+/// The lens points of all pixels.
 struct Lens {
     std::vector<Vector3> points;
-    std::size_t distinct = 0;  ///< points that can count as independent
+    std::size_t distinct = 0;  ///< number of points that count as independent
     Vector3 low;
     Vector3 high;
 
@@ -51,8 +51,9 @@ Lens lensOf(const LensLog& log) {
     return lens;
 }
 
-// How much narrower than the aperture `count` independent points can be: the range r of uniform
-// points in [0, 1] has P(range <= r) = n r^(n-1) - (n-1) r^n, solved for the risk by bisection.
+// Confidence bound on how much narrower than the aperture `count` independent points are: the range
+// r of uniform points in [0, 1] has P(range <= r) = n r^(n-1) - (n-1) r^n, solved for the risk by
+// bisection.
 double rangeShortfall(std::size_t count) {
     if (count < 3) return 1.0;
     const auto n = static_cast<double>(count);
@@ -70,14 +71,14 @@ double uniformCdf(double value) {
     return std::clamp(0.5 * (value + 1.0), 0.0, 1.0);
 }
 
-// Of half the sum of two uniform numbers in [-1, 1].
+// Distribution of half the sum of two uniform numbers in [-1, 1].
 double triangleCdf(double value) {
     const double v = std::clamp(value, -1.0, 1.0);
     return v < 0.0 ? 0.5 * (v + 1.0) * (v + 1.0) : 1.0 - 0.5 * (1.0 - v) * (1.0 - v);
 }
 
-// Corners: of a square's points the share 1 - pi/4 lies outside of the inscribed disc; of a disc's
-// none does. The marginals and the two diagonals see what fills the square unevenly.
+// Test of the corners: a share of 1 - pi/4 of a square's points lies outside of the inscribed disc,
+// and none of a disc's. The marginals and the two diagonals test for an uneven density.
 struct ShapeVerdict {
     bool square = true;
     double cornerShare = 0.0;
@@ -114,7 +115,7 @@ ShapeVerdict judgeShape(const Lens& lens) {
     return verdict;
 }
 
-// The rays of one pixel start on one row or column of the lens, or in a corner of it. The range of
+// The rays of one pixel start on one row or column of the lens, or in one corner. The range of
 // fifty independent points is below half of the lens with a chance below 1e-12 (see
 // rangeShortfall).
 bool usesPartOfLens(const LensLog& log, const Lens& lens) {
@@ -135,8 +136,8 @@ bool usesPartOfLens(const LensLog& log, const Lens& lens) {
     return false;
 }
 
-// All points lie on one straight line. Ten independent points of a square do so, within a
-// thousandth of its half-width, with a chance below 1e-20.
+// All points lie on one straight line. The chance that ten independent points of a square do so,
+// within a thousandth of its half-width, is below 1e-20.
 bool isLine(const Lens& lens) {
     constexpr std::size_t kEnough = 10;
     constexpr double kWidth = 1e-3;
@@ -150,8 +151,8 @@ bool isLine(const Lens& lens) {
     });
 }
 
-// Half of all points lie within a small part of the range along each axis: a few far ones make it
-// as wide as it is.
+// Half of all points lie within a small part of the range along each axis: the width comes from a
+// few outliers.
 bool crowdInTheMiddle(const Lens& lens) {
     constexpr double kSmallPart = 0.3;
     const Vector3 centre = lens.centre();
@@ -165,8 +166,8 @@ bool crowdInTheMiddle(const Lens& lens) {
     return crowdAlong(&Vector3::x) && crowdAlong(&Vector3::y);
 }
 
-// Whether the mean of the points lies off the eye. The middle of their range says so sooner where
-// they fill a square, but next to nothing where they crowd: its ends are chance then. Hoeffding's
+// Whether the mean of the points is off the eye. The middle of their range is more sensitive for an
+// even square, but unreliable for crowded points, whose range depends on outliers. Hoeffding's
 // bound for two means of numbers from -half to half.
 bool leansAside(const Lens& lens) {
     Vector3 sum;
@@ -178,7 +179,7 @@ bool leansAside(const Lens& lens) {
     return std::max(std::abs(mean.x), std::abs(mean.y)) > share * lens.halfWidth();
 }
 
-// One side far longer than the other: its number was scaled in another way, or not at all.
+// One side is far longer than the other: its number was scaled differently, or not at all.
 std::string hintOfSides(double alongX, double alongY) {
     constexpr double kFar = 1.5;
     if (std::max(alongX, alongY) < kFar * std::min(alongX, alongY)) return {};
@@ -186,7 +187,7 @@ std::string hintOfSides(double alongX, double alongY) {
            "that is not scaled, or by something else.";
 }
 
-// The accepted half-width that the points fill; 0 where there is none.
+// The accepted half-width that the points fill; 0 if none fits.
 double acceptedFactor(const Lens& lens, double amount, double shortfall) {
     for (const double factor : {1.0, 0.5}) {
         const double half = factor * amount;

@@ -16,10 +16,11 @@
 namespace ticker::tasks {
 namespace {
 
-// What a ray that hits nothing gives.
+// The colour of a ray that hits nothing.
 constexpr ColourRGB kBackground{0.001};
 
-// All rays, or all but an extra ray at the beginning or the end that was traced for another reason.
+// All rays, or all but an extra ray at the beginning or the end that was traced for another
+// purpose.
 bool isMean(const LensPixel& pixel, std::size_t asked) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
     if (values.empty()) return false;
@@ -39,8 +40,8 @@ bool everyPixel(const LensLog& log, const Test& test) {
     return std::all_of(log.pixels.begin(), log.pixels.end(), test);
 }
 
-// Whether the mean of what `change` makes of the values is the pixel's colour; what it makes
-// nothing of is left out.
+// Whether the mean of `change` of each value is the pixel's colour. Values for which `change`
+// returns nothing are left out.
 template <class Change>
 bool isMeanOf(const LensPixel& pixel, const Change& change) {
     std::vector<ColourRGB> values;
@@ -71,7 +72,7 @@ bool isOneOf(const LensPixel& pixel, Which which) {
            isNear(pixel.colour, which == Which::first ? values.front() : values.back());
 }
 
-// One ray's colour, divided by the number of all.
+// One ray's colour divided by the number of rays.
 bool isOneDivided(const LensPixel& pixel, Which which) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
     if (values.empty()) return false;
@@ -79,7 +80,7 @@ bool isOneDivided(const LensPixel& pixel, Which which) {
     return isNear(pixel.colour, one * (1.0 / static_cast<double>(values.size())));
 }
 
-// The sum of all but one, divided by the number of all.
+// The sum of all colours but one, divided by the number of rays.
 bool lacksOne(const LensPixel& pixel, Which which) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
     if (values.size() < 2) return false;
@@ -104,7 +105,7 @@ bool withinSamples(const LensPixel& pixel) {
            c.g <= high.g + slack && c.b >= low.b - slack && c.b <= high.b + slack;
 }
 
-// One of the things that go wrong with all the colours at hand; empty where none of them did.
+// A known mistake in the use of the rays' colours; empty if none applies.
 std::string knownMistake(const LensLog& log) {
     if (everyPixel(log, [](const LensPixel& p) { return isOneOf(p, Which::last); }))
         return "it is the colour of the last ray alone";
@@ -126,7 +127,7 @@ std::string knownMistake(const LensLog& log) {
     return {};
 }
 
-// Only where what `trace` gave is known: they say what became of a picture that is wrong for sure.
+// Used only if the results of `trace` are known and the picture is certainly wrong.
 std::string knownChange(const LensLog& log) {
     if (std::string curve = curveOfRays(log); !curve.empty()) return curve;
     if (everyPixel(log, isBlack))
@@ -163,8 +164,8 @@ std::optional<Finding> changeOfAll(const LensLog& log) {
     return changeOfMeans(pixels);
 }
 
-// Another recursion: what its rays gave is known from what they met, as long as nobody cast rays
-// for another reason. So only what fits a mistake throughout is held against it.
+// For code with its own recursion. The colours of its rays follow from what they met, unless it
+// casts rays for another purpose. So only a known mistake in every pixel counts as a fault.
 std::optional<Finding> checkOwnRecursion(LensLog log) {
     const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
     for (LensPixel& pixel : log.pixels)

@@ -8,16 +8,16 @@
 
 namespace ticker::tasks {
 
-/// Each of these looks at one thing of the render at the handout's settings and reports it where it
-/// is wrong.
+/// Each check looks at one property of the render at the handout's settings, and returns a finding
+/// if it is wrong.
 [[nodiscard]] std::optional<Finding> checkLensCounts(const LensLog& log);
 [[nodiscard]] std::optional<Finding> checkAverage(const LensLog& log);
 [[nodiscard]] std::optional<Finding> checkFocus(const LensLog& log);
 [[nodiscard]] std::optional<Finding> checkBounces(const LensLog& log);
-/// Whether every ray crosses the focal plane inside of its own pixel's square. The squares of a
-/// tiny frame are large: many a mistake stays inside of them.
+/// Whether every ray crosses the focal plane inside its own pixel's square. The squares of a tiny
+/// frame are so large that many mistakes stay inside them.
 [[nodiscard]] bool staysInPixels(const LensLog& log);
-/// That the lens points repeat from pixel to pixel is a warning.
+/// A warning if the lens points repeat from pixel to pixel.
 [[nodiscard]] std::optional<Finding> checkPattern(const LensLog& log);
 
 /// Which of the two accepted apertures the lens points fill.

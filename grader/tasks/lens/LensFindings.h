@@ -7,7 +7,7 @@
 
 namespace ticker::tasks {
 
-// What can be said about T2.2. A new finding is a row here and its place in the table.
+// The findings of T2.2. A new finding is one row here and one entry in the table below.
 
 inline constexpr FindingText kDofNone{
     .id = "dof.none",

@@ -14,7 +14,7 @@
 namespace ticker::tasks {
 namespace {
 
-// Rays on the right lines that run along them the wrong way.
+// Rays on the right lines, but in the opposite direction.
 std::optional<Finding> checkHeading(const LensLog& log) {
     std::size_t away = 0;
     for (const LensPixel& pixel : log.pixels) {

@@ -13,10 +13,10 @@ namespace {
 
 using probe::Event;
 
-// What a ray that hits nothing gives.
+// The colour of a ray that hits nothing.
 constexpr ColourRGB kNothingHit{0.001};
 
-/// A lens ray with all that may tell its pixel; -1 where nothing does.
+/// A lens ray with all that may determine its pixel; -1 for an unknown index.
 struct PlacedRay {
     LensRay ray;
     bool untraced = false;  // the scene was asked about it, and it hit nothing
@@ -86,7 +86,7 @@ private:
         placed.byCamera = camera_;
         return placed;
     }
-    // Rays that start on a surface are shadow rays and reflections, unless they are traced with all
+    // Rays that start on a surface are shadow rays and reflections, except those traced with all
     // bounces: a lens that is far too large may reach the floor.
     [[nodiscard]] bool isFromOutside(const Event& event) const {
         constexpr double kOnSurface = 0.01;
@@ -142,7 +142,7 @@ private:
 };
 
 struct ReadRays {
-    std::vector<PlacedRay> entered;  // traced, or hit nothing and were not
+    std::vector<PlacedRay> entered;  // traced, or not traced because they hit nothing
     std::vector<PlacedRay> cast;     // the scene was asked about them outside of any trace
 };
 
@@ -180,7 +180,7 @@ int nearestByFocus(const LensRay& ray, const LensLog& log) {
     return nearest;
 }
 
-// Succeeds only where every pixel gets a ray.
+// Succeeds only if every pixel gets a ray.
 bool distribute(LensLog& log, const std::vector<PlacedRay>& rays,
                 const std::function<int(const PlacedRay&)>& pixelOf) {
     for (LensPixel& pixel : log.pixels)
@@ -253,7 +253,7 @@ LensLog readLensLog(const probe::RenderQuestion& asked, const probe::RenderAnswe
         return log;
     }
     place(log, traced);
-    // A ray that only looked where something is, besides all that were traced, is no sample.
+    // Extra rays that were cast but not traced, beside traced ones, are no samples.
     if (traced.size() < rays.entered.size() && !hasAllRays(log)) place(log, rays.entered);
     return log;
 }

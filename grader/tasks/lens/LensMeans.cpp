@@ -17,15 +17,15 @@ namespace {
 
 using probe::ColourRGB;
 
-// Fewer say nothing.
+// Fewer pixels are no evidence.
 constexpr std::size_t kEnoughPixels = 6;
 
 double sumOf(const ColourRGB& colour) {
     return colour.r + colour.g + colour.b;
 }
 
-// Whether the colour of another pixel is in each one's; of all of it, or as it was divided once
-// more. Nothing came before the first one.
+// Whether each pixel's colour contains another's, whole or divided a second time. No pixel precedes
+// the first one.
 bool areCarriedOn(const std::vector<PixelMean>& pixels, bool dividedAgain) {
     std::size_t first = 0;
     for (const PixelMean& pixel : pixels) {
@@ -52,8 +52,8 @@ bool areScaled(const std::vector<PixelMean>& pixels, double& least, double& most
     return most > 0.0;
 }
 
-// Whether a greater mean never has a smaller value, over all channels of all pixels, and there are
-// many values.
+// Whether a greater mean never has a smaller value, over all channels of all pixels, and values are
+// many.
 bool followACurve(const std::vector<PixelMean>& pixels) {
     constexpr double kSame = 1e-5;
     std::vector<std::pair<double, double>> values;

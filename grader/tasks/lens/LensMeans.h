@@ -9,17 +9,16 @@
 
 namespace ticker::tasks {
 
-/// A pixel, and the mean that its colour should have been.
+/// A pixel's colour, and the right mean of its rays' colours.
 struct PixelMean {
     probe::ColourRGB mean;
     probe::ColourRGB colour;
     double rays = 0.0;
 };
 
-/// Says what was done to means that are right otherwise: what earlier pixels gave was added, each
-/// was scaled, or each went through a curve. Empty where none of these explains every pixel.
-///
-/// For pictures that are known to be wrong: it gives a name, not a verdict.
+/// Names what was done to right means: earlier pixels were added, each mean was scaled, or each
+/// went through a curve. Empty if none of these explains every pixel. For pictures that are known
+/// to be wrong: this is a name, not a verdict.
 [[nodiscard]] std::optional<Finding> changeOfMeans(const std::vector<PixelMean>& pixels);
 
 }  // namespace ticker::tasks

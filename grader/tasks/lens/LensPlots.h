@@ -6,10 +6,10 @@
 
 namespace ticker::tasks {
 
-/// Where rays leave the lens, beside the two accepted squares.
+/// Where rays leave the lens, with the two accepted squares.
 [[nodiscard]] ScatterPlot plotLens(const LensLog& log);
 
-/// Where the rays of each pixel cross the focal plane, seen from the pixel's focal point, beside
+/// Where the rays of each pixel cross the focal plane, relative to the pixel's focal point, with
 /// half a pixel of the handout's picture.
 [[nodiscard]] ScatterPlot plotFocus(const LensLog& log);
 

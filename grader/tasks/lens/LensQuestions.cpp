@@ -16,12 +16,12 @@ constexpr int kHeight = 4;
 constexpr int kRepetitions = 2;
 constexpr int kSpheres = 24;
 
-// Events of one lens ray: trace and illuminate begin and end, one ray cast; the camera's ray and
-// the pixel come on top. Four times as many have room.
+// Events of one lens ray: trace and illuminate begin and end, one ray is cast; the camera's ray and
+// the pixel come on top. The log holds four times as many.
 constexpr std::size_t kEventsForEachRay = 24;
 
-// A mean without the misses differs from the mean only where a pixel has both: at least this many
-// pixels have, and some have none.
+// A mean without the misses differs from the mean only if a pixel has hits and misses. At least
+// this many pixels have both, and some have no misses.
 constexpr int kMixedPixels = 3;
 constexpr double kLeastShare = 0.2;
 constexpr int kLensGrid = 6;
@@ -29,7 +29,7 @@ constexpr int kLensGrid = 6;
 // Spheres of many colours at all depths, so that neighbouring rays see different things.
 raytracer::SceneDescription drawScene(Draw& draw) {
     raytracer::SceneDescription scene;
-    // Colours of more and of less than 1, so that it shows where one is cut off.
+    // Colours above and below 1, so that clamping shows.
     scene.ambientLighting = draw.colour(2.0, 4.0);
     for (int i = 0; i < kSpheres; ++i) {
         raytracer::Material material;
@@ -48,7 +48,7 @@ raytracer::SceneDescription drawScene(Draw& draw) {
     return scene;
 }
 
-// The share of a square of lens points from which the rays to `focus` hit nothing.
+// Share of the lens points from which the rays to `focus` hit nothing.
 double missedShare(const Surfaces& surfaces, const Vector3& focus, double halfWidth) {
     int missed = 0;
     for (int i = 0; i < kLensGrid * kLensGrid; ++i) {
@@ -64,7 +64,7 @@ double missedShare(const Surfaces& surfaces, const Vector3& focus, double halfWi
     return static_cast<double>(missed) / (kLensGrid * kLensGrid);
 }
 
-// Whether hits and misses are mixed as they should be through an aperture of either reading.
+// Whether hits and misses are mixed as required, with the apertures of both readings.
 bool isMixed(const raytracer::SceneDescription& scene, const raytracer::RenderSettings& settings) {
     const Surfaces surfaces{scene};
     for (const double halfWidth : {settings.dofAmount, settings.dofAmount / 2.0}) {
@@ -145,7 +145,7 @@ NextRender drawNextRender(std::uint64_t seed) {
 }
 
 probe::RenderQuestion drawFineQuestion(std::uint64_t seed) {
-    // A few rays for each of so many pixels are enough; as many as the handout's, typed in, fit
+    // A few rays for each pixel suffice; code with the handout's count as a constant still fits
     // into the log.
     constexpr int kRays = 10;
     Draw draw{seed, 26};

@@ -34,7 +34,7 @@ bool startsAtEye(const LensPixel& pixel) {
                                [](const LensRay& ray) { return ray.origin.magnitude() < 1e-7; });
 }
 
-// Where the rays of some pixels start at the eye, and those of all others do not: empty elsewhere.
+// A finding if the rays of some pixels, but not of all, start at the eye.
 std::optional<Finding> someAtEye(const LensLog& log) {
     const auto at = std::ranges::count_if(log.pixels, startsAtEye);
     const bool restDiffers = std::ranges::all_of(log.pixels, [&](const LensPixel& pixel) {
@@ -118,7 +118,7 @@ std::optional<Finding> checkBounces(const LensLog& log) {
     return std::nullopt;
 }
 
-// Fifty points that are drawn do not come again by accident.
+// Fifty random points do not repeat by chance.
 std::optional<Finding> checkPattern(const LensLog& log) {
     std::map<int, std::pair<std::set<std::set<Key>>, std::size_t>> repetitions;
     std::size_t patterns = 0;

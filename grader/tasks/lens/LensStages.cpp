@@ -25,8 +25,8 @@ Stage stageOf(PictureVerdict verdict) {
 
 }  // namespace
 
-// Code that gives one picture again and again leaves a single sample of its noise: a larger picture
-// is asked for, to have as many pixels as all repetitions together.
+// Code that repeats one picture yields a single sample of its noise: a larger picture is asked for,
+// with as many pixels as all repetitions together.
 Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
     const std::uint64_t own = seedOf(seed, stage);
     for (const bool onePicture : {false, true}) {
@@ -52,8 +52,8 @@ Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t s
     return {judgeWithThreads(log), std::nullopt};
 }
 
-// What goes wrong in the picture before is no matter here: it is of a part of a frame, and code
-// that draws the whole one leaves nothing to compare.
+// Faults of the picture before do not count: it shows a part of a frame, and code that draws the
+// whole frame leaves nothing to compare.
 Stage judgeNext(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
                 std::uint64_t stage) {
     const NextRender asked = drawNextRender(seedOf(seed, stage));

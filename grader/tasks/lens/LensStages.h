@@ -5,17 +5,17 @@
 
 namespace ticker::tasks {
 
-// Each asks questions of its own, drawn from `seed` and the number of the stage.
+// Each stage asks questions of its own, drawn from `seed` and the stage's number.
 
-/// Pictures of `render`, where its rays cannot be seen.
+/// Judges the pictures of `render`, for code whose rays are not visible.
 [[nodiscard]] Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed,
                                  std::uint64_t stage);
-/// `render` with two threads, where all was right with one: they may meet or not.
+/// Judges `render` with two threads, for code that is right with one. A data race may show or not.
 /// @param mayAntialias  See `LensLog`.
 [[nodiscard]] Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
                                  std::uint64_t stage);
 
-/// `render` after another picture of the same size, where all was right in a first one.
+/// Judges `render` after another picture of the same size, for code that is right in the first.
 [[nodiscard]] Stage judgeNext(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
                               std::uint64_t stage);
 

@@ -15,13 +15,13 @@ namespace {
 
 using oracle::Reading;
 
-// Eight pictures of 24 x 18 pixels, or one of as many pixels together.
+// Eight pictures of 24 x 18 pixels, or one picture with as many pixels.
 constexpr int kPictureWidth = 24;
 constexpr int kPictureRepetitions = 8;
 constexpr int kLargeWidth = 68;
 
-// The largest of some 30 z-scores is judged: 6 is exceeded with a chance below 1e-7 where they are
-// normal. Sums of squares have heavier tails than sums. docs/calibration.md has what was measured.
+// The limit for the largest of about 30 z-scores: normal scores exceed 6 with a chance below 1e-7.
+// Sums of squares have heavier tails. docs/calibration.md has the measured values.
 constexpr double kMostZ = 6.0;
 constexpr double kMostExcess = 9.0;
 constexpr double kSharedExcess = 120.0;
@@ -39,7 +39,7 @@ Finding findingOf(const FindingText& text, const std::string& seen, const Pictur
     return finding;
 }
 
-// Large differences have to have the mistake's shape; small ones have that of their noise.
+// Large differences must have the mistake's shape; small ones have that of their noise.
 bool hasName(const Bank& bank, double z, double meanSquares, std::size_t pixels) {
     constexpr double kShare = 0.35;
     constexpr double kSmall = 4.0;
@@ -54,7 +54,7 @@ Finding nameOf(const Bank& bank, double z, bool scaled, bool named) {
     return findingOf(kDofWrong, "it differs in a way that is not known", bank.second, z);
 }
 
-// A brightness that explains nearly all, and more than any other mistake.
+// Whether a factor on the brightness explains nearly all, and more than any other mistake.
 bool isScaled(const SeenPictures& seen, const ExpectedPicture& expected, const Bank& bank) {
     constexpr double kNearlyAll = 0.1;
     const std::optional<Plane> scaled = rescaled(seen, expected);
@@ -62,10 +62,10 @@ bool isScaled(const SeenPictures& seen, const ExpectedPicture& expected, const B
     return unexplainedBy(*scaled, seen, expected) < std::min(kNearlyAll, bank.bestLeaves);
 }
 
-// Lens points that all pixels share make their noise go together. So they do where one picture is
-// all there is: then fifty points, by chance, look like a fifth of a mistake, never like half. They
-// leave each pixel as near to its mean as others do: were all pixels one, z^2 exceeded 25 with a
-// chance below 1e-6.
+// Lens points that all pixels share correlate the pixels' noise. With a single picture, fifty
+// shared points look by chance like a fifth of a mistake, never like half of one. Each pixel stays
+// as near to its mean as with independent points: if all pixels were one, z^2 would exceed 25 with
+// a chance below 1e-6.
 bool mayBeSharedNoise(const SeenPictures& seen, const Bank& bank, const Excess& excess,
                       double meanSquares) {
     // The variance of eight numbers exceeds 6 times its mean with a chance below 1e-6.
@@ -79,7 +79,7 @@ bool mayBeSharedNoise(const SeenPictures& seen, const Bank& bank, const Excess& 
 
 struct Trial {
     PictureVerdict verdict;
-    double total = 0.0;  // squares of all z: how badly the reading fits
+    double total = 0.0;  // sum of z^2 over all tests: how badly the reading fits
 };
 
 Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen, double factor,

@@ -27,13 +27,13 @@ bool hasFinding(const std::vector<TaskReport>& tasks,
     });
 }
 
-// Highlights as seen from the eye change every reflection, antialiasing every edge: both are
-// accepted.
+// Highlights computed for the eye change every reflection, antialiasing changes every edge: both
+// are accepted.
 bool isExplained(const std::vector<TaskReport>& tasks) {
     return hasFinding(tasks, {&kShadowViewFromEye, &kDofAntialiased});
 }
 
-// Points that all pixels share move the picture as a whole: one pattern of fifty gave 1.13.
+// Lens points that all pixels share move the picture as a whole: one pattern of fifty gave 1.13.
 double limitFor(const std::vector<TaskReport>& tasks) {
     constexpr double kOfOnePattern = 2.0;
     return hasFinding(tasks, {&kDofReusedPattern, &kShadowFixedSamples}) ? kOfOnePattern

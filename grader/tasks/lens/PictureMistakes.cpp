@@ -17,7 +17,7 @@ PictureMistake seenMistake(const FindingText& text, const char* seen, double fac
     return {&text, seen, reading, mistake, false};
 }
 
-// The mean under the mistake's mistake.
+// The expected mean under this mistake.
 Plane pictureOf(const PictureMistake& mistake, probe::RenderQuestion asked, std::uint64_t seed) {
     if (mistake.withoutBounces) asked.settings.bounces = 0;
     return mistakenPicture(asked, mistake.reading, mistake.mistake, seed);
@@ -29,8 +29,8 @@ struct Tried {
     double leaves = 1.0;
 };
 
-// The one whose filter answers loudest. Filters of like shape answer alike: then the one whose
-// whole difference is there, rather than a part of it or more.
+// The mistake whose matched filter gives the largest z. Filters of similar shape give similar z:
+// among them the one with an amplitude nearest to 1.
 const Tried* bestOf(const std::vector<Tried>& tried) {
     constexpr double kAlike = 0.85;
     double loudest = 0.0;

@@ -10,12 +10,11 @@ namespace {
 
 constexpr std::size_t kTile = 6;
 
-// Three weights that no scene's colours are blind to.
+// Three weights under which no difference between scene colours cancels out.
 constexpr probe::ColourRGB kWeights{0.35, 0.4, 0.25};
 
-// Lens paths of each pixel where the reading is judged, at least. What so many never meet may still
-// be seen by three in so many (Hanley and Lippman-Hand 1983) and differ by a half from the rest;
-// fifty rays are averaged.
+// Lens paths of each pixel, at least. A share that no path of n meets is at most 3/n (Hanley and
+// Lippman-Hand 1983); its colour may differ by a half, and fifty rays are averaged.
 constexpr int kPaths = 4096;
 constexpr double kVarianceFloor = 3.0 / kPaths * 0.25 / 50.0;
 
@@ -23,7 +22,7 @@ double weighed(const probe::ColourRGB& colour) {
     return kWeights.r * colour.r + kWeights.g * colour.g + kWeights.b * colour.b;
 }
 
-// Of (seen mean - expected mean) at one pixel.
+// Variance of (seen mean - expected mean) at one pixel.
 double varianceAt(const SeenPictures& seen, const ExpectedPicture& expected, std::size_t i) {
     const double renders = seen.identical ? 1.0 : static_cast<double>(seen.renders.size());
     return expected.variance[i] / renders + expected.error[i];
@@ -84,7 +83,7 @@ ExpectedPicture expectedPicture(const probe::RenderQuestion& asked, const oracle
         const probe::ColourRGB& error = moments.meanError[i];
         expected.mean.push_back(weighed(moments.mean[i]));
         expected.variance.push_back(moments.covariance[i].along(kWeights) + kVarianceFloor);
-        // Channels of one pixel go together; their errors are added as if they were one.
+        // Channels of one pixel are correlated; their errors are added as if fully correlated.
         expected.error.push_back(std::pow(kWeights.r * std::sqrt(error.r) +
                                               kWeights.g * std::sqrt(error.g) +
                                               kWeights.b * std::sqrt(error.b),
@@ -144,7 +143,7 @@ double largestTileZ(const SeenPictures& seen, const ExpectedPicture& expected) {
     return largest;
 }
 
-// Fourth moments are those of normal laws, since each pixel is a mean of fifty rays.
+// Fourth moments are those of a normal distribution, since each pixel is a mean of fifty rays.
 Excess excessVariance(const SeenPictures& seen, const ExpectedPicture& expected) {
     if (seen.identical) return {};
     double sum = 0.0;
@@ -178,7 +177,7 @@ std::optional<Plane> rescaled(const SeenPictures& seen, const ExpectedPicture& e
         squares += expected.mean[i] * expected.mean[i];
     }
     const double factor = products / squares;
-    // What is as dark as that shows nothing.
+    // Pixels this dark carry no information.
     constexpr double kNothing = 0.001;
     if (std::abs(factor - 1.0) <= 0.01 || factor < kNothing) return std::nullopt;
     Plane plane = expected.mean;

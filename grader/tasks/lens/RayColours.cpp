@@ -14,13 +14,13 @@ ColourRGB asBytes(const ColourRGB& c) {
     return ColourRGB{bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0};
 }
 
-// Each channel through a curve.
+// Applies a curve to each channel.
 template <class Curve>
 auto through(const Curve& curve) {
     return [curve](const ColourRGB& c) { return ColourRGB{curve(c.r), curve(c.g), curve(c.b)}; };
 }
 
-// As `raytracer::toneMapped` before it makes a byte of it.
+// Same as `raytracer::toneMapped` before its rounding to bytes.
 double toned(double component) {
     const double powered = std::pow(std::max(component, 0.0), 1.3);
     return std::pow(powered / (powered + std::pow(0.25, 1.3)), 1.0 / 2.2);
@@ -30,7 +30,7 @@ double compressed(double component) {
     return component / (1.0 + component);
 }
 
-// A power of every ray's colour: the usual ones, there and back.
+// A power of every ray's colour: the usual exponents and their inverses.
 bool isMeanOfPowers(const LensLog& log) {
     return std::ranges::any_of(std::array{1.0 / 2.2, 0.5, 1.3, 2.0, 2.2}, [&](double power) {
         return commonFactor(log, through([power](double component) {

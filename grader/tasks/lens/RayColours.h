@@ -10,21 +10,21 @@
 
 namespace ticker::tasks {
 
-/// Equal but for the rounding of means of fifty colours in single precision.
+/// Equal up to the rounding of means of fifty colours in single precision.
 [[nodiscard]] bool isNear(const ColourRGB& a, const ColourRGB& b);
 
-/// What `trace` gave for the rays of a pixel.
+/// Results of `trace` for the rays of a pixel.
 [[nodiscard]] std::vector<ColourRGB> valuesOf(const LensPixel& pixel);
 
 [[nodiscard]] ColourRGB meanOf(const ColourRGB* first, std::size_t count);
 
-/// The factor between the mean of what `change` makes of the rays' colours and the pixel's colour,
-/// where it is the same everywhere; else 0.
+/// The ratio of the pixel's colour to the mean of `change` of the rays' colours if it is the same
+/// everywhere; 0 otherwise.
 [[nodiscard]] double commonFactor(const LensLog& log,
                                   const std::function<ColourRGB(const ColourRGB&)>& change);
 
-/// Which curve every ray's colour went through before the mean was taken, as words that go on
-/// after "the mean of its rays' colours; "; empty where none that is known did.
+/// The curve that was applied to every ray's colour before the mean, as words that continue "the
+/// mean of its rays' colours; "; empty if no known curve fits.
 [[nodiscard]] std::string curveOfRays(const LensLog& log);
 
 }  // namespace ticker::tasks

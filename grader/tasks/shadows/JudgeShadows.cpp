@@ -14,7 +14,8 @@
 namespace ticker::tasks {
 namespace {
 
-// Judges by results what the rays do not tell. @return  Whether a person has to look.
+// Judges by values and renders what the rays leave open.
+// @return  Whether the submission needs review.
 bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOutcome& outcome) {
     // A light of the wrong size also changes points that should be fully lit.
     const bool unexplained =
@@ -28,7 +29,7 @@ bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOut
     const bool needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
         return judgePenumbra(examinee, seed, stage);
     });
-    // Where full shadow is lit, its edge has no fraction either; that is not what went wrong.
+    // If full shadow is lit, its edge has no fractions either; the edge is then not the fault.
     if (unexplained && is(outcome.findings.back(), kShadowHard)) outcome.findings.pop_back();
     return needsReview;
 }
@@ -55,7 +56,7 @@ TaskJudgement judgeShadows(probe::Examinee& examinee, std::uint64_t seed) {
                                        return judgeLitRender(examinee, seed, stage);
                                    }) ||
                       needsReview;
-    // The steps at the edges of shadows are for a person to see.
+    // Review: steps at the edges of shadows.
     needsReview = needsReview || std::ranges::any_of(outcome.findings, [](const Finding& finding) {
                       return is(finding, kShadowFixedSamples);
                   });

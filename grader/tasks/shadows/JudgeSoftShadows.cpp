@@ -11,7 +11,7 @@
 namespace ticker::tasks {
 namespace {
 
-/// What the answers show; the checks note what later ones need.
+/// What the answers show. A check stores here what later checks need.
 struct ShadowSeen {
     const ShadowLogs& logs;
     AimVerdict aims = {};
@@ -75,14 +75,14 @@ Result otherSettings(ShadowSeen& seen) {
 /// A new check of T2.1: a row here with its function, and a row in ShadowFindings.h.
 const std::vector<ShadowCheck>& checksOfRays() {
     static const std::vector<ShadowCheck> kChecks{
-        // Wherever these rays go, it is not the light: nothing else can be said of them.
+        // These rays go elsewhere than to the light; the other checks do not apply to them.
         {.run = [](ShadowSeen& seen) { return checkBackwards(seen.logs); }, .hides = {Hides{}}},
         {.run = fixedSamples},
-        // Aims that are all the centre are fixed, but that is not what went wrong.
+        // Rays that all go to the centre have fixed aims, but that is not the fault.
         {.run = rayCounts, .hides = {{&kShadowHard, &kShadowFixedSamples}}},
-        // Rays that start all around the point and go to the centre are no hard shadow. Rays from
-        // another place than the point miss the light by more and meet other things than they
-        // should: all that follows from the start.
+        // Rays that start all around the point and go to the centre are not a hard shadow. Rays
+        // that start elsewhere miss the light by more, and meet other objects: all this follows
+        // from their start.
         {.run = [](ShadowSeen& seen) { return checkStarts(seen.logs); },
          .hides = {{nullptr, &kShadowHard}, {&kShadowWrong, nullptr}}},
         {.run = [](ShadowSeen& seen) { return checkSeveralCounts(seen.logs, seen.fixed); },
@@ -91,9 +91,9 @@ const std::vector<ShadowCheck>& checksOfRays() {
          .after = {{rayCounts}, {fixedSamples}}},
         {.run = [](ShadowSeen& seen) { return checkEveryLight(seen.logs); }},
         {.run = [](ShadowSeen& seen) { return checkDirectionOffset(seen.logs); }},
-        // Aims that miss the ball meet what stands around the light, rightly.
+        // Aims outside the ball meet the objects around the light, as they must.
         {.run = failingShape, .hides = {{nullptr, &kShadowBeyondLight}}},
-        // Copies of a few rays crowd wherever they go.
+        // Copies of a few rays look crowded in every shape.
         {.run = crowding, .after = {{rayCounts}, {fixedSamples}}},
         {.run =
              [](ShadowSeen& seen) {
@@ -107,7 +107,7 @@ const std::vector<ShadowCheck>& checksOfRays() {
     return kChecks;
 }
 
-/// For code whose rays cannot be seen.
+/// For code whose rays are not visible.
 const std::vector<ShadowCheck>& checksOfValues() {
     static const std::vector<ShadowCheck> kChecks{
         {.run = [](ShadowSeen& seen) { return keepReading(seen, checkValues(seen.logs)); }},

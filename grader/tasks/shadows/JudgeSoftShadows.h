@@ -9,13 +9,13 @@
 
 namespace ticker::tasks {
 
-/// What the answers about `illuminate` say.
+/// Result of the answers about `illuminate`.
 struct ShadowOutcome {
     std::vector<Finding> findings;         ///< of T2.1, unsorted
-    std::optional<ShadowReading> reading;  ///< the accepted one that fits everywhere
-    std::vector<ScatterPlot> plots;        ///< where rays aim, where no finding shows it
-    bool rayless = false;  ///< casts no ray that could be seen: only values can be judged
-    bool cut = false;      ///< casts more rays than could be followed
+    std::optional<ShadowReading> reading;  ///< the accepted reading that fits everywhere
+    std::vector<ScatterPlot> plots;        ///< the rays' aims, unless a finding shows them
+    bool rayless = false;                  ///< no ray is visible: only values can be judged
+    bool cut = false;                      ///< casts more rays than could be followed
 };
 
 /// Judges T2.1 from answered questions alone: no randomness, no asking.

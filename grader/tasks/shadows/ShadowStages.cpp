@@ -26,7 +26,7 @@ Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed, std::uint64_
     const std::uint64_t own = seedOf(seed, stage);
     const std::array asked{drawLitQuestion(own, 1), drawLitQuestion(own, 2)};
     const probe::Run run = examinee.ask({asked[0], asked[1]});
-    // What render itself does wrong is no matter of shadows.
+    // Faults of render itself do not count against shadows.
     const auto* alone = answeredBy<probe::RenderAnswer>(run);
     if (alone == nullptr) return {};
     if (const auto said = litDifference(readLitRender(asked[0], *alone)))

@@ -5,13 +5,13 @@
 
 namespace ticker::tasks {
 
-// Each asks questions of its own, drawn from `seed` and the number of the stage.
+// Each stage asks questions of its own, drawn from `seed` and the stage's number.
 
-/// The values of `illuminate` at shadows' edges, where its rays cannot be seen.
+/// Judges the values of `illuminate` at the edges of shadows, for code whose rays are not visible.
 [[nodiscard]] Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed,
                                   std::uint64_t stage);
-/// `illuminate` inside of `render`: with one thread it does what it did at single points, else a
-/// person has to look; with two it still does, or fails.
+/// Judges `illuminate` inside of `render`. With one thread a difference from single points needs
+/// review; with two threads a difference from one thread fails.
 [[nodiscard]] Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed,
                                    std::uint64_t stage);
 

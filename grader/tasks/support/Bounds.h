@@ -7,29 +7,32 @@
 
 namespace ticker::tasks {
 
-/// The chance that one statistical statement about a correct submission is wrong. A decision makes
-/// fewer than 100 of them: together they fail a correct submission with a chance below 1e-9.
+/// Risk that one statistical statement about a correct submission is wrong. A decision makes fewer
+/// than 100 of them, so that a correct submission fails with a chance below 1e-9.
 inline constexpr double kStatementRisk = 1e-11;
 
-/// Largest distance between the distribution function of `count` independent samples and the true
-/// one, exceeded with a chance of at most `risk` (Dvoretzky-Kiefer-Wolfowitz with Massart's
-/// constant; holds for every count). Stratified and low-discrepancy samples lie closer.
+/// Confidence bound on the largest distance between the distribution function of `count`
+/// independent samples and the true one, exceeded with a chance of at most `risk`
+/// (Dvoretzky-Kiefer-Wolfowitz with Massart's constant; holds for every count). Stratified and
+/// low-discrepancy samples lie closer.
 [[nodiscard]] double dkwBound(std::size_t count, double risk = kStatementRisk);
 
-/// The smallest share p such that `count` independent trials of chance p all fail with a chance of
-/// at most `risk`: (1 - p)^count = risk.
+/// The probability p at which `count` independent trials all fail with a chance of `risk`: (1 -
+/// p)^count = risk.
 [[nodiscard]] double missedShare(std::size_t count, double risk = kStatementRisk);
 
-/// Bound on the chance that `hits` of `count` independent trials of chance `p` lie as far off as
-/// they do (Chernoff 1952: exp(-count KL(hits/count || p))); 1 where they do not.
+/// Bound on the chance that `hits` of `count` independent trials of probability `p` deviate at
+/// least as far in this direction (Chernoff 1952: exp(-count KL(hits/count || p))); 1 if they
+/// deviate in the other.
 [[nodiscard]] double chernoffTail(std::size_t hits, std::size_t count, double p);
 
 /// Largest distance between the distribution function of the samples and a given one.
-/// @param samples  Sorted here.
+/// @param samples  Need not be sorted.
 [[nodiscard]] double largestGap(std::vector<double> samples,
                                 const std::function<double(double)>& distribution);
 
-/// The same, between two sets of samples, both sorted, the left one divided by `size`.
+/// Largest distance between the distribution functions of two sorted sets of samples; the left one
+/// is divided by `size`.
 [[nodiscard]] double largestGap(const std::vector<double>& left, const std::vector<double>& right,
                                 double size = 1.0);
 

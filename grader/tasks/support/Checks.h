@@ -11,27 +11,27 @@
 
 namespace ticker::tasks {
 
-/// What one finding says about another: where `found` was found (null: anything), `hidden` is only
-/// its consequence and is left out (null: nothing that follows in the list is looked at).
+/// A rule between two findings: if the check found `found` (null: any finding), then `hidden` is
+/// only its consequence and is left out (null: all checks after it in the list are skipped).
 struct Hides {
     const FindingText* found = nullptr;
     const FindingText* hidden = nullptr;
 };
 
-/// A check looks at one thing and reports it where it is wrong. Its function is its identity.
-/// @tparam Seen  What the answers show; a check may note there what others need.
+/// A check looks at one property and returns a finding if it is wrong. Its function identifies it.
+/// @tparam Seen  What the answers show; a check may store there what later checks need.
 template <class Seen>
 struct Check {
     using Run = std::optional<Finding> (*)(Seen&);
-    /// That `check` found `finding` (null: anything).
+    /// States that `check` returned `finding` (null: any finding).
     struct Found {
         Run check;
         const FindingText* finding = nullptr;
     };
 
     Run run;
-    std::vector<Found> after = {};  ///< it is skipped where one of these was found before
-    bool ifNothingFails = false;    ///< it is skipped where a check before it failed
+    std::vector<Found> after = {};  ///< skipped if one of these was found before
+    bool ifNothingFails = false;    ///< skipped if an earlier check failed
     std::vector<Hides> hides = {};
 };
 
@@ -40,7 +40,7 @@ struct Check {
 }
 
 /// Runs the checks in the order of their list.
-/// @return  What they found, without what is hidden.
+/// @return  Their findings, without those that are hidden.
 template <class Seen>
 [[nodiscard]] std::vector<Finding> runChecks(std::span<const Check<Seen>> checks, Seen& seen) {
     std::vector<std::pair<const Check<Seen>*, Finding>> found;

@@ -11,11 +11,12 @@ namespace ticker::tasks {
 using raytracer::ColourRGB;
 using raytracer::Vector3;
 
-/// Draws the hidden questions: splitmix64 (Steele, Lea and Flood 2014). Equal seeds give equal
-/// questions on every machine, which the standard library's distributions do not promise.
+/// Random numbers of the hidden questions: splitmix64 (Steele, Lea and Flood 2014). Equal seeds
+/// give equal questions on every machine, which the standard library's distributions do not
+/// guarantee.
 class Draw {
 public:
-    /// @param purpose  Different purposes of one seed draw independently.
+    /// @param purpose  Different purposes give independent draws from one seed.
     Draw(std::uint64_t seed, std::uint64_t purpose);
 
     [[nodiscard]] std::uint64_t word();
@@ -34,7 +35,7 @@ private:
     std::uint64_t state_;
 };
 
-/// Two unit vectors that form a right angle with `axis` (unit) and with each other.
+/// Two unit vectors that are at right angles to `axis` (unit) and to each other.
 struct Perpendiculars {
     Vector3 first;
     Vector3 second;

@@ -10,26 +10,26 @@
 
 namespace ticker::tasks {
 
-/// A finding with the hint and the handout's section of its text.
-/// @param seen  What was expected and what was seen: the message.
+/// A finding with its text's hint and section of the handout.
+/// @param seen  What was expected and what was observed: the message.
 [[nodiscard]] Finding distributedFinding(const FindingText& text, Severity severity,
                                          std::string seen);
 
 [[nodiscard]] bool hasFailure(const std::vector<Finding>& findings);
 
-/// Puts findings into their order of rank and keeps the first failure: the names of the others
-/// become its evidence, warnings and notes follow it.
-/// @param order  The table of the task; what is not in it comes last.
+/// Sorts findings by rank and keeps the first failure. The names of the other failures become its
+/// evidence; warnings and notes follow.
+/// @param order  The task's table; findings outside it come last.
 [[nodiscard]] std::vector<Finding> mostImportantFirst(std::vector<Finding> findings,
                                                       std::span<const FindingText* const> order);
 
-/// Passed, or failed where one of the findings fails.
-/// @param needsReview  Counts where nothing fails.
+/// Failed if one of the findings fails, passed otherwise.
+/// @param needsReview  Used if no finding fails.
 [[nodiscard]] TaskJudgement judgementOf(std::vector<Finding> findings,
                                         std::span<const FindingText* const> order,
                                         bool needsReview = false);
 
-/// The note that rays cannot be followed.
+/// The note that the rays are not visible.
 [[nodiscard]] Finding unseenRays(const FindingText& text, const std::string& what);
 
 }  // namespace ticker::tasks

@@ -7,7 +7,7 @@
 
 namespace ticker::tasks {
 
-/// No component is NaN or infinite.
+/// True if no component is NaN or infinite.
 [[nodiscard]] inline bool isFinite(const raytracer::Vector3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

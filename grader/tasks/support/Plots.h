@@ -7,9 +7,9 @@
 
 namespace ticker::tasks {
 
-// What was seen of the rays, for people.
+// Plots of the observed rays.
 
-/// Keeps every n-th of more than 500 points, so that all pixels and lights have their share.
+/// Reduces more than 500 points to every n-th, so that all pixels and lights are represented.
 void thin(std::vector<PlotPoint>& points);
 
 /// The plots that have points and that no finding shows already.

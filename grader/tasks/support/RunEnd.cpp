@@ -48,7 +48,7 @@ EndText textOf(Kind kind) {
     return {kRunNoAnswer.id, "no answer came", "Make sure that the function returns."};
 }
 
-// Of the first answer that is not there in full.
+// The first incomplete answer.
 struct Missing {
     AnswerState state = AnswerState::answered;
     std::string message;

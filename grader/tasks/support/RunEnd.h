@@ -9,8 +9,7 @@
 
 namespace ticker::tasks {
 
-/// The judgement of a task whose answers cannot be judged, because some are missing; empty where
-/// all are there.
+/// The judgement of a task with missing answers; empty if all answers are present.
 /// @param function  The student's function that was asked: "illuminate".
 [[nodiscard]] std::optional<TaskJudgement> judgeUnanswered(const probe::Run& run,
                                                            std::string_view function);

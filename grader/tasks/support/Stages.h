@@ -15,23 +15,23 @@
 
 namespace ticker::tasks {
 
-/// The verdict of one round of questions with random answers.
+/// Result of one round of questions with random answers.
 struct Stage {
-    std::optional<Finding> failure;             ///< held against the submission if it comes twice
-    std::optional<Finding> doubt;               ///< a warning: a person has to look, and why
-    std::optional<double> apertureFactor = {};  ///< of a picture: the accepted one that fits best
+    std::optional<Finding> failure;             ///< counts against the submission if it repeats
+    std::optional<Finding> doubt;               ///< a warning with a reason for review
+    std::optional<double> apertureFactor = {};  ///< accepted factor that fits the picture best
 };
 
 /// The seed of a stage's questions.
 [[nodiscard]] std::uint64_t seedOf(std::uint64_t seed, std::uint64_t stage);
 
-/// A warning: a person has to look.
+/// A warning that asks for review.
 [[nodiscard]] Stage doubtful(const FindingText& text, std::string why);
 
-/// An answer that does not come here, though it came before, is a doubt and no failure.
+/// The result for a missing answer: a doubt and not a failure, because earlier answers came.
 [[nodiscard]] Stage unanswered(const probe::Run& run, std::string_view function);
 
-/// @return  Null where the question has no answer in full.
+/// @return  Null if the question has no complete answer.
 template <class Answer>
 const Answer* answeredBy(const probe::Run& run, std::size_t question = 0) {
     if (run.answers.size() <= question) return nullptr;
@@ -39,10 +39,11 @@ const Answer* answeredBy(const probe::Run& run, std::size_t question = 0) {
     return answer != nullptr && answer->state == probe::AnswerState::answered ? answer : nullptr;
 }
 
-/// Asks once, and again on other questions where that failed: a failure that does not come again is
-/// none, but a person should look.
-/// @param judge  Judges the stage of a number, 1 or 2.
-/// @return  Whether a person has to look; the reason is added to `findings`, or the failure.
+/// Asks once, and again on other questions if that failed. A failure that does not repeat is not
+/// held against the submission, but asks for review.
+/// @param judge  Judges stage 1 or stage 2.
+/// @return  Whether the submission needs review. The reason, or the failure, is added to
+///          `findings`.
 [[nodiscard]] bool keepRepeated(std::vector<Finding>& findings,
                                 const std::function<Stage(std::uint64_t)>& judge);
 

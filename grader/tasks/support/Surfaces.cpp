@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// Rounding moves a hit by some 1e-13 of the scene's size, and a float copy of the ray by 1e-6. A
-// decision that changes when spheres grow or shrink by this share is left open.
+// Rounding moves a hit by about 1e-13 of the scene's size, and a float copy of the ray by 1e-6. A
+// result that changes when spheres grow or shrink by this share is `unsure`.
 constexpr double kGraze = 2e-6;
 
-// A hit nearer than this is the surface that the ray starts from, or not: rounding decides.
+// For a hit nearer than this, rounding decides whether it is the surface that the ray leaves.
 constexpr double kAtStart = 1e-9;
 
 }  // namespace
@@ -26,7 +26,7 @@ Surfaces::Surfaces(const raytracer::SceneDescription& scene) {
         sheets_.push_back({plane.point, plane.normal.normalised()});
 }
 
-// Distances that are at the start by rounding are given as zero.
+// Distances within rounding of the start become zero.
 double Surfaces::nearestHit(const Vector3& origin, const Vector3& direction, double scale) const {
     double nearest = kNever;
     const auto consider = [&](double distance) {
@@ -57,8 +57,8 @@ Sight Surfaces::sightAlong(const Vector3& origin, const Vector3& direction, doub
     const double plain = nearestHit(origin, direction, 1.0);
     const bool blocked = plain < reach;
     if (plain == 0.0) return Sight::unsure;
-    // An origin within the grown sphere would see it from inside; such rays start at its surface
-    // and are decided by the plain radius.
+    // An origin inside the grown sphere would see it from inside. Such rays start at its surface,
+    // and the true radius decides.
     const double small = nearestHit(origin, direction, 1.0 - kGraze);
     const double large = nearestHit(origin, direction, 1.0 + kGraze);
     const bool starts = std::min(plain, large) < 1e-2;

@@ -12,19 +12,19 @@ namespace ticker::tasks {
 using raytracer::ColourRGB;
 using raytracer::Vector3;
 
-/// Whether a ray gets through. `unsure` where rounding decides: such rays are never held against
-/// anybody.
+/// Whether a ray gets through. `unsure` if rounding decides; such rays never count against a
+/// submission.
 enum class Sight { open, blocked, unsure };
 
-/// The surfaces of a scene as the replay sees them: our own intersections, in double precision.
-/// The framework's are not used: the submission could have changed what they say.
+/// The surfaces of a scene for the replay: our own intersections, in double precision. The
+/// framework's are not used, because the submission could have changed their results.
 class Surfaces {
 public:
     explicit Surfaces(const raytracer::SceneDescription& scene);
 
-    /// Whether anything stands on the ray before `reach`.
+    /// Whether a surface lies on the ray before `reach`.
     /// @param direction  Unit length.
-    /// @param reach      World units; infinity: anything at all.
+    /// @param reach      World units; infinity: the whole ray.
     [[nodiscard]] Sight sightAlong(const Vector3& origin, const Vector3& direction,
                                    double reach) const;
 

@@ -13,8 +13,8 @@
 namespace ticker::tasks {
 namespace {
 
-/// How far the feet of one point agree, from 0 to 1: in their direction, and in the line that they
-/// lie along.
+/// Agreement of the feet of one point, from 0 to 1: in direction, and in the line along which they
+/// lie.
 struct Agreement {
     double direction = 0.0;
     double line = 0.0;
@@ -41,7 +41,7 @@ Agreement agreementOf(const std::vector<AimLine>& lines, const Perpendiculars& s
             (cosine * cosine + sine * sine) / (squares * squares)};
 }
 
-// Of feet as complex numbers z: z, z^2, z^3, z^4 and |z|^2.
+// Sums over feet as complex numbers z: of z, z^2, z^3, z^4 and |z|^2.
 constexpr std::size_t kMoments = 5;
 using Moments = std::array<std::complex<double>, kMoments>;
 
@@ -76,10 +76,10 @@ std::vector<AimLine> samplesOf(const PointLog& point, const raytracer::RenderSet
     return samples;
 }
 
-// Ten independent aims agree by 0.1 in direction and by less than 0.3 in line, in the mean of all
-// accepted shapes; stratified ones by less. The mean over points that are independent is higher
-// than that by the bound with a chance of at most kStatementRisk (Hoeffding 1963), while aims along
-// one line agree by 1 in the one or the other.
+// For every accepted shape, ten independent aims agree on average by 0.1 in direction and by less
+// than 0.3 in line; stratified aims by less. The mean over independent points exceeds that by the
+// bound with a chance of at most kStatementRisk (Hoeffding 1963). Aims along one line have an
+// agreement of 1 in one of the two.
 bool goTogether(const std::vector<const ShadowLog*>& far, const std::vector<Vector3>& directions) {
     Agreement sum;
     double points = 0.0;

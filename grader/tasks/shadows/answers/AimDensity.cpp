@@ -32,8 +32,8 @@ bool staysBetween(const std::vector<double>& seen, const std::vector<const Feet*
     return true;
 }
 
-// Of lines to points of even radius and direction, the fewest there are at the rim, a share of at
-// least (1 - r^2)^1.5 / 3 passes outside of r: of `distinct` ones at least one does.
+// Even radius and direction have the fewest lines at the rim: a share of at least (1 - r^2)^1.5 / 3
+// passes outside of r, so that at least one of `distinct` lines does.
 double leastRim(std::size_t distinct) {
     constexpr double kRisk = 4e-7;
     const double share = std::min(1.0 / 3.0, missedShare(distinct, kRisk));

@@ -8,11 +8,11 @@
 
 namespace ticker::tasks {
 
-/// Whether the distances of the lines from the light's centre lie between those of the accepted
-/// shapes: seen from each direction and all together, nowhere denser in the middle than the densest
-/// nor denser at the rim than the densest there, and with a line as near to the rim as every
-/// accepted shape has one. A density that does lie between is refused with a chance below 1e-6.
-/// @param verdict  Its `widest` and `distinct` count.
+/// Whether the density of the lines lies between those of the accepted shapes: from each direction
+/// and overall it is nowhere denser in the middle than the densest of them, nor denser at the rim
+/// than the densest there, and some line comes as near to the rim as in every accepted shape. The
+/// probability of a false "no" is below 1e-6.
+/// @param verdict  Its `widest` and `distinct` are used.
 [[nodiscard]] bool liesBetween(const Views& seen, const std::vector<Vector3>& directions,
                                const AimVerdict& verdict);
 

@@ -8,8 +8,8 @@
 namespace ticker::tasks {
 namespace {
 
-// Points of the lattice that stands for a shape, for each view; measured against one of 65536
-// points, its distribution functions are off by less than 0.006.
+// Number of lattice points that stand for a shape, for each view. Compared with 65536 points, the
+// distribution functions are off by less than 0.006.
 constexpr int kLattice = 1024;
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace ticker::tasks {
 
-/// Where shadow rays pass the light's centre, as seen from the shaded point, beside the light.
+/// Where shadow rays pass the light's centre, seen from the shaded point, with the light's outline.
 /// @param far  Logs of purpose farLight.
 [[nodiscard]] ScatterPlot plotAims(const std::vector<const ShadowLog*>& far);
 

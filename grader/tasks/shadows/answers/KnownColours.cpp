@@ -41,7 +41,7 @@ constexpr std::array kMistakes{
     NamedArithmetic{ShadowArithmetic::diffuseUnshadowed, &kShadowDiffuseUnshadowed,
                     "In shadow no diffuse light was expected; the diffuse term is there in full."}};
 
-// Geometry's word on a point that lies in full light or full shadow of every light.
+// State of a point that lies in full light or full shadow of every light, from geometry.
 std::optional<ColourRGB> knownColour(const PointLog& point,
                                      const raytracer::SceneDescription& scene, bool viewerIsEye) {
     ColourRGB expected = ambientPart(point, scene);

@@ -9,40 +9,40 @@
 
 namespace ticker::tasks {
 
-/// What a point has where nothing shades it from any light.
+/// The point's colour without any shadow.
 [[nodiscard]] ColourRGB inFullLight(const PointLog& point,
                                     const raytracer::SceneDescription& scene);
 
 /// Whether two colours differ by at most `slack`, channel by channel.
 [[nodiscard]] bool near(const ColourRGB& a, const ColourRGB& b, const ColourRGB& slack);
 
-/// Whether a point that lies in full light or full shadow of every light has about the colour that
-/// geometry gives it; true for all others. Readings with a term for each sample differ from the
-/// central one by terms of the light's angular size.
+/// Whether a point in full light or full shadow of every light has about the colour that follows
+/// from geometry; true for all other points. Readings with a term for each sample differ from the
+/// central reading by terms of the light's angular size.
 [[nodiscard]] bool isNearKnown(const PointLog& point, const ShadowLog& log, bool viewerIsEye);
 
-/// The same of all points.
+/// isNearKnown for all points.
 [[nodiscard]] bool allNearKnown(const std::vector<const ShadowLog*>& logs, bool viewerIsEye);
 
-/// The finding of a mistake that has a name; `arithmetic` is none of right and endless.
+/// The finding of a named mistake; `arithmetic` is neither `right` nor `endless`.
 [[nodiscard]] Finding findingOf(ShadowArithmetic arithmetic);
 
-/// Lights that are lost where another one shines on the back of the surface.
+/// Lights are lost if another one shines on the back of the surface.
 [[nodiscard]] Finding lightsLostBehind();
 
-/// The ambient light is there once for each light.
+/// The ambient light is added once for each light.
 [[nodiscard]] Finding ambientForEachLight();
 
-/// Of several objects one casts its shadow alone.
+/// Only one of several objects casts its shadow.
 [[nodiscard]] Finding oneObjectCasts();
 
-/// One object before the light casts its shadow, and several in line with it do not.
+/// One object in front of the light casts its shadow, but several in line do not.
 [[nodiscard]] Finding hitsMistaken();
 
-/// Planes cast no shadow, spheres do.
+/// Planes cast no shadow, but spheres do.
 [[nodiscard]] Finding planesCastNothing();
 
-/// Every mistake that `findingOf` knows, in the order in which they are tried.
+/// All mistakes that `findingOf` knows, in the order in which they are tried.
 [[nodiscard]] const std::vector<ShadowArithmetic>& namedMistakes();
 
 }  // namespace ticker::tasks

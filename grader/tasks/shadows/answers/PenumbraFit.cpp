@@ -9,22 +9,22 @@
 namespace ticker::tasks {
 namespace {
 
-/// What a shape gives at each place.
+/// Expected shares of one shape at each place.
 using Expected = std::vector<ExpectedShares>;
 
-// Their means may be those of a ball that is a tenth too small or too large: only light from the
-// rim and beyond it tells them apart.
+// The means of these shapes equal those of a ball a tenth smaller or larger: only light from the
+// rim and beyond distinguishes them.
 bool isLikeAnotherSize(AimShape shape) {
     using Radius = AimShape::Radius;
     if (shape.radius == Radius::root || shape.radius == Radius::flat) return true;
     return shape.poles != AimShape::Poles::none && shape.radius != Radius::even;
 }
 
-// From the densest in the middle to the densest at the rim.
+// From densest in the middle to densest at the rim.
 constexpr std::array kByDensity{AimShape::uniformRadius, AimShape::rootRadius, AimShape::ball,
                                 AimShape::flatDisc, AimShape::surface};
 
-/// The best of all readings of Phong, for a density between two: means are linear in it.
+/// The best of all Phong readings for a density between two: means are linear in the density.
 double excessOf(const std::vector<PenumbraSamples>& seen, const Expected& first,
                 const Expected& second, double part) {
     const auto mixed = [&](auto valueOf) {

@@ -7,16 +7,15 @@
 
 namespace ticker::tasks {
 
-/// How well the means at the edge of a shadow fit what is accepted.
+/// How well the means in the penumbra fit the accepted readings.
 struct PenumbraFit {
-    double excess = 1e9;             ///< of the best reading, as `worstExcess` has it
-    std::vector<double> openInBall;  ///< share of aims in sight at each place, for a filled ball
+    double excess = 1e9;             ///< worstExcess of the best reading
+    std::vector<double> openInBall;  ///< share of visible aims at each place, for a filled ball
 };
 
-/// Tries every accepted shape of the light, densities between two of them, and every reading of
-/// Phong.
-/// @param sizeIsInDoubt  By what the rim says: then shapes whose means are those of a ball of
-///                       another size are left out.
+/// Tries every accepted shape of the light, densities between two of them, and every Phong reading.
+/// @param sizeIsInDoubt  True if the light from the rim suggests a wrong size. Shapes whose means
+///                       equal those of a ball of another size are then left out.
 [[nodiscard]] PenumbraFit fitAcceptedShapes(const probe::IlluminateQuestion& asked,
                                             const Surfaces& surfaces,
                                             const std::vector<PenumbraSamples>& seen,

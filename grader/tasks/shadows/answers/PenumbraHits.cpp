@@ -10,12 +10,12 @@
 namespace ticker::tasks {
 namespace {
 
-// The mean share where a ray takes its part of the light away for each sphere that it hits.
+// The mean share of code that subtracts a ray's part of the light for each sphere that it hits.
 // @param outer  Share of the rays that hit the occluder.
-// @param inner  Of those that hit the one in it as well.
+// @param inner  Share of these that hit the sphere inside it, too.
 double shareLessEveryHit(double outer, double inner) {
     const int rays = raytracer::RenderSettings{}.shadowRayCount;
-    std::vector<double> chance{1.0};  // of so many hits
+    std::vector<double> chance{1.0};  // of each number of hits
     for (int ray = 0; ray < rays; ++ray) {
         std::vector<double> next(chance.size() + 2);
         for (std::size_t hits = 0; hits < chance.size(); ++hits) {

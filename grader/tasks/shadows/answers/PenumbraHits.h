@@ -8,8 +8,8 @@
 
 namespace ticker::tasks {
 
-/// Whether the means are those of code that takes a ray's part of the light away for each sphere
-/// that it hits: for the occluder, and again for the one in it. For words only.
+/// Whether the means fit code that subtracts a ray's part of the light for each sphere that it
+/// hits: for the occluder, and again for the sphere inside it. Used for words only.
 [[nodiscard]] bool countsEveryHit(const probe::IlluminateQuestion& asked,
                                   const std::vector<PenumbraSamples>& seen);
 [[nodiscard]] Finding everyHitCounts();

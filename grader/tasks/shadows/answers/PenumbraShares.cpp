@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kAims = 8192;
 
-// Shares counted on so many lattice points are off by less than this (measured against 65536).
+// Error bound of a share that is counted on the lattice (measured against 65536 points).
 constexpr double kShareError = 0.0025;
 
 double total(const ColourRGB& colour) {
@@ -26,7 +26,7 @@ PointLog bare(const probe::LitPoint& point) {
     return log;
 }
 
-// Sums over points of weight * (seen - expected), in units of what Bernstein's bound allows.
+// Sum over points of weight * (seen - expected), in units of Bernstein's bound.
 double excess(const std::vector<PenumbraSamples>& seen, const std::vector<double>& expected,
               const std::vector<double>& weights) {
     const double logRisk = std::log(2.0 / kStatementRisk);
@@ -37,7 +37,8 @@ double excess(const std::vector<PenumbraSamples>& seen, const std::vector<double
     for (std::size_t i = 0; i < seen.size(); ++i) {
         const auto calls = static_cast<double>(seen[i].shares.size());
         sum += weights[i] * (seen[i].mean - expected[i]);
-        // The variance is estimated from the calls; a half more, and the floor, cover its error.
+        // The variance is estimated from the calls; the factor 1.5 and the floor cover the
+        // estimate's error.
         variance += weights[i] * weights[i] * (1.5 * seen[i].variance + 0.002) / calls;
         most = std::max(most, std::abs(weights[i]) / calls);
         slack += std::abs(weights[i]) * kShareError;

@@ -10,7 +10,7 @@
 
 namespace ticker::tasks {
 
-/// The light that got through at one place, call by call, as a share of all light.
+/// Share of the light that arrives at one place, for each call.
 struct PenumbraSamples {
     PenumbraQuestion::Place place;
     probe::LitPoint point;
@@ -22,18 +22,18 @@ struct PenumbraSamples {
                                           const probe::IlluminateAnswer& answer,
                                           const PenumbraQuestion::Place& place);
 
-/// Expected shares of one point under every reading of Phong, for one shape of the light.
+/// Expected shares of one point under every Phong reading, for one shape of the light.
 struct ExpectedShares {
     double open = 0.0;                             ///< share of aims in sight
     std::array<std::array<double, 3>, 2> share{};  ///< [viewer is the eye][Phong]
 };
-/// @param size  Of the light, in units of lightSize.
+/// @param size  Radius of the light in units of lightSize.
 [[nodiscard]] ExpectedShares expectedAt(const probe::IlluminateQuestion& asked,
                                         const Surfaces& surfaces, const probe::LitPoint& point,
                                         AimShape shape, double size);
 
-/// The largest deviation of a mean (of each place, of all together, and of the pattern that another
-/// size of the light makes), in units of what Bernstein's bound allows.
+/// The largest deviation of a mean, in units of Bernstein's bound. Tested are the mean of each
+/// place, the mean of all, and the pattern of a light of another size.
 [[nodiscard]] double worstExcess(const std::vector<PenumbraSamples>& seen,
                                  const std::vector<double>& expected,
                                  const std::vector<double>& open);

@@ -17,8 +17,8 @@
 namespace ticker::tasks {
 namespace {
 
-// A ball of density 1 / sqrt(1 - r^2) looks like an even disc. Its radius is sin t, where the share
-// of the ball within is (t - sin t cos t) 2 / pi = u, solved by Newton's steps.
+// A ball of density 1 / sqrt(1 - r^2) looks like an even disc. Its radius is sin t; the share of
+// the ball within it is (t - sin t cos t) 2 / pi = u, solved by Newton's method.
 double flatRadius(double u) {
     constexpr int kSteps = 6;
     const double wanted = u * std::numbers::pi / 2.0;
@@ -58,8 +58,8 @@ Vector3 shaped(AimShape shape, double u, double v, double w) {
     return place;
 }
 
-/// How far the views lie from expected ones, where the bounds for the whole and for each view hold;
-/// else empty.
+/// Distance of the views from the expected ones if the bounds hold for each view and for all
+/// together; empty otherwise.
 std::optional<double> fitOf(const Views& seen, const Views& expected, double size, double slack,
                             std::size_t distinct, bool repeated) {
     const Feet::Gaps all = seen.all.gapsFrom(expected.all, size);
@@ -85,10 +85,10 @@ double shareBeyond(const std::vector<double>& values, double limit) {
            static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
-// Aims that come again, out of a small pool or from a generator that is started again for every
-// point, are no new samples. The points of one far-light question stand so close together that
-// equal aims give equal feet; the chance that 670 independent ones meet by accident is below 1e-4,
-// and only a tenth of them meeting would change anything.
+// Repeated aims, from a small pool or from a generator that restarts for every point, are no new
+// samples. The points of one far-light question stand so close together that equal aims give equal
+// feet. Among 670 independent feet the chance that two coincide is below 1e-4, and only a tenth of
+// all feet coinciding would change a result.
 std::size_t independentLines(const std::vector<const ShadowLog*>& far, std::size_t lines) {
     std::size_t most = 0;
     bool repeated = false;
@@ -107,15 +107,15 @@ std::size_t independentLines(const std::vector<const ShadowLog*>& far, std::size
     return repeated ? most : lines;
 }
 
-// Three means of feet of variance at most 1/3 (those of a surface, seen from the side): Bernstein's
-// bound, in radii.
+// Bernstein's bound for the three components of the mean foot, in radii. The variance of a foot is
+// at most 1/3 (a surface, seen from the side).
 double leanBound(std::size_t distinct) {
     const double share = std::log(6.0 / kStatementRisk) / static_cast<double>(distinct);
     return std::sqrt(3.0) * (std::sqrt(2.0 / 3.0 * share) + 2.0 / 3.0 * share);
 }
 
-// Means of numbers from 0 to `widest` differ by no more than their distribution functions do, times
-// that.
+// Necessary condition: means of numbers from 0 to `widest` differ by at most `widest` times the
+// distance of their distribution functions.
 bool mayFit(const Views& seen, AimShape shape, const std::vector<Vector3>& directions,
             const AimVerdict& verdict) {
     const double apart = std::abs(seen.all.meanLength() - expectedMeanLength(shape, directions));
@@ -130,7 +130,7 @@ void findShape(const Views& seen, const std::vector<const ShadowLog*>& far,
     for (const AimShape shape : kAcceptedAimShapes) {
         if (!mayFit(seen, shape, directions, verdict)) continue;
         const Views expected = expectedViews(shape, directions);
-        // Of `distinct` independent lines at least one comes as near to the rim as this.
+        // At least one of `distinct` independent lines comes as near to the rim as this.
         const double rim = quantile(expected.all.lengths(),
                                     1.0 - std::min(1.0, 1.2 * missedShare(verdict.distinct)));
         const std::optional<double> fit =
@@ -142,7 +142,8 @@ void findShape(const Views& seen, const std::vector<const ShadowLog*>& far,
     }
 }
 
-// Another size of the same shape: the mean says which, and no line passes outside of it.
+// Finds another size of the same shape: the mean gives the size, and no line may pass outside of
+// it.
 void findScaledShape(const Views& seen, const std::vector<const ShadowLog*>& far,
                      const std::vector<Vector3>& directions, AimVerdict& verdict) {
     const bool repeated = verdict.distinct < verdict.lines;
@@ -191,20 +192,20 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     verdict.offCentre = verdict.lean > leanBound(verdict.distinct) * std::max(1.0, verdict.widest);
     verdict.together = verdict.distinct == verdict.lines && goTogether(far, directions);
     findShape(seen, far, directions, verdict);
-    // Eight aims that are drawn once for all points: within a fifth of the radius, as seen from
-    // three sides, with a chance of at most 0.2^8 (uniform radius) for code that earns a warning
-    // anyway.
+    // Eight aims drawn once for all points lie within a fifth of the radius, seen from three sides,
+    // with a chance of at most 0.2^8 (uniform radius, which only earns a warning).
     verdict.huddled = verdict.distinct >= 8 && verdict.widest < 0.2;
     verdict.between = !verdict.shape && !verdict.tooWide && !verdict.offCentre &&
                       liesBetween(seen, directions, verdict) &&
                       turnsAs(far, directions, verdict.distinct);
-    // A ball a tenth too large has about the feet of an even disc: its width tells.
+    // The feet of a ball a tenth too large look like those of an even disc; its width distinguishes
+    // it.
     if (verdict.tooWide || !verdict.shapeIsRight()) findScaledShape(seen, far, directions, verdict);
     verdict.tooNarrow = !verdict.tooWide && !verdict.shapeIsRight() && verdict.widest < 0.97;
     return verdict;
 }
 
-// Kronecker points of the plastic number's analogue in three dimensions (M. Roberts 2018).
+// Kronecker sequence of the plastic number's analogue in three dimensions (M. Roberts 2018).
 Vector3 aimOf(AimShape shape, int i) {
     constexpr double g = 1.22074408460575947536;
     double whole = 0.0;

@@ -10,21 +10,22 @@
 
 namespace ticker::tasks {
 
-/// A line may miss the ball by the shadow bias, where the direction was taken from the point
+/// A line may miss the ball by the shadow bias, if its direction was computed from the point
 /// itself.
 inline constexpr double kBiasAllowance = 1.5e-3;
 
-/// How aim points lie in a light (docs/decisions/0003).
+/// Distribution of aim points in a light (docs/decisions/0003).
 struct AimShape {
     enum class Radius {
-        filling,  ///< the cube root of an even number, as in an evenly filled ball
+        filling,  ///< cube root of a uniform number, as in an evenly filled ball
         outer,    ///< on the surface
         even,
-        root,  ///< the square root of an even number
-        flat   ///< what looks like an evenly filled disc from everywhere, as the cone of a light
-               ///< does
+        root,  ///< square root of a uniform number
+        flat   ///< looks like an evenly filled disc from everywhere, as uniform sampling of the
+               ///< light's solid angle does
     };
-    /// Where they crowd since the angle from there is drawn evenly, as in the original's helper.
+    /// Axis on whose poles samples crowd because the polar angle is uniform, as in the original's
+    /// helper.
     enum class Poles { none, x, y, z };
 
     Radius radius = Radius::filling;
@@ -34,9 +35,9 @@ struct AimShape {
     static const AimShape surface;
     static const AimShape uniformRadius;
     static const AimShape rootRadius;
-    static const AimShape flatDisc;      ///< as PBRT draws: evenly over the light's solid angle
-    static const AimShape polarHelper;   ///< the original's
-    static const AimShape polarHelperX;  ///< likewise, with poles along x
+    static const AimShape flatDisc;      ///< evenly over the light's solid angle, as in PBRT
+    static const AimShape polarHelper;   ///< the original's helper
+    static const AimShape polarHelperX;  ///< the helper with poles along x
     static const AimShape polarHelperY;
 
     friend bool operator==(const AimShape&, const AimShape&) = default;
@@ -51,7 +52,7 @@ inline constexpr AimShape AimShape::polarHelper{Radius::even, Poles::z};
 inline constexpr AimShape AimShape::polarHelperX{Radius::even, Poles::x};
 inline constexpr AimShape AimShape::polarHelperY{Radius::even, Poles::y};
 
-/// What is no worse than the original's helper is accepted, too, as that is: with a warning.
+/// Shapes no worse than the original's helper are accepted as it is: with a warning.
 inline constexpr std::array kAcceptedAimShapes{
     AimShape::ball,
     AimShape::surface,
@@ -68,23 +69,23 @@ inline constexpr std::array kAcceptedAimShapes{
     AimShape{AimShape::Radius::outer, AimShape::Poles::y},
     AimShape{AimShape::Radius::outer, AimShape::Poles::z}};
 
-/// What the aim lines at far lights say. There lines are parallel but for 1 in 250, so that a
-/// line's foot is its aim point as seen from afar, and nothing of it depends on the distance.
+/// Result of the aim lines at far lights. Lines there are parallel within 1 in 250: a line's foot
+/// is its aim point seen from afar, and does not depend on the distance.
 struct AimVerdict {
-    bool tooWide = false;           ///< a line passes outside of the light
-    bool tooNarrow = false;         ///< no line comes as near to the rim as some must
-    bool huddled = false;           ///< too near to the centre for any eight aims
-    bool offCentre = false;         ///< feet lean to one side
+    bool tooWide = false;    ///< a line passes outside of the light
+    bool tooNarrow = false;  ///< no line comes as near to the rim as some line must
+    bool huddled = false;    ///< all lines are too near to the centre for eight independent aims
+    bool offCentre = false;  ///< the feet have a mean off the centre
     std::optional<AimShape> shape;  ///< the accepted shape that fits at the right size
-    bool between = false;           ///< there is none, but it lies between those that are accepted
-    std::optional<AimShape>
-        scaledShape;  ///< where there is none, or lines pass outside, what fits at the size seen
+    bool between = false;           ///< no shape fits, but the density lies between accepted ones
+    std::optional<AimShape> scaledShape;  ///< the shape that fits at the observed size; if `shape`
+                                          ///< is empty or lines pass outside
     double widest = 0.0;    ///< largest distance of a line from a centre, in radii of the light
     double rimShare = 0.0;  ///< share of lines beyond 0.9 of the widest
     double lean = 0.0;      ///< length of the mean foot, in radii
     bool together = false;  ///< the rays of one point go one way, or along one line
     std::size_t lines = 0;
-    std::size_t distinct = 0;  ///< lines that can count as independent
+    std::size_t distinct = 0;  ///< number of lines that count as independent
 
     [[nodiscard]] bool sizeIsRight() const { return !tooWide && !tooNarrow; }
     [[nodiscard]] bool shapeIsRight() const { return shape || between; }
@@ -93,7 +94,7 @@ struct AimVerdict {
 /// @param far  Logs of purpose farLight.
 [[nodiscard]] AimVerdict judgeAims(const std::vector<const ShadowLog*>& far);
 
-/// Point `i` of an even lattice of aims, for a light of radius 1 around the origin.
+/// Point `i` of an even lattice of aims, for a light of radius 1 at the origin.
 [[nodiscard]] Vector3 aimOf(AimShape shape, int i);
 
 }  // namespace ticker::tasks

@@ -22,8 +22,8 @@ AimLine readLine(const Surfaces& surfaces, const Vector3& centre, const Vector3&
     line.miss = line.foot.magnitude();
     line.endlessly =
         surfaces.sightAlong(origin, direction, std::numeric_limits<double>::infinity());
-    // No question has anything in or near a light, so that the distance of the centre and that of
-    // the sample decide alike.
+    // No question has objects in or near a light, so that the distance to the centre and the
+    // distance to the sample give the same result.
     line.toLight = surfaces.sightAlong(origin, direction, (centre - origin).magnitude());
     return line;
 }

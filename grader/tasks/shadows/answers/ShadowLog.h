@@ -10,15 +10,15 @@
 
 namespace ticker::tasks {
 
-/// One logged shadow ray. Only its line can be seen: how long the student's direction was says
-/// nothing about where on the line the sample lies.
+/// One logged shadow ray. Only its line is visible: the length of the student's direction does not
+/// say where on the line the sample lies.
 struct AimLine {
     Vector3 origin;
     Vector3 direction;                ///< unit
     Vector3 foot;                     ///< from the light's centre to the line's nearest point
     double miss = 0.0;                ///< length of `foot`
-    Sight toLight = Sight::unsure;    ///< to the light: what stands behind it does not count
-    Sight endlessly = Sight::unsure;  ///< anything on the line counts
+    Sight toLight = Sight::unsure;    ///< up to the light
+    Sight endlessly = Sight::unsure;  ///< whole ray: objects behind the light count
 };
 
 /// What `illuminate` did at one point.
@@ -31,11 +31,11 @@ struct PointLog {
     [[nodiscard]] std::size_t lineCount() const;
 };
 
-/// Everything about one answered question.
+/// The points of one answered question.
 struct ShadowLog {
     const ShadowQuestion* asked = nullptr;
     std::vector<PointLog> points;
-    bool cut = false;  ///< more rays than the log had room for: counts are lower bounds
+    bool cut = false;  ///< more rays than the log holds: counts are lower bounds
 
     [[nodiscard]] const raytracer::SceneDescription& scene() const { return asked->question.scene; }
     [[nodiscard]] const raytracer::RenderSettings& settings() const {
@@ -43,8 +43,8 @@ struct ShadowLog {
     }
 };
 
-/// Sorts the logged rays by point and by light: each belongs to the light that it passes at the
-/// smallest angle. `asked` must live as long as the log.
+/// Sorts the logged rays by point and by light: a ray belongs to the light that it passes at the
+/// smallest angle. `asked` must outlive the log.
 [[nodiscard]] ShadowLog readShadowLog(const ShadowQuestion& asked,
                                       const probe::IlluminateAnswer& answer);
 

@@ -12,7 +12,7 @@ using Phong = ShadowReading::Phong;
 using raytracer::PointLight;
 using raytracer::SceneDescription;
 
-/// From the least to the most that a colour can be.
+/// Interval of possible colours.
 struct Range {
     ColourRGB low;
     ColourRGB high;
@@ -28,7 +28,8 @@ Range operator*(const Range& range, double scale) {
     return {range.low * scale, range.high * scale};
 }
 
-/// One light at one point: in full light, what gets through, and the share that gets through.
+/// One light at one point: its full light, the light that arrives, and the share of rays that
+/// arrive.
 struct LightParts {
     Range fullDiffuse;
     Range fullSpecular;
@@ -38,7 +39,7 @@ struct LightParts {
     double highShare = 0.0;
 };
 
-/// Shared by the pieces below: one point, one light, one reading.
+/// One point, one light, one reading: input of the functions below.
 struct Setting {
     const raytracer::Material& material;
     const PointLight& light;
@@ -76,7 +77,7 @@ SampleTerms centralTerms(const Setting& at) {
     return {{terms.diffuse, terms.diffuse}, {terms.specular, terms.specular}};
 }
 
-// The sample lies somewhere on the chord that the line cuts out of the light.
+// The sample lies anywhere on the chord of the line in the light.
 SampleTerms termsOf(const Setting& at, const AimLine& line) {
     if (at.reading.phong == Phong::central) return centralTerms(at);
     const double centre = (at.light.position() - at.point.point.position).magnitude();
@@ -104,8 +105,8 @@ std::vector<AimLine> countedLines(const Setting& at, const std::vector<AimLine>&
     return counted;
 }
 
-// Rays that were not logged leave everything open, but for a light that the surface faces away
-// from: nothing comes from there, and sparing its rays is right.
+// Without logged rays every share is possible. A light behind the surface is the exception: it
+// contributes nothing, and code may skip its rays.
 LightParts partsWithoutRays(const Setting& at) {
     LightParts parts;
     const Vector3 towards = (at.light.position() - at.point.point.position).normalised();
@@ -158,7 +159,7 @@ Range difference(const Range& whole, const Range& part) {
     return {whole.low - part.high, whole.high - part.low};
 }
 
-// True, false or either: a decision on a share that may itself be an interval.
+// True, false or either: a decision on a share that may be an interval.
 Range decided(const Range& full, bool surely, bool possibly) {
     return {surely ? full.low : ColourRGB{}, possibly ? full.high : ColourRGB{}};
 }
@@ -221,9 +222,9 @@ ColourRGB unshadowed(const PointLog& point, const SceneDescription& scene, std::
     return terms.diffuse.high + terms.specular.high;
 }
 
-// Directions and distances may be taken from the point or from the start of the rays, which the
-// shadow bias separates: relative change of a term at most (2 + alpha) bias / distance for each of
-// L, V and the falling off. Single precision adds some 1e-5.
+// Directions and distances may be computed from the point or from the start of the rays, which
+// differ by the shadow bias: the relative change of a term is at most (2 + alpha) bias / distance
+// for each of L, V and the falloff. Single precision adds about 1e-5.
 ColourRGB toleranceAt(const PointLog& point, const SceneDescription& scene, bool viewerIsEye) {
     const raytracer::Material& material = materialOf(scene, point.point.object);
     double nearest = (point.point.viewer - point.point.position).magnitude();
@@ -269,7 +270,7 @@ FitCount countFits(const ShadowLog& log, const ShadowReading& reading,
 
 std::vector<ShadowReading> acceptedShadowReadings() {
     std::vector<ShadowReading> readings;
-    // The last two leave most open, so they are tried late.
+    // The last two allow the widest intervals, so they are tried last.
     for (const Phong phong :
          {Phong::central, Phong::perSampleDirection, Phong::centralFalloff, Phong::perSample})
         for (const bool viewerIsEye : {false, true})

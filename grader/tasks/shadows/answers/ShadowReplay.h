@@ -9,21 +9,22 @@
 
 namespace ticker::tasks {
 
-/// One accepted way to turn shadow rays into a colour.
+/// One accepted way to compute a colour from shadow rays.
 struct ShadowReading {
     enum class Phong {
         central,             ///< one L, to the centre, times the share of rays that arrive
-        centralFalloff,      ///< one L, light falling off over the distance of each sample
-        perSampleDirection,  ///< a term for each ray that arrives, light as bright as its centre
-        perSample            ///< the same, light falling off over the distance of the sample
+        centralFalloff,      ///< one L; falloff with the distance of each sample
+        perSampleDirection,  ///< a term for each ray that arrives; falloff with the distance of the
+                             ///< centre
+        perSample  ///< a term for each ray that arrives; falloff with the distance of the sample
     };
     Phong phong = Phong::central;
-    bool viewerIsEye = false;     ///< V towards the world's origin instead of O
-    bool withoutCentral = false;  ///< rays to the very centre are not counted (an extra hard ray)
-    bool termsApart = false;      ///< rays are cast for the diffuse and again for the specular term
+    bool viewerIsEye = false;     ///< V points to the world's origin instead of O
+    bool withoutCentral = false;  ///< rays to the exact centre are not counted (an extra hard ray)
+    bool termsApart = false;      ///< separate rays for the diffuse and the specular term
 };
 
-/// What may be done with the shares: `right`, or a mistake with a name of its own.
+/// What the code does with the shares: `right`, or a named mistake.
 enum class ShadowArithmetic {
     right,
     inverted,
@@ -32,20 +33,20 @@ enum class ShadowArithmetic {
     specularUnshadowed,
     specularIfAny,  ///< the specular term in full as soon as one ray arrives
     diffuseUnshadowed,
-    endless,   ///< what stands behind the light counts
+    endless,   ///< objects behind the light block rays
     litIfAll,  ///< all or nothing
     litIfAny,
     litIfHalf
 };
 
-/// Recomputes the colour of a point from its logged rays and compares.
-/// Rays that rounding decides give an interval, and so does the unknown place of a sample on its
-/// line; a colour fits when it lies in it.
+/// Recomputes the colour of a point from its logged rays and compares. Rays that rounding decides
+/// give an interval, and so does the unknown place of a sample on its line. A colour fits if it
+/// lies in the interval.
 [[nodiscard]] bool fits(const PointLog& point, const raytracer::SceneDescription& scene,
                         const raytracer::RenderSettings& settings, const ShadowReading& reading,
                         ShadowArithmetic arithmetic);
 
-/// Counts how many of some points fit.
+/// Number of points that fit.
 struct FitCount {
     std::size_t fitting = 0;
     std::size_t points = 0;
@@ -54,10 +55,10 @@ struct FitCount {
 [[nodiscard]] FitCount countFits(const ShadowLog& log, const ShadowReading& reading,
                                  ShadowArithmetic arithmetic);
 
-/// Every accepted reading, the reference solution's first.
+/// All accepted readings, the reference solution's first.
 [[nodiscard]] std::vector<ShadowReading> acceptedShadowReadings();
 
-/// What a light would add to a point in full light, by the central reading.
+/// Light of one lamp at a point without shadow, in the central reading.
 [[nodiscard]] ColourRGB unshadowed(const PointLog& point, const raytracer::SceneDescription& scene,
                                    std::size_t light, bool viewerIsEye);
 
@@ -65,7 +66,7 @@ struct FitCount {
 [[nodiscard]] ColourRGB ambientPart(const PointLog& point,
                                     const raytracer::SceneDescription& scene);
 
-/// How far two colours of this point may differ without meaning anything.
+/// Tolerance for the difference between two colours of this point.
 [[nodiscard]] ColourRGB toleranceAt(const PointLog& point, const raytracer::SceneDescription& scene,
                                     bool viewerIsEye);
 

@@ -15,7 +15,7 @@ Vector3 asVector(const ColourRGB& colour) {
     return {colour.r, colour.g, colour.b};
 }
 
-/// The share of the light that should arrive; empty where nothing says.
+/// Share of the light that should arrive; empty if it is unknown.
 std::optional<double> shareAt(const PointLog& point) {
     const std::vector<AimLine>& lines = point.lines[0];
     if (lines.empty()) {
@@ -30,8 +30,8 @@ std::optional<double> shareAt(const PointLog& point) {
     return static_cast<double>(count(Sight::open)) / static_cast<double>(lines.size());
 }
 
-/// What is seen at a point, as parts of its diffuse light in full light and of the brightest
-/// highlight there is, and which part of that there is from where it is seen.
+/// Diffuse light and highlight at one point, as shares of their largest values, and the share of
+/// the highlight that this viewer should see.
 struct Parts {
     double diffuse = 0.0;
     double highlight = 0.0;
@@ -40,13 +40,13 @@ struct Parts {
     double toLight = 0.0;  ///< lengths
     double toViewer = 0.0;
 
-    /// By which the cosine in the highlight is too large.
+    /// Factor by which the cosine in the highlight is too large.
     [[nodiscard]] double stretch(double expected) const {
         return std::pow(highlight / expected, 1.0 / alpha);
     }
 };
 
-// Two numbers from three channels; empty where the third is not explained by them.
+// Solves for two numbers from three channels; empty if they do not explain the third channel.
 std::optional<Parts> partsSeen(const PointLog& point, const ShadowLog& log) {
     constexpr double kUnlike = 0.01;
     constexpr double kRest = 1e-3;
@@ -75,12 +75,12 @@ std::optional<Parts> partsSeen(const PointLog& point, const ShadowLog& log) {
                  (point.point.viewer - point.point.position).magnitude()};
 }
 
-/// Whether the way to the light, or to the viewer, stands for the direction at every point.
+/// Whether the code uses the unnormalised vector to the light, or to the viewer, at every point.
 struct Lengths {
     bool light = true;
     bool viewer = true;
 
-    // A dim highlight says nothing.
+    // A dim highlight carries no information.
     void look(const Parts& seen, double expected) {
         constexpr double kDim = 1e-3;
         constexpr double kSame = 0.01;

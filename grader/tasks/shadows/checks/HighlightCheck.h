@@ -9,9 +9,9 @@
 
 namespace ticker::tasks {
 
-/// Says so where the ambient and the diffuse light are right and the highlight is not. The two are
-/// told apart by their colours: the surface's own is in the diffuse light alone.
-/// @param logs  Of one light each, whose colours fit nothing that is known.
+/// A finding if the ambient and the diffuse light are right and the highlight is not. Colours
+/// separate the two: only the diffuse light has the surface's own colour.
+/// @param logs  Questions with one light each, whose colours fit no known mistake.
 [[nodiscard]] std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs);
 
 }  // namespace ticker::tasks

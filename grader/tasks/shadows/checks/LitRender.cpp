@@ -19,10 +19,10 @@ namespace {
 
 using probe::Event;
 
-// Farther from a surface than any step off it.
+// Larger than every accepted shadow bias.
 constexpr double kOnSurface = 0.01;
 
-// Whether the ray leaves towards some light and passes it, with room to spare.
+// Whether the ray starts towards some light and passes near it, with a margin.
 bool aimsAtALight(const raytracer::SceneDescription& scene, double radius, const Event& ray) {
     const auto passes = [&](const raytracer::PointLight& light) {
         const Vector3 towards = light.position() - ray.a;
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    /// A point that a thread lights just now.
+    /// A point that a thread is lighting.
     struct Open {
         probe::LitPoint point;
         std::vector<Event> rays;
@@ -110,7 +110,7 @@ private:
     std::set<std::array<long long, 6>> lensRays_;
 };
 
-// Rays that start somewhere else, or pass their light.
+// Whether rays start elsewhere or miss their light.
 bool goAstray(const ShadowLog& log) {
     const double reach = log.settings().lightSize * (1.0 + 1e-6) + kLargestBias;
     for (const PointLog& point : log.points)
@@ -120,7 +120,7 @@ bool goAstray(const ShadowLog& log) {
     return false;
 }
 
-// Single points in other light may fit a looser reading than these do.
+// A looser reading may fit single points in other light.
 FitCount bestFit(const ShadowLog& log) {
     FitCount best;
     for (const ShadowReading& reading : acceptedShadowReadings()) {
@@ -136,13 +136,13 @@ std::size_t raysFor(const LitRender& lit, std::size_t points) {
            static_cast<std::size_t>(lit.asked.question.settings.shadowRayCount);
 }
 
-// Where illuminate has threads of its own, whose rays nothing assigns to a point.
+// True if illuminate has threads of its own, whose rays cannot be assigned to a point.
 bool helpersCastTheRest(const LitRender& lit) {
     const std::size_t rays = lit.answer.events.size() + lit.looseRays;
     return lit.looseRays > 0 && rays >= raysFor(lit, lit.answer.colours.size());
 }
 
-// Where render lights its points by code of its own.
+// True if render lights its points in code of its own.
 std::optional<std::string> looseDifference(const LitRender& lit) {
     const int asked = lit.asked.question.settings.shadowRayCount;
     const std::size_t expected = raysFor(lit, lit.lensRays);

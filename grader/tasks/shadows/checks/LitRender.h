@@ -11,24 +11,24 @@
 
 namespace ticker::tasks {
 
-/// A picture of a wall that two lights shine on, with a sphere before each; lights and spheres
-/// stand outside of the picture, so that every lens ray meets the wall. The handout's settings, on
-/// a tiny frame.
+/// A picture of a wall with two lights and a sphere in front of each. Lights and spheres are
+/// outside of the picture, so that every lens ray meets the wall. The handout's settings, on a tiny
+/// frame.
 [[nodiscard]] probe::RenderQuestion drawLitQuestion(std::uint64_t seed, int threads);
 
-/// What `illuminate` did while a picture of `drawLitQuestion` was rendered: what a thread cast
-/// between the beginning and the end of a point's lighting belongs to that point.
+/// What `illuminate` did during a render of `drawLitQuestion`. Rays that a thread cast between the
+/// beginning and the end of a point's lighting belong to that point.
 struct LitRender {
-    ShadowQuestion asked;            ///< the points that were lit, as if they had been asked for
+    ShadowQuestion asked;            ///< the lit points, in the form of a question
     probe::IlluminateAnswer answer;  ///< their colours and rays
-    std::size_t lensRays = 0;        ///< different rays from outside
-    std::size_t looseRays = 0;  ///< rays from the wall to a light outside of any point's lighting
+    std::size_t lensRays = 0;        ///< distinct rays from outside
+    std::size_t looseRays = 0;  ///< rays from the wall to a light that no point's lighting cast
 };
 [[nodiscard]] LitRender readLitRender(const probe::RenderQuestion& asked,
                                       const probe::RenderAnswer& answer);
 
-/// How the shadows of a render differ from those of single points, in words; empty where they do
-/// not, or where too little can be seen. Exact: one accepted reading has to fit every point.
+/// Words for a difference between the shadows of a render and those of single points; empty if they
+/// agree, or if too little is visible. Exact: one accepted reading must fit every point.
 [[nodiscard]] std::optional<std::string> litDifference(const LitRender& lit);
 
 }  // namespace ticker::tasks

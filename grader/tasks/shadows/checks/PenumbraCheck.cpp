@@ -17,10 +17,10 @@ namespace {
 
 using Place = PenumbraQuestion::Place;
 
-// The size of the ball that explains the means, in units of lightSize; 0 where none does.
+// Size of the ball that explains the means, in units of lightSize; 0 if none does.
 double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
                    const std::vector<PenumbraSamples>& seen) {
-    // Sizes in between fit not quite.
+    // The sizes tried are a grid; between two of them the fit is approximate.
     double best = 2.0;
     double bestSize = 0.0;
     for (const double size : {0.25, 0.5, 0.6, 0.75, 0.9, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5}) {
@@ -35,10 +35,10 @@ double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfa
     return bestSize;
 }
 
-// The fewest rays of which all shares are fractions; 0 where they are none of up to nine.
-// @param open      Share of the light in sight: there has to be a point where fractions are
-// expected.
-// @param fromLens  Of the points that are seen so: some treat camera rays in another way.
+// The smallest number of rays, up to nine, for which all shares are fractions; 0 if there is no
+// such number.
+// @param open      Share of the light in sight; some points must have fractions.
+// @param fromLens  Uses points seen from the lens: some code treats camera rays differently.
 int fewRays(const std::vector<PenumbraSamples>& seen, const std::vector<double>& open,
             bool fromLens) {
     for (int rays = 1; rays < raytracer::RenderSettings{}.shadowRayCount; ++rays) {
@@ -85,8 +85,8 @@ std::optional<Finding> checkFractions(const std::vector<PenumbraSamples>& seen,
                               "is all of it or none, as from one shadow ray.");
 }
 
-// Calls that differ in nothing but the next random numbers give one value: the samples are the same
-// every time, and their mean says nothing.
+// Calls that differ only in their random numbers return one value: the samples are the same every
+// time, and their mean says nothing.
 bool sameEveryCall(const std::vector<PenumbraSamples>& seen) {
     std::size_t fractions = 0;
     std::size_t still = 0;
@@ -104,16 +104,16 @@ bool seesLight(const PenumbraSamples& samples) {
     return *std::max_element(samples.shares.begin(), samples.shares.end()) > kSeen;
 }
 
-// Exact, but that no call of 30000 rays hits the outermost part of the light, which every accepted
-// shape does with a chance above 0.002 for each ray.
+// Exact, except that 30000 rays may miss the outermost part of the light. Every accepted shape hits
+// it with a chance above 0.002 for each ray.
 bool seesTooMuch(const std::vector<PenumbraSamples>& rim) {
     return std::any_of(rim.begin(), rim.end(), [](const PenumbraSamples& samples) {
         return samples.place.kind == Place::Kind::beyondRim && seesLight(samples);
     });
 }
 
-// What is there in every call wherever nothing of the light is seen, and not just now and then as
-// from the rim of a larger light: a share that somebody adds or does not go below.
+// Light that arrives in every call at places that see no part of the light: a constant that the
+// code adds, or a lower limit. Light from the rim of a larger light arrives in few calls only.
 double leftInShadow(const std::vector<PenumbraSamples>& rim) {
     double left = 1.0;
     for (const PenumbraSamples& samples : rim)
@@ -195,8 +195,8 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
         verdict.finding = leftInShadowFinding(left);
     else if (verdict.timesTheBound > 1.0 || brightBeyond || isDark(rim, Place::Kind::withinRim))
         verdict.finding = explain(asked.question, surfaces, seen, verdict.timesTheBound);
-    // Of 90000 rays to the very rim at least 27 are expected, whatever the accepted shape: none is
-    // a smaller light, or a table of a few hundred aims that has none there.
+    // Of 90000 rays to the very rim at least 27 are expected for every accepted shape. Without any,
+    // the light is smaller, or a table of a few hundred aims has no sample there.
     else
         verdict.ambiguous = darkRim;
     return verdict;

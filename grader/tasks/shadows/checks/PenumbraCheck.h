@@ -10,19 +10,16 @@ namespace ticker::tasks {
 
 struct PenumbraVerdict {
     std::optional<Finding> finding;
-    /// Of the accepted reading that fits best: the largest deviation of a mean, in units of what
-    /// Bernstein's inequality allows.
+    /// Largest deviation of a mean under the best accepted reading, in units of Bernstein's bound.
     double timesTheBound = 0.0;
-    /// Every call gives the same value, so that there are no means to judge: a person should read
-    /// the code.
+    /// Every call returns the same value, so that there are no means to judge: needs review.
     bool ambiguous = false;
 };
 
-/// Judges the values alone: whether they are fractions of as many rays as were asked for, whether
-/// their means are those of some accepted reading, and whether light comes from where the light's
-/// outermost part is, and from nowhere beyond. Bernstein's inequality bounds the difference of
-/// means, so that a correct submission whose calls are independent is reported with a chance below
-/// 1e-9.
+/// Judges values without rays. Values must be fractions of as many rays as were asked for. Their
+/// means must be those of an accepted reading. Light must come from the light's outermost part, but
+/// not from beyond it. Bernstein's inequality bounds the differences of means: a correct submission
+/// whose calls are independent fails with a chance below 1e-9.
 [[nodiscard]] PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
                                             const probe::IlluminateAnswer& answer);
 

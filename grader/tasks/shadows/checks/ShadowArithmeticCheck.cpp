@@ -25,8 +25,8 @@ std::optional<ShadowReading> readingThatFits(const Logs& logs, ShadowArithmetic 
     return std::nullopt;
 }
 
-// Where some rays arrive and some do not, the value is everything or nothing, every time; elsewhere
-// it is right.
+// Whether points with some rays blocked have all light or no light, every time, and all other
+// points are right.
 bool neverAFraction(const Logs& logs) {
     std::size_t mixed = 0;
     for (const ShadowLog* log : logs)
@@ -59,7 +59,8 @@ std::optional<Finding> knownMistake(const Logs& logs) {
                               "is all of it or none, never a part.");
 }
 
-// In plain sight of the light nothing but what stands behind it can take light away.
+// Whether points in plain sight of the light are only darker than they should be: the cause lies
+// behind the light.
 bool onlyDarker(const Logs& logs) {
     return std::all_of(logs.begin(), logs.end(), [](const ShadowLog* log) {
         return std::all_of(log->points.begin(), log->points.end(), [&](const PointLog& point) {
@@ -69,7 +70,7 @@ bool onlyDarker(const Logs& logs) {
     });
 }
 
-// Past the light a ray may meet what its sample, wrongly, lies beyond of.
+// A ray that misses the light may meet an object beyond its sample.
 bool aimBesideTheLight(const Logs& logs) {
     constexpr double kBeside = 1.02;
     const auto beside = [](const ShadowLog& log, const PointLog& point) {
@@ -83,7 +84,7 @@ bool aimBesideTheLight(const Logs& logs) {
     });
 }
 
-// Several lights, a light with something behind it, or a wall can be wrong alone.
+// Checks what can be wrong by itself: several lights, a light with an object behind it, a wall.
 std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& reading) {
     if (!allFit(logs.beyondLight, reading, ShadowArithmetic::right)) {
         Finding finding = distributedFinding(
@@ -127,7 +128,7 @@ ArithmeticVerdict checkArithmetic(const ShadowLogs& logs) {
         std::optional<Finding> wrong = checkRest(logs, reading);
         if (!wrong) {
             verdict.reading = reading;
-            // What fits may still be rays that never got off the surface.
+            // Rays that hit the surface they leave can fit, too (shadow acne).
             if (shadowsItself(logs.oneLight, reading.viewerIsEye))
                 verdict.finding = unexplainedShadows(logs.oneLight);
             else if (leaksAtTheStart(logs.oneLight, reading.viewerIsEye))

@@ -23,20 +23,20 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> horizon;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
-    /// All but otherSettings and horizon, where rays may be spared.
+    /// All questions except otherSettings and horizon, where code may cast fewer rays.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
-/// Each of these looks at one thing and reports it where it is wrong.
+/// Each check looks at one property and returns a finding if it is wrong.
 [[nodiscard]] std::optional<Finding> checkFinite(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkStarts(const ShadowLogs& logs);
-/// Rays that leave away from the light.
+/// Rays that start away from the light.
 [[nodiscard]] std::optional<Finding> checkBackwards(const ShadowLogs& logs);
-/// @param fixed  Samples are shared between points, which is another finding.
+/// @param fixed  Points share their samples, which another finding reports.
 [[nodiscard]] std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed);
 [[nodiscard]] std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed);
 [[nodiscard]] std::optional<Finding> checkEveryLight(const ShadowLogs& logs);
-/// Whether each of several lights is as large as a light that is alone.
+/// Whether each of several lights is as large as a single light.
 [[nodiscard]] std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs,
                                                        const AimVerdict& aims);
 [[nodiscard]] std::optional<Finding> checkFixedSamples(const ShadowLogs& logs);
@@ -45,19 +45,19 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);
 [[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs);
-/// Whether the rays that would go below the surface's horizon count as blocked.
-/// @param reading  The one that fits everywhere else.
+/// Whether rays below the surface's horizon count as blocked.
+/// @param reading  The reading that fits all other questions.
 [[nodiscard]] std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,
                                                   const ShadowReading& reading);
 
-/// Replays every value; the reading that fits, or the mistake.
+/// Result of replaying every value: the reading that fits, or the mistake.
 struct ArithmeticVerdict {
     std::optional<ShadowReading> reading;
     std::optional<Finding> finding;
 };
 [[nodiscard]] ArithmeticVerdict checkArithmetic(const ShadowLogs& logs);
 
-/// Judges values alone, where no ray was logged: points in full light and in full shadow.
+/// Judges values if no ray was logged: points in full light and in full shadow.
 [[nodiscard]] ArithmeticVerdict checkValues(const ShadowLogs& logs);
 
 }  // namespace ticker::tasks

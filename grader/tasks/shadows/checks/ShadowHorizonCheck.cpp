@@ -19,7 +19,7 @@ std::size_t openOf(const PointLog& point) {
         std::ranges::count(point.lines[0], Sight::open, &AimLine::toLight));
 }
 
-// With blocked rays in the place of those that were spared.
+// Adds blocked rays in place of those that were not cast.
 PointLog filledUp(PointLog point, std::size_t asked) {
     AimLine blocked = point.lines[0].front();
     blocked.toLight = blocked.endlessly = Sight::blocked;
@@ -31,8 +31,8 @@ bool isRight(const PointLog& point, const ShadowLog& log, const ShadowReading& r
     return fits(point, log.scene(), log.settings(), reading, ShadowArithmetic::right);
 }
 
-// The point that says it best, where all points with fewer rays than asked for have the share of
-// those that were cast. Where spared rays count, a share is smaller unless it is 0.
+// The clearest example, if every point with fewer rays than asked for has the share of the rays
+// that were cast. Counting the missing rays as blocked gives a smaller share, unless it is 0.
 const PointLog* leftOut(const ShadowLog& log, const ShadowReading& reading) {
     const PointLog* clearest = nullptr;
     for (const PointLog& point : log.points) {
@@ -45,8 +45,8 @@ const PointLog* leftOut(const ShadowLog& log, const ShadowReading& reading) {
     return clearest;
 }
 
-// Of aims that are independent a sixth or more go below the horizon, whatever the accepted shape:
-// of 200 none with a chance below 1e-15.
+// A sixth or more of independent aims go below the horizon for every accepted shape: the chance
+// that none of 200 does is below 1e-15.
 bool noneGoesBelow(const ShadowLog& log, const AimVerdict& aims) {
     constexpr std::size_t kEnough = 200;
     std::size_t lines = 0;

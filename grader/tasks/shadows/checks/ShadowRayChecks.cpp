@@ -17,7 +17,7 @@ namespace {
 
 using Purpose = ShadowQuestion::Purpose;
 
-// Distance of two lines, where they pass each other somewhere near the light; else a large number.
+// Distance between two lines if they pass each other near the light; a large number otherwise.
 double distanceNear(const AimLine& a, const AimLine& b, const Vector3& light, double radius) {
     const Vector3 across = a.direction.cross(b.direction);
     const double sine = across.magnitude();
@@ -29,8 +29,8 @@ double distanceNear(const AimLine& a, const AimLine& b, const Vector3& light, do
     return std::abs(between.dot(across)) / sine;
 }
 
-// Equal aims at two points: the lines meet, ray by ray in the order of casting. Independent lines
-// come as near as 2e-3 of radius 0.4 with a chance below 0.02, and all ten of them below 1e-16.
+// Equal aims at two points: the lines meet, ray by ray in the order of casting. Two independent
+// lines come within 2e-3 at radius 0.4 with a chance below 0.02, all ten pairs below 1e-16.
 bool sameAims(const PointLog& a, const PointLog& b, const Vector3& light, double radius) {
     const std::vector<AimLine>& left = a.lines[0];
     const std::vector<AimLine>& right = b.lines[0];
@@ -43,7 +43,7 @@ bool sameAims(const PointLog& a, const PointLog& b, const Vector3& light, double
     return true;
 }
 
-// Points that are too close together to tell are left out.
+// Pairs of points that are too close together are left out.
 bool sameAimsEverywhere(const ShadowLog& log) {
     if (log.points.empty()) return false;
     const Vector3 light = log.scene().pointLights[0].position();
@@ -129,7 +129,7 @@ std::optional<Finding> checkFixedSamples(const ShadowLogs& logs) {
     return finding;
 }
 
-// A few more than the rays of one point: feet next to the edge of a cell count twice.
+// A few more feet than one point has rays: feet next to the edge of a cell count twice.
 std::optional<Finding> checkSmallPool(const AimVerdict& aims) {
     const auto asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
     if (aims.lines == 0 || aims.distinct > 2 * asked) return std::nullopt;
@@ -147,8 +147,8 @@ std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs) {
     const double near = widestMiss({logs.oneLight.begin(), logs.oneLight.begin() + 1});
     const double far = widestMiss(logs.farLight);
     const double radius = raytracer::RenderSettings{}.lightSize;
-    // Lights of the one kind stand 6 units away, of the other more than 100: a light that is as
-    // large in angle grows by more than 15, a ball of any size not at all.
+    // One kind of light stands 6 units away, the other more than 100: the radius of a light of
+    // constant angular size grows by a factor above 15, that of a ball not at all.
     if (far < 2.0 * radius || far < 5.0 * near) return std::nullopt;
     Finding finding = distributedFinding(
         kShadowDirectionOffset, Severity::fail,
@@ -165,7 +165,7 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
     if (aims.lines == 0) return std::nullopt;
     const double radius = raytracer::RenderSettings{}.lightSize;
     const double widest = aims.widest * radius;
-    // Rays that reach as far as they should, and no farther, are not a matter of size.
+    // If the outermost rays reach exactly as far as they should, the size is right.
     constexpr double kSameWidth = 0.02;
     const bool asWide = !aims.tooWide && !aims.huddled && std::abs(aims.widest - 1.0) < kSameWidth;
     std::optional<Finding> finding;
@@ -208,7 +208,8 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
 
 namespace {
 
-// Readings that leave much open fit where their own one does; with a smaller light only that does.
+// Readings with wide intervals fit whenever the code's own reading does; with a smaller light only
+// that one does.
 bool anyReadingFits(const ShadowLog& log) {
     const std::vector<ShadowReading> readings = acceptedShadowReadings();
     return std::any_of(readings.begin(), readings.end(), [&](const ShadowReading& reading) {

@@ -15,7 +15,7 @@
 namespace ticker::tasks {
 namespace {
 
-/// Whether the surface looks at the light; others may be spared their rays.
+/// Whether the surface faces the light; code may skip the rays to other lights.
 bool faces(const PointLog& point, const raytracer::PointLight& light) {
     const Vector3 towards = (light.position() - point.point.position).normalised();
     return towards.dot(point.point.normal) > 0.05;
@@ -107,7 +107,7 @@ std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed) {
     return finding;
 }
 
-// Lights that get no ray at all are another finding.
+// Lights without any ray are another finding.
 std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed) {
     const auto asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
     const RayCounts counts = countRays(logs.severalLights, false);
@@ -125,9 +125,9 @@ std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed) {
     return finding;
 }
 
-// What far lights say in full, these say by their rims alone. Of 170 lines some pass outside of
-// 0.65 radii with a chance of all but kStatementRisk, whatever the accepted shape (of 86 % they
-// pass within, where radius and direction are uniform).
+// Far lights are judged in full; here only rims are. Of 170 lines some pass outside of 0.65 radii,
+// but for a chance of kStatementRisk, for every accepted shape (with uniform radius and direction
+// 86 % pass within).
 std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs, const AimVerdict& aims) {
     constexpr std::size_t kEnough = 170;
     constexpr double kInner = 0.65;

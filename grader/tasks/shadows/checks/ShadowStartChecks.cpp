@@ -37,7 +37,8 @@ std::optional<Finding> checkStarts(const ShadowLogs& logs) {
     return finding;
 }
 
-// Lines say nothing of this: one that leaves away from the light passes it, too, behind its start.
+// A line alone does not show this: the line of a ray that starts away from the light passes the
+// light, too, behind the ray's start.
 std::optional<Finding> checkBackwards(const ShadowLogs& logs) {
     std::size_t rays = 0;
     std::size_t backwards = 0;

@@ -28,8 +28,8 @@ PhongTerms termsTowards(const PointLog& point, const raytracer::SceneDescription
                       distance);
 }
 
-// Whether points in the shadow of their one light have this much of its diffuse and specular terms,
-// and of the ambient one.
+// Whether points in the shadow of their only light have this share of its diffuse and specular
+// terms, and of the ambient term.
 bool shadowHolds(const Logs& logs, double ambient, bool diffuse, bool specular) {
     for (const ShadowLog* log : logs)
         for (const PointLog& point : log->points) {
@@ -51,8 +51,8 @@ bool litWhereItShould(const Logs& logs) {
     return true;
 }
 
-// Whether some of the light arrives in spite of what stands behind it: behind its centre all rays
-// would be stopped.
+// Whether some light arrives although an object stands behind the light: an object behind the
+// centre would stop all rays.
 bool isPartlyLit(const Logs& logs) {
     for (const ShadowLog* log : logs)
         for (const PointLog& point : log->points) {
@@ -77,7 +77,7 @@ Finding darkBeyond(const Logs& logs) {
     return finding;
 }
 
-// Whether all is right without the ambient light of all lights but one.
+// Whether all values are right once the ambient light of all lights but one is subtracted.
 bool ambientIsThereForEachLight(const Logs& logs) {
     for (const ShadowLog* log : logs)
         for (PointLog point : log->points) {
@@ -88,7 +88,7 @@ bool ambientIsThereForEachLight(const Logs& logs) {
     return true;
 }
 
-// Whether all is right as if one of the spheres were the only thing in the way.
+// Whether all values are right for a scene in which only one of the spheres casts a shadow.
 bool oneSphereCasts(const Logs& logs) {
     const auto castsAlone = [](const ShadowLog& log, std::size_t sphere) {
         raytracer::SceneDescription alone = log.scene();
@@ -107,7 +107,7 @@ bool oneSphereCasts(const Logs& logs) {
     });
 }
 
-// Without rays, mistakes are known by what they leave in full shadow.
+// Without rays, the light that is left in full shadow shows the mistake.
 std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
     if (allNearKnown(logs.oneLight, false)) {
         if (!allNearKnown(logs.beyondLight, false)) return darkBeyond(logs.beyondLight);
@@ -145,8 +145,8 @@ double sumOf(const ColourRGB& colour) {
     return colour.r + colour.g + colour.b;
 }
 
-// How much of the light there is in full light and in full shadow, in words; nothing where the
-// numbers would not tell what is wrong.
+// Words for the share of light in full light and in full shadow; empty if the numbers would not
+// help.
 std::string sharesSeen(const Logs& logs) {
     constexpr double kEven = 0.02;
     std::map<Zone, std::pair<double, double>> seen;

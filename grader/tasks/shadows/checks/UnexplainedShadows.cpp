@@ -17,7 +17,7 @@ std::vector<double> listed(const ColourRGB& colour) {
     return {colour.r, colour.g, colour.b};
 }
 
-// How many rays to the only light arrive, and which part of its light there is.
+// How many rays to the only light arrive, and which part of its light the point has.
 struct PartOfLight {
     std::size_t open = 0;
     std::size_t cast = 0;
@@ -28,7 +28,7 @@ struct PartOfLight {
     }
 };
 
-// Empty where rounding decides, or where diffuse and specular light do not have the same part.
+// Empty if rounding decides, or if diffuse and specular light have different parts.
 std::optional<PartOfLight> partOfLight(const PointLog& point, const ShadowLog& log) {
     constexpr double kSame = 1e-3;
     PartOfLight found;
@@ -47,7 +47,8 @@ std::optional<PartOfLight> partOfLight(const PointLog& point, const ShadowLog& l
     return found;
 }
 
-// Says by an example what becomes of the share of rays, where light is scaled by one number.
+// Adds an example that compares the light's part with the share of rays, if one number scales the
+// light.
 void addShares(const std::vector<const ShadowLog*>& logs, Finding& finding) {
     PartOfLight worst;
     for (const ShadowLog* log : logs)

@@ -8,22 +8,22 @@
 
 namespace ticker::tasks {
 
-/// Whether points in full light are dark where rays hit something at once: the surface that they
-/// leave. Whoever sorts such hits out himself gets the right colours nevertheless.
+/// Whether points in full light are dark because rays hit the surface that they leave (shadow
+/// acne). Code that discards such hits itself gets right colours.
 [[nodiscard]] bool shadowsItself(const std::vector<const ShadowLog*>& logs, bool viewerIsEye);
 
-/// Whether points in full shadow are lit there: a ray that hits the surface it leaves was stopped
-/// by that, and whoever takes it for free does not know what else stands in its way.
+/// Whether points in full shadow are lit because rays hit the surface that they leave. Code that
+/// counts such a ray as free misses the objects behind the first hit.
 [[nodiscard]] bool leaksAtTheStart(const std::vector<const ShadowLog*>& logs, bool viewerIsEye);
 [[nodiscard]] Finding leakAtTheStart();
 
-/// Adds as evidence the first point whose value does not fit, for people to look at.
+/// Adds the first point whose value does not fit as evidence.
 void addWorstPoint(const std::vector<const ShadowLog*>& logs, Finding& finding);
 
-/// What is said where nothing that is known fits the colours.
+/// The finding for colours that no known mistake explains.
 [[nodiscard]] Finding unexplainedShadows(const std::vector<const ShadowLog*>& logs);
-/// Likewise; says by an example what becomes of the share of rays, where there is one light that is
-/// scaled by one number.
+/// Like unexplainedShadows for questions with one light. If one number scales that light, an
+/// example compares it with the share of rays.
 [[nodiscard]] Finding unexplainedWithOneLight(const std::vector<const ShadowLog*>& logs);
 
 }  // namespace ticker::tasks

@@ -6,8 +6,8 @@
 namespace ticker::tasks {
 namespace {
 
-// With ten rays each, a fifth of them below the horizon or more: none of all with a chance below
-// 1e-20, whatever the accepted shape.
+// With ten rays each, a fifth or more of them below the horizon: the chance that none is below it
+// is under 1e-20 for every accepted shape.
 constexpr int kPointsLow = 24;
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace {
 
 constexpr int kPointsInShadow = 8;
 constexpr int kPointsInLight = 4;
-constexpr int kFloorInLine = 4;  // the object after four spheres
+constexpr int kFloorInLine = 4;  // index of the floor, after four spheres
 
 }  // namespace
 

@@ -10,8 +10,8 @@ using raytracer::SceneDescription;
 
 constexpr int kPointsBehind = 8;
 
-// Whether nothing of a light behind the surface arrives, whatever the code does about it: not by a
-// highlight either, as this viewer sees it.
+// Whether a light behind the surface contributes nothing in every reading, highlights seen by this
+// viewer included.
 bool isDark(const Vector3& light, const Vector3& point, const Vector3& up, const Vector3& viewer) {
     const Vector3 mirrored = (light - point).normalised().reflectIn(up);
     return mirrored.dot((viewer - point).normalised()) < -0.15;
@@ -35,7 +35,7 @@ ShadowQuestion drawLightBehind(Draw& draw) {
     while (std::abs(below.dot(up) + 0.5) > 0.15 || !isDark(foot + below, foot, up, {}))
         below = draw.direction();
     const Perpendiculars sides = perpendicularsOf(up);
-    // Some 70 degrees from each other: each ray's light is clear.
+    // About 70 degrees from each other: each ray belongs clearly to one light.
     const Vector3 aside = sides.first * draw.between(0.6, 0.8);
     scene.pointLights = {light((up + aside).normalised()), light(below),
                          light((up - aside).normalised())};

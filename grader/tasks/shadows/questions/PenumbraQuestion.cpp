@@ -12,8 +12,9 @@ namespace {
 
 using Place = PenumbraQuestion::Place;
 
-/// Points with a common task. How much of the light they see is said by the radius of the largest
-/// ball around its centre that the occluder hides; below 0, of the largest that it leaves in sight.
+/// Points with a common purpose. How much of the light they see is given as a radius: of the
+/// largest ball around the light's centre that the occluder hides, or, below 0, of the largest that
+/// it leaves visible.
 struct Wanted {
     Place::Kind kind;
     double low;  ///< in light sizes
@@ -22,9 +23,9 @@ struct Wanted {
     std::size_t calls;  ///< for each point
 };
 
-// What is seen between the middle and the rim says most about the light's size, the rest about its
-// shape. A shadow bias of 1e-3 changes what a point sees by less than 0.001 light sizes, since the
-// occluder stands seven times as far from the floor as from the light.
+// Points between the middle and the rim show most of the light's size, the others its shape. A
+// shadow bias of 1e-3 changes the visible part by less than 0.001 light sizes, since the occluder
+// is seven times as far from the floor as from the light.
 constexpr Wanted kWanted[] = {
     {Place::Kind::penumbra, 0.50, 0.62, 3, 2000},  {Place::Kind::penumbra, -0.62, -0.50, 3, 2000},
     {Place::Kind::penumbra, 0.20, 0.35, 2, 2000},  {Place::Kind::penumbra, -0.35, -0.20, 2, 2000},
@@ -34,13 +35,13 @@ constexpr Wanted kWanted[] = {
 };
 
 constexpr int kMostAttempts = 20000;
-constexpr int kFloorBelowTwo = 2;  // the object after two spheres
+constexpr int kFloorBelowTwo = 2;  // index of the floor, after two spheres
 
-// Of the occluder's radius. What this hides the occluder hides as well, so that nothing changes but
-// where a ray counts for each object that it hits.
+// In radii of the occluder, which hides everything that this sphere hides: only code that counts a
+// ray once for each object it hits gives another result.
 constexpr double kInnerRadius = 0.9;
 
-// What `Wanted` bounds, as a length.
+// The radius that `Wanted` bounds, as a length.
 double hiddenRadius(const raytracer::SceneDescription& scene, const Vector3& point) {
     const raytracer::SphereDescription& sphere = scene.spheres.front();
     const Vector3 toSphere = sphere.centre - point;
@@ -72,7 +73,8 @@ private:
     Draw& draw_;
 };
 
-// Points of the floor in the light's cone around the occluder, seen from the lens and by others.
+// Points of the floor in the light's cone around the occluder, seen from the lens and from
+// elsewhere.
 class FloorPoints {
 public:
     explicit FloorPoints(const probe::IlluminateQuestion& asked)
@@ -82,7 +84,7 @@ public:
           rim_(std::asin(asked.scene.spheres.front().radius /
                          (asked.scene.spheres.front().centre - light_).magnitude())) {}
 
-    // Nothing where the ray meets the floor too far away.
+    // Empty if the ray meets the floor too far away.
     [[nodiscard]] std::optional<Vector3> next(Draw& draw) const {
         const raytracer::PlaneDescription& floor = asked_.scene.planes.front();
         const Vector3 ray = draw.directionAround(axis_, 2.2 * rim_);
@@ -111,7 +113,8 @@ private:
 }  // namespace
 
 PenumbraQuestion drawPenumbraQuestion(std::uint64_t seed) {
-    // Questions of the exact layer's kind. The last one has the occluder next to the light.
+    // Drawn like the questions with visible rays. In the last one the occluder is next to the
+    // light.
     const std::uint64_t own = seed ^ 0x50454E554D425241U;
     PenumbraQuestion drawn;
     Draw draw{own, 24};

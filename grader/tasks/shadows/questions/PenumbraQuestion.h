@@ -9,20 +9,23 @@
 
 namespace ticker::tasks {
 
-/// For code whose shadow rays cannot be seen: points that see a part of the light, each asked many
-/// times without a log. Every call moves the point by less than anything can depend on, but for a
-/// generator that is seeded by the place. A sphere stands before the light, and a smaller one in
-/// it.
+/// Question for code whose shadow rays are not visible: points in the penumbra, each asked many
+/// times without a log. Every call moves the point by a negligible distance, which only matters to
+/// a generator that is seeded from the point. A sphere stands in front of the light, with a smaller
+/// one inside it.
 struct PenumbraQuestion {
     struct Place {
         enum class Kind {
-            penumbra,  ///< sees a part of the light, at most three quarters of its radius from half
-            beyondRim,  ///< sees nothing of it, but a light 8 % larger would be seen
-            withinRim,  ///< sees its outermost part alone, nothing of a light four fifths as large
-            atRim       ///< likewise, nothing of a light that is smaller by a twentieth
+            penumbra,   ///< sees a part of the light; its centre is hidden or visible by at most
+                        ///< three quarters of the radius
+            beyondRim,  ///< sees nothing of the light, but would see a light that is 8 % larger
+            withinRim,  ///< sees its outermost part only, and nothing of a light four fifths as
+                        ///< large
+            atRim  ///< sees its outermost part only, and nothing of a light that is smaller by a
+                   ///< twentieth
         };
         Kind kind = Kind::penumbra;
-        bool fromLens = false;  ///< seen from a point of the lens, as camera rays do
+        bool fromLens = false;  ///< seen from a point of the lens, as by a camera ray
         std::size_t first = 0;  ///< index of its first call in question.points
         std::size_t calls = 0;
     };

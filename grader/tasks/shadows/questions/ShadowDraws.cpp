@@ -6,7 +6,7 @@
 namespace ticker::tasks {
 namespace {
 
-// Aim points all over the light decide; the ball is taken a third larger, so that no accepted
+// Aim points all over the light decide. The ball is taken a third larger, so that no accepted
 // sample and no accepted bias is near a decision.
 Zone zoneOf(const Surfaces& surfaces, const Vector3& start, const Vector3& light, double radius) {
     constexpr int kAims = 96;
@@ -39,7 +39,7 @@ raytracer::Material drawMaterial(Draw& draw) {
 }
 
 raytracer::PointLight drawLight(Draw& draw, const Vector3& position, double distance) {
-    // What arrives at `distance` is about the light's own colour.
+    // About the light's own colour arrives at `distance`.
     const double intensity = 4.0 * std::numbers::pi * distance * distance;
     return {position, draw.colour(0.4, 1.0), intensity * draw.between(0.7, 1.3)};
 }
@@ -73,7 +73,7 @@ std::vector<Zone> zonesOf(const raytracer::SceneDescription& scene, const Surfac
 }
 
 void setCapacity(ShadowQuestion& question) {
-    // Eight times what is asked for.
+    // Eight times as many as are asked for.
     constexpr std::size_t kLogMargin = 8;
     const std::size_t rays = question.question.points.size() *
                              question.question.scene.pointLights.size() *

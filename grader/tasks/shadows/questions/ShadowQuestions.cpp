@@ -15,8 +15,8 @@ namespace {
 using Purpose = ShadowQuestion::Purpose;
 using raytracer::SceneDescription;
 
-// Points for each zone of a one-light question; with ten rays each that is enough for every exact
-// statement, and 67 points in each of three far-light questions give 2010 aim lines.
+// Points for each zone of a one-light question. With ten rays each that suffices for every exact
+// statement; 67 points in each of three far-light questions give 2010 aim lines.
 constexpr int kPointsForEachZone = 12;
 constexpr int kPointsOnSphere = 6;
 constexpr int kPointsSeveral = 24;
@@ -25,7 +25,8 @@ constexpr int kPointsBeyond = 8;
 constexpr int kPointsBesideWall = 12;
 constexpr int kPointsFar = 67;
 
-// Where the sphere looks at the light it shades nothing: rays that do not get off it are seen here.
+// On the side that faces the light the sphere has no shadow: rays that hit the surface they leave
+// show here (shadow acne).
 void addPointsOnSphere(Draw& draw, ShadowQuestion& drawn) {
     const SceneDescription& scene = drawn.question.scene;
     const raytracer::SphereDescription& sphere = scene.spheres.front();
@@ -122,8 +123,8 @@ ShadowQuestion drawSeveralLights(Draw& draw) {
     return drawn;
 }
 
-/// A light with a sphere behind it, seen from a floor; three more stand behind and around it, so
-/// near that rays past the light's centre meet them less than a radius farther on.
+/// A light with a sphere behind it, seen from a floor. Three more spheres stand behind and around
+/// it, so near that rays past the light's centre meet them within a radius.
 ShadowQuestion drawBeyondLight(Draw& draw) {
     const Vector3 up = draw.direction();
     const Perpendiculars sides = perpendicularsOf(up);
@@ -161,8 +162,8 @@ ShadowQuestion drawBeyondLight(Draw& draw) {
     return drawn;
 }
 
-/// A floor and a wall that stands on it; half of the points lie on the light's side of the wall,
-/// half behind it.
+/// A floor with a wall on it; half of the points are on the light's side of the wall, half behind
+/// it.
 ShadowQuestion drawPlaneShadow(Draw& draw) {
     const Vector3 up = draw.direction();
     const Perpendiculars sides = perpendicularsOf(up);
@@ -190,7 +191,7 @@ ShadowQuestion drawPlaneShadow(Draw& draw) {
     return drawn;
 }
 
-/// A light so far away that its rays are as good as parallel.
+/// A light so far away that its rays are almost parallel.
 ShadowQuestion drawFarLight(Draw& draw, const Vector3& towards) {
     const Vector3 up = draw.directionAround(towards, 0.5);
     const Perpendiculars sides = perpendicularsOf(up);
@@ -204,8 +205,8 @@ ShadowQuestion drawFarLight(Draw& draw, const Vector3& towards) {
     scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));
     scene.planes.push_back({foot, up, drawMaterial(draw)});
     for (int i = 0; i < kPointsFar; ++i) {
-        // Close together, so that an aim point that comes again is known again; not the same, in
-        // case that somebody seeds a generator from the point.
+        // Close together, so that a repeated aim point is recognised; not equal, in case the code
+        // seeds a generator from the point.
         const double x = draw.between(-1e-4, 1e-4);
         const Vector3 point = foot + sides.first * x + sides.second * draw.between(-1e-4, 1e-4);
         const Vector3 viewer = drawViewer(draw, point, up, scene.pointLights[0].position());
@@ -223,13 +224,13 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     const raytracer::RenderSettings handout;
     std::vector<ShadowQuestion> questions;
     questions.push_back(drawOneLight(draw, handout, Purpose::oneLight, 1.7));
-    // Far from the floor the light's own size matters less to the distance of its samples, which
-    // cannot be seen.
+    // Far from the floor the light's size matters less to the distance of its samples, which is not
+    // visible.
     questions.push_back(drawOneLight(draw, handout, Purpose::oneLight, 20.0));
     questions.push_back(drawSeveralLights(draw));
     questions.push_back(drawBeyondLight(draw));
 
-    // Three directions at right angles: what one cannot see, the others do.
+    // Three directions at right angles: one shows what another hides.
     const Vector3 axis = draw.direction();
     const Perpendiculars sides = perpendicularsOf(axis);
     for (const Vector3& towards : {axis, sides.first, sides.second})

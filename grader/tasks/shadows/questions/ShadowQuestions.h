@@ -8,18 +8,18 @@
 
 namespace ticker::tasks {
 
-/// What geometry alone says about a point and a spherical light, with a margin around the light.
+/// Zone of a point for a spherical light, from geometry alone, with a margin around the light.
 enum class Zone { lit, umbra, penumbra };
 
-/// A question about `illuminate`, and what it is for.
+/// A question about `illuminate`, and its purpose.
 struct ShadowQuestion {
     enum class Purpose {
         oneLight,       ///< an occluder between a light and a floor: lit, umbra and penumbra points
         severalLights,  ///< three lights far apart in direction, two of them with an occluder
         beyondLight,    ///< an object behind the light: every point is lit
-        planeShadow,    ///< a wall through the floor keeps the light from what lies behind it
-        farLight,       ///< a lonely light, a hundred units away: where the rays aim
-        lightBehind,    ///< three lights, the second behind the surface: the others light it
+        planeShadow,    ///< a wall on the floor hides the light from the points behind it
+        farLight,       ///< a single light, a hundred units away: shows where the rays aim
+        lightBehind,    ///< three lights, the second behind the surface: the other two light it
         otherSettings,  ///< like oneLight, with other ray counts and light size
         inLine,         ///< spheres one behind the other, before the light and beyond it
         horizon         ///< a light so low above a floor that part of it is below the horizon
