@@ -10,18 +10,19 @@ namespace ticker::tasks::screenshot {
 namespace {
 
 // Compilers and processors round differently; a texel's border may fall on the other side of a
-// pixel. Measured on the right solutions of the samples and of grader/corpus/unseen: none.
+// pixel. The right solutions of the samples and of grader/corpus/unseen show no such difference.
 constexpr int kSteps = 3;
 constexpr double kMostDiffering = 0.02;
-// JPEG of quality 90 and above leaves less; the least of all wrong signs, a longitude inverted, 25.
+// JPEG of quality 90 and above has less. The smallest value of a wrong sign is 25 (an inverted
+// longitude).
 constexpr double kLossyRms = 6.0;
 
 double brightness(const std::uint8_t* rgb) {
     return 0.25 * rgb[0] + 0.5 * rgb[1] + 0.25 * rgb[2];
 }
 
-// The second difference along a row knows nothing of what changes evenly; of independent noise it
-// has six times the variance.
+// The second difference along a row removes even changes; independent noise has six times its
+// variance there.
 double squaredBend(const ByteView& picture, int x, int y) {
     const auto at = [&](int column) {
         return brightness(
@@ -52,7 +53,7 @@ Agreement agreementOf(const ByteView& windows, const ByteView& own, bool isRando
 
 std::optional<double> noiseRatio(const ByteView& windows, const ByteView& own) {
     constexpr int kTile = 8;
-    constexpr double kNoisy = 9.0;  // three steps of a byte, squared: rounding has no part in it
+    constexpr double kNoisy = 9.0;  // three steps of a byte, squared: far above rounding
     std::vector<double> ratios;
     for (int top = 0; top + kTile <= own.height; top += kTile)
         for (int left = 0; left + kTile <= own.width; left += kTile) {
@@ -66,7 +67,7 @@ std::optional<double> noiseRatio(const ByteView& windows, const ByteView& own) {
             if (second >= kNoisy * kTile * (kTile - 2)) ratios.push_back(first / second);
         }
     if (ratios.empty()) return std::nullopt;
-    // An edge in a tile is no noise; the middle one of all tiles has none.
+    // An edge in a tile is not noise; the median tile has no edge.
     const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
     std::ranges::nth_element(ratios, middle);
     return *middle;

@@ -8,25 +8,26 @@
 
 namespace ticker::tasks::screenshot {
 
-/// Two stages must fail, on other pixels, so that an honest picture fails with 2.5e-7.
+/// Significance level of one stage. Two stages on different pixels must fail, so that an honest
+/// picture fails with a chance of 2.5e-7.
 inline constexpr double kSmallestChance = 5e-4;
 
-/// Whether windows of a picture are what some code renders, which is known from one render.
+/// Whether windows of a picture agree with one render by some code.
 struct Agreement {
     bool agrees = false;
-    bool isLossy = false;         ///< agrees but for small errors everywhere, as JPEG makes them
+    bool isLossy = false;         ///< agrees except for small errors everywhere, as in a JPEG
     double rms = 0.0;             ///< root mean square of the difference, steps of a byte
-    double differing = 0.0;       ///< where nothing is random: share of pixels that differ
-    metrics::NoiseEnergy energy;  ///< where rays are random
+    double differing = 0.0;       ///< for code without random rays: share of pixels that differ
+    metrics::NoiseEnergy energy;  ///< for code with random rays
 };
 
-/// @param isRandom  Whether the code draws rays at random, so that no two renders are equal. Then
-///                  honest pictures agree but with a chance of 5e-4, also if they took more rays
-///                  than ours.
+/// @param isRandom  Whether the code draws random rays, so that no two renders are equal. An honest
+///                  picture then disagrees with a chance of 5e-4, even if it took more rays than
+///                  ours.
 [[nodiscard]] Agreement agreementOf(const ByteView& windows, const ByteView& own, bool isRandom);
 
-/// How noisy a picture is beside another one of the same: the variance of its noise over that of
-/// the other, in the middle one of all noisy tiles. Empty where the other has hardly any noise.
+/// Noise variance of a picture relative to another picture of the same scene: the median over the
+/// noisy tiles. Empty if the other has hardly any noise.
 [[nodiscard]] std::optional<double> noiseRatio(const ByteView& windows, const ByteView& own);
 
 }  // namespace ticker::tasks::screenshot

@@ -68,8 +68,8 @@ Picture ofWidth(const ByteView& picture, int width) {
     return metrics::resized(picture, width, std::max(1, height));
 }
 
-// As wide as the outer one, and in its middle: nothing was cut or put round, the camera saw more or
-// less above and below.
+// As wide as the outer picture, and in its middle: nothing was cut off or added; the camera saw
+// more or less above and below.
 bool isOtherShape(const metrics::Fit& fit, int width, int height) {
     const int above = fit.box.y;
     const int below = height - fit.box.y - fit.box.height;
@@ -107,7 +107,8 @@ std::optional<Shift> findShift(const ByteView& picture, const OwnWindows& own) {
 
 std::optional<metrics::Mirror> findMirror(const ByteView& picture, const Scene& scene,
                                           const OwnWindows* own) {
-    // Another reading of the bump map is less like the scene, mirrored or not; the lights tell.
+    // Under another reading of the bump map a picture is less like the scene, mirrored or not; the
+    // lights decide.
     constexpr double kLikeEnough = 0.93;
     constexpr double kClearlyMore = 0.02;
     const double unmirrored = likeness(scene.likeliest(), picture);
@@ -122,7 +123,7 @@ std::optional<metrics::Mirror> findMirror(const ByteView& picture, const Scene& 
 }
 
 std::optional<Recolouring> findRecolouring(const ByteView& picture, const Scene& scene) {
-    constexpr double kExplained = 0.25;  // of the distance may stay
+    constexpr double kExplained = 0.25;  // share of the distance that may remain
     constexpr double kLikeEnough = 0.97;
     const ByteView reference = scene.likeliest();
     const double distance = tileDifference(reference, picture).rms;
@@ -137,7 +138,7 @@ std::optional<Recolouring> findRecolouring(const ByteView& picture, const Scene&
 std::optional<Cut> findCut(const ByteView& picture, const Scene& scene) {
     constexpr int kOuter = 240;  // pixels: enough for a window on a large screen
     constexpr double kLikeEnough = 0.95;
-    constexpr double kMostShare = 0.96;  // else it is the picture itself
+    constexpr double kMostShare = 0.96;  // a larger share is the picture itself
     const Picture outer = ofWidth(picture, kOuter);
     const Picture inner = ofWidth(scene.likeliest(), kSmallWidth);
     const metrics::Fit framed =

@@ -10,30 +10,30 @@
 
 namespace ticker::tasks::screenshot {
 
-// What may have been done to a picture of a scene after it was rendered. Each of these functions
-// looks for one thing and says nothing where it is in doubt.
+// Changes made to a picture after it was rendered. Each function looks for one kind of change, and
+// returns empty when in doubt.
 
-/// What this submission renders in some windows.
+/// This submission's render of some windows.
 struct OwnWindows {
     Windows windows;
     Picture pixels;
     bool isRandom = false;
 };
 
-/// How many of the windows agree, each by itself.
+/// Number of windows that agree, each judged by itself.
 [[nodiscard]] int agreeingWindows(const ByteView& picture, const OwnWindows& own);
 
-/// By how many pixels the picture lies off.
+/// Displacement of a picture, pixels.
 struct Shift {
     int right = 0;
     int down = 0;
 };
-/// The shift by which the picture's windows are what the code renders; none of up to 3 pixels:
-/// empty.
+/// The shift of up to 3 pixels under which the picture's windows agree with the code's; empty if
+/// there is no such shift.
 [[nodiscard]] std::optional<Shift> findShift(const ByteView& picture, const OwnWindows& own);
 
-/// The mirror that makes the picture one of the scene again.
-/// @param own  Null: only what the scene looks like from far away is known.
+/// The mirroring that turns the picture back into one of the scene.
+/// @param own  Null: only the scene's coarse look is compared.
 [[nodiscard]] std::optional<metrics::Mirror> findMirror(const ByteView& picture, const Scene& scene,
                                                         const OwnWindows* own);
 
@@ -41,22 +41,22 @@ struct Shift {
 struct Recolouring {
     double distance = 0.0;  ///< root mean square over the picture, steps of a byte
     std::string words;      ///< "grey", "a negative", "other colours"
-    /// Below this, colours "may differ slightly", as the handout says.
+    /// Up to this distance colours "may differ slightly", as the handout says.
     static constexpr double kSlight = 8.0;
     [[nodiscard]] bool isSlight() const { return distance <= kSlight; }
 };
 [[nodiscard]] std::optional<Recolouring> findRecolouring(const ByteView& picture,
                                                          const Scene& scene);
 
-/// The scene as a part of a picture, or the picture as a part of the scene.
+/// The scene as a part of the picture, or the picture as a part of the scene.
 struct Cut {
     enum class Kind {
-        framed,     ///< something stands around the scene
+        framed,     ///< something surrounds the scene
         cropped,    ///< a part of the scene is missing
-        otherShape  ///< rendered at another shape than 4 : 3
+        otherShape  ///< rendered in another shape than 4 : 3
     };
     Kind kind = Kind::framed;
-    metrics::Fit fit;    ///< of the inner in the outer, in pixels of a small picture
+    metrics::Fit fit;    ///< of the inner picture in the outer one, in pixels of a small picture
     double share = 0.0;  ///< of the outer's area
 };
 /// For pictures of any shape.

@@ -20,10 +20,10 @@ namespace {
 
 using namespace screenshot;
 
-// Noise of two renders, and edges that fall between pixels: the largest of 120 honest pictures was
-// 4.0 (option 1) and 2.3 (option 2).
+// Noise of two renders, and edges between pixels: the largest value of 120 honest pictures was 4.0
+// (option 1) and 2.3 (option 2).
 constexpr double kMostTileDifference = 10.0;
-// Beyond a thousand rays where the handout says fifty.
+// The noise of more than a thousand rays, where the handout says fifty.
 constexpr double kNoNoise = 1.0 / 25.0;
 
 TaskJudgement passed(std::vector<Finding> notes) {
@@ -42,7 +42,7 @@ TaskJudgement failed(Finding finding) {
     return {TaskState::failed, "", {std::move(finding)}, false};
 }
 
-/// One picture against the scene that it is most like.
+/// Compares a picture with the scene that it resembles most.
 class Judge {
 public:
     Judge(const ByteView& picture, const std::vector<Scene>& scenes, std::uint64_t seed)
@@ -79,9 +79,9 @@ private:
             wanted, {}, [this](const Scene* scene) { return likenessTo(*scene); });
     }
 
-    /// Another scene that the picture shows, and clearly not this one.
+    /// Another scene that the picture shows, and clearly not this one; null otherwise.
     [[nodiscard]] const Scene* otherScene() const {
-        // Of scenes that are like each other the handout's comes first, and is the likelier one.
+        // Among similar scenes the handout's comes first and is the likelier one.
         constexpr double kClearlyMore = 0.04;
         const double here = likenessTo(scene_);
         const Scene* nearest = nullptr;
@@ -96,7 +96,8 @@ private:
         return nearest;
     }
 
-    // Scenes that differ in their bump map alone are like each other: the code or the relief tells.
+    // Scenes that differ only in their bump map resemble each other: the code or the relief
+    // decides.
     [[nodiscard]] bool isRatherThanThis(const Scene& scene) const {
         if (verify(picture_, scene, seed_).kind == Verification::Kind::same) return true;
         return !scene.isRandom && !scene_.isRandom && scene.hasOwn() && scene_.hasOwn() &&
@@ -124,7 +125,7 @@ private:
         return noise && *noise < kNoNoise ? passedInDoubt(isTheReference(*noise)) : passed({});
     }
 
-    // Code that does not repeat itself may have drawn anything that shows the scene.
+    // Code that does not repeat itself may have drawn any picture that shows the scene.
     [[nodiscard]] TaskJudgement excuse(const std::string& why) const {
         if (const Scene* other = otherScene())
             return failed(notThisScene(scene_.name, other->name));
@@ -153,8 +154,8 @@ private:
         return judgeStranger(verification, whole);
     }
 
-    // Whoever saved the picture as JPEG, scaled it or cut a row off changed every pixel, but not
-    // what it shows; the mouse's pointer covers little.
+    // Saving as JPEG, scaling or cutting a row off changes every pixel, but not what the picture
+    // shows; a mouse pointer covers little.
     [[nodiscard]] TaskJudgement judgeStranger(const Verification& verification,
                                               const TileDifference& whole) const {
         constexpr int kSmallThing = 4;  // tiles
@@ -190,7 +191,8 @@ private:
         return std::nullopt;
     }
 
-    // Other code differs a little in most windows; a note differs much and covers one or two.
+    // Other code differs a little in most windows; a pasted note differs much and covers one or
+    // two.
     [[nodiscard]] bool isPaintedOver(const Verification& verification,
                                      const TileDifference& whole) const {
         constexpr int kMostCovered = 2;
@@ -202,7 +204,7 @@ private:
                count - agreeingWindows(picture_, *verification.own) <= kMostCovered;
     }
 
-    // "Colours may differ slightly": the windows must agree once the colours do.
+    // "Colours may differ slightly": the windows must agree once the colours are corrected.
     [[nodiscard]] std::optional<TaskJudgement> judgeSlightColours(
         const Verification& verification) const {
         const std::optional<Recolouring> change = findRecolouring(picture_, scene_);

@@ -9,17 +9,17 @@
 
 namespace ticker::tasks {
 
-/// Judges a decoded screenshot.png: is it a whole picture of a wanted scene, and did this
-/// submission's code make it?
+/// Judges a decoded screenshot.png: whether it is a whole picture of a wanted scene, and whether
+/// this submission's code rendered it.
 ///
-/// The code is asked for a few windows of the scene at the picture's own pitch, and for the same
-/// ones again only where the picture differs. An honest picture, at any size from 320 x 240 pixels
-/// with a shape of 4 : 3, also one that took more rays than the handout says, gets a finding above
-/// a note with a chance below 3e-7 (option 2), or never (option 1).
+/// The code is asked for a few windows of the scene at the picture's own pixel size, and a second
+/// time only if the picture differs. An honest picture gets a finding above a note with a chance
+/// below 3e-7 (option 2), or never (option 1). This holds for any size from 320 x 240 pixels in the
+/// shape 4 : 3, and for pictures with more rays than the handout asks for.
 ///
-/// @param scenes  Those that are wanted and others that it might show by mistake; where there are
-///                none, the size alone is judged.
-/// @param seed    Windows and the code's renders are drawn from it.
+/// @param scenes  The wanted scenes, and others that the picture may show by mistake. Without
+///                scenes only the size is judged.
+/// @param seed    Source of the windows and of the code's renders.
 [[nodiscard]] TaskJudgement judgeScreenshot(const metrics::ByteView& picture,
                                             const std::vector<screenshot::Scene>& scenes,
                                             std::uint64_t seed);

@@ -12,7 +12,7 @@
 namespace ticker::tasks::screenshot {
 namespace {
 
-// Finer is lost in the lens, coarser is the shading of the ball.
+// The lens blurs finer structures; coarser ones are the ball's shading.
 constexpr int kFineWidth = 80;
 constexpr int kFineHeight = 60;
 constexpr int kCoarser = 4;
@@ -70,7 +70,7 @@ Relief reliefOf(const ByteView& picture, const Scene& scene) {
 }
 
 bool isSame(const Relief& relief) {
-    // Of the wrong signs, an inverted longitude leaves most: 0.65.
+    // The wrong sign with the largest likeness is an inverted longitude: 0.65.
     constexpr double kSameCode = 0.85;
     return relief.likeness >= kSameCode;
 }

@@ -5,26 +5,27 @@
 
 namespace ticker::tasks::screenshot {
 
-/// What a bump map leaves in a picture, as coarse as a blur by the lens and soft shadows let
-/// through, beside what it leaves in this code's picture of a scene.
+/// The relief of a bump map in a picture, compared with the relief in this code's render of a
+/// scene, at a resolution that survives the blur of the lens and soft shadows.
 struct Relief {
-    /// Correlation. Measured on right and wrong code, with and without a lens: from 0.48 upwards
-    /// for the same map rendered with the signs of one reading, at most 0.17 for another map.
+    /// Correlation. Measured with right and wrong code, with and without a lens: at least 0.48 for
+    /// the same map under the signs of one reading, at most 0.17 for another map.
     double likeness = 0.0;
-    double strength = 0.0;  ///< of the picture's over the code's: about 0.55 through the lens
+    double strength =
+        0.0;  ///< the picture's strength divided by the code's: about 0.55 through the lens
 };
 
-/// @param scene  One with a bump map that the code rendered. Neither its height map nor the
-///               picture's size matter.
+/// @param scene  A scene with a bump map that the code rendered. Its height map and the picture's
+///               size do not matter.
 [[nodiscard]] Relief reliefOf(const ByteView& picture, const Scene& scene);
 
-/// As this code makes it, whatever was done to the pixels.
+/// The code's own relief, whatever was done to the pixels.
 [[nodiscard]] bool isSame(const Relief& relief);
 
-/// Through the lens and under soft shadows: the map's relief, but weaker.
+/// The map's relief, but weaker, as through the lens and under soft shadows.
 [[nodiscard]] bool isSofter(const Relief& relief);
 
-/// The picture shows the relief of this scene's map and not that of the other's.
+/// The picture shows the relief of scene `here` and not that of `there`.
 [[nodiscard]] bool isRather(const Relief& here, const Relief& there);
 
 }  // namespace ticker::tasks::screenshot

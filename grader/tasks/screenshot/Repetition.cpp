@@ -13,7 +13,7 @@ namespace {
 
 using Renders = std::vector<std::vector<raytracer::ColourRGB>>;
 
-// Linear colours, before bytes hide small differences; empty where some did not come.
+// Linear colours, because bytes hide small differences; empty if some are missing.
 Renders rendersOf(const Scene& scene, const std::vector<probe::Question>& questions) {
     const probe::Run run = scene.examinee->ask(questions);
     Renders renders;
@@ -28,7 +28,7 @@ Renders rendersOf(const Scene& scene, const std::vector<probe::Question>& questi
 }
 
 bool repeatsWithThreads(const Scene& scene, const Windows& windows, std::uint64_t seed) {
-    constexpr int kTimes = 2;  // threads may miss each other once
+    constexpr int kTimes = 2;  // a data race may not show at the first time
     const Renders expected = rendersOf(scene, questionsFor(scene, windows, seed));
     std::vector<probe::Question> backwards = questionsFor(scene, windows, seed, 2);
     std::ranges::reverse(backwards);
@@ -40,8 +40,8 @@ bool repeatsWithThreads(const Scene& scene, const Windows& windows, std::uint64_
     return true;
 }
 
-// A pattern of points that all pixels share makes pictures differ as wholes. Each comparison finds
-// a difference in the same picture with a chance below 5e-4, and then the picture goes free.
+// A pattern of points that all pixels share changes pictures as a whole. Each comparison finds a
+// false difference with a chance below 5e-4; the picture then passes.
 bool repeatsUnderSeeds(const Scene& scene, const Windows& windows, std::uint64_t seed) {
     constexpr std::uint64_t kSeeds = 3;
     const std::optional<Picture> first = renderWindows(scene, windows, seed);
@@ -53,7 +53,7 @@ bool repeatsUnderSeeds(const Scene& scene, const Windows& windows, std::uint64_t
     return true;
 }
 
-// A frame of its own, for code that knows nothing of parts.
+// One whole frame, for code that ignores regions.
 Windows wholeFrame() {
     constexpr int kWidth = 160;
     constexpr int kHeight = 120;

@@ -14,24 +14,23 @@ namespace ticker::tasks::screenshot {
 using metrics::ByteView;
 using metrics::Picture;
 
-/// A scene of the handout, and what is known of how it looks. Pictures have the handout's shape,
-/// 4 : 3, and any size.
+/// A scene of the handout and its expected look. Pictures have the handout's shape, 4 : 3, and any
+/// size.
 struct Scene {
     std::string name;         ///< of scenes/NAME.xml
-    std::string file;         ///< whose tasks it shows
+    std::string file;         ///< the file whose tasks it shows
     bool isRandom = false;    ///< two right renders differ by noise
-    bool isWanted = true;     ///< a screenshot of it is what an attempted option asks for
-    bool mayMixBoth = false;  ///< the student may have rendered it with both files, we with one
+    bool isWanted = true;     ///< an attempted option asks for a screenshot of it
+    bool mayMixBoth = false;  ///< the student may have rendered it with both files, and we with one
     const raytracer::SceneDescription* description = nullptr;
-    std::function<ByteView()> expected;  ///< as it should look; worked out when asked
-    ByteView own;  ///< as this submission's code renders it; no bytes where it did not
-    probe::Examinee* examinee = nullptr;  ///< this submission's code; null where it is no use
-    /// What is known of this code that makes its pictures differ from one to the next; words, or
-    /// empty.
+    std::function<ByteView()> expected;   ///< its expected look, computed on demand
+    ByteView own;                         ///< this submission's render; no bytes if there is none
+    probe::Examinee* examinee = nullptr;  ///< this submission's code; null if it cannot be asked
+    /// Why this code's pictures may differ from each other; empty if no reason is known.
     std::string whyUnlikeItself;
 
     [[nodiscard]] bool hasOwn() const { return !own.rgb.empty(); }
-    /// The best that is known of what this student's picture should show.
+    /// The best known estimate of the student's picture.
     [[nodiscard]] ByteView likeliest() const { return hasOwn() ? own : expected(); }
 };
 

@@ -7,7 +7,7 @@
 
 namespace ticker::tasks {
 
-// What can be said about a screenshot. A new finding is a row here and its place in the table.
+// The findings of the screenshot. A new finding is one row here and one entry in the table below.
 
 inline constexpr FindingText kScreenshotMissing{
     .id = "screenshot.missing", .words = "handed in no screenshot", .meaning = "there is none"};

@@ -19,7 +19,7 @@ namespace {
 using oracle::Mistake;
 using oracle::Reading;
 
-/// One hypothesis about a picture: what a person sees of it, and what the oracle renders for it.
+/// One hypothesis about a picture: its words, and what the oracle renders for it.
 struct Candidate {
     SeenMistake seen;
     Reading reading;
@@ -33,7 +33,7 @@ Candidate make(std::string_view id, const char* words, const Change& change) {
     return candidate;
 }
 
-// As the template renders: what bump maps are seen with.
+// Rendered like the template, which is used for pictures of bump maps.
 void asPinhole(Reading& reading, Mistake& mistake) {
     reading.lightShape = oracle::LightShape::centre;
     mistake.aperture = Mistake::Aperture::none;
@@ -144,7 +144,7 @@ std::optional<SeenMistake> distributedMistake(const ByteView& picture, const Sce
     return isClear ? best : std::nullopt;
 }
 
-/// The readings of a bump map that look most unlike each other, and what is wrong with each.
+/// The readings of a bump map whose pictures differ most, and the mistake of each.
 std::vector<Candidate> bumpPictures() {
     std::vector<Candidate> all;
     for (const double origin : {0.0, 0.25, 0.5, 0.75})
@@ -165,7 +165,7 @@ std::vector<Candidate> bumpPictures() {
     return all;
 }
 
-// Strength, interpolation and differences vary; what stays is which side of a bump is lit.
+// Strength, interpolation and differences vary between solutions; the lit side of a bump does not.
 std::optional<SeenMistake> bumpMistake(const ByteView& picture, const Scene& scene,
                                        const Windows& windows, std::uint64_t seed) {
     constexpr double kLikeEnough = 0.8;

@@ -10,15 +10,15 @@
 
 namespace ticker::tasks::screenshot {
 
-/// What a picture that other code rendered shows.
+/// The mistake that a picture by other code shows.
 struct SeenMistake {
-    std::string id;  ///< of the catalogue's finding, "shadow.hard"; empty: nothing is wrong in it
-    std::string words;  ///< "hard shadows", to go on after "The picture shows"
+    std::string id;     ///< id of the finding, "shadow.hard"; empty if the picture is right
+    std::string words;  ///< words that continue "The picture shows": "hard shadows"
 };
 
-/// Renders the windows with the oracle, under every accepted reading and with every mistake that
-/// shows in a picture, and finds the one that the picture agrees with, or that is by far the
-/// nearest. Empty where none is.
+/// Renders the windows with the oracle, under every accepted reading and with every mistake that is
+/// visible in a picture. Returns the one that agrees with the picture, or is by far the nearest;
+/// empty if none is.
 [[nodiscard]] std::optional<SeenMistake> seenMistake(const ByteView& windowsOfPicture,
                                                      const Scene& scene, const Windows& windows,
                                                      std::uint64_t seed);

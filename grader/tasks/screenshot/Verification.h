@@ -11,21 +11,21 @@
 
 namespace ticker::tasks::screenshot {
 
-/// What the code's windows say.
+/// Result of comparing the picture with the code's windows.
 struct Verification {
     enum class Kind {
         same,
         different,
-        unknown,  ///< `why`; empty: there is no code to ask
-        ourFault  ///< it could not be asked; `why`
+        unknown,  ///< see `why`; empty: there is no code to ask
+        ourFault  ///< the code could not be asked; see `why`
     };
     Kind kind = Kind::unknown;
     std::string why;
     Agreement agreement;
-    std::optional<OwnWindows> own;  ///< where the picture differed, if it did anywhere
+    std::optional<OwnWindows> own;  ///< the differing windows if the picture differs
 };
 
-/// Asks the scene's code for a few windows of the picture, and for others where they differ.
+/// Asks the scene's code for a few windows of the picture, and for other windows if they differ.
 [[nodiscard]] Verification verify(const ByteView& picture, const Scene& scene, std::uint64_t seed);
 
 }  // namespace ticker::tasks::screenshot

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kAcross = 20;
 constexpr int kDown = 15;
-// The largest of 120 honest pictures was 4.0.
+// The largest value of 120 honest pictures was 4.0.
 constexpr double kOff = 5.0;
 constexpr std::size_t kTerms = ColourChange::kTerms;
 
@@ -92,7 +92,7 @@ ColourChange::ColourChange(const ByteView& reference, const ByteView& picture) {
                 right[channel][row] += terms[row] * to.rgb[i + channel];
         }
     }
-    // Colours that stand in for one another, as in a grey picture, leave the choice open.
+    // Regularisation: with proportional channels, as in a grey picture, the solution is not unique.
     constexpr double kRidge = 1e-3;
     for (std::size_t row = 0; row < kTerms; ++row)
         matrix[row][row] += kRidge;

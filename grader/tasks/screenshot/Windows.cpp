@@ -15,31 +15,31 @@
 namespace ticker::tasks::screenshot {
 namespace {
 
-/// Where in a frame of 640 x 480 pixels the middle of a window lies.
+/// Centre of a window in a frame of 640 x 480 pixels.
 struct Middle {
     int x;
     int y;
 };
 constexpr double kUsualWidth = 640.0;
 
-/// How the windows of an option lie.
+/// Places of an option's windows.
 struct Layout {
     std::array<std::span<const Middle>, 2> middles;  ///< of each stage
     int width;
     int height;
-    int jitter;  ///< pixels, to each side
-    int step;    ///< from the first stage's windows to those of the second, pixels
+    int jitter;  ///< pixels, in each direction
+    int step;    ///< from the first stage's windows to the second's, pixels
 };
 
-// Found by a greedy search over 34 pairs of an accepted reading and one with a mistake in it: the
-// windows in which two single renders differ most, in standard errors of their sums. In order: the
-// mirrored shadow, three rims of the first ball's shadow and its contact with the floor, the second
+// Found by a greedy search over 34 pairs of an accepted reading and one with a mistake: the windows
+// in which two single renders differ most, in standard errors of their sums. In order: the mirrored
+// shadow, three penumbras of the first ball's shadow and its contact with the floor, the second
 // ball's shadow, the first ball's highlight, the horizon, the farthest balls.
 constexpr Middle kDistributed[] = {{400, 440}, {352, 400}, {576, 384}, {440, 384},
                                    {288, 312}, {456, 224}, {24, 184},  {190, 180}};
-// In a narrow picture the same windows have a quarter of the noise's pixels to a shadow's rim, so
-// they are larger and lie closer, each stage with its own: found likewise at 320 x 240, over lights
-// and apertures of other sizes and places.
+// In a narrow picture the same windows have a quarter of the noise's pixels at a penumbra, so they
+// are larger and lie closer, with other places for each stage. Found by the same search at 320 x
+// 240, over lights and apertures of other sizes and places.
 constexpr Middle kNarrowFirst[] = {{376, 408}, {512, 440}, {224, 184},
                                    {544, 360}, {440, 376}, {336, 192}};
 constexpr Middle kNarrowSecond[] = {{576, 424}, {280, 304}, {448, 440},
@@ -47,7 +47,7 @@ constexpr Middle kNarrowSecond[] = {{576, 424}, {280, 304}, {448, 440},
 // Around the highlight, where both lights reach the relief.
 constexpr Middle kBumpMapping[] = {{380, 185}};
 
-// Where no ray is random one window is enough, and each costs a transfer of the map.
+// Without random rays one window suffices; each costs a transfer of the map.
 constexpr Layout kLayoutT1{{kBumpMapping, kBumpMapping}, 64, 40, 6, 12};
 constexpr Layout kLayoutT2{{kDistributed, kDistributed}, 16, 16, 4, 25};
 constexpr Layout kNarrowLayoutT2{{kNarrowFirst, kNarrowSecond}, 24, 24, 4, 0};

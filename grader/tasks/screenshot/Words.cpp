@@ -36,7 +36,7 @@ void addSize(Finding& finding, const ByteView& picture) {
     finding.evidence.emplace_back("height", static_cast<double>(picture.height));
 }
 
-// Brightness of the picture less that of the code's.
+// Brightness of the picture minus that of the code's render.
 Raster differenceOf(const ByteView& reference, const ByteView& picture) {
     constexpr double kFull = 64.0;
     const Picture own = metrics::resized(reference, kSmallWidth, kSmallHeight);

@@ -12,31 +12,31 @@
 
 namespace ticker::tasks::screenshot {
 
-// What the student reads. Ids and their order: docs/findings.md.
+// Words for the student. Ids and their order are in docs/findings.md.
 
-/// @param cut  What the picture was found to be, if anything.
+/// @param cut  How the picture and the scene overlap, if known.
 [[nodiscard]] Finding wrongSize(const ByteView& picture, const std::optional<Cut>& cut);
-/// @param shown  Another known scene that the picture shows; empty: none.
+/// @param shown  Another known scene that the picture shows; empty if it shows none.
 [[nodiscard]] Finding notThisScene(const std::string& wanted, const std::string& shown);
 
 [[nodiscard]] Finding moved(Shift shift);
 [[nodiscard]] Finding mirroredPicture(metrics::Mirror mirror);
 [[nodiscard]] Finding recoloured(const Recolouring& change);
 [[nodiscard]] Finding cutPicture(const ByteView& picture, const Cut& cut);
-/// The rest of the picture is the code's, one place is not.
+/// One place differs from the code's render; the rest agrees.
 [[nodiscard]] Finding paintedOver(const TileDifference& difference);
 
 [[nodiscard]] Finding notFromThisCode(const ByteView& picture, const Scene& scene,
                                       const Agreement& agreement,
                                       const std::optional<SeenMistake>& mistake);
-/// As above, where no windows of the code's are known: doubt.
+/// Like notFromThisCode for code that rendered no windows: needs review.
 [[nodiscard]] Finding perhapsNotFromThisCode(const ByteView& picture, const Scene& scene,
                                              const TileDifference& difference);
-/// The picture shows what this code renders, but with other pixels: doubt.
+/// The picture shows what this code renders, but with other pixels: needs review.
 [[nodiscard]] Finding likeThisCode(const Scene& scene);
-/// Option 1's scene with a relief like this code's, but softer: doubt.
+/// Option 1's scene with a relief like this code's, but softer: needs review.
 [[nodiscard]] Finding perhapsThroughTheLens();
-/// @param ratio  Of the picture's noise to that of the code.
+/// @param ratio  The picture's noise divided by the code's.
 [[nodiscard]] Finding isTheReference(double ratio);
 
 /// Notes: the picture passes.
