@@ -30,7 +30,7 @@ struct Attempt {
     bool couldCompile = false;  ///< true if only the linker failed
 };
 
-/// One file, on its way to a program.
+/// Turns one file into a program.
 class Job {
 public:
     Job(const Kit& kit, const sandbox::Sandbox& sandbox, const sandbox::Limits& limits,
@@ -106,9 +106,8 @@ private:
         return outcome.output.find(words) != std::string::npos;
     }
 
-    // That a compiler was stopped shows only in its driver's message, which stands beside the
-    // student's text. A student can imitate it, and so change the name of the own failure, nothing
-    // more.
+    // Only the driver's message, beside the student's text, shows that a compiler was stopped. A
+    // student can imitate it, which only changes the name of that student's own failure.
     static Kind kindOf(const Outcome& outcome) {
         switch (outcome.end) {
             case Outcome::End::failed:

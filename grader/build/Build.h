@@ -19,7 +19,7 @@ struct BuildResult {
         limit,      ///< the compiler ran out of time, memory or output: `diagnostics` says which
         forbidden,  ///< replaces a part of the framework, or makes a forbidden request to the
                     ///< system
-        ourFault    ///< could not be compiled because of an error of the grader: `diagnostics`
+        ourFault    ///< could not be compiled because of an error of the grader: see `diagnostics`
     };
     Kind kind = Kind::ourFault;
     std::optional<Program> program;

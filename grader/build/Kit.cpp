@@ -21,7 +21,8 @@ std::string readPart(const fs::path& file) {
     return std::move(*text);
 }
 
-// As root, jobs run as another user, which needs search permission on every folder of the path.
+// True if every user can reach the path. As root, jobs run as another user, which needs search
+// permission on every folder of the path.
 bool everybodyReaches(const fs::path& folder) {
     if (geteuid() != 0) return true;
     for (fs::path at = folder;; at = at.parent_path()) {

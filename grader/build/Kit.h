@@ -24,11 +24,11 @@ public:
     [[nodiscard]] const std::vector<std::string>& compileFlags() const { return compileFlags_; }
     [[nodiscard]] const std::vector<std::string>& linkFlags() const { return linkFlags_; }
 
-    /// The files that a submission may bring, by name.
+    /// Names of the files that a submission may contain.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
-    /// One of them, as students received it.
+    /// Source of one of these files as students received it.
     [[nodiscard]] std::string templateSource(const std::string& file) const;
-    /// The same compiled; the path is relative to the kit's folder.
+    /// The compiled form of it; the path is relative to the kit's folder.
     [[nodiscard]] static std::string templateObject(const std::string& file);
 
 private:

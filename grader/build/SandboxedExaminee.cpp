@@ -102,7 +102,7 @@ bool isMissing(const probe::Answer& answer) {
                       answer);
 }
 
-// The submission itself sets the mark. It counts only if no answer is missing and the kernel
+// The submission itself sets the mark. It counts only if all answers are complete and the kernel
 // reports neither a signal nor a failure.
 bool hasFinished(const Outcome& outcome, bool isMarked, const std::vector<probe::Answer>& answers) {
     const bool contradicts = outcome.end == Outcome::End::signalled ||

@@ -8,18 +8,18 @@
 
 namespace ticker::build {
 
-/// Questions a built submission: each call runs its program once in the sandbox, which sees the
-/// questions and the memory for its answers, and nothing else.
+/// Asks a built submission: each call runs its program once in the sandbox. The sandbox sees only
+/// the questions and the memory for the answers.
 class SandboxedExaminee final : public probe::Examinee {
 public:
-    /// All of them must outlive this object.
-    /// @param limits  Of each run.
-    /// @param budget  Of the whole submission; null: only the limits of each run.
+    /// The arguments must outlive this object.
+    /// @param limits  Limits of each run.
+    /// @param budget  Limits of the whole submission; null: only the limits of each run.
     SandboxedExaminee(const Program& program, const sandbox::Sandbox& sandbox,
                       const sandbox::Limits& limits, TimeBudget* budget = nullptr)
         : program_(program), sandbox_(sandbox), limits_(limits), budget_(budget) {}
 
-    /// @throws raytracer::Error if a question contradicts itself: a mistake of the caller.
+    /// @throws raytracer::Error if a question contradicts itself (an error of the caller).
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override;
 
     /// CPU and wall time of all runs so far, milliseconds.

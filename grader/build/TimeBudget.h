@@ -8,7 +8,7 @@
 
 namespace ticker::build {
 
-/// The time that all runs of one submission may take together, each within its own limits. Safe to
+/// Time limit of all runs of one submission together; each run also has its own limits. Safe to
 /// share between threads; parallel runs may exceed the budget by the limits of one run.
 class TimeBudget {
 public:

@@ -14,76 +14,78 @@ namespace ticker::corpus {
 
 /// One replacement in a text.
 struct Edit {
-    std::string find;  ///< must stand exactly once in the text, as earlier edits left it
+    std::string find;  ///< must occur exactly once in the text after the earlier edits
     std::string replace;
 };
 
-/// What a grader must say about one task.
+/// The expected result of one task.
 struct Expectation {
     std::vector<std::string> states;  ///< as in result.json; any one of them is right
-    /// Any one of these ids is right; empty: no finding. Nothing: findings are not looked at.
+    /// Any one of these ids is right; an empty list: no finding. Without a value findings are not
+    /// compared.
     std::optional<std::vector<std::string>> findings;
-    bool needsReview = false;  ///< it passes, and a person has to look
+    bool needsReview = false;  ///< the task passes and asks for review
 
     [[nodiscard]] bool allows(std::string_view state) const;
     [[nodiscard]] bool passes() const { return states == std::vector<std::string>{"passed"}; }
-    /// The first of the findings that are right, or "".
+    /// The first of the right findings, or "".
     [[nodiscard]] std::string finding() const;
-    /// True where this id is among the findings that are right.
+    /// True if this id is among the right findings.
     [[nodiscard]] bool names(std::string_view finding) const;
     /// @param firstFinding  The most important finding's id; empty if the task has no finding.
     [[nodiscard]] bool isMet(std::string_view state, std::string_view firstFinding) const;
 };
 
-/// One submission of the corpus: how it is made, and what the grader must say about it.
-/// grader/corpus/README.md has the format.
+/// One submission of the corpus: its files and the expected result. grader/corpus/README.md
+/// describes the format.
 struct Entry {
     std::string collection;  ///< "samples", "accepted", "mistakes", "unseen" or "hostile"
     std::string group;       ///< the folders between collection and name: "T1", "T2/right", "cases"
     std::string name;        ///< of its folder, or of its file without ".json"
-    std::string about;       ///< what it is, in a few words
-    std::string folderName;  ///< under which it is handed in; mostly `name`
+    std::string about;       ///< a short description
+    std::string folderName;  ///< name under which it is handed in; mostly `name`
     std::filesystem::path
         base;  ///< folder of the files that are edited; empty if no file is edited
-    std::map<std::string, std::vector<Edit>> edits;  ///< by file; none: the base's file as it is
-    std::vector<std::filesystem::path> files;        ///< that lie beside the entry
+    std::map<std::string, std::vector<Edit>>
+        edits;                                 ///< by file; empty list: the base's file unchanged
+    std::vector<std::filesystem::path> files;  ///< files beside the entry
     std::vector<MadeFile> made;
     std::map<std::string, Expectation> tasks;  ///< by id: "T2.1"
     std::vector<std::string> verdicts;         ///< as in result.json; any one of them is right
-    std::string path;                          ///< where it was read, for messages
+    std::string path;                          ///< path of the entry, for messages
 
-    /// The task whose folder it lies in, or the only one that it says something about.
+    /// The task whose folder contains the entry, or the only task with an expectation.
     [[nodiscard]] const std::string& task() const;
-    /// What is expected of `task()`.
+    /// Expectation of `task()`.
     [[nodiscard]] const Expectation& expected() const { return tasks.at(task()); }
-    /// The file that is edited or lies beside; the first by name where there are several.
+    /// The edited or added file; the first by name if there are several.
     [[nodiscard]] std::string file() const;
 };
 
-/// Every entry of some collections, sorted by group and name.
-/// @param root  The project's folder: it holds grader/corpus, reference_solution, ...
-/// @throws raytracer::InputError naming file, line where known, and what was expected.
+/// Every entry of the named collections, sorted by group and name.
+/// @param root  The project's folder, which contains grader/corpus, reference_solution, ...
+/// @throws raytracer::InputError with the file, the line if known, and what was expected.
 [[nodiscard]] std::vector<Entry> readEntries(const std::filesystem::path& root,
                                              const std::vector<std::string>& collections);
 
 /// The known mistakes and the accepted readings.
 [[nodiscard]] std::vector<Entry> readCatalogue(const std::filesystem::path& root);
 
-/// A text with edits made in it.
-/// @param path  Names the edits in messages.
-/// @throws raytracer::InputError where an edit's `find` does not stand exactly once in the text.
+/// Applies the edits to a text.
+/// @param path  Name of the edits in messages.
+/// @throws raytracer::InputError if an edit's `find` does not occur exactly once in the text.
 [[nodiscard]] std::string applyEdits(std::string text, const std::vector<Edit>& edits,
                                      const std::string& path);
 
-/// The texts by file name, of the files that are edited and of those beside the entry.
-/// @throws raytracer::InputError where a file cannot be read or an edit does not fit.
+/// Texts of the edited files and of those beside the entry, by file name.
+/// @throws raytracer::InputError if a file cannot be read or an edit does not apply.
 [[nodiscard]] std::map<std::string, std::string> textsOf(const Entry& entry);
 
 /// Writes the submission into `folder`, which must exist and be empty.
-/// @param secret  Path of a file that the submission shall go for: its texts have it where the
-/// entry
-///                has the mark of README.md. Its contents must turn up in no output.
-/// @throws raytracer::Error where it cannot be written.
+/// @param secret  Path of a file that the submission tries to read. Its texts contain the path
+///                where the entry has the mark described in README.md. The file's contents must not
+///                occur in any output.
+/// @throws raytracer::Error if the submission cannot be written.
 void writeSubmission(const Entry& entry, const std::filesystem::path& secret,
                      const std::filesystem::path& folder);
 

@@ -7,17 +7,17 @@
 
 namespace ticker::corpus {
 
-/// A member of an archive that an entry brings.
+/// A member of an archive that belongs to an entry.
 struct Member {
     enum class Kind { file, symbolicLink, hardLink, device, pipe };
-    std::string name;  ///< as it is written into the archive, whatever it may be
+    std::string name;  ///< name in the archive, written unchanged even if it is invalid
     Kind kind = Kind::file;
-    std::string text;           ///< a file's contents, or where a link leads
-    unsigned long repeats = 1;  ///< how often a file's contents are repeated
-    unsigned long copies = 1;   ///< more than one: so many members, named name0, name1, ...
+    std::string text;           ///< contents of a file, or target of a link
+    unsigned long repeats = 1;  ///< number of repetitions of the contents
+    unsigned long copies = 1;   ///< more than one: this many members, named name0, name1, ...
 };
 
-/// Files that are too large, too odd or not permitted in a repository, made when they are needed.
+/// Files that are too large, too odd or not permitted in a repository. They are made on demand.
 struct MadeText {
     std::string before;
     std::string repeated;
@@ -33,7 +33,7 @@ struct MadeLink {
 struct MadePipe {};
 struct MadeFolder {};
 struct MadeArchive {
-    std::vector<Member> members;  ///< zip or tar, by the name's ending
+    std::vector<Member> members;  ///< zip or tar, by the ending of the name
 };
 struct MadeFile {
     std::string name;

@@ -11,12 +11,12 @@
 
 namespace ticker::corpus {
 
-/// Reads the members of one JSON object and refuses those that were not asked for. Every function
-/// throws raytracer::InputError with the file and `where` if a member is not as it must be.
+/// Reads the members of one JSON object and rejects unknown ones. Every function throws
+/// raytracer::InputError with the file and `where` if a member has the wrong form.
 class Members {
 public:
     /// @param object  Must outlive this object.
-    /// @param where   What the object is: "the entry", "\"edits\"[0]".
+    /// @param where   Describes the object: "the entry", "\"edits\"[0]".
     Members(const nlohmann::json& object, std::string path, std::string where);
 
     [[nodiscard]] bool has(const std::string& name) const { return object_.contains(name); }
@@ -31,13 +31,13 @@ public:
                                                    std::span<const std::string_view> known);
     /// A string, or an array of lines.
     [[nodiscard]] std::string text(const std::string& name);
-    /// Bytes in small hexadecimal digits.
+    /// Bytes in lower-case hexadecimal digits.
     [[nodiscard]] std::string bytes(const std::string& name);
     [[nodiscard]] unsigned long count(const std::string& name);
-    /// False where it is not there.
+    /// False if the member is missing.
     [[nodiscard]] bool flag(const std::string& name);
 
-    /// To be called last: fails where a member is left.
+    /// Must be called last. Fails if a member was not read.
     void finish() const;
     [[noreturn]] void fail(const std::string& message) const;
 

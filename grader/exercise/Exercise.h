@@ -10,69 +10,70 @@ namespace ticker {
 
 /// A task as an exercise's file describes it.
 struct TaskEntry {
-    std::string id;                    ///< the tag in the handout and in the stub's marks
-    std::string title;                 ///< for people
-    std::string file;                  ///< the one that it is solved in, by its name
-    std::string function;              ///< that the file must define, as students write it
-    std::vector<std::string> symbols;  ///< what linkers say is missing where it does not
+    std::string id;        ///< tag in the handout and in the stub's marks
+    std::string title;     ///< title for reports
+    std::string file;      ///< name of the file that contains it
+    std::string function;  ///< function that the file must define, as students write it
+    /// Symbols that linkers report as missing if it is not defined.
+    std::vector<std::string> symbols;
 };
 
-/// Tasks that belong together: one option is enough.
+/// Tasks that belong together; solving one option is enough.
 struct OptionEntry {
     std::string name;
     std::vector<std::string> tasks;
 };
 
-/// A scene that every submission with this file renders for people to look at.
+/// A scene that every submission with this file renders for the report.
 struct SceneEntry {
     std::string name;  ///< of scenes/NAME.xml
-    std::string file;  ///< whose tasks it shows
+    std::string file;  ///< the file whose tasks it shows
     int width = 0;     ///< of the render, pixels
     int height = 0;
     bool isRandom = false;    ///< two right renders differ by noise
-    bool isHandedIn = false;  ///< a screenshot of it is what the handout asks for
+    bool isHandedIn = false;  ///< the handout asks for a screenshot of it
 };
 
-/// An exercise, as its exercise.json describes it. Names are those of
-/// docs/schema/exercise.schema.json.
+/// An exercise as described in its exercise.json. docs/schema/exercise.schema.json documents the
+/// names.
 struct Exercise {
     std::string name;
     std::string handout;    ///< path in the project
-    std::string stubs;      ///< "template": folder of the files as they are handed out
+    std::string stubs;      ///< "template": folder of the files as handed out
     std::string reference;  ///< folder of the same files, solved
     std::vector<TaskEntry> tasks;
     std::vector<OptionEntry> options;
     std::vector<SceneEntry> scenes;
-    /// Paths inside the kit of files that only share their name with one to hand in.
+    /// Paths inside the kit of framework files that share their name with a file of the exercise.
     std::vector<std::string> frameworkFiles;
 
-    /// The files that a submission may bring, in the order of their tasks.
+    /// The files that a submission may contain, in the order of their tasks.
     [[nodiscard]] std::vector<std::string> files() const;
-    /// The same and the screenshot: all that a submission consists of.
+    /// The files and the screenshot: all parts of a submission.
     [[nodiscard]] std::vector<std::string> parts() const;
-    /// The tasks' ids and the screenshot's: what a result reports on.
+    /// Ids of the tasks and of the screenshot: the contents of a result.
     [[nodiscard]] std::vector<std::string> reported() const;
     /// Null if no task has this id.
     [[nodiscard]] const TaskEntry* task(std::string_view id) const;
-    /// The file that a task is solved in; empty for the screenshot.
+    /// The file that contains a task; empty for the screenshot.
     [[nodiscard]] std::string_view fileOf(std::string_view task) const;
     /// Whether an option has a task in a file.
     [[nodiscard]] bool isIn(std::string_view option, std::string_view file) const;
 };
 
-/// The task of the picture, which every exercise has, and its file.
+/// Id and file name of the screenshot's task, which every exercise has.
 inline constexpr std::string_view kScreenshotTask = "screenshot";
 inline constexpr std::string_view kScreenshotPart = "screenshot.png";
 
-/// @throws raytracer::InputError naming the file, the line, the member and what was expected.
+/// @throws raytracer::InputError with the file, the line, the member and what was expected.
 [[nodiscard]] Exercise readExercise(const std::filesystem::path& file);
-/// The same for a text. @param file  For messages.
+/// readExercise for a text. @param file  Name in messages.
 [[nodiscard]] Exercise parseExercise(const std::string& file, const std::string& text);
 
-/// The exercise that this program was built for; it carries the file, wherever it lies.
+/// The exercise that this program was built for. Its file is compiled into the program.
 [[nodiscard]] const Exercise& theExercise();
 
-/// "a, b or c" where `word` is "or".
+/// "a, b or c" for the word "or".
 [[nodiscard]] std::string enumerated(const std::vector<std::string>& names, std::string_view word);
 
 }  // namespace ticker

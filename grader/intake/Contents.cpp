@@ -43,7 +43,7 @@ void dropDecoration(std::string& stem) {
         stem.pop_back();
 }
 
-// A whole project is handed in with files of the framework in it that have the same names.
+// True for files of the framework that have the name of a part. They come with a whole project.
 bool isOfTheKit(std::string_view path, const Exercise& exercise) {
     return std::ranges::any_of(exercise.frameworkFiles, [&](const std::string& own) {
         return path == own || (path.ends_with(own) && path[path.size() - own.size() - 1] == '/');

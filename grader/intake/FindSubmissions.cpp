@@ -64,8 +64,8 @@ std::vector<Place> placesInExport(const fs::path& exported, const Exercise& exer
     return places;
 }
 
-// ann/tick/File.cpp beside bob/work/File.cpp: they are ann and bob, not tick and work. Of
-// ann/zoe/ and ann/yan/ neither may pass for zoe or yan: they are ann-zoe and ann-yan.
+// ann/tick/File.cpp beside bob/work/File.cpp: the names are ann and bob, not tick and work. Of
+// ann/zoe/ and ann/yan/ neither may be called zoe or yan: the names are ann-zoe and ann-yan.
 void nameAfter(const std::string& person, int depth, Below& child) {
     const bool isAlone = child.submissions.size() == 1;
     for (Place& place : child.submissions) {
@@ -106,8 +106,8 @@ Below look(const fs::path& folder, int depth, const Exercise& exercise) {
     return below;
 }
 
-// Everybody in the exports below the folders that an unpacker made. Beside other people's work such
-// a folder is a student's, who made up the names in it.
+// All owners of the exports below folders that an unpacker made. If such a folder lies beside other
+// submissions, it is one student's folder with made-up names inside.
 std::vector<Place> placesInUnpacked(const fs::path& folder, const Exercise& exercise) {
     const Entries entries = entriesOf(folder, exercise);
     const bool allAreExports = entries.parts.empty() &&
@@ -139,8 +139,8 @@ std::vector<Place> placesIn(const fs::path& folder, const Exercise& exercise) {
     return found;
 }
 
-// Where two want one name, what lies deeper gives way, and so does a name that had to be changed:
-// "zoe" is the folder zoe of the class, neither ann/zoe nor "-zoe".
+// If two submissions want one name, the deeper one gets another, and so does a name that had to be
+// changed: "zoe" is the folder zoe of the class, neither ann/zoe nor "-zoe".
 std::vector<Located> named(const std::vector<Place>& places) {
     std::vector<std::tuple<int, bool, std::size_t>> order;
     for (std::size_t i = 0; i < places.size(); ++i)

@@ -12,22 +12,22 @@ namespace ticker::intake {
 
 /// A submission's place on disk.
 struct Located {
-    std::string name;            ///< unique among those found together; fit to name a folder
+    std::string name;            ///< unique in its class; valid as a folder name
     std::filesystem::path path;  ///< a folder or an archive
-    std::string owner = {};      ///< whose part of `path` it is, where that is a Moodle export
+    std::string owner = {};      ///< owner of this part of `path`, if `path` is a Moodle export
 };
 
-/// All submissions below a path: the folder itself where it holds one of the parts, an
-/// archive, or a folder of such, also over several levels. A folder that holds something else
-/// stands for a submission too, where its neighbours are submissions: somebody misnamed his files.
-/// A Moodle export, as downloaded or unpacked, gives everybody in it, by "<name>_<id>", and what
-/// else may be work in it, by its own name.
-/// @throws raytracer::InputError where the path does not exist or cannot be read.
+/// All submissions below a path. A path is a submission if it contains one of the parts, or a
+/// class: a folder of such folders and archives, over any number of levels. A folder with other
+/// contents counts as a submission if its neighbours are submissions: the files may have wrong
+/// names. A Moodle export, as downloaded or unpacked, gives every owner, as "<name>_<id>", and
+/// everything else that may be work, by its own name.
+/// @throws raytracer::InputError if the path does not exist or cannot be read.
 [[nodiscard]] std::vector<Located> findSubmissions(const std::filesystem::path& path,
                                                    const Exercise& exercise = theExercise());
 
-/// Reads one submission; never throws for what is in it.
-/// @throws raytracer::InputError where the folder or archive itself cannot be read.
+/// Reads one submission; never throws because of its contents.
+/// @throws raytracer::InputError if the folder or archive itself cannot be read.
 [[nodiscard]] Submission readSubmission(const Located& located, const IntakeLimits& limits = {});
 
 }  // namespace ticker::intake

@@ -10,15 +10,15 @@
 
 namespace ticker::intake {
 
-/// What lies in a folder, by name.
+/// Contents of a folder, by name.
 struct Entries {
     std::vector<std::filesystem::path> folders;
     std::vector<std::filesystem::path> archives;
-    std::set<std::string> parts;  ///< that lie in the folder itself
+    std::set<std::string> parts;  ///< parts in the folder itself
     bool isEmpty = true;
 };
 
-/// A submission, and the folder, archive or owner that it is named after.
+/// A submission, and the folder, archive or owner that names it.
 struct Place {
     std::filesystem::path content;
     std::string namedAfter;
@@ -26,24 +26,24 @@ struct Place {
     int depth = 0;           ///< of that folder, archive or owner
 };
 
-/// What lies below a folder.
+/// What is below a folder.
 struct Below {
     std::vector<Place> submissions;
-    std::multiset<std::string> parts;  ///< of all of them, but for archives
+    std::multiset<std::string> parts;  ///< parts of all of them, except archives
     bool isSubmission = false;         ///< the folder itself is one
     bool isEmpty = true;
 };
 
-/// Whether the folders of a level, and the archives in it, are people, not groups of people.
+/// Whether the folders and archives of a level are students, rather than groups of students.
 [[nodiscard]] bool arePeople(const std::vector<Below>& children, const Entries& entries);
 
-/// src/File.cpp and pictures/screenshot.png: one submission over two folders. They are taken
-/// for one only where their names say so: ann/File.cpp and bob/screenshot.png are two people.
+/// src/File.cpp and pictures/screenshot.png: one submission in two folders. Folders count as one
+/// submission only if their names say so: ann/File.cpp and bob/screenshot.png are two students.
 [[nodiscard]] bool isOneInPieces(const Below& below, const std::vector<Below>& children,
                                  const Entries& entries, const Exercise& exercise);
 
-/// Somebody handed in the whole project, as the kit lays it out, perhaps with one more folder of
-/// his own. Beside work in more places, or in the framework itself, these are two people's folders.
+/// Whether the folder is a whole project in the kit's layout, perhaps with one additional folder.
+/// With work in more folders, or in the framework itself, the folders belong to two students.
 [[nodiscard]] bool isKit(const std::vector<Below>& children, const Entries& entries,
                          const Exercise& exercise);
 

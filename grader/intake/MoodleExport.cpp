@@ -81,12 +81,12 @@ MoodleExport readMoodleExport(const fs::path& exported, const Exercise& exercise
         else if (member.mayBeWork)
             others.insert(member.path.substr(0, member.path.find('/')));
     }
-    // A student can give his own folder such a name: that makes no export of his class.
+    // A student can give a folder such a name; that does not make the class an export.
     if (owners.size() <= others.size()) return {};
     return {{owners.begin(), owners.end()}, {others.begin(), others.end()}};
 }
 
-// No name of Moodle's holds a slash, so nobody can be taken for one of the others.
+// Moodle's names contain no slash, so that no owner can be confused with one of the others.
 std::string ownerOfOther(std::string_view other) {
     return std::string{other} + "/";
 }

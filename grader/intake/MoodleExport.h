@@ -11,31 +11,33 @@
 
 namespace ticker::intake {
 
-/// A file of a Moodle export: whose it is, and where it lies in what he handed in.
+/// Owner of a file in a Moodle export, and its path inside the owner's submission.
 struct MoodleFile {
     std::string owner;  ///< "Ann Lee_123", "Participant_123", "Default group": raw bytes
     std::string path;   ///< "src/File.cpp", "onlinetext/onlinetext.html"; may be empty
 };
 
-/// Takes a path of an export apart, whichever of Moodle's layouts it follows, also below one folder
-/// that an unpacking program made; empty: no submission's path.
+/// Splits a path of an export, in any of Moodle's layouts, also below one folder that an unpacking
+/// program added; empty if it is not a submission's path.
 [[nodiscard]] std::optional<MoodleFile> readMoodlePath(std::string_view path);
 
-/// Who and what is in an export, a zip or a folder.
+/// Owners and other contents of an export (a zip or a folder).
 struct MoodleExport {
-    std::vector<std::string> owners;  ///< everybody, by name; empty: it is no export
-    std::vector<std::string> others;  ///< first components of what may be work, but fits no layout
+    std::vector<std::string> owners;  ///< all owners, by name; empty if it is not an export
+    /// First components of paths that may be work, but fit no layout.
+    std::vector<std::string> others;
 };
 
-/// One name in Moodle's manner makes no export: most of what may be work has to fit.
+/// Reads an export. Most paths that may be work must fit a layout of Moodle: a single such name
+/// does not make an export.
 [[nodiscard]] MoodleExport readMoodleExport(const std::filesystem::path& exported,
                                             const Exercise& exercise);
 
-/// Stands for an owner, in Located, where "ann" is one of the others.
+/// Name of the owner in Located for one of `others`.
 [[nodiscard]] std::string ownerOfOther(std::string_view other);
 
-/// Where a path of an export lies in the work of one owner; empty: it is not his.
-/// @param owner  Empty: all is his.
+/// Path inside the work of one owner; empty if it belongs to another.
+/// @param owner  Empty: all paths belong to it.
 [[nodiscard]] std::optional<std::string> pathInWork(std::string_view owner, std::string_view path);
 
 }  // namespace ticker::intake

@@ -25,8 +25,8 @@ struct FreeArchive {
 };
 using Archive = std::unique_ptr<archive, FreeArchive>;
 
-/// Makes this thread's character set UTF-8: libarchive gives no name of a zip that says that its
-/// names are UTF-8 to a thread of another character set.
+/// Makes this thread's character set UTF-8. libarchive returns no name of a zip with UTF-8 names to
+/// a thread with another character set.
 class Utf8Names {
 public:
     Utf8Names() : before_(uselocale(utf8_)) {}
@@ -77,7 +77,7 @@ int depthOf(std::string_view path) {
     return static_cast<int>(std::count(path.begin(), path.end(), '/'));
 }
 
-/// Reads an archive from its beginning to its end, or to the first member that must not be.
+/// Reads an archive to its end, or to the first member that is not allowed.
 class ArchiveReader {
 public:
     ArchiveReader(const std::filesystem::path& file, const IntakeLimits& limits,
@@ -151,8 +151,8 @@ private:
         readFile(path);
     }
 
-    // Every member is unpacked, in memory and piece by piece, so that bombs are found wherever
-    // they are; only candidates are kept.
+    // Every member is unpacked, in memory and piece by piece, so that bombs are found everywhere;
+    // only candidates are kept.
     void readFile(const std::string& path) {
         const std::optional<std::string> part =
             isLitter(path) ? std::nullopt : partOf(path, *limits_.exercise);
@@ -217,7 +217,8 @@ Contents readArchive(const Packed& packed, const IntakeLimits& limits) {
 }
 
 std::vector<std::string> listArchive(const std::filesystem::path& file) {
-    constexpr std::size_t kMost = 1'000'000;  // a class of thousands; a bomb of names ends here
+    constexpr std::size_t kMost =
+        1'000'000;  // enough for a class of thousands; stops a bomb of names
     std::vector<std::string> paths;
     const Archive reader = newArchive();
     if (!openFile(reader, file)) return paths;

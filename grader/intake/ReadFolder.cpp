@@ -51,7 +51,7 @@ std::optional<std::string> readUpTo(int descriptor, std::uint64_t limit) {
     return bytes;
 }
 
-/// Walks through a folder by descriptors: nobody can put a link in the way meanwhile.
+/// Walks through a folder by descriptors, so that no link can be substituted during the walk.
 class FolderReader {
 public:
     FolderReader(const IntakeLimits& limits, const std::string& owner)
@@ -79,7 +79,7 @@ public:
     [[nodiscard]] Contents take() { return std::move(contents_); }
 
 private:
-    // In a folder, the first level alone says whose it is.
+    // In a folder, the first level alone decides the owner.
     [[nodiscard]] bool isHis(const std::string& path) const {
         return path.find('/') != std::string::npos || pathInWork(owner_, path);
     }
@@ -114,7 +114,7 @@ private:
             contents_.others.push_back(asUtf8(path));
     }
 
-    /// The bytes of an archive; empty: it is none, or all of them together are too large.
+    /// The bytes of an archive; empty if it is not one, or if all archives together are too large.
     [[nodiscard]] std::optional<std::string> archiveAt(int parent, const std::string& name,
                                                        const std::string& path) {
         if (isLitter(path) || !isArchive(path)) return std::nullopt;
@@ -124,7 +124,7 @@ private:
         return bytes;
     }
 
-    /// At most limit + 1 bytes of an ordinary file; empty: it is none.
+    /// At most limit + 1 bytes of a regular file; empty if it is not one.
     [[nodiscard]] static std::optional<std::string> bytesAt(int parent, const std::string& name,
                                                             std::uint64_t limit) {
         const OpenFile file{openat(parent, name.c_str(),

@@ -13,7 +13,8 @@
 namespace ticker::intake {
 namespace {
 
-// A source is text in one byte a character: UTF-8, or an older code where only comments differ.
+// A source is text with one byte for each ASCII character: UTF-8, or an older encoding that differs
+// in comments only.
 bool isText(std::string_view bytes) {
     const auto begins = [&](std::string_view mark) { return bytes.starts_with(mark); };
     if (begins("\xFF\xFE") || begins("\xFE\xFF")) return false;
@@ -36,7 +37,7 @@ Finding ambiguous(const std::string& part, const std::vector<const Candidate*>& 
                    "Hand in one of them only; the tool never chooses.");
 }
 
-// The name that somebody probably meant to be `part`.
+// A file name that was probably meant to be `part`.
 std::optional<std::string> nearMiss(std::string_view part, const Contents& contents) {
     const std::array known{part};
     for (const std::string& path : contents.others) {
@@ -51,8 +52,8 @@ bool isSource(const Candidate& candidate) {
     return candidate.part != kScreenshotPart;
 }
 
-// Somebody handed in a zip, beside his picture or alone. Where his code lies open, a zip is
-// ignored: it is an older state, or a copy.
+// Opens a zip beside the picture or alone. If source files lie beside it, a zip is ignored: it is
+// an older state, or a copy.
 void openArchives(Contents& contents, const IntakeLimits& limits) {
     const bool hasSource = std::ranges::any_of(contents.candidates, isSource);
     for (const Packed& packed : std::exchange(contents.archives, {})) {
@@ -73,7 +74,7 @@ void openArchives(Contents& contents, const IntakeLimits& limits) {
     }
 }
 
-/// Turns what was found into a submission.
+/// Builds a submission from the contents.
 class Assembly {
 public:
     Assembly(std::string name, Contents contents, const Exercise& exercise)
@@ -124,8 +125,8 @@ private:
         return !submission_.part(part) && submission_.refusalOf(part) == nullptr;
     }
 
-    // One source is enough: a missing one is worth a word only where a name comes close to it, or
-    // where there is none at all.
+    // One source is enough. A missing one is reported only if a similar name exists, or if there is
+    // no source at all.
     void reportMissing() {
         const std::vector<std::string> files = exercise_.files();
         const bool noSource =

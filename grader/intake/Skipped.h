@@ -9,14 +9,14 @@
 
 namespace ticker::intake {
 
-/// A folder of a class, or an archive other than zip or tar, in which nothing is graded.
+/// A folder or archive (other than zip or tar) of a class that contains nothing to grade.
 struct Skipped {
     std::string name;  ///< path below the class; untrusted, one line
     std::string why;   ///< "is empty"
 };
 
-/// Everything below a path that belongs to none of the submissions found there, by name. Single
-/// files and system litter (.git, __MACOSX) are not listed.
+/// Everything below a path that belongs to no submission found there, by name. Single files and
+/// system files (.git, __MACOSX) are not listed.
 [[nodiscard]] std::vector<Skipped> findSkipped(const std::filesystem::path& path,
                                                const std::vector<Located>& found);
 

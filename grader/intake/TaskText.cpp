@@ -85,13 +85,13 @@ private:
             else if (rest_[i] == quote)
                 return i + 1;
             else if (rest_[i] == '\n')
-                return i;  // unterminated: the compiler reports it; here it ends with its line
+                return i;  // unterminated: ends with its line here; the compiler reports it
         }
         return rest_.size();
     }
 
-    // A digit separator as in 1'000 opens no literal. `word_` then holds the digits since the last
-    // one.
+    // True inside a number: a digit separator as in 1'000 starts no literal. `word_` then holds the
+    // digits since the last separator.
     [[nodiscard]] bool isInNumber() const {
         return !word_.empty() && std::isxdigit(static_cast<unsigned char>(word_.back())) != 0 &&
                word_ != "u8";

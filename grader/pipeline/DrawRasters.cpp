@@ -18,7 +18,7 @@ std::string pngOf(const Raster& raster) {
         image.rgb = metrics::blueWhiteRed({raster.width, raster.height, raster.values}, 1.0);
     } else {
         for (const float value : raster.values)
-            // Written so that not-a-number is black.
+            // Written so that NaN becomes black.
             image.rgb.insert(
                 image.rgb.end(), 3,
                 static_cast<std::uint8_t>(value > 0.0F ? std::min(value, 1.0F) * 255.0F : 0.0F));

@@ -5,8 +5,8 @@
 
 namespace ticker::pipeline {
 
-/// Makes a picture of each raster of the result, in its colours, and puts it among the result's
-/// pictures: from here on a raster is a title and a file.
+/// Draws each raster of the result as a picture in its colours, and adds the files to the result's
+/// pictures. The raster keeps its title and the file's name.
 void drawRasters(SubmissionResult& result);
 
 }  // namespace ticker::pipeline

@@ -8,9 +8,9 @@
 namespace ticker::pipeline {
 namespace {
 
-// Free to choose: it only makes expectations repeat.
+// An arbitrary constant, so that expectations are reproducible.
 constexpr std::uint64_t kSeed = 1;
-// As the student's picture tells brightness from colour in nothing here, any weights will do.
+// Any weights will do, because only brightness is compared.
 constexpr raytracer::ColourRGB kBrightness{0.25, 0.5, 0.25};
 
 }  // namespace

@@ -14,28 +14,28 @@
 
 namespace ticker::pipeline {
 
-/// What a scene should look like.
+/// The expected look of a scene.
 struct Expectation {
     raytracer::ByteImage picture;
-    /// Of the brightness of one student render, linear; without values where nothing is random.
+    /// Moments of the brightness of one student render, linear; empty if nothing is random.
     metrics::Moments brightness;
 };
 
 /// Half-width / dofAmount.
 inline constexpr std::array kAcceptedApertures{1.0, 0.5};
 
-/// Accepted readings of option 2 that look different: the handout's light through each accepted
-/// aperture first, then readings of the light that change shadows most.
+/// Accepted readings of option 2 whose pictures differ: first the handout's light with each
+/// accepted aperture, then the readings of the light that change shadows most.
 [[nodiscard]] std::vector<oracle::Reading> acceptedReadings();
 
 /// One number for each pixel, linear.
 [[nodiscard]] metrics::Map brightnessOf(int width, int height,
                                         const std::vector<raytracer::ColourRGB>& pixels);
 
-/// Option 1's scenes, through a pinhole.
+/// The expectation of an option 1 scene, through a pinhole.
 [[nodiscard]] Expectation expectPinhole(const raytracer::SceneDescription& scene,
                                         const raytracer::RenderSettings& settings);
-/// Option 2's; some 300 ms of CPU.
+/// The expectation of an option 2 scene; takes about 300 ms of CPU time.
 [[nodiscard]] Expectation expectLens(const raytracer::SceneDescription& scene,
                                      const raytracer::RenderSettings& settings,
                                      const oracle::Reading& reading);

@@ -30,12 +30,12 @@ void blockAll(FileWork& work, const Finding& finding, bool needsReview) {
     }
 }
 
-// What a person can settle by a question to the student, as against what was plainly refused.
+// Refusals that a question to the student can settle; the others are final.
 bool isForAPerson(const Finding& finding) {
     return is(finding, kIntakeAmbiguous) || is(finding, kIntakeMissingFile);
 }
 
-// The compiler's first error, or the assembler's, which writes it with a capital.
+// The compiler's first error, or the assembler's, which begins with a capital.
 std::string firstError(std::string_view diagnostics) {
     std::size_t at = diagnostics.find("error: ");
     if (at == std::string_view::npos) at = diagnostics.find("Error: ");
@@ -51,21 +51,21 @@ std::string firstError(std::string_view diagnostics) {
     return std::string{line.substr(0, cut)} + " ...";
 }
 
-// GCC's words, or Clang's.
+// Messages of GCC and of Clang.
 bool missesHeader(const std::string& error) {
     return error.find("No such file or directory") != std::string::npos ||
            error.find("file not found") != std::string::npos;
 }
 
-// The linkers' words where an address needs more than 32 bits: there is no room beyond that.
+// Linker messages for an address above 32 bits: a program cannot be larger.
 bool outgrowsAProgram(std::string_view diagnostics) {
     return diagnostics.find("relocation truncated to fit") != std::string_view::npos ||
            (diagnostics.find("relocation R_") != std::string_view::npos &&
             diagnostics.find("out of range") != std::string_view::npos);
 }
 
-// Of the functions that a file has to define, the one that the linkers' words say is missing. Who
-// leaves out a class's first virtual function is told of its table.
+// The required function that the linker reports as missing. If it is a class's first virtual
+// function, the linker names the class's table instead.
 const TaskEntry* missingFunction(std::string_view diagnostics, const Exercise& exercise) {
     for (const TaskEntry& task : exercise.tasks)
         for (const std::string& symbol : task.symbols)
@@ -176,7 +176,7 @@ Finding forbiddenCallFinding() {
     return finding;
 }
 
-// `notGraded` without a reason is what a blank report says; every judgement of ours has a reason.
+// `notGraded` without a reason marks a report that is not judged yet; every judgement has a reason.
 bool isOpen(const TaskReport& task) {
     return task.state == TaskState::notGraded && task.reason.empty();
 }

@@ -12,10 +12,10 @@
 
 namespace ticker::pipeline {
 
-/// How far one submitted file came: what is known about its tasks before anybody asks it.
+/// State of one submitted file before the first question is asked.
 struct FileWork {
-    std::vector<TaskReport> tasks;          ///< of this file; `notAttempted` or `blocked` are final
-    std::optional<build::Program> program;  ///< there, where a task is still to be judged
+    std::vector<TaskReport> tasks;  ///< tasks of this file; `notAttempted` and `blocked` are final
+    std::optional<build::Program> program;  ///< present if a task is still to be judged
     std::optional<Diagnostics> diagnostics;
     double compileMs = 0.0;
 };
@@ -23,15 +23,15 @@ struct FileWork {
 /// A report of a task that is not judged yet.
 [[nodiscard]] TaskReport blankReport(const std::string& task, const Exercise& exercise);
 
-/// Takes over what a judge says.
+/// Copies a judgement into the report.
 void settle(TaskReport& task, TaskJudgement judgement);
 
-/// Checks one file in, finds out which of its tasks were attempted, and builds it where one was.
+/// Checks one file, determines which of its tasks were attempted, and builds it if any was.
 [[nodiscard]] FileWork prepareFile(const intake::Submission& submission, const std::string& file,
                                    const Grader& grader);
 
-/// What is said of a program that answered, but was ended at a forbidden system call in a run that
-/// asked it for more, such as a picture.
+/// The finding for a program that answered, but was ended at a forbidden system call in a later
+/// run, such as a picture.
 [[nodiscard]] Finding forbiddenCallFinding();
 
 /// True where the task is still to be judged.

@@ -30,7 +30,7 @@ const Task& codeOf(const Grader& grader, const std::string& id) {
     return *found;
 }
 
-/// Judges the tasks of a file that are open.
+/// Judges the tasks of a file that are still open.
 void judge(FileWork& work, const Grader& grader, Questioning& questioning, std::uint64_t seed) {
     std::vector<std::pair<TaskReport*, std::future<TaskJudgement>>> begun;
     for (TaskReport& report : work.tasks) {
@@ -40,7 +40,8 @@ void judge(FileWork& work, const Grader& grader, Questioning& questioning, std::
             return ask(examinee, seed);
         }));
     }
-    // Where nothing runs in parallel, the last one is asked first, as before there were rows.
+    // Without parallel runs the last task is asked first. The order matters once the time budget is
+    // spent.
     for (auto each = begun.rbegin(); each != begun.rend(); ++each)
         settle(*each->first, each->second.get());
 }
@@ -67,18 +68,18 @@ TaskReport refused(const Finding& refusal, const Exercise& exercise) {
     return report;
 }
 
-/// A forbidden call blocks the file's tasks, also where every question was answered before it.
+/// A forbidden call blocks the file's tasks, even if every question before it was answered.
 void blockForbidden(std::vector<TaskReport>& tasks) {
     for (TaskReport& task : tasks) {
         if (task.state != TaskState::passed && task.state != TaskState::failed) continue;
         task.state = TaskState::blocked;
-        task.needsReview = false;  // the kernel's word leaves no doubt
+        task.needsReview = false;  // the kernel's report is certain
         task.findings.insert(task.findings.begin(), forbiddenCallFinding());
         task.reason = task.findings.front().message;
     }
 }
 
-/// Grades one file after the other, then the picture, into one result.
+/// Grades each file, then the picture, into one result.
 class Grading {
 public:
     Grading(const intake::Submission& submission, const Grader& grader, std::uint64_t seed)
@@ -101,7 +102,7 @@ public:
                 return renderSpecScenes(grader_.scenes, file, examinee);
             });
             judge(work, grader_, questioning, seed_);
-            // Code that crashed or loops would do so again.
+            // Code that crashed or looped would do so again.
             const bool isUsable = std::ranges::none_of(work.tasks, isBlocked);
             if (isUsable) {
                 Gallery rendered = gallery.get();
@@ -157,7 +158,7 @@ public:
 private:
     const intake::Submission& submission_;
     const Grader& grader_;
-    std::uint64_t seed_;  ///< of the questions
+    std::uint64_t seed_;  ///< source of the questions
     build::TimeBudget budget_;
     std::vector<JudgedFile> files_;
 };

@@ -19,36 +19,36 @@
 
 namespace ticker::pipeline {
 
-/// What all submissions of a batch share. Never changes, so threads may share it.
+/// Data that all submissions of a batch share. Immutable, so that threads may share it.
 struct Grader {
     build::Kit kit;
     sandbox::Sandbox sandbox;
     sandbox::SandboxPolicy policy;
     rubric::Rubric rubric;
     std::string toolVersion;
-    /// The option to judge, by its name; other files' tasks count as not attempted. Empty: all.
+    /// Name of the option to judge; tasks of other files count as not attempted. Empty: all.
     std::string option = {};
-    /// Only one submission is graded: independent steps may run in parallel.
+    /// True if only one submission is graded: independent steps may then run in parallel.
     bool isAlone = false;
-    std::vector<SpecScene> scenes = {};  ///< rendered for people to look at; may be empty
-    std::string build = {};       ///< digest of the tool itself, see Inputs.h; empty: unknown
-    std::string rubricText = {};  ///< the file that `rubric` was read from
+    std::vector<SpecScene> scenes = {};  ///< rendered for the report; may be empty
+    std::string build = {};       ///< digest of the tool itself, see Inputs.h; empty if unknown
+    std::string rubricText = {};  ///< text of the file that `rubric` was read from
     const Exercise* exercise = &theExercise();
     std::span<const Task> tasks = tasks::theTasks();  ///< the code of the exercise's tasks
 };
 
-/// Judges one submission: builds each file that was worked on, asks it, applies the rubric.
+/// Judges one submission: builds each attempted file, asks it, applies the rubric.
 ///
-/// What the submission does, or fails to do, is in the result. The exercise's tasks
-/// and "screenshot" are always there, in this order.
+/// The result describes everything the submission does or fails to do. It always contains the
+/// exercise's tasks and "screenshot", in this order.
 ///
-/// @param seed  Hidden questions are drawn from it, after the submission was compiled.
-/// @throws raytracer::Error where it could not be graded for reasons that are ours.
+/// @param seed  Source of the hidden questions, which are drawn after the submission was compiled.
+/// @throws raytracer::Error if grading failed because of the grader or its system.
 [[nodiscard]] SubmissionResult gradeSubmission(const intake::Submission& submission,
                                                const Grader& grader, std::uint64_t seed);
 
-/// The result of a submission that could not be graded for reasons that are ours: every task
-/// notGraded.
+/// The result of a submission that could not be graded because of the grader or its system: every
+/// task is notGraded.
 [[nodiscard]] SubmissionResult notGradedResult(const std::string& name, const std::string& reason,
                                                const Grader& grader, std::uint64_t seed);
 

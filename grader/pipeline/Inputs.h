@@ -12,18 +12,18 @@
 
 namespace ticker::pipeline {
 
-/// Digest of the running program, the kit that it compiles submissions with, and the files that lie
-/// in folders of data.
+/// Digest of the running program, of the kit that compiles submissions, and of the files in the
+/// data folders.
 [[nodiscard]] std::string toolBuild(const build::Kit& kit,
                                     const std::vector<std::filesystem::path>& data);
 
-/// What the result of this submission will depend on.
+/// Digests of everything on which this submission's result depends.
 [[nodiscard]] Inputs inputsOf(const intake::Submission& submission, const Grader& grader,
                               std::uint64_t seed);
 
-/// What a submission's hidden questions are drawn from: the class's seed and the files themselves.
-/// The same files get the same questions under one seed, whatever the submission is called; other
-/// files get others, which no earlier report tells.
+/// Seed of a submission's hidden questions, from the class's seed and the submitted files. Under
+/// one seed, equal files get equal questions, whatever the submission's name. Other files get other
+/// questions, which no earlier report reveals.
 [[nodiscard]] std::uint64_t questionSeed(const intake::Submission& submission, std::uint64_t seed,
                                          const Exercise& exercise = theExercise());
 

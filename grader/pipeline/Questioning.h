@@ -10,21 +10,21 @@
 
 namespace ticker::pipeline {
 
-/// Asks one program in several runs, which may be at work side by side.
+/// Asks one program in several runs, which may be parallel.
 class Questioning {
 public:
     Questioning(const build::Program& program, const Grader& grader, build::TimeBudget& budget)
         : program_(program), grader_(grader), budget_(budget) {}
 
-    /// Begins `work(examinee)`, at once where this submission is graded alone, else when its result
-    /// is wanted.
+    /// Starts `work(examinee)`: at once if this submission is graded alone, otherwise when its
+    /// result is requested.
     template <class Work>
     auto begin(Work work) {
         return std::async(grader_.isAlone ? std::launch::async : std::launch::deferred,
                           [this, work = std::move(work)] { return run(work); });
     }
 
-    /// Does `work(examinee)`.
+    /// Runs `work(examinee)`.
     template <class Work>
     auto run(const Work& work) {
         build::SandboxedExaminee examinee{program_, grader_.sandbox, grader_.policy.run, &budget_};

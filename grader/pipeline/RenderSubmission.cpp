@@ -32,7 +32,8 @@ raytracer::ByteImage renderSubmission(const intake::Submission& submission, cons
     if (!built.program)
         throw raytracer::InputError(file, 0, "does not compile; ticker check shows why");
     sandbox::Limits limits = grader.policy.run;
-    constexpr double kPatience = 60.0;  // a full picture is many times the grader's small ones
+    constexpr double kPatience =
+        60.0;  // a full picture has many times the pixels of the grader's small ones
     limits.cpuSeconds *= kPatience;
     limits.wallSeconds *= kPatience;
     build::SandboxedExaminee examinee{*built.program, grader.sandbox, limits};

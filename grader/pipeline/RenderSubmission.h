@@ -10,11 +10,10 @@
 
 namespace ticker::pipeline {
 
-/// The picture that a submission's code renders, made in the sandbox. It is made with
-/// the file of the first task that is seen in the scene (`Task::isSeenIn`); the template's stand in
-/// for the others.
-/// @throws raytracer::InputError saying why there is no picture: the file is missing, does not
-///         compile, crashed, ran out of time.
+/// The picture that a submission's code renders in the sandbox. The file of the first task that is
+/// seen in the scene (`Task::isSeenIn`) is used; the template's files replace the others.
+/// @throws raytracer::InputError with the reason why there is no picture: the file is missing, does
+///         not compile, crashed, ran out of time.
 [[nodiscard]] raytracer::ByteImage renderSubmission(const intake::Submission& submission,
                                                     const Grader& grader,
                                                     const raytracer::SceneDescription& scene,

@@ -44,7 +44,7 @@ Finding unreadable(const picture::DecodeFailure& failure) {
                    "Hand in the file that tick1star -o screenshot.png writes.");
 }
 
-// A page needs no more.
+// Large enough for a page.
 void show(const ByteImage& image, SubmissionResult& result) {
     constexpr int kWidest = 1280;
     ByteImage shown = image;
@@ -75,7 +75,7 @@ std::string whyUnlikeItself(const std::vector<TaskReport>& tasks) {
     return {};
 }
 
-/// The scenes that a picture may show, with whatever the submission's files add to each.
+/// The scenes that a picture may show, with the renders by the submission's files.
 class Scenes {
 public:
     Scenes(const std::vector<JudgedFile>& files, const Grader& grader, build::TimeBudget& budget,

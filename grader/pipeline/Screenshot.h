@@ -15,20 +15,22 @@
 
 namespace ticker::pipeline {
 
-/// One file after its tasks were judged: what a screenshot is compared with.
+/// One file after its tasks were judged: a screenshot is compared with its renders.
 struct JudgedFile {
     std::string file;
     bool isAttempted = false;
-    std::optional<build::Program> program;  ///< there, where it renders
+    std::optional<build::Program> program;  ///< present if it can render
     std::vector<Rendered> renders;
 };
 
-/// Judges screenshot.png: the file (missing, not to be decoded), then what it shows and whether the
-/// submission's own code made it. The picture goes into the result, decoded and packed anew.
+/// Judges screenshot.png: first the file (missing, not decodable), then its contents and whether
+/// the submission's own code rendered it. The decoded picture is encoded again and added to the
+/// result.
 ///
-/// @param bytes  Empty optional: none was handed in.
-/// @param budget  What is left for the submission's own renders.
-/// @param files  Every attempted option's scene may be shown; where nothing was attempted, each.
+/// @param bytes   Empty if no screenshot was handed in.
+/// @param budget  Time left for the submission's own renders.
+/// @param files   The scenes of all attempted options are accepted; if nothing was attempted, all
+///                scenes.
 [[nodiscard]] TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
                                              const std::vector<JudgedFile>& files,
                                              const Grader& grader, build::TimeBudget& budget,

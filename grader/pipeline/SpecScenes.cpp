@@ -19,7 +19,7 @@
 namespace ticker::pipeline {
 namespace {
 
-// Free to choose: it only makes pictures repeat.
+// An arbitrary constant, so that pictures are reproducible.
 constexpr std::uint64_t kSpecSeed = 1;
 
 raytracer::RenderSettings settingsOf(int width, int height) {
@@ -30,7 +30,7 @@ raytracer::RenderSettings settingsOf(int width, int height) {
     return settings;
 }
 
-/// An expectation beside a submission's picture, in standard errors.
+/// Comparison of a submission's picture with an expectation, in standard errors.
 struct Comparison {
     const Expectation* expected = nullptr;
     metrics::Measured z;
@@ -52,7 +52,7 @@ Comparison compare(const Expectation& expected, const probe::RenderAnswer& answe
 
 Comparison bestFitting(const SpecScene& scene, const probe::RenderAnswer& answer,
                        std::vector<Misfit>& misfits) {
-    // What is farther off is no accepted reading of the light.
+    // A larger misfit fits no accepted reading of the light.
     constexpr double kNearMiss = 2.0;
     Comparison best = compare(scene.expected(), answer);
     double factor = 0.0;
@@ -115,7 +115,7 @@ bool hasRelief(const raytracer::SceneDescription& scene) {
                                [](const auto& sphere) { return sphere.heightMap != nullptr; });
 }
 
-/// What is asked beside the picture of a scene with a bumpy sphere.
+/// The question beside the picture of a scene with a bumpy sphere.
 struct Relief {
     std::size_t picture = 0;
     tasks::BumpPicture plan;
@@ -123,7 +123,7 @@ struct Relief {
 
 /// The largest misfit of pictures with a relief; empty if no scene has a relief, or if a picture is
 /// missing.
-/// @param answers  To what was asked beside the pictures, in the same order.
+/// @param answers  Answers to the questions beside the pictures, in the same order.
 std::optional<double> worstMisfit(const std::vector<Relief>& reliefs,
                                   const std::vector<std::optional<raytracer::ByteImage>>& pictures,
                                   std::span<const probe::Answer> answers) {

@@ -22,22 +22,23 @@
 
 namespace ticker::pipeline {
 
-/// One of the handout's scenes as every submission renders it for people to look at, and what it
-/// should look like. Never changes but for expectations that are worked out when somebody first
-/// asks, so threads may share it.
+/// One of the handout's scenes, which every submission renders for the report, and its expected
+/// look. Immutable except for expectations, which are computed on first use, so that threads may
+/// share it.
 struct SpecScene {
     std::string name;
-    std::string file;        ///< whose tasks it shows
+    std::string file;        ///< the file whose tasks it shows
     bool isRandom = false;   ///< two right renders differ by noise
-    bool isHandedIn = true;  ///< a screenshot of it is what the handout asks for
+    bool isHandedIn = true;  ///< the handout asks for a screenshot of it
     raytracer::SceneDescription scene;
     raytracer::RenderSettings settings;
-    /// One for each accepted reading that looks different, the handout's first.
+    /// One for each accepted reading with a different look, the handout's first.
     std::vector<std::shared_future<Expectation>> expectations;
-    std::vector<oracle::Reading> readings;  ///< of each, where it is random
+    /// Readings of the expectations, if the scene is random.
+    std::vector<oracle::Reading> readings;
 
     [[nodiscard]] const Expectation& expected(std::size_t reading = 0) const {
-        // A future of its own for each thread, as the library asks for.
+        // std::shared_future requires a copy for each thread.
         return std::shared_future{expectations.at(reading)}.get();
     }
 };
@@ -48,43 +49,43 @@ struct Rendered {
     raytracer::ByteImage picture;
 };
 
-/// The exercise's scenes. A random one should be small: its many rays cost more than the rest of
-/// the grading. Reading them takes some 20 ms, what each should look like 50 to 300 more.
-/// @throws raytracer::InputError where a scene or a map cannot be read.
+/// The exercise's scenes. A random scene should be small: its many rays take longer than the rest
+/// of the grading. Reading the scenes takes about 20 ms, each expectation 50 to 300 ms.
+/// @throws raytracer::InputError if a scene or a map cannot be read.
 [[nodiscard]] std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
                                                     const std::filesystem::path& assets,
                                                     const Exercise& exercise = theExercise());
 
-/// How far a picture of a random scene is from the accepted readings; those that come later are
-/// tried only where the ones before do not fit.
+/// Misfits of a picture of a random scene for the accepted readings, in order. A reading is tried
+/// only if all earlier ones do not fit.
 [[nodiscard]] std::vector<Misfit> misfitsOf(const SpecScene& scene,
                                             const probe::RenderAnswer& answer);
 
-/// The picture that came, through the tone curve; empty where some of it is missing.
+/// The answered picture after the tone curve; empty if a part is missing.
 [[nodiscard]] std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer);
 
-/// What a submission renders, for people to look at.
+/// A submission's renders for the report.
 struct Gallery {
     std::vector<Rendered> rendered;
-    std::vector<RenderScore> scores;      ///< against the expectation that fits best
-    std::vector<ResultPicture> pictures;  ///< that the scores name
-    /// Of the random scene, beside each expectation that was tried. Empty where the picture did not
-    /// come.
+    std::vector<RenderScore> scores;      ///< compared with the best fitting expectation
+    std::vector<ResultPicture> pictures;  ///< pictures that the scores name
+    /// Misfit of the random scene for each expectation that was tried. Empty if the picture is
+    /// missing.
     std::vector<Misfit> misfits;
-    /// The largest `tasks::bumpMisfit`; empty: no scene has a relief, or a picture did not come.
+    /// The largest `tasks::bumpMisfit`; empty if no scene has a relief, or if a picture is missing.
     std::optional<double> bumpMisfit;
 
-    /// Puts scores and pictures into the result. @return  What was rendered.
+    /// Moves scores and pictures into the result. @return  The renders.
     std::vector<Rendered> moveTo(SubmissionResult& result) &&;
 };
 
-/// Asks the submission for the pictures of a file's scenes. A picture that did not come is left
-/// out. Pictures fail no submission; a misfit may leave it to a person (tasks/lens/PictureDoubt.h,
+/// Asks the submission for pictures of a file's scenes; missing pictures are left out. Pictures
+/// never fail a submission; a misfit may ask for review (tasks/lens/PictureDoubt.h,
 /// tasks/bump/BumpPicture.h).
 [[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, std::string_view file,
                                        probe::Examinee& examinee);
 
-/// Works out ahead what the scenes of a file should look like.
+/// Computes the expectations of a file's scenes in advance.
 void prepareExpectations(const std::vector<SpecScene>& scenes, std::string_view file);
 
 }  // namespace ticker::pipeline

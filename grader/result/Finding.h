@@ -14,8 +14,8 @@ enum class Severity { fail, warn, note };
 /// One measured value behind a finding.
 using EvidenceValue = std::variant<bool, double, std::string, std::vector<double>>;
 
-/// The measured values behind a finding, in the order in which a person should read them.
-/// Keys are camelCase and stable; they appear in result.json.
+/// The measured values behind a finding, in reading order. Keys are camelCase and stable; they
+/// appear in result.json.
 using Evidence = std::vector<std::pair<std::string, EvidenceValue>>;
 
 /// A point of a scatter plot, in the units that the plot names.
@@ -24,17 +24,17 @@ struct PlotPoint {
     double y = 0.0;
 };
 
-/// Points that were seen, beside the shape that was expected: lens samples, aim points.
+/// Observed points and the expected shape: lens samples, aim points.
 struct ScatterPlot {
     std::string title;
     std::string unit;  ///< of both axes, for example "world units"
     std::vector<PlotPoint> points;
     enum class Shape { square, disc } expectedShape = Shape::square;
     double expectedHalfWidth = 0.0;  ///< half the square's side, or the disc's radius; centred on 0
-    double otherHalfWidth = 0.0;     ///< of another accepted size; 0 where there is none
+    double otherHalfWidth = 0.0;     ///< of another accepted size; 0 if there is no other
 };
 
-/// A picture made by the judgement itself: a relief, a map of z-scores.
+/// A picture made by a judge: a relief, a map of z-scores.
 struct Raster {
     std::string title;
     int width = 0;
@@ -45,13 +45,14 @@ struct Raster {
     std::string image = {};  ///< its file under the result's folder; empty before it is drawn
 };
 
-/// Something that was observed about a submission, in the student's terms.
+/// An observation about a submission, in the student's terms.
 struct Finding {
     std::string id;  ///< one of docs/findings.md: "bump.inverted-u"
     Severity severity = Severity::fail;
-    std::string message;  ///< what was expected, what was seen; one or two sentences, plain text
-    std::string hint;     ///< what to look at: the likely line, the likely step; plain text
-    std::string section;  ///< where the handout says it: "Option 1: What to do, step 3"
+    /// What was expected and what was observed; one or two sentences, plain text.
+    std::string message;
+    std::string hint;     ///< where to look: the likely line, the likely step; plain text
+    std::string section;  ///< section of the handout: "Option 1: What to do, step 3"
     Evidence evidence;
     std::vector<ScatterPlot> plots;
     std::vector<Raster> rasters;

@@ -7,17 +7,17 @@
 
 namespace ticker {
 
-/// A finding as it stands once, in the table of its task: a constant that the code names instead of
-/// the id. Ids are stable: new ones may come, none is renamed.
+/// A row in a task's table of findings. Code names this constant instead of the id. Ids are stable:
+/// new ones may be added, existing ones are never renamed.
 struct FindingText {
     std::string_view id;            ///< "shadow.hard"
-    std::string_view words;         ///< go on "14 of 60 ..."
+    std::string_view words;         ///< continue "14 of 60 ..."
     std::string_view meaning;       ///< for docs/findings.md
-    std::string_view hint = {};     ///< what to change; empty: the check says its own
-    std::string_view section = {};  ///< of the handout
+    std::string_view hint = {};     ///< what to change; empty: the check has its own hint
+    std::string_view section = {};  ///< section of the handout
 };
 
-/// Whether `finding` is one of `text`'s kind.
+/// Whether `finding` has the id of `text`.
 [[nodiscard]] inline bool is(const Finding& finding, const FindingText& text) {
     return finding.id == text.id;
 }

@@ -7,7 +7,7 @@
 
 namespace ticker {
 
-// What can be said about any task.
+// Findings that can apply to any task.
 
 inline constexpr FindingText kBuildFailed{.id = "build.failed",
                                           .words = "did not compile",
@@ -83,7 +83,7 @@ inline constexpr FindingText kIntakeTooLarge{
     .words = "sent a file that is too large",
     .meaning = "a file, or all files together, are too large"};
 
-/// Those that belong to no task.
+/// The findings that belong to no task.
 inline constexpr std::array kGeneralFindings{
     &kBuildFailed,     &kBuildLimit,          &kBuildForbidden,    &kRunCrashed,
     &kRunTimedOut,     &kRunMemory,           &kRunOutputLimit,    &kRunForbiddenCall,

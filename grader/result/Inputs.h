@@ -5,10 +5,10 @@
 
 namespace ticker {
 
-/// What a result depends on, as digests (lower-case hexadecimal digits). Two gradings with equal
-/// inputs give equal results but for timing. Empty strings where nobody knows.
+/// Digests (lower-case hexadecimal digits) of everything on which a result depends. Two gradings
+/// with equal inputs give equal results except for timing. Unknown digests are empty.
 struct Inputs {
-    std::string files;  ///< what was handed in
+    std::string files;  ///< the submitted files
     std::string tool;   ///< the build of ticker and its kit
     std::string how;    ///< rubric, options, sandbox level, seed
 

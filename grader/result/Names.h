@@ -10,7 +10,7 @@
 
 namespace ticker {
 
-/// The words that result.json uses for the values of our enumerations, in both directions.
+/// Names of enumeration values in result.json, in both directions.
 inline constexpr std::array<std::pair<Severity, std::string_view>, 3> kSeverityNames{
     {{Severity::fail, "fail"}, {Severity::warn, "warn"}, {Severity::note, "note"}}};
 
@@ -38,7 +38,7 @@ template <typename Value, std::size_t size>
     return "?";
 }
 
-/// Empty where no value has that name.
+/// Empty if no value has that name.
 template <typename Value, std::size_t size>
 [[nodiscard]] constexpr std::optional<Value> valueIn(
     const std::array<std::pair<Value, std::string_view>, size>& names, std::string_view wanted) {

@@ -19,7 +19,7 @@ using raytracer::InputError;
 
 constexpr std::uintmax_t kLargestFile = 16U << 20U;
 
-/// NaN stands as null.
+/// null stands for NaN.
 double realOf(const JsonValue& value) {
     return value.isNull() ? std::numeric_limits<double>::quiet_NaN() : value.number();
 }
@@ -62,7 +62,7 @@ ScatterPlot readPlot(const JsonValue& place) {
     return plot;
 }
 
-/// A picture of the result: below its folder, and nowhere else.
+/// A picture's path, which must lie below the result's folder.
 std::string readImage(const JsonValue& place) {
     const std::string file = place.text();
     if (!file.starts_with("images/") || file.find("..") != std::string::npos)

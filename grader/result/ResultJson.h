@@ -8,17 +8,17 @@
 
 namespace ticker {
 
-/// The text of result.json: schema version 1, see docs/schema/result.schema.json. Numbers that are
-/// not finite become null.
+/// The text of result.json: schema version 1, see docs/schema/result.schema.json. NaN and infinity
+/// become null.
 [[nodiscard]] std::string resultJson(const SubmissionResult& result);
 
-/// Reads a result.json back. What the file does not hold (the bytes of pictures, the values of
+/// Reads a result.json back. Data that the file does not contain (bytes of pictures, values of
 /// rasters) stays empty.
-/// @throws raytracer::InputError naming the file, the member and what was expected; the file may be
-///         anything.
+/// @throws raytracer::InputError with the file, the member and what was expected; the file may have
+///         any contents.
 [[nodiscard]] SubmissionResult readResultJson(const std::filesystem::path& file);
 
-/// The same from the file's text; `name` is for messages.
+/// readResultJson for a text; `name` is used in messages.
 [[nodiscard]] SubmissionResult parseResultJson(const std::string& text, const std::string& name);
 
 }  // namespace ticker

@@ -16,21 +16,22 @@ namespace ticker {
 enum class TaskState {
     passed,
     failed,
-    notAttempted,  ///< the stub still stands
+    notAttempted,  ///< the stub is unchanged
     blocked,       ///< did not compile, crashed, timed out: the reason says which
-    notGraded      ///< our fault; never a score
+    notGraded      ///< an error of the grader; never a score
 };
 
-/// What is known about one task. A judge says passed, failed, blocked (crashed, timed out) or
-/// notGraded; notAttempted and build failures are known before anything is asked.
+/// Result of one task. A judge returns passed, failed, blocked (crashed, timed out) or notGraded;
+/// notAttempted and build failures are known before any question.
 struct TaskJudgement {
     TaskState state = TaskState::notGraded;
-    std::string reason;                   ///< one sentence; empty where the findings say it all
-    std::vector<Finding> findings;        ///< the most important first
-    bool needsReview = false;             ///< the state is the best guess, but a person should look
-    std::vector<ScatterPlot> plots = {};  ///< what was seen, where no finding shows it
-    std::vector<Raster> rasters = {};     ///< likewise
-    /// Half-width / dofAmount of the accepted aperture that the answers show; stands in no file.
+    std::string reason;             ///< one sentence; empty if the findings are sufficient
+    std::vector<Finding> findings;  ///< the most important first
+    bool needsReview = false;       ///< the state is the best estimate, but a ticker should look
+    std::vector<ScatterPlot> plots = {};  ///< observed points that no finding shows
+    std::vector<Raster> rasters = {};     ///< pictures that no finding shows
+    /// Half-width / dofAmount of the accepted aperture that the answers show; not written to any
+    /// file.
     std::optional<double> apertureFactor = {};
 };
 
@@ -40,18 +41,18 @@ struct TaskReport : TaskJudgement {
     std::string title;
 };
 
-/// How the reason of a task begins that is blocked because nothing could be compared.
+/// Prefix of the reason of a task that is blocked because nothing could be compared.
 inline constexpr std::string_view kNotChecked = "not checked: ";
 
-/// True where nothing was compared, which speaks neither for nor against the submission.
+/// True if nothing was compared, which speaks neither for nor against the submission.
 [[nodiscard]] inline bool isNotChecked(const TaskReport& task) {
     return task.state == TaskState::blocked && task.reason.starts_with(kNotChecked);
 }
 
-/// What a result calls the option of a submission that worked on more than one.
+/// Name of the option in the result of a submission that attempted more than one.
 inline constexpr std::string_view kSeveralOptions = "both";
 
-/// One way to earn the tick: all of its tasks must pass.
+/// One way to earn the tick: all its tasks must pass.
 struct Option {
     std::string name;
     std::vector<std::string> tasks;
@@ -60,7 +61,7 @@ struct Option {
 
 enum class Verdict { awarded, notAwarded, needsReview, notGraded };
 
-/// One picture that the submission rendered, and how it compares.
+/// One picture that the submission rendered, compared with the expected one.
 struct RenderScore {
     std::string scene;  ///< its name
     int width = 0;
@@ -70,29 +71,30 @@ struct RenderScore {
     double gmsd = 0.0;
     double zMax = 0.0;
     double rmse = 0.0;
-    std::string image;      ///< path under the result's folder; empty where there is none
-    std::string reference;  ///< likewise: what was expected
-    std::string errorMap;   ///< likewise: where the two look different
-    std::string zMap = {};  ///< likewise: where it is too dark or too bright for noise
+    std::string image;      ///< path under the result's folder; empty if there is no image
+    std::string reference;  ///< likewise: the expected picture
+    std::string errorMap;   ///< likewise: map of visible differences
+    /// Likewise: map of pixels that are darker or brighter than noise allows.
+    std::string zMap = {};
 };
 
-/// A picture that belongs to a result, as a file below `OUT/<submission>/`.
+/// A picture of a result: a file below `OUT/<submission>/`.
 struct ResultPicture {
     std::string file;     ///< "images/expected-SCENE.png"
-    std::string caption;  ///< for its alternative text
+    std::string caption;  ///< alternative text
     std::string png;      ///< the file's bytes; empty in a result that was read back
 };
 
-/// What the compiler said about one of the student's files, made safe to read but not to embed:
-/// it still has to be escaped.
+/// The compiler's messages about one of the student's files. They are safe to read, but must be
+/// escaped before they are embedded.
 struct Diagnostics {
-    std::string file;  ///< its name; its lines are among SubmissionResult::sources
-    std::string text;  ///< capped; paths relative
+    std::string file;  ///< file name; its lines are in SubmissionResult::sources
+    std::string text;  ///< limited in length; paths are relative
 };
 
-/// A source as it was handed in, for people to read: a file below `OUT/<submission>/code/`.
+/// A submitted source for the report: a file below `OUT/<submission>/code/`.
 struct SourceText {
-    std::string file;   ///< its name
+    std::string file;   ///< file name
     std::string bytes;  ///< untrusted; may not be valid UTF-8; empty in a result that was read back
 };
 
@@ -102,15 +104,15 @@ struct Timing {
     double totalMs = 0.0;
 };
 
-/// Everything that is known about one submission: what result.json holds.
+/// Everything known about one submission: the contents of result.json.
 struct SubmissionResult {
     static constexpr int kSchemaVersion = 1;
 
-    std::string submission;  ///< its name, as a folder under OUT
+    std::string submission;  ///< name, and folder under OUT
     Verdict verdict = Verdict::notGraded;
     double score = 0.0;
     double maxScore = 1.0;
-    std::string option = "none";  ///< the one worked on, by its name; `kSeveralOptions`; "none"
+    std::string option = "none";  ///< name of the attempted option; `kSeveralOptions`; "none"
     std::vector<Option> options;  ///< the rubric's; empty in results of older tools
     std::uint64_t seed = 0;
     std::string sandboxLevel = "none";

@@ -35,7 +35,7 @@ ordered_json evidenceValue(const EvidenceValue& value) {
     return std::visit(Visitor{}, value);
 }
 
-/// Four digits: a plot shows no more.
+/// Four digits: plots show no more.
 ordered_json shortNumber(double value) {
     if (!std::isfinite(value)) return nullptr;
     const double scale =
@@ -58,7 +58,7 @@ ordered_json plotJson(const ScatterPlot& plot) {
     return json;
 }
 
-/// What was seen, of a finding or a task; members come only where there is something.
+/// Adds the plots and rasters of a finding or a task, if there are any.
 void addFigures(ordered_json& json, const std::vector<ScatterPlot>& plots,
                 const std::vector<Raster>& rasters) {
     for (const ScatterPlot& plot : plots)
@@ -123,7 +123,7 @@ ordered_json renderJson(const RenderScore& render) {
     return json;
 }
 
-/// Where the array that begins at `begin` ends, if it holds nothing but numbers (or such arrays).
+/// End of the array that begins at `begin` if it contains only numbers (or such arrays).
 std::size_t endOfNumbers(const std::string& text, std::size_t begin) {
     int depth = 0;
     for (std::size_t i = begin; i < text.size(); ++i) {
@@ -134,13 +134,13 @@ std::size_t endOfNumbers(const std::string& text, std::size_t begin) {
     return std::string::npos;
 }
 
-/// Lists of numbers are read as a line; hundreds of lines of them hide all the rest.
+/// Puts lists of numbers on one line; otherwise their hundreds of lines hide the rest.
 std::string listsOnOneLine(const std::string& text) {
     std::string result;
     bool quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == '\\')
-            result += text[i++];  // what it escapes ends no string
+            result += text[i++];  // an escaped character never ends a string
         else if (text[i] == '"')
             quoted = !quoted;
         const std::size_t end =
@@ -207,7 +207,7 @@ std::string resultJson(const SubmissionResult& result) {
     json["timing"] = {{"compileMs", number(std::round(result.timing.compileMs))},
                       {"probeMs", number(std::round(result.timing.probeMs))},
                       {"totalMs", number(std::round(result.timing.totalMs))}};
-    // What is no UTF-8 is replaced: no text may keep a result from being written.
+    // Invalid UTF-8 is replaced: no text may prevent writing a result.
     return listsOnOneLine(json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) + "\n";
 }
 

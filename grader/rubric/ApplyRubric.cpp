@@ -35,14 +35,14 @@ bool passes(const SubmissionResult& result, const Option& option) {
     });
 }
 
-/// An option nobody has to look at again: all tasks pass and none asks for review.
+/// An option that needs no review: all tasks pass and none asks for review.
 bool passesForSure(const SubmissionResult& result, const Option& option) {
     return passes(result, option) &&
            std::none_of(option.tasks.begin(), option.tasks.end(),
                         [&](const std::string& id) { return findTask(result, id)->needsReview; });
 }
 
-/// The tasks without the screenshot's, which is no exercise.
+/// The tasks of the exercise, without the screenshot's.
 template <typename Predicate>
 bool anyExercise(const Rubric& rubric, const SubmissionResult& result, Predicate predicate) {
     return std::any_of(result.tasks.begin(), result.tasks.end(), [&](const TaskReport& task) {
@@ -79,7 +79,7 @@ double scoreOf(const Rubric& rubric, const SubmissionResult& result) {
     return std::min(score, rubric.maxScore);
 }
 
-/// A file that was never handed in blocks its tasks, but is no attempt.
+/// A missing file blocks its tasks, but does not count as an attempt.
 bool isAttempt(const TaskReport& task) {
     return task.state != TaskState::notAttempted &&
            std::none_of(task.findings.begin(), task.findings.end(),

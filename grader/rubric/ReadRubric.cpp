@@ -54,7 +54,7 @@ Option readOption(const JsonValue& member, const Exercise& exercise) {
     return option;
 }
 
-/// Results name the option that was worked on, or one of two words that no option may have.
+/// Results name the attempted option, or use one of two reserved words that no option may have.
 std::vector<Option> readOptions(const JsonValue& member, const Exercise& exercise) {
     std::set<std::string> taken{"", std::string{kSeveralOptions}, "none"};
     std::vector<Option> options;

@@ -34,7 +34,7 @@ bool hasResult(const fs::path& out, const std::string& submission) {
     return fs::is_regular_file(resultFile(out, submission), error);
 }
 
-// The folder is the name; a result.json that was moved says something else.
+// The folder gives the name; a moved result.json contains another one.
 SubmissionResult readNamed(const fs::path& out, const std::string& submission) {
     const fs::path file = resultFile(out, submission);
     SubmissionResult result = readResultJson(file);

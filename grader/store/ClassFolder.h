@@ -12,7 +12,7 @@
 
 namespace ticker::store {
 
-/// A submission as the class has it: what the tool says, and what a person decided.
+/// A submission of a class: the tool's result and a ticker's decision.
 struct ClassEntry {
     SubmissionResult result;  ///< as result.json has it
     std::optional<Decision> decision;
@@ -22,30 +22,31 @@ struct ClassEntry {
 [[nodiscard]] std::filesystem::path resultFile(const std::filesystem::path& out,
                                                const std::string& submission);
 
-/// The submission's result; empty where it is not there, or torn by a machine that lost its power.
+/// The submission's result; empty if the file is missing or damaged (by a power failure, for
+/// example).
 [[nodiscard]] std::optional<SubmissionResult> readWholeResult(const std::filesystem::path& out,
                                                               const std::string& submission);
 
-/// The whole class, by name: the submissions that OUT's store knows, or, where there is no store,
-/// those that have a result.json. One whose folder somebody removed is left out.
-/// @throws raytracer::InputError where OUT holds none, or a result.json cannot be read.
+/// The whole class, by name: the submissions in OUT's store, or, without a store, those with a
+/// result.json. A submission whose folder was removed is left out.
+/// @throws raytracer::InputError if OUT has no results, or a result.json cannot be read.
 [[nodiscard]] std::vector<ClassEntry> readClass(const std::filesystem::path& out);
 
-/// @throws raytracer::InputError saying what to do, where OUT's store has none of the results that
-///         it should have: it is empty.
+/// @throws raytracer::InputError with advice if OUT's store is empty although it should have
+///         results.
 void expectResults(const std::filesystem::path& out, const Store& store);
 
-/// What `collect` did.
+/// Result of `collect`.
 struct Collected {
-    std::size_t taken = 0;                ///< new, or other than what the store knew
-    std::size_t known = 0;                ///< the store had them already
-    std::vector<std::string> unreadable;  ///< one line each: the file and what is wrong with it
+    std::size_t taken = 0;                ///< new, or different from the store
+    std::size_t known = 0;                ///< already in the store
+    std::vector<std::string> unreadable;  ///< one line each: the file and its error
 };
 
-/// Takes the result.json files below OUT, written elsewhere, into OUT's store. Nothing is removed.
+/// Adds the result.json files below OUT, written elsewhere, to OUT's store. Nothing is removed.
 [[nodiscard]] Collected collect(const std::filesystem::path& out, Store& store);
 
-/// This moment in UTC: "2026-11-21T16:05:36Z".
+/// The current time in UTC: "2026-11-21T16:05:36Z".
 [[nodiscard]] std::string utcNow();
 
 }  // namespace ticker::store

@@ -9,9 +9,9 @@
 namespace ticker::store {
 namespace {
 
-constexpr int kPatienceMs = 10'000;  // another ticker of ours writes for milliseconds
+constexpr int kPatienceMs = 10'000;  // another ticker's writes take milliseconds
 
-// What a person can do about a broken file. Results lie in folders of their own beside it.
+// Advice for a broken file. Results are kept in folders of their own beside it.
 constexpr const char* kWayOut =
     "; the results beside it are whole, decisions are in this file alone: move it away and run "
     "\"ticker collect OUT\", which brings the results back; sqlite3's .recover may save decisions";
@@ -125,7 +125,7 @@ Transaction::~Transaction() {
     try {
         database_.run("ROLLBACK");
     } catch (const raytracer::Error&) {
-        // It was undone already: by the error that brought us here.
+        // The error has rolled it back already.
         isOpen_ = false;
     }
 }

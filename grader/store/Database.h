@@ -17,8 +17,8 @@ public:
     Statement& bind(std::int64_t number);
     Statement& bind(double number);
 
-    /// Goes to the next row. @return false: there is none.
-    /// @throws raytracer::Error where the database cannot do it; InputError where it is damaged.
+    /// Goes to the next row. @return  False after the last row.
+    /// @throws raytracer::Error if the database cannot do it; InputError if it is damaged.
     bool step();
 
     /// Columns of the row, counted from 0.
@@ -33,15 +33,15 @@ private:
     std::shared_ptr<State> state_;
 };
 
-/// An SQLite file. Its errors name the file and come as raytracer errors.
+/// An SQLite file. Errors name the file and are raytracer errors.
 class Database {
 public:
-    /// Opens the file, or makes it.
-    /// @throws raytracer::InputError where it cannot be opened.
+    /// Opens the file, or creates it.
+    /// @throws raytracer::InputError if it cannot be opened.
     explicit Database(const std::filesystem::path& file);
 
     [[nodiscard]] Statement prepare(std::string_view sql) const;
-    /// Runs statements that give no rows.
+    /// Runs statements that return no rows.
     void run(const std::string& sql) const;
 
 private:
@@ -50,14 +50,14 @@ private:
     friend class Statement;
 };
 
-/// All or nothing: what is written during its life is undone at its end, unless it was committed.
+/// A transaction: rolled back on destruction unless it was committed.
 class Transaction {
 public:
     explicit Transaction(const Database& database);
     ~Transaction();
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
-    /// When this returns, everything is on disk.
+    /// On return everything is on disk.
     void commit();
 
 private:

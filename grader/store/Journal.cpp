@@ -22,7 +22,7 @@ bool isNetworkFileSystem(std::int64_t type) {
         0x0BD00BD0,  // Lustre
         0x47504653,  // GPFS
         0x19830326,  // BeeGFS
-        0x65735546,  // FUSE: sshfs and the like, and we cannot tell
+        0x65735546,  // FUSE: sshfs and others; it may be a network file system
     };
     // f_type is 32 bits wide on some machines, with a sign.
     return std::ranges::find(kShared, type & 0xFFFFFFFF) != kShared.end();

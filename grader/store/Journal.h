@@ -6,14 +6,14 @@
 
 namespace ticker::store {
 
-/// How SQLite keeps a half-done write from being seen.
+/// SQLite's protection against reading incomplete writes.
 enum class Journal {
-    writeAhead,  ///< readers and a writer at the same time; needs memory that processes share
+    writeAhead,  ///< readers and a writer at the same time; needs shared memory
     rollback     ///< works wherever file locks work
 };
 
-/// True for the type of a file system (statfs's f_type, linux/magic.h) that other machines write
-/// to. There no memory is shared, and SQLite's WAL would lose data.
+/// True for the type of a network file system (statfs's f_type, linux/magic.h). Machines share no
+/// memory there, and SQLite's WAL would lose data.
 [[nodiscard]] bool isNetworkFileSystem(std::int64_t type);
 
 /// The journal that is safe in a folder.

@@ -101,7 +101,7 @@ std::string setJournal(const Database& database, Journal journal) {
            "not safe: a rollback journal is used; let one machine at a time write here";
 }
 
-// Before anything is written into it. A file of ours has our tables, or none where it is new.
+// Called before the first write. Our files have our tables, or none if they are new.
 void refuseForeign(const Database& database, const fs::path& file) {
     const bool isNew = pragma(database, "user_version") == 0;
     Statement isOurs = database.prepare(

@@ -16,7 +16,7 @@
 
 namespace ticker::store {
 
-/// What the index of a class knows about one result; the rest stands in its result.json.
+/// The index's row for one result; the rest is in its result.json.
 struct ResultRow {
     std::string submission;
     Verdict verdict = Verdict::notGraded;
@@ -27,42 +27,42 @@ struct ResultRow {
     std::string toolVersion;
     Inputs inputs;
     std::string gradedAt;          ///< UTC, "2026-11-21T16:05:36Z"
-    std::int64_t timesGraded = 0;  ///< to the end, in this OUT
+    std::int64_t timesGraded = 0;  ///< number of completed gradings in this OUT
 };
 
-/// What became of a decision.
+/// Result of storing a decision.
 struct DecideOutcome {
     bool isKept = false;
-    Decision current;  ///< the one that stands now: the new one, or the one that was in its way
+    Decision current;  ///< the valid decision: the new one, or the conflicting one
 };
 
-/// OUT/results.sqlite: the index of a class, and its tickers' decisions. May be shared by threads,
-/// and opened by several processes of one machine.
+/// OUT/results.sqlite: the index of a class, and its tickers' decisions. Threads may share it, and
+/// several processes of one machine may open it.
 class Store {
 public:
-    /// Opens the store of OUT, or makes an empty one; OUT must be there.
-    /// @param journal  For tests; otherwise as the file system needs it.
-    /// @throws raytracer::InputError where the file is no store, or a newer ticker's.
+    /// Opens the store of OUT, or creates an empty one; OUT must exist.
+    /// @param journal  For tests; by default chosen for the file system.
+    /// @throws raytracer::InputError if the file is not a store, or belongs to a newer ticker.
     explicit Store(const std::filesystem::path& out, std::optional<Journal> journal = {});
 
     /// True where OUT has a store.
     [[nodiscard]] static bool isIn(const std::filesystem::path& out);
 
-    /// A sentence for the user where WAL was refused; else empty.
+    /// A sentence for the user if WAL was refused; otherwise empty.
     [[nodiscard]] const std::string& notice() const { return notice_; }
 
-    /// Something to be remembered about the class, such as its seed. Empty: never set.
+    /// A stored value of the class, such as its seed; empty if it was never set.
     [[nodiscard]] std::string remembered(std::string_view key) const;
     void remember(std::string_view key, std::string_view value);
 
-    /// Keeps a result in one transaction. Its result.json should be there already.
+    /// Stores a result in one transaction. Its result.json should exist already.
     void put(const SubmissionResult& result, std::string_view gradedAt);
     [[nodiscard]] std::optional<ResultRow> find(std::string_view submission) const;
-    /// All, by name.
+    /// All results, by name.
     [[nodiscard]] std::vector<ResultRow> results() const;
 
-    /// Keeps a decision unless somebody decided meanwhile: `decision.version` is the version that
-    /// its author saw, and must still be the newest. On disk when this returns.
+    /// Stores a decision unless there is a newer one: `decision.version` is the version that its
+    /// author saw, and must still be the newest. On disk on return.
     DecideOutcome decide(const Decision& decision);
     /// The newest decision about each submission that has one, by name.
     [[nodiscard]] std::vector<Decision> decisions() const;
