@@ -13,13 +13,13 @@ namespace {
 
 constexpr int kTries = 2;
 
-/// What one submission came to.
+/// Outcome of one submission.
 struct Graded {
     SubmissionResult result;
     bool isKept = false;
 };
 
-/// Grades one submission; workers share it.
+/// Grades submissions; shared by the workers.
 class Batch {
 public:
     Batch(const pipeline::Grader& grader, std::uint64_t seed, const BatchHooks& hooks)
@@ -68,7 +68,7 @@ void gradeAll(const std::vector<intake::Located>& submissions, const pipeline::G
             if (!graded.isKept && hooks.write) hooks.write(graded.result);
             const std::lock_guard lock{taking};
             if (!hasFailed) hooks.take(submissions[i], graded.result, graded.isKept);
-        } catch (...) {  // such as a full disk: nothing more is taken
+        } catch (...) {  // such as a full disk: no more results are taken
             const std::lock_guard lock{taking};
             hasFailed = true;
             throw;

@@ -12,20 +12,20 @@
 
 namespace ticker::cli {
 
-/// What a batch asks its caller, and tells him.
+/// Callbacks of a batch.
 struct BatchHooks {
-    /// The result that the submission has already and that still holds; empty: grade it. May be
-    /// called by several threads at once; may be null.
+    /// Returns the submission's existing result if it is still valid; empty: grade it. Several
+    /// threads may call it at once; may be null.
     std::function<std::optional<SubmissionResult>(const intake::Located&, const Inputs&)> known;
-    /// A fresh result, to be written. May be called by several threads at once; may be null.
+    /// Writes a fresh result. Several threads may call it at once; may be null.
     std::function<void(const SubmissionResult&)> write;
-    /// Each result, one at a time, as soon as it is there.
+    /// Receives each result when it is ready; never called in parallel.
     std::function<void(const intake::Located&, const SubmissionResult&, bool isKept)> take;
 };
 
-/// Grades submissions on several workers. One bad submission never stops the rest: what cannot be
-/// graded for reasons that are ours is tried once more and then notGraded. Once `stop` is true no
-/// further one is begun. What a hook throws ends the batch.
+/// Grades submissions on several workers. A bad submission never stops the others: if grading fails
+/// because of the grader or its system, it is tried once more, and then the result is notGraded.
+/// Once `stop` is true, no further submission is started. An exception of a hook ends the batch.
 void gradeAll(const std::vector<intake::Located>& submissions, const pipeline::Grader& grader,
               std::uint64_t seed, int workers, const std::atomic<bool>& stop,
               const BatchHooks& hooks);

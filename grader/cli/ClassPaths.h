@@ -8,23 +8,23 @@
 
 namespace ticker::cli {
 
-/// Where the submissions of a command line lie.
+/// The submissions' paths on a command line.
 struct ClassPaths {
     std::vector<std::string> paths;
-    bool single = false;  ///< the path is one submission, whatever is in it: a platform says so
+    bool single = false;  ///< the path is one submission, whatever it contains (set by platforms)
 };
 
-/// The submissions below all paths; a name that comes twice gets a number.
-/// @throws raytracer::InputError where there is none, or a path cannot be read.
+/// The submissions below all paths; a repeated name gets a number.
+/// @throws raytracer::InputError if there are no submissions, or a path cannot be read.
 [[nodiscard]] std::vector<intake::Located> locate(const ClassPaths& from);
 
-/// "2/5": the second, the seventh, the twelfth, ... of all, by name. Every machine of a cluster
-/// finds the same.
-/// @throws raytracer::InputError where `share` is no I/N with 1 <= I <= N.
+/// A share of all submissions by name: "2/5" is the second, the seventh, the twelfth, ... Every
+/// machine of a cluster computes the same shares.
+/// @throws raytracer::InputError unless `share` is I/N with 1 <= I <= N.
 [[nodiscard]] std::vector<intake::Located> shareOf(std::vector<intake::Located> all,
                                                    const std::string& share);
 
-/// What lies beside the submissions and is not graded, in one line; empty: nothing.
+/// One line about the folders that are not graded; empty if there are none.
 [[nodiscard]] std::string skippedLine(const ClassPaths& from);
 
 }  // namespace ticker::cli

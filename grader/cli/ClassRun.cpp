@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSeedKey = "seed";
 
-/// A folder that is made is its owner's alone: students' code and marks are in it. One that was
-/// there keeps the rights that it has.
+/// Creates a folder that only its owner can read: it contains students' code and marks. An existing
+/// folder keeps its permissions.
 void make(const fs::path& out) {
     const fs::path whole = fs::absolute(out).lexically_normal();
     const fs::path folder = whole.has_filename() ? whole : whole.parent_path();
@@ -106,7 +106,7 @@ void ClassRun::write(const SubmissionResult& result) const {
 
 void ClassRun::index(const SubmissionResult& result, bool isKept) {
     if (!store_) return;
-    // A run that was killed between the two leaves a result.json that the store does not know.
+    // A run that was killed between the two leaves a result.json that the store does not have.
     if (isKept) {
         const std::optional<store::ResultRow> row = store_->find(result.submission);
         if (row && row->inputs == result.inputs && row->verdict == result.verdict) return;

@@ -14,47 +14,48 @@
 
 namespace ticker::cli {
 
-/// Which results of an earlier run are to be made again.
+/// Which results of an earlier run are graded again.
 struct Regrade {
     std::vector<std::string> words;  ///< "all", "older", finding ids, submissions; empty: none
-    std::string build;               ///< of the running tool: what "older" is measured against
+    std::string build;               ///< digest of the running tool, for "older"
 
     [[nodiscard]] bool concerns(const SubmissionResult& result) const;
 };
 
-/// A run over a class whose results stay in OUT: which of them still hold, and where new ones go.
+/// A run over a class with results in OUT: which results are still valid, and where new ones go.
 class ClassRun {
 public:
-    /// Opens OUT's store, or makes OUT and its store.
-    /// @param hasStore  False: only results are read and written, as a cluster's node must;
-    ///                  `ticker collect` takes them into the store.
-    /// @throws raytracer::InputError where OUT cannot be made, is no OUT, or is being graded into.
+    /// Opens OUT's store, or creates OUT and its store.
+    /// @param hasStore  False: only results are read and written, as on a cluster's node; `ticker
+    ///                  collect` adds them to the store.
+    /// @throws raytracer::InputError if OUT cannot be created, is not an OUT, or is in use by
+    ///         another run.
     ClassRun(std::filesystem::path out, Regrade regrade, bool hasStore);
 
-    /// The seed of the run: the one given; else, where earlier results are to be kept, theirs; else
-    /// a fresh one. It is remembered.
+    /// The seed of the run: `given`; otherwise that of the earlier results if they are kept;
+    /// otherwise `fresh`. It is stored.
     [[nodiscard]] std::uint64_t settleSeed(std::optional<std::uint64_t> given, bool keepsResults,
                                            std::uint64_t fresh);
 
-    /// @throws raytracer::InputError where a word of `regrade` is nobody's name and nobody's
-    ///         finding: a typing error would regrade nothing and say nothing.
+    /// @throws raytracer::InputError if a word of `regrade` is neither a submission nor a finding.
+    ///         A typing error would otherwise regrade nothing, silently.
     void checkRegrade(const std::vector<intake::Located>& submissions) const;
 
-    /// The result that still holds. Without `regrade`: one of the very same inputs. With it: one
-    /// of the same files that is not to be made again. Never one that was notGraded.
+    /// The valid result of a submission. Without `regrade`: one with equal inputs. With it: one of
+    /// the same files that is not to be regraded. Never one that was notGraded.
     [[nodiscard]] std::optional<SubmissionResult> known(const std::string& submission,
                                                         const Inputs& inputs) const;
 
     /// Writes a fresh result's files.
     void write(const SubmissionResult& result) const;
-    /// Puts a result into the store, where it is not yet.
+    /// Adds a result to the store if it is not there yet.
     void index(const SubmissionResult& result, bool isKept);
     /// Writes summary.csv and index.html of the whole class; without a store, neither.
     void finish() const;
 
-    /// What the user should know about the store; empty: nothing.
+    /// A notice for the user about the store; empty if there is none to give.
     [[nodiscard]] std::string notice() const { return store_ ? store_->notice() : ""; }
-    /// How many results OUT's store has.
+    /// Number of results in OUT's store.
     [[nodiscard]] std::size_t size() const { return store_ ? store_->results().size() : 0; }
 
 private:

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// ".summary.csv.123.part" that process 123 was writing when it was killed (see writeAtomically).
+/// ".summary.csv.123.part": process 123 was killed while writing (see writeAtomically).
 bool isLeftOver(const std::string& name) {
     const std::string ending = ".part";
     if (!name.starts_with('.') || !name.ends_with(ending)) return false;

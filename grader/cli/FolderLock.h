@@ -7,12 +7,12 @@
 
 namespace ticker::cli {
 
-/// Keeps a second grader out of a folder of results: two at once would mix their seeds. The kernel
-/// lets go when the process ends, however it does. What a killed one was writing is removed.
+/// Lock of a folder of results: two graders at once would mix their seeds. The kernel releases it
+/// when the process ends in any way. Incomplete files of a killed process are removed.
 class FolderLock {
 public:
-    /// @throws raytracer::InputError where another process has it. A file system that knows no
-    ///         locks is taken as it is.
+    /// @throws raytracer::InputError if another process holds the lock. On a file system without
+    ///         locks there is no protection.
     explicit FolderLock(const std::filesystem::path& folder);
 
 private:

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using report::StudentView;
 
-/// A file of each submission.
+/// A format with one file for each submission.
 struct EachFile {
     const char* name;
     std::function<std::optional<std::string>(const StudentView&)> render;
@@ -47,7 +47,7 @@ const std::map<std::string, std::vector<EachFile>>& eachFormats() {
     return kFormats;
 }
 
-/// A file of the class, for staff.
+/// A format with one file for the class, for staff.
 struct ClassFormat {
     const char* file;
     std::function<std::string(const std::vector<store::ClassEntry>&)> render;
@@ -115,7 +115,7 @@ std::vector<fs::path> writeMoodle(const fs::path& out, std::vector<store::ClassE
     return {sheet, feedback};
 }
 
-/// The pages of each submission, and that of the whole class.
+/// Writes the page of each submission and the page of the class.
 std::vector<fs::path> writePages(const fs::path& out, const std::vector<store::ClassEntry>& entries,
                                  const FormatOptions& options) {
     std::vector<fs::path> written = writeStudentPages(out, entries, options.studentView);

@@ -13,27 +13,27 @@ class App;
 
 namespace ticker::cli {
 
-/// Which formats to write, and what some of them need.
+/// The formats to write, and their options.
 struct FormatOptions {
     std::vector<std::string> names;
     std::string worksheet;           ///< moodle's
-    std::vector<std::string> scale;  ///< moodle's words for "not awarded" and "awarded"
-    bool decidedOnly = false;        ///< moodle: no mark that is only the tool's proposal
+    std::vector<std::string> scale;  ///< moodle: words for "not awarded" and "awarded"
+    bool decidedOnly = false;        ///< moodle: leave out marks that are only the tool's proposal
     std::string studentView;         ///< empty: the kit's own
 };
 
-/// Adds what formats need to a verb: --worksheet, --scale, --decided-only, --student-view.
+/// Adds the formats' options to a verb: --worksheet, --scale, --decided-only, --student-view.
 void addFormatOptions(CLI::App& verb, FormatOptions& options);
 
-/// "autolab", "classroom", ...: what `writeFormats` knows.
+/// The formats of `writeFormats`: "autolab", "classroom", ...
 [[nodiscard]] std::vector<std::string> formatNames();
 
-/// Writes `OUT/<submission>/gradescope.json` and the like, one for each submission, or one file for
-/// the class in OUT; says on stderr what somebody has to know. Where a person has decided, students
-/// get that decision; staff's files of the class hold what the tool says.
-/// @return What was written, in order. A format without a word for "could not be graded" writes
-///         nothing for such a result, and removes what an earlier run wrote.
-/// @throws raytracer::InputError where something cannot be read or written.
+/// Writes one file for each submission, such as `OUT/<submission>/gradescope.json`, or one file for
+/// the class in OUT; prints warnings on stderr. Students get the ticker's decision if there is one;
+/// the staff's files of the class contain the tool's verdicts.
+/// @return  The written files, in order. A format without a value for "could not be graded" writes
+///          nothing for such a result, and removes the file of an earlier run.
+/// @throws raytracer::InputError if a file cannot be read or written.
 std::vector<std::filesystem::path> writeFormats(const std::filesystem::path& out,
                                                 const std::vector<store::ClassEntry>& entries,
                                                 const FormatOptions& options);

@@ -5,15 +5,15 @@
 
 namespace ticker::cli {
 
-/// Where ticker's own programs and data lie. Found from the running program, so that a checkout or
-/// an installation works wherever it is.
+/// Folders of ticker's programs and data, found from the running program, so that a checkout or an
+/// installation works anywhere.
 struct Home {
     std::filesystem::path programs;  ///< ticker, tick1star-reference, tick1star-template
-    std::filesystem::path data;      ///< holds scenes/, assets/, grader/corpus/samples/, ...
+    std::filesystem::path data;      ///< contains scenes/, assets/, grader/corpus/samples/, ...
 
-    /// From the environment's TICKER_HOME (data alone), else the checkout or the installation that
-    /// the running program belongs to.
-    /// @throws raytracer::Error (notGradable) where neither has scenes/.
+    /// From the environment's TICKER_HOME (data only); otherwise from the checkout or installation
+    /// of the running program.
+    /// @throws raytracer::Error (notGradable) if neither has scenes/.
     [[nodiscard]] static Home find();
 
     [[nodiscard]] std::filesystem::path scenes() const { return data / "scenes"; }

@@ -9,7 +9,7 @@
 namespace ticker::cli {
 namespace {
 
-// The one thing that a signal handler may touch.
+// Signal handlers may access only this.
 std::atomic<bool> stopAsked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 

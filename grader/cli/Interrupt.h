@@ -5,8 +5,8 @@
 
 namespace ticker::cli {
 
-/// From now on the first Ctrl-C (or SIGTERM) only sets the flag that is returned, and says so on
-/// stderr; a second one ends the program at once, with exit status 130.
+/// Installs signal handlers: the first Ctrl-C (or SIGTERM) sets the returned flag and prints a line
+/// on stderr; a second one ends the program at once, with exit status 130.
 [[nodiscard]] const std::atomic<bool>& catchInterrupts();
 
 }  // namespace ticker::cli

@@ -28,7 +28,8 @@ void makeFolder(const fs::path& folder) {
         throw raytracer::InputError(folder.string(), 0, "cannot be made: " + error.message());
 }
 
-// What an earlier grading left, result.json first: without it nobody takes the rest for a result.
+// Removes the files of an earlier grading. result.json goes first, because without it the rest does
+// not count as a result.
 void clear(const fs::path& folder) {
     std::error_code ignored;
     fs::remove(folder / "result.json", ignored);
@@ -57,7 +58,7 @@ void writeSubmission(const fs::path& out, const SubmissionResult& result) {
         writeAtomically(picture.png, folder / picture.file);
     for (const SourceText& source : result.sources)
         writeAtomically(source.bytes, folder / "code" / source.file);
-    // The page shows what result.json says, so that it can be made again from there.
+    // The page shows the contents of result.json, so that it can be written again from there.
     const std::string json = resultJson(result);
     SubmissionResult told = parseResultJson(json, "result.json");
     told.pictures = result.pictures;

@@ -10,40 +10,39 @@
 
 namespace ticker::cli {
 
-/// Writes `OUT/<submission>/`: images/, code/ (the sources as handed in), report.html and, last,
-/// result.json, which says that the rest is there. What an earlier grading left goes first.
-/// @throws raytracer::InputError where something cannot be written.
+/// Writes `OUT/<submission>/`: images/, code/ (the submitted sources), report.html and, last,
+/// result.json, which marks the folder as complete. Files of an earlier grading are removed first.
+/// @throws raytracer::InputError if a file cannot be written.
 void writeSubmission(const std::filesystem::path& out, const SubmissionResult& result);
 
-/// Writes OUT/summary.csv and OUT/index.html from what lies below OUT, in the order of the
+/// Writes OUT/summary.csv and OUT/index.html from the results below OUT, in the order of the
 /// submissions' names.
-/// @throws raytracer::InputError as `readResults`, and where a file cannot be written.
+/// @throws raytracer::InputError as `readResults`, and if a file cannot be written.
 void writeClass(const std::filesystem::path& out);
 
-/// The text of summary.csv: what the tool says, and what people decided.
+/// The text of summary.csv: the tool's verdicts and the tickers' decisions.
 [[nodiscard]] std::string summaryOf(const std::vector<store::ClassEntry>& entries);
 
-/// What the tool says of a class.
+/// The tool's results of a class.
 [[nodiscard]] std::vector<SubmissionResult> resultsOf(std::vector<store::ClassEntry> entries);
 
 /// All results below OUT, by name.
-/// @throws raytracer::InputError where OUT holds none, or one cannot be read.
+/// @throws raytracer::InputError if OUT has no results, or one cannot be read.
 [[nodiscard]] std::vector<SubmissionResult> readResults(const std::filesystem::path& out);
 
-/// All results as one JSON array of what result.json holds.
+/// All results as one JSON array; each element has the contents of a result.json.
 [[nodiscard]] std::string allResultsJson(const std::vector<SubmissionResult>& results);
 
-/// Brings back what lies beside a result.json: the bytes of pictures, the sources that the compiler
-/// spoke of. What cannot be read stays empty.
+/// Reads the files beside a result.json: the bytes of pictures, the sources that diagnostics refer
+/// to. Data that cannot be read stays empty.
 void fetchFiles(const std::filesystem::path& out, SubmissionResult& result);
 
-/// Writes the submission's report.html anew, from a result that was read back and the files beside
-/// it.
-/// @return The file.
-/// @throws raytracer::InputError where it cannot be written.
+/// Writes the submission's report.html again, from its result.json and the files beside it.
+/// @return  The file.
+/// @throws raytracer::InputError if it cannot be written.
 std::filesystem::path rewriteReport(const std::filesystem::path& out, SubmissionResult result);
 
-/// One line of a table for a person: verdict, task states, findings.
+/// One line of a table: verdict, task states, findings.
 [[nodiscard]] std::string tableLine(const SubmissionResult& result);
 
 }  // namespace ticker::cli

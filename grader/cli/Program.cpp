@@ -21,7 +21,7 @@ int report(const CLI::App& app, const std::string& message, ExitCode code) {
     return toInt(code);
 }
 
-/// Says what CLI11 found wrong, in one line, or prints the help that was asked for.
+/// Prints CLI11's error in one line, or the help text if help was requested.
 int answer(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return report(app, error.what() + (" (" + app.get_name() + " --help tells all)"),
@@ -53,7 +53,7 @@ int runProgram(const Program& program, const std::vector<AddVerb>& verbs, int ar
     app.require_subcommand(1);
     app.fallthrough();
     GlobalOptions global;
-    // The script tick hands over to this program under another name.
+    // The script tick runs this program under another name.
     const char* command = std::getenv("TICKER_COMMAND");
     global.command = quoted(command != nullptr ? command : argv[0]);
     global.commandLine = commandLine(global, argc, argv);

@@ -8,17 +8,17 @@
 
 namespace ticker::cli {
 
-/// How a program calls itself.
+/// Name and description of a program.
 struct Program {
     std::string name;
     std::string description;
 };
 
-/// Adds one verb to the command line and gives back what runs it.
+/// Adds one verb to the command line and returns the function that runs it.
 using AddVerb = Run (*)(CLI::App& app, const GlobalOptions& global);
 
-/// Reads the command line, runs the verb that it names, and reports errors in one line on stderr.
-/// @return the exit status.
+/// Reads the command line, runs its verb, and reports errors in one line on stderr.
+/// @return  The exit status.
 [[nodiscard]] int runProgram(const Program& program, const std::vector<AddVerb>& verbs, int argc,
                              char** argv);
 

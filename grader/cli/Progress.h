@@ -11,11 +11,11 @@
 
 namespace ticker::cli {
 
-/// True where stderr is a terminal, NO_COLOR is not set and nobody asked for quiet.
+/// True if stderr is a terminal, NO_COLOR is not set and quiet is off.
 [[nodiscard]] bool mayDraw(bool quiet);
 
-/// A line on stderr that says how far a class is: bar, rate, time left, running counts.
-/// May be shared by threads. Draws nothing where it may not.
+/// A progress line of a class on stderr: bar, rate, time left, counts. Threads may share it. Draws
+/// nothing if drawing is off.
 class Progress {
 public:
     Progress(std::size_t total, bool draw);
@@ -23,8 +23,8 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// One more submission is finished.
-    /// @param isKept  It had a result before: that took no time and says nothing about the rate.
+    /// Counts one finished submission.
+    /// @param isKept  It had a result before, so that it does not count for the rate.
     void finished(Verdict verdict, bool isKept = false);
 
     /// Prints one line on stdout, above the bar.
@@ -42,10 +42,10 @@ private:
     std::map<Verdict, std::size_t> counts_;
 };
 
-/// One line on stderr for work of another kind: how much is done and how long the rest will take.
+/// A progress line on stderr for other work: the amount done and the time left.
 class Countdown {
 public:
-    /// @param already  What was done before and says nothing about the speed.
+    /// @param already  Work done before, which does not count for the rate.
     Countdown(std::string what, std::size_t already, bool draw);
     ~Countdown();
     Countdown(const Countdown&) = delete;

@@ -5,7 +5,7 @@
 namespace ticker::cli {
 namespace {
 
-/// A verb that only the lab has: says where it is.
+/// A verb of the lab: prints the lab's command.
 template <const char* const& name>
 Run addElsewhere(CLI::App& app, const GlobalOptions& /*global*/) {
     app.add_subcommand(name)->group("")->allow_extras()->fallthrough(false)->set_help_flag();
@@ -20,8 +20,7 @@ constexpr const char* kCalibrate = "calibrate";
 }  // namespace
 }  // namespace ticker::cli
 
-// Only CLI11 could throw, at options that are declared wrongly.
-// NOLINTNEXTLINE(bugprone-exception-escape)
+// CLI11 throws here only if options are declared wrongly.
 int main(int argc, char** argv) {
     using namespace ticker::cli;
     return runProgram(

@@ -12,7 +12,7 @@
 namespace ticker::report {
 namespace {
 
-/// The verdicts as one bar, each part a button that filters the table.
+/// The verdicts as one bar; each part is a button that filters the table.
 std::string verdictBar(const Tally& tally) {
     if (tally.verdicts.empty()) return "";
     std::string html = "<ul class=\"bar\">";
@@ -26,7 +26,7 @@ std::string verdictBar(const Tally& tally) {
     return html + "</ul>";
 }
 
-/// How many of those who tried each task passed it.
+/// For each task the numbers of submissions that attempted and passed it.
 std::string taskCounts(const Tally& tally) {
     std::string html;
     for (const auto& [task, count] : tally.tasks)
@@ -39,7 +39,7 @@ std::string taskCounts(const Tally& tally) {
     return html.empty() ? html : "<dl class=\"rates\">" + html + "</dl>";
 }
 
-/// The findings, most frequent first, each a button that filters the table.
+/// The findings, the most frequent first; each is a button that filters the table.
 std::string findingCounts(const Tally& tally, std::size_t submissions) {
     if (tally.findings.empty()) return "";
     std::string html =
@@ -91,7 +91,7 @@ std::string thumbnail(const SubmissionResult& result, const std::string& file,
         escapeHtml(what));
 }
 
-/// What the code renders, and what was handed in.
+/// Small pictures of the renders and the screenshot.
 std::string thumbnails(const SubmissionResult& result) {
     std::string html;
     if (!result.renders.empty())

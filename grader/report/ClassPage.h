@@ -9,7 +9,7 @@
 
 namespace ticker::report {
 
-/// The text of index.html: a class at a glance, with links to `<submission>/report.html`.
+/// The text of index.html: an overview of a class, with links to `<submission>/report.html`.
 [[nodiscard]] std::string classPage(const std::vector<SubmissionResult>& results,
                                     const Exercise& exercise = theExercise());
 

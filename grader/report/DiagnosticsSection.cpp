@@ -9,7 +9,7 @@
 namespace ticker::report {
 namespace {
 
-constexpr std::size_t kMostErrors = 8;  // later ones mostly follow from earlier ones
+constexpr std::size_t kMostErrors = 8;  // later errors are mostly consequences
 constexpr int kLinesAround = 3;
 
 std::vector<std::string_view> linesOf(std::string_view text) {
@@ -22,7 +22,7 @@ std::vector<std::string_view> linesOf(std::string_view text) {
     return lines;
 }
 
-/// "File.cpp:12:5: error: what": a line of a compiler's output that points at the file.
+/// "File.cpp:12:5: error: what": a compiler message with a position in the file.
 struct Remark {
     int line = 0;
     std::string_view kind;  ///< "error" or "warning"
@@ -35,7 +35,7 @@ bool takePrefix(std::string_view& text, std::string_view prefix) {
     return true;
 }
 
-/// Takes "12:" from the front; 0 where there is none.
+/// Removes "12:" from the front; returns 0 without such a number.
 int takeNumber(std::string_view& text) {
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -51,7 +51,7 @@ std::vector<Remark> remarksOf(const Diagnostics& said) {
         if (!takePrefix(rest, said.file + ":")) continue;
         const int line = takeNumber(rest);
         if (line < 1) continue;
-        (void)takeNumber(rest);  // the column: gcc's own excerpt below has the caret
+        (void)takeNumber(rest);  // the column; gcc's excerpt below has a caret
         for (const std::string_view kind : {"error", "warning"}) {
             std::string_view message = rest;
             if (takePrefix(message, fmt::format(" fatal {}: ", kind)) ||

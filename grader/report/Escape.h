@@ -8,14 +8,14 @@
 
 namespace ticker::report {
 
-/// For HTML and XML text and quoted attributes.
+/// Escapes HTML and XML text and quoted attributes.
 [[nodiscard]] std::string escapeHtml(std::string_view text);
 
-/// One CSV field (RFC 4180), quoted where needed; a leading = + - @ tab gets an apostrophe, so that
-/// no spreadsheet takes it for a formula.
+/// One CSV field (RFC 4180), quoted if necessary. A leading = + - @ tab gets an apostrophe, so that
+/// no spreadsheet reads it as a formula.
 [[nodiscard]] std::string escapeCsv(std::string_view text);
 
-/// One line for a terminal: clean, newlines and tabs become spaces.
+/// One line for a terminal: control characters are removed, newlines and tabs become spaces.
 [[nodiscard]] std::string escapeLine(std::string_view text);
 
 }  // namespace ticker::report

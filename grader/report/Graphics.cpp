@@ -10,10 +10,10 @@
 namespace ticker::report {
 namespace {
 
-constexpr double kReach = 100.0;          // from the middle to the edge, user units of the SVG
-constexpr std::size_t kMostPoints = 600;  // more only make the page heavy
+constexpr double kReach = 100.0;          // from the centre to the edge, user units of the SVG
+constexpr std::size_t kMostPoints = 600;  // more points make the page slow
 
-/// Half the width of the plot, in the plot's own units: everything that matters fits in.
+/// Half the width of the plot, in the plot's units: all important points fit.
 double reachOf(const ScatterPlot& plot) {
     double reach = std::max(plot.expectedHalfWidth, 0.0);
     for (const PlotPoint& point : plot.points)
@@ -30,7 +30,7 @@ double tickFor(double reach) {
     return power;
 }
 
-/// In words what the picture shows, for those who cannot see it.
+/// A text description of the picture, for screen readers.
 std::string description(const ScatterPlot& plot) {
     PlotPoint low{1e300, 1e300};
     PlotPoint high{-1e300, -1e300};
@@ -47,7 +47,7 @@ std::string description(const ScatterPlot& plot) {
         plot.expectedHalfWidth);
 }
 
-/// A frame with its scale below and on the left, and a cross through the middle.
+/// A frame with a scale below and on the left, and a cross at the centre.
 std::string axes(double scale, double reach) {
     const double tick = tickFor(reach);
     std::string svg = R"(<path class="axes" d="M-100-100H100V100H-100ZM-100 0H100M0-100V100)";
@@ -70,7 +70,7 @@ std::string outline(ScatterPlot::Shape shape, double half, std::string_view kind
         -half, 2.0 * half);
 }
 
-/// All points as one path of round-capped strokes without length: a page of thousands of elements
+/// All points as one path of round-capped strokes of zero length: a page with thousands of elements
 /// is slow.
 std::string dots(const ScatterPlot& plot, double scale) {
     std::string path;

@@ -14,8 +14,8 @@ namespace ticker::report {
 /// "data:image/png;base64,..." of a PNG file's bytes.
 [[nodiscard]] std::string pngAddress(std::string_view png);
 
-/// An SVG element with its description: the points, axes with their scale, and the outline of the
-/// shape that was expected.
+/// An SVG element with a description: the points, axes with a scale, and the outline of the
+/// expected shape.
 [[nodiscard]] std::string scatterSvg(const ScatterPlot& plot);
 
 }  // namespace ticker::report

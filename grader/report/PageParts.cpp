@@ -12,7 +12,7 @@
 namespace ticker::report {
 namespace {
 
-// With base64's third on top, and the page's own text, this stays below 3 MB.
+// With base64, which adds a third, and the page's own text this stays below 3 MB.
 constexpr std::size_t kMostPictureBytes = 2'000'000;
 
 }  // namespace
@@ -66,7 +66,7 @@ Album::Album(const SubmissionResult& result, std::string folder) : folder_(std::
 }
 
 std::string Album::addressOf(const std::string& file) const {
-    if (!file.starts_with("images/")) return {};  // nowhere else, and no other host
+    if (!file.starts_with("images/")) return {};  // no other folder and no other host
     const auto found = pictures_.find(file);
     return found != pictures_.end() ? found->second : address(folder_ + file);
 }

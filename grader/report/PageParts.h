@@ -11,28 +11,27 @@
 
 namespace ticker::report {
 
-// Parts of the pages, as HTML. What came from a student is escaped in them.
+// Parts of the pages, as HTML. Text from students is escaped.
 
-/// A word on a coloured ground; `kind` is one of the words of result.json.
+/// A word on a coloured background; `kind` is a word of result.json.
 [[nodiscard]] std::string badge(std::string_view kind, std::string_view words);
 
-/// A path of our own naming, for an attribute: everything unusual percent-encoded.
+/// A path for an attribute: unusual characters are percent-encoded.
 [[nodiscard]] std::string address(std::string_view path);
 
-/// A page from its doctype to its end. It may load nothing but pictures in itself and below its
-/// folder, and run no script but this one.
+/// A complete page. Its policy allows pictures inside it and below its folder, and this script
+/// only.
 [[nodiscard]] std::string page(std::string_view title, std::string_view css, std::string_view js,
                                std::string_view body);
 
-/// The pictures of a result. A page carries as many as fit into it, the small ones first; the rest,
-/// and those of a result that was read back without them, lie beside the page.
+/// The pictures of a result. A page embeds as many as fit, the small ones first. The others, and
+/// pictures of a result that was read back without them, are files beside the page.
 class Album {
 public:
-    /// @param folder  Where the result lies, as seen from the page: empty, or with a slash at its
-    /// end.
+    /// @param folder  Path from the page to the result's folder: empty, or with a slash at its end.
     explicit Album(const SubmissionResult& result, std::string folder = {});
 
-    /// For the attribute src; empty for what is no file of ours.
+    /// The value of the attribute src; empty for a file that is not a result's picture.
     [[nodiscard]] std::string addressOf(const std::string& file) const;
     [[nodiscard]] bool has(const std::string& file) const { return pictures_.contains(file); }
 
@@ -42,26 +41,26 @@ private:
 };
 
 /// One finding with its message, hint, pictures and measured values.
-/// @param seen  HTML of what else was seen of its task.
+/// @param seen  HTML of the task's other plots and pictures.
 [[nodiscard]] std::string findingCard(const Finding& finding, const Album& album,
                                       const std::string& seen);
 
-/// Plots and pictures of what was seen, as figures; empty where there are none.
+/// Plots and pictures as figures; empty without any.
 [[nodiscard]] std::string figures(const std::vector<ScatterPlot>& plots,
                                   const std::vector<Raster>& rasters, const Album& album);
 
-/// The keys of a page that act on its pictures.
+/// Keys of a page that control its pictures.
 enum class PictureKeys {
     all,
-    blinkAndZoom  ///< others mean something else on this page, which tells its keys itself
+    blinkAndZoom  ///< the page uses the other keys itself, and lists its keys
 };
 
-/// Expected and submitted pictures; empty where there are none.
+/// Expected and submitted pictures; empty without any.
 [[nodiscard]] std::string picturesSection(const SubmissionResult& result, const Album& album,
                                           PictureKeys keys = PictureKeys::all,
                                           const Exercise& exercise = theExercise());
 
-/// What the compiler said, beside the student's lines; empty where it said nothing.
+/// The compiler's messages, beside the student's lines; empty without messages.
 [[nodiscard]] std::string diagnosticsSection(const SubmissionResult& result);
 
 }  // namespace ticker::report

@@ -6,11 +6,11 @@
 
 namespace ticker::report {
 
-// The files of grader/report/page, carried in the program so that pages need nothing beside them.
+// The files of grader/report/page, compiled into the program so that pages need no other files.
 [[nodiscard]] std::string_view commonCss();
 [[nodiscard]] std::string_view reportCss();
 [[nodiscard]] std::string_view reportJs();
-/// Part of `reportJs`: the class of pictures that lie over each other, bound to no keys.
+/// Part of `reportJs`: the class of overlaid pictures, without keys.
 [[nodiscard]] std::string_view viewerJs();
 [[nodiscard]] std::string_view classCss();
 [[nodiscard]] std::string_view classJs();

@@ -79,7 +79,7 @@ std::string controls(std::string_view name, PictureKeys keys) {
         layButton("over", "Slider", 'o', keys));
 }
 
-/// The pictures of one scene under one heading; the first two can lie over each other.
+/// The pictures of one scene under one heading; the first two can be overlaid.
 std::string viewer(const std::string& heading, const std::string& intro,
                    const std::vector<Shown>& pictures, std::string_view name, PictureKeys keys) {
     std::string html = fmt::format(
@@ -91,7 +91,7 @@ std::string viewer(const std::string& heading, const std::string& intro,
     return html + "</div></section>";
 }
 
-/// One picture that has nothing beside it.
+/// One picture by itself.
 std::string alone(const std::string& heading, const Shown& shown) {
     return fmt::format("<section class=\"alone\"><h3>{}</h3>{}</section>", heading, figure(shown));
 }
@@ -122,8 +122,8 @@ std::string ofRender(const RenderScore& render, const Album& album, PictureKeys 
     return viewer(heading, scores(render), pictures, render.scene, keys);
 }
 
-/// The scene that a screenshot should show: the handout's own of the file that was worked on; null
-/// where it may be another's.
+/// The scene that a screenshot should show: the handout's scene of the attempted file; null if it
+/// may be the other file's.
 const RenderScore* screenshotScene(const SubmissionResult& result, const Exercise& exercise) {
     std::set<std::string_view> files;
     for (const TaskReport& task : result.tasks)

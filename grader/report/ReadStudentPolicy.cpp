@@ -18,7 +18,7 @@ namespace {
 
 using raytracer::InputError;
 
-/// The members that are true or false.
+/// The boolean members.
 const std::map<std::string, bool StudentPolicy::*>& switches() {
     static const std::map<std::string, bool StudentPolicy::*> kSwitches{
         {"hints", &StudentPolicy::hints},
@@ -55,7 +55,7 @@ StudentPolicy readStudentPolicy(const std::filesystem::path& path) {
     const JsonValue document =
         JsonValue::parse(readWhole(path, "cannot be read; expected a student view"), path.string());
     if (!document.isObject()) throw InputError(path.string(), 1, "expected an object");
-    // What a course forgot to say must not fall open.
+    // A missing member must not default to "show".
     for (const auto& [name, unused] : switches())
         if (!document.has(name))
             throw InputError(path.string(), 1, fmt::format("expected a member \"{}\"", name));

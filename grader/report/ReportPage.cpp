@@ -23,7 +23,7 @@ std::string nameOf(const TaskReport& task) {
     return task.id == "screenshot" ? task.title : task.id + " " + task.title;
 }
 
-/// A task that nobody attempted needs no section of its own.
+/// A task that was not attempted has no section.
 bool hasSection(const TaskReport& task) {
     return task.state != TaskState::notAttempted || !task.findings.empty();
 }
@@ -40,7 +40,7 @@ std::string shortReason(const TaskReport& task) {
     return task.reason;
 }
 
-/// What is the same for several tasks is said once.
+/// Groups tasks with equal texts.
 class Grouped {
 public:
     void add(const std::string& task, const std::string& what) {
@@ -51,7 +51,7 @@ public:
         else
             groups_.push_back({{task}, what});
     }
-    /// Pairs of tasks and what is said of them.
+    /// Pairs of task names and their common text.
     [[nodiscard]] const std::vector<std::pair<std::vector<std::string>, std::string>>& groups()
         const {
         return groups_;
@@ -101,7 +101,7 @@ std::string reviewReason(const TaskReport& task) {
     return task.findings.empty() ? std::string{wordsFor(task)} : task.findings.front().message;
 }
 
-/// Why a person should look, where one should.
+/// The reasons for review, if there are any.
 std::string reviewReasons(const SubmissionResult& result) {
     if (result.verdict != Verdict::needsReview) return "";
     Grouped reasons;
@@ -139,8 +139,8 @@ std::string overview(const SubmissionResult& result) {
     return html + "</ul></nav>";
 }
 
-/// What was seen of a task stands in the card of its first mistake, else in a card of its own. A
-/// mistake without a picture of its own has a link to those of the scenes.
+/// A task's plots are in the card of its first mistake, or in a card of their own. A mistake
+/// without a picture links to those of the scenes.
 std::string findingCards(const SubmissionResult& result, const TaskReport& task,
                          const Album& album) {
     std::string seen = figures(task.plots, task.rasters, album);
@@ -171,7 +171,7 @@ std::string taskSection(const SubmissionResult& result, const TaskReport& task,
     if (const TaskReport* before = saidBefore(result, task))
         return html + fmt::format("<p>The same as for <a href=\"#{}\">{}</a>.</p></section>",
                                   anchor(before->id), escapeHtml(nameOf(*before)));
-    // Findings say it better.
+    // Findings are clearer than the reason.
     if (task.findings.empty() && !task.reason.empty())
         html += fmt::format("<p>{}</p>", escapeHtml(sentence(task.reason)));
     return html + findingCards(result, task, album) + "</section>";

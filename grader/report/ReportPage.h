@@ -7,8 +7,8 @@
 
 namespace ticker::report {
 
-/// The text of report.html: one self-contained page about one submission, pictures included. Needs
-/// no network and nothing beside it.
+/// The text of report.html: one self-contained page about one submission, pictures included. It
+/// needs no network and no other files.
 [[nodiscard]] std::string reportPage(const SubmissionResult& result);
 
 }  // namespace ticker::report

@@ -7,8 +7,8 @@
 
 namespace ticker::report {
 
-/// One self-contained page for the student: what was found, task by task, what the compiler said,
-/// and what the student's own code rendered.
+/// One self-contained page for the student: the findings of each task, the compiler's messages and
+/// the student's own renders.
 [[nodiscard]] std::string studentPage(const StudentView& view);
 
 }  // namespace ticker::report

@@ -34,7 +34,7 @@ void withhold(Finding& finding, const StudentPolicy& policy) {
 }
 
 void withhold(TaskReport& task, const StudentPolicy& policy) {
-    // A failure of ours speaks of this machine.
+    // The reason of a notGraded task may describe this machine.
     if (task.state == TaskState::notGraded)
         task.reason = "could not be graded, for reasons that are not yours";
     std::erase_if(task.findings, [&](const Finding& finding) { return !isShown(finding, policy); });
@@ -51,7 +51,7 @@ bool hasBytes(const SubmissionResult& result, const std::string& file) {
 }
 
 void withholdPictures(SubmissionResult& result, const StudentPolicy& policy) {
-    // What students get lies nowhere near our files: a picture comes along or not at all.
+    // Students' pages are stored elsewhere: pictures are embedded or left out.
     std::erase_if(result.renders, [&](const RenderScore& render) {
         return !policy.ownPictures || !hasBytes(result, render.image);
     });
@@ -83,7 +83,7 @@ std::string findingText(const Finding& finding) {
     return text;
 }
 
-/// "A, or B and C together": what the rubric asks for.
+/// The rubric's condition: "A, or B and C together".
 std::string ruleOf(const std::vector<Option>& options) {
     std::string ways;
     for (const Option& option : options)

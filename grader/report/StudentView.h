@@ -11,7 +11,7 @@
 
 namespace ticker::report {
 
-/// What students are shown, as data; see student-view.schema.json.
+/// What students may see, as data; see student-view.schema.json.
 struct StudentPolicy {
     bool hints = true;
     bool compilerOutput = true;
@@ -22,16 +22,16 @@ struct StudentPolicy {
 };
 
 /// Reads a policy file.
-/// @throws raytracer::InputError naming the file, the member and what was expected.
+/// @throws raytracer::InputError with the file, the member and what was expected.
 [[nodiscard]] StudentPolicy readStudentPolicy(const std::filesystem::path& file);
 
-/// A result without anything that a student must not see: no seed, no expected picture, no plot or
-/// map of what was asked, no measured value but those that the policy names, no reason of ours.
-/// Whatever students are shown is made from one of these.
+/// A result without the data that students must not see: no seed, no expected picture, no plot or
+/// map of the questions, no measured value except those in the policy, no internal reason. All
+/// output for students is made from a StudentView.
 class StudentView {
 public:
-    /// @param comment  What the person who decided says; empty: nobody said anything.
-    /// @param proposed  The tool's own verdict; nothing: as in `result`.
+    /// @param comment   The ticker's comment; empty if there is no comment.
+    /// @param proposed  The tool's own verdict; without a value: that of `result`.
     StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment = {},
                 std::optional<Verdict> proposed = {}, const Exercise& exercise = theExercise());
 
@@ -47,35 +47,34 @@ private:
     const Exercise* exercise_;
 };
 
-/// True where the student worked on this task, or something is to be said about it.
+/// True if the student attempted this task, or if it has findings.
 [[nodiscard]] bool concernsStudent(const TaskReport& task);
 
-/// True where the task is right or wrong, and neither a person's business nor unchecked.
+/// True if the task is right or wrong: neither in review nor unchecked.
 [[nodiscard]] bool isDecided(const TaskReport& task);
 
-/// True where the verdict is one: a score that a platform may store and release.
+/// True if the verdict gives a score that a platform may store and release.
 [[nodiscard]] bool hasScore(const SubmissionResult& result);
 
-/// Id and title, "Screenshot": stable and unique in a result.
+/// Id and title, or "Screenshot": stable and unique in a result.
 [[nodiscard]] std::string taskName(const TaskReport& task);
 
-/// The findings of one task with their hints, as plain text over several lines; not escaped for any
-/// format but free of control characters. What was said of an earlier task is not said again. Never
-/// empty.
+/// The findings of one task with their hints, as plain text of several lines. Not escaped for any
+/// format, but without control characters. Texts of an earlier task are not repeated. Never empty.
 [[nodiscard]] std::string shortText(const StudentView& view, const TaskReport& task);
 
-/// The same, and what the compiler said.
+/// shortText and the compiler's messages.
 [[nodiscard]] std::string taskText(const StudentView& view, const TaskReport& task);
 
-/// The names of a task and of all later ones of which the same is said.
+/// The names of a task and of all later ones with the same text.
 [[nodiscard]] std::string headingOf(const StudentView& view, const TaskReport& task);
 
-/// One or two sentences on the verdict, and the person's comment, as plain text without control
+/// One or two sentences on the verdict, and the ticker's comment, as plain text without control
 /// characters.
 [[nodiscard]] std::string verdictText(const StudentView& view);
 
-/// verdictText, then the text of each task that concerns the student, under its name; what is the
-/// same for several tasks once, under all names.
+/// verdictText, then the text of each task that concerns the student, under its name. A text that
+/// several tasks share appears once, under all names.
 [[nodiscard]] std::string wholeText(const StudentView& view);
 
 }  // namespace ticker::report

@@ -10,11 +10,10 @@
 
 namespace ticker::report {
 
-/// The text of summary.csv: a header, then one line for each submission: submission, verdict,
-/// score, option, the state of each task, and the ids of its findings of severity fail or warn,
-/// separated by spaces; all this as the tool says. Then what a person decided: ruling ("awarded",
-/// "notYet"), by whom, when (UTC) and the comment; empty where nobody did. Lines end in CR LF (RFC
-/// 4180).
+/// The text of summary.csv: a header, then one line for each submission. First the tool's result:
+/// submission, verdict, score, option, the state of each task, and the ids of its findings of
+/// severity fail or warn, separated by spaces. Then the ticker's decision, empty if there is none:
+/// ruling ("awarded", "notYet"), name, time (UTC) and comment. Lines end in CR LF (RFC 4180).
 [[nodiscard]] std::string summaryCsv(const std::vector<SubmissionResult>& results,
                                      const std::vector<Decision>& decisions = {},
                                      const Exercise& exercise = theExercise());

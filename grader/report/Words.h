@@ -10,29 +10,28 @@
 
 namespace ticker::report {
 
-/// The submitted picture among SubmissionResult::pictures.
+/// The screenshot among SubmissionResult::pictures.
 inline constexpr std::string_view kScreenshotFile = "images/screenshot.png";
 
-/// For people: "not awarded", "needs a look", ...
+/// For readers: "not awarded", "needs a look", ...
 [[nodiscard]] std::string_view wordsFor(Verdict verdict);
-/// For people: "not attempted", ...
+/// For readers: "not attempted", ...
 [[nodiscard]] std::string_view wordsFor(TaskState state);
 
-/// For people: the words of its state, or "not checked".
+/// For readers: the words of its state, or "not checked".
 [[nodiscard]] std::string_view wordsFor(const TaskReport& task);
 /// For programs and style sheets: the state's name in result.json, or "notChecked".
 [[nodiscard]] std::string_view kindOf(const TaskReport& task);
 
-/// For people: "mistake", "warning", "note".
+/// For readers: "mistake", "warning", "note".
 [[nodiscard]] std::string_view wordsFor(Severity severity);
 
-/// What somebody did to get a finding, to go on "14 of 60 ...": "inverted the bumps along u". The
-/// id itself where there are no words for it.
+/// Words that continue "14 of 60 ...": "inverted the bumps along u". The id itself if it has no
+/// words.
 [[nodiscard]] std::string_view wordsForFinding(std::string_view id);
 
-/// An earlier task of which exactly the same is said, so that it need not be said again; null where
-/// there is none.
-/// @param task  One of the result's.
+/// An earlier task with exactly the same text, which need not be repeated; null if there is none.
+/// @param task  A task of the result.
 [[nodiscard]] const TaskReport* saidBefore(const SubmissionResult& result, const TaskReport& task);
 
 /// "a", "a and b", "a, b and c".

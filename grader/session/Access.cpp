@@ -41,7 +41,7 @@ bool isToken(const std::string& text) {
            text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-// A file that others can read, or that somebody else put there, holds no secret.
+// A file that other users can read or own is not secret.
 bool isOurs(const fs::path& file) {
     struct stat status {};
     return lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&

@@ -48,7 +48,7 @@ bool isRegular(const fs::path& file) {
     return fs::is_regular_file(fs::symlink_status(file, error));
 }
 
-/// Reads a decision out of a request; empty: it is none.
+/// Reads a decision from a request; empty if it is not a decision.
 std::optional<Decision> readDecision(const std::string& body) {
     const json request = json::parse(body, nullptr, false);
     if (!request.is_object()) return std::nullopt;
@@ -69,7 +69,7 @@ std::optional<Decision> readDecision(const std::string& body) {
     return decision;
 }
 
-// The answer to a decision that was kept got lost, and the page sends it again.
+// The answer to a stored decision was lost, and the page sends it again.
 bool isSentAgain(const Decision& sent, const Decision& current) {
     return current.version == sent.version + 1 && current.ruling == sent.ruling &&
            current.comment == sent.comment && current.who == sent.who;

@@ -35,10 +35,10 @@ bool isDigit(char c) {
 
 struct Token {
     std::string_view text;
-    char kind = ' ';  ///< as the class in HTML; ' ': none
+    char kind = ' ';  ///< class in HTML; ' ' for none
 };
 
-/// Takes one token after the other off a source. Knows only as much of C++ as colours need.
+/// Splits a source into tokens. Knows only as much of C++ as highlighting needs.
 class Scanner {
 public:
     explicit Scanner(std::string_view source) : rest_(source) {}

@@ -47,7 +47,7 @@ void print(const SubmissionResult& result) {
                report::wordsFor(result.verdict));
 }
 
-/// What the course's policy lets a student see.
+/// Prints what the course's policy shows to a student.
 void printForStudent(const SubmissionResult& result) {
     const report::StudentPolicy policy = report::readStudentPolicy(Home::find().studentView());
     fmt::print("{}\n", report::wholeText(report::StudentView{result, policy}));

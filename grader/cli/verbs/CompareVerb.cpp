@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using metrics::Comparison;
 using metrics::Map;
 
-// Two pictures of a million tiles reach this many standard errors by chance once in 10^8 times.
+// Two pictures of a million tiles exceed this number of standard errors with a chance of 10^-8.
 constexpr double kFullNoiseScore = 10.0;
 
 struct CompareOptions {
@@ -67,7 +67,7 @@ std::string jsonText(const Comparison& comparison) {
     return json.dump(2) + "\n";
 }
 
-/// Every tile as large as it is in the picture.
+/// Enlarges every tile to its size in the picture.
 Map spread(const Map& tiles, int tileSize, int width, int height) {
     Map map{width, height, {}};
     for (int y = 0; y < height; ++y)

@@ -31,7 +31,7 @@ bool showCompiler() {
     }
 }
 
-/// True where some level locks submissions in.
+/// True if some level confines submissions.
 bool showSandbox() {
     bool locked = false;
     for (const sandbox::Diagnosis& level : sandbox::diagnose()) {

@@ -13,7 +13,7 @@ class App;
 
 namespace ticker::cli {
 
-/// What `grade` and `check` have in common.
+/// The options that `grade` and `check` share.
 struct GradeOptions {
     std::optional<std::uint64_t> seed;
     std::string option = "auto";
@@ -24,15 +24,15 @@ struct GradeOptions {
 /// Adds --seed, --option, --sandbox and --rubric to a verb.
 void addGradeOptions(CLI::App& verb, GradeOptions& options);
 
-/// @param level  "A", "B", "C", "none", or "auto": the best that there is.
-/// @throws raytracer::Error where this machine does not offer it.
+/// @param level  "A", "B", "C", "none", or "auto": the best available level.
+/// @throws raytracer::Error if this machine does not offer it.
 [[nodiscard]] sandbox::Sandbox openSandbox(const std::string& level);
 
-/// Everything that judging needs, as the options say.
-/// @throws raytracer::Error where the kit, the rubric or the sandbox level is not to be had.
+/// Everything that judging needs, according to the options.
+/// @throws raytracer::Error if the kit, the rubric or the sandbox level is not available.
 [[nodiscard]] pipeline::Grader makeGrader(const GradeOptions& options);
 
-/// The seed that was given, or a fresh one from the system.
+/// The given seed, or a fresh one from the system.
 [[nodiscard]] std::uint64_t seedOf(const GradeOptions& options);
 
 }  // namespace ticker::cli

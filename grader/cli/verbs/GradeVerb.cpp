@@ -42,12 +42,12 @@ struct BatchOptions {
     [[nodiscard]] bool keepsResults() const { return resume || !regrade.empty(); }
 };
 
-/// For the sample class, whose folders are named after the verdicts they must get.
+/// Whether the verdict is the one in the folder's name, as in the sample class.
 bool asItsFolderSays(const intake::Located& located, const SubmissionResult& result) {
     return located.path.parent_path().filename() == toString(result.verdict);
 }
 
-/// What has come of the submissions so far.
+/// Counts of the submissions so far.
 struct Tally {
     std::map<Verdict, std::size_t> verdicts;
     std::size_t kept = 0;
@@ -107,7 +107,7 @@ void take(const intake::Located& located, const SubmissionResult& result, bool i
     if (isKept) ++tally.kept;
 }
 
-// Of this process alone, without those that it started.
+// Of this process, without its child processes.
 long peakMegabytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);

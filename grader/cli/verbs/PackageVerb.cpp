@@ -30,7 +30,7 @@ struct PackageOptions {
     std::string studentView;
 };
 
-/// Everything that runs, from wherever this ticker lies.
+/// All parts that run, found from this ticker's place.
 package::Parts partsOf(const PackageOptions& options) {
     const Home home = Home::find();
     const build::Kit kit = build::Kit::besideProgram();
@@ -59,7 +59,7 @@ void packStudent(const PackageOptions& options) {
     package::writeStudentPackage(Home::find().data, options.file);
 }
 
-/// One kind of package: a line here is all that a new one needs.
+/// One kind of package. A new kind is one row of this type.
 struct Kind {
     const char* name;
     const char* whatItIs;

@@ -74,7 +74,7 @@ raytracer::ExitCode renderBySubmission(const RenderOptions& options) {
     return raytracer::ExitCode::success;
 }
 
-// tick1star is the renderer: the same program that students run, with its progress bar and Ctrl-C.
+// Runs tick1star, the program that students use, with its progress bar and Ctrl-C.
 raytracer::ExitCode becomeTick1star(const RenderOptions& options, const GlobalOptions& global) {
     const Home home = Home::find();
     const std::string program = (home.programs / "tick1star-reference").string();

@@ -22,7 +22,7 @@ struct SessionOptions {
     std::string studentView;
 };
 
-/// Blocks the signals that end a session, for this thread and those that it starts.
+/// Blocks the signals that end a session, for this thread and its children.
 sigset_t blockEnding() {
     sigset_t ending;
     sigemptyset(&ending);
@@ -53,7 +53,7 @@ raytracer::ExitCode run(const SessionOptions& options, const GlobalOptions& glob
     int signal = 0;
     sigwait(&ending, &signal);
     server.stop();
-    // Decisions are in the store; this is for whoever reads the table.
+    // The store has the decisions; this updates the tables for readers.
     writeClass(options.out);
     writeStudentPages(options.out, store::readClass(options.out), options.studentView);
     return raytracer::ExitCode::success;

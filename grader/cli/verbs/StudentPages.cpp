@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The result as it counts: as a person decided, or as the tool proposes.
+/// The valid result: the ticker's decision, or the tool's proposal.
 SubmissionResult decided(const store::ClassEntry& entry) {
     SubmissionResult result = entry.result;
     if (!isDecided(entry)) return result;

@@ -12,19 +12,19 @@ class App;
 
 namespace ticker::cli {
 
-/// What every verb understands.
+/// Options of every verb.
 struct GlobalOptions {
     bool quiet = false;              ///< nothing on stderr but errors
     bool verbose = false;            ///< more on stderr
-    std::string command = "ticker";  ///< how this program was called, for a shell
-    std::string commandLine = {};    ///< likewise, with all its words
+    std::string command = "ticker";  ///< name of this program on the command line
+    std::string commandLine = {};    ///< the whole command line
 };
 
-/// Runs a verb after its command line was read.
+/// Runs a verb after the command line was read.
 using Run = std::function<raytracer::ExitCode()>;
 
-// Each adds one verb to the command line and gives back what runs it. `global` outlives the
-// program.
+// Each function adds one verb to the command line and returns the function that runs it. `global`
+// outlives the program.
 Run addGrade(CLI::App& app, const GlobalOptions& global);
 Run addCheck(CLI::App& app, const GlobalOptions& global);
 Run addRender(CLI::App& app, const GlobalOptions& global);

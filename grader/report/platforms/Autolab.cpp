@@ -7,8 +7,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Autolab marks each entry of a stage whose entries are objects, right or wrong, and shows a stage
-// of plain words without marks.
+// Autolab marks each entry of a stage as right or wrong if the entries are objects, and shows plain
+// strings without marks.
 constexpr const char* kMarked = "Tick";
 constexpr const char* kUnmarked = "Not decided";
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// How many bytes the quoted string at the start of `text` has; npos where it never ends.
+/// Number of bytes of the quoted string at the start of `text`; npos if it is not closed.
 std::size_t quotedLength(std::string_view text) {
     for (std::size_t i = 1; i < text.size(); ++i) {
         if (text[i] == '\\') {

@@ -8,20 +8,20 @@
 
 namespace ticker::report {
 
-/// A CSV file of somebody else's whose untouched fields come out byte for byte: quoting, line ends,
-/// byte order mark. Reads as PHP does, which is what Moodle writes and reads with: inside quotes, a
-/// quote after a backslash does not end the field.
+/// A CSV file by another program. Unchanged fields are written back byte for byte: quoting, line
+/// ends, byte order mark. Parsed as PHP does, which Moodle uses: inside quotes, a quote after a
+/// backslash does not end the field.
 class CsvFile {
 public:
-    /// @param name  For messages.
-    /// @throws raytracer::InputError with a line number, where rows differ in length or a quote
-    ///         never ends.
+    /// @param name  Name in messages.
+    /// @throws raytracer::InputError with a line number, if rows differ in length or a quote is not
+    ///         closed.
     CsvFile(std::string_view text, const std::string& name);
 
     [[nodiscard]] std::size_t rows() const { return records_.size(); }
     [[nodiscard]] std::size_t columns() const { return records_.front().fields.size(); }
 
-    /// The field's meaning: without quotes. Row 0 is the header.
+    /// The field's value, without quotes. Row 0 is the header.
     [[nodiscard]] std::string value(std::size_t row, std::size_t column) const;
 
     /// Replaces a field by a quoted one.
@@ -31,7 +31,7 @@ public:
 
 private:
     struct Record {
-        std::vector<std::string> fields;  ///< as they stand in the file
+        std::vector<std::string> fields;  ///< as written in the file
         std::string end;                  ///< "\r\n", "\n" or nothing
         int line = 0;
     };

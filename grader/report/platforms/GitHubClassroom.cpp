@@ -23,8 +23,8 @@ std::string classroomJson(const StudentView& view) {
     test["name"] = "Tick";
     test["status"] = statusOf(result);
     test["score"] = result.score;
-    // The reporter prints the message of an error, and GitHub takes printed lines for commands: no
-    // word of a student may be among them.
+    // The reporter prints the message of an error, and GitHub interprets printed lines as commands:
+    // the message must not contain text from a student.
     test["message"] = hasScore(result) ? wholeText(view) : verdictText(view);
     test["test_code"] = "";
     test["filename"] = "";

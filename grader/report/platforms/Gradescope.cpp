@@ -22,7 +22,7 @@ ordered_json testOf(const StudentView& view, const TaskReport& task, int number)
     return test;
 }
 
-/// A test that students see later: until then Gradescope keeps the score from them.
+/// A test that students see later; Gradescope hides the score until then.
 ordered_json laterTest(std::size_t number) {
     ordered_json test;
     test["name"] = "Tick";

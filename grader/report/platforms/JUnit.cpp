@@ -15,7 +15,7 @@ enum class Outcome { passed, failed, skipped };
 struct Case {
     std::string name;
     Outcome outcome = Outcome::passed;
-    std::string text;  ///< empty where there is nothing to say
+    std::string text;  ///< empty without a text
 };
 
 Outcome outcomeOf(const TaskReport& task) {

@@ -37,7 +37,7 @@ std::string lowerCase(std::string text) {
 }
 
 MoodleColumns moodleColumns(const CsvFile& file, const std::string& name) {
-    // Moodle looks for all three, whether or not we need them.
+    // Moodle requires all three columns, even if we do not use them.
     for (const char* needed : {"Identifier", "Grade", kGradedAt})
         if (!columnOf(file, needed))
             throw raytracer::InputError(

@@ -10,7 +10,7 @@
 
 namespace ticker::report {
 
-/// The columns of Moodle's grading worksheet that matter; Moodle knows them by their English words.
+/// Column numbers of Moodle's grading worksheet. Moodle recognises columns by their English names.
 struct MoodleColumns {
     std::size_t id = 0;
     std::size_t grade = 0;
@@ -23,14 +23,14 @@ struct MoodleColumns {
 };
 
 /// @param name  The worksheet's file name, for messages.
-/// @throws raytracer::InputError naming the column that is missing.
+/// @throws raytracer::InputError with the name of a missing column.
 [[nodiscard]] MoodleColumns moodleColumns(const CsvFile& file, const std::string& name);
 
-/// Refuses what programs for tables make of a worksheet when they save it: Moodle takes none of it.
-/// @throws raytracer::InputError saying what to hand in instead.
+/// Refuses a worksheet that a spreadsheet program has saved: Moodle does not accept it.
+/// @throws raytracer::InputError with the format to use instead.
 void refuseIfResaved(std::string_view worksheet, const std::string& name);
 
-/// A line about dates that Moodle will not read; empty where all are in English.
+/// A line about dates that Moodle will not read; empty if all dates are in English.
 [[nodiscard]] std::string dateWarning(const CsvFile& file, const MoodleColumns& columns);
 
 /// ASCII letters only.

@@ -17,7 +17,7 @@
 namespace ticker::report {
 namespace {
 
-/// The digits at the end: of "Participant 123", of "Ann Lee_123"; empty where there are none.
+/// The digits at the end of "Participant 123" or "Ann Lee_123"; empty without digits.
 std::string digitsAtEnd(std::string_view text) {
     const std::size_t last = text.find_last_not_of("0123456789");
     return std::string{last == std::string_view::npos ? text : text.substr(last + 1)};
@@ -34,7 +34,7 @@ std::string nameOf(const std::string& submission) {
     return id.empty() ? submission : submission.substr(0, submission.size() - id.size() - 1);
 }
 
-/// What two spellings of a team's name have in common: Moodle and file systems drop punctuation.
+/// Normal form of a team's name: Moodle and file systems drop punctuation.
 std::string comparable(std::string_view name) {
     std::string letters;
     for (const char c : name)
@@ -44,7 +44,7 @@ std::string comparable(std::string_view name) {
     return letters;
 }
 
-/// Whose submission a row speaks of.
+/// Finds the submission of a row.
 class Finder {
 public:
     explicit Finder(const std::vector<StudentView>& views) {
@@ -57,7 +57,7 @@ public:
 
     [[nodiscard]] std::optional<std::size_t> find(const std::string& id,
                                                   const std::optional<std::string>& team) const {
-        // In a team assignment the number in a submission's name is the team's, not a person's.
+        // In a team assignment the number in a submission's name is the team's.
         const auto& known = team ? byTeam_ : byId_;
         const auto found = known.find(team ? comparable(*team) : id);
         if (found == known.end()) return std::nullopt;
@@ -69,8 +69,8 @@ private:
     std::map<std::string, std::size_t> byTeam_;
 };
 
-/// Moodle shows feedback as HTML. Quotes and backslashes become references, so that no two readers
-/// of CSV can differ on where the field ends.
+/// Moodle shows feedback as HTML. Quotes and backslashes become character references, so that all
+/// CSV parsers agree on the end of the field.
 std::string feedbackHtml(const StudentView& view) {
     std::string html;
     for (const char c : escapeHtml(wholeText(view))) {
@@ -192,8 +192,8 @@ std::vector<NamedText> moodleFeedbackFiles(const std::vector<MoodleParticipant>&
                                            const std::vector<std::string>& pages) {
     std::vector<NamedText> files;
     for (const MoodleParticipant& participant : graded) {
-        // Moodle takes what stands between the first two underscores for the id, and before 4.1.10
-        // asks for the underscore at the end.
+        // Moodle reads the text between the first two underscores as the id, and before 4.1.10
+        // requires an underscore at the end.
         std::string name = nameOf(views.at(participant.view).result().submission);
         std::ranges::replace(name, '_', ' ');
         std::ranges::replace(name, '/', ' ');

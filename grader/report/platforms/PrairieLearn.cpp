@@ -10,8 +10,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// PrairieLearn heads the result with the sum of all tests' points beside the score: one test has
-/// them all. A test without possible points is marked as neither right nor wrong.
+/// PrairieLearn shows the sum of all tests' points beside the score: therefore one test has them
+/// all. It marks a test without possible points as neither right nor wrong.
 ordered_json test(const std::string& name, double points, double maxPoints,
                   const std::string& output) {
     return {{"name", name}, {"points", points}, {"max_points", maxPoints}, {"output", output}};
