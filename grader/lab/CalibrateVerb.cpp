@@ -37,7 +37,7 @@ struct CalibrateOptions {
 
 struct Places {
     fs::path document;
-    fs::path record;  // what was committed
+    fs::path record;  // folder of the committed records
 };
 
 Places placesOf(const Home& home) {
@@ -50,7 +50,7 @@ void write(const fs::path& file, const std::string& text) {
     if (!stream) throw raytracer::InputError(file.string(), 0, "cannot be written");
 }
 
-// Tables on stdout; the document and the committed record follow.
+// Prints the tables, and updates the document and the committed record.
 bool publish(const Campaign& campaign, const Record& record, const Places& places) {
     const Summary summary = campaign.summarise(record.all());
     const std::string text = record.size() == campaign.units()
@@ -71,7 +71,8 @@ void runWithProgress(Campaign& campaign, Record& record, int jobs, bool draw) {
                            [&](std::size_t done, std::size_t of) { countdown.show(done, of); });
 }
 
-// Committed tables are those of the committed records, and some units still come out as recorded.
+// Checks that the committed tables follow from the committed records, and that some units repeat as
+// recorded.
 bool check(Campaign& campaign, const Places& places, int jobs) {
     const Record record{places.record, campaign};
     std::vector<std::string> wrong = calibrate::checkCampaign(campaign, record, jobs);
@@ -98,7 +99,7 @@ bool calibrateOne(Campaign& campaign, const CalibrateOptions& options, const Pla
     return publish(campaign, record, places);
 }
 
-/// An installation has neither the record nor the solutions that a campaign runs.
+/// An installation has neither the record nor the solutions of a campaign.
 void requireCheckout(const Home& home) {
     for (const char* folder : {"grader/lab/calibrate/record", "grader/corpus/unseen"})
         if (!fs::is_directory(home.data / folder))

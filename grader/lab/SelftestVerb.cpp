@@ -49,7 +49,7 @@ bool testBump(const SelftestOptions& options, bool draw) {
     return result.passed();
 }
 
-/// Both reference solutions and the samples that are right.
+/// Both reference solutions and the right samples.
 std::vector<selftest::RightSource> rightSources(const Home& home) {
     std::vector<selftest::RightSource> sources;
     for (const char* folder :
@@ -63,8 +63,7 @@ std::vector<selftest::RightSource> rightSources(const Home& home) {
     return sources;
 }
 
-/// The catalogue's entries of T1 or T2, of both where no task is named, or those that were asked
-/// for.
+/// The catalogue's entries of T1 or T2 (both without a task), or the requested entries.
 bool testMistakes(const SelftestOptions& options, const std::string& task,
                   const pipeline::Grader& grader, bool draw) {
     const Home home = Home::find();
@@ -82,7 +81,7 @@ bool testMistakes(const SelftestOptions& options, const std::string& task,
     return std::ranges::all_of(rows, &selftest::MistakeRow::asExpected);
 }
 
-/// The whole corpus, or those of it that were asked for.
+/// The whole corpus, or the requested entries.
 std::vector<corpus::Entry> hostileCases(const Home& home, const std::vector<std::string>& wanted) {
     auto corpus = corpus::readEntries(home.data, {"hostile"});
     if (wanted.empty()) return corpus;
@@ -148,7 +147,7 @@ raytracer::ExitCode selftest(const SelftestOptions& options, const GlobalOptions
 
 Run addSelftest(CLI::App& app, const GlobalOptions& global) {
     auto options = std::make_shared<SelftestOptions>();
-    // What passes here passes again; how often rarities come is what `calibrate` counts.
+    // A fixed seed, so that a passing test passes again; `calibrate` measures rare events.
     constexpr std::uint64_t kUsualSeed = 1;
     options->grade.seed = kUsualSeed;
     CLI::App* verb = app.add_subcommand("selftest",

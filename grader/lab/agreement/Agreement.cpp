@@ -13,7 +13,8 @@ using oracle::Covariance;
 using oracle::Moments;
 
 constexpr int kTile = 6;
-// Single precision against double: below 5e-6 in a pixel, and neighbours may all go one way.
+// Single against double precision: below 5e-6 in a pixel; the errors of neighbours may have one
+// sign.
 constexpr double kRounding = 5e-6;
 
 using Triple = std::array<double, 3>;
@@ -26,7 +27,7 @@ Triple variances(const Covariance& v) {
     return {v.rr, v.gg, v.bb};
 }
 
-/// What was summed over one tile and channel.
+/// Sums over one tile and channel.
 struct TileSum {
     double difference = 0.0;
     double variance = 0.0;
@@ -67,7 +68,7 @@ double largestOf(const std::vector<double>& values) {
     return largest;
 }
 
-/// Renders, summed: each pixel, and each whole picture's squared deviation from the mean.
+/// Sums over renders: of each pixel, and of each whole picture's squared deviation from the mean.
 struct Sums {
     int renders = 0;
     std::vector<Triple> pixels;
@@ -116,7 +117,7 @@ void compareVariances(const Sums& sums, const Moments& moments, Agreement& agree
     const double mean = sums.squares / sums.renders;
     const double spread =
         std::sqrt(std::max(0.0, sums.squares2 / sums.renders - mean * mean) / (sums.renders - 1));
-    // A picture without noise: what is left is rounding.
+    // A picture without noise: only rounding is left.
     const double rounding = 3.0 * static_cast<double>(sums.pixels.size()) * kRounding * kRounding;
     agreement.varianceZ = std::abs(mean - expected) / std::hypot(spread, rounding);
     agreement.varianceRatio = (mean + rounding) / (expected + rounding);

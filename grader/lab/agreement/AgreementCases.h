@@ -10,21 +10,21 @@
 
 namespace ticker::calibrate {
 
-/// One accepted reading in both languages: an edit of the reference solution, and what the oracle
-/// is told.
+/// One accepted reading in two forms: as an edit of the reference solution, and as the oracle's
+/// reading.
 struct AgreementCase {
     std::string name;  ///< "surface"
-    std::string file;  ///< which file of the reference is edited
+    std::string file;  ///< the edited file of the reference
     std::vector<corpus::Edit> edits;
     oracle::Reading reading;
 
-    /// Whether it is about the relief alone, in which nothing is random.
+    /// Whether it concerns only the relief, which has no random rays.
     [[nodiscard]] bool isBump() const { return file == theExercise().files().front(); }
 };
 
 /// The accepted readings (docs/decisions/0003), one at a time, and all at once.
-/// @param catalogue  Where the edits of T2.1 and T2.2 stand, as "accepted-...".
-/// @throws raytracer::InputError where the catalogue has no such entry.
+/// @param catalogue  Contains the edits of T2.1 and T2.2 as "accepted-...".
+/// @throws raytracer::InputError if the catalogue lacks an entry.
 [[nodiscard]] std::vector<AgreementCase> agreementCases(
     const std::vector<corpus::Entry>& catalogue);
 

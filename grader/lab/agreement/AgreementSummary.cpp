@@ -10,10 +10,10 @@
 namespace ticker::calibrate {
 namespace {
 
-// Means and variances of 75 000 comparisons of normal variables: a false alarm in all of
-// them together has a chance below 1e-3.
+// Means and variances of 75 000 comparisons of normal variables: the probability of any false alarm
+// is below 1e-3.
 constexpr double kLargestZ = 5.8;
-// Of the pixels of a bumpy scene, see OracleAgreement.cpp.
+// Share of the pixels of a bumpy scene, see OracleAgreement.cpp.
 constexpr double kEdgeShare = 0.01;
 
 /// All units of one reading.
@@ -49,7 +49,8 @@ struct Row {
 
 }  // namespace
 
-// Single precision by other instructions moves a z by a few hundredths, and rays at an edge.
+// Other instruction sets change a z by a few hundredths in single precision, and move rays at an
+// edge.
 bool OracleAgreement::agrees(const std::string& before, const std::string& now) const {
     constexpr double kOfZ = 0.1;
     constexpr int kAtEdges = 5;

@@ -23,7 +23,8 @@ using raytracer::RenderSettings;
 using raytracer::SceneDescription;
 
 constexpr int kRenders = 40;
-// Rays that graze an edge, or meet a texel's, may fall on its other side in single precision.
+// A ray that grazes an edge, or the edge of a texel, may fall on its other side in single
+// precision.
 constexpr double kEdge = 2e-4;
 
 RenderSettings smallSettings() {
@@ -35,8 +36,8 @@ RenderSettings smallSettings() {
     return settings;
 }
 
-// A program that brings one file of its own has the template's other one: a pinhole camera and one
-// hard shadow ray here, smooth spheres there.
+// A program with one edited file has the template's other file: for bumps a pinhole camera and one
+// hard shadow ray, for option 2 smooth spheres.
 RenderSettings bumpSettings() {
     RenderSettings settings;
     settings.width = 160;
@@ -74,7 +75,7 @@ raytracer::Image imageOf(const std::vector<raytracer::ColourRGB>& pixels,
     return image;
 }
 
-// A record is read by people, too.
+// Rounded, because records are also read by people.
 double inThousandths(double value) {
     return std::round(1e3 * value) / 1e3;
 }
@@ -106,7 +107,7 @@ OracleAgreement::OracleAgreement(AgreementPlan plan, const build::Kit& kit,
 }
 
 std::vector<std::size_t> OracleAgreement::checkUnits() const {
-    // One of every thirtieth, so that all scenes and readings get their turn as they are added.
+    // Every thirtieth unit, so that all scenes and readings are included as they are added.
     std::vector<std::size_t> picked;
     for (std::size_t unit = 0; unit < units_.size(); unit += 30)
         picked.push_back(unit);

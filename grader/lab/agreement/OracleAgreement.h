@@ -19,24 +19,24 @@
 
 namespace ticker::calibrate {
 
-/// What the oracle is held against.
+/// What the oracle is compared with.
 struct AgreementPlan {
     std::filesystem::path scenes;     ///< every *.xml in it
     std::filesystem::path assets;     ///< maps of the scenes
     std::filesystem::path reference;  ///< the reference solution's two files
     std::vector<AgreementCase> cases;
-    int rounds = 1;  ///< of each case with noise and scene, with fresh seeds
+    int rounds = 1;  ///< repetitions of each case with noise and each scene, with fresh seeds
 };
 
-/// Who grades the grader: the oracle against the reference solution, edited to each accepted
-/// reading, compiled and asked in the sandbox like any submission, on every scene.
+/// Validates the oracle against the reference solution, which is edited to each accepted reading,
+/// compiled, and asked in the sandbox like a submission, on every scene.
 ///
-/// With noise: means of tiles of 6 x 6 pixels and the variance of the whole picture, as z of a
-/// normal variable. Bump readings have none: pixel by pixel.
+/// Readings with noise are compared by the means of tiles of 6 x 6 pixels and the variance of the
+/// whole picture, as z-scores. Bump readings have no noise and are compared pixel by pixel.
 class OracleAgreement final : public Campaign {
 public:
     /// `kit` and `sandbox` must outlive this object.
-    /// @throws raytracer::InputError where a scene cannot be read.
+    /// @throws raytracer::InputError if a scene cannot be read.
     OracleAgreement(AgreementPlan plan, const build::Kit& kit, const sandbox::Sandbox& sandbox);
 
     [[nodiscard]] std::string name() const override { return "oracle"; }
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] bool agrees(const std::string& before, const std::string& now) const override;
     [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
 
-    /// Names of the reading and of the scene of one unit.
+    /// Names of a unit's reading and scene.
     [[nodiscard]] std::pair<std::string, std::string> nameOf(std::size_t unit) const;
 
 private:

@@ -5,7 +5,7 @@
 namespace ticker::calibrate {
 namespace {
 
-// Of at most `hits` successes, by the binomial law.
+// Binomial probability of at most `hits` successes.
 double chanceOfAtMost(std::size_t hits, std::size_t count, double p) {
     const auto n = static_cast<double>(count);
     double log = n * std::log1p(-p);

@@ -5,9 +5,8 @@
 
 namespace ticker::calibrate {
 
-/// Upper bound of 95 % confidence on the chance of something that happened `hits` times in `count`
-/// independent trials (Clopper and Pearson 1934): about 3 / count where it never did; 1 without
-/// trials.
+/// Upper 95 % confidence bound on the probability of an event that happened `hits` times in `count`
+/// independent trials (Clopper and Pearson 1934): about 3 / count without hits; 1 without trials.
 [[nodiscard]] double upperBound(std::size_t hits, std::size_t count);
 
 }  // namespace ticker::calibrate

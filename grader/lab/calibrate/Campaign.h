@@ -7,14 +7,14 @@
 
 namespace ticker::calibrate {
 
-/// What the records of a campaign say together.
+/// Summary of a campaign's records.
 struct Summary {
     std::string text;        ///< Markdown: tables, counts, confidence bounds
-    bool asExpected = true;  ///< false: something came out that must not
+    bool asExpected = true;  ///< false: an unacceptable result occurred
 };
 
-/// A question about the grader that is answered by repeating: so many units of work, each
-/// independent of the others, each worth one line of the record.
+/// A measurement of the grader by repetition: independent units of work, each with one line of the
+/// record.
 class Campaign {
 public:
     Campaign() = default;
@@ -22,28 +22,28 @@ public:
     Campaign(const Campaign&) = delete;
     Campaign& operator=(const Campaign&) = delete;
 
-    /// One word; names the record's file and the heading in docs/calibration.md.
+    /// One word: the name of the record's file and the heading in docs/calibration.md.
     [[nodiscard]] virtual std::string name() const = 0;
 
     [[nodiscard]] virtual std::size_t units() const = 0;
 
-    /// What the record knows the unit by: unique, and the same when subjects are added or removed.
+    /// Key of the unit in the record: unique, and unchanged when subjects are added or removed.
     [[nodiscard]] virtual std::string unitName(std::size_t unit) const = 0;
 
     /// The few units that `--check` repeats: some seconds of CPU in all.
     [[nodiscard]] virtual std::vector<std::size_t> checkUnits() const = 0;
 
-    /// Does one unit; several threads call it at once, neighbouring units are asked for together.
-    /// @return  A JSON object as text, without line breaks. Doing a unit again gives one that
+    /// Runs one unit. Several threads call it at once; neighbouring units are requested together.
+    /// @return  A JSON object as text, without line breaks. A repeated unit gives one that
     ///          `agrees`; a member "cpu" may hold anything.
-    /// @throws raytracer::Error where the unit could not be done.
+    /// @throws raytracer::Error if the unit could not be run.
     [[nodiscard]] virtual std::string run(std::size_t unit) = 0;
 
-    /// Whether a unit that was done again came out as it was recorded: all but "cpu" is equal.
-    /// Campaigns whose numbers differ between processors in their last digits allow for that.
+    /// Whether a repeated unit agrees with its record: everything but "cpu" is equal. Campaigns
+    /// whose numbers depend on the processor allow for differences in the last digits.
     [[nodiscard]] virtual bool agrees(const std::string& before, const std::string& now) const;
 
-    /// @param records  What `run` gave, in the order of the units; some may be missing.
+    /// @param records  Results of `run` in the order of the units; some may be missing.
     [[nodiscard]] virtual Summary summarise(const std::vector<std::string>& records) const = 0;
 };
 

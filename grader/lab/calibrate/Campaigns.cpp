@@ -13,7 +13,7 @@ namespace ticker::calibrate {
 
 std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& data,
                                                  Programs& programs) {
-    // A decision on code whose rays cannot be seen costs ten times as much.
+    // A decision on code whose rays are not visible takes ten times as long.
     const auto timesRight = [](const Subject& subject) -> std::size_t {
         return subject.isUnseen() ? 150 : 350;
     };

@@ -10,10 +10,10 @@
 
 namespace ticker::calibrate {
 
-/// All campaigns, in the order in which docs/calibration.md tells them.
+/// All campaigns, in the order of docs/calibration.md.
 /// @param data      The kit's folder, see cli/Home.h.
 /// @param programs  Must outlive the campaigns.
-/// @throws raytracer::InputError where the catalogue cannot be read.
+/// @throws raytracer::InputError if the catalogue cannot be read.
 [[nodiscard]] std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& data,
                                                                Programs& programs);
 

@@ -10,11 +10,11 @@
 
 namespace ticker::calibrate {
 
-/// Our decision beside other ways of judging, on the same submissions: each renders the handout's
-/// scene once, at 160 x 120. A unit is one subject.
+/// Compares our decision with other ways of judging on the same submissions. Each submission
+/// renders the handout's scene once, at 160 x 120. A unit is one subject.
 class ComparisonCampaign final : public Campaign {
 public:
-    /// @param scene     The scene that is rendered.
+    /// @param scene     The rendered scene.
     /// @param programs  Must outlive this object.
     ComparisonCampaign(std::vector<Subject> subjects, raytracer::SceneDescription scene,
                        Programs& programs);
@@ -26,7 +26,7 @@ public:
     }
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override;
     [[nodiscard]] std::string run(std::size_t unit) override;
-    /// Pictures differ in their last digits between processors: scores may move by a hundredth.
+    /// Pictures differ in their last digits between processors: scores may differ by a hundredth.
     [[nodiscard]] bool agrees(const std::string& before, const std::string& now) const override;
     [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
 

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// How different a picture is from what it should be, larger is worse: whatever a method measures.
+/// A method's distance of a picture from the expectation; larger is worse.
 struct Judged {
     std::string subject;
     bool right = true;
@@ -23,7 +23,7 @@ struct Judged {
 struct Method {
     std::string name;
     std::vector<Judged> judged;
-    double limit = 0.0;  // fails what is worse
+    double limit = 0.0;  // fails every larger distance
     std::string limitText;
 
     [[nodiscard]] std::vector<Judged> wrongly(bool right) const {
@@ -54,7 +54,7 @@ Method methodOf(const std::string& name, const std::vector<json>& records,
     return method;
 }
 
-// The limit with the smallest sum of both rates: nobody can choose a better one.
+// The limit with the smallest sum of both rates: no other limit is better.
 Method atItsBest(Method method) {
     double best = 3.0;
     double bestLimit = 0.0;
@@ -69,7 +69,7 @@ Method atItsBest(Method method) {
     return method;
 }
 
-// The limit that fails no right one.
+// The largest limit that fails no right subject.
 Method atNoFalseFail(Method method) {
     method.limit = std::numeric_limits<double>::lowest();
     for (const Judged& each : method.judged)

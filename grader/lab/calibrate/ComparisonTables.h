@@ -8,8 +8,8 @@
 
 namespace ticker::calibrate {
 
-/// Rates of false failures and misses of each way of judging, and what each gets wrong, from the
-/// records of a ComparisonCampaign. Expected of ours: neither.
+/// Rates of false failures and misses of each way of judging, and its errors, from the records of a
+/// ComparisonCampaign. Ours is expected to have neither.
 [[nodiscard]] Summary comparisonTables(const std::vector<std::string>& records);
 
 }  // namespace ticker::calibrate

@@ -67,7 +67,7 @@ std::string DecisionCampaign::unitName(std::size_t unit) const {
     return fmt::format("{} {}", subjects_[block.subject].name, block.round);
 }
 
-// The quick ones that draw every number from the kit's generator, spread over the first round.
+// Fast subjects that draw every number from the kit's generator, spread over the first round.
 std::vector<std::size_t> DecisionCampaign::checkUnits() const {
     std::vector<std::size_t> units;
     for (const char* wanted : {"T2.1/accepted-per-sample", "T2.1/light-size-0.36",
@@ -78,8 +78,8 @@ std::vector<std::size_t> DecisionCampaign::checkUnits() const {
     return units;
 }
 
-// What a subject does with the other task is the reference's: it is judged in the first round, and
-// always where the subject has to pass.
+// A subject's other task is the reference's. It is judged in the first round, and in every round if
+// the subject must pass.
 std::string DecisionCampaign::run(std::size_t unit) {
     const Block& block = blocks_.at(unit);
     const Subject& subject = subjects_[block.subject];

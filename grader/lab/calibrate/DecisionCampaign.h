@@ -8,12 +8,11 @@
 
 namespace ticker::calibrate {
 
-/// Judges subjects again and again, each time with another seed. A unit is a block of decisions on
-/// one subject. Rounds go over all subjects, so that a campaign that was stopped has tried them
-/// all.
+/// Judges subjects repeatedly, each time with another seed. A unit is a block of decisions on one
+/// subject. Each round covers all subjects, so that a stopped campaign has tried them all.
 class DecisionCampaign final : public Campaign {
 public:
-    /// @param decisions  How often to judge a subject; rounded up to whole blocks; 0: never.
+    /// @param decisions  Number of decisions on a subject, rounded up to whole blocks; 0: none.
     /// @param programs   Must outlive this object.
     DecisionCampaign(std::string name, std::vector<Subject> subjects,
                      const std::function<std::size_t(const Subject&)>& decisions,
@@ -37,9 +36,9 @@ private:
     Programs& programs_;
 };
 
-/// Subjects that have to pass. Expected: none fails, at most 0.1 % go to a person.
+/// Subjects that must pass. Expected: none fails, at most 0.1 % need review.
 [[nodiscard]] std::vector<Subject> rightOnes(const std::vector<Subject>& subjects);
-/// Subjects that have to fail. Expected: none passes, at least 98 % get their name.
+/// Subjects that must fail. Expected: none passes, at least 98 % get the right name.
 [[nodiscard]] std::vector<Subject> wrongOnes(const std::vector<Subject>& subjects);
 
 }  // namespace ticker::calibrate

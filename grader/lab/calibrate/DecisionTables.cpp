@@ -14,13 +14,13 @@ namespace {
 using nlohmann::json;
 using Histogram = std::map<int, std::size_t>;
 
-/// Blocks of one subject, or of many, together.
+/// Blocks of one or many subjects, added up.
 struct Tally {
     std::size_t decisions = 0;
     std::size_t wrongState = 0;
     std::size_t wrongName = 0;
     std::size_t reviews = 0;
-    std::size_t passed = 0;  // in the wrong state, less those of the block that are for a person
+    std::size_t passed = 0;  // in the wrong state, less the block's reviews
     std::map<std::string, std::size_t> seen;
     Histogram cpu;  // of whole decisions
 
@@ -77,7 +77,7 @@ std::string listOf(const std::map<std::string, std::size_t>& seen) {
     return text;
 }
 
-/// All subjects, and those of a kind.
+/// Sums over all subjects, and over those of a kind.
 struct Sums {
     Tally all;
     Tally unseen;

@@ -11,23 +11,23 @@
 
 namespace ticker::calibrate {
 
-/// CPU times are counted in steps of so many milliseconds.
+/// Resolution of CPU times, milliseconds.
 inline constexpr int kCpuStep = 5;
 
-/// What became of one block of decisions.
+/// Result of one block of decisions.
 struct BlockRecord {
     std::string subject;
     std::uint64_t seed = 0;  ///< of the first decision; the others follow
-    bool whole = true;       ///< both tasks were judged, else the subject's own alone
+    bool whole = true;       ///< both tasks were judged; otherwise only the subject's own
     std::size_t decisions = 0;
-    std::size_t wrongState = 0;               ///< passed what must fail, or failed what must pass
-    std::size_t wrongName = 0;                ///< the state is right, the first finding another one
-    std::size_t reviews = 0;                  ///< a person was asked to look
-    std::map<std::string, std::size_t> seen;  ///< findings that came in place of the expected
+    std::size_t wrongState = 0;  ///< passed instead of failed, or failed instead of passed
+    std::size_t wrongName = 0;   ///< right state, but another first finding
+    std::size_t reviews = 0;     ///< the submission needs review
+    std::map<std::string, std::size_t> seen;  ///< findings in place of the expected one
     std::map<int, std::size_t> cpu;  ///< decisions by CPU time, probe and judgement, milliseconds
 
     [[nodiscard]] std::string json() const;
-    /// @throws raytracer::Error where the text is no such record.
+    /// @throws raytracer::Error if the text is not such a record.
     [[nodiscard]] static BlockRecord parse(const std::string& text);
 };
 

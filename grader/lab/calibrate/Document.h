@@ -6,10 +6,10 @@
 namespace ticker::calibrate {
 
 /// The text between `<!-- calibrate: NAME -->` and `<!-- end -->`, without the line breaks next to
-/// the marks; empty where the document has no such section.
+/// the marks; empty if the document has no such section.
 [[nodiscard]] std::string sectionOf(const std::string& document, const std::string& name);
 
-/// The document with that text replaced; a section that is missing is added at the end.
+/// The document with that text replaced; a missing section is added at the end.
 [[nodiscard]] std::string withSection(const std::string& document, const std::string& name,
                                       const std::string& text);
 

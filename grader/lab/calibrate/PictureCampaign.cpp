@@ -23,7 +23,7 @@ using nlohmann::json;
 
 constexpr std::uint64_t kRendersPerUnit = 10;
 
-// What the doubt is there for has to be seen each time; the others are measured.
+// Mistakes that the doubt must find every time; the others are only measured.
 constexpr std::array<std::string_view, 2> kToBeSeen{"T2.1/hard-centre", "T2.2/none"};
 constexpr std::array<std::string_view, 8> kMeasured{
     "T2.1/light-size-0.3",    "T2.1/light-size-0.5",    "T2.1/light-size-0.8",
@@ -34,8 +34,8 @@ bool isAmong(const auto& names, const Subject& subject) {
     return std::ranges::find(names, subject.name) != names.end();
 }
 
-// Their pictures are explained by the warning, or one pattern for all pixels leaves no noise to
-// measure them by.
+// The warning explains their pictures, or their lens points are shared by all pixels, so that their
+// noise cannot be measured.
 bool isCompared(const Subject& subject) {
     constexpr std::array<std::string_view, 4> kOthers{"shadow.view-from-eye", "dof.antialiased",
                                                       "shadow.fixed-samples", "dof.reused-pattern"};
@@ -105,7 +105,7 @@ std::string PictureCampaign::run(std::size_t unit) {
         .dump();
 }
 
-// A render with the kit's generator differs in its last digits between processors.
+// Renders with the kit's generator differ in their last digits between processors.
 bool PictureCampaign::agrees(const std::string& before, const std::string& now) const {
     constexpr double kShare = 0.01;
     const json then = json::parse(before).at("misfits");

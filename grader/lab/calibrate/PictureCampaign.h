@@ -7,15 +7,14 @@
 
 namespace ticker::calibrate {
 
-/// Pictures of the handout's scene beside what the answers say (`dof.picture-differs`): how far
-/// those of right submissions are from it, and how far some mistakes that only a picture shows. A
-/// unit is a block of renders of one subject, each with another seed.
+/// Measures the misfit of pictures of the handout's scene (`dof.picture-differs`): for right
+/// submissions, and for some mistakes that only a picture shows. A unit is a block of renders of
+/// one subject, each with another seed.
 class PictureCampaign final : public Campaign {
 public:
-    /// @param subjects  All; those that are right and whose pictures are compared are used, and
-    /// some
-    ///                  mistakes.
-    /// @param scene     Option 2's.
+    /// @param subjects  All subjects; the campaign uses the right ones whose pictures are compared,
+    ///                  and some mistakes.
+    /// @param scene     Option 2's scene.
     /// @param programs  Must outlive this object.
     PictureCampaign(const std::vector<Subject>& subjects, pipeline::SpecScene scene,
                     Programs& programs);

@@ -23,13 +23,13 @@ std::vector<std::uint8_t> bytesOf(const std::vector<ColourRGB>& picture) {
     return bytes;
 }
 
-// Of a standard normal variable to lie as far off, to either side.
+// Two-sided p-value of a standard normal variable.
 double twoSided(double z) {
     return std::erfc(std::abs(z) / std::numbers::sqrt2);
 }
 
-// src/render/tests/test_renders.py of Mitsuba 3: the variance of a sample is at least 1e-4; a
-// picture of a student is one sample of fifty rays. Red, green and blue in place of XYZ.
+// As in src/render/tests/test_renders.py of Mitsuba 3: the variance of a sample is at least 1e-4. A
+// student's picture is one sample of fifty rays. Red, green and blue in place of XYZ.
 double shareThatPasses(const std::vector<ColourRGB>& mean, const std::vector<ColourRGB>& variance,
                        const std::vector<ColourRGB>& picture) {
     constexpr double kFloor = 1e-4 / 50.0;

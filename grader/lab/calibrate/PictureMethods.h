@@ -10,18 +10,19 @@
 
 namespace ticker::calibrate {
 
-/// What other ways of judging say of one picture, each against whichever accepted reading suits it
+/// Scores of one picture under other ways of judging, each against the accepted reading that fits
 /// best.
 struct PictureScores {
     double rmse = 0.0;  ///< of bytes, tone mapped
     double ssim = 0.0;  ///< likewise
     double flip = 0.0;  ///< likewise, mean
-    /// Share of pixels' channels that Mitsuba 3's z-test of renders lets pass; it asks for 0.9975.
+    /// Share of the pixels' channels that pass the z-test of Mitsuba 3's renders, which requires
+    /// 0.9975.
     double zTest = 0.0;
 };
 
-/// The pictures that a scene should give: one for each accepted aperture and shape of the light,
-/// without noise, and their variance.
+/// The expected pictures of a scene: one for each accepted aperture and shape of the light, without
+/// noise, and their variance.
 class PictureMethods {
 public:
     PictureMethods(const raytracer::SceneDescription& scene,

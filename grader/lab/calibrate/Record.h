@@ -11,21 +11,21 @@
 
 namespace ticker::calibrate {
 
-/// The finished units of one campaign on disk, `FOLDER/<name>.jsonl`: a first line that says which
-/// campaign it is, then one line for each unit in the order of finishing. Lines are only ever
-/// added; one that was cut short by a kill is dropped when the file is opened again. Units go by
-/// their names: one that the campaign no longer has counts for nothing.
+/// The finished units of one campaign on disk, `FOLDER/<name>.jsonl`: a first line that names the
+/// campaign, then one line for each unit in the order of finishing. Lines are only added; a line
+/// that was cut short by a kill is dropped when the file is opened again. Units are identified by
+/// name; units that the campaign no longer has are ignored.
 class Record {
 public:
-    /// Reads what is there, and makes the folder and the file with the first `add`.
-    /// @throws raytracer::InputError where the file belongs to another campaign, or cannot be read.
+    /// Reads the existing record. The first `add` creates the folder and the file if necessary.
+    /// @throws raytracer::InputError if the file belongs to another campaign, or cannot be read.
     Record(const std::filesystem::path& folder, const Campaign& campaign);
 
     /// Writes one line; threads may call it at once.
     void add(std::size_t unit, const std::string& found);
 
     [[nodiscard]] bool has(std::size_t unit) const { return found_.contains(unit); }
-    /// Empty where the unit is not finished.
+    /// Empty if the unit is not finished.
     [[nodiscard]] std::string at(std::size_t unit) const;
     [[nodiscard]] std::size_t size() const { return found_.size(); }
     /// In the order of the units.

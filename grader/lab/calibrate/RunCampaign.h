@@ -13,13 +13,14 @@ namespace ticker::calibrate {
 /// Called when a unit is finished, one call at a time.
 using OnUnit = std::function<void(std::size_t done, std::size_t of)>;
 
-/// Does all units that the record does not have yet.
-/// @param jobs  Threads.
-/// @throws raytracer::Error of the first unit that could not be done; what is finished is kept.
+/// Runs all units that are not in the record.
+/// @param jobs  Number of threads.
+/// @throws raytracer::Error of the first unit that could not be run; finished units stay in the
+///         record.
 void runCampaign(Campaign& campaign, Record& record, int jobs, const OnUnit& onUnit);
 
-/// Does the campaign's check units again and compares with the record.
-/// @return  One line for each unit that came out differently, or that the record does not have.
+/// Repeats the campaign's check units and compares them with the record.
+/// @return  One line for each unit that differs or is not in the record.
 [[nodiscard]] std::vector<std::string> checkCampaign(Campaign& campaign, const Record& record,
                                                      int jobs);
 

@@ -6,9 +6,9 @@
 
 namespace ticker::calibrate {
 
-/// A seed that depends on a name alone, so that new subjects, scenes and readings change nothing of
-/// what was recorded for the others. Below 2^60; the lowest 20 bits are free for counting.
-/// (FNV-1a, 64 bits: Fowler, Noll, Vo.)
+/// A seed that depends only on a name, so that new subjects, scenes and readings do not change the
+/// records of the others. Below 2^60; the lowest 20 bits are free for counting. (FNV-1a, 64 bits:
+/// Fowler, Noll, Vo.)
 [[nodiscard]] constexpr std::uint64_t seedOf(std::string_view name) {
     std::uint64_t hash = 0xCBF29CE484222325U;
     for (const char c : name)

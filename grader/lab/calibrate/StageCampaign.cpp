@@ -86,7 +86,7 @@ struct Tally {
 };
 
 bool isSuited(const Subject& subject) {
-    // A fixed seed gives one sample of its noise: it is judged in another way.
+    // A fixed seed gives one sample of its noise, which is judged differently.
     return subject.isRight() && subject.isUnseen() && !subject.task.empty() &&
            subject.name.find("fixed") == std::string::npos;
 }
@@ -132,7 +132,7 @@ std::string StageCampaign::run(std::size_t unit) {
         .dump();
 }
 
-// How near a stage came to its limit differs in the last digits between processors.
+// The last digits of a statistic differ between processors.
 bool StageCampaign::agrees(const std::string& before, const std::string& now) const {
     const json then = json::parse(before);
     const json again = json::parse(now);
@@ -148,7 +148,7 @@ Summary StageCampaign::summarise(const std::vector<std::string>& records) const 
         kinds[record.at("kind")].add(record);
         all.add(record);
     }
-    // What the budget of two stages rests on.
+    // Assumption of the error budget of two stages.
     constexpr double kTail = 5e-4;
     Summary summary;
     summary.asExpected = upperBound(all.failed, all.stages) <= kTail;

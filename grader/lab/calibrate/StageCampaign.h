@@ -8,13 +8,13 @@
 
 namespace ticker::calibrate {
 
-/// Single stages of the statistical layers, of which a failure needs two: how far right
-/// submissions, whose rays cannot be seen, come to the limits. A unit is a block of stages of one
-/// kind on one subject.
+/// Measures single stages of the statistical layers, of which two must fail for a failure: how near
+/// right submissions whose rays are not visible come to the limits. A unit is a block of stages of
+/// one kind on one subject.
 class StageCampaign final : public Campaign {
 public:
-    /// @param subjects  All; those that are right and unseen are used.
-    /// @param units     Of each kind of stage.
+    /// @param subjects  All subjects; the campaign uses the right ones whose rays are not visible.
+    /// @param units     Number of units of each kind of stage.
     /// @param programs  Must outlive this object.
     StageCampaign(const std::vector<Subject>& subjects, std::size_t units, Programs& programs);
 

@@ -15,34 +15,34 @@
 
 namespace ticker::calibrate {
 
-/// A file that the decision is tried on, and what has to come out.
+/// A file to be judged, and the expected result.
 struct Subject {
     std::string name;  ///< "T2.1/light-size-0.36"
     std::string source;
-    std::string task;  ///< where `expect` belongs; empty: both have to pass
+    std::string task;  ///< the task of `expect`; empty: both tasks must pass
     corpus::Expectation expect;
 
     [[nodiscard]] bool isRight() const { return expect.passes(); }
-    /// Its rays cannot be seen, so that it is judged by values or pictures.
+    /// Its rays are not visible, so that values or pictures are judged.
     [[nodiscard]] bool isUnseen() const;
-    /// Nothing but a distribution is wrong: what is left to statistics.
+    /// Only a distribution is wrong, so that statistics must find it.
     [[nodiscard]] bool isStatistical() const;
 };
 
-/// The catalogue's entries of T2.1 and T2.2 made in the reference, and the right solutions of
+/// The catalogue's entries of T2.1 and T2.2 applied to the reference, and the right solutions of
 /// grader/corpus/unseen/T2 and grader/corpus/samples.
 /// @param data  The kit's folder, see cli/Home.h.
-/// @throws raytracer::InputError where one cannot be read.
+/// @throws raytracer::InputError if one cannot be read.
 [[nodiscard]] std::vector<Subject> readSubjects(const std::filesystem::path& data);
 
-/// Compiles each subject once, when it is first asked for. Threads may share it.
+/// Compiles each subject once, on first use. Threads may share it.
 class Programs {
 public:
     Programs(const build::Kit& kit, const sandbox::Sandbox& sandbox)
         : kit_(kit), sandbox_(sandbox) {}
 
-    /// Lives as long as this object.
-    /// @throws raytracer::Error where the subject does not compile.
+    /// The program lives as long as this object.
+    /// @throws raytracer::Error if the subject does not compile.
     [[nodiscard]] const build::Program& of(const Subject& subject);
 
     [[nodiscard]] const build::Kit& kit() const { return kit_; }

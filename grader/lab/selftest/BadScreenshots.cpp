@@ -19,7 +19,7 @@ using oracle::Mistake;
 using oracle::Reading;
 using Make = std::function<Picture(const ScreenshotStudent& honest, std::uint64_t seed)>;
 
-/// Option 1's scenes as students see them who have solved option 2 as well.
+/// Option 1's scenes rendered by students who have solved option 2 as well.
 Picture throughTheLens(const std::vector<pipeline::SpecScene>& scenes, const char* name,
                        std::uint64_t seed) {
     OracleExaminee code{{}, {}, false};
@@ -27,7 +27,7 @@ Picture throughTheLens(const std::vector<pipeline::SpecScene>& scenes, const cha
     return ScreenshotStudent{scenes, !scene->isRandom, code}.render(*scene, 640, 480, seed);
 }
 
-/// Collects pictures that come with honest code of one option but are not what it renders.
+/// Collects pictures that come with right code of one option, but are not its renders.
 class BadPictures {
 public:
     BadPictures(const ScreenshotBench& bench, bool isDeterministic, std::uint64_t seed)
@@ -153,7 +153,7 @@ private:
         });
     }
 
-    // What honest people do to honest pictures: doubt at most.
+    // Harmless changes to honest pictures: review at most.
     void addMishaps() {
         addEdit(
             "a pixel cut off all round",

@@ -1,7 +1,7 @@
 #ifndef TICKER_SELFTEST_BUMPFRAME_INC_H
 #define TICKER_SELFTEST_BUMPFRAME_INC_H
 
-// Where a point of the model's sphere lies, and its tangents, for any precision.
+// A point of the model's sphere and its tangents, for any precision.
 #include <grader/lab/selftest/BumpModel.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Triple {
     [[nodiscard]] Triple unit() const { return *this * (Real(1) / length()); }
 };
 
-/// The parametrisation of a reading at one point, with a mistake made in it.
+/// The parametrisation of a reading at one point, with one mistake.
 template <typename Real>
 class BumpFrame {
     using V = Triple<Real>;

@@ -7,11 +7,11 @@
 
 namespace ticker::selftest {
 
-/// One way to write getNormalAt that is right (docs/decisions/0003).
+/// One right way to write getNormalAt (docs/decisions/0003).
 struct Reading {
     enum class Top { y, z, x };  ///< the axis at whose end row 0 lies
     enum class Sampling { floor, round, bilinear, bicubic };
-    enum class Edge { wrap, clamp, mirror };  ///< what lies beyond the last column and row
+    enum class Edge { wrap, clamp, mirror };  ///< neighbours beyond the last column and row
     enum class Difference { forward, backward, central, wide, sobel };
     enum class Gain {
         unit,          ///< unit tangents, difference of texels
@@ -23,19 +23,19 @@ struct Reading {
         displaced,     ///< the displaced surface, by chords: radius + strength x height
         displacedUnit  ///< likewise that of a unit sphere: 1 + strength x height / 40
     };
-    enum class Tangents { formula, numeric };      ///< how P_u and P_v are made
+    enum class Tangents { formula, numeric };      ///< how P_u and P_v are computed
     enum class PolarAngle { cosine, arcTangent };  ///< by acos, or by atan2
     enum class Heights {
         given,
-        rounded,  ///< to whole bytes: no picture shows it
-        gamma     ///< another curve through the greys, which rises as well
+        rounded,  ///< to whole bytes; no picture shows the difference
+        gamma     ///< another increasing curve of the greys
     };
 
     Top top = Top::y;
     double uOrigin = 0.5;  ///< u of the meridian that faces the camera
     bool mirrored = false;
     Sampling sampling = Sampling::floor;
-    bool lessOne = false;  ///< u (W - 1) and v (H - 1) instead of u W and v H
+    bool lessOne = false;  ///< u (W - 1) and v (H - 1) in place of u W and v H
     Edge edge = Edge::wrap;
     Difference difference = Difference::forward;
     Gain gain = Gain::unit;
@@ -46,12 +46,12 @@ struct Reading {
     bool singlePrecision = false;
 };
 
-/// Readings that build the displaced surface and take its normal.
+/// True for readings that build the displaced surface and take its normal.
 [[nodiscard]] inline bool isDisplaced(const Reading& reading) {
     return reading.gain == Reading::Gain::displaced || reading.gain == Reading::Gain::displacedUnit;
 }
 
-/// What a student does wrong. Each is known to the catalogue under the same id, with its finding.
+/// A student's mistake. Each is in the catalogue under the same id, with its finding.
 enum class Mistake {
     none,
     invertedU,
@@ -67,7 +67,7 @@ enum class Mistake {
     notUnit,        ///< not normalised
     acosBeyondOne,  ///< acos of the height without dividing by the radius
     clampedAcos,    ///< likewise, cut off at 1
-    unitGradient,   ///< (B_u, B_v) normalised: not a number where the map is flat
+    unitGradient,   ///< (B_u, B_v) normalised: NaN where the map is flat
     flat,           ///< a texel minus itself
     noWrap,         ///< column + 1 beyond the last column
     noLastRow,      ///< row + 1 beyond the last row
@@ -101,14 +101,14 @@ enum class Mistake {
 
 inline constexpr Mistake kLastMistake = Mistake::cameraFacing;
 
-/// The normal that this reading gives at a point, with a mistake made in it.
+/// The normal of this reading at a point, with one mistake.
 [[nodiscard]] Vector3 modelNormal(const Reading& reading, Mistake mistake, const Point& point);
 
-/// In a few words, for tables and test output.
+/// A short description for tables and test output.
 [[nodiscard]] std::string describe(const Reading& reading);
 /// The catalogue's id.
 [[nodiscard]] std::string idOf(Mistake mistake);
-/// The finding that the grader must report first; empty for none.
+/// The finding that the grader must report first; empty for no finding.
 [[nodiscard]] std::string expectedFinding(Mistake mistake);
 
 }  // namespace ticker::selftest

@@ -1,7 +1,7 @@
 #ifndef TICKER_SELFTEST_BUMPMODEL_INC_H
 #define TICKER_SELFTEST_BUMPMODEL_INC_H
 
-// The model itself, for any precision. A header, so that tests can compile it with other options.
+// The model for any precision. A header, so that tests can compile it with other options.
 #include <grader/lab/selftest/BumpFrame.inc.h>
 #include <grader/lab/selftest/BumpModel.h>
 #include <grader/lab/selftest/BumpSampler.inc.h>
@@ -40,7 +40,7 @@ public:
 private:
     static Vector3 toVector(const V& v) { return {double(v.x), double(v.y), double(v.z)}; }
 
-    /// A difference, as it is kept.
+    /// A difference in the form in which the code stores it.
     [[nodiscard]] Real stored(Real value) const {
         if (mistake_ == Mistake::absolute) return std::abs(value);
         if (mistake_ == Mistake::wholeNumbers) return Real(static_cast<int>(value));
@@ -113,7 +113,7 @@ private:
         return mistake_ == Mistake::notUnit ? sum : sum.unit();
     }
 
-    /// n + (B_u (n x P_v) - B_v (n x P_u)) k: right for k of the sign of h in P_u x P_v = h n.
+    /// n + (B_u (n x P_v) - B_v (n x P_u)) k; right if k has the sign of h in P_u x P_v = h n.
     [[nodiscard]] V crossed(const V& pu, const V& pv, Real k) const {
         const V& n = frame_.normal();
         return n + (n.cross(pv) * bu_ - n.cross(pu) * bv_) * k;
@@ -184,7 +184,7 @@ private:
     Real bv_{};
 };
 
-/// Compiled under whatever options the including file has.
+/// Compiled with the options of the including file.
 inline Vector3 compiledNormal(const Reading& reading, Mistake mistake, const Point& point) {
     if (reading.singlePrecision) return Model<float>(reading, mistake, point).normal();
     return Model<double>(reading, mistake, point).normal();

@@ -7,7 +7,7 @@
 namespace ticker::selftest {
 namespace {
 
-// What the cross product does not run through takes turns, so that all of it occurs.
+// Choices outside the cross product alternate, so that all of them occur.
 void takeTurns(std::vector<Reading>& readings) {
     constexpr std::array kOrigins{0.5, 0.25, 0.0, 0.75, 0.5, 0.137};
     constexpr std::array kEdges{Reading::Edge::wrap, Reading::Edge::clamp, Reading::Edge::mirror};
@@ -27,7 +27,7 @@ void takeTurns(std::vector<Reading>& readings) {
         reading.heights = i % 13 == 5   ? Reading::Heights::rounded
                           : i % 13 == 9 ? Reading::Heights::gamma
                                         : Reading::Heights::given;
-        // A surface that is displaced by more than its radius is none.
+        // A surface cannot be displaced by more than its radius.
         if (reading.gain == Reading::Gain::displaced)
             reading.strength = std::min(reading.strength, 1.0);
     }
@@ -46,7 +46,7 @@ constexpr std::array kDifferences{Reading::Difference::forward, Reading::Differe
 }  // namespace
 
 std::vector<Reading> acceptedReadings() {
-    constexpr int kRounds = 2;  // each with its own turn of everything else
+    constexpr int kRounds = 2;  // each with other choices of everything else
     std::vector<Reading> readings;
     for (const Reading::Gain gain : kGains)
         for (const Reading::Sampling sampling : kSamplings)
@@ -80,29 +80,27 @@ std::vector<Mistake> allMistakes() {
     return mistakes;
 }
 
-/// The reading, changed where a mistake would be none, or another one, in it.
 Reading fittingFor(Mistake mistake, Reading reading) {
-    // Which way up a map stands round another axis is anybody's choice.
+    // Around another axis either orientation of a map is accepted.
     if (mistake == Mistake::upsideDown) reading.top = Reading::Top::y;
     // A sixth of a difference is never a whole number: that sphere is flat.
     if (mistake == Mistake::wholeNumbers) reading.difference = Reading::Difference::forward;
-    // Three times as far, it would reach over the seam from a tenth of the map.
+    // Three times as far, it would reach across the seam from a tenth of the map.
     if (mistake == Mistake::farNeighbour) reading.difference = Reading::Difference::forward;
-    // Turned tangents have no area at the equator, which Blinn's form divides by.
+    // Turned tangents enclose no area at the equator, and Blinn's form divides by it.
     if (mistake == Mistake::otherOrigin && reading.gain == Reading::Gain::blinn)
         reading.gain = Reading::Gain::equation;
-    // A polar angle that is no number makes a row that is none: clamped, the tangents show it.
+    // A NaN polar angle makes an invalid row; with clamped rows only the tangents are wrong.
     if (mistake == Mistake::acosBeyondOne) reading.edge = Reading::Edge::clamp;
-    // These are mistakes of the height itself.
+    // These mistakes concern the height itself.
     if (mistake == Mistake::darkHalf || mistake == Mistake::signedBytes ||
         mistake == Mistake::byteDifference)
         reading.heights = Reading::Heights::given;
-    // Numeric tangents have no length at the poles, where this angle often is.
+    // Numeric tangents have zero length at the poles, where this angle often is.
     if (mistake == Mistake::clampedAcos) reading.tangents = Reading::Tangents::formula;
     return reading;
 }
 
-/// What a displaced surface's normal has no place for: tangents, the sum, single differences.
 bool canHaveMistake(const Reading& reading, Mistake mistake) {
     constexpr std::array kOfAnySurface{Mistake::invertedU, Mistake::invertedV, Mistake::inverted,
                                        Mistake::swapped, Mistake::swappedHalf};

@@ -7,22 +7,21 @@
 
 namespace ticker::selftest {
 
-/// The cross product of readings that must pass: u origin x sampling x edge rule x difference x
-/// gain x strength x mirrored, each with its neighbours' choices of precision, axis, tangents and
-/// heights.
+/// The cross product of accepted readings: u origin x sampling x edge rule x difference x gain x
+/// strength x mirrored. Precision, axis, tangents and heights alternate within it.
 [[nodiscard]] std::vector<Reading> acceptedReadings();
 
-/// Readings that mistakes are crossed with.
+/// The readings that are combined with mistakes.
 [[nodiscard]] std::vector<Reading> readingsForMistakes();
 
-/// Every mistake that the model knows.
+/// All mistakes of the model.
 [[nodiscard]] std::vector<Mistake> allMistakes();
 
-/// False for what a displaced surface's normal has no place for: tangents, the sum, single
-/// differences.
+/// False for mistakes that cannot occur in a displaced surface's normal: in tangents, in the sum,
+/// in single differences.
 [[nodiscard]] bool canHaveMistake(const Reading& reading, Mistake mistake);
 
-/// The reading, changed where a mistake would be none, or another one, in it.
+/// The reading, changed if the mistake would have no effect, or another effect, in it.
 [[nodiscard]] Reading fittingFor(Mistake mistake, Reading reading);
 
 }  // namespace ticker::selftest

@@ -11,14 +11,14 @@
 namespace ticker::selftest {
 namespace {
 
-/// The map as a reading looks at it, with a mistake made in that.
+/// A map as a reading samples it, with one mistake.
 template <typename Real>
 class BumpSampler {
 public:
     BumpSampler(const Reading& reading, Mistake mistake, const HeightMap& map)
         : reading_(reading), mistake_(mistake), map_(map) {}
 
-    /// By what u and v are multiplied.
+    /// Factors of u and v.
     [[nodiscard]] int columnsUsed() const { return used(map_.width()); }
     [[nodiscard]] int rowsUsed() const { return used(map_.height()); }
 
@@ -37,7 +37,7 @@ public:
         return 0;
     }
 
-    /// Slope in the direction (dc, dr), heights per texel.
+    /// Slope in the direction (dc, dr), in heights per texel.
     [[nodiscard]] Real difference(Real column, Real row, Real dc, Real dr) const {
         const auto at = [&](Real steps) { return heightAt(column + steps * dc, row + steps * dr); };
         switch (reading_.difference) {
@@ -63,8 +63,8 @@ public:
     }
 
 private:
-    /// What is no number becomes a place far below the map, as on the processors that students
-    /// have; their int has no room for a neighbour there, ours has.
+    /// NaN becomes a place far below the map, as on students' processors. Their int would overflow
+    /// at its neighbour; ours does not.
     static int whole(Real value) {
         constexpr int kFar = 1'000'000'000;
         const Real floor = std::floor(value);
@@ -126,7 +126,7 @@ private:
         return valueOf(map_.at(c, r));
     }
 
-    /// What the reading makes of a height.
+    /// The height as the reading interprets it.
     [[nodiscard]] Real valueOf(double height) const {
         const auto byte = static_cast<int>(std::lround(height * 51.0));
         if (mistake_ == Mistake::signedBytes) return Real(static_cast<std::int8_t>(byte)) / 51;

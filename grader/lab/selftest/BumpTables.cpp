@@ -15,7 +15,7 @@ namespace {
 constexpr std::array kGainNames{
     "unit tangents", "P_u by sin theta", "P_u by 1 / sin theta", "slopes over (u, v)",
     "Blinn's form",  "cross products",   "displaced surface",    "displaced unit sphere"};
-/// Every step-th of `count` things.
+/// Indices of every step-th element of `count`.
 std::vector<std::size_t> sample(std::size_t count, double fraction) {
     const double step = 1.0 / std::clamp(fraction, 1e-3, 1.0);
     std::vector<std::size_t> chosen;
@@ -43,7 +43,7 @@ std::vector<Case> acceptedCases(double fraction, const std::vector<std::uint64_t
     return cases;
 }
 
-/// Every mistake in every reading that can have it.
+/// All combinations of mistakes and readings that can have them.
 std::vector<Case> mistakenCases() {
     const std::vector<Reading> readings = readingsForMistakes();
     std::vector<Case> cases;
@@ -74,7 +74,7 @@ std::string firstFailure(const TaskJudgement& judgement) {
     return found == judgement.findings.end() ? std::string{} : found->id;
 }
 
-/// A name that says something untrue. bump.wrong says nothing but that it is wrong.
+/// True for a finding that is untrue. bump.wrong is always true.
 bool isMisleading(const std::string& expected, const std::string& got) {
     return !got.empty() && got != expected && got != "bump.wrong";
 }

@@ -10,19 +10,19 @@
 
 namespace ticker::selftest {
 
-/// One line of a table that did not come out as it must.
+/// One judgement with an unexpected result.
 struct Surprise {
     std::string mistake;  ///< "none" for a right reading
     std::string reading;
     std::uint64_t seed = 0;
     std::string expected;  ///< finding; empty: passed
     std::string got;
-    std::string message;      ///< what the student would read
-    bool passed = false;      ///< the judgement let it pass
-    bool misleading = false;  ///< named something that is right as wrong
+    std::string message;      ///< the message for the student
+    bool passed = false;      ///< the judgement was passed
+    bool misleading = false;  ///< the finding calls something wrong that is right
 };
 
-/// Counts over one row of a table.
+/// Counts of one row of a table.
 struct TableRow {
     std::string name;
     std::string expected;
@@ -38,8 +38,8 @@ struct BumpSelfTest {
     std::vector<TableRow> refused;   ///< a row for each mistake
     std::vector<Surprise> surprises;
 
-    /// No accepted reading fails; no mistake passes; at least 98 % carry the expected name and none
-    /// a misleading one.
+    /// True if no accepted reading fails, no mistake passes, at least 98 % get the expected finding
+    /// and none a misleading one.
     [[nodiscard]] bool passed() const;
     [[nodiscard]] std::string table() const;
 };
@@ -49,8 +49,8 @@ using Progress = std::function<void(int done, int total)>;
 
 /// Judges the accepted readings and the mistakes in this process.
 ///
-/// @param fraction  Share of the whole to judge, evenly spread: 0.1 judges every tenth.
-/// @param seeds     Hidden draws: maps, spheres and points differ with each.
+/// @param fraction  Share of the judgements, evenly spread: 0.1 judges every tenth.
+/// @param seeds     Seeds of the hidden draws: each gives other maps, spheres and points.
 [[nodiscard]] BumpSelfTest runBumpSelfTest(double fraction, const std::vector<std::uint64_t>& seeds,
                                            const Progress& progress = {});
 

@@ -15,7 +15,7 @@ namespace ticker::selftest {
 using raytracer::HeightMap;
 using raytracer::Vector3;
 
-/// A sphere, its map and a point on it: what `BumpySphere::getNormalAt` knows.
+/// A sphere, its map and a point on it: the input of `BumpySphere::getNormalAt`.
 struct Point {
     const HeightMap& map;
     Vector3 centre;
@@ -25,14 +25,14 @@ struct Point {
 
 using NormalFunction = std::function<Vector3(const Point&)>;
 
-/// An examinee in this process whose getNormalAt is a function; it answers nothing else.
+/// An examinee in this process whose getNormalAt is a function. It answers no other questions.
 class FunctionExaminee final : public probe::Examinee {
 public:
     explicit FunctionExaminee(NormalFunction function) : function_(std::move(function)) {}
 
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override;
 
-    /// How often it was asked.
+    /// Number of runs so far.
     [[nodiscard]] int runs() const { return runs_; }
 
 private:

@@ -20,7 +20,7 @@ namespace {
 using Case = ScreenshotCase;
 using oracle::Reading;
 
-// Small ones more often: a large picture of option 2 costs seconds.
+// Small sizes are more frequent: a large picture of option 2 takes seconds.
 constexpr std::array kWidths{320, 640, 800, 320, 640, 1280, 320, 640, 800, 320};
 constexpr std::size_t kByOracle = 132;  // of each option
 constexpr std::size_t kPicturesOfASource = 6;
@@ -32,7 +32,7 @@ Value pick(const std::array<Value, size>& values, std::size_t& number) {
     return value;
 }
 
-/// Every accepted way to read a bump map that the oracle knows, one after the other.
+/// The accepted bump readings of the oracle, by number.
 Reading bumpReading(std::size_t number) {
     using oracle::BumpReading;
     Reading reading;
@@ -51,7 +51,7 @@ Reading bumpReading(std::size_t number) {
     return reading;
 }
 
-/// Likewise of the light and the lens.
+/// The accepted readings of light and lens, by number.
 Reading distributedReading(std::size_t number) {
     using oracle::LightShape;
     using oracle::PhongReading;
@@ -68,7 +68,7 @@ Reading distributedReading(std::size_t number) {
     return reading;
 }
 
-/// Hands out seeds that are far apart.
+/// A sequence of seeds that are far apart.
 class Seeds {
 public:
     explicit Seeds(std::uint64_t first) : next_(first) {}
@@ -81,7 +81,7 @@ private:
 Case byOracle(const ScreenshotBench& bench, bool isDeterministic, std::size_t number,
               std::uint64_t seed) {
     const int width = kWidths[number % kWidths.size()];
-    const int rays = number % 7 == 6 ? 200 : 50;  // one in seven took its time
+    const int rays = number % 7 == 6 ? 200 : 50;  // one student in seven uses more rays
     Case made;
     made.kind =
         isDeterministic ? "option 1, the oracle's readings" : "option 2, the oracle's readings";
@@ -104,7 +104,7 @@ build::Program programOf(const ScreenshotBench& bench, const RightSource& source
     return *std::move(built.program);
 }
 
-/// A source that is compiled when its first picture is asked for.
+/// A source that is compiled for its first picture.
 struct LateProgram {
     const RightSource& source;
     std::optional<build::Program> program;

@@ -43,7 +43,7 @@ std::vector<std::string> findingsOf(const SubmissionResult& result) {
     return ids;
 }
 
-/// What an entry wants to be found, if anything.
+/// The expected findings of an entry, if any.
 std::vector<std::string> findingsOf(const Entry& hostileCase) {
     return hostileCase.expected().findings.value_or(std::vector<std::string>{});
 }
@@ -54,22 +54,23 @@ std::string expectedOf(const Entry& hostileCase) {
         fmt::join(findingsOf(hostileCase), "|"), fmt::join(hostileCase.verdicts, "|"));
 }
 
-// A case whose task has to pass is about what else is found, such as a picture's fault.
+// True if the expected finding must be reported even though the task passes, such as a fault of the
+// picture.
 bool mustBeNamed(const Entry& hostileCase, const std::string& state) {
     if (findingsOf(hostileCase).empty()) return false;
     return hostileCase.expected().passes() || state == "failed" || state == "blocked";
 }
 
-// What the class has in OUT: a submission's folder of this name would take its place. Some systems
-// tell no capitals.
+// True for names of the class's own files in OUT, which a submission's folder would replace. Some
+// file systems ignore case.
 bool takesAPlaceInOut(std::string name) {
     std::ranges::transform(name, name.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return name == "index.html" || name == "summary.csv" || name == "results.sqlite";
 }
 
-// A notice is one line for terminals and logs, whatever names are in it. Above ASCII, the control
-// characters are those that are written C2 80 to C2 9F.
+// A notice is one line for terminals and logs, for any names in it. Above ASCII, control characters
+// are the byte pairs C2 80 to C2 9F.
 bool holdsControls(const std::string& notice) {
     unsigned char before = 0;
     for (const char c : notice) {
@@ -99,7 +100,7 @@ void compare(const Entry& hostileCase, const SubmissionResult& result, HostileRo
     }
 }
 
-// Everything of a result that anybody may come to read.
+// Whether any text of a result contains the secret.
 bool tells(const SubmissionResult& result, const std::string& secret) {
     if (resultJson(result).find(secret) != std::string::npos) return true;
     for (const Diagnostics& said : result.diagnostics)
@@ -111,7 +112,7 @@ bool tells(const SubmissionResult& result, const std::string& secret) {
     });
 }
 
-/// The cases written out as a class, and the rows as they come.
+/// The cases written as a class, and their rows.
 class HostileClass {
 public:
     HostileClass(std::vector<Entry> cases, const pipeline::Grader& grader, const HostileRun& run)
@@ -141,7 +142,8 @@ public:
     }
 
 private:
-    // What is made once for all is no litter: the first grading's, and the decoder's copy.
+    // Files that are created once are not left behind: those of the first grading, and the
+    // decoder's copy.
     void warmUp() const {
         constexpr std::string_view kBeginning{"\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1", 24};
         static_cast<void>(gradeOne(cases_.front()));

@@ -44,7 +44,7 @@ std::string told(const corpus::Expectation& expected) {
            (expected.needsReview ? " (review)" : "");
 }
 
-/// An entry, and the file that it makes of the reference.
+/// An entry, and the file that results from its edits.
 struct Made {
     Entry entry;
     std::string source;
@@ -93,7 +93,7 @@ void judgeT2(probe::Examinee& examinee, std::uint64_t seed, MistakeRow& row) {
     row.asExpected = isAsExpected(own, row.entry.expected()) && otherPassed;
 }
 
-/// The first line in which the compiler speaks of an error.
+/// The first line with a compiler error.
 std::string firstError(const std::string& diagnostics) {
     const std::size_t error = std::min(diagnostics.find("error"), diagnostics.size());
     const std::size_t newline = diagnostics.rfind('\n', error);

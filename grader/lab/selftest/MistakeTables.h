@@ -13,16 +13,16 @@
 
 namespace ticker::selftest {
 
-/// How much of the catalogue to run, and how.
+/// Options of a run of the catalogue.
 struct MistakeRun {
     double fraction = 1.0;   ///< share of the entries, evenly picked; at least one
-    std::uint64_t seed = 1;  ///< of the decision, and of which entries are picked
+    std::uint64_t seed = 1;  ///< of the decision and of the choice of entries
     int jobs = 2;
     std::function<void(std::size_t done, std::size_t of)>
         progress;  ///< one call at a time; or null
 };
 
-/// What became of one entry.
+/// Result of one entry.
 struct MistakeRow {
     corpus::Entry entry;
     std::string seen;         ///< "failed shadow.hard", or the compiler's first words
@@ -31,25 +31,24 @@ struct MistakeRow {
     double judgeMs = 0.0;     ///< CPU of the judgement itself
 };
 
-/// The entries of `catalogue` that belong to T1 or to T2 (its option stands for both of its tasks),
-/// or to either where `task` is empty.
+/// The entries of `catalogue` of T1 or T2 (both tasks of option 2), or all if `task` is empty.
 [[nodiscard]] std::vector<corpus::Entry> mistakesOf(const std::vector<corpus::Entry>& catalogue,
                                                     const std::string& task);
 
-/// The entries with these ids; "T2.1/hard" names the task as well.
-/// @throws raytracer::InputError where there is none, with the nearest id.
+/// The entries with these ids; "T2.1/hard" also names the task.
+/// @throws raytracer::InputError for an unknown id, with the nearest id.
 [[nodiscard]] std::vector<corpus::Entry> mistakesCalled(const std::vector<corpus::Entry>& catalogue,
                                                         const std::vector<std::string>& ids);
 
-/// Makes each mistake or accepted reading, compiles it and judges it. An entry that does not
+/// Applies each mistake or accepted reading, compiles it and judges it. An entry that does not
 /// compile is not as expected.
-/// @throws raytracer::InputError where an edit does not fit, whether or not the entry is picked.
+/// @throws raytracer::InputError if any entry's edit does not apply.
 [[nodiscard]] std::vector<MistakeRow> runMistakes(const std::vector<corpus::Entry>& entries,
                                                   const build::Kit& kit,
                                                   const sandbox::Sandbox& sandbox,
                                                   const MistakeRun& run);
 
-/// One line for each row, those that differ marked, and a summary.
+/// One line for each row, with marks on those that differ, and a summary.
 [[nodiscard]] std::string tableOf(const std::vector<MistakeRow>& rows);
 
 }  // namespace ticker::selftest

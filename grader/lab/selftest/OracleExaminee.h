@@ -11,11 +11,11 @@
 
 namespace ticker::selftest {
 
-/// A student whose renderer is the oracle's: any reading, any mistake, and fast. Answers render
-/// questions; others stay without an answer.
+/// A fast examinee that renders with the oracle, under any reading with any mistake. It answers
+/// render questions only.
 class OracleExaminee final : public probe::Examinee {
 public:
-    /// @param isPinhole  As option 1's pictures are rendered: one ray, hard shadows.
+    /// @param isPinhole  Renders as for option 1: one ray, hard shadows.
     OracleExaminee(const oracle::Reading& reading, const oracle::Mistake& mistake, bool isPinhole)
         : reading_(reading), mistake_(mistake), isPinhole_(isPinhole) {}
 

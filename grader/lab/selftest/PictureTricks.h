@@ -11,20 +11,20 @@ namespace ticker::selftest {
 using metrics::ByteView;
 using metrics::Picture;
 
-// What people do to pictures before they hand them in.
+// Changes that students make to pictures before they hand them in.
 
 /// Each channel by itself, 0 to 1.
 [[nodiscard]] Picture recoloured(const ByteView& picture,
                                  const std::function<double(double value, int channel)>& change);
 [[nodiscard]] Picture inGrey(const ByteView& picture);
 [[nodiscard]] Picture withRedForBlue(const ByteView& picture);
-/// On a light canvas a quarter larger, below a dark bar, as a viewer's window shows it.
+/// On a light canvas a quarter larger, with a dark bar above, as in a viewer's window.
 [[nodiscard]] Picture inAWindow(const ByteView& picture, int width, int height);
-/// The same pixels farther to the right and below; the border repeats.
+/// The same pixels, shifted right and down; the border repeats.
 [[nodiscard]] Picture moved(const ByteView& picture, int right, int down);
-/// A bright note stuck on the lower right.
+/// A bright note over the lower right.
 [[nodiscard]] Picture withANote(const ByteView& picture);
-/// Hills of all sizes in natural colours: no scene of ours.
+/// Hills of all sizes in natural colours, which is none of our scenes.
 [[nodiscard]] Picture photograph(int width, int height, std::uint64_t seed);
 
 }  // namespace ticker::selftest

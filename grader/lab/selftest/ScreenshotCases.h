@@ -15,9 +15,9 @@ namespace ticker::selftest {
 struct ScreenshotCase {
     std::string kind;
     std::string name;
-    std::string expected;  ///< finding; empty: none above a note
-    /// Makes the picture and has it judged. Tells the CPU that the judgement took, without that of
-    /// other processes.
+    std::string expected;  ///< expected finding; empty: none above a note
+    /// Makes the picture and judges it. Sets the CPU time of the judgement, without other
+    /// processes.
     std::function<TaskJudgement(double& judgeMs)> judge;
 };
 

@@ -11,22 +11,22 @@
 
 namespace ticker::selftest {
 
-/// A student who attempted one option: renders pictures, and hands some in.
+/// A simulated student who attempted one option: renders pictures, and hands some in.
 class ScreenshotStudent {
 public:
     /// @param scenes, code  Must outlive this object. The code is asked for its own pictures.
     ScreenshotStudent(const std::vector<pipeline::SpecScene>& scenes, bool isDeterministic,
                       probe::Examinee& code);
 
-    /// The option's scene at a width of so many pixels, as its code renders it.
-    /// @param rays  For each pixel; option 2.
+    /// The option's scene at the given width, rendered by its code.
+    /// @param rays  Rays for each pixel; option 2.
     [[nodiscard]] metrics::Picture render(int width, std::uint64_t seed, int rays = 50) const;
     /// The same for any scene and shape.
     [[nodiscard]] metrics::Picture render(const pipeline::SpecScene& scene, int width, int height,
                                           std::uint64_t seed, int rays = 50) const;
 
-    /// What the grader says when this picture comes with the code.
-    /// @param judgeMs  Told the CPU that it took this thread.
+    /// The grader's judgement of this picture together with the code.
+    /// @param judgeMs  Set to the CPU time of this thread.
     [[nodiscard]] TaskJudgement handIn(const metrics::Picture& picture, std::uint64_t seed,
                                        double& judgeMs) const;
 

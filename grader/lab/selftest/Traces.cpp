@@ -20,15 +20,15 @@ namespace ticker::selftest {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kEscaped = "/tmp/ticker-escaped";  // what the corpus names
+constexpr const char* kEscaped = "/tmp/ticker-escaped";  // the path that the corpus uses
 
 struct Process {
     std::string path;  ///< /proc/123
     long user = -1;
 };
 
-// The real uid, or -1 where the process is gone. From the text: the folder's owner is root where a
-// process made itself not dumpable.
+// The real uid; -1 if the process is gone. Read from the status file: the folder of a process that
+// is not dumpable belongs to root.
 long userOf(const fs::path& process) {
     std::ifstream stream{process / "status"};
     for (std::string word; stream >> word;) {
@@ -51,7 +51,7 @@ std::vector<Process> processesOf(const sandbox::UserRange& users) {
     return found;
 }
 
-// A jail that runs holds its uid's lock.
+// A running jail holds the lock of its uid.
 bool isFree(long user) {
     try {
         return sandbox::takeUserSlot({user, 1}).user() == user;
@@ -60,7 +60,7 @@ bool isFree(long user) {
     }
 }
 
-// "Shmem:   1234 kB" in megabytes; 0 where there is no such line.
+// "Shmem:   1234 kB" in megabytes; 0 without such a line.
 double megabytesOf(const fs::path& file, const std::string& key) {
     std::ifstream stream{file};
     for (std::string word; stream >> word;) {
