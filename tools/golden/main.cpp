@@ -20,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace ticker;
 
-/// A number that depends on the name alone, so that new entries move no others in or out.
+/// A number that depends only on the name, so that new entries do not change the selection of
+/// others.
 unsigned long sumOf(std::string_view name) {
     return std::accumulate(name.begin(), name.end(), 0UL, [](unsigned long sum, char c) {
         return (sum * 31 + static_cast<unsigned char>(c)) % 1'000'003;
@@ -49,7 +50,8 @@ private:
     unsigned long every_;
 };
 
-/// Left out: what ends at a limit of time or memory, because its findings depend on the machine.
+/// False for submissions that end at a limit of time or memory, because their findings depend on
+/// the machine.
 bool endsByItself(const corpus::Entry& entry) {
     const corpus::Expectation& expect = entry.expected();
     return !expect.names("run.timed-out") && !expect.names("build.limit") &&
@@ -63,7 +65,7 @@ std::string nameOf(const std::string& kind, const corpus::Entry& entry) {
     return name;
 }
 
-/// Adds one entry of `share` of some collections.
+/// Adds one of every `share` entries of some collections.
 void add(const std::vector<corpus::Entry>& entries, const std::string& kind, unsigned long share,
          const Class& to) {
     for (const corpus::Entry& entry : entries) {
@@ -71,7 +73,7 @@ void add(const std::vector<corpus::Entry>& entries, const std::string& kind, uns
         if (!to.wants(name, share) || (kind == "hostile" && !endsByItself(entry))) continue;
         const fs::path folder = to.open(name);
         corpus::writeSubmission(entry, "/nowhere/secret", folder);
-        // The grader lists it as a file that is no part of the submission.
+        // The grader lists it as a file that does not belong to the submission.
         if (share == 1) fs::copy_file(entry.path, folder / "expected.json");
     }
 }

@@ -24,7 +24,7 @@ void addCatalogue(const std::filesystem::path& root, std::vector<Case>& cases) {
     }
 }
 
-/// @param wrong  The group of those that a public test may fail on ends so.
+/// @param wrong  Ending of the groups of solutions on which a public test may fail.
 void addWhole(const std::filesystem::path& root, const std::string& collection,
               const std::string& kind, const std::string& wrong, std::vector<Case>& cases) {
     for (const Entry& entry : corpus::readEntries(root, {collection})) {

@@ -8,17 +8,17 @@
 
 namespace ticker::coverage {
 
-/// A solution whose merits are known: does a public test fail on it?
+/// A solution with a known result for the public tests.
 struct Case {
     std::string task;                          ///< a task, or an option for a whole file
     std::string name;                          ///< "inverted-u", "sample bump-inverted"
-    std::string title;                         ///< what is wrong with it, in a few words
+    std::string title;                         ///< a short description of its mistake
     bool right = false;                        ///< no public test may fail
-    std::map<std::string, std::string> files;  ///< name -> text; the reference's where missing
+    std::map<std::string, std::string> files;  ///< name -> text; missing files are the reference's
 };
 
 /// The catalogue of mistakes and accepted readings, the sample class, and the unseen solutions.
-/// @param root  The project's.
+/// @param root  The project's root.
 [[nodiscard]] std::vector<Case> listCases(const std::filesystem::path& root);
 
 }  // namespace ticker::coverage

@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 constexpr std::array kNames{"BumpySphere", "Renderer"};
 
 std::string quoted(const fs::path& path) {
-    return "'" + path.string() + "'";  // our own paths hold no quotes
+    return "'" + path.string() + "'";  // our own paths contain no quotes
 }
 
-/// The exit status of a shell command; 128 and more where a signal ended it.
+/// Exit status of a shell command; 128 and more if a signal ended it.
 int run(const std::string& command) {
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
@@ -70,7 +70,7 @@ Examiner::Examiner(fs::path root, fs::path linkFile)
             throw raytracer::Error("the reference solution does not compile");
 }
 
-/// Leaves NAME.o in the folder; false where that fails.
+/// Writes NAME.o into the folder; false if compiling fails.
 bool Examiner::compile(const std::string& text, const std::string& name,
                        const fs::path& folder) const {
     std::ofstream{folder / (name + ".cpp")} << text;
@@ -103,7 +103,7 @@ Outcome Examiner::examine(const Case& one) const {
     std::string filter;
     for (const std::string& suite : suitesOf(one.task))
         filter += (filter.empty() ? "" : ":") + suite + ".*";
-    // A right one takes less than a second of the processor.
+    // A right solution takes less than a second of CPU time.
     const int status = run("cd " + quoted(work.path()) +
                            " && ulimit -t 20 && timeout 120 ./public_tests --gtest_filter='" +
                            filter + "' --gtest_output=json:report.json >/dev/null 2>&1");

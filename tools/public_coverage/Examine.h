@@ -9,15 +9,15 @@
 
 namespace ticker::coverage {
 
-/// What the public tests say about one case.
+/// Result of the public tests for one case.
 struct Outcome {
     enum class Kind { ran, doesNotCompile, crashed, notAttempted } kind = Kind::ran;
-    std::vector<std::string> failed;  ///< names of the task's tests
+    std::vector<std::string> failed;  ///< names of the task's failed tests
 
     [[nodiscard]] bool objects() const { return kind != Kind::ran || !failed.empty(); }
 };
 
-/// A folder that goes away with its owner.
+/// A folder that is removed with its owner.
 class ScratchFolder {
 public:
     ScratchFolder();
@@ -31,18 +31,18 @@ private:
     std::filesystem::path path_;
 };
 
-/// Runs the public tests over solutions.
+/// Runs the public tests on solutions.
 class Examiner {
 public:
-    /// Compiles the reference solution, for what a case leaves out.
-    /// @param root      The project's.
-    /// @param linkFile  What to link with: the compiler's @FILE.
-    /// @throws raytracer::Error where our own side fails.
+    /// Compiles the reference solution, which replaces missing files of a case.
+    /// @param root      The project's root.
+    /// @param linkFile  The compiler's @FILE with the linker's arguments.
+    /// @throws raytracer::Error if our own files fail.
     Examiner(std::filesystem::path root, std::filesystem::path linkFile);
 
     /// Compiles a case, links it with the public tests and runs them. Threads may share an
     /// examiner.
-    /// @throws raytracer::Error where our own side fails.
+    /// @throws raytracer::Error if our own files fail.
     [[nodiscard]] Outcome examine(const Case& one) const;
 
 private:

@@ -1,5 +1,6 @@
-// public_coverage [--only TEXT] [--fraction F] [--write FILE]: which known mistakes do the public
-// tests notice, and do they let every right solution pass? Exit status 1 where a right one fails.
+// public_coverage [--only TEXT] [--fraction F] [--write FILE]: which known mistakes the public
+// tests notice, and whether they pass every right solution. Exit status 1 if a right solution
+// fails.
 #include "Case.h"
 #include "Examine.h"
 
@@ -24,7 +25,7 @@ namespace ticker::coverage {
 namespace {
 
 struct Arguments {
-    std::string only;  ///< cases whose name has this in it
+    std::string only;  ///< cases whose name contains it
     double fraction = 1.0;
     std::string write;
 };
@@ -64,7 +65,7 @@ std::vector<Case> pick(std::vector<Case> cases, const Arguments& arguments) {
     return picked;
 }
 
-/// How far the work is, on a terminal.
+/// Prints the progress on a terminal.
 void showProgress(std::size_t done, std::size_t of) {
     if (isatty(STDERR_FILENO) == 0) return;
     fmt::print(stderr, "\r{} of {}{}", done, of, done == of ? "\n" : "");
@@ -148,7 +149,7 @@ std::string summaryOf(const std::vector<Row>& rows) {
         wrong, noticed, right, refused);
 }
 
-/// Puts the text between the marks of a Markdown file.
+/// Writes the text between the marks of a Markdown file.
 void write(const std::string& text, const std::string& file) {
     const std::string begin = "<!-- public_coverage begin -->\n";
     const std::string end = "<!-- public_coverage end -->";

@@ -19,7 +19,7 @@ std::vector<double> inWholeBytes(std::vector<double> heights) {
     return heights;
 }
 
-/// Points asked about in place of one.
+/// Number of points that are asked for around one place.
 constexpr std::size_t kBeside = 64;
 
 std::vector<Vector3> directionsBeside(const std::vector<Vector3>& places) {
@@ -41,7 +41,7 @@ double medianOf(Tilts tilts, auto&& part) {
     return median(std::move(values));
 }
 
-/// The mean of the tilts near the middle one: all but those at a step from 255 to 0.
+/// Mean of the tilts near the median: points at a step from 255 to 0 are left out.
 Vector3 steadyMean(Tilts tilts, double reach) {
     const Vector3 middle{medianOf(tilts, [](const Vector3& tilt) { return tilt.x; }),
                          medianOf(tilts, [](const Vector3& tilt) { return tilt.y; }),
@@ -56,7 +56,7 @@ Vector3 steadyMean(Tilts tilts, double reach) {
     return sum / count;
 }
 
-/// What the points say whose tilts on the ramp and on the bow these are.
+/// Evaluates the points' tilts on the ramp and on the bow.
 AxisAnswers answersFrom(std::vector<Vector3> onRamp, const std::vector<Vector3>& onBow) {
     AxisAnswers answers;
     for (std::size_t i = 0; i < onRamp.size(); ++i)
@@ -70,7 +70,7 @@ HeightMap mapAlong(bool u, const std::vector<double>& heights) {
     return u ? mapOf(heights, across) : mapOf(across, heights);
 }
 
-/// Slopes of whole bytes are right on average only: around each place many points are asked about.
+/// Slopes of whole bytes are right on average only: many points around each place are asked for.
 AxisAnswers askCoarsely(bool u, int bytesPerTexel, const std::vector<Vector3>& directions) {
     const double rise = bytesPerTexel * kByte * (kRampTexels - 1);
     const std::vector<Vector3> around = directionsBeside(directions);

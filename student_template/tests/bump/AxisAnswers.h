@@ -8,7 +8,7 @@
 
 namespace raytracer::tests::bump {
 
-/// Of a ramp: so many that a texel's rounding does not show.
+/// Texels of a ramp: enough that rounding to texels is negligible.
 constexpr int kRampTexels = 1500;
 
 /// Places on the map and tilts on the ramp, at all points, for one axis.
@@ -18,7 +18,7 @@ struct AxisAnswers {
 };
 
 /// Asks for normals on a ramp and on a bow along one axis of the map.
-/// @param directions  Of the points, from the centre of the sphere.
+/// @param directions  Directions of the points, from the centre of the sphere.
 [[nodiscard]] AxisAnswers askAlong(bool u, const Slope& slope,
                                    const std::vector<Vector3>& directions);
 

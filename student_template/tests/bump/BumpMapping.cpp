@@ -41,7 +41,7 @@ void BumpMapping::SetUp() {
         const BumpySphere& sphere = keptSphere({0, 0, 3}, 1.0, roughMap(16, 8));
         static_cast<void>(sphere.getNormalAt({0.36, 0.48, 2.2}));
     } catch (const std::exception&) {
-        // A test says so.
+        // Another test reports it.
     }
     if (isUnfinished("T1"))
         GTEST_SKIP() << "T1 is not attempted: the line unfinished(\"T1\", ...) still stands";

@@ -13,9 +13,9 @@
 
 namespace raytracer::tests::bump {
 
-/// So little that nothing saturates, for all of a map.
+/// A rise over the whole map that is small enough to saturate nothing.
 inline constexpr Slope kGentle{0.3, 0};
-/// What code that rounds heights to bytes sees of a slope.
+/// A slope that is visible to code that rounds heights to bytes.
 inline constexpr Slope kCoarse{0.0, 12};
 
 /// Fails the running test.
@@ -25,24 +25,24 @@ void complain(const std::string& asked, const std::string& expected, const std::
 /// "(0.1, 0.2, 0.3)"
 [[nodiscard]] std::string words(const Vector3& v);
 
-/// Random heights: whatever goes wrong somewhere goes wrong on such a map.
+/// Random heights: a mistake anywhere in the code shows on such a map.
 [[nodiscard]] HeightMap roughMap(int width, int height);
 
-/// Ordinary points, and those where an angle or a coordinate is exactly 0.
+/// Ordinary points, and points where an angle or a coordinate is exactly 0.
 [[nodiscard]] std::vector<Vector3> telltaleDirections();
 
-/// Task T1, BumpySphere::getNormalAt: what its public tests share.
+/// Task T1, BumpySphere::getNormalAt: shared parts of its public tests.
 class BumpMapping : public ::testing::Test {
 protected:
-    /// Skips what is not attempted.
+    /// Skips a task that is not attempted.
     void SetUp() override;
 
-    /// What the solution does on gentle slopes, or on those of whole bytes where only these tilt
-    /// along both axes. Empty where it throws, which a test of its own says.
+    /// The solution's tilts on gentle slopes, or on slopes of whole bytes if only these tilt along
+    /// both axes. Empty if the solution throws, which another test reports.
     static const std::optional<BumpSurvey>& survey();
     static std::optional<BumpSurvey> surveyOn(const Slope& slope);
 
-    /// Where there is no survey the first test complains, and others could not be asked.
+    /// Without a survey the first test complains, and the others cannot be asked.
     static bool couldSurvey();
 
 private:

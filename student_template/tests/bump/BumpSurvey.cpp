@@ -14,10 +14,10 @@ namespace raytracer::tests::bump {
 namespace {
 
 constexpr int kPoints = 240;
-// Radians between neighbours: wide against a texel, narrow against the sphere.
+// Radians between neighbours: large compared with a texel, small compared with the sphere.
 constexpr double kStep = 0.1;
 
-// Not at the origin, not of radius 1, and so large that heights are small beside it.
+// Neither at the origin nor of radius 1, and so large that heights are small beside it.
 const Vector3 kCentre{1.3, -0.7, 25.0};
 constexpr double kRadius = 14.0;
 
@@ -46,7 +46,7 @@ std::vector<Vector3> groupsAround(const std::vector<Vector3>& middles) {
     return all;
 }
 
-/// From the places of a group's points: the way in which they grow. False where it is not clear.
+/// The direction in which the places of a group's points grow. False if it is unclear.
 bool readAxis(const AxisAnswers& answers, std::size_t group, const Frame& frame, bool goesRound,
               AxisAtPoint& axis) {
     const std::size_t at = group * kInGroup;
@@ -54,7 +54,7 @@ bool readAxis(const AxisAnswers& answers, std::size_t group, const Frame& frame,
         const double apart = answers.places[at + plus] - answers.places[at + minus];
         return goesRound ? std::remainder(apart, 1.0) : apart;
     };
-    constexpr double kClear = 0.25;  // of the map; more is its edge
+    constexpr double kClear = 0.25;  // of the map; a larger difference is the map's edge
     const double first = growth(1, 2);
     const double second = growth(3, 4);
     if (!(std::abs(first) < kClear && std::abs(second) < kClear)) return false;

@@ -10,12 +10,12 @@
 
 namespace raytracer::tests::bump {
 
-/// What one axis of the map does at one point of the sphere, by the solution's own answers.
+/// One axis of the map at one point of the sphere, from the solution's own answers.
 struct AxisAtPoint {
-    double place = 0.0;  ///< where on the map the point lies, 0 to 1
-    Vector3 along;       ///< unit tangent along which the map runs there
-    double pace = 0.0;   ///< how much of the map passes in one radian
-    Vector3 tilt;        ///< of the normal, where the map rises evenly along the axis
+    double place = 0.0;  ///< place of the point on the map, 0 to 1
+    Vector3 along;       ///< unit tangent in the direction in which the map runs
+    double pace = 0.0;   ///< share of the map in one radian
+    Vector3 tilt;        ///< tilt of the normal if the map rises evenly along the axis
 };
 
 struct SurveyPoint {
@@ -24,31 +24,32 @@ struct SurveyPoint {
     AxisAtPoint v;
 };
 
-/// How steeply the survey's maps rise.
+/// Steepness of the survey's maps.
 struct Slope {
     double rise = 0.3;      ///< height from end to end
-    int bytesPerTexel = 0;  ///< if any: in whole bytes, as a picture's, from 0 again after 255
+    int bytesPerTexel = 0;  ///< not 0: a slope in whole bytes, which restarts at 0 after 255
 };
 
-/// Asks a solution for normals on ramps and bows along u and along v, around many points. Nothing
-/// is assumed about how it lays the map on the sphere: its own answers tell.
+/// Asks a solution for normals on ramps and bows along u and along v, around many points. It
+/// assumes nothing about the parametrisation: the solution's own answers show it.
 class BumpSurvey {
 public:
-    /// @throws Whatever the solution throws.
+    /// @throws Any exception of the solution.
     explicit BumpSurvey(const Slope& slope);
 
-    /// Points at which both axes are known: not those at the map's edges, or where nothing tilts.
+    /// Points at which both axes are known. Points at the map's edges, and points without a tilt,
+    /// are left out.
     [[nodiscard]] const std::vector<SurveyPoint>& points() const { return points_; }
-    /// Points that were asked about.
+    /// Number of points that were asked for.
     [[nodiscard]] int asked() const { return asked_; }
-    /// Whether one axis does not tilt: the places of the points are unknown.
+    /// Whether one axis does not tilt: the places of the points are then unknown.
     [[nodiscard]] bool isLevel() const;
     [[nodiscard]] const Slope& slope() const { return slope_; }
-    /// Middle length of the tilt on the ramp along u, along v, and on a flat map.
+    /// Median length of the tilt on the ramp along u, along v, and on a flat map.
     [[nodiscard]] double strengthU() const { return strengthU_; }
     [[nodiscard]] double strengthV() const { return strengthV_; }
     [[nodiscard]] double strengthOnFlat() const { return strengthOnFlat_; }
-    /// Where the map's top edge lies on the sphere, unit length.
+    /// The point of the sphere at the map's top edge, unit length.
     [[nodiscard]] Vector3 top() const;
 
 private:
@@ -60,21 +61,21 @@ private:
     double strengthOnFlat_ = 0.0;
 };
 
-/// A sphere that stays where it is for good, with its map: a solution may remember either by its
+/// A sphere with its map that is never moved or freed: a solution may remember either by its
 /// address.
 [[nodiscard]] const BumpySphere& keptSphere(const Vector3& centre, double radius,
                                             const HeightMap& map);
 
-/// The normals that a solution gives for a sphere with this map, as tilts of the smooth normal.
-/// @param directions  Of the points, from the centre of the sphere.
+/// The normals of a solution for a sphere with this map, as tilts of the smooth normal.
+/// @param directions  Directions of the points, from the centre of the sphere.
 [[nodiscard]] std::vector<Vector3> tiltsOn(const HeightMap& map,
                                            const std::vector<Vector3>& directions);
 
-/// The same, less what it tilts on a flat map: a displaced surface made of chords leans even there.
+/// The tilts less those on a flat map: the chords of a displaced surface lean even there.
 [[nodiscard]] std::vector<Vector3> tiltsBeyondFlat(const HeightMap& map,
                                                    const std::vector<Vector3>& directions);
 
-/// A map of `columns` heights by `rows` heights, added.
+/// A map whose heights are the sums of `columns` and `rows`.
 [[nodiscard]] HeightMap mapOf(const std::vector<double>& columns, const std::vector<double>& rows);
 
 /// Median of the values that are not NaN; 0 if there are none.

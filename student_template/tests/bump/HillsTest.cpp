@@ -18,7 +18,7 @@
 namespace raytracer::tests::bump {
 namespace {
 
-/// Hills that wave along both axes; the columns go round without a step.
+/// Hills that wave along both axes; the columns are periodic.
 double hillAt(double u, double v) {
     const double turn = 2.0 * std::numbers::pi;
     return 2.5 + 1.2 * std::sin(turn * 3.0 * u + 0.4) * std::cos(turn * 1.5 * v) +
@@ -35,7 +35,8 @@ HeightMap hills() {
     return {kWidth, kHeight, std::move(heights)};
 }
 
-/// Share of the tilt that leans back from the slope, weighted by both, less what leans into it.
+/// Share of the tilt that leans away from rising slopes, weighted by both, less the share that
+/// leans towards them.
 class Agreement {
 public:
     void add(double tilt, double slope) {

@@ -19,7 +19,7 @@
 namespace raytracer::tests::bump {
 namespace {
 
-/// What likely led to an error of HeightMap::at.
+/// The likely cause of an error of HeightMap::at.
 std::string causeOf(const std::string& error) {
     if (error.find("column -") != std::string::npos || error.find("row -") != std::string::npos)
         return "u and v go from 0 to 1: take the position relative to centre(), divide by "

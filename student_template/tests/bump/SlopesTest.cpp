@@ -44,10 +44,11 @@ TEST_F(BumpMapping, TheNormalTiltsWhereTheMapSlopes) {
     }
 }
 
-/// How the tilts at the surveyed points lie to the direction in which the map rises.
+/// Directions of the tilts at the surveyed points, relative to the direction in which the map
+/// rises.
 struct Leaning {
-    double back = 0.0;    // away from what is higher: raised
-    double into = 0.0;    // towards it: lowered
+    double back = 0.0;    // away from the higher side: raised
+    double into = 0.0;    // towards the higher side: lowered
     double across = 0.0;  // along the other axis
 };
 
@@ -81,10 +82,10 @@ std::string causeOf(const Leaning& leaning, const std::string& axis) {
 
 void expectLeaningBack(const BumpSurvey& survey, AxisAtPoint SurveyPoint::*axis,
                        const std::string& name) {
-    // Where one axis is flat the places of the points are unknown; another test says so.
+    // If one axis is flat, the places of the points are unknown; another test reports it.
     if (survey.isLevel()) return;
     const Leaning leaning = leaningOf(survey, axis);
-    constexpr double kEnough = 0.85;  // the map's edges and its poles are lost
+    constexpr double kEnough = 0.85;  // the map's edges and its poles are left out
     if (leaning.back >= kEnough) return;
     complain("a map that rises evenly along " + name,
              "normals that lean back from where it is higher, as a raised bump's do",

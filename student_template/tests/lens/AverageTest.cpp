@@ -1,4 +1,4 @@
-// What becomes of the colours that the rays see.
+// The colour of a pixel from the colours of its rays.
 #include <lens/DepthOfField.h>
 #include <lens/LensPoints.h>
 #include <raytracer/image/ColourRGB.h>
@@ -34,8 +34,8 @@ TEST_F(DepthOfField, AWallOfOneColourKeepsItsColour) {
         }
 }
 
-// Every ray of every pixel sees one colour, so that whatever chance does the picture is that
-// colour.
+// Every ray of every pixel sees one colour, so that the picture has that colour for all random
+// numbers.
 TEST_F(DepthOfField, AWallOfOneColourKeepsItsColourWithSeveralThreads) {
     RenderSettings settings;
     settings.width = 64;
@@ -57,7 +57,7 @@ TEST_F(DepthOfField, AWallOfOneColourKeepsItsColourWithSeveralThreads) {
 
 TEST_F(DepthOfField, APixelIsTheAverageOfWhatItsRaysSee) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
-    if (trial().rays(0).empty() || trial().rays(1).empty()) return;  // another test says so
+    if (trial().rays(0).empty() || trial().rays(1).empty()) return;  // another test reports it
     for (const std::size_t pixel : {0U, 1U}) {
         ColourRGB mean;
         for (const ColourRGB& colour : trial().colours(pixel))
@@ -80,11 +80,11 @@ TEST_F(DepthOfField, APixelIsTheAverageOfWhatItsRaysSee) {
 TEST_F(DepthOfField, APixelMixesColoursInEveryFrame) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const LensPoints lens{trial()};
-    if (lens.widest() < 0.05) return;  // another test says so
+    if (lens.widest() < 0.05) return;  // another test reports it
     int pure = 0;
     for (const std::size_t pixel : {0U, 1U})
         for (const ColourRGB& colour : trial().colours(pixel)) {
-            if (colour.b > 0.75) return;                  // no mean: another test says so
+            if (colour.b > 0.75) return;                  // not a mean: another test reports it
             const double share = (0.7 - colour.b) / 0.6;  // of the ball
             if (share < 0.005 || share > 0.995) ++pure;
         }

@@ -72,8 +72,9 @@ ColourRGB Trial::meanOfRays(std::size_t pixel) const {
     return sum / static_cast<double>(rays_[pixel].size());
 }
 
-// Whatever starts before the first object comes from the camera. The pixels' squares of the focal
-// plane lie to the left and to the right, and each ray passes through that of its own pixel.
+// Rays that start in front of the first object come from the camera. The pixels' squares of the
+// focal plane lie to the left and to the right, and each ray passes through the square of its own
+// pixel.
 void Trial::sortRays() {
     std::array<std::size_t, 2> counts{};
     for (const Ray& ray : log_.rays()) {

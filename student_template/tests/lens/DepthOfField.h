@@ -29,8 +29,8 @@ void complain(const std::string& asked, const std::string& expected, const std::
 /// Where the ray's line meets the plane at z.
 [[nodiscard]] Vector3 inPlane(const Ray& ray, double z);
 
-/// A wall of one colour. No light but the ambient one, so that nothing that `illuminate` does wrong
-/// can be held against `render`.
+/// A wall of one colour, with ambient light only, so that mistakes in `illuminate` do not count
+/// against `render`.
 [[nodiscard]] SceneDescription wall();
 
 /// Two large balls far behind the focal plane: each pixel's rays see partly the ball in front of
@@ -44,17 +44,17 @@ public:
 
     [[nodiscard]] static RenderSettings twoPixels();
 
-    /// Colours of the left pixel (0) or the right one (1), render by render.
+    /// Colours of the left pixel (0) or the right one (1), for each render.
     [[nodiscard]] const std::vector<ColourRGB>& colours(std::size_t pixel) const {
         return colours_[pixel];
     }
-    /// Its camera rays, of all renders.
+    /// Its camera rays in all renders.
     [[nodiscard]] const std::vector<Ray>& rays(std::size_t pixel) const { return rays_[pixel]; }
-    /// The fewest camera rays that one render cast for it.
+    /// The smallest number of camera rays that one render cast for it.
     [[nodiscard]] std::size_t fewestRays() const { return fewest_; }
     [[nodiscard]] bool sawRays() const { return !rays_[0].empty() || !rays_[1].empty(); }
     [[nodiscard]] int mostBounces() const { return log_.mostBounces(); }
-    /// Mean of what the pixel's rays meet.
+    /// Mean of the colours that the pixel's rays meet.
     [[nodiscard]] ColourRGB meanOfRays(std::size_t pixel) const;
 
 private:
@@ -68,13 +68,13 @@ private:
     bool started_ = false;
 };
 
-/// Task T2.2, Renderer::render: what its public tests share.
+/// Task T2.2, Renderer::render: shared parts of its public tests.
 class DepthOfField : public ::testing::Test {
 protected:
-    /// Skips what is not attempted.
+    /// Skips a task that is not attempted.
     void SetUp() override;
 
-    /// One series of renders is enough for all tests.
+    /// One series of renders serves all tests.
     static const Trial& trial();
 
     const RenderSettings handout_{};

@@ -1,4 +1,4 @@
-// Where the camera rays of one pixel come together.
+// Where the camera rays of one pixel meet.
 #include <lens/DepthOfField.h>
 #include <lens/LensPoints.h>
 #include <questions/RayGeometry.h>
@@ -24,8 +24,8 @@
 namespace raytracer::tests::lens {
 namespace {
 
-/// Where the rays of one pixel come together: the point with the least sum of squared distances
-/// from their lines.
+/// The meeting point of one pixel's rays: the point with the smallest sum of squared distances from
+/// their lines.
 class Meeting {
 public:
     explicit Meeting(const std::vector<Ray>& rays) {
@@ -50,11 +50,11 @@ public:
             farthest_ = std::max(farthest_, questions::footFrom(point_, ray).magnitude());
     }
 
-    /// False where the rays are parallel, or one and the same.
+    /// False if the rays are parallel or equal.
     [[nodiscard]] bool clear() const { return clear_; }
     [[nodiscard]] bool isPoint() const { return clear_ && farthest_ <= 2e-3; }
     [[nodiscard]] const Vector3& point() const { return point_; }
-    /// Of all rays' lines from the point.
+    /// Largest distance of a ray's line from the point.
     [[nodiscard]] double farthest() const { return farthest_; }
 
 private:
@@ -78,7 +78,7 @@ bool stayInPixel(const std::vector<Ray>& rays, const RenderSettings& settings, i
     });
 }
 
-/// Of a frame with pixels as small as the handout's.
+/// The same in a frame with pixels as small as the handout's.
 bool stayInFinePixel(int x) {
     RayLog log;
     RenderSettings settings;
@@ -91,15 +91,15 @@ bool stayInFinePixel(int x) {
     return stayInPixel(rays, settings, 0);  // counted inside of the region
 }
 
-/// Whether each ray goes through another place of its own pixel, which smooths the edges and is
-/// right. A wrong focal point may stay inside of a large pixel: it leaves a small one.
+/// Whether each ray goes through another place of its own pixel, which smooths edges and is right.
+/// A wrong focal point may stay inside a large pixel, but not inside a small one.
 bool antialiases(const Trial& trial) {
     const RenderSettings large = Trial::twoPixels();
     return stayInPixel(trial.rays(0), large, 0) && stayInPixel(trial.rays(1), large, 1) &&
            stayInFinePixel(0) && stayInFinePixel(RenderSettings{}.width - 1);
 }
 
-/// Complains where rays run away from what they are to see.
+/// Complains if rays point away from the scene.
 void judgeHeading(const std::vector<Ray>& rays, const std::string& asked) {
     const auto away =
         std::ranges::count_if(rays, [](const Ray& ray) { return !(ray.direction.z > 0.0); });
@@ -110,7 +110,7 @@ void judgeHeading(const std::vector<Ray>& rays, const std::string& asked) {
              kSection);
 }
 
-/// Complains where the rays do not meet in one point of the pinhole camera's ray.
+/// Complains if the rays do not meet in one point of the pinhole camera's ray.
 void judgeMeeting(const Meeting& meeting, const Vector3& pinhole, const std::string& asked) {
     if (!meeting.isPoint()) {
         complain(asked, "rays that come together in one point",
@@ -144,9 +144,10 @@ TEST_F(DepthOfField, RaysOfAPixelMeetInTheFocalPlane) {
     const Camera camera{Trial::twoPixels()};
     for (const std::size_t pixel : {0U, 1U}) {
         const std::vector<Ray>& rays = trial().rays(pixel);
-        if (rays.size() < 2) continue;  // another test says so
+        if (rays.size() < 2) continue;  // another test reports it
         const Meeting meeting{rays};
-        if (!meeting.clear() && LensPoints{trial()}.widest() < 1e-6) return;  // a pinhole, likewise
+        if (!meeting.clear() && LensPoints{trial()}.widest() < 1e-6)
+            return;  // a pinhole: another test reports it
         const std::string asked = std::string("the rays of the ") +
                                   (pixel == 0 ? "left" : "right") +
                                   " of two pixels, from all renders";

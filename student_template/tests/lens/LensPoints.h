@@ -9,7 +9,7 @@
 
 namespace raytracer::tests::lens {
 
-/// Where the camera rays start, of both pixels together.
+/// Starts of the camera rays, of both pixels together.
 struct LensPoints {
     explicit LensPoints(const Trial& trial);
 
@@ -18,7 +18,7 @@ struct LensPoints {
     Vector3 low{1e9, 1e9, 1e9};
     Vector3 high{-1e9, -1e9, -1e9};
 
-    /// Half a side of the smallest square around them, and of the largest within.
+    /// Half the side of the smallest square around them, and of the largest square within.
     [[nodiscard]] double widest() const;
     [[nodiscard]] double narrowest() const;
 };

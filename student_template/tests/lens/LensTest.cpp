@@ -54,8 +54,8 @@ TEST_F(DepthOfField, TheLensIsASquareAroundTheEye) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const LensPoints lens{trial()};
     const double amount = handout_.dofAmount;
-    // Cells' middles of a regular grid reach less far than random points, and fifty random points,
-    // used again for every pixel, less evenly: their ends differ by 0.7 with a chance below 1e-7.
+    // The cell centres of a regular grid reach less far than random points, and fifty random points
+    // that all pixels share are less even: their ends differ by 0.7 with a chance below 1e-7.
     const bool few = lens.distinct <= 500;
     const double least = few ? 0.75 : 0.96;
     const std::string expected = "a square in the plane z = 0, centred on the eye";
@@ -89,7 +89,7 @@ TEST_F(DepthOfField, TheLensIsASquareAroundTheEye) {
 TEST_F(DepthOfField, LensPointsFillTheSquareEvenly) {
     if (!trial().sawRays()) GTEST_SKIP() << kUnseen;
     const LensPoints lens{trial()};
-    if (!(lens.narrowest() > 1e-6)) return;  // another test says so
+    if (!(lens.narrowest() > 1e-6)) return;  // another test reports it
     const Vector3 middle = (lens.low + lens.high) / 2.0;
     double corners = 0.0;
     double inner = 0.0;

@@ -1,4 +1,4 @@
-// How many shadow rays there are, where they start, and what they aim at.
+// The number, starts and aims of shadow rays.
 #include <questions/RayGeometry.h>
 #include <shadows/Room.h>
 #include <shadows/SoftShadows.h>
@@ -66,13 +66,13 @@ public:
         arePattern_ = cells.size() < 200;  // of 3000 random ones no 20 share a cell
     }
 
-    /// The same few aim points over and over.
+    /// True for a few aim points that repeat.
     [[nodiscard]] bool arePattern() const { return arePattern_; }
 
     /// In radii of the light.
     [[nodiscard]] double farthest() const { return farthest_; }
     [[nodiscard]] double offCentre() const { return mean_.magnitude(); }
-    /// 1: alike in all directions, 0: along a line.
+    /// 1: equal in all directions, 0: along a line.
     [[nodiscard]] double roundness() const { return roundness_; }
 
 private:
@@ -85,8 +85,8 @@ private:
 void judgeAims(const Aims& aims, const std::string& asked) {
     const std::string section = "Soft shadows (T2.1), step 1";
     const std::string expected = "aim points in a ball of radius settings().lightSize";
-    // 3000 lines: of points crowded in the middle none passes beyond 0.9 radii with a chance of
-    // 1e-40, and the mean strays by 0.1 radii with one of 1e-20.
+    // 3000 lines: if points crowd in the middle, the chance that none passes beyond 0.9 radii is
+    // 1e-40, and the mean is off by 0.1 radii with a chance of 1e-20.
     if (aims.farthest() > 1.003)
         complain(asked, expected,
                  "lines that pass the centre at " + inWords(aims.farthest()) + " radii",
@@ -94,7 +94,7 @@ void judgeAims(const Aims& aims, const std::string& asked) {
                  "in place of the light's position, or a shadow ray that starts somewhere else",
                  section);
     else if (aims.arePattern())
-        return;  // too few to tell more
+        return;  // too few for other checks
     else if (aims.farthest() < 0.85)
         complain(asked, expected,
                  "no line farther from the centre than " + inWords(aims.farthest()) + " radii",
@@ -110,7 +110,7 @@ void judgeAims(const Aims& aims, const std::string& asked) {
 }
 
 TEST_F(SoftShadows, ShadowRaysAimAtAllOfTheLightAndNothingElse) {
-    // Three directions at right angles: what one cannot see, the others do.
+    // Three directions at right angles: one shows what another hides.
     for (const Vector3& towards :
          {Vector3{0.6, 0.8, 0.0}, {-0.48, 0.36, 0.8}, {-0.64, 0.48, -0.6}}) {
         SceneDescription scene = emptyRoom();
@@ -150,7 +150,7 @@ TEST_F(SoftShadows, AimPointsAreDrawnAnewEachTime) {
         if (!known) feet.push_back(foot);
     }
     if (feet.size() > static_cast<std::size_t>(handout_.shadowRayCount)) return;
-    if (feet.size() > 4) return;  // one pattern for all points is a matter of taste
+    if (feet.size() > 4) return;  // one pattern for all points is accepted
     complain("all shadow rays of 40 calls", "many different aim points",
              std::to_string(feet.size()) + " in all",
              feet.size() == 1 ? "all rays aim at the light's centre"

@@ -25,21 +25,21 @@ inline constexpr ColourRGB kAmbient{0.11, 0.17, 0.23};
 [[nodiscard]] SceneDescription emptyRoom();
 [[nodiscard]] SceneDescription roomWithBall();
 
-/// A point of the floor so far to the right of the darkest one.
+/// A point of the floor, `right` of the darkest one.
 [[nodiscard]] Vector3 floorAt(double right);
 
-/// The point of the floor from where the light's centre stands `clear` outside of the ball's rim;
-/// below 0: behind the ball.
+/// The point of the floor from which the light's centre is `clear` outside of the ball's rim; below
+/// 0: behind the ball.
 [[nodiscard]] Vector3 floorWhereLightIsClearBy(double clear);
 
-/// What a point of the floor shows in full shadow.
+/// Colour of a point of the floor in full shadow.
 [[nodiscard]] ColourRGB ambientOnly();
 
-/// What a light of the scene adds to a point of the floor that nothing shadows.
+/// Contribution of a light of the scene to a point of the floor without shadow.
 [[nodiscard]] questions::PhongTerms unshadowed(const SceneDescription& scene, std::size_t light,
                                                const Vector3& point);
 
-/// Mean share of the light that arrives: 0 in the dark, 1 where nothing is in the way.
+/// Mean share of the light that arrives: 0 in full shadow, 1 in full light.
 [[nodiscard]] double shareOf(const ColourRGB& colour, const Vector3& point);
 
 }  // namespace raytracer::tests::shadows

@@ -52,8 +52,8 @@ TEST_F(SoftShadows, OnlyAmbientLightIsLeftInFullShadow) {
              "Soft shadows (T2.1), step 3");
 }
 
-/// Whether all calls gave the same: one pattern of aim points for all points of the scene is a
-/// matter of taste, and its few points tell a share only roughly.
+/// Whether all calls gave the same value. One pattern of aim points for all points of the scene is
+/// accepted; its few points give the share only roughly.
 bool hasOnePattern(const Trial& trial, const Vector3& point) {
     const double first = shareOf(trial.colours().front(), point);
     return std::ranges::all_of(trial.colours(), [&](const ColourRGB& colour) {
@@ -61,7 +61,7 @@ bool hasOnePattern(const Trial& trial, const Vector3& point) {
     });
 }
 
-/// Calls that gave a share between none and all.
+/// Number of calls with a share between 0 and 1.
 std::ptrdiff_t countBetween(const Trial& trial, const Vector3& point) {
     return std::ranges::count_if(trial.colours(), [&](const ColourRGB& colour) {
         const double share = shareOf(colour, point);
@@ -92,8 +92,8 @@ TEST_F(SoftShadows, AShareOfTheLightArrivesAtTheEdgeOfAShadow) {
 
 TEST_F(SoftShadows, ShadowEdgesAreAsWideAsTheRadiusOfTheLightMakesThem) {
     const double radius = handout_.lightSize;
-    // How much stands out beyond the rim: where a ball, its surface, and points crowded in its
-    // middle give from 3 to 25 of 100; nothing at all beyond the radius.
+    // The part of the light beyond the rim: a ball, its surface, and points that crowd in its
+    // middle give 3 to 25 of 100; beyond the radius nothing arrives.
     struct Place {
         double clear;
         double least;

@@ -40,7 +40,7 @@ Trial::Trial(SceneDescription description, const Vector3& point, int calls, int 
     for (int i = 0; i < calls; ++i) {
         seedRandom(1000U + static_cast<unsigned>(i));
         log_.clear();
-        // Never quite the same point: a solution may seed a generator from it.
+        // Never exactly the same point: a solution may seed a generator from it.
         const Vector3 moved = point + Vector3{1e-7 * i, 0.0, 3e-7 * i};
         const ColourRGB colour = renderer.illuminate(scene_, hit, moved, normal, kEye);
         colours_.push_back(colour);

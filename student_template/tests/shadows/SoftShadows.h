@@ -25,23 +25,23 @@ void complain(const std::string& asked, const std::string& expected, const std::
 /// "(0.1, 0.2, 0.3)"
 [[nodiscard]] std::string words(const ColourRGB& c);
 
-/// Whether no channel of the two differs by more than a share of the larger.
+/// Whether no channel differs by more than a share of the larger value.
 [[nodiscard]] bool isNear(const ColourRGB& a, const ColourRGB& b, double share);
 
 /// Why a test is skipped.
 inline const std::string kUnseen = "your code casts rays that the test cannot see";
 
-/// What one solution does at one point of a scene, over and over.
+/// Repeated calls of one solution at one point of a scene.
 class Trial {
 public:
-    /// @param object  The scene's object that the point lies on; the last one if -1.
+    /// @param object  Index of the object with the point; -1: the last one.
     Trial(SceneDescription description, const Vector3& point, int calls, int object = -1);
 
     [[nodiscard]] const std::vector<ColourRGB>& colours() const { return colours_; }
     [[nodiscard]] const ColourRGB& mean() const { return mean_; }
-    /// All rays that were seen, as cast from the point.
+    /// All logged rays, as cast from the point.
     [[nodiscard]] const std::vector<Ray>& rays() const { return rays_; }
-    /// The fewest rays of one call.
+    /// The smallest number of rays of one call.
     [[nodiscard]] std::size_t fewestRays() const { return fewestRays_; }
 
 private:
@@ -54,10 +54,10 @@ private:
     std::size_t fewestRays_ = std::numeric_limits<std::size_t>::max();
 };
 
-/// Task T2.1, Renderer::illuminate: what its public tests share.
+/// Task T2.1, Renderer::illuminate: shared parts of its public tests.
 class SoftShadows : public ::testing::Test {
 protected:
-    /// Skips what is not attempted.
+    /// Skips a task that is not attempted.
     void SetUp() override;
 
     const RenderSettings handout_{};

@@ -1,4 +1,5 @@
-// What does not shadow a point: what stands behind the light, another light, the surface itself.
+// Objects that cast no shadow on a point: those behind the light, another light, the surface
+// itself. light does not matter.
 #include <questions/RayGeometry.h>
 #include <shadows/Room.h>
 #include <shadows/SoftShadows.h>

@@ -6,18 +6,18 @@
 
 namespace raytracer::tests {
 
-/// What a failed public test says.
+/// Text of a failed public test.
 struct Complaint {
     std::string asked;     ///< the input
-    std::string expected;  ///< in words where a number would give the answer away
+    std::string expected;  ///< in words if a number would reveal the answer
     std::string got;
-    std::string cause;    ///< what is likely wrong
-    std::string section;  ///< of the handout
+    std::string cause;    ///< the likely mistake
+    std::string section;  ///< section of the handout
 };
 
 std::ostream& operator<<(std::ostream& stream, const Complaint& complaint);
 
-/// Numbers as a person reads them: four digits.
+/// Numbers with four digits, for readers.
 [[nodiscard]] std::string inWords(double value);
 /// "13 %"
 [[nodiscard]] std::string percent(double share);

@@ -10,8 +10,8 @@
 
 namespace raytracer::tests {
 
-/// Numbers for the tests' own questions, the same on every machine (splitmix64): the solution draws
-/// from another generator.
+/// Random numbers for the tests' own questions, equal on every machine (splitmix64). The solution
+/// draws from another generator.
 class Draws {
 public:
     explicit Draws(std::uint64_t seed) : state_(seed) {}

@@ -10,16 +10,16 @@
 
 namespace raytracer::tests {
 
-/// No scene of the tests of T2.2 has anything before this z.
+/// Scenes of the tests of T2.2 have no object before this z.
 inline constexpr double kNearestSurface = 1.0;
 
-/// Writes down the rays that a solution casts, whatever thread casts them.
+/// Records the rays of a solution, from all threads.
 class RayLog final : public RenderObserver {
 public:
     /// Every ray of `Scene::findClosestIntersection`; directions have unit length.
     [[nodiscard]] const std::vector<Ray>& rays() const { return rays_; }
-    /// The most bounces that `trace` was asked for with a ray that starts where the camera is,
-    /// before anything of a scene; -1 where there was none. Reflections of one's own have one less.
+    /// Largest number of bounces in a call of `trace` with a ray from the camera, before any
+    /// object; -1 without such a call. Reflections have one bounce less.
     [[nodiscard]] int mostBounces() const { return mostBounces_; }
 
     void clear() { rays_.clear(); }

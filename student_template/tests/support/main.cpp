@@ -1,5 +1,5 @@
-// Runs the public tests and prints what a student wants to know: per task, how many passed, and for
-// each failure what was asked, expected, got, and what is likely wrong.
+// Runs the public tests and prints for each task how many passed, and for each failure the
+// question, the expected and the actual answer, and the likely mistake.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace {
 
-/// One task, and the test suite that asks about it.
+/// One task and its test suite.
 struct Task {
     std::string_view suite;
     std::string_view title;
@@ -30,10 +30,10 @@ std::string words(std::string_view name) {
     return text;
 }
 
-/// The test that runs, where a handler of signals finds it: "T1   Normals have unit length".
+/// The running test, readable by a signal handler: "T1   Normals have unit length".
 std::array<char, 200> runningTest{};
 
-/// Says which test has crashed, then lets the program end as it would have.
+/// Names the test that crashed, then ends the program as the signal would have.
 extern "C" void tellOfCrash(int signal) {
     std::printf("NOT YET: %s\n  got:      your code crashed (signal %d)\n\n", runningTest.data(),
                 signal);
@@ -52,7 +52,7 @@ public:
                               words(test.name()).c_str());
     }
 
-    // GoogleTest holds its lock here: to ask it which test runs would wait for ever.
+    // GoogleTest holds its lock here: asking it for the running test would deadlock.
     void OnTestPartResult(const testing::TestPartResult& part) override {
         if (part.skipped()) skippedBecause_ = part.message();
         if (!part.failed()) return;

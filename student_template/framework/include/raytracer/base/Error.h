@@ -6,16 +6,16 @@
 
 namespace raytracer {
 
-/// What a program tells the shell. The numbers are fixed: scripts rely on them.
+/// Exit status of a program. The numbers are fixed: scripts rely on them.
 enum class ExitCode : int {
     success = 0,
     checkFailed = 1,   ///< a check did not pass
     badInput = 2,      ///< wrong usage, or an input that cannot be read
-    notGradable = 3,   ///< something failed for reasons that are not the user's
+    notGradable = 3,   ///< an error of the program or the system, not of the user
     interrupted = 130  ///< stopped by Ctrl-C
 };
 
-/// The number to hand to `exit`.
+/// The number for `exit`.
 [[nodiscard]] constexpr int toInt(ExitCode code) {
     return static_cast<int>(code);
 }
@@ -38,7 +38,7 @@ private:
 class InputError : public Error {
 public:
     /// @param file     Path as the user gave it; may be empty for wrong usage.
-    /// @param line     Line in the file, counted from 1; 0 where the format has no lines.
+    /// @param line     Line in the file, counted from 1; 0 if the format has no lines.
     /// @param message  What was found and what was expected.
     InputError(const std::string& file, int line, const std::string& message)
         : Error(locate(file, line) + message, ExitCode::badInput), file_(file), line_(line) {}

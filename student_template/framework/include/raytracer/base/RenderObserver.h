@@ -9,8 +9,8 @@ struct RaycastHit;
 struct Vector3;
 class SceneObject;
 
-/// Watches what a renderer does, without changing it. Every call comes on the thread that does the
-/// work, in the order of the work; an implementation that is shared by threads must be thread-safe.
+/// Observes a renderer without changing it. Every call comes from the thread that does the work, in
+/// the order of the work; an implementation that threads share must be thread-safe.
 ///
 /// One pixel of a usual render looks like this:
 ///   cameraRayAsked, { traceBegan, rayCast, illuminateBegan, rayCast..., illuminateEnded,
@@ -31,7 +31,7 @@ public:
     /// `Renderer::trace` is about to call `illuminate` with these arguments.
     virtual void illuminateBegan(const SceneObject& object, const Vector3& position,
                                  const Vector3& normal, const Vector3& viewer) = 0;
-    /// `illuminate` gave `colour` back to `Renderer::trace`.
+    /// `illuminate` returned `colour` to `Renderer::trace`.
     virtual void illuminateEnded(const ColourRGB& colour) = 0;
     /// `Scene::findClosestIntersection(ray)` was called; `hit` is null for a miss.
     virtual void rayCast(const Ray& ray, const RaycastHit* hit) = 0;
@@ -39,7 +39,7 @@ public:
     virtual void pixelSet(int x, int y, const ColourRGB& colour) = 0;
 };
 
-/// Is told how far a render is and may stop it.
+/// Receives the progress of a render and may stop it.
 class RenderMonitor {
 public:
     RenderMonitor() = default;

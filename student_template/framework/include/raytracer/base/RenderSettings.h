@@ -31,7 +31,7 @@ struct RenderSettings {
     double dofFocalPlane = 3.51805;  ///< z of the plane in focus, world units
     double dofAmount = 0.2;          ///< size of the square aperture, world units
 
-    Region region;  ///< what to render of the full frame; its pixels equal those of the whole
+    Region region;  ///< part of the full frame to render; its pixels equal those of the whole
 
     std::uint64_t seed = 0;  ///< `forEachPixel` reseeds the generator from it for every pixel
     int threads = 1;         ///< threads of `forEachPixel`; does not change the picture

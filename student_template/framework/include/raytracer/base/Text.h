@@ -10,22 +10,22 @@
 namespace raytracer {
 
 /// The number that the whole of `text` spells: digits with an optional sign, fraction and exponent,
-/// whatever the locale. Empty for anything else: spaces, units, hexadecimal digits, "nan", "inf",
-/// and numbers that a double cannot hold.
+/// in every locale. Empty for anything else: spaces, units, hexadecimal digits, "nan", "inf", and
+/// numbers that a double cannot hold.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view text);
 
-/// The whole number, not negative, that the whole of `text` spells in decimal digits.
+/// The non-negative whole number that the whole of `text` spells in decimal digits.
 [[nodiscard]] std::optional<std::uint64_t> parseCount(std::string_view text);
 
-/// `text` in quotation marks, fit for a message: a byte that is no printable ASCII becomes `\xNN`,
-/// and what goes beyond 60 bytes is cut.
+/// `text` in quotation marks for a message: bytes other than printable ASCII become `\xNN`, and
+/// everything beyond 60 bytes is cut.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
-/// `names` in a row: "x, y, z".
+/// Joins `names`: "x, y, z".
 [[nodiscard]] std::string joined(std::span<const std::string_view> names);
 
-/// The one of `known` that `name` was probably meant to be; empty where none is near. Near means:
-/// at most a third of the letters (at least one) added, left out or replaced; case does not count.
+/// The most similar name of `known`; empty if none is similar. Similar means: at most a third of
+/// the letters (at least one) added, left out or replaced; case does not count.
 [[nodiscard]] std::optional<std::string_view> nearestName(std::string_view name,
                                                           std::span<const std::string_view> known);
 

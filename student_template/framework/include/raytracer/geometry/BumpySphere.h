@@ -8,8 +8,8 @@
 
 namespace raytracer {
 
-/// A sphere that looks bumpy: its shape is that of a smooth sphere, only its normals are tilted by
-/// the slopes of a height map.
+/// A sphere that looks bumpy: its shape is a smooth sphere, but the slopes of a height map tilt its
+/// normals.
 class BumpySphere final : public Sphere {
 public:
     /// @param heightMap  Not null.

@@ -5,7 +5,7 @@
 
 namespace raytracer {
 
-/// How a surface answers light (Phong's model); the defaults are those of every scene element.
+/// How a surface reflects light (Phong's model); the defaults are those of every scene element.
 struct Material {
     ColourRGB colour;           ///< C_diff
     double phongKD = 0.8;       ///< diffuse coefficient

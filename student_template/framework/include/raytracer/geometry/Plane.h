@@ -7,8 +7,8 @@
 
 namespace raytracer {
 
-/// An endless plane. Its normal points to one side only: the other side is lit by nothing but the
-/// ambient light.
+/// An infinite plane. Its normal points to one side; on the other side only ambient light is
+/// visible.
 class Plane final : public SceneObject {
 public:
     /// @param point   Any point of the plane, world space.

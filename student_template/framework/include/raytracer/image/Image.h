@@ -15,14 +15,14 @@ class Image {
 public:
     /// An image of the size that a render with these settings gives.
     explicit Image(const RenderSettings& settings);
-    /// @throws Error where a size is not in 1..65535.
+    /// @throws Error if a size is not in 1..65535.
     Image(int width, int height);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 
     /// Sets one pixel. Different pixels may be set from different threads.
-    /// @throws Error naming x, y and the size, where the pixel is outside.
+    /// @throws Error with x, y and the size if the pixel is outside.
     void set(int x, int y, const ColourRGB& colour);
 
     /// The colour of one pixel.
@@ -32,7 +32,7 @@ public:
     /// Row after row from the top.
     [[nodiscard]] const std::vector<ColourRGB>& pixels() const { return pixels_; }
 
-    /// The settings that the image was made from; defaults where it was made from a size.
+    /// The settings that the image was made from; defaults if it was made from a size.
     [[nodiscard]] const RenderSettings& settings() const { return settings_; }
 
 private:

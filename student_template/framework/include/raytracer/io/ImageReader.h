@@ -11,26 +11,26 @@
 
 namespace raytracer {
 
-/// An 8-bit picture as a file holds it: rows from the top, red, green, blue.
+/// An 8-bit picture as stored in a file: rows from the top, red, green, blue.
 struct ByteImage {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb;  ///< width * height * 3
 };
 
-/// Reads a PNG file; other formats are refused by name. Grey becomes equal channels with the same
-/// values, alpha is dropped, of 16-bit channels the upper 8 bits are kept.
-/// @throws InputError where the file is missing, over 64 MiB, no PNG, damaged, or over 16 384
-///         pixels on a side or 64 million in all (judged before memory is taken).
+/// Reads a PNG file; other formats are refused by name. Grey becomes three equal channels, alpha is
+/// dropped, and 16-bit channels keep their upper 8 bits.
+/// @throws InputError if the file is missing, over 64 MiB, not a PNG, damaged, or over 16 384
+///         pixels on a side or 64 million in all (checked before memory is allocated).
 [[nodiscard]] ByteImage readImage(const std::filesystem::path& file);
 
-/// The same for a file that is in memory already.
-/// @param name  What errors call the file.
+/// readImage for a file that is already in memory.
+/// @param name  Name of the file in errors.
 /// @throws InputError as `readImage`.
 [[nodiscard]] ByteImage decodeImage(std::string_view bytes, const std::string& name);
 
-/// Reads a bump map: height is the linear byte value, the mean of the channels.
-/// @throws InputError as `readImage`, and where a side is below `HeightMap::kSmallestSide`.
+/// Reads a bump map: the height is the linear byte value, the mean of the channels.
+/// @throws InputError as `readImage`, and if a side is below `HeightMap::kSmallestSide`.
 [[nodiscard]] HeightMap readHeightMap(const std::filesystem::path& file);
 
 }  // namespace raytracer

@@ -18,19 +18,19 @@ namespace raytracer {
 void checkWritable(const std::filesystem::path& file);
 
 /// The bytes of a PNG file.
-/// @throws Error where the picture is too large to be packed.
+/// @throws Error if the picture is too large to be encoded.
 [[nodiscard]] std::string encodePng(const ByteImage& image);
 
-/// Writes a PNG file: whole or not at all (a temporary file is renamed into place).
-/// @throws InputError where the file cannot be written.
+/// Writes a PNG file, completely or not at all (a temporary file is renamed into place).
+/// @throws InputError if the file cannot be written.
 void writePng(const ByteImage& image, const std::filesystem::path& file);
 
 /// The same for a linear image, through the tone curve.
 void writePng(const Image& image, const std::filesystem::path& file);
 
 /// Writes the linear colours, without the tone curve, as a PFM file: three 32-bit floats for each
-/// pixel, little-endian, rows from the bottom as that format has it. Whole or not at all.
-/// @throws InputError where the file cannot be written.
+/// pixel, little-endian, rows from the bottom as the format requires. Completely or not at all.
+/// @throws InputError if the file cannot be written.
 void writePfm(const Image& image, const std::filesystem::path& file);
 
 }  // namespace raytracer

@@ -6,7 +6,7 @@
 namespace raytracer {
 
 /// A random number in [low, high), uniform, from the calling thread's generator. Threads that were
-/// not seeded draw different numbers; which ones depends on the order of their first draws.
+/// not seeded draw different numbers, which depend on the order of their first draws.
 [[nodiscard]] double randomBetween(double low, double high);
 
 /// Restarts the calling thread's generator: equal seeds give equal draws on every machine.

@@ -7,13 +7,13 @@
 
 namespace raytracer {
 
-/// Calls `function(x, y)` for every pixel of the image, rows in parallel on as many threads as the
-/// image's settings say, and reports progress.
+/// Calls `function(x, y)` for every pixel of the image, rows in parallel on the number of threads
+/// in the image's settings, and reports progress.
 ///
 /// Before each call the thread's generator is reseeded from the settings' seed and the pixel's
-/// place in the full frame, so that a picture repeats under a seed whatever the threads or the
-/// region. Goes on with no further row once the settings' monitor says that it is interrupted. An
-/// exception of the function stops the loop and comes out of this call.
+/// place in the full frame, so that a seed gives the same picture for all threads and regions. If
+/// the settings' monitor is interrupted, no further row begins. An exception of the function stops
+/// the loop and leaves this call.
 void forEachPixel(const Image& image, const std::function<void(int x, int y)>& function);
 
 }  // namespace raytracer

@@ -8,7 +8,7 @@
 
 namespace raytracer {
 
-/// A light that shines alike in all directions.
+/// A light that shines equally in all directions.
 class PointLight {
 public:
     PointLight(const Vector3& position, const ColourRGB& colour, double intensity)
@@ -20,7 +20,7 @@ public:
     [[nodiscard]] const ColourRGB& colour() const { return colour_; }
     [[nodiscard]] double intensity() const { return intensity_; }
 
-    /// What arrives at `distance` world units: colour * intensity / (4 pi distance^2).
+    /// Light at `distance` world units: colour * intensity / (4 pi distance^2).
     [[nodiscard]] ColourRGB illuminationAt(double distance) const {
         return colour_ * (intensity_ / (4.0 * std::numbers::pi * distance * distance));
     }

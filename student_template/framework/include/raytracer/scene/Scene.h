@@ -22,11 +22,10 @@ struct Nearest {
     const SceneObject* object = nullptr;                        ///< null: a miss
 };
 
-/// Everything that rays can hit and that gives light. Never changes once built, so threads may
-/// share it.
+/// All objects and lights. Never changes once built, so threads may share it.
 class Scene {
 public:
-    /// @param observer  Told of every ray that is cast; not owned; null: no observer.
+    /// @param observer  Receives every ray that is cast; not owned; null: no observer.
     explicit Scene(const SceneDescription& description, RenderObserver* observer = nullptr);
     ~Scene();
     Scene(Scene&&) noexcept;
