@@ -9,7 +9,7 @@
 
 namespace ticker::session {
 
-/// Serves a class on 127.0.0.1 to whoever knows its token. Nothing is changed by a GET; a POST must
+/// Serves a class on 127.0.0.1 to clients that have its token. A GET changes nothing; a POST must
 /// carry a header that no other site's page can send.
 class Server {
 public:

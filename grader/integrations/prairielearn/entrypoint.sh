@@ -1,7 +1,7 @@
 #!/bin/sh
-# PrairieLearn runs this for each submission and reads results/results.json. It must end with 0, or
-# PrairieLearn throws the results away; a submission that could not be graded for reasons that are
-# not the student's is "not gradable", which costs no attempt.
+# PrairieLearn runs this for each submission and reads results/results.json. It must exit with 0, or
+# PrairieLearn discards the results. If the grader failed, the submission is "not gradable", which
+# uses up no attempt.
 set -u
 grade=${GRADE:-/grade}
 ticker=$(dirname "$(readlink -f "$0")")/ticker/bin/ticker

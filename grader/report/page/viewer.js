@@ -155,7 +155,7 @@ function pixelOf(image, x, y) {
   try {
     return [...canvases.get(image).getImageData(x, y, 1, 1).data].slice(0, 3);
   } catch {
-    return null; // a picture beside the page, which a browser lets nobody read
+    return null; // a picture beside the page, which a browser does not let scripts read
   }
 }
 

@@ -56,7 +56,7 @@ TEST(Build, ShowsErrorsWithTheStudentsFileAndLineAndNoPathOfThisMachine) {
     EXPECT_EQ(result.diagnostics.find(TICKER_SOURCE_DIR), std::string::npos);
 }
 
-// With `using namespace std`, a name of a header that the file never asked for must not hurt it.
+// With `using namespace std`, names of headers that the file does not include must not break it.
 TEST(Build, DoesNotBlameAFileForThePrecompiledHeader) {
     const std::string source =
         "#include <raytracer/geometry/BumpySphere.h>\n"
@@ -69,7 +69,7 @@ TEST(Build, DoesNotBlameAFileForThePrecompiledHeader) {
     EXPECT_EQ(build("BumpySphere.cpp", source).kind, Kind::built);
 }
 
-// The precompiled header may be to blame for an error, but not for what a linker misses.
+// The precompiled header may cause a compile error, but not a link error.
 TEST(Build, CompilesASecondTimeOnlyWhereTheFirstDidNotCompile) {
     EXPECT_EQ(build("BumpySphere.cpp", reference("BumpySphere.cpp")).compilations, 1);
     EXPECT_EQ(build("BumpySphere.cpp", "int x = nonsense;\n").compilations, 2);
@@ -90,7 +90,7 @@ TEST(Build, RefusesAnOwnMain) {
     EXPECT_EQ(result.diagnostics.find("/tmp"), std::string::npos) << result.diagnostics;
 }
 
-// It would run after the last answer.
+// A function of the student's that runs after the last answer.
 TEST(Build, RefusesAnOwnExit) {
     const BuildResult result =
         build("BumpySphere.cpp",
@@ -112,7 +112,7 @@ TEST(Build, SeesNothingOfTheOtherFileOrOfThisMachine) {
         const BuildResult result =
             build("BumpySphere.cpp", std::string{"#include \""} + include + "\"\n");
         EXPECT_EQ(result.kind, Kind::failed) << include;
-        // Level A does not have it; the other levels may not open it.
+        // Level A does not have the file; at the other levels it cannot be opened.
         const bool isThere =
             include[0] == '/' && sandbox::Sandbox::best().level() != sandbox::Level::namespaces;
         EXPECT_NE(result.diagnostics.find(isThere ? "Permission denied" : "No such file"),
@@ -150,7 +150,7 @@ TEST(Build, StopsACompilerThatTakesTooLong) {
     limits.addressSpaceBytes = 600'000'000;
     const BuildResult macros = buildProgram(kit, theSandbox(), limits, "Renderer.cpp", bomb);
     EXPECT_EQ(macros.kind, Kind::limit) << macros.diagnostics;
-    // This one runs into the limit on constant expressions, which is an ordinary error.
+    // This one exceeds the limit on constant expressions, which is an ordinary error.
     EXPECT_EQ(build("Renderer.cpp", source).kind, Kind::failed);
 }
 

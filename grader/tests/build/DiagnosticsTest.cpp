@@ -10,7 +10,7 @@ TEST(Diagnostics, NameTheStudentsFileInsteadOfTheLinkersObject) {
               ">>> defined at Renderer.cpp:(main)\n");
 }
 
-// The line is one of the assembler code, not one of the student's.
+// The line number refers to the assembler code, not to the student's file.
 TEST(Diagnostics, NameTheStudentsFileInsteadOfTheAssemblersAndNoLineOfIt) {
     EXPECT_EQ(readableDiagnostics("/tmp/ccAb12xZ.s: Assembler messages:\n"
                                   "/tmp/ccAb12xZ.s:7: Error: no such instruction: `x'\n",

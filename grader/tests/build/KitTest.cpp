@@ -32,7 +32,7 @@ TEST(Kit, IsRefusedWhereItIsNotWhole) {
     EXPECT_THROW(static_cast<void>(Kit::at("/nowhere")), raytracer::Error);
 }
 
-// The compiler says "!" before a precompiled header that it takes, "x" before one that it does not.
+// The compiler prints "!" before a precompiled header that it uses, "x" before one that it rejects.
 TEST(Kit, PrecompiledHeaderFitsTheFlags) {
     const Kit kit = Kit::besideProgram();
     std::string command = kit.compiler();

@@ -117,7 +117,7 @@ TEST(SandboxedExaminee, SaysOfAStatusThatItMayMeanThatNothingWasStarted) {
     EXPECT_NE(run.end.detail.find("not be started"), std::string::npos) << run.end.detail;
 }
 
-// Says, as the probe does after the last question, that everything is answered.
+// Sets the mark that all questions are answered, as the probe does after the last one.
 constexpr const char* kMark =
     "static void mark() { const unsigned long long word = 0x646F'6E65'2A2A'2A2A;\n"
     "pwrite(4, &word, sizeof word, 0); }";

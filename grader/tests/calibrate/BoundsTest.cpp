@@ -12,7 +12,7 @@ TEST(UpperBound, IsTheRuleOfThreeWhereNothingHappened) {
     EXPECT_NEAR(upperBound(0, 6000), 1.0 - std::pow(0.05, 1.0 / 6000), 1e-12);
 }
 
-// 3 of 10: 0.6066, the one-sided limit that tables of Clopper and Pearson give.
+// 3 of 10: 0.6066, the one-sided limit in tables of Clopper and Pearson.
 TEST(UpperBound, IsClopperAndPearsonsElsewhere) {
     EXPECT_NEAR(upperBound(3, 10), 0.6066, 1e-4);
     EXPECT_NEAR(upperBound(1, 100), 0.0466, 1e-4);

@@ -7,7 +7,7 @@
 
 namespace ticker::calibrate {
 
-/// Counts how often it was asked to do something.
+/// Counts its runs.
 class CountingCampaign final : public Campaign {
 public:
     explicit CountingCampaign(std::size_t units) : units_(units) {}

@@ -25,7 +25,7 @@ TEST(Record, IsReadAgainInTheOrderOfTheUnits) {
     EXPECT_FALSE(again.has(0));
 }
 
-// What a kill in the middle of a line leaves.
+// The rest of a line whose writing was killed.
 TEST(Record, DropsALineThatWasCutShort) {
     const tests::TemporaryFolder folder;
     const CountingCampaign campaign{5};
@@ -49,7 +49,7 @@ TEST(Record, RefusesThatOfAnotherCampaign) {
     EXPECT_THROW(Record(folder.path(), CountingCampaign{6}), raytracer::InputError);
 }
 
-// A new entry of the catalogue must not cost the hours that the others took.
+// A new entry of the catalogue must not invalidate the hours of work on the others.
 TEST(Record, KnowsUnitsByNameWhenOthersComeAndGo) {
     const tests::TemporaryFolder folder;
     CountingCampaign campaign{3};

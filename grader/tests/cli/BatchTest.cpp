@@ -22,7 +22,7 @@ const std::vector<std::string> kHonest{"awarded/reference-bump",       "notAward
                                        "notAwarded/does-not-compile",  "awarded/bump-z-up"};
 const std::vector<std::string> kHostile{"fork-bomb", "memory-bomb", "scan-descriptors"};
 
-// A folder of the class, by a name that gives the wanted order.
+// Name of a folder of the class that sorts to this place.
 std::string nameOf(std::size_t place) {
     return "student-" + std::to_string(10 + place);
 }

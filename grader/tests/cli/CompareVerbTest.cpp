@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 class CompareVerb : public testing::Test {
 protected:
-    /// A slope of brightness, with one byte more or less here and there.
+    /// A brightness ramp with random differences of one byte.
     std::string picture(const std::string& name, int width, int height, int noise) {
         raytracer::ByteImage image{width, height, {}};
         unsigned state = static_cast<unsigned>(noise);

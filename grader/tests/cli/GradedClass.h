@@ -16,14 +16,14 @@
 
 namespace ticker::cli {
 
-/// A small class under odd names, and what grading it writes.
+/// A small class with odd names, and the files that grading writes.
 class GradedClass : public testing::Test {
 protected:
     GradedClass() {
         namespace fs = std::filesystem;
         fs::create_directory(at("class"));
         const fs::path samples = fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples";
-        // One that costs something and has a finding; the rest is quick.
+        // One slow submission with a finding; the others are fast.
         for (const char* name : {"ann", "bob, jr", "J\xC3\xBCrgen \"<b>\"_7", "zo\xC3\xAB"})
             fs::copy(samples / "notAwarded/template-untouched", at("class") / name,
                      fs::copy_options::recursive);
@@ -43,7 +43,7 @@ protected:
         return words;
     }
 
-    /// Runs ticker to its end, which must be `status`. @return the lines of its stdout.
+    /// Runs ticker; its exit status must be `status`. @return  The lines of its stdout.
     std::vector<std::string> run(const std::vector<std::string>& command, int status = 0) const {
         RunningTicker ticker{command, at("errors").string()};
         std::vector<std::string> lines;
@@ -61,7 +61,7 @@ protected:
         return {std::istreambuf_iterator<char>{stream}, {}};
     }
 
-    /// What is left of a result when its timing is taken away.
+    /// A result without its timing.
     [[nodiscard]] static nlohmann::json untimed(const std::filesystem::path& file) {
         nlohmann::json result = nlohmann::json::parse(textOf(file));
         result.erase("timing");

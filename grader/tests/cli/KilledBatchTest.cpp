@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Counts what happens in a folder and below it.
+/// Counts file system events in a folder and below it.
 class Changes {
 public:
     explicit Changes(const fs::path& folder) : descriptor_(inotify_init1(IN_CLOEXEC)) {
@@ -33,7 +33,7 @@ public:
 
     [[nodiscard]] int descriptor() const { return descriptor_; }
 
-    /// How many there were since the last call.
+    /// Events since the last call.
     int take() {
         alignas(inotify_event) std::array<char, 16384> block{};
         const ssize_t size = read(descriptor_, block.data(), block.size());
@@ -61,7 +61,8 @@ private:
 
 class KilledBatch : public GradedClass {
 protected:
-    /// Runs ticker and kills it once so many things have happened in OUT. @return it was still busy
+    /// Runs ticker and kills it after this many events in OUT. @return  Whether it was still
+    /// running.
     bool killAfter(const std::vector<std::string>& command, const fs::path& out, int changes) {
         fs::create_directory(out);
         Changes seen{out};
@@ -80,7 +81,7 @@ protected:
         return true;
     }
 
-    /// What was graded with interruptions is what was graded without.
+    /// Expects that an interrupted grading gives the same results as an uninterrupted one.
     void expectWhole() const {
         EXPECT_EQ(filesBelow(at("cut")), filesBelow(at("whole"))) << "nothing missing or left over";
         EXPECT_EQ(textOf(at("cut") / "summary.csv"), textOf(at("whole") / "summary.csv"));
@@ -93,7 +94,7 @@ protected:
         }
     }
 
-    /// Every file below a folder, but for the store's own.
+    /// Every file below a folder, except the store's own.
     static std::set<std::string> filesBelow(const fs::path& folder) {
         std::set<std::string> files;
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder})
@@ -115,7 +116,7 @@ TEST_F(KilledBatch, GivesWhenResumedWhatAnUninterruptedRunGives) {
     run(gradeCommand("whole", {"--seed", "5"}));
     const auto command = gradeCommand("cut", {"--seed", "5", "--resume"});
     std::mt19937 generator{20261121};
-    // Some 250 things happen in one whole run; a run goes on where the one before it was killed.
+    // A whole run has about 250 events; each run continues where the one before was killed.
     std::uniform_int_distribution<int> moment{1, 120};
     for (int kills = 0; kills < numberOfKills();) {
         if (killAfter(command, at("cut"), moment(generator))) {

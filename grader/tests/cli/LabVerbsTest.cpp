@@ -1,4 +1,4 @@
-// The verbs that an instructor changes data for: selftest, refs, package.
+// The verbs for data that an instructor changes: selftest, refs, package.
 #include <grader/tests/support/Files.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 const std::string kFitting = R"json({"find": "normal + Bu * normal.cross(Pv)",
   "replace": "normal - Bu * normal.cross(Pv)"})json";
 
-/// A project of links to this one, but for what instructors add to.
+/// A project of links to this one, except for the files that instructors add to.
 class LabVerbs : public testing::Test {
 protected:
     LabVerbs() {
@@ -37,7 +37,7 @@ protected:
 
     [[nodiscard]] fs::path home() const { return folder_.path() / "home"; }
 
-    /// @param about  Its member "about", and what else the entry is to hold.
+    /// @param about  Its member "about", and other members of the entry.
     void addMistake(const std::string& task, const std::string& id, const std::string& edit,
                     const std::string& finding = "bump.inverted-u",
                     const std::string& about = R"("about": "t")") const {
@@ -96,7 +96,7 @@ TEST_F(LabVerbs, SelftestSaysThatAnEntryDoesNotCompile) {
     EXPECT_NE(ran.output.find("saw: does not compile: "), std::string::npos) << ran.output;
 }
 
-// Whether or not an entry is drawn, and for each task.
+// Selected or not, and for each task.
 TEST_F(LabVerbs, SelftestRefusesAnEntryThatDoesNotFit) {
     for (const std::string task : {"T1", "T2.1"}) {
         addMistake(task, "zz-misfit", R"({"find": "no such line", "replace": ""})");

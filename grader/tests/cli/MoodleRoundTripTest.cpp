@@ -38,7 +38,7 @@ tests::NamedBytes sampleFile(const std::string& sample, const std::string& file)
     return {file, bytesOf(fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples" / sample / file)};
 }
 
-/// A class in which nothing has to be compiled: quick to grade.
+/// A class without anything to compile, which is fast to grade.
 std::vector<MoodleStudent> someClass() {
     const tests::NamedBytes stub = sampleFile("notAwarded/template-untouched", "BumpySphere.cpp");
     const tests::NamedBytes picture = sampleFile("notAwarded/template-untouched", "screenshot.png");
@@ -58,8 +58,8 @@ protected:
     tests::TemporaryFolder folder_;
 };
 
-// Acceptance: an export in each of Moodle's layouts goes in, worksheet and feedback zip come out,
-// and Moodle takes every row and every file.
+// Acceptance: ticker grades an export in each of Moodle's layouts and writes worksheet and feedback
+// zip; Moodle accepts every row and every file.
 TEST_P(MoodleRoundTrip, MoodleTakesEveryRowAndEveryFile) {
     const std::vector<MoodleStudent> people = someClass();
     MoodleAssignment moodle;
@@ -94,7 +94,7 @@ TEST_P(MoodleRoundTrip, MoodleTakesEveryRowAndEveryFile) {
     }
 }
 
-/// Ann's submission decided, the others only proposed.
+/// A decision on Ann's submission, and proposals for the others.
 class MoodleDecisions : public MoodleRoundTrip {};
 
 TEST_P(MoodleDecisions, AreToldFromProposalsWhichOneMayLeaveOut) {

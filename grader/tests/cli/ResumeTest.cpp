@@ -58,7 +58,7 @@ TEST_F(Resume, TakesResultsOfAnotherSeedForOthers) {
     EXPECT_EQ(countKept(run(gradeCommand("out", {"--seed", "6"}))), 0U);
 }
 
-TEST_F(Resume, WaitsForNobodyWhoGradesIntoTheSameFolder) {
+TEST_F(Resume, RefusesAFolderThatAnotherRunGradesInto) {
     fs::create_directory(at("out"));
     {
         const FolderLock other{at("out")};
@@ -69,7 +69,7 @@ TEST_F(Resume, WaitsForNobodyWhoGradesIntoTheSameFolder) {
     EXPECT_EQ(run(gradeCommand("out")).size(), kSize);
 }
 
-// No process has the first number: they end at 4194304.
+// No process has the first number: numbers end at 4194304.
 TEST_F(Resume, RemovesWhatAKilledOneWasWriting) {
     fs::create_directories(at("out") / "ann");
     const fs::path leftOver = at("out") / ".summary.csv.999999999.part";
@@ -80,7 +80,7 @@ TEST_F(Resume, RemovesWhatAKilledOneWasWriting) {
     const FolderLock lock{at("out")};
     EXPECT_FALSE(fs::exists(leftOver));
     EXPECT_FALSE(fs::exists(page)) << "a submission's page";
-    EXPECT_TRUE(fs::exists(written)) << "somebody is still at it";
+    EXPECT_TRUE(fs::exists(written)) << "another process is writing it";
 }
 
 TEST_F(Resume, GoesOnAfterCtrlC) {
@@ -100,7 +100,7 @@ TEST_F(Resume, GoesOnAfterCtrlC) {
         EXPECT_EQ(row.timesGraded, 1) << row.submission;
 }
 
-// The first is the slow one: it is under way when the four others are done.
+// The first submission is slow: it still runs when the other four are done.
 TEST_F(Resume, OffersNothingMoreWhereCtrlCCameAfterTheLastHadBegun) {
     RunningTicker ticker{gradeCommand("out", {"--seed", "5"}), at("errors").string()};
     for (std::size_t i = 1; i < kSize; ++i)

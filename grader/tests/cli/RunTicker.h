@@ -12,7 +12,7 @@
 
 namespace ticker::cli {
 
-/// What a run of `ticker` gave.
+/// Result of a run of `ticker`.
 struct Ran {
     int status = -1;
     std::string output;  ///< stdout

@@ -16,7 +16,7 @@ public:
     RunningTicker(const RunningTicker&) = delete;
     RunningTicker& operator=(const RunningTicker&) = delete;
 
-    /// The next line of its stdout; empty: it has ended.
+    /// The next line of its stdout; empty after its end.
     [[nodiscard]] std::optional<std::string> readLine();
     /// A descriptor that can be read once it prints or ends.
     [[nodiscard]] int output() const { return output_; }

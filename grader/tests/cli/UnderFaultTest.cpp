@@ -1,4 +1,4 @@
-// What the machine, other programs and odd class folders do to a run over a class.
+// A run over a class under faults of the machine, other programs and odd class folders.
 #include <grader/tests/support/TemporaryFolder.h>
 
 #include "RunTicker.h"
@@ -94,7 +94,7 @@ TEST_F(UnderFault, SessionRefusesAStoreWithoutResultsAsReportDoes) {
         << session.errors;
 }
 
-/// A small disk for temporary files; only root can have one.
+/// A small disk for temporary files; only root can create one.
 class FullDisk : public UnderFault, public testing::WithParamInterface<const char*> {
 protected:
     void SetUp() override {

@@ -1,5 +1,5 @@
-// Every command that a document shows is run as it is written, from top to bottom, in a checkout of
-// its own: links to this one, with an out/ and a home of its own.
+// Runs every command of a document as written, from top to bottom, in a checkout of its own: links
+// to this one, with its own out/ and home.
 #include <grader/tests/support/Files.h>
 #include <grader/tests/support/MoodleExport.h>
 #include <grader/tests/support/RunCommand.h>
@@ -24,11 +24,11 @@ const fs::path kRoot = TICKER_SOURCE_DIR;
 
 const std::vector<std::string> kHere{"README.md", "CONTRIBUTING.md", "docs/for-instructors.md",
                                      "docs/for-tickers.md", "docs/platforms.md"};
-// Their commands are a student's: the test of the student's package runs them.
+// Their commands are for students: the test of the student's package runs them.
 const std::set<std::string> kInThePackage{"student_template/README.md", "docs/handout.md",
                                           "docs/for-students.md"};
 
-/// A folder in which a document's commands may write what they like.
+/// A folder in which a document's commands may write.
 class Checkout {
 public:
     Checkout() {
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    /// What a ticker downloads from Moodle.
+    /// The class that a ticker downloads from Moodle.
     void putClass() const {
         std::vector<tests::MoodleStudent> students;
         int id = 100;

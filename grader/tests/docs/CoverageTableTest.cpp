@@ -1,4 +1,4 @@
-// docs/for-instructors.md says of every known mistake whether the public tests notice it.
+// docs/for-instructors.md lists every known mistake and whether the public tests notice it.
 #include <grader/corpus/Entry.h>
 #include <grader/tests/support/Files.h>
 
@@ -10,7 +10,7 @@
 namespace ticker {
 namespace {
 
-// A new mistake may wait for the next table.
+// A new mistake may be missing until the table is written again.
 TEST(CoverageTable, HasARowForNearlyEveryKnownMistake) {
     const std::string page = tests::readFile("docs/for-instructors.md");
     int mistakes = 0;

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path kProject = TICKER_SOURCE_DIR;
 
-/// The lines of a document that are no code.
+/// The lines of a document outside code blocks.
 std::vector<std::string> proseOf(const fs::path& file) {
     std::istringstream lines{tests::readFile(file.lexically_relative(kProject).string())};
     std::vector<std::string> prose;

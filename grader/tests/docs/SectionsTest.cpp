@@ -1,4 +1,4 @@
-// What findings and public tests call a section of the handout is one.
+// Sections of the handout that findings and public tests name exist.
 #include <grader/tests/support/Files.h>
 
 #include <gtest/gtest.h>

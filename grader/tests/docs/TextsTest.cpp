@@ -1,5 +1,5 @@
-// One handout, docs/handout.md, and one numbering: no text cites an equation, a figure or a
-// constant that it does not have.
+// There is one handout, docs/handout.md, with one numbering: texts cite only its equations, figures
+// and constants.
 #include <grader/tests/support/Files.h>
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path kCheckout = TICKER_SOURCE_DIR;
 
-/// What students wrote may name what it likes, and so may this test.
+/// True for students' texts, which may name anything, and for this test.
 bool isForeign(const std::string& name) {
     for (const char* folder :
          {"grader/tests/docs/", "grader/corpus/unseen/", "grader/corpus/hostile/cases/"})
@@ -45,13 +45,13 @@ std::vector<std::string> texts() {
     return found;
 }
 
-/// The first part of a text that fits, with what stands before it on its line; empty: none.
+/// The first match in a text, with the preceding part of its line; empty without a match.
 std::string firstIn(const std::string& text, const std::regex& wanted) {
     std::smatch match;
     return std::regex_search(text, match, wanted) ? match.str() : "";
 }
 
-/// The numbers that the handout gives to its equations, which stand at the end of their lines.
+/// The equation numbers of the handout, which are at the ends of lines.
 std::set<std::string> equationsOfTheHandout() {
     static const std::regex kNumber{R"( {4}.*\(([0-9]+)\))"};
     std::set<std::string> numbers;
@@ -88,7 +88,7 @@ TEST(Texts, CiteEquationsThatTheHandoutHas) {
     EXPECT_GT(cited, 4);
 }
 
-// (1) has neither cross products nor signs to choose; it is right as it stands.
+// Equation (1) has neither cross products nor signs to choose; it is right as printed.
 TEST(Texts, TakeTheFirstEquationForWhatItIs) {
     static const std::regex kWrong{
         R"(Equation \(1\)[^.;]{0,90}(litera|printed|inverts|cross|n x |Bu goes))"};

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-// A third task in a third file goes the whole way of a submission, and all that it needs stands in
-// this folder: an entry in exercise.json, a row, a judge, a stub and a solution.
+// A third task in a third file passes through all stages of a submission. This folder has
+// everything that it needs: an entry in exercise.json, a row, a judge, a stub and a solution.
 namespace ticker {
 namespace {
 
@@ -29,7 +29,7 @@ const Exercise& toyExercise() {
     return kExercise;
 }
 
-// The probe has no question about fog: the toy's judge is content with a program that answers.
+// The probe has no question about fog: the toy's judge accepts every program that answers.
 TaskJudgement judgeFog(probe::Examinee& examinee, std::uint64_t /*seed*/) {
     const probe::Run run = examinee.ask({tests::normalQuestion()});
     TaskJudgement judgement;
@@ -54,7 +54,7 @@ void run(const std::string& command) {
     if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
 }
 
-/// The kit as CMake would make it of the toy's exercise.json.
+/// The kit that CMake would make from the toy's exercise.json.
 class ToyKit {
 public:
     ToyKit() { make(); }
@@ -77,7 +77,7 @@ private:
     tests::TemporaryFolder folder_;
 };
 
-/// What a class with the toy's exercise makes of one file.
+/// The result of one file in a class with the toy's exercise.
 SubmissionResult graded(const std::string& file, const std::string& source) {
     const tests::TemporaryFolder folder;
     folder.write(file, source);

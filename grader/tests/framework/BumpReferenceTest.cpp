@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-// What the model answer for T1 must do.
+// Properties of the model answer for T1.
 
 namespace raytracer {
 namespace {
@@ -84,8 +84,8 @@ TEST(ReferenceNormal, RaisesTheHAndLowersTheL) {
         const Vector3 normal = sphere.getNormalAt(place.position);
         return std::pair{normal.dot(place.right), normal.dot(place.down)};
     };
-    // The last texel before a stroke that rises to its right leans left, before one that rises
-    // below it, up; a stroke that sinks, the other way; and the opposite where the stroke ends.
+    // The last texel before a stroke that rises to its right leans left; before one that rises
+    // below it, up. For a stroke that sinks, and where a stroke ends, the directions are opposite.
     EXPECT_LT(lean(7, 23).first, -0.5);    // into the H from the left
     EXPECT_GT(lean(11, 23).first, 0.5);    // out of its first stroke
     EXPECT_LT(lean(9, 21).second, -0.5);   // into the H from above
@@ -149,7 +149,7 @@ TEST(ReferenceNormal, IsFiniteAtThePolesAndAlongTheSeam) {
         directions.push_back({tiny, 0.3, 1});  // right behind: the two sides of the seam
         directions.push_back({-tiny, 0.3, 1});
     }
-    // Also around the origin, where nothing rounds the zeros away.
+    // Also round the origin, where rounding does not remove exact zeros.
     const BumpySphere central{
         {}, 1.0, {}, std::make_shared<const HeightMap>(kSide, kSide, raisedHAndLoweredL())};
     for (const Vector3& direction : directions) {
@@ -160,7 +160,7 @@ TEST(ReferenceNormal, IsFiniteAtThePolesAndAlongTheSeam) {
     }
 }
 
-// NOTES.md: of the 16 ways to choose the directions of Pu and Pv and the signs of Bu and Bv with a
+// NOTES.md: of the 16 choices of the directions of Pu and Pv and the signs of Bu and Bv, with a
 // plus before both cross products, 4 are right, 8 invert one axis, 4 invert both.
 TEST(PlusBeforeBothCrossProducts, IsRightForFourOfSixteenChoices) {
     const Place place = placeAt(0.4, 0.45);
@@ -181,7 +181,8 @@ TEST(PlusBeforeBothCrossProducts, IsRightForFourOfSixteenChoices) {
         const int inverted = static_cast<int>(tilted.dot(place.right) > 0.0) +
                              static_cast<int>(tilted.dot(place.down) > 0.0);
         ++invertedAxes[static_cast<std::size_t>(inverted)];
-        // Both slopes, or both negatives: one axis, whatever h. Else none or both, as h says.
+        // With both slopes, or both negatives, one axis is inverted for every h. Otherwise h
+        // decides between none and both.
         const double h = Pu.cross(Pv).dot(place.normal);
         const int whereSignsDiffer = signBu * h > 0.0 ? 0 : 2;
         EXPECT_EQ(inverted, signBu == signBv ? 1 : whereSignsDiffer);

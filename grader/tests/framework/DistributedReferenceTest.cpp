@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-// What the model answers for T2.1 and T2.2 must do.
+// Properties of the model answers for T2.1 and T2.2.
 
 namespace raytracer {
 namespace {

@@ -42,7 +42,7 @@ SceneDescription firstScene() {
     return scene;
 }
 
-// The template renders as the main tick does: that is what the formulas describe.
+// The template renders like the main tick, which the formulas describe.
 std::size_t pixelsApartFromFormulas(const SceneDescription& scene) {
     RenderSettings settings;
     settings.threads = 2;

@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-// The seeds are fixed, so that a test that passes once always passes. The stated rates are what a
-// fresh seed would risk: a failure after a change of the generator means more than bad luck.
+// The seeds are fixed, so that a test that passes once always passes. The stated rates apply to a
+// fresh seed: a failure after a change of the generator is not bad luck.
 
 namespace raytracer {
 namespace {
@@ -65,7 +65,7 @@ TEST(RandomBetween, StaysInItsHalfOpenRange) {
 
 TEST(RandomBetween, NeverGivesTheUpperEnd) {
     seedRandom(4);
-    // Nothing lies between these two, so that every other draw would round up to the end.
+    // No double lies between these two, so that every other draw would round up to the end.
     const double low = 1.0;
     const double high = std::nextafter(low, 2.0);
     for (int i = 0; i < 1000; ++i)
@@ -95,7 +95,7 @@ TEST(SeedRandom, SetsTheCallingThreadAlone) {
     EXPECT_EQ(randomBetween(0.0, 1.0), expected);
 }
 
-TEST(Random, DiffersBetweenThreadsThatNobodySeeded) {
+TEST(Random, DiffersBetweenUnseededThreads) {
     std::array<double, 3> draws{};
     for (double& draw : draws)
         std::thread{[&draw] { draw = randomBetween(0.0, 1.0); }}.join();
@@ -124,7 +124,7 @@ TEST(RandomInsideUnitSphere, HasUniformCubesOfTheRadius) {
     EXPECT_LT(kolmogorov(std::move(cubes)), kKolmogorovBound);
 }
 
-// The direction of a uniform point has a uniform height along any axis (Archimedes).
+// The height of a uniform direction along any axis is uniform (Archimedes).
 TEST(RandomInsideUnitSphere, PointsInAllDirectionsAlike) {
     const std::vector<Vector3> points = ballPoints(10);
     const Vector3 axes[] = {{1, 0, 0},

@@ -11,7 +11,7 @@
 
 namespace ticker {
 
-/// Writes down what one thread does: the names of the events, and the rays that were cast.
+/// Records the work of one thread: the names of the events, and the rays.
 class RecordingObserver : public raytracer::RenderObserver {
 public:
     void cameraRayAsked(int /*x*/, int /*y*/, const raytracer::Ray& ray) override {
@@ -48,8 +48,8 @@ public:
     raytracer::Ray cameraRay;
     std::vector<raytracer::Ray> rays;
     std::vector<raytracer::RaycastHit> hits;  ///< one for each ray; without object for a miss
-    std::vector<raytracer::Ray> tracedRays;   ///< those of the outermost traces
-    std::vector<raytracer::ColourRGB> tracedColours;  ///< what they gave
+    std::vector<raytracer::Ray> tracedRays;   ///< rays of the outermost traces
+    std::vector<raytracer::ColourRGB> tracedColours;  ///< results of these traces
 
 private:
     int depth_ = 0;

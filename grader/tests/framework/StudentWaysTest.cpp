@@ -1,5 +1,5 @@
-// Students write to the framework's names in their own ways: each of these must compile without a
-// warning and do what it says.
+// Students use the framework's names in various ways: each of these must compile without a warning
+// and give the right result.
 #include <raytracer/math/Random.h>
 #include <raytracer/render/Renderer.h>
 

@@ -7,14 +7,14 @@
 
 namespace ticker::fuzz {
 
-/// Gives one input to the reader under test. True: it was taken; false: it was refused as it should
-/// be. Whatever else happens, a crash or another exception, is a find.
+/// Passes one input to the reader under test. True: accepted; false: refused as specified.
+/// Everything else, a crash or another exception, is a bug.
 [[nodiscard]] bool give(std::string_view input);
 
-/// Inputs to begin with: most of them good.
+/// Initial inputs: most of them valid.
 [[nodiscard]] std::vector<std::string> seeds();
 
-/// Throws std::logic_error, which no reader does, where a promise was not kept.
+/// Throws std::logic_error, which no reader does, if a promise is broken.
 void require(bool kept, const char* promise);
 
 }  // namespace ticker::fuzz

@@ -1,4 +1,4 @@
-// The memory that a submission's process leaves: nothing in it may be believed.
+// The answer memory of a submission's process, which is untrusted.
 #include "../support/SampleQuestions.h"
 #include "Fuzz.h"
 

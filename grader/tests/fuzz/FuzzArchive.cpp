@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Small, so that one input costs little.
+// Small limits, so that one input is fast.
 intake::IntakeLimits limits() {
     intake::IntakeLimits limits;
     limits.sourceBytes = 4096;

@@ -1,5 +1,5 @@
-// Pictures: the framework's reader of bump maps, and the decoder of students' screenshots. Where
-// both take a picture, they must see the same.
+// Pictures: the framework's reader of bump maps, and the decoder of students' screenshots. If both
+// accept a picture, they must give the same pixels.
 #include "../io/PngBuilder.h"
 #include "../support/Files.h"
 #include "Fuzz.h"
@@ -17,7 +17,7 @@
 namespace ticker::fuzz {
 namespace {
 
-// So that one input costs little; the readers' own limits are tested beside them.
+// So that one input is fast; the readers' own limits have other tests.
 constexpr std::uint64_t kMostPixels = 1U << 18U;
 
 std::uint32_t bigEndian(std::string_view bytes) {
@@ -27,7 +27,7 @@ std::uint32_t bigEndian(std::string_view bytes) {
     return value;
 }
 
-// Mutations rarely keep check sums: with right ones they get further.
+// Mutations rarely keep check sums right; corrected sums let them reach more of the code.
 std::string withRightSums(std::string bytes) {
     constexpr std::size_t kAround = 12;  // length, type, check sum
     for (std::size_t at = 8; at + kAround <= bytes.size();) {

@@ -1,5 +1,5 @@
-// The judges of both options, given a right solution's answers in which some numbers were replaced:
-// whatever a submission answers, they must come to a judgement, and never award it.
+// The judges of both options, with a right solution's answers of which some numbers are replaced.
+// They must reach a judgement for all answers, and never award one of these.
 #include "../support/LocalExaminee.h"
 #include "Fuzz.h"
 
@@ -15,7 +15,7 @@
 namespace ticker::fuzz {
 namespace {
 
-// One replacement: of so many words, every `stride`th from a place on.
+// One replacement: every `stride`th word of a range.
 struct Change {
     std::uint16_t place = 0;  ///< share of the memory, out of 65536
     std::uint8_t stride = 0;

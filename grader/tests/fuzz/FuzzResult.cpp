@@ -1,4 +1,4 @@
-// result.json, as `ticker report` reads it back from wherever it was.
+// result.json as `ticker report` reads it, from any source.
 #include "../report/ExampleResults.h"
 #include "../support/TemporaryFolder.h"
 #include "Fuzz.h"

@@ -1,4 +1,4 @@
-// Scene files, as students write them, too.
+// Scene files, including students' own.
 #include "../support/Files.h"
 #include "../support/TemporaryFolder.h"
 #include "Fuzz.h"

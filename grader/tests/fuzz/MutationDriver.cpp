@@ -1,5 +1,5 @@
-// fuzz_X MUTATIONS SEED: gives the seeds, then so many mutations of them, always the same ones. The
-// short form of libFuzzer, for every compiler.
+// fuzz_X MUTATIONS SEED: runs the initial inputs, then this many mutations of them, reproducibly. A
+// short form of libFuzzer for every compiler.
 #include "Fuzz.h"
 
 #include <array>
@@ -51,7 +51,7 @@ private:
         }
     }
 
-    // Sizes and offsets at the edges of what four bytes hold, either end first.
+    // Writes a size or offset at the limits of four bytes, in either byte order.
     void putNumber(std::string& bytes, std::size_t place) {
         constexpr std::array<std::uint32_t, 7> kEdges{
             0, 1, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0xFFFFFFFE, 0x00010000};
@@ -102,7 +102,7 @@ int main(int count, char** words) {
     try {
         const Tally tally = run(std::atol(words[1]), std::strtoul(words[2], nullptr, 10));
         std::printf("%ld taken, %ld refused\n", tally.taken, tally.refused);
-        // Mutations that are all taken, or all refused, reach little of a reader.
+        // If all mutations are accepted, or all refused, they reach little of a reader.
         return tally.taken > 0 && tally.refused > 0 ? 0 : 1;
     } catch (const std::exception& error) {
         std::printf("%s\n", error.what());

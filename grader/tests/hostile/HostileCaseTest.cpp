@@ -34,7 +34,7 @@ TEST(HostileCorpus, HoldsAtLeastSeventySubmissions) {
     EXPECT_GE(hostileEntries().size(), 70U);
 }
 
-// The contract's finding ids have a part before and one after the point.
+// The contract's finding ids have a part before and a part after the point.
 TEST(HostileCorpus, NamesTasksAndFindingsAsTheContractDoes) {
     const std::set<std::string> parts{"bump",  "shadow", "dof",    "screenshot",
                                       "build", "run",    "intake", "settings"};

@@ -21,7 +21,7 @@ pipeline::Grader graderOf(sandbox::Sandbox sandbox) {
     pipeline::Grader grader{build::Kit::besideProgram(), sandbox,
                             sandbox::readPolicy(kRoot / "grader/corpus/hostile/limits.json"),
                             rubric::readRubric(kRoot / "grader/rubric/rubric.json"), "test"};
-    // Some answer rightly and render something else.
+    // Some submissions answer rightly and render something else.
     grader.scenes = pipeline::readSpecScenes(kRoot / "scenes", kRoot / "assets");
     return grader;
 }
@@ -58,7 +58,7 @@ TEST(HostileTables, SeeThatStateFindingAndVerdictAreOthersThanExpected) {
     EXPECT_EQ(tables.right(), 0U);
 }
 
-// Nobody is to pass for what nobody looked at: findings are asked for where the task passes, too.
+// A missing finding must be reported even if the task passes.
 TEST(HostileTables, SeeThatWhatHasToBeFoundIsNot) {
     auto cases = casesNamed({"archive-own-kit"});
     ASSERT_EQ(cases.size(), 1U);
@@ -79,9 +79,9 @@ TEST(HostileTables, GradeAFolderThatIsNamedLikeAFileOfTheResultsUnderAnotherName
     EXPECT_TRUE(tables.passed()) << tables.table();
 }
 
-// A table that finds no secret proves little unless it would find one.
+// A table without a leaked secret proves little unless it would report one.
 TEST(HostileTables, SeeASecretThatIsOut) {
-    // Where nothing locks the compiler in, it reads the file and quotes it.
+    // Without confinement the compiler reads the file and quotes it.
     const auto cases = casesNamed({"include-secret"});
 
     const HostileTables tables =
@@ -103,12 +103,12 @@ TEST(LeftBehind, TellsEachThingThatThereIsMoreOf) {
 
 TEST(ProcessesLeft, SeesAProcessWithAUidThatNoJailHolds) {
     if (geteuid() != 0) GTEST_SKIP() << "only root can give a process another uid";
-    constexpr long kUser = 60950;  // beside those of limits.json
+    constexpr long kUser = 60950;  // outside the range of limits.json
     int ready[2];
     ASSERT_EQ(pipe(ready), 0);
     const pid_t child = fork();
     if (child == 0) {
-        const bool changed = setuid(static_cast<uid_t>(kUser)) == 0;  // not dumpable from here on
+        const bool changed = setuid(static_cast<uid_t>(kUser)) == 0;  // not dumpable after this
         if (!changed || write(ready[1], "x", 1) != 1) _exit(1);
         pause();
         _exit(0);

@@ -1,5 +1,5 @@
-// kill -9 of ticker while it grades a class of hostile and honest submissions: nothing of a
-// submission goes on. TICKER_KILLS=50 tries it so often instead of a few times.
+// kill -9 of ticker while it grades a class of hostile and honest submissions: no process of a
+// submission survives. TICKER_KILLS=50 sets the number of kills.
 #include "../support/TemporaryFolder.h"
 
 #include <grader/base/FileDescriptor.h>
@@ -32,7 +32,7 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 
 const fs::path kRoot{TICKER_SOURCE_DIR};
 
-// Loops, bombs and those that try to outlive the grader, between honest ones.
+// Loops, bombs and submissions that try to outlive the grader, between honest ones.
 void writeClass(const fs::path& folder) {
     for (const corpus::Entry& each : corpus::readEntries(kRoot, {"hostile"}))
         for (const char* name : {"blocks-all-signals", "busy-threads", "constexpr-endless",
@@ -45,7 +45,7 @@ void writeClass(const fs::path& folder) {
         fs::copy(kRoot / "grader/corpus/samples/awarded" / name, folder / name);
 }
 
-// Its orphans become our children: their end can be waited for.
+// Its orphans become our children, so that we can wait for their end.
 class Grading {
 public:
     Grading(const fs::path& folder, const fs::path& output) : nothing_(open("/dev/null", O_RDWR)) {
@@ -72,8 +72,7 @@ private:
     FileDescriptor handle_;
 };
 
-// Returns when nothing that descends from the grader is left: where it stays, the test's own time
-// limit says so.
+// Returns when no descendant of the grader is left; the test's time limit ends it otherwise.
 double millisecondsUntilAllHaveEnded() {
     const Clock::time_point start = Clock::now();
     while (waitpid(-1, nullptr, 0) > 0) {
@@ -100,7 +99,7 @@ TEST(KilledGrader, LeavesNoProcessOfASubmission) {
         slowest = std::max(slowest, millisecondsUntilAllHaveEnded());
     }
     prctl(PR_SET_CHILD_SUBREAPER, 0);
-    const sandbox::StagingFolder sweeper;  // takes away what the killed ones could not
+    const sandbox::StagingFolder sweeper;  // removes the folders of the killed graders
     std::printf("%d kills; the slowest end of all processes came after %.0f ms\n", killsWanted(),
                 slowest);
 }

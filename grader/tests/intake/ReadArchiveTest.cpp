@@ -115,7 +115,7 @@ TEST(ReadArchive, RefusesABombByItsRatioWhereverItLies) {
     EXPECT_NE(refusalOf(submission).message.find("big.bin"), std::string::npos);
 }
 
-// Turns a tar's first member into another kind: its header's sum of bytes has to fit.
+// Changes the type of a tar's first member, and its header's checksum.
 void setTypeOfFirst(const std::filesystem::path& file, char type) {
     constexpr std::size_t kSumAt = 148;
     constexpr std::size_t kTypeAt = 156;

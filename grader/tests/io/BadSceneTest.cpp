@@ -18,7 +18,7 @@ struct BadScene {
     std::string name;
     std::string xml;
     int line;
-    std::string expected;  // must stand in the message
+    std::string expected;  // must occur in the message
 
     friend std::ostream& operator<<(std::ostream& out, const BadScene& scene) {
         return out << scene.name;

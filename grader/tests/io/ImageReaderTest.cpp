@@ -165,8 +165,8 @@ private:
 
 TEST(DecodeImage, RefusesASmallFileThatUnpacksToGigabytes) {
     // With the fixed code "repeat the last byte 258 times" takes 13 bits (RFC 1951, section 3.2.6).
-    // 2.5 million of them are 4 MB that stand for 645 MB, far more than 4 x 4 pixels can need and
-    // more than the reader lets a decoder take.
+    // 2.5 million of them are 4 MB that unpack to 645 MB, far more than 4 x 4 pixels need and more
+    // than the reader allows a decoder to allocate.
     const std::string begin = "110";  // the only block, of the fixed code
     const std::string zeroByte = "00110000";
     const std::string repeat = "1100010100000";

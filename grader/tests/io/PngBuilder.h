@@ -8,10 +8,10 @@
 
 namespace ticker::testing {
 
-/// PNG's own numbers for what a pixel holds.
+/// PNG's numbers for pixel formats.
 enum class PngColour : std::uint8_t { grey = 0, rgb = 2, greyAlpha = 4, rgbAlpha = 6 };
 
-/// The header of a PNG file; nothing is checked, so it may lie.
+/// The header of a PNG file. It is not checked and may be wrong.
 struct PngHeader {
     std::uint32_t width = 1;
     std::uint32_t height = 1;
@@ -23,13 +23,13 @@ struct PngHeader {
 /// A PNG file with these bytes as its unpacked rows, each of which begins with a filter byte.
 [[nodiscard]] std::string makePng(const PngHeader& header, const std::string& rows);
 
-/// A PNG file around data that is packed already (or claims to be).
+/// A PNG file around data that is compressed already (or claims to be).
 [[nodiscard]] std::string makePngAround(const PngHeader& header, const std::string& packed);
 
 /// One chunk of a PNG file, with its right check sum.
 [[nodiscard]] std::string pngChunk(const std::string& type, const std::string& data);
 
-/// Rows of `header.height` times the same bytes, each with filter 0.
+/// `header.height` equal rows, each with filter 0.
 [[nodiscard]] std::string equalRows(const PngHeader& header, const std::string& row);
 
 }  // namespace ticker::testing

@@ -9,7 +9,7 @@
 
 namespace ticker::testing {
 
-/// An empty folder of its own for each test; it goes away with everything in it.
+/// An empty folder for each test, removed with its contents.
 class TemporaryFolder {
 public:
     TemporaryFolder()

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-// The drawing of docs/architecture.md against the #include lines.
+// Compares the drawing in docs/architecture.md with the #include lines.
 namespace ticker {
 namespace {
 
@@ -74,7 +74,7 @@ TEST(ArchitectureDrawing, HasAPathForEveryInclude) {
     }
 }
 
-TEST(ArchitectureDrawing, HasNoArrowThatNobodyNeeds) {
+TEST(ArchitectureDrawing, HasNoRedundantArrow) {
     const Arrows included = includedArrows();
     for (const auto& [from, targets] : drawnArrows())
         for (const std::string& to : targets)

@@ -19,7 +19,7 @@ namespace ticker::tests {
 
 [[nodiscard]] std::vector<std::string> linesOf(const std::filesystem::path& file);
 
-/// What a file's #include lines name, in their order.
+/// The headers in a file's #include lines, in order.
 [[nodiscard]] std::vector<std::string> includesOf(const std::filesystem::path& file);
 
 }  // namespace ticker::tests

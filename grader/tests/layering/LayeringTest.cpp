@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-// Reads the #include lines of the whole project against layers.txt, and the names of packages that
-// no header may spell.
+// Compares the #include lines of the whole project with layers.txt, and searches headers for names
+// of packages that no header may contain.
 namespace ticker {
 namespace {
 

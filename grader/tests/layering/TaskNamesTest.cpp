@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-// Tasks, their files and their scenes are data: who needs one takes it from the exercise.
+// Tasks, their files and their scenes are data, which code takes from the exercise.
 namespace ticker {
 namespace {
 

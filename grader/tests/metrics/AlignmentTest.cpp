@@ -11,7 +11,7 @@
 namespace ticker::metrics {
 namespace {
 
-/// Nothing in it looks like anything else in it.
+/// A picture without similar parts.
 Picture landscape(int width, int height) {
     return makePicture(width, height, [&](int x, int y) {
         const double u = 1.0 * x / width;

@@ -56,13 +56,13 @@ TEST(DifferingPixels, CountsPixelsBeyondTheTolerance) {
     EXPECT_EQ(differingPixels(four().view(), fourWithOneChanged().view(), 4).value, 0.0);
 }
 
-// Of two flat pictures everything in the formula but the means vanishes.
+// For two flat pictures only the means remain in the formula.
 TEST(Ssim, OfFlatPicturesIsTheLuminanceTermAlone) {
     constexpr double kC1 = 6.5025;
     const double expected = (2.0 * 100 * 150 + kC1) / (100.0 * 100 + 150.0 * 150 + kC1);
     const Measured measured =
         ssim(flat(32, 24, {100, 100, 100}).view(), flat(32, 24, {150, 150, 150}).view());
-    EXPECT_NEAR(measured.value, expected, 1e-4);  // variances come out as 1e-3 for rounding
+    EXPECT_NEAR(measured.value, expected, 1e-4);  // rounding leaves variances of 1e-3
     EXPECT_EQ(measured.map.width, 32);
     EXPECT_EQ(measured.map.height, 24);
 }

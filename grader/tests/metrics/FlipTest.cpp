@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <string>
 
-// The expected values were measured with the authors' own tool, version 1.6; pictures are defined
-// by formula. They are given to six digits; 1e-4 is what single precision filters of another order
-// of summation differ by at most.
+// The expected values were measured with the authors' own tool, version 1.6, for pictures defined
+// by formula. They have six digits; 1e-4 is the largest difference that another order of summation
+// in single precision makes.
 namespace ticker::metrics {
 namespace {
 

@@ -33,7 +33,7 @@ Moments moments(int width, int height, int renders, double level, std::uint64_t 
     return result;
 }
 
-// Percentage points that every printed table has.
+// Percentage points from printed tables.
 TEST(StudentT, TailsEqualThoseOfPrintedTables) {
     EXPECT_NEAR(twoSidedTail(12.706, 1), 0.05, 1e-5);
     EXPECT_NEAR(twoSidedTail(2.228, 10), 0.05, 1e-4);

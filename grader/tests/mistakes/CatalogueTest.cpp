@@ -11,7 +11,7 @@
 namespace ticker::corpus {
 namespace {
 
-/// A project whose corpus is one mistake.
+/// A project with a corpus of one mistake.
 class OneMistake {
 public:
     explicit OneMistake(const std::string& text, const std::string& reference = "one\ntwo") {
@@ -21,7 +21,7 @@ public:
 
     [[nodiscard]] std::vector<Entry> read() const { return readCatalogue(folder_.path()); }
     [[nodiscard]] std::string made() const { return textsOf(read().at(0)).at("BumpySphere.cpp"); }
-    /// What the reader complains about; empty where it does not.
+    /// The reader's error message; empty without an error.
     [[nodiscard]] std::string complaint() const {
         try {
             (void)read();

@@ -26,7 +26,7 @@ RenderSettings onePixel() {
     return settings;
 }
 
-/// A matt white wall at z = 5 that faces the camera, and a light of no colour before it.
+/// A matt white wall at z = 5 that faces the camera, and a light in front of it that has no effect.
 SceneDescription wallScene(const Vector3& light, double intensity) {
     SceneDescription scene;
     scene.ambientLighting = raytracer::ColourRGB{0.1};
@@ -45,7 +45,7 @@ Moments momentsWith(const SceneDescription& scene, const RenderSettings& setting
     return Oracle{scene, settings, {}, {}, tricks}.moments(5, precision);
 }
 
-// What the wall's middle gets without shadow: kD I / (4 pi d^2) cos.
+// Light at the wall's centre without shadow: kD I / (4 pi d^2) cos.
 double diffuseAtWall(const Vector3& light, double intensity) {
     const Vector3 apart = light - Vector3{0.0, 0.0, 5.0};
     const double distance2 = apart.dot(apart);
@@ -109,7 +109,7 @@ TEST(OracleAnalytic, StraightEdgeCastsTheHalfPlanesPenumbra) {
         scene.spheres = {
             sphere(point + Vector3{std::sin(angle), 0.0, -std::cos(angle)} * depth, radius, 0)};
         RenderSettings settings = onePixel();
-        // The lens is moved to where the sphere does not hide the wall from it.
+        // The lens is moved to a place from which the sphere does not hide the wall.
         Mistake mistake;
         mistake.lensOffsetX = -9.0 / settings.dofAmount;
         settings.dofFocalPlane = 5.0;

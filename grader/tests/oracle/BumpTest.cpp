@@ -14,7 +14,7 @@ TEST(OracleBump, EqualsTheReferenceSolution) {
     const auto map = variedScene().spheres[0].heightMap;
     const raytracer::BumpySphere reference{{0.0, 0.0, 0.0}, 1.0, {}, map};
     for (int i = 0; i < 2000; ++i) {
-        // A spiral over the sphere that meets no texel's edge.
+        // A spiral over the sphere that avoids all texel edges.
         const double y = -0.999 + 1.998 * (i + 0.37) / 2000.0;
         const double turn = 2.399963 * i + 0.1;
         const double ring = std::sqrt(1.0 - y * y);
@@ -27,8 +27,8 @@ TEST(OracleBump, EqualsTheReferenceSolution) {
     }
 }
 
-// Heights that rise to the right (or downwards) all over the map: every accepted way to look them
-// up tilts the normal to the left (upwards), away from the map's rim.
+// Heights that rise to the right (or downwards) over the whole map: every accepted look-up tilts
+// the normal to the left (upwards), except at the map's edge.
 TEST(OracleBump, EveryReadingLeansBackAgainstASlope) {
     std::vector<double> right;
     std::vector<double> down;

@@ -14,7 +14,7 @@ namespace {
 
 const std::filesystem::path kSource = TICKER_SOURCE_DIR;
 
-/// The campaign that `./tick calibrate` runs whole, with some of its readings.
+/// A part of the campaign of `./tick calibrate`, with some of its readings.
 class OracleReadings : public testing::Test {
 protected:
     template <typename Predicate>
@@ -58,7 +58,7 @@ TEST_F(OracleReadings, OfTheBumpMapAgreePixelByPixel) {
     EXPECT_TRUE(summary.asExpected) << summary.text;
 }
 
-// One scene that distinguishes them: otherwise agreement would prove nothing.
+// A scene that distinguishes the readings: otherwise agreement would prove nothing.
 TEST_F(OracleReadings, ThatAreToldWronglyDoNotAgree) {
     const std::map<std::string, std::string> shownBy{{"half-aperture", "lens-grid"},
                                                      {"surface", "distributed"},

@@ -46,8 +46,8 @@ inline raytracer::SceneDescription distributedScene() {
     return scene;
 }
 
-/// Two lights of different colours, a bumpy sphere, a mirror, a penumbra that two spheres share,
-/// different exponents, and a plane that reaches between the lights.
+/// Two lights of different colours, a bumpy sphere, a mirror, a penumbra of two spheres, different
+/// exponents, and a plane that lies between the lights.
 inline raytracer::SceneDescription variedScene() {
     raytracer::SceneDescription scene;
     scene.ambientLighting = hexColour(0x101418);
@@ -72,8 +72,8 @@ inline raytracer::SceneDescription variedScene() {
     return scene;
 }
 
-/// Two small mirrors that show a third sphere to pixel (4, 12) of 24 x 18: each of them makes what
-/// the one before got wrong some twenty times larger.
+/// Two small mirrors that show a third sphere to pixel (4, 12) of 24 x 18: each mirror enlarges the
+/// error of the one before about twenty times.
 inline raytracer::SceneDescription smallMirrorsScene() {
     raytracer::SceneDescription scene;
     scene.ambientLighting = raytracer::ColourRGB{1.0};

@@ -8,15 +8,15 @@
 
 namespace ticker::tests {
 
-/// What a command in a clean root gave.
+/// Result of a command in a clean root.
 struct RootRun {
     int status = -1;
     std::string output;  ///< stdout
     std::string errors;  ///< stderr
 };
 
-/// A root made of this system's /usr and of folders that a test names: no checkout, no home, no
-/// network, no environment.
+/// A root of this system's /usr and folders that a test names: no checkout, no home, no network, no
+/// environment.
 class CleanRoot {
 public:
     /// @param host  A folder or file of this machine. @param inside  Where commands see it.
@@ -24,12 +24,12 @@ public:
     CleanRoot& bindReadOnly(const std::filesystem::path& host, const std::string& inside);
     CleanRoot& set(const std::string& variable, const std::string& value);
 
-    /// Also what libraries outside /usr/lib need, as an ordinary system has it. Without it OpenCV
-    /// does not find its own libraries.
+    /// Adds the files of /etc that libraries outside /usr/lib need, as on an ordinary system.
+    /// Without them OpenCV does not find its own libraries.
     CleanRoot& withSystemLibraries();
 
-    /// Runs a command as root of a container like Docker's would: no namespaces, few capabilities.
-    /// As an ordinary user, runs it as that user.
+    /// Runs a command as root of a container like Docker's: no namespaces, few capabilities. As an
+    /// ordinary user, runs it as that user.
     [[nodiscard]] RootRun runInContainer(const std::string& command) const;
     [[nodiscard]] RootRun run(const std::string& command) const;
 

@@ -26,7 +26,7 @@ fs::path sample(const std::string& name) {
     return fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples" / name;
 }
 
-/// A package, unpacked, for which the platform has built its image: made once for all tests.
+/// An unpacked package for which the platform has built its image; shared by all tests.
 class Image {
 public:
     static const Image& get() {
@@ -42,7 +42,7 @@ private:
                                             " package gradescope -o gradescope.zip && "
                                             "unzip -q -d source gradescope.zip");
         if (made.status != 0) problem_ = made.errors;
-        // There is no network: apt-get must not be needed where all is there.
+        // There is no network: with all packages present, apt-get must not be called.
         const RootRun setup =
             CleanRoot{}.bind(at("source"), "/autograder/source").run("/autograder/source/setup.sh");
         if (setup.status != 0) problem_ += setup.output + setup.errors;
@@ -89,7 +89,7 @@ TEST_F(Gradescope, AwardsARightSubmissionInASandboxOfLevelB) {
     ASSERT_EQ(ran.status, 0) << ran.output << ran.errors;
     EXPECT_TRUE(tests::fitsSchema(results(), "gradescope")) << results();
     EXPECT_EQ(json::parse(results()).at("score"), 1.0) << results();
-    // Staff see what students do not.
+    // Staff see more than students.
     EXPECT_NE(ran.output.find("\"seed\""), std::string::npos) << ran.output;
     EXPECT_EQ(results().find("seed"), std::string::npos);
     if (geteuid() == 0) {
@@ -113,7 +113,7 @@ TEST_F(Gradescope, LeavesNoScoreWhereWeFailed) {
 }
 
 TEST_F(Platforms, PrairieLearnGetsAResultOrIsToldThatThereIsNone) {
-    // The parts that differ; the rest is what the other package carries, prepared already.
+    // The parts that differ; the others are in the other package, already prepared.
     const RootRun made = tests::runHere(
         "mkdir -p " + at("image/ticker").string() + " && cd " + at("image").string() + " && " +
         kTicker + " package prairielearn -o pl.zip && unzip -q pl.zip entrypoint.sh Dockerfile " +
@@ -149,7 +149,7 @@ TEST_F(Platforms, ClassroomsStepHandsTheResultOverAndPrintsNothing) {
     fs::create_directories(box / "framework/src/geometry");
     fs::copy(sample("awarded/reference-bump/BumpySphere.cpp"), box / "exercise");
     fs::copy(sample("awarded/reference-bump/screenshot.png"), box);
-    // The skeleton's own file of the same name.
+    // The skeleton's file of the same name.
     fs::copy(TICKER_SOURCE_DIR "/student_template/framework/src/geometry/BumpySphere.cpp",
              box / "framework/src/geometry");
     CleanRoot root;
@@ -179,7 +179,7 @@ TEST(Docker, TheImageInstallsEveryPackageWhoseLibrariesTickerNeeds) {
     ASSERT_NE(needed.output.find("libopencv_core"), std::string::npos) << needed.errors;
     std::istringstream libraries{needed.output};
     for (std::string library; libraries >> library;)
-        // Every g++ brings these.
+        // Every g++ installs these.
         if (!library.starts_with("libc.") && !library.starts_with("libm.") &&
             !library.starts_with("libstdc++") && !library.starts_with("libgcc_s")) {
             EXPECT_NE(carried.output.find("/" + library), std::string::npos) << library;

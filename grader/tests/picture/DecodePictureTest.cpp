@@ -55,7 +55,7 @@ std::string readFile(const std::string& name) {
     return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
-// makePng gives the header whatever size; the rows are those of 2 x 2.
+// makePng writes any size into the header; the rows are those of 2 x 2 pixels.
 std::string claiming(std::uint32_t width, std::uint32_t height) {
     return makePng({width, height, 8, PngColour::rgb}, std::string("\0abcdef\0ghijkl", 14));
 }

@@ -1,4 +1,4 @@
-// What people read of a file that makes no program.
+// Messages about a file that does not give a program.
 #include <grader/pipeline/Grade.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>
@@ -19,7 +19,7 @@ SubmissionResult gradeBumpySphere(const std::string& source) {
     return gradeSubmission(work, tests::testGrader(), 1);
 }
 
-/// The reference with something before it.
+/// The reference with a text in front.
 std::string referenceAfter(const std::string& text) {
     return text + tests::readFile("reference_solution/exercise/BumpySphere.cpp");
 }
@@ -72,7 +72,7 @@ TEST(BuildWords, NameTheFunctionThatALinkerMisses) {
         << task.reason;
 }
 
-// More than a program may have, but not more than a linker can place.
+// More than a program may have, but still within the linker's limits.
 TEST(BuildWords, SayOfStaticDataThatNoProgramCanBeStartedWithHowMuchItIs) {
     const SubmissionResult result = gradeBumpySphere(
         referenceAfter("char room[1'700'000'000];\nchar* roomEnd() { return room + 5; }\n"));

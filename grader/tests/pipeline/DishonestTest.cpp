@@ -15,7 +15,7 @@ using tests::findingIds;
 using tests::taskOf;
 using Ids = std::vector<std::string>;
 
-/// The reference, but with this at the beginning of a function.
+/// The reference with code at the beginning of a function.
 std::string referenceWith(const char* file, const std::string& function, const std::string& text) {
     std::string source = tests::readFile("reference_solution/exercise/" + std::string{file});
     const std::size_t begin = source.find('{', source.find(function)) + 1;
@@ -45,14 +45,14 @@ TEST(Dishonest, PicturesThatAnswersDoNotExplainAreLeftToAPerson) {
     EXPECT_EQ(result.verdict, Verdict::needsReview);
 }
 
-TEST(Dishonest, WhoLeavesBeforeThePictureIsLeftToAPerson) {
+TEST(Dishonest, ACrashInThePictureAsksForReview) {
     const SubmissionResult result = gradeRenderer("if (settings().width > 100) std::abort();");
     EXPECT_EQ(findingIds(taskOf(result, "T2.2")), Ids{"dof.picture-differs"});
     EXPECT_EQ(result.verdict, Verdict::needsReview);
 }
 
-// A grey picture for who is not watched.
-TEST(Dishonest, NobodyCanTellWhetherHeIsWatched) {
+// A grey picture if no observer is set.
+TEST(Dishonest, CodeCannotTellWhetherItIsObserved) {
     const SubmissionResult result =
         gradeRenderer("if (settings().observer == nullptr) return Image{settings()};");
     EXPECT_EQ(findingIds(taskOf(result, "T2.2")), Ids{});
@@ -79,7 +79,7 @@ SubmissionResult gradeBumps(const std::string& atTheBeginning) {
     return gradeSubmission(work, tests::testGraderWithScenes(), 1);
 }
 
-// A question's sphere once had the default material, which no scene's has.
+// A material that no scene has would mark a question's sphere.
 TEST(Dishonest, BumpsOnSpheresWithoutAMaterialAreNone) {
     const SubmissionResult result =
         gradeBumps("if (colour().r > 0.0) return Sphere::getNormalAt(position);");
@@ -104,7 +104,7 @@ TEST(Dishonest, BumpsOfACodeThatLeavesBeforeThePictureAreLeftToAPerson) {
     EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"bump.picture-differs"});
 }
 
-// Weak bumps change the picture little, and strong ones tip reflections over.
+// Weak bumps change the picture little, and strong ones turn reflections round.
 TEST(Honest, BumpsOfAnyStrengthShowInThePicture) {
     for (const char* strength : {"0.02", "0.2", "1.0", "20.0"}) {
         std::string source = tests::readFile("reference_solution/exercise/BumpySphere.cpp");
@@ -146,7 +146,7 @@ TEST(DoubtPicture, HasNothingToAddToAFailure) {
     }
 }
 
-// Of right solutions, 0.04 (points in strata) to 1.05 (points of the surface that crowd).
+// Right solutions: 0.04 (stratified points) to 1.05 (points that crowd on the surface).
 TEST(DoubtPicture, TakesNoiseForNoise) {
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
     tasks::doubtPicture(tasks, {{1.0, 1.05}}, 1.0);

@@ -57,7 +57,7 @@ TEST(GradeSubmission, CompilesNothingWhereEveryStubStillStands) {
     EXPECT_EQ(result.option, "none");
 }
 
-// A thread for each row: 120 of them in the picture that people look at.
+// A thread for each row: 120 of them in the report's picture.
 TEST(GradeSubmission, RendersThePicturesOfCodeWithAThreadForEachRow) {
     const SubmissionResult result = gradeSubmission(
         submission({}, tests::readFile(
@@ -82,7 +82,7 @@ TEST(GradeSubmission, LetsABrokenFileBlockItsOwnTaskOnly) {
     EXPECT_EQ(result.verdict, Verdict::needsReview) << "the picture is missing";
 }
 
-// A header of one's own, or a way to the kit's that is right on the student's disk alone.
+// A header of the student's own, or a path to the kit's that exists on the student's disk only.
 TEST(GradeSubmission, SaysThatAFileIsCompiledAloneWhereAHeaderIsMissing) {
     for (const char* header :
          {"maths.h", "../framework/include/raytracer/geometry/BumpySphere.h"}) {
@@ -105,7 +105,7 @@ TEST(GradeSubmission, BlocksBothTasksOfABrokenRendererButNotTheStubInIt) {
     EXPECT_EQ(findingIds(taskOf(result, "T2.2")), Ids{"build.failed"});
 }
 
-// Students look into their code this way, and forget to take it out.
+// Students print values while they debug, and forget to remove the line.
 TEST(GradeSubmission, TakesARightAnswerThatPrintsALineForEachCall) {
     std::string source = tests::readFile("reference_solution/exercise/BumpySphere.cpp");
     const std::string mark = "// TASK T1 begin\n";
@@ -200,8 +200,8 @@ TEST(GradeSubmission, ShowsWhatTheCodeRendersBesideWhatWasExpected) {
     EXPECT_EQ(result.verdict, Verdict::awarded);
     ASSERT_EQ(result.renders.size(), 3U);
     for (const RenderScore& render : result.renders) {
-        // Measured: 0.016 and 0.981 where each pixel is the mean of 50 paths; 0.0002 and 0.99996
-        // where nothing is random.
+        // Measured: 0.016 and 0.981 if each pixel is the mean of 50 paths; 0.0002 and 0.99996
+        // without random rays.
         const bool isNoisy = render.scene == "distributed";
         EXPECT_LT(render.flip, isNoisy ? 0.04 : 0.001) << render.scene;
         EXPECT_GT(render.ssim, isNoisy ? 0.95 : 0.999) << render.scene;

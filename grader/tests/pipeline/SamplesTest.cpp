@@ -17,7 +17,7 @@ std::string sampleName(const testing::TestParamInfo<corpus::Entry>& sample) {
     return name;
 }
 
-// What expected.json names: warnings and notes may come and go with the tool.
+// The findings that expected.json names; warnings and notes may change with the tool.
 std::vector<std::string> failingIds(const TaskReport& task) {
     std::vector<std::string> ids;
     for (const Finding& finding : task.findings)

@@ -24,7 +24,7 @@ std::string goodPicture() {
     return readFile("grader/corpus/samples/awarded/reference-bump/screenshot.png");
 }
 
-/// Judged as a file: the grader knows no scenes.
+/// Judges the file only: the grader has no scenes.
 TaskReport judge(const std::optional<std::string>& bytes, SubmissionResult& result) {
     build::TimeBudget budget{tests::testGrader().policy.submission};
     return judgeScreenshotFile(bytes, {}, tests::testGrader(), budget, 1, result);

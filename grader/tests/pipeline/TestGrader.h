@@ -10,7 +10,7 @@
 
 namespace ticker::tests {
 
-/// A grader as `ticker grade` makes it, but less patient with loops.
+/// A grader like that of `ticker grade`, with a shorter limit for loops.
 inline const pipeline::Grader& testGrader() {
     static const pipeline::Grader grader = [] {
         const std::filesystem::path root{TICKER_SOURCE_DIR};
@@ -26,12 +26,12 @@ inline const pipeline::Grader& testGrader() {
     return grader;
 }
 
-/// The same with the handout's scenes: renders pictures, and judges what a screenshot shows.
+/// The same with the handout's scenes: renders pictures, and judges screenshots.
 inline const pipeline::Grader& testGraderWithScenes() {
     static const pipeline::Grader grader = [] {
         const std::filesystem::path root{TICKER_SOURCE_DIR};
         pipeline::Grader made = testGrader();
-        made.policy.run.cpuSeconds = 8.0;  // a picture takes some right samples three
+        made.policy.run.cpuSeconds = 8.0;  // some right samples take three for a picture
         made.scenes = pipeline::readSpecScenes(root / "scenes", root / "assets");
         return made;
     }();

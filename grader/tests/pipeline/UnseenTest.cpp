@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
-// Right and wrong solutions that were written without sight of the decision code.
+// Right and wrong solutions that were written without knowledge of the checks.
 namespace ticker::pipeline {
 namespace {
 

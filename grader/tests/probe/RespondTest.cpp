@@ -116,7 +116,7 @@ TEST(Respond, NumbersThreadsFromZeroAndKeepsEachOnesOrder) {
     }
 }
 
-// A race between threads shows only where each is interrupted: here after every event.
+// A data race shows only if each thread is interrupted: here after every event.
 TEST(Respond, LetsThreadsTakeTurns) {
     RenderQuestion question = tests::renderQuestion(10'000);
     question.settings.threads = 2;

@@ -36,7 +36,7 @@ void readStage(const ordered_json& stage, AutolabGrade& grade) {
     }
 }
 
-// Two decimals at most, and no zero at the end.
+// At most two decimals, without a zero at the end.
 std::string rounded(double value) {
     std::string text = fmt::format("{:.2f}", value);
     while (text.ends_with('0'))
@@ -114,7 +114,8 @@ GradescopePage readByGradescope(const std::string& text) {
     bool isScoreShown = true;
     for (const json& test : results.at("tests")) {
         const std::string visibility = test.value("visibility", "visible");
-        // What is never shown is no part of the score; what is shown later hides it until then.
+        // A test that is never shown does not count for the score; one that is shown later hides
+        // the score until then.
         if (visibility == "after_published" || visibility == "after_due_date") isScoreShown = false;
         if (visibility != "visible") continue;
         page.shown.push_back(test.at("name"));

@@ -9,8 +9,8 @@
 
 namespace ticker::tests {
 
-// What each platform makes of our file, by the rules of its own code. Rules are facts; the code
-// here is ours. Moodle's importer is in grader/tests/support/MoodleImport.h.
+// How each platform reads our file, by the rules of its own code. Rules are facts; the code here is
+// ours. Moodle's importer is in grader/tests/support/MoodleImport.h.
 
 /// Autolab 9cc857f (saveAutograde, parseFeedback, _semantic.html.erb).
 struct AutolabGrade {
@@ -21,7 +21,7 @@ struct AutolabGrade {
     std::map<std::string, std::string> plain;    ///< rows without a mark
     std::string raw;                             ///< "Raw Output", preformatted
 };
-/// The last line is the scores: a file without one is a released zero. The line before is the
+/// The last line has the scores: a file without one is a released zero. The line before is the
 /// feedback: a stage whose entries are all objects has marks, any other is a plain table.
 [[nodiscard]] AutolabGrade readByAutolab(const std::string& output);
 
@@ -29,7 +29,7 @@ struct AutolabGrade {
 struct ClassroomRun {
     std::optional<std::string> points;  ///< "0/1" in the roster; empty: nothing is sent
     bool isGreen = false;
-    std::string log;  ///< messages: of a test that errored, and of no other; printed raw
+    std::string log;  ///< messages of tests with errors only; printed raw
 };
 [[nodiscard]] ClassroomRun readByClassroom(const std::string& json);
 

@@ -1,4 +1,4 @@
-// Our files as the platforms' own code takes them; the rules are in ClientRules.h.
+// Our files as read by the platforms' own code; the rules are in ClientRules.h.
 #include <grader/report/platforms/PlatformFormats.h>
 
 #include "ClientRules.h"
@@ -19,7 +19,7 @@ StudentView viewOf(const SubmissionResult& result) {
     return {result, {}};
 }
 
-/// Every way in which there is no mark yet.
+/// All results without a mark.
 std::vector<SubmissionResult> unmarkedExamples() {
     return {notGradedExample(), nothingGradedExample(), reviewExample(), textOnlyExample(),
             hostileExample()};
@@ -37,7 +37,7 @@ TEST(Autolab, StoresNoScoreWhereThereIsNoneYet) {
     }
     EXPECT_EQ(tests::readByAutolab(autolabLines(viewOf(passedExample()))).score, 1.0);
     EXPECT_EQ(tests::readByAutolab(autolabLines(viewOf(failedBumpExample()))).score, 0.0);
-    // What a missing file would do.
+    // The effect of a missing file.
     EXPECT_EQ(tests::readByAutolab("").score, 0.0);
 }
 
@@ -90,7 +90,7 @@ TEST(Classroom, StudentsReadWhyInTheSummaryOfTheStep) {
     const std::string summary = classroomSummary(viewOf(failedBumpExample()));
     EXPECT_NE(summary.find("bump.inverted-u"), std::string::npos);
     EXPECT_NE(summary.find("Hint: "), std::string::npos);
-    // A block of HTML ends where "</pre>" stands, and only there.
+    // A block of HTML ends at "</pre>" only.
     const std::string hostile = classroomSummary(viewOf(hostileExample()));
     EXPECT_TRUE(hostile.starts_with("<pre>"));
     EXPECT_EQ(hostile.find("</"), hostile.size() - std::string{"</pre>\n"}.size());

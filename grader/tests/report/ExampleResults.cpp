@@ -48,7 +48,7 @@ const std::string& ballPng(double relief, double noise, std::uint64_t seed) {
     return png;
 }
 
-/// As the pipeline leaves it: a title, and a file among the result's pictures.
+/// In the pipeline's final form: a title, and a file among the result's pictures.
 Raster reliefRaster(const std::string& file) {
     Raster raster;
     raster.title = "relief that your normals show";

@@ -11,22 +11,22 @@ namespace ticker::report {
 [[nodiscard]] SubmissionResult passedExample();
 /// One axis of the bump map inverted: relief, pictures, evidence.
 [[nodiscard]] SubmissionResult failedBumpExample();
-/// A disc for an aperture, a warning beside it, the screenshot missing.
+/// A disc as aperture, with a warning, and no screenshot.
 [[nodiscard]] SubmissionResult failedLensExample();
 /// A file that does not compile: diagnostics with source lines.
 [[nodiscard]] SubmissionResult blockedExample();
-/// Everything that a student may choose is hostile: markup, formulas, control characters.
+/// Hostile values in everything that a student can choose: markup, formulas, control characters.
 [[nodiscard]] SubmissionResult hostileExample();
 
 /// A file that does not compile, so that there is no code to compare the screenshot with.
 [[nodiscard]] SubmissionResult notCheckedExample();
-/// Renderer.cpp does not compile: the same is said of both of its tasks.
+/// Renderer.cpp does not compile: both of its tasks have the same text.
 [[nodiscard]] SubmissionResult saidTwiceExample();
-/// A text was handed in and nothing else: the same is said of every task.
+/// Only a text was handed in: every task has the same text.
 [[nodiscard]] SubmissionResult textOnlyExample();
-/// Right, but the screenshot is missing: a person decides.
+/// Right, but without a screenshot: a ticker decides.
 [[nodiscard]] SubmissionResult reviewExample();
-/// Our failure: in one task, or in all.
+/// An error of the grader: in one task, or in all.
 [[nodiscard]] SubmissionResult notGradedExample();
 [[nodiscard]] SubmissionResult nothingGradedExample();
 

@@ -12,7 +12,7 @@
 namespace ticker::report {
 namespace {
 
-/// One case as Artemis and Jenkins read it.
+/// One test case as read by Artemis and Jenkins.
 struct ReadCase {
     std::string kind = "passed";
     std::string message;

@@ -34,8 +34,8 @@ StudentView viewOf(SubmissionResult result, const std::string& submission) {
     return {result, {}};
 }
 
-/// Ada passed, O'Neill failed, Zoe's code is hostile and needs a look; the fourth handed in
-/// nothing.
+/// Ada passed, O'Neill failed, Zoe's code is hostile and needs a look; the fourth student handed in
+/// no file.
 std::vector<StudentView> someViews() {
     return {viewOf(passedExample(), "Ada Countess Lovelace, jr_7"),
             viewOf(failedBumpExample(), "=cmd_ _C calc'!A0 ONeill_12"),

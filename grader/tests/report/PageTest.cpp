@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// What the text of the pages promises. How they behave is tested in a browser.
+// Properties of the pages' text. Their behaviour is tested in a browser.
 namespace ticker::report {
 namespace {
 
@@ -27,11 +27,11 @@ std::vector<SubmissionResult> everyExample() {
 struct Tag {
     std::string name;
     std::string text;  // all between < and >
-    std::string bare;  // the same without what stands in quotation marks
+    std::string bare;  // the same without quoted parts
     bool closing = false;
 };
 
-/// All tags in their order; a page's style and script are not looked into.
+/// All tags in order; style and script are skipped.
 std::vector<Tag> scan(const std::string& html) {
     std::vector<Tag> tags;
     for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at)) {
@@ -72,7 +72,7 @@ std::size_t count(const std::string& text, const std::string& part) {
     return found;
 }
 
-/// Every element is closed, in an order that a stack accepts.
+/// Expects that every element is closed, in the order of a stack.
 void expectBalanced(const std::string& html) {
     static const std::set<std::string> kEmpty{"!doctype", "meta", "img", "input", "br"};
     std::vector<std::string> open;
@@ -272,7 +272,7 @@ TEST(ClassPage, OfNobodySaysSo) {
     EXPECT_NE(html.find("0 submissions"), std::string::npos);
 }
 
-// For people, and for the tests in a browser.
+// For inspection, and for the tests in a browser.
 TEST(Pages, AreWrittenToTheBuildFolderToBeLookedAt) {
     const fs::path folder = fs::path{TICKER_BINARY_DIR} / "example-pages";
     const std::vector<SubmissionResult> results = exampleClass(25);

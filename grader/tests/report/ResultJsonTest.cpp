@@ -70,7 +70,7 @@ fs::path temporary(const std::string& name) {
     return fs::path{testing::TempDir()} / name;
 }
 
-// Whatever text of a result came from a student: the batch goes on.
+// Any text from a student must not stop the batch.
 TEST(ResultJson, IsValidWhateverTheTextsAre) {
     EXPECT_TRUE(json::accept(resultJson(hostileExample())));
 }

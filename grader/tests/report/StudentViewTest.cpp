@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path kPolicy{TICKER_SOURCE_DIR "/grader/report/student-view.json"};
 
-/// Everything that students are shown of a result.
+/// All output for students about a result.
 std::string everythingShown(const SubmissionResult& result, const StudentPolicy& policy) {
     const StudentView view{result, policy};
     return gradescopeJson(view).value_or("") + prairieLearnJson(view) + classroomJson(view) +

@@ -1,4 +1,4 @@
-// What a rubric makes of tasks, one condition at a time.
+// The effect of a rubric on tasks, one condition at a time.
 #include <grader/rubric/Rubric.h>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ constexpr auto kPassed = TaskState::passed;
 constexpr auto kFailed = TaskState::failed;
 constexpr auto kStub = TaskState::notAttempted;
 
-/// Two options of other worth than the default's, with a screenshot.
+/// Two options whose points differ from the default's, with a screenshot.
 Rubric rubric() {
     Rubric rubric;
     rubric.maxScore = 5.0;
@@ -95,7 +95,7 @@ TEST(ApplyRubric, TakesAFileThatWasNeverHandedInForNoAttempt) {
     EXPECT_EQ(apply({missing}).option, "one");
 }
 
-TEST(ApplyRubric, AsksNobodyAboutAPictureThatHadNothingToBeComparedWith) {
+TEST(ApplyRubric, AsksForNoReviewOfAPictureWithNothingToCompare) {
     TaskReport picture = task("screenshot", TaskState::blocked);
     picture.reason = "not checked: there is no code to compare it with";
     EXPECT_EQ(apply({task("T1", kPassed), picture}).verdict, Verdict::awarded);

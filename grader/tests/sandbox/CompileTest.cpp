@@ -29,12 +29,12 @@ protected:
         AtLevel::TearDown();
     }
 
-    // The compiler on one file; what it makes goes to product().
+    // Runs the compiler on one file; its output goes to product().
     Outcome compile(const std::string& text, const std::vector<std::string>& flags = {}) {
         std::ofstream{source_.host / "answer.cpp"} << text;
         Command command;
         command.readOnly = {{"/usr", "/usr"}, source_};
-        // g++ may be a link through /etc, which does not exist inside.
+        // g++ may be a link through /etc, which does not exist in the jail.
         command.arguments = {fs::canonical("/usr/bin/g++").string(), "-O1", "-static", "-o",
                              "program"};
         command.arguments.insert(command.arguments.end(), flags.begin(), flags.end());
@@ -104,7 +104,7 @@ TEST_P(Compile, ShowsNoEndlessDevice) {
 }
 
 TEST_P(Compile, HandsOverNoProductThatIsALink) {
-    // The compiler writes through the link's name only if asked to; here the link is what it left.
+    // The compiler follows a link only if asked to; here the link is its product.
     Command command;
     command.readOnly = {{"/usr", "/usr"}};
     command.arguments = {fs::canonical("/usr/bin/ln").string(), "-s", secretFile().string(),

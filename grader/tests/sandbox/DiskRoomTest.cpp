@@ -20,7 +20,7 @@ TEST(DiskRoom, KeepsWhatOneJobMayFillFromTheOthers) {
         const std::optional<DiskRoom::Share> share = room.take(60);
         hasSecond = share.has_value();
     }};
-    // It cannot have any before the first has given back: 100 are free, 60 are taken.
+    // It must wait until the first gives its share back: 100 are free, 60 are taken.
     EXPECT_FALSE(hasSecond);
     first.reset();
     second.join();

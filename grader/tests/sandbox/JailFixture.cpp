@@ -58,7 +58,7 @@ std::vector<std::string> processesLeft(const std::string& marker) {
     }
     siginfo_t info{};
     if (waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) == 0)
-        left.emplace_back("a child that nobody waited for");
+        left.emplace_back("a child that was not waited for");
     return left;
 }
 

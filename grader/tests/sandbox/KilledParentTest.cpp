@@ -68,7 +68,7 @@ protected:
         std::array<char, 8> bytes{};
         while (poll(&polled, 1, kPatienceMs) == 1) {
             if (read(pipe_.get(), bytes.data(), bytes.size()) != 0) continue;
-            // A helper that was just being started holds no pipe: it sees at once that it is alone.
+            // A helper that was just being started holds no pipe: it ends at once.
             while (waitpid(-1, nullptr, 0) > 0) {
             }
             return true;

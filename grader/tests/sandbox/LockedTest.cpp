@@ -87,10 +87,10 @@ TEST_P(Locked, BoundsThreads) {
 }
 
 class LockedSlow : public Locked {};
-// One level suffices: these differ in how the program resists, not in what holds it.
+// One level suffices: these differ in the program's behaviour, not in its confinement.
 INSTANTIATE_TEST_SUITE_P(Sandbox, LockedSlow, testing::Values(Level::namespaces), levelName);
 
-TEST_P(LockedSlow, EndsWhoeverSpins) {
+TEST_P(LockedSlow, EndsAProgramThatSpins) {
     for (const char* name : {"busy-threads", "block-all-signals", "segv-handler-loop"})
         EXPECT_EQ(describe(runTrick({name})), "signal 24") << name;
 }

@@ -40,8 +40,8 @@ TEST_P(EveryLevel, HandsOverTheOutput) {
 TEST_P(EveryLevel, EndsAnEndlessLoopAtItsCpuLimit) {
     const Outcome outcome = runTrick({"loop"});
     EXPECT_EQ(describe(outcome), "signal 24");
-    // The kernel counts whole ticks towards the limit of 1 s, also those that a busy machine shared
-    // out among several processes; what is reported is the exact time.
+    // The kernel counts whole ticks towards the limit of 1 s, including ticks that a busy machine
+    // divided among several processes; the reported time is exact.
     EXPECT_GE(outcome.cpuMs, 250.0);
 }
 
@@ -95,7 +95,7 @@ TEST_P(EveryLevel, HandsOverDescriptors) {
     ASSERT_EQ(pipe2(out.data(), O_CLOEXEC), 0);
     ASSERT_EQ(write(in[1], "question", 8), 8);
     Command command = trick({"copy-descriptors"});
-    // Crosswise, so that one would overwrite the other if they were moved one after the other.
+    // Crosswise, so that moving them one after the other would overwrite one.
     command.descriptors = {{in[0], 3}, {out[1], 4}};
     EXPECT_EQ(describe(run(command)), "exit 0");
     std::array<char, 16> text{};
@@ -108,7 +108,7 @@ TEST_P(EveryLevel, HandsOverDescriptors) {
 TEST_P(EveryLevel, HandsOverNoDescriptorThatIsNotNamed) {
     const int secret = open(secretFile().c_str(), O_RDWR);
     ASSERT_EQ(fcntl(secret, F_DUPFD, 40) >= 0 && fcntl(secret, F_DUPFD, 200) >= 0, true);
-    // It writes a forged report to every descriptor from 3 on; 7: there was none.
+    // The program writes a forged report to every descriptor from 3 on; 7: there was none.
     EXPECT_EQ(describe(runTrick({"forge-report"})), "exit 7");
     close_range(static_cast<unsigned>(secret), ~0U, 0);
 }

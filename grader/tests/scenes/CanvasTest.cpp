@@ -13,7 +13,7 @@ RenderSettings smallSettings() {
     return settings;
 }
 
-/// What a solution does that does not use `forEachPixel`.
+/// Sets all pixels, like a solution that does not use `forEachPixel`.
 void setAllPixels(Canvas& canvas) {
     for (int y = 0; y < 6; ++y)
         for (int x = 0; x < 8; ++x)

@@ -38,7 +38,7 @@ private:
     posix_spawn_file_actions_t actions_{};
 };
 
-/// Ours without NO_COLOR, after `before`: of two values the first one counts.
+/// Our environment without NO_COLOR, after `before`: the first of two values counts.
 std::vector<std::string> environmentAfter(std::vector<std::string> before) {
     for (char** variable = environ; *variable != nullptr; ++variable)
         if (!std::string(*variable).starts_with("NO_COLOR=")) before.emplace_back(*variable);
@@ -111,7 +111,7 @@ Tick1StarOnTerminal::~Tick1StarOnTerminal() {
 
 std::string Tick1StarOnTerminal::read() const {
     std::array<char, 4096> block{};
-    // A terminal whose other side is closed gives an error and no end of file.
+    // A terminal whose other side is closed gives an error instead of an end of file.
     const ssize_t count = ::read(terminal_, block.data(), block.size());
     return count > 0 ? std::string(block.data(), static_cast<std::size_t>(count)) : std::string();
 }

@@ -8,7 +8,7 @@
 
 namespace ticker::testing {
 
-/// What a program left behind.
+/// Result of a program.
 struct ProgramResult {
     int exitCode = -1;  ///< -1 where a signal ended it
     std::string out;
@@ -24,14 +24,15 @@ struct ProgramResult {
 /// tick1star with the reference solution in a terminal of its own: Ctrl-C typed there reaches it.
 class Tick1StarOnTerminal {
 public:
-    /// @param environment  "NAME=value", before what is set already; "NAME=" as good as unsets it.
+    /// @param environment  "NAME=value", before the existing variables; "NAME=" unsets a variable
+    ///                     in effect.
     Tick1StarOnTerminal(std::vector<std::string> arguments, std::vector<std::string> environment,
                         int columns = 80, int lines = 24);
     ~Tick1StarOnTerminal();
     Tick1StarOnTerminal(const Tick1StarOnTerminal&) = delete;
     Tick1StarOnTerminal& operator=(const Tick1StarOnTerminal&) = delete;
 
-    /// Waits for what the program writes next; empty at its end.
+    /// Waits for the program's next output; empty at its end.
     [[nodiscard]] std::string read() const;
     /// Everything up to the program's end.
     [[nodiscard]] std::string readAll() const;

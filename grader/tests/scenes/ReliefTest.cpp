@@ -1,5 +1,5 @@
-// With the reference solution, letters H stand out of the test map's sphere and letters L sink in,
-// whichever of the relief scene's four lights shines.
+// With the reference solution, letters H are raised on the test map's sphere and letters L sunk,
+// under each of the relief scene's four lights.
 #include <raytracer/io/SceneReader.h>
 #include <raytracer/scene/Scene.h>
 
@@ -17,7 +17,7 @@ namespace {
 constexpr int kWidth = 2048;
 constexpr int kHeight = 1024;
 
-/// A place on the outer edge of a letter, and the side to which that edge looks.
+/// A place on the outer edge of a letter, and the direction of that edge.
 struct Edge {
     int x, y;       // texels from the letter's middle
     double dx, dy;  // to the outside; y upwards
@@ -37,7 +37,7 @@ Vector3 directionOf(int column, int row) {
 
 class Relief : public ::testing::Test {
 protected:
-    /// How much more light an edge gets than the smooth sphere would; 0 where it gets none.
+    /// How much brighter an edge is than the smooth sphere; 0 without light.
     [[nodiscard]] double gainAt(const Vector3& direction, const PointLight& light) const {
         const auto& sphere = dynamic_cast<const BumpySphere&>(*scene_.objects().at(0));
         const Vector3 position = sphere.centre() + direction * sphere.radius();
@@ -55,7 +55,7 @@ TEST_F(Relief, RaisesHAndLowersLInEachOfTheFourLights) {
     for (const PointLight& light : scene_.pointLights()) {
         int edgesSeen = 0;
         for (int row = 1; row < 5; ++row)
-            for (int column = 4; column < 8; ++column) {  // those that face the camera
+            for (int column = 4; column < 8; ++column) {  // columns that face the camera
                 const bool isH = (row + column) % 2 == 0;
                 for (const Edge& edge : isH ? kEdgesOfH : kEdgesOfL) {
                     const double facing =

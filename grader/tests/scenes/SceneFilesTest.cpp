@@ -1,4 +1,4 @@
-// The scenes are what their comments say.
+// Checks the scenes' comments.
 
 #include <raytracer/io/SceneReader.h>
 #include <raytracer/render/Renderer.h>
@@ -95,7 +95,7 @@ bool isHidden(const Scene& scene, const Vector3& from, const Vector3& target) {
     return hit && hit->distance < towards.magnitude();
 }
 
-/// Calls `visit(point)` all over the part of the floor that is in the picture.
+/// Calls `visit(point)` for points all over the visible part of the floor.
 template <typename Visit>
 void forFloorPoints(Visit visit) {
     for (int i = -20; i <= 20; ++i)

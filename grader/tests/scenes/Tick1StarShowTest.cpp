@@ -1,4 +1,4 @@
-// What tick1star shows besides its picture: preview, trace, normals, comparison.
+// Output of tick1star besides its picture: preview, trace, normals, comparison.
 #include "Program.h"
 
 #include <raytracer/io/ImageReader.h>

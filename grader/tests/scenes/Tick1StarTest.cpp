@@ -32,7 +32,7 @@ protected:
         return testing::runTick1Star(arguments, folder_.path());
     }
 
-    /// Renders a scene small and quickly, with a seed; gives the file's bytes.
+    /// Renders a scene small and fast, with a seed; returns the file's bytes.
     std::string render(const std::string& scene, std::vector<std::string> more) const {
         std::vector<std::string> arguments{
             "-i",    kSceneFiles + scene, "-o", file("a.png"),   "--seed", "7", "-r",
@@ -126,7 +126,7 @@ TEST_F(Tick1Star, WritesLinearColoursThatGiveThePicture) {
     }
 }
 
-TEST_F(Tick1Star, IsSilentWhereNobodyWatches) {
+TEST_F(Tick1Star, IsSilentWithoutATerminal) {
     const ProgramResult result =
         run({"-i", kSceneFiles + "lens-grid.xml", "-o", file("a.png"), "-r", "16x12"});
 
@@ -154,7 +154,7 @@ TEST_F(Tick1Star, RemindsOnlyOfTheStubsOfTheScenesOwnOption) {
     EXPECT_EQ(said("bump-mapping.xml", "--quiet"), "");
 }
 
-// One ray from the eye and one to the middle of the light: nothing is left to chance.
+// One ray from the eye and one to the centre of the light: no randomness.
 TEST_F(Tick1Star, RendersWithoutLensAndWithHardShadowsWhereAskedTo) {
     const std::string first = render("bump-mapping.xml", {"--pinhole"});
     EXPECT_EQ(render("bump-mapping.xml", {"--pinhole", "--seed", "8"}), first);

@@ -122,7 +122,7 @@ TEST_F(OnTheNetwork, ShowsReportsInAFrameOfTheirOwnMaking) {
     EXPECT_EQ(report->get_header_value("Referrer-Policy"), "no-referrer");
 }
 
-/// A connection of something that does not know the token.
+/// A connection without the token.
 class Stranger {
 public:
     explicit Stranger(int port) {
@@ -140,7 +140,7 @@ public:
     void say(std::string_view text) const {
         static_cast<void>(send(socket_, text.data(), text.size(), MSG_NOSIGNAL));
     }
-    /// True where the session ended the connection within so long.
+    /// True if the session ended the connection within this time.
     [[nodiscard]] bool isEnded(int milliseconds) const {
         pollfd waiting{socket_, POLLIN, 0};
         char byte = 0;

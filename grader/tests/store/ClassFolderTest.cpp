@@ -97,7 +97,7 @@ TEST_F(ClassFolder, IsReadWithoutAStoreToo) {
     EXPECT_FALSE(Store::isIn(out_.path())) << "reading makes none";
 }
 
-TEST_F(ClassFolder, LeavesOutASubmissionWhoseFolderSomebodyRemoved) {
+TEST_F(ClassFolder, LeavesOutASubmissionWhoseFolderWasRemoved) {
     writeResult("ann", Verdict::awarded);
     writeResult("bob", Verdict::awarded);
     Store store{out_.path()};

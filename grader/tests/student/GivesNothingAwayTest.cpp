@@ -32,7 +32,7 @@ std::string withoutSpace(const std::string& text) {
     return packed;
 }
 
-/// The statements of a piece of code that are long enough to be recognised as copied.
+/// Adds the statements that are long enough to recognise a copy.
 void addStatements(const std::string& code, std::set<std::string>& statements) {
     constexpr std::size_t kLong = 30;
     std::istringstream lines{code};
@@ -42,14 +42,14 @@ void addStatements(const std::string& code, std::set<std::string>& statements) {
     }
 }
 
-/// What stands between a file's marks, as it is.
+/// The text between a file's marks.
 std::string betweenMarks(const std::string& text, const std::string& task) {
     const std::size_t from = text.find("// TASK " + task + " begin");
     const std::size_t to = text.find("// TASK " + task + " end");
     return text.substr(from, to - from);
 }
 
-/// Everything that the framework says, which some mistakes repeat, without space.
+/// The framework's text without white space; some mistakes repeat parts of it.
 std::string frameworkText() {
     std::string text;
     const fs::path folder = fs::path{TICKER_SOURCE_DIR} / "student_template/framework/src";
@@ -58,8 +58,8 @@ std::string frameworkText() {
     return text;
 }
 
-/// Lines of the model answer and of the mistakes made from it, but for what the stubs and the
-/// framework have, too.
+/// Lines of the model answer and of the mistakes made from it, except lines of the stubs and the
+/// framework.
 std::set<std::string> secretStatements() {
     std::set<std::string> secret;
     std::set<std::string> known;

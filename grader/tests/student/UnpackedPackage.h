@@ -10,18 +10,18 @@
 
 namespace ticker::tests {
 
-/// The students' package, made and unpacked in a folder of its own.
+/// The students' package, made and unpacked in a temporary folder.
 class UnpackedPackage {
 public:
     UnpackedPackage();
 
-    /// The folder in which ./check stands.
+    /// The folder that contains ./check.
     [[nodiscard]] std::filesystem::path folder() const;
     /// All files in it.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
-    /// Runs a command in the folder, in a jail where there is nothing but the system's programs and
-    /// this folder: no network, no home, no variable of ours.
+    /// Runs a command in the folder, in a jail with only the system's programs and this folder: no
+    /// network, no home, none of our variables.
     [[nodiscard]] CommandResult runAlone(const std::string& command) const;
 
 private:

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One package and one build for all tests, which go on from one another as a student does: each
-// begins by putting its own two files there.
+// One package and one build for all tests, as for a student: each test first writes its own two
+// files.
 class PackageAlone : public ::testing::Test {
 protected:
     static const tests::UnpackedPackage& package() {
@@ -80,7 +80,7 @@ TEST_F(PackageAlone, PassesTheModelAnswer) {
     EXPECT_EQ(checked.output.find("The first time"), std::string::npos) << checked.output;
 }
 
-/// The lines that ./check prints to be typed.
+/// The commands that ./check suggests.
 std::vector<std::string> commandsIn(const std::string& output) {
     std::vector<std::string> commands;
     std::istringstream lines{output};
@@ -99,7 +99,7 @@ TEST_F(PackageAlone, NamesACommandForThePictureOfEachOption) {
         const tests::CommandResult ran = package().runAlone(command + " -r 64x48 --seed 1");
         EXPECT_EQ(ran.status, 0) << command << "\n" << ran.output;
     }
-    // Option 1's picture must be right for a student who solved nothing else.
+    // Option 1's picture must be right for a student who solved only option 1.
     put("Renderer.cpp", tests::readFile("student_template/exercise/Renderer.cpp"));
     const tests::CommandResult alone = package().runAlone("./check --quick");
     const std::vector<std::string> command = commandsIn(alone.output);

@@ -19,7 +19,7 @@ inline std::string readFile(const std::string& name) {
     return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
-/// Every Markdown file of the project, but for what builds and tools put there.
+/// Every Markdown file of the project, except those that builds and tools create.
 inline std::vector<std::filesystem::path> documents() {
     const std::set<std::string> foreign{"build", "out", "node_modules"};
     std::vector<std::filesystem::path> found;

@@ -10,9 +10,9 @@
 
 namespace ticker::tests {
 
-/// Answers with the solution that the test program itself is linked with (`solution_reference`,
-/// say), in the same process, over the same bytes that a sandboxed probe would see. For tests only:
-/// a solution that crashes takes the test with it.
+/// Answers with the solution that is linked into the test program (`solution_reference`, say), in
+/// the same process, with the same bytes that a sandboxed probe would see. For tests only: a
+/// solution that crashes ends the test.
 class LocalExaminee final : public probe::Examinee {
 public:
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {

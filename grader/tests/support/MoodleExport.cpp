@@ -13,7 +13,7 @@
 namespace ticker::tests {
 namespace {
 
-// As Moodle's clean_filename(): control characters and & < > " ` | ' : \ / go.
+// As Moodle's clean_filename(): removes control characters and & < > " ` | ' : \ /.
 std::string cleaned(const std::string& name) {
     std::string result;
     for (const char c : name)

@@ -29,8 +29,8 @@ struct MoodleLayout {
     bool blind = false;               ///< names hidden: "Participant_123_..."
 };
 
-/// What the export holds, named as mod/assign's download_submissions() names it, characters that
-/// Moodle drops from file names dropped.
+/// The files of the export, named as by mod/assign's download_submissions(), without the characters
+/// that Moodle removes from file names.
 [[nodiscard]] std::vector<NamedBytes> moodleExport(const std::vector<MoodleStudent>& students,
                                                    const MoodleLayout& layout = {});
 

@@ -10,8 +10,8 @@
 namespace ticker::tests {
 namespace {
 
-// As PHP's fputcsv: quotes around whatever holds one of these; a quote after a backslash stays
-// single.
+// As PHP's fputcsv: quotes around fields with one of these characters; a quote after a backslash
+// stays single.
 std::string writtenLikePhp(const std::string& field) {
     if (field.find_first_of(" ,\"\\\n\r\t") == std::string::npos) return field;
     std::string text = "\"";
@@ -31,7 +31,7 @@ std::string line(const std::vector<std::string>& fields) {
     return text + "\n";
 }
 
-/// Reads one field and what ends it.
+/// Reads one field and its separator.
 std::string takeField(std::string_view& text) {
     std::string field;
     if (!text.empty() && text.front() == '"') {
@@ -163,7 +163,7 @@ std::map<std::string, MoodleAssignment::Row> MoodleAssignment::upload(std::strin
             record.grade = wanted;
             record.gradedAt = now;
         }
-        // A column of comments that stands first is never found.
+        // Moodle does not find a column of comments in the first place.
         if (!stale && feedback > 0) record.feedback = rows[i].at(feedback);
     }
     return fared;

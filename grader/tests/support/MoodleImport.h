@@ -11,7 +11,7 @@
 
 namespace ticker::tests {
 
-/// What Moodle knows of one participant of an assignment.
+/// Moodle's record of one participant of an assignment.
 struct MoodleRecord {
     std::string grade = {};               ///< empty: none yet; a number, or a word of the scale
     std::time_t gradedAt = 0;             ///< of the grade
@@ -20,7 +20,7 @@ struct MoodleRecord {
     std::vector<std::string> files = {};  ///< feedback files, by path
 };
 
-/// An assignment as Moodle keeps it, which writes worksheets and takes them back: after
+/// An assignment in Moodle, which writes worksheets and reads them back: after
 /// mod/assign/feedback/offline (importgradeslib.php, locallib.php) and feedback/file
 /// (importziplib.php) of Moodle 4.
 class MoodleAssignment {
@@ -34,25 +34,25 @@ public:
     bool wantsFiveParts = false;  ///< before 4.1.10: a folder of feedback ends in an underscore
     std::map<int, MoodleRecord> records = {};  ///< by participant
 
-    /// The worksheet as downloaded. In a team assignment each of `students` is a person and
-    /// `group` the team.
+    /// The worksheet as downloaded. In a team assignment each of `students` is a person and `group`
+    /// is the team.
     [[nodiscard]] std::string worksheet(const std::vector<MoodleStudent>& students) const;
 
-    /// How a row of an uploaded worksheet fared.
+    /// Outcome of a row of an uploaded worksheet.
     enum class Row { taken, sameGrade, noGrade, stale, locked, outOfRange, unknownPerson };
 
-    /// Takes a worksheet. @return One entry for each row, by what stands under Identifier.
-    /// @throws std::runtime_error where Moodle would refuse the whole file.
+    /// Reads a worksheet. @return  One entry for each row, by the value of Identifier.
+    /// @throws std::runtime_error if Moodle would refuse the whole file.
     std::map<std::string, Row> upload(std::string_view csv, std::time_t now);
 
-    /// Takes one file of a feedback zip. @return False if Moodle finds no participant for it.
+    /// Reads one file of a feedback zip. @return  False if Moodle finds no participant for it.
     bool uploadFeedback(const std::string& path);
 };
 
 /// The records of a CSV file, read as PHP's fgetcsv does.
 [[nodiscard]] std::vector<std::vector<std::string>> readLikePhp(std::string_view csv);
 
-/// Some moment of the past, as worksheets spell it.
+/// A moment of the past in the format of worksheets.
 [[nodiscard]] std::string moodleDate(std::time_t when);
 
 }  // namespace ticker::tests

@@ -9,7 +9,7 @@
 
 namespace ticker::tests {
 
-/// What a command wrote, stdout and stderr together, and how it ended.
+/// Output of a command, stdout and stderr together, and its exit status.
 struct CommandResult {
     int status = -1;  ///< 128 where a signal ended it
     std::string output;

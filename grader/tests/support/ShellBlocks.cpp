@@ -8,7 +8,7 @@
 namespace ticker::tests {
 namespace {
 
-/// The reason why a fence's block is not run; empty where it has none.
+/// The reason why a fence's block is not run; empty without a reason.
 std::string skipOf(const std::string& fence, const std::string& where) {
     static const std::regex kFence{R"re(```sh( skip="([^"]+)")?)re"};
     std::smatch match;

@@ -6,13 +6,13 @@
 
 namespace ticker::tests {
 
-/// What stands in a Markdown file between ```sh and ```.
+/// The text between ```sh and ``` in a Markdown file.
 struct ShellBlock {
     std::string where;     ///< "docs/for-tickers.md:7"
-    std::string commands;  ///< as they are written, with line ends
-    std::string skip;      ///< why no test can run it, from ```sh skip="..."; empty: it is run
+    std::string commands;  ///< as written, with line ends
+    std::string skip;      ///< why no test can run it, from ```sh skip="..."; empty: tests run it
 
-    /// How many commands these are: lines, less comments and continuations.
+    /// Number of commands: lines without comments and continuations.
     [[nodiscard]] int count() const;
 };
 
@@ -21,8 +21,8 @@ struct ShellBlock {
 /// @throws std::runtime_error if a fence is not closed, or has an unknown option.
 [[nodiscard]] std::vector<ShellBlock> shellBlocks(const std::string& name);
 
-/// A bash script that runs the commands of the blocks that can be run, ends with the first one that
-/// fails and then says where it stands.
+/// A bash script that runs the commands of the blocks that tests can run. It ends with the first
+/// failure and prints its place.
 [[nodiscard]] std::string scriptOf(const std::vector<ShellBlock>& blocks);
 
 /// One line for each block that no test runs: where, how many commands, why.

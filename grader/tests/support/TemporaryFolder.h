@@ -10,7 +10,7 @@
 
 namespace ticker::tests {
 
-/// An empty folder, gone with its owner.
+/// An empty folder, removed with its owner.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -27,7 +27,7 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    /// Writes a file below, with its folders.
+    /// Writes a file in it, and creates its folders.
     void write(const std::string& name, std::string_view bytes) const {
         const std::filesystem::path file = path_ / name;
         std::filesystem::create_directories(file.parent_path());

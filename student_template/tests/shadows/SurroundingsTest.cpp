@@ -1,5 +1,4 @@
-// Objects that cast no shadow on a point: those behind the light, another light, the surface
-// itself. light does not matter.
+// Objects that cast no shadow on a point: an object behind the light, another light, the surface.
 #include <questions/RayGeometry.h>
 #include <shadows/Room.h>
 #include <shadows/SoftShadows.h>

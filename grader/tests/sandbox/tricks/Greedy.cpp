@@ -57,7 +57,7 @@ int segvHandlerLoop(std::span<char*>) {
     return kSucceeded;
 }
 
-// Tells over descriptor 3, if it is there, that it has begun.
+// Reports its start over descriptor 3, if it exists.
 int sleepForever(std::span<char*>) {
     if (write(3, "x", 1) < 0) write(1, ".", 1);
     while (true)

@@ -68,7 +68,7 @@ int streamDescriptor(std::span<char*>) {
                : 1;
 }
 
-// What it reads from descriptor 3 goes to descriptor 4.
+// Copies from descriptor 3 to descriptor 4.
 int copyDescriptors(std::span<char*>) {
     char text[64] = {};
     const ssize_t size = read(3, text, sizeof text);

@@ -89,7 +89,7 @@ int makeLink(std::span<char*> arguments) {
     return result(symlink("/etc/passwd", arguments[0]) == 0);
 }
 
-// Says on every descriptor that all went well.
+// Writes a forged report of success to every descriptor.
 int forgeReport(std::span<char*>) {
     ticker::jail::Report forged;
     forged.kind = ticker::jail::Report::Kind::exited;

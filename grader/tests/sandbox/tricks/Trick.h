@@ -15,11 +15,11 @@ struct Trick {
     int (*run)(std::span<char*> arguments);
 };
 
-/// Honest things that must keep working.
+/// Ordinary actions that must keep working.
 [[nodiscard]] std::span<const Trick> honest();
-/// Uses up time, memory, processes, output, files.
+/// Exhausts time, memory, processes, output, files.
 [[nodiscard]] std::span<const Trick> greedy();
-/// Reaches for processes, files, the network, the kernel.
+/// Tries to access processes, files, the network, the kernel.
 [[nodiscard]] std::span<const Trick> prying();
 
 }  // namespace tricks

@@ -1,5 +1,5 @@
-// sandbox_tricks MARKER TRICK [ARGUMENT...]: does one trick; the marker lets a test find what is
-// left of it.
+// sandbox_tricks MARKER TRICK [ARGUMENT...]: does one trick; the marker lets a test find its
+// remaining processes.
 #include "Trick.h"
 
 #include <string_view>

@@ -15,13 +15,13 @@ using tasks::bump::Answers;
 using tasks::bump::Parametrisation;
 using tasks::bump::Questionnaire;
 
-/// What a function answers to all questions.
+/// A function's answers to all questions.
 inline Answers answersOf(const Questionnaire& asked, selftest::NormalFunction function) {
     selftest::FunctionExaminee examinee(std::move(function));
     return Answers(asked, examinee.ask(asked.questions()));
 }
 
-/// One point of the map: where it lies, the texel, and the slopes there, heights per texel.
+/// One point of the map: its place, its texel, and its slopes in heights per texel.
 struct Place {
     double u;
     double v;
@@ -31,11 +31,11 @@ struct Place {
     double alongV;
 };
 
-/// The reference's: axis upwards, u from the back, not mirrored.
+/// The reference's parametrisation: axis upwards, u from the back, not mirrored.
 inline const tasks::bump::Parametrisation kParametrisation({0.0, 1.0, 0.0}, 0.5, false);
 
-/// A submission that tilts in proportion to the slope: `times` has a factor for either axis, 1 for
-/// right.
+/// A submission whose tilts are proportional to the slope: `times` has a factor for either axis, 1
+/// is right.
 inline selftest::NormalFunction inProportion(
     const Parametrisation& parametrisation,
     std::function<std::pair<double, double>(const Place&, const selftest::Point&)> times) {

@@ -1,4 +1,4 @@
-// How code behaves at special points, read from answers made by hand.
+// Behaviour of code at special points, from answers made by hand.
 #include <grader/tasks/bump/questions/Conduct.h>
 #include <grader/tests/tasks/bump/Asked.h>
 
@@ -19,7 +19,7 @@ const Ball kBall{{1.0, 2.0, 3.0}, 2.0};
 const Vector3 kNothing{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
 
 /// One ordinary question of four points, then all of a conduct plan, answered by the smooth sphere
-/// but for what a test changes.
+/// with a test's changes.
 struct Made {
     Questionnaire questionnaire;
     std::size_t ordinary;
@@ -47,7 +47,7 @@ struct Made {
     [[nodiscard]] Conduct read() const { return readConduct(plan, Answers(questionnaire, run)); }
 };
 
-/// What comes of one odd normal at the second point of a question.
+/// The conduct after one odd normal at the second point of a question.
 Conduct after(const std::function<std::size_t(const Made&)>& question, const Vector3& normal,
               std::uint32_t exceptions = 0) {
     Made made;

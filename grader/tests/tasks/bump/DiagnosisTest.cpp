@@ -1,4 +1,4 @@
-// What is said of an examination's numbers, one number at a time.
+// Diagnoses from an examination's numbers, one number at a time.
 #include <grader/tasks/bump/words/Diagnosis.h>
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace ticker::tasks::bump {
 namespace {
 
-/// A right submission's.
+/// The examination of a right submission.
 Examination fine() {
     Examination examination;
     examination.conduct.largestTilt = 0.5;
@@ -153,7 +153,7 @@ TEST(Diagnose, ListsWhatIsVisible) {
     EXPECT_EQ(idsAfter([](Examination& e) {
                   e.conduct.largestTilt = 0.0;
                   e.conduct.notFinite.count = 1.0;
-                  e.mapIgnored = true;  // which may come of what is missing
+                  e.mapIgnored = true;  // may be a consequence of missing answers
               }),
               Ids{"bump.not-finite"});
     EXPECT_EQ(idsAfter([](Examination& e) {

@@ -1,4 +1,4 @@
-// Which ramps count, and what the last run hints at, on submissions made by hand.
+// Which ramps are judged, and the hints of the last run, for submissions made by hand.
 #include <grader/tasks/bump/Examination.h>
 #include <grader/tests/tasks/bump/Asked.h>
 
@@ -14,7 +14,7 @@ using tests::Place;
 
 using Times = std::function<std::pair<double, double>(const Place&, const selftest::Point&)>;
 
-/// Coarse ramps' judgement, known again by its shape.
+/// A judgement of coarse ramps, recognisable by its shape.
 RampJudgement coarse(RampKind kind, bool responds) {
     RampJudgement judgement;
     judgement.kind = kind;
@@ -28,7 +28,7 @@ RampJudgement coarse(RampKind kind, bool responds) {
     return judgement;
 }
 
-/// Whether coarse ramps count beside those of a submission.
+/// Whether coarse ramps replace those of a submission.
 bool coarseCounts(const Times& times, RampKind kind, bool responds) {
     const MainPlan plan = planMain(8);
     const Answers answers =
@@ -43,7 +43,7 @@ TEST(Examine, TakesCoarseRampsWhereTheyTellMore) {
     EXPECT_TRUE(coarseCounts(level, RampKind::right, true));
     EXPECT_TRUE(coarseCounts(level, RampKind::slopeUIgnored, false));
     EXPECT_FALSE(coarseCounts(level, RampKind::silent, false));
-    // Tilted, but nothing tells the place.
+    // Tilted, but without a known place.
     const Times strange = [](const Place& at, const selftest::Point&) {
         return std::pair(std::sin(50.0 * at.u), std::cos(70.0 * at.v));
     };

@@ -1,4 +1,4 @@
-// Steps of u and v: rounded coarsely, or as wide as a texel of the other axis.
+// Steps of u and v: coarse rounding, or steps as wide as a texel of the other axis.
 #include <grader/tasks/bump/questions/Fineness.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
@@ -68,7 +68,7 @@ TEST(ReadFineness, SeesThatNeighboursTiltOppositeWays) {
         }
 }
 
-// Central differences over three texels to either side are 0 on the zigzag, but for clamped
+// Central differences over three texels to either side are 0 on the zigzag, except with clamped
 // neighbours at the seam.
 TEST(ReadFineness, LeavesOutWhatOnlyTheSeamShows) {
     const selftest::NormalFunction wide = [](const selftest::Point& point) {
@@ -125,8 +125,8 @@ double interpolated(const raytracer::HeightMap& map, double u, double v) {
     return std::lerp(alongRow(r), alongRow(r + 1), y - r);
 }
 
-// One step for both axes, as in `const double eps = 1.0 / width`: on a map that is much taller
-// than wide, that is many texels along v. On any picture it is one or two.
+// One step for both axes, as in `const double eps = 1.0 / width`: many texels along v on a map that
+// is much taller than wide, but one or two on any picture.
 TEST(JudgeBump, PassesDifferencesOverTheSameShareOfEitherAxis) {
     for (const bool ofWidth : {false, true})
         for (std::uint64_t seed = 1; seed <= 8; ++seed) {

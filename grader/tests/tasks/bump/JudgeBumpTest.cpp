@@ -103,7 +103,7 @@ TEST(JudgeBump, RefusesALeanThatIsMoreThanThatOfChords) {
 }
 
 TEST(JudgeBump, ListsNoFindingTwice) {
-    // Half as long everywhere: at points that show, and at those that do not.
+    // Half of the right length everywhere, at visible and at hidden points.
     const TaskJudgement judgement =
         judge([](const Point& point) { return 0.5 * modelNormal({}, Mistake::none, point); });
     const auto listed = std::count_if(judgement.findings.begin(), judgement.findings.end(),
@@ -111,7 +111,7 @@ TEST(JudgeBump, ListsNoFindingTwice) {
     EXPECT_EQ(listed, 1);
 }
 
-TEST(JudgeBump, CallsATiltThatNobodyCanSeeFlat) {
+TEST(JudgeBump, CallsAnInvisibleTiltFlat) {
     Reading reading;
     reading.strength = 1e-5;
     EXPECT_EQ(firstId(judge(reading)), "bump.flat");
@@ -158,7 +158,7 @@ TEST(JudgeBump, TellsACentreThatIsMissingByASphereAtTheOrigin) {
     EXPECT_NE(judgement.findings.front().hint.find("centre is not subtracted"), std::string::npos);
 }
 
-/// Code that takes each point for the one on the other side of the centre, along these axes.
+/// Code that replaces each point by its reflection along these axes.
 TaskJudgement judgeReflected(Mistake mistake, const Vector3& signs, bool turnedBack) {
     return judge([=](const Point& point) {
         const auto reflected = [&](const Vector3& v) {

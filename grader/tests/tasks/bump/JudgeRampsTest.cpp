@@ -1,4 +1,4 @@
-// What ramps say, on tilts and on submissions made by hand.
+// Judgements of ramps, for tilts and submissions made by hand.
 #include <grader/tasks/bump/questions/RampLadder.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Spread.h>
@@ -11,8 +11,8 @@
 namespace ticker::tasks::bump {
 namespace {
 
-/// The tilts at one place: along u and along v on either ramp; `bowU` and `bowV` are what a bow
-/// tilts, as a multiple of its ramp.
+/// The tilts at one place: along u and along v on either ramp; `bowU` and `bowV` are the bows'
+/// tilts as multiples of their ramps'.
 struct Tilts {
     double onU = 1.0;
     double onV = 1.0;

@@ -18,13 +18,13 @@ inline TaskJudgement judge(const selftest::NormalFunction& function, std::uint64
     return tasks::judgeBump(examinee, seed);
 }
 
-/// The judgement of a reading with a mistake in it.
+/// The judgement of a reading with a mistake.
 inline TaskJudgement judge(const selftest::Reading& reading,
                            selftest::Mistake mistake = selftest::Mistake::none) {
     return judge([&](const Point& point) { return modelNormal(reading, mistake, point); });
 }
 
-/// The id of the first finding, empty for none.
+/// Id of the first finding; empty without findings.
 inline std::string firstId(const TaskJudgement& judgement) {
     return judgement.findings.empty() ? std::string{} : judgement.findings.front().id;
 }

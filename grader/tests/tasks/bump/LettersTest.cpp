@@ -36,7 +36,7 @@ TEST(LetterMap, RaisesTheStrokesOfAnHAndLowersThoseOfAnL) {
     EXPECT_EQ(letterHeight(80 + 50, 142), -1.0) << "its foot";
     EXPECT_EQ(letterHeight(80 + 50, 120), 0.0) << "beside it";
     EXPECT_EQ(letterHeight(20, 40), 0.0) << "no letter";
-    // An even slope of six texels, whose middle is the stroke's edge at 14.
+    // An even slope of six texels; its middle is the stroke's edge at 14.
     for (int column = 11; column <= 16; ++column)
         EXPECT_NEAR(letterHeight(column, 120), 0.5 + (column + 0.5 - 14.0) / 6.0, 1e-12);
     EXPECT_NEAR(letterHeight(20, 90), 0.5 + 0.5 / 6.0, 1e-12) << "the upper edge, at 10";
@@ -55,14 +55,14 @@ TEST(LetterMap, IsGreyBetween) {
     EXPECT_EQ(at(639, 319), 128);
 }
 
-/// Whose stroke is at the place.
+/// The letter whose stroke is at the place.
 Letter letterOf(const Place& at) {
     return letterAt(at.column, at.row);
 }
 
 using Times = std::function<std::pair<double, double>(const Place&)>;
 
-/// Questions, answers and what every axis answers with the same strength everywhere.
+/// Questions, answers and a response of equal strength everywhere.
 struct AskedLetters {
     Questionnaire questionnaire;
     LetterPlan plan;
@@ -114,8 +114,8 @@ void expectAll(const EdgeCount& edges, int EdgeCount::*kind, int least, int most
     EXPECT_LE(edges.crossed(), most);
 }
 
-// Of four letters of each kind; an H has four upright edges but for its bar, an L two and one at
-// its foot.
+// Four letters of each kind: an H has four upright edges, except at its bar; an L has two and one
+// at its foot.
 TEST(ReadLetters, FindsEveryEdgeOfARightReading) {
     const LetterReading reading = AskedLetters(right).read();
     expectAll(reading.h.alongU, &EdgeCount::right, 265, 295);
@@ -141,7 +141,7 @@ TEST(ReadLetters, TellsTheAxisAndTheLetterThatAreWrong) {
     EXPECT_FALSE(other.good());
 }
 
-// Of a tenth of the change at an edge; the other letters set the scale.
+// A tenth of the change at an edge; the other letters set the scale.
 TEST(ReadLetters, TakesHardlyAnyChangeForNone) {
     const auto faint = [](double times) {
         return AskedLetters([=](const Place& at) {

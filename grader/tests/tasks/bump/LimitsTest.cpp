@@ -1,4 +1,4 @@
-// Where an agreement ends.
+// Limits of the agreements.
 #include <grader/tasks/bump/answers/Letters.h>
 #include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/questions/Regions.h>

@@ -1,4 +1,4 @@
-// The pure parts of the judgement, each by itself.
+// The pure functions of the judgement, one by one.
 #include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/answers/Poisson.h>
 #include <grader/tasks/bump/questions/Tilt.h>

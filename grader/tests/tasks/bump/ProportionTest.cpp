@@ -42,7 +42,7 @@ selftest::NormalFunction modelOf(const selftest::Reading& reading) {
     };
 }
 
-/// Floor, forward differences, u = 0 at the back; `heightAt` says what lies anywhere.
+/// Floor, forward differences, u = 0 at the back; `heightAt` gives the height at any place.
 template <typename HeightAt>
 selftest::NormalFunction withHeights(HeightAt heightAt) {
     return [heightAt](const Point& point) {
@@ -100,7 +100,7 @@ TEST(ReadProportion, SeesSlopesThatAreCutOffOrBent) {
         << "steeper than maps are";
 }
 
-/// Turns the normal down the slope by an angle that `angleOf` makes of it.
+/// Turns the normal down the slope by the angle `angleOf(slope)`.
 selftest::NormalFunction turnedBy(double (*angleOf)(double)) {
     return [angleOf](const Point& point) {
         selftest::Reading reading;

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-// What is asked about: rows and columns of large maps, greys, spheres behind the eye.
+// Properties of the questions: rows and columns of large maps, greys, spheres behind the eye.
 namespace ticker::tests {
 namespace {
 
@@ -22,7 +22,7 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// How far down the map a point lies, 0 to 1, and how far to the right.
+/// Place of a point on the map, 0 to 1: down, and to the right.
 double down(const Point& point) {
     return std::acos(std::clamp(smooth(point).y, -1.0, 1.0)) / std::numbers::pi;
 }
@@ -31,7 +31,7 @@ double along(const Point& point) {
     return 0.5 + std::atan2(n.x, -n.z) / (2.0 * std::numbers::pi);
 }
 
-/// Inverted along u where `isWrong` says so, else right.
+/// Inverted along u if `isWrong` says so, right elsewhere.
 template <typename IsWrong>
 TaskJudgement judgeInvertedWhere(IsWrong isWrong) {
     return judge([=](const Point& point) {

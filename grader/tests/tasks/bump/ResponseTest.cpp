@@ -1,4 +1,4 @@
-// How tilts answer slopes, measured on tilts that are made by hand.
+// Responses to slopes, measured on tilts made by hand.
 #include <grader/tasks/bump/answers/Response.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Spread.h>

@@ -42,7 +42,7 @@ Vector3 asPrinted(const Signs& signs, const Point& point) {
     return (n + bu * n.cross(pv) + bv * n.cross(pu)).normalised();
 }
 
-/// What must come of it: with P_u x P_v = h n the printed form is n - h B_u P_u + h B_v P_v, and a
+/// The expected result: with P_u x P_v = h n the printed form is n - h B_u P_u + h B_v P_v, and a
 /// raised bump needs a minus before both true slopes.
 std::string expected(const Signs& signs) {
     const double h = signs.pu * signs.pv;  // right x down = +n in this left-handed world

@@ -1,4 +1,4 @@
-// Slopes as pictures have them, and the regions of a large map, on submissions made by hand.
+// Slopes as in pictures, and the regions of a large map, for submissions made by hand.
 #include <grader/tasks/bump/questions/Regions.h>
 #include <grader/tasks/bump/questions/Slopes.h>
 #include <grader/tests/tasks/bump/Asked.h>
@@ -120,7 +120,7 @@ TEST(SlopeAlong, IsTheDifferenceOverTwoTexels) {
     EXPECT_NEAR(slopeAlongV(map, 0.9, 1.0), 10.5 * kByte, 1e-12);
 }
 
-/// Gentle ramps' judgement of a submission that is in proportion, with this factor.
+/// Gentle ramps' judgement of a submission with proportional tilts and this factor.
 RampJudgement judgementOf(double strength) {
     RampJudgement judgement;
     judgement.shape = {1001, 801, 90, 0.5, 2.0};
@@ -192,7 +192,7 @@ TEST(ReadRegions, NamesNoneWhereAllStrayOrThoseAreSpreadOut) {
     EXPECT_FALSE(mixed.u.rows);
 }
 
-// A fiftieth of what ramps of this slope tilt by.
+// A fiftieth of the ramps' tilt at this slope.
 TEST(ReadRegions, CallsATiltThatIsTooWeakAStray) {
     EXPECT_GT(regionsOf(right, 1.0 / 0.0205).u.asOnRamps, 0.94);
     EXPECT_LT(regionsOf(right, 1.0 / 0.0185).u.asOnRamps, 0.1);

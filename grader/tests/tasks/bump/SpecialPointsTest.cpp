@@ -32,7 +32,7 @@ TEST(BumpSpecialPoints, ShowsNoControlCharacterOfAnException) {
     EXPECT_LT(judgement.reason.size(), 600U);
 }
 
-/// A right reading but for what `special` makes of some points.
+/// A right reading, changed by `special` at some points.
 template <typename IsSpecial, typename Special>
 TaskJudgement judgeWith(IsSpecial isSpecial, Special special) {
     return judge([=](const Point& point) {

@@ -11,7 +11,7 @@
 
 namespace ticker::tests {
 
-/// What a getNormalAt sees of BumpySphere; many of them fit into one program.
+/// Replaces BumpySphere for a getNormalAt; many of them fit into one program.
 class StandIn : public raytracer::Sphere {
 public:
     explicit StandIn(const selftest::Point& point)

@@ -15,7 +15,7 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
         text.replace(at, from.size(), to);
 }
 
-/// The file's text as the member of a class that many files can have their own of.
+/// Writes the file's text as a class member, so that many files fit into one program.
 void writeClass(std::ostream& out, const std::string& name, std::string text) {
     out << "namespace raytracer {\nclass " << name << " : public ticker::tests::StandIn {\n"
         << "public:\n    using StandIn::StandIn;\n"

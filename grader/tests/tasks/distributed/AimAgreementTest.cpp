@@ -12,7 +12,7 @@ namespace {
 
 using Purpose = ShadowQuestion::Purpose;
 
-/// So many points under a far light, each with rays to these places beside its centre.
+/// Points under a far light, each with rays to these places beside its centre.
 bool together(int points, int rays, const std::function<Vector3(int ray, Draw&)>& aim) {
     ShadowByHand made;
     made.ask(Purpose::farLight, {{0.0, 120.0, 0.0}});
@@ -79,7 +79,7 @@ TEST(SamplesOf, LeavesOutAnExtraRayToTheCentre) {
     EXPECT_EQ(samplesOf(point, made.last().settings()).size(), 10U) << "as many as asked for";
     made.cast({0.2, 6.0, 0.1});
     EXPECT_EQ(samplesOf(point, made.last().settings()).size(), 10U) << "the central one is extra";
-    point.lines[0][0].miss = 1.005e-4;  // its ray starts 1e-4 from the point
+    point.lines[0][0].miss = 1.005e-4;  // the ray starts 1e-4 from the point
     EXPECT_EQ(samplesOf(point, made.last().settings()).size(), 9U);
     point.lines[0][0].miss = 1.02e-4;
     EXPECT_EQ(samplesOf(point, made.last().settings()).size(), 10U);

@@ -1,4 +1,4 @@
-// The numbers in what is said of aims, by hand.
+// The numbers in findings about aims, by hand.
 #include <grader/tasks/shadows/answers/ShadowAims.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tests/tasks/distributed/ShadowByHand.h>

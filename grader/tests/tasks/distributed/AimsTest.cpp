@@ -28,7 +28,7 @@ Vector3 polarHelper(Draw& draw) {
            radius;
 }
 
-/// Likewise, where it depends on the direction from the point to the light.
+/// Aim points that depend on the direction from the point to the light.
 using FacingAim = std::function<Vector3(Draw&, const Vector3&)>;
 
 /// Three far lights, seen along the given directions; ten rays from 67 points each.
@@ -68,8 +68,8 @@ AimVerdict judge(const Aim& aim, const Vector3& axis, std::uint64_t seed) {
     return judgeFacing([&](Draw& draw, const Vector3&) { return aim(draw); }, axis, seed);
 }
 
-/// A disc that faces the point; `radiusOf` makes of a number between 0 and 1 the distance from its
-/// middle.
+/// A disc that faces the point; `radiusOf` maps a number between 0 and 1 to the distance from its
+/// centre.
 FacingAim facingDisc(const std::function<double(double)>& radiusOf, double squeezed = 1.0) {
     return [=](Draw& draw, const Vector3& axis) {
         const Perpendiculars sides = perpendicularsOf(axis);
@@ -91,7 +91,7 @@ TEST(JudgeAims, AcceptsTheBallFromEveryDirection) {
     }
 }
 
-// An axis along the line of sight once made the feet's extent along it look like a wrong shape.
+// Along the line of sight feet have no extent: an axis there must not count as a wrong shape.
 TEST(JudgeAims, AcceptsTheBallSeenAlongAnAxisAndNearIt) {
     for (const Vector3& axis :
          {Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 1e-3}.normalised(),
@@ -106,7 +106,7 @@ TEST(JudgeAims, TellsTheOriginalsHelperFromTheBall) {
                   AimShape::polarHelper);
 }
 
-// Which axis has the poles is a matter of taste: y points up in this world, z in textbooks.
+// The axis of the poles is free: y points up in this world, z in textbooks.
 TEST(JudgeAims, TellsTheOriginalsHelperWhateverItsPoles) {
     const Aim poleUp = [](Draw& draw) {
         const Vector3 aim = polarHelper(draw);
@@ -124,8 +124,8 @@ TEST(JudgeAims, TellsTheOriginalsHelperWhateverItsPoles) {
     }
 }
 
-// Whoever draws the angle from the pole evenly, but the radius as in a ball or none at all, is
-// nearer to an even spread than the helper is.
+// Code that draws the polar angle evenly, but the radius as in a ball or constant, is nearer to an
+// even density than the helper is.
 TEST(JudgeAims, AcceptsEvenAnglesFromAnyPolesWhateverTheRadius) {
     Draw draw{14, 2};
     unsigned seed = 400;
@@ -173,7 +173,7 @@ TEST(JudgeAims, CatchesACubeADiscAndHalfABall) {
     }
 }
 
-// Ten rays of one point along one line once passed, since over all points they fill the ball.
+// Over all points, ten rays of one point along one line fill the ball.
 TEST(JudgeAims, WantsANewDirectionForEachRay) {
     for (const double low : {0.0, -1.0}) {
         int ray = 0;
@@ -203,7 +203,7 @@ TEST(JudgeAims, AcceptsRaysThatSpread) {
     }
 }
 
-// A pool of ten aims says little about where aims lie: nothing may be concluded.
+// A pool of ten aims says little about their distribution: no conclusion is allowed.
 TEST(JudgeAims, FindsFewAimsThatComeAgain) {
     Draw pool{15, 2};
     std::vector<Vector3> aims;
@@ -274,7 +274,7 @@ TEST(JudgeAims, CatchesFacingShapesThatAreNoLight) {
         }
 }
 
-/// Evenly over what faces the point: `inside` says of places from -1 to 1 which are part of it.
+/// Evenly over a shape that faces the point: `inside` tells which places from -1 to 1 belong to it.
 FacingAim facingShape(const std::function<bool(double, double)>& inside) {
     return [inside](Draw& draw, const Vector3& axis) {
         const Perpendiculars sides = perpendicularsOf(axis);
@@ -288,8 +288,8 @@ FacingAim facingShape(const std::function<bool(double, double)>& inside) {
     };
 }
 
-// None passes as a light; a square does not pass as one of another size, either. An ellipse may: by
-// as much as it differs from points that crowd at two poles.
+// None passes as a light, and a square does not pass as a square of another size. An ellipse may,
+// because it resembles points that crowd at two poles.
 TEST(JudgeAims, NamesWhatIsNotRoundByItsShape) {
     const std::vector<FacingAim> wrong{
         facingShape([](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 0.7071; }),
@@ -306,8 +306,8 @@ TEST(JudgeAims, NamesWhatIsNotRoundByItsShape) {
         }
 }
 
-// Points of a lattice turned by an angle of its own for each point: all ten lines of a point turn
-// alike when their angles are taken four times (the plastic number's lattice).
+// Points of a lattice turned by a random angle for each point: all ten lines of a point have the
+// same direction when their angles are multiplied by four (the plastic number's lattice).
 TEST(JudgeAims, AcceptsLinesThatDependOnEachOtherWithinAPoint) {
     int ray = 0;
     double turn = 0.0;

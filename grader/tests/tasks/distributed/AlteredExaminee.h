@@ -10,9 +10,9 @@
 
 namespace ticker::tasks {
 
-/// Passes questions on to another examinee with altered settings, and hides its rays where told:
-/// mistakes of size, count and plane, and code whose rays cannot be seen, without compiling
-/// anything.
+/// Passes questions on to another examinee with altered settings, and hides its rays if told to:
+/// simulates mistakes of size, count and plane, and code whose rays are not visible, without
+/// compiling.
 class AlteredExaminee final : public probe::Examinee {
 public:
     using Alter = std::function<void(raytracer::RenderSettings&)>;

@@ -50,8 +50,8 @@ TEST(DistributedCatalogue, HasEveryFindingOfTheContract) {
         EXPECT_EQ(findings.count(id), 1U) << id;
 }
 
-// A correct reading fails with a chance below 1e-9; a mistake that only statistics see is missed
-// with less than 1e-3.
+// A correct reading fails with a chance below 1e-9; a mistake that only statistics show is missed
+// with a chance below 1e-3.
 TEST(DistributedCatalogue, IsJudgedAsItSays) {
     MistakeRun run;
     run.fraction = 0.05;
@@ -63,7 +63,8 @@ TEST(DistributedCatalogue, IsJudgedAsItSays) {
         EXPECT_TRUE(row.asExpected) << tableOf(rows);
 }
 
-// Light by sample fits looser readings, too, at the handout's settings; under others only its own.
+// At the handout's settings light for each sample fits looser readings, too; at others only its
+// own.
 TEST(DistributedCatalogue, DoesNotWarnOfSettingsThatAreFollowed) {
     std::vector<corpus::Entry> entries = catalogue();
     std::erase_if(entries, [](const auto& entry) { return entry.name != "accepted-per-sample"; });

@@ -55,7 +55,7 @@ TEST(JudgeDepthOfField, AcceptsARightLogAndShowsItsPlots) {
     EXPECT_EQ(judge(RightLog(0.1)).apertureFactor, 0.5);
 }
 
-TEST(JudgeDepthOfField, FindsPixelsThatNobodySet) {
+TEST(JudgeDepthOfField, FindsPixelsThatWereNotSet) {
     RightLog unset;
     for (const std::size_t i : {6U, 7U}) {
         unset.log.pixels[i].rays.clear();
@@ -71,7 +71,7 @@ TEST(JudgeDepthOfField, FindsPixelsThatNobodySet) {
 TEST(JudgeDepthOfField, JudgesNoRaysWhereSomeCannotBeSeen) {
     RightLog hidden;
     hidden.log.pixels[3].rays.clear();
-    EXPECT_TRUE(judge(hidden).rayless) << "set, though nobody saw how";
+    EXPECT_TRUE(judge(hidden).rayless) << "set, but by unknown code";
     EXPECT_EQ(idsOf(judge(hidden)), "");
     RightLog black;
     black.log.pixels[3].colour = {};

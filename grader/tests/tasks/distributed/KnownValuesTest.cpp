@@ -1,4 +1,4 @@
-// Values that geometry alone knows, and what is said of them.
+// Values that follow from geometry alone, and their findings.
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tests/tasks/distributed/ShadowByHand.h>
@@ -30,8 +30,8 @@ Parts partsOf(const PointLog& point, const ShadowLog& log, std::size_t light = 0
     return {ambientPart(point, log.scene()), terms.diffuse, terms.specular};
 }
 
-/// Eight points of each zone in every kind of question, each of the colour that `colourOf(parts,
-/// zone, purpose)` gives.
+/// Eight points of each zone in every kind of question, each with the colour `colourOf(parts, zone,
+/// purpose)`.
 template <typename ColourOf>
 ArithmeticVerdict judge(const ColourOf& colourOf, bool viewerIsEye = false) {
     ShadowByHand made;
@@ -150,7 +150,7 @@ TEST(CheckValues, TellsTheHighlightFromTheDiffuseLight) {
     EXPECT_EQ(diffuse.finding->message.find("the highlight"), std::string::npos);
 }
 
-// A larger light, or corners of a cube, meet what stands beside the light as well.
+// A larger light, or corners of a cube, meet objects beside the light as well.
 TEST(CheckValues, LeavesOpenWhatTakesAPartOfTheLightAway) {
     const auto keeps = [](double share) {
         return judge([=](const Parts& p, Zone zone, Purpose purpose) {
@@ -199,8 +199,8 @@ TEST(Near, HoldsInEveryChannel) {
     }
 }
 
-/// Points of one light of which rays are open and blocked, each of the colour that `colourOf` makes
-/// of the share that is open.
+/// Points of one light with open and blocked rays, each with a colour that `colourOf` computes from
+/// the open share.
 template <typename ColourOf>
 std::optional<Finding> judgeRays(const ColourOf& colourOf,
                                  const std::vector<int>& opens = {0, 2, 4, 6, 8, 10}) {

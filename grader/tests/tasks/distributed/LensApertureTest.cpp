@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kAmount = 0.2;  // of the handout
 constexpr int kSide = 20;
-// Of 400 independent points: n r^(n-1) - (n-1) r^n = 1e-11, solved for 1 - r.
+// 400 independent points: n r^(n-1) - (n-1) r^n = 1e-11, solved for 1 - r.
 constexpr double kShortfall = 0.06936778;
 
-/// A pixel with a ray from every point of a lattice of 20 x 20, -1 to 1 as `place` puts it.
+/// A pixel with a ray from every point of a lattice of 20 x 20, which `place` maps from [-1, 1].
 template <typename Place>
 void fill(LensByHand& lens, const Place& place) {
     LensPixel& pixel = lens.pixel();
@@ -141,7 +141,7 @@ TEST(Aperture, IsUnevenAndNotUsedInPartWhereItsPointsCrowdInTheMiddle) {
     }
     lens.pixel().rays = {rayThrough({-0.2, -0.2, 0.0}, {0.0, 0.0, 3.5}),
                          rayThrough({0.2, 0.2, 0.0}, {0.0, 0.0, 3.5})};
-    // Points that come again count once.
+    // Repeated points count once.
     int next = 0;
     for (LensPixel& pixel : lens.log.pixels)
         for (LensRay& ray : pixel.rays)
@@ -158,7 +158,7 @@ TEST(Aperture, SaysNothingOfTwoRays) {
     EXPECT_FALSE(checkAperture(lens.log).finding);
 }
 
-// Aims that come again count once: forty points, each ten times, may fill less.
+// Repeated points count once: forty points, ten times each, may fill less.
 TEST(Aperture, CountsPointsThatComeAgainOnce) {
     LensByHand lens;
     for (int pixel = 0; pixel < 10; ++pixel)

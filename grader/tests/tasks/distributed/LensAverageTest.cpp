@@ -22,7 +22,7 @@ ColourRGB meanOf(const Values& values) {
     return sum / static_cast<double>(values.size());
 }
 
-/// Two pixels with these rays, each of the colour that `colourOf` makes of them.
+/// Two pixels with these rays, each with a colour that `colourOf` computes from them.
 template <typename ColourOf>
 std::optional<Finding> judgeAverageOf(const ColourOf& colourOf, int asked = 2) {
     LensByHand lens;

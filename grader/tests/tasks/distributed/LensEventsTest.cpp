@@ -1,4 +1,4 @@
-// Which rays go through the lens, and which pixel each belongs to.
+// Which rays go through the lens, and to which pixel each belongs.
 #include <grader/tests/tasks/distributed/LensByHand.h>
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ struct Events {
         event.x = x;
         event.y = y;
     }
-    /// `one(x, y)` for every pixel of both repetitions, rows from the top.
+    /// Calls `one(x, y)` for every pixel of both repetitions, rows from the top.
     template <typename One>
     void everywhere(const One& one) {
         for (ask = 0; ask < 2; ++ask)
@@ -62,12 +62,12 @@ struct Events {
     [[nodiscard]] LensLog read() const { return readLensLog(asked, answer); }
 };
 
-/// A lens point by which a ray is known again.
+/// A lens point that identifies a ray.
 Vector3 mark(std::uint32_t ask, int x, int y) {
     return {0.001 * x + 0.01 * y + 0.1 * ask, 0.0, 0.0};
 }
 
-/// Every pixel has the `count` rays that bear its mark.
+/// Expects that every pixel has `count` rays with its own mark.
 void expectOwnRays(const LensLog& log, std::size_t count = 1) {
     ASSERT_EQ(log.pixels.size(), 16U);
     EXPECT_EQ(log.rayCount(), 16 * count);
@@ -143,7 +143,7 @@ TEST(LensEvents, TakesRaysThatWereCastWhereNoneWasTraced) {
     Events events;
     events.everywhere([&](int x, int y) {
         events.cast(mark(events.ask, x, y));
-        events.cast({0.0, 0.0, 4.0 - 0.009});  // from the ball: no lens ray
+        events.cast({0.0, 0.0, 4.0 - 0.009});  // from the ball: not a lens ray
         events.at(Kind::pixelSet, x, y);
     });
     expectOwnRays(events.read());

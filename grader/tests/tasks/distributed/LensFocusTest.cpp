@@ -129,7 +129,7 @@ TEST(Focus, HasCoordinatesThatWereNotDividedByZ) {
 }
 
 /// A pixel of a picture as wide as the handout's; its rays go to these places on the focal plane,
-/// in sides of the pixel.
+/// in units of the pixel's side.
 LensLog logOf(LensByHand& lens, const std::vector<Vector3>& places) {
     const double side = 2.0 * std::tan(std::numbers::pi / 8.0) / lens.asked.settings.width * kPlane;
     LensPixel& pixel = lens.pixel();
@@ -144,7 +144,7 @@ TEST(Focus, MayBeAnywhereInThePixelWhereItWasSoInAFinePicture) {
     LensByHand inside;
     LensLog log = logOf(inside, {{0.49, 0.0, 0.0}, {-0.49, 0.49, 0.0}, {0.0, -0.49, 0.0}});
     EXPECT_TRUE(staysInPixels(log));
-    EXPECT_EQ(idOf(checkFocus(log)), "dof.focal-plane") << "nobody has looked at a fine picture";
+    EXPECT_EQ(idOf(checkFocus(log)), "dof.focal-plane") << "no fine picture was asked for";
     log.mayAntialias = true;
     const auto smooth = checkFocus(log);
     ASSERT_EQ(idOf(smooth), "dof.antialiased");

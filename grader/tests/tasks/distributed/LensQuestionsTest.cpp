@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kRays = 64;
 
-// Of random rays through the lens, how many hit something.
+// How many random rays through the lens hit something.
 int hitsOf(const raytracer::Scene& scene, const Vector3& focus, double halfWidth,
            std::mt19937& engine) {
     std::uniform_real_distribution<double> side{-halfWidth, halfWidth};
@@ -41,8 +41,8 @@ void expectBoth(const probe::RenderQuestion& question, double halfWidth, std::mt
     EXPECT_GE(whole, 1);
 }
 
-// Leaving the misses out of a mean shows nowhere else. A pixel of which a fifth of the lens sees
-// nothing looks whole to 64 rays with a chance of 1e-6.
+// A mean without the misses shows only here. A pixel for which a fifth of the lens sees nothing
+// looks whole to 64 rays with a chance of 1e-6.
 TEST(LensQuestions, HaveHitsAndMissesInOnePixelAndWholePixelsToo) {
     std::mt19937 engine{22};
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {

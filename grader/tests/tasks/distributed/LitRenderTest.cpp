@@ -1,5 +1,5 @@
-// Shadows inside of a render: what a thread cast between the beginning and the end of a point's
-// lighting has to explain the point's colour.
+// Shadows inside of a render: the rays of a thread between the beginning and the end of a point's
+// lighting must explain the point's colour.
 #include <grader/tasks/shadows/checks/LitRender.h>
 #include <grader/tests/support/LocalExaminee.h>
 #include <grader/tests/tasks/distributed/AlteredExaminee.h>
@@ -19,7 +19,7 @@ probe::RenderAnswer render(const probe::RenderQuestion& asked, probe::Examinee& 
     return std::get<probe::RenderAnswer>(examinee.ask({asked}).answers.at(0));
 }
 
-/// The reference's picture, its events changed.
+/// The reference's picture with changed events.
 template <class Change>
 std::optional<std::string> differenceAfter(const Change& change) {
     tests::LocalExaminee reference;
@@ -42,7 +42,7 @@ TEST(LitRender, IsAsTheQuestionsWhereRenderIsRight) {
         }
 }
 
-// Whether a colour depends on its own rays can be seen only where some arrive and some do not.
+// Whether a colour depends on its own rays shows only if some rays arrive and some do not.
 TEST(LitRender, HasManyPointsAtTheEdgesOfShadows) {
     tests::LocalExaminee reference;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -90,7 +90,7 @@ TEST(LitRender, SaysThatRaysStartAtAnotherThreadsPoint) {
     EXPECT_NE(said->find("start at another point"), std::string::npos) << *said;
 }
 
-// A recursion of one's own that lights points without `illuminate`.
+// The code's own recursion, which lights points without `illuminate`.
 TEST(LitRender, CountsTheRaysOfARecursionOfOnesOwn) {
     const auto unobserved = [](int kept) {
         return [=](probe::RenderAnswer& answer) {

@@ -22,7 +22,7 @@ const PenumbraQuestion& question() {
     return drawn;
 }
 
-/// How many of 3000 aims all over a ball of this size around the light are in sight.
+/// How many of 3000 aims in a ball of this size around the light are visible.
 int openAims(const probe::LitPoint& point, double size) {
     const Surfaces surfaces{question().question.scene};
     const Vector3 light = question().question.scene.pointLights[0].position();
@@ -67,15 +67,15 @@ TEST(PenumbraQuestion, AsksWhereAPartIsSeenAndBesideTheRim) {
     EXPECT_EQ(places[3], 3);
 }
 
-/// What `shareOf(share of the light in sight)` of all light gives, call by call.
+/// Share of the light that one call gives, for the visible share of the light.
 using ShareOf = std::function<double(double open, Draw& draw)>;
 
 struct Answer {
     double size = 1.0;               ///< of the light
-    double beyond = 0.0;             ///< share where nothing should be seen
-    bool beyondAlways = false;       ///< in every call, not in one alone
-    double within = 0.1;             ///< where the outermost part should be
-    bool darkRim = false;            ///< nothing where the outermost twentieth should be
+    double beyond = 0.0;             ///< share at places that should see nothing
+    bool beyondAlways = false;       ///< in every call instead of one
+    double within = 0.1;             ///< share at places that should see the outermost part
+    bool darkRim = false;            ///< no light at places that should see the outermost twentieth
     raytracer::ColourRGB more{0.0};  ///< added to every colour
     AimShape shape = AimShape::ball;
 };
@@ -106,7 +106,7 @@ PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {},
     return checkPenumbra(question, answer);
 }
 
-/// The share of so many rays that arrive.
+/// The share of this many rays that arrive.
 ShareOf rays(int count) {
     return [count](double open, Draw& draw) {
         int arrive = 0;
@@ -144,7 +144,7 @@ TEST(CheckPenumbra, NamesTheSizeOfALightThatIsTooSmallOrTooLarge) {
     }
 }
 
-// At more than twice the bound a tenth is missed with a chance far below 1e-9.
+// At more than twice the bound an error of a tenth is missed with a chance far below 1e-9.
 TEST(CheckPenumbra, FindsALightThatIsATenthTooSmallOrTooLargeWhateverIsDrawn) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         const PenumbraQuestion drawn = drawPenumbraQuestion(seed);
@@ -208,8 +208,8 @@ TEST(CheckPenumbra, WantsNumbers) {
     EXPECT_EQ(idOf(judge(rays(10), {.more = ColourRGB{nan}}).finding), "shadow.wrong");
 }
 
-/// What code gives that takes a tenth of the light away for each ray that meets the occluder.
-/// @param times  How often a ray counts again that meets the sphere in it as well.
+/// Values of code that subtracts a tenth of the light for each ray that meets the occluder.
+/// @param times  How often a ray counts again if it also meets the sphere inside.
 std::vector<PenumbraSamples> lessEveryHit(double times) {
     const PenumbraQuestion& asked = question();
     raytracer::SceneDescription small = asked.question.scene;
@@ -255,7 +255,7 @@ PenumbraSamples samplesOf(std::size_t calls, double mean, double variance) {
     return samples;
 }
 
-/// Bernstein's bound for one place, of which the share is known to 0.0025.
+/// Bernstein's bound for one place whose share is known to 0.0025.
 double boundOf(double variance, double calls) {
     const double risk = std::log(2.0 / 1e-11);
     return std::sqrt(2.0 * (1.5 * variance + 0.002) / calls * risk) + risk / calls / 3.0 + 0.0025;
@@ -272,7 +272,7 @@ TEST(WorstExcess, IsInUnitsOfBernsteinsBound) {
         std::sqrt(2.0 * 2.0 * 0.032 / 1000.0 * risk) + risk / 1000.0 / 3.0 + 2.0 * 0.0025;
     EXPECT_NEAR(worstExcess(two, {0.3, 0.4}, {0.5, 0.5}), 0.1 / both, 1e-9);
     EXPECT_NEAR(worstExcess(two, {0.4, 0.4}, {0.5, 0.5}), 0.05 / boundOf(0.02, 1000.0), 1e-9);
-    // Every share moves towards a half, as with a larger light.
+    // Every share moves towards one half, as with a larger light.
     const double wider = std::sqrt(2.0 * 2.0 * 0.04 * 0.032 / 1000.0 * risk) +
                          0.2 * risk / 1000.0 / 3.0 + 2.0 * 0.2 * 0.0025;
     EXPECT_NEAR(worstExcess(two, {0.3, 0.5}, {0.3, 0.7}), 2.0 * 0.2 * 0.05 / wider, 1e-9);

@@ -1,4 +1,4 @@
-// What the judgement of pictures computes, by hand on pictures of a few pixels.
+// Numbers of the judgement of pictures, by hand for pictures of a few pixels.
 #include <grader/tasks/lens/Pictures.h>
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace ticker::tasks {
 namespace {
 
-// What a pixel's variance is at least: see Pictures.cpp.
+// Smallest variance of a pixel, see Pictures.cpp.
 constexpr double kFloor = 3.0 / 4096 * 0.25 / 50.0;
 
 /// Three renders of two pixels, of means 2 and 4 and variances 1 and 4.
@@ -56,7 +56,8 @@ TEST(ReadPictures, WeighsChannelsAndTakesMeanAndVarianceOverTheRepetitions) {
 TEST(MatchOf, IsTheMatchedFilter) {
     const ExpectedPicture expected{{1.0, 1.0}, {1.5, 9.0}, {0.5, 1.0}};
     // Variances of the means: 1.5 / 3 + 0.5 = 1 and 9 / 3 + 1 = 4; differences 1 and 4, weights 1
-    // and 1; the renders' answers are 3, 6 and 9, of variance 9, where 1 + 4 was expected.
+    // and 1; the filter's results for the renders are 3, 6 and 9, with variance 9, where 1 + 4 is
+    // expected.
     const Match match = matchOf(threeRenders(), expected, {2.0, 5.0});
     EXPECT_NEAR(match.z, (1.0 + 3.0) / std::sqrt(1.0 + 4.0), 1e-12);
     EXPECT_NEAR(match.amplitude, 4.0 / 5.0, 1e-12);

@@ -29,9 +29,9 @@ probe::RenderAnswer answerOf(const probe::RenderQuestion& asked, std::uint64_t s
     return answer;
 }
 
-// With these seeds some pixels show a thing to one lens ray in thousands: the oracle had not met
-// it, and took the pixel for one without noise. The largest statistic of a stage is beyond 0.8 of
-// its limit with a chance of about 1e-4.
+// With these seeds some pixels show an object to one lens ray in thousands: an oracle that misses
+// it takes the pixel for one without noise. The largest statistic of a stage exceeds 0.8 of its
+// limit with a chance of about 1e-4.
 TEST(Pictures, GiveAPixelThatSeldomSeesSomethingItsNoise) {
     for (const std::uint64_t seed : {4U, 21U, 52U}) {
         const probe::RenderQuestion asked = drawPictureQuestion(seed);
@@ -77,8 +77,8 @@ probe::RenderAnswer sharedAnswerOf(const probe::RenderQuestion& asked, std::uint
     return answer;
 }
 
-// Such points are a warning where rays can be seen. Where they cannot, the noise of all pixels goes
-// together: that may pass, or is for a person, but is no failure.
+// With visible rays such points are a warning. Otherwise the noise of all pixels is correlated: the
+// submission may pass or need review, but must not fail.
 TEST(Pictures, DoNotFailWhereThePixelsNoiseGoesTogether) {
     int forAPerson = 0;
     for (const bool onePicture : {false, true})
@@ -92,7 +92,7 @@ TEST(Pictures, DoNotFailWhereThePixelsNoiseGoesTogether) {
     EXPECT_GT(forAPerson, 0);
 }
 
-// A picture that has nothing to do with the scene is no noise, whatever its pixels share.
+// A picture that is unrelated to the scene is not noise, even if its pixels are correlated.
 TEST(Pictures, FailWhereNothingIsDrawn) {
     for (const bool onePicture : {false, true}) {
         const probe::RenderQuestion asked = drawPictureQuestion(3, onePicture);

@@ -8,7 +8,7 @@
 
 namespace ticker::tasks {
 
-/// A floor under a light, half a sphere's shadow: two of four rays arrive.
+/// A floor under a light, with half of a sphere's shadow: two of four rays arrive.
 struct ReplayCase {
     ShadowQuestion question;
     ShadowLog log;
@@ -31,7 +31,7 @@ struct ReplayCase {
     }
     ReplayCase& operator=(const ReplayCase&) = delete;
 
-    /// Asks with rays to these x of the light's height and answers with this colour.
+    /// Asks with rays to these x at the light's height, and answers with this colour.
     void answer(const std::vector<double>& aims, const ColourRGB& colour) {
         probe::IlluminateAnswer given;
         given.state = probe::AnswerState::answered;

@@ -1,4 +1,4 @@
-// What a replay leaves open, and how much: its ends by hand.
+// The intervals of a replay: their ends by hand.
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tests/tasks/distributed/ReplayCase.h>
 
@@ -29,7 +29,7 @@ bool fitsIn(ReplayCase made, const ColourRGB& colour, ShadowArithmetic arithmeti
     return fits(made.log.points[0], made.log.scene(), made.log.settings(), reading, arithmetic);
 }
 
-/// Exactly the colours `at(share)` of these shares fit.
+/// Expects that exactly the colours `at(share)` of these shares fit.
 template <typename At>
 void expectShares(const ReplayCase& made, ShadowArithmetic arithmetic, double least, double most,
                   const At& at, const ShadowReading& reading = {}) {
@@ -147,7 +147,7 @@ public:
         line().toLight = Sight::open;
     }
     [[nodiscard]] AimLine& line() { return made_.log.points[0].lines[0][0]; }
-    /// In full light, from a light in this direction and at this distance.
+    /// Its full light, from a light in this direction and at this distance.
     [[nodiscard]] ColourRGB lit(const Vector3& towards, double distance) const {
         const raytracer::SceneDescription& scene = made_.log.scene();
         const PhongTerms terms = phongTerms(scene.planes[0].material, scene.pointLights[0],

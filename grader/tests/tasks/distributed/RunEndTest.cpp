@@ -7,7 +7,7 @@
 namespace ticker::tasks {
 namespace {
 
-/// Never answers, and ends as told.
+/// Never answers, and ends in a given way.
 class Silent final : public probe::Examinee {
 public:
     explicit Silent(probe::ProcessEnd::Kind kind) : kind_(kind) {}

@@ -55,7 +55,7 @@ public:
         line.toLight = line.endlessly = Sight::open;
         return point.lines[light].emplace_back(line);
     }
-    /// So many rays round the light, each half of its radius off.
+    /// Rays round the light, each at half of its radius.
     void castRing(int rays, std::size_t light = 0, double off = 0.2) {
         const Vector3 centre = logs_.back().scene().pointLights[light].position();
         for (int i = 0; i < rays; ++i)

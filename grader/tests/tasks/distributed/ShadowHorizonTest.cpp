@@ -7,12 +7,12 @@
 namespace ticker::tasks {
 namespace {
 
-/// Twenty points that look at a light 0.1 above their floor, seen along the mirrored direction.
+/// Twenty points with a light 0.1 above their floor, seen along the mirrored direction.
 class Horizon {
 public:
     Horizon() { made_.ask(ShadowQuestion::Purpose::horizon, {{4.0, 0.1, 0.0}}); }
 
-    /// A point with so many rays above the horizon and below it, and the light of such a share.
+    /// A point with this many rays above and below the horizon, and the light of this share.
     Horizon& add(int above, int below, double share) {
         PointLog& point = made_.point();
         point.point.viewer = {-4.0, 0.1, 0.0};

@@ -1,4 +1,4 @@
-// What the questions of T2.1 promise, whatever the seed.
+// Properties of the questions of T2.1, for all seeds.
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>
@@ -32,7 +32,8 @@ Vector3 lightOf(const ShadowQuestion& drawn, std::size_t light = 0) {
     return drawn.question.scene.pointLights.at(light).position();
 }
 
-/// Whether a ball around the light can be seen as the zone says: all of it, nothing, or a part.
+/// Expects that a ball around the light is visible as the zone says: completely, not at all, or
+/// partly.
 void expectZone(const ShadowQuestion& drawn, std::size_t at, std::size_t light) {
     const Surfaces surfaces{drawn.question.scene};
     const probe::LitPoint& point = drawn.question.points[at];

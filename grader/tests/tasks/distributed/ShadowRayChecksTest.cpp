@@ -23,7 +23,7 @@ TEST(CheckFinite, WantsANumberInEveryChannel) {
     }
 }
 
-// Sums of endless channels may cancel to nothing.
+// Sums of infinite channels may cancel to NaN.
 TEST(CheckFinite, IsNotMisledByInfinitiesOfOneSign) {
     const double endless = std::numeric_limits<double>::infinity();
     ShadowByHand made;
@@ -88,8 +88,7 @@ TEST(CheckSmallPool, WantsAPersonWhereAFewAimsComeAgainInAnotherOrder) {
     EXPECT_FALSE(checkSmallPool({})) << "without rays nothing can be said";
 }
 
-/// Points of which each aims at the same `distinct` places, but for the last two: those are
-/// `moved` off.
+/// Points that all aim at the same `distinct` places, except the last two, which are `moved` away.
 std::optional<Finding> judgeFixed(int points, int distinct, double moved, double apart = 0.2) {
     ShadowByHand made;
     made.ask(Purpose::oneLight);

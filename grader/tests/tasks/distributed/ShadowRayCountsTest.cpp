@@ -69,7 +69,7 @@ TEST(RayCounts, RepeatWhereHalfAreEqualSomewhereOrSomeAtATenthOfThePlaces) {
     EXPECT_TRUE(counts.repeats(10));
 }
 
-/// A point under one light with so many rays, of which so many differ.
+/// A point under one light with `rays` rays, of which `distinct` differ.
 std::optional<Finding> judge(int rays, int distinct, bool fixed, double off = 0.2,
                              Purpose purpose = Purpose::oneLight) {
     ShadowByHand made;
@@ -114,7 +114,7 @@ TEST(CheckRayCounts, CallsOneRayAHardShadow) {
     }
 }
 
-/// Three lights; the last gets so many rays, of which so many differ.
+/// Three lights; the last gets `rays` rays, of which `distinct` differ.
 std::optional<Finding> judgeSeveral(int rays, int distinct, bool fixed = false) {
     ShadowByHand made;
     made.ask(Purpose::severalLights, {{0.0, 6.0, 0.0}, {3.0, 6.0, 0.0}, {0.0, 6.0, 3.0}});

@@ -1,4 +1,4 @@
-// Rays that start at another place than the point: what follows from that is not what went wrong.
+// Rays that start elsewhere than at the point: consequences of that are not the fault.
 #include <grader/tasks/JudgeDistributed.h>
 #include <grader/tests/support/LocalExaminee.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using raytracer::Vector3;
 
-/// The reference, but that its log has the shadow rays start elsewhere.
+/// The reference with shadow rays that start elsewhere in its log.
 class StartsElsewhere final : public probe::Examinee {
 public:
     using Start = std::function<Vector3(const probe::LitPoint&, const Vector3&)>;

@@ -1,4 +1,5 @@
-// What cannot be seen is judged by statistics in two stages: a failure counts where it comes again.
+// Code whose rays are not visible is judged by statistics in two stages: only a repeated failure
+// counts.
 #include <grader/tasks/JudgeDistributed.h>
 #include <grader/tests/support/LocalExaminee.h>
 #include <grader/tests/tasks/distributed/AlteredExaminee.h>
@@ -19,7 +20,7 @@ enum class Turn { right, wrong, silent };
 
 enum class Rays { hidden, beyondTheLog };
 
-/// The reference, whose light is too small where told; the first run is right.
+/// The reference, with a light that is too small in given runs; the first run is right.
 class Staged final : public probe::Examinee {
 public:
     Staged(std::vector<Turn> stages, Rays rays) : stages_(std::move(stages)), rays_(rays) {}
@@ -92,7 +93,7 @@ TEST(Stages, AskAPersonWhereNoAnswerComes) {
     }
 }
 
-// More rays than fit into the log are not all looked at: what they amount to is.
+// Rays beyond the log's capacity are judged by their results.
 TEST(Stages, JudgeTheResultsOfRaysThatTheLogHadNoRoomFor) {
     EXPECT_EQ(judge({Turn::right}, Rays::beyondTheLog).state, TaskState::passed);
     EXPECT_EQ(judge({Turn::wrong, Turn::wrong}, Rays::beyondTheLog).state, TaskState::failed);

@@ -48,7 +48,7 @@ TEST(SightAlong, IsNotStoppedByTheSurfaceThatItLeaves) {
     EXPECT_EQ(sight({4.0, 0.0, 0.0}, -kRight, 2.0), Sight::unsure);
 }
 
-// The ball's share of 2e-6 either way.
+// Within 2e-6 of the ball's radius, on either side.
 TEST(SightAlong, IsUnsureWhereRoundingDecides) {
     EXPECT_EQ(sight({0.0, 1.0 - 1e-6, 0.0}, kRight, 8.0), Sight::unsure) << "grazes from within";
     EXPECT_EQ(sight({0.0, 1.0 + 1e-6, 0.0}, kRight, 8.0), Sight::unsure) << "grazes from outside";

@@ -16,7 +16,7 @@ std::string firstOf(const TaskJudgement& judgement) {
 }
 
 // The reference, judged by its values and pictures alone. A correct submission fails a stage with a
-// chance below 1e-7, and has to fail two.
+// chance below 1e-7, and must fail two.
 TEST(UnseenRays, PassTheReferenceWithANote) {
     tests::LocalExaminee reference;
     AlteredExaminee blind{reference, nullptr, true};

@@ -19,7 +19,7 @@ namespace {
 
 using Table = std::span<const FindingText* const>;
 
-/// The rows of a task; what tasks share stands among the general ones.
+/// The rows of a task; findings that tasks share are among the general ones.
 std::string rowsOf(Table table) {
     const bool isGeneral = table.data() == kGeneralFindings.data();
     std::string rows = "| id | meaning |\n|---|---|\n";
@@ -29,7 +29,7 @@ std::string rowsOf(Table table) {
     return rows;
 }
 
-/// `document` with the table below `heading` made anew.
+/// `document` with a fresh table below `heading`.
 std::string withTable(const std::string& document, const std::string& heading, Table table) {
     const std::size_t begin =
         document.find("\n| id |", document.find("\n## " + heading + "\n")) + 1;

@@ -8,7 +8,7 @@
 namespace ticker::tasks::screenshot {
 namespace {
 
-/// A ramp with normal noise in every channel alike.
+/// A ramp with equal normal noise in every channel.
 Picture noisy(double deviation, std::uint64_t seed, double more = 0.0) {
     std::mt19937_64 generator{seed};
     std::normal_distribution<double> noise{0.0, 1.0};
@@ -22,8 +22,8 @@ Picture noisy(double deviation, std::uint64_t seed, double more = 0.0) {
     return picture;
 }
 
-// 300 pairs, each with a chance below 5e-4 by a bound that is far from sharp: more than one fails
-// with less than 0.01.
+// 300 pairs, each with a chance below 5e-4 by a conservative bound: more than one fails with a
+// chance below 0.01.
 TEST(Agreement, HoldsForHonestNoiseOfAnyStrength) {
     int failed = 0;
     for (std::uint64_t seed = 0; seed < 100; ++seed)

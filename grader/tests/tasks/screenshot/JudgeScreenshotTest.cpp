@@ -128,7 +128,7 @@ TEST(JudgeScreenshot, NotesASmallChangeOfColoursAndPasses) {
     EXPECT_EQ(judgement.findings[0].severity, Severity::note);
 }
 
-// As JPEG does: small errors in every pixel.
+// Small errors in every pixel, as in a JPEG.
 TEST(JudgeScreenshot, NotesSmallErrorsEverywhereAndPasses) {
     const Honest student{true};
     Picture picture = student->render(640, kSeed);
@@ -140,7 +140,7 @@ TEST(JudgeScreenshot, NotesSmallErrorsEverywhereAndPasses) {
     EXPECT_EQ(firstId(judgement), "screenshot.resaved");
 }
 
-// Scaling and JPEG's coarse colours change every pixel of a relief, a lost row moves most.
+// Scaling and JPEG's coarse colours change every pixel of a relief, a lost row moves most pixels.
 TEST(JudgeScreenshot, BlamesNobodyWhosePictureWasScaledOrLostARow) {
     const auto scaled = [](const ByteView& p) {
         return metrics::resized(p, 5 * p.width / 4, 5 * p.height / 4);
@@ -162,7 +162,7 @@ TEST(JudgeScreenshot, BlamesNobodyWhosePictureWasScaledOrLostARow) {
     EXPECT_FALSE(distributed.handIn(scaled(balls.view())).needsReview);
 }
 
-// A pointer of the mouse in a picture of the screen, where no window lies.
+// A mouse pointer in a picture of the screen, outside of all windows.
 TEST(JudgeScreenshot, CallsASmallThingInTheWayAnEdit) {
     const Honest student{true};
     Picture picture = student->render(640, kSeed);
@@ -179,7 +179,7 @@ TEST(JudgeScreenshot, SaysThatThePictureIsOneOfTheOldKitsWhereItLiesOnePixelLow)
     EXPECT_NE(judgement.findings[0].message.find("Java"), std::string::npos);
 }
 
-/// Ignores regions, as loops over settings().width do: an exception comes out of `Image::set`.
+/// Ignores regions, as loops over settings().width do: `Image::set` throws.
 class WholeFramesOnly final : public probe::Examinee {
 public:
     explicit WholeFramesOnly(probe::Examinee& inner) : inner_(inner) {}
@@ -206,7 +206,7 @@ TEST(JudgeScreenshot, PassesCodeThatRendersWholeFramesOnlyWithANote) {
     EXPECT_FALSE(judgement.needsReview);
 }
 
-/// Once it is asked for parts of the frame the machine has no memory left for the sandbox.
+/// When asked for parts of the frame, the machine has no memory left for the sandbox.
 class Unstartable final : public probe::Examinee {
 public:
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
@@ -228,8 +228,8 @@ TEST(JudgeScreenshot, SaysNothingAboutThePictureWhereWeFailed) {
     EXPECT_TRUE(judgement.findings.empty());
 }
 
-/// Every picture as a whole is a little brighter or darker than the last: one pattern of points
-/// for all pixels.
+/// Every picture is a little brighter or darker than the last: one pattern of points for all
+/// pixels.
 class OnePattern final : public probe::Examinee {
 public:
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {

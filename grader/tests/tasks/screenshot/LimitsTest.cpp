@@ -1,4 +1,4 @@
-// Where agreement ends and difference begins, by hand.
+// Limits between agreement and difference, by hand.
 #include <grader/tasks/screenshot/Agreement.h>
 #include <grader/tasks/screenshot/Relief.h>
 #include <grader/tasks/screenshot/Whole.h>

@@ -1,4 +1,4 @@
-// Only code that repeats itself under the same conditions says anything against a picture.
+// Only code that repeats its renders under equal conditions can disprove a picture.
 #include <grader/tasks/screenshot/Repetition.h>
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace ticker::tasks::screenshot {
 namespace {
 
-/// A number between 0 and 1 that follows from three.
+/// A pseudo-random number between 0 and 1 from three numbers.
 double noise(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
     std::uint64_t mixed = a * 0x9E3779B97F4A7C15U + b * 0xD1342543DE82EF95U + c + 1;
     for (int i = 0; i < 3; ++i)
@@ -18,7 +18,7 @@ double noise(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
     return static_cast<double>(mixed >> 11U) * 0x1p-53;
 }
 
-/// What a pixel of a render depends on.
+/// Everything on which a pixel of a render depends.
 struct Pixel {
     std::uint64_t run;
     std::uint64_t question;  ///< within the run

@@ -11,7 +11,7 @@
 namespace ticker::tasks::screenshot {
 namespace {
 
-/// Grey with noise in every channel alike, linear.
+/// Grey with equal noise in every channel, linear.
 class Noise {
 public:
     explicit Noise(std::uint32_t seed) : state_(seed) {}
@@ -24,7 +24,7 @@ private:
     std::uint32_t state_;
 };
 
-/// Renders another grey in each run; nothing once it has run out of them.
+/// Renders another grey in each run; nothing after the last one.
 class GreyCode final : public probe::Examinee {
 public:
     explicit GreyCode(std::vector<double> greys) : greys_(std::move(greys)) {}
@@ -53,7 +53,7 @@ private:
     std::size_t runs_ = 0;
 };
 
-/// What is said of a picture of grey 0.3 when the code renders these greys, one each time.
+/// Words about a picture of grey 0.3 if the code renders these greys, one in each run.
 struct Said {
     Verification verification;
     std::size_t runs;
@@ -73,7 +73,7 @@ Said say(const std::vector<double>& greys, bool isDeterministic = false) {
     return {verify(picture.view(), scene, 5), code.runs()};
 }
 
-/// A process that ends like this, and answers nothing.
+/// A process that ends in this way, and answers nothing.
 class Ending final : public probe::Examinee {
 public:
     explicit Ending(probe::ProcessEnd end) : end_(std::move(end)) {}
@@ -109,7 +109,7 @@ TEST(Verify, TellsOurFailureFromTheCodes) {
     EXPECT_EQ(verifyBlack(whole).why, "this code renders whole frames only, no part of one");
 }
 
-// Each agreement is missed with a chance of 5e-4, under seeds that are fixed.
+// An agreement is missed with a chance of 5e-4; the seeds are fixed.
 TEST(Verify, AsksOnceWhereTheWindowsAgree) {
     const auto [verification, runs] = say({0.3});
     EXPECT_EQ(verification.kind, Verification::Kind::same);

@@ -41,7 +41,7 @@ TEST(Windows, AreAFewThousandPixelsInsideTheFrameWithRoomToShift) {
             }
 }
 
-// What the tail bound needs: no pixel counts twice, and the second stage sees others.
+// The tail bound requires that no pixel counts twice, and that the second stage uses other pixels.
 TEST(Windows, HaveNoPixelTwice) {
     for (const int width : kWidths)
         for (std::uint64_t seed = 0; seed < 50; ++seed) {
