@@ -103,7 +103,7 @@ public:
     explicit Bench(Options options)
         : options_(std::move(options)),
           programs_(fs::read_symlink("/proc/self/exe").parent_path()),
-          kit_(programs_.parent_path() / "kit") {}
+          kit_(programs_.parent_path() / "kit" / defaultExercise().name) {}
 
     [[nodiscard]] std::vector<Figure> run() const {
         const double startUp = gradedSeconds("start", {"notAwarded/template-untouched"}, 1);
@@ -187,7 +187,7 @@ private:
 
     [[nodiscard]] Words bareCommand(const std::string& sample, std::size_t place) const {
         Words words{"/usr/bin/g++", "-O2", "-std=c++20", "-I" + (kit_ / "include").string()};
-        for (const std::string& file : theExercise().files()) {
+        for (const std::string& file : defaultExercise().files()) {
             const fs::path own = options_.root / "grader/corpus/samples/awarded" / sample / file;
             words.push_back((fs::exists(own) ? own : kit_ / "template" / file).string());
         }

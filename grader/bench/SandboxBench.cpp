@@ -61,7 +61,7 @@ std::vector<std::string> compileCommand(const build::Kit& kit, const fs::path& s
 
 std::vector<Figure> compiling(const sandbox::Sandbox& jail, const Options& options) {
     const build::Kit kit = build::Kit::besideProgram();
-    const fs::path source = options.project / theExercise().reference / kit.files().front();
+    const fs::path source = options.project / defaultExercise().reference / kit.files().front();
     const std::string text = readWhole(source);
     const build::JobFolder folder;
     const auto command = compileCommand(kit, source, folder.path() / "probe");

@@ -40,10 +40,10 @@ fs::path copyForEverybody(const fs::path& folder) {
 
 }  // namespace
 
-Kit Kit::besideProgram() {
+Kit Kit::besideProgram(const Exercise& exercise) {
     const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
     const fs::path installed = prefix / "lib" / "ticker" / "kit";
-    return at(fs::is_directory(installed) ? installed : prefix / "kit");
+    return at((fs::is_directory(installed) ? installed : prefix / "kit") / exercise.name);
 }
 
 Kit Kit::at(const fs::path& folder) {

@@ -1,20 +1,22 @@
 #ifndef TICKER_BUILD_KIT_H
 #define TICKER_BUILD_KIT_H
 
+#include <grader/exercise/Exercise.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace ticker::build {
 
-/// Everything that submissions are compiled and linked with, prebuilt in one folder
+/// Everything that submissions to an exercise are compiled and linked with, prebuilt in one folder
 /// (grader/build/kit).
 class Kit {
 public:
     /// The kit of the installation or build tree that the running program belongs to:
-    /// ../lib/ticker/kit or ../kit from its folder.
+    /// ../lib/ticker/kit/EXERCISE or ../kit/EXERCISE from its folder.
     /// @throws raytracer::Error (notGradable) if it is missing or incomplete.
-    [[nodiscard]] static Kit besideProgram();
+    [[nodiscard]] static Kit besideProgram(const Exercise& exercise = defaultExercise());
     /// @throws raytracer::Error (notGradable) if `folder` holds no kit.
     [[nodiscard]] static Kit at(const std::filesystem::path& folder);
 

@@ -29,7 +29,8 @@ public:
         std::string reason;
         for (int attempt = 1; attempt <= kTries; ++attempt) {
             try {
-                const intake::Submission submission = intake::readSubmission(located);
+                const intake::Submission submission =
+                    intake::readSubmission(located, {.exercise = grader_.exercise});
                 if (auto known = knownResult(located, submission)) return {std::move(*known), true};
                 SubmissionResult result = pipeline::gradeSubmission(submission, grader_, seed_);
                 if (result.verdict != Verdict::notGraded || attempt == kTries)

@@ -24,6 +24,24 @@ std::vector<intake::Located> wholePath(const std::string& path) {
     return {{name.empty() ? "submission" : name, whole}};
 }
 
+// What cannot be read is graded as such, later.
+std::string otherExerciseOf(const intake::Located& located, const intake::IntakeLimits& limits) {
+    try {
+        return intake::readSubmission(located, limits).otherExercise;
+    } catch (const raytracer::InputError&) {
+        return "";
+    }
+}
+
+/// The names of those that bring this exercise's files instead of the wanted one's.
+std::vector<std::string> broughtFor(const Exercise& other, const std::vector<intake::Located>& all,
+                                    const intake::IntakeLimits& limits) {
+    std::vector<std::string> names;
+    for (const intake::Located& located : all)
+        if (otherExerciseOf(located, limits) == other.name) names.push_back(located.name);
+    return names;
+}
+
 }  // namespace
 
 std::vector<intake::Located> locate(const ClassPaths& from) {
@@ -31,7 +49,7 @@ std::vector<intake::Located> locate(const ClassPaths& from) {
     std::map<std::string, int> seen;
     for (const std::string& path : from.paths)
         for (intake::Located located :
-             from.single ? wholePath(path) : intake::findSubmissions(path)) {
+             from.single ? wholePath(path) : intake::findSubmissions(path, *from.exercise)) {
             const int before = seen[located.name]++;
             if (before > 0) located.name += fmt::format("-{}", before + 1);
             all.push_back(std::move(located));
@@ -39,9 +57,34 @@ std::vector<intake::Located> locate(const ClassPaths& from) {
     if (all.empty())
         throw raytracer::InputError(from.paths.front(), 0,
                                     "no submission here; expected " +
-                                        enumerated(theExercise().files(), "or") +
+                                        enumerated(from.exercise->files(), "or") +
                                         " in a folder, a zip, or a folder of such");
     return all;
+}
+
+void expectOneExercise(const ClassPaths& from, const std::vector<intake::Located>& submissions,
+                       std::span<const Exercise> others) {
+    if (from.single) return;
+    const std::string& wanted = from.exercise->name;
+    for (const Exercise& other : others) {
+        if (other.name == wanted) continue;
+        // Where no file is of the wanted exercise, the whole class looks like one submission.
+        const std::vector<intake::Located> all =
+            submissions.size() > 1 ? submissions : locate({from.paths, false, &other});
+        const std::vector<std::string> names =
+            broughtFor(other, all, {.exercise = from.exercise, .others = others});
+        if (names.empty() || all.size() < 2) continue;
+        throw raytracer::InputError(
+            "", 0,
+            names.size() == all.size()
+                ? fmt::format(
+                      "these are submissions to {0}, not to {1}; --exercise {0} grades them",
+                      other.name, wanted)
+                : fmt::format("{} of {} submissions bring files of {}, not of {}: \"{}\"{}; grade "
+                              "each exercise's submissions in a folder of their own",
+                              names.size(), all.size(), other.name, wanted,
+                              report::escapeLine(names.front()), names.size() > 1 ? ", ..." : ""));
+    }
 }
 
 std::vector<intake::Located> shareOf(std::vector<intake::Located> all, const std::string& share) {
@@ -62,7 +105,7 @@ std::string skippedLine(const ClassPaths& from) {
     if (from.single) return {};
     std::vector<intake::Skipped> all;
     for (const std::string& path : from.paths)
-        std::ranges::move(intake::findSkipped(path, intake::findSubmissions(path)),
+        std::ranges::move(intake::findSkipped(path, intake::findSubmissions(path, *from.exercise)),
                           std::back_inserter(all));
     if (all.empty()) return {};
     constexpr std::size_t kMostNames = 10;

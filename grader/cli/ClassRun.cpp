@@ -15,6 +15,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSeedKey = "seed";
+constexpr const char* kExerciseKey = "exercise";
+
+/// A class has one exercise; that of a store which does not say is the default one.
+void keepToOne(store::Store& store, const Exercise& exercise, const fs::path& out) {
+    std::string earlier = store.remembered(kExerciseKey);
+    if (earlier.empty() && !store.results().empty()) earlier = defaultExercise().name;
+    if (!earlier.empty() && earlier != exercise.name)
+        throw raytracer::InputError(
+            out.string(), 0,
+            fmt::format("holds results of {}; give results of {} another folder with -o", earlier,
+                        exercise.name));
+    store.remember(kExerciseKey, exercise.name);
+}
 
 /// Creates a folder that only its owner can read: it contains students' code and marks. An existing
 /// folder keeps its permissions.
@@ -52,12 +65,13 @@ bool Regrade::concerns(const SubmissionResult& result) const {
     });
 }
 
-ClassRun::ClassRun(fs::path out, Regrade regrade, bool hasStore)
+ClassRun::ClassRun(fs::path out, const Exercise& exercise, Regrade regrade, bool hasStore)
     : out_(std::move(out)), regrade_(std::move(regrade)) {
     make(out_);
     if (!hasStore) return;
     lock_.emplace(out_);
     store_.emplace(out_);
+    keepToOne(*store_, exercise, out_);
 }
 
 std::uint64_t ClassRun::settleSeed(std::optional<std::uint64_t> given, bool keepsResults,

@@ -2,6 +2,7 @@
 #define TICKER_CLI_CLASSRUN_H
 
 #include <grader/cli/FolderLock.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/intake/Intake.h>
 #include <grader/result/SubmissionResult.h>
 #include <grader/store/Store.h>
@@ -28,9 +29,9 @@ public:
     /// Opens OUT's store, or creates OUT and its store.
     /// @param hasStore  False: only results are read and written, as on a cluster's node; `ticker
     ///                  collect` adds them to the store.
-    /// @throws raytracer::InputError if OUT cannot be created, is not an OUT, or is in use by
-    ///         another run.
-    ClassRun(std::filesystem::path out, Regrade regrade, bool hasStore);
+    /// @throws raytracer::InputError if OUT cannot be created, is not an OUT, is in use by another
+    ///         run, or has results of another exercise.
+    ClassRun(std::filesystem::path out, const Exercise& exercise, Regrade regrade, bool hasStore);
 
     /// The seed of the run: `given`; otherwise that of the earlier results if they are kept;
     /// otherwise `fresh`. It is stored.

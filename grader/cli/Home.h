@@ -8,7 +8,7 @@ namespace ticker::cli {
 /// Folders of ticker's programs and data, found from the running program, so that a checkout or an
 /// installation works anywhere.
 struct Home {
-    std::filesystem::path programs;  ///< ticker, tick1star-reference, tick1star-template
+    std::filesystem::path programs;  ///< ticker, EXERCISE-reference, EXERCISE-template
     std::filesystem::path data;      ///< contains scenes/, assets/, grader/corpus/samples/, ...
 
     /// From the environment's TICKER_HOME (data only); otherwise from the checkout or installation
@@ -18,9 +18,6 @@ struct Home {
 
     [[nodiscard]] std::filesystem::path scenes() const { return data / "scenes"; }
     [[nodiscard]] std::filesystem::path assets() const { return data / "assets"; }
-    [[nodiscard]] std::filesystem::path rubric() const {
-        return data / "grader" / "rubric" / "rubric.json";
-    }
     [[nodiscard]] std::filesystem::path studentView() const {
         return data / "grader" / "report" / "student-view.json";
     }

@@ -1,10 +1,15 @@
 #include <grader/exercise/Exercise.h>
 
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace ticker {
 
-extern const char* const kExerciseText;
+/// The texts of the exercises' files, by CMake; the last one is null.
+extern const char* const kExerciseTexts[];
 
 std::vector<std::string> Exercise::files() const {
     std::vector<std::string> files;
@@ -44,9 +49,46 @@ bool Exercise::isIn(std::string_view option, std::string_view file) const {
            });
 }
 
-const Exercise& theExercise() {
-    static const Exercise kExercise = parseExercise("exercise.json", kExerciseText);
-    return kExercise;
+const std::vector<Exercise>& knownExercises() {
+    static const std::vector<Exercise> kExercises = [] {
+        std::vector<Exercise> exercises;
+        for (const char* const* text = &kExerciseTexts[0]; *text != nullptr; ++text)
+            exercises.push_back(parseExercise("exercise.json", *text));
+        return exercises;
+    }();
+    return kExercises;
+}
+
+const Exercise& defaultExercise() {
+    return knownExercises().front();
+}
+
+const Exercise& exerciseNamed(std::string_view name) {
+    std::vector<std::string> names;
+    for (const Exercise& exercise : knownExercises()) {
+        if (exercise.name == name) return exercise;
+        names.push_back(exercise.name);
+    }
+    throw raytracer::InputError(
+        "", 0,
+        fmt::format("there is no exercise \"{}\"; expected {}", name, enumerated(names, "or")));
+}
+
+const Exercise& exerciseOf(const SubmissionResult& result) {
+    return result.exercise.empty() ? defaultExercise() : exerciseNamed(result.exercise);
+}
+
+const Exercise& exerciseOf(const std::vector<SubmissionResult>& results) {
+    if (results.empty()) return defaultExercise();
+    const Exercise& exercise = exerciseOf(results.front());
+    for (const SubmissionResult& result : results)
+        if (const Exercise& other = exerciseOf(result); &other != &exercise)
+            throw raytracer::InputError(
+                "", 0,
+                fmt::format("\"{}\" is a result of {}, \"{}\" of {}: one class has one exercise",
+                            results.front().submission, exercise.name, result.submission,
+                            other.name));
+    return exercise;
 }
 
 std::string enumerated(const std::vector<std::string>& names, std::string_view word) {

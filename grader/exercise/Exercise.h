@@ -1,6 +1,8 @@
 #ifndef TICKER_EXERCISE_EXERCISE_H
 #define TICKER_EXERCISE_EXERCISE_H
 
+#include <grader/result/SubmissionResult.h>
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -37,10 +39,12 @@ struct SceneEntry {
 /// An exercise as described in its exercise.json. docs/schema/exercise.schema.json documents the
 /// names.
 struct Exercise {
-    std::string name;
+    std::string name;       ///< as --exercise and results have it
+    std::string title;      ///< for people
     std::string handout;    ///< path in the project
     std::string stubs;      ///< "template": folder of the files as handed out
     std::string reference;  ///< folder of the same files, solved
+    std::string rubric;     ///< file of what earns the tick, unless a course has its own
     std::vector<TaskEntry> tasks;
     std::vector<OptionEntry> options;
     std::vector<SceneEntry> scenes;
@@ -70,8 +74,19 @@ inline constexpr std::string_view kScreenshotPart = "screenshot.png";
 /// readExercise for a text. @param file  Name in messages.
 [[nodiscard]] Exercise parseExercise(const std::string& file, const std::string& text);
 
-/// The exercise that this program was built for. Its file is compiled into the program.
-[[nodiscard]] const Exercise& theExercise();
+/// The exercises that this program was built with, the default one first. Their files are compiled
+/// into the program.
+[[nodiscard]] const std::vector<Exercise>& knownExercises();
+[[nodiscard]] const Exercise& defaultExercise();
+/// @throws raytracer::InputError with the known names if no exercise has this one.
+[[nodiscard]] const Exercise& exerciseNamed(std::string_view name);
+
+/// The exercise that a result names; the default one in results of older tools.
+/// @throws raytracer::InputError as `exerciseNamed`.
+[[nodiscard]] const Exercise& exerciseOf(const SubmissionResult& result);
+/// The exercise of a class; the default one for an empty class.
+/// @throws raytracer::InputError if the results are of more than one, or as `exerciseNamed`.
+[[nodiscard]] const Exercise& exerciseOf(const std::vector<SubmissionResult>& results);
 
 /// "a, b or c" for the word "or".
 [[nodiscard]] std::string enumerated(const std::vector<std::string>& names, std::string_view word);

@@ -75,13 +75,15 @@ void expectUniqueIds(const JsonValue& tasks, const Exercise& exercise) {
 
 Exercise parseExercise(const std::string& file, const std::string& text) {
     const JsonValue top = JsonValue::parse(text, file);
-    allowOnly(top, {"name", "handout", "template", "reference", "tasks", "options", "scenes",
-                    "frameworkFiles"});
+    allowOnly(top, {"name", "title", "handout", "template", "reference", "rubric", "tasks",
+                    "options", "scenes", "frameworkFiles", "without", "with"});
     Exercise exercise;
     exercise.name = textOf(top.at("name"));
+    exercise.title = textOf(top.at("title"));
     exercise.handout = textOf(top.at("handout"));
     exercise.stubs = textOf(top.at("template"));
     exercise.reference = textOf(top.at("reference"));
+    exercise.rubric = textOf(top.at("rubric"));
     exercise.tasks = listOf(top.at("tasks"), readTask);
     expectUniqueIds(top.at("tasks"), exercise);
     exercise.options = listOf(

@@ -29,7 +29,7 @@ struct RenderEvidence {
     std::optional<double> bumpMisfit;
 };
 
-/// The code of a task; its data is in the exercise's file. One row of `tasks::theTasks`.
+/// The code of a task; its data is in the exercise's file. One row of `tasks::tasksOf`.
 struct Task {
     std::string_view id;
     /// Asks the submission and judges its answers. The tasks of a file may be judged in parallel,

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,8 @@ struct IntakeLimits {
     int depth = 16;               ///< folders in folders
     double largestRatio = 100.0;  ///< unpacked size divided by packed size, above `ratioFreeBytes`
     std::uint64_t ratioFreeBytes = 16U << 20U;
-    const Exercise* exercise = &theExercise();  ///< the exercise whose files are taken
+    const Exercise* exercise = &defaultExercise();        ///< the exercise whose files are taken
+    std::span<const Exercise> others = knownExercises();  ///< exercises that are told apart from it
 };
 
 /// A file that may be one of the parts.

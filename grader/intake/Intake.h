@@ -24,7 +24,7 @@ struct Located {
 /// everything else that may be work, by its own name.
 /// @throws raytracer::InputError if the path does not exist or cannot be read.
 [[nodiscard]] std::vector<Located> findSubmissions(const std::filesystem::path& path,
-                                                   const Exercise& exercise = theExercise());
+                                                   const Exercise& exercise = defaultExercise());
 
 /// Reads one submission; never throws because of its contents.
 /// @throws raytracer::InputError if the folder or archive itself cannot be read.

@@ -1,5 +1,6 @@
 #include <grader/base/Utf8.h>
 #include <grader/intake/Intake.h>
+#include <grader/intake/OtherExercise.h>
 
 #include <raytracer/base/Text.h>
 
@@ -77,14 +78,20 @@ void openArchives(Contents& contents, const IntakeLimits& limits) {
 /// Builds a submission from the contents.
 class Assembly {
 public:
-    Assembly(std::string name, Contents contents, const Exercise& exercise)
-        : exercise_(exercise), contents_(std::move(contents)) {
+    Assembly(std::string name, Contents contents, const IntakeLimits& limits)
+        : exercise_(*limits.exercise),
+          contents_(std::move(contents)),
+          other_(otherExercise(contents_, exercise_, limits.others)) {
         submission_.name = std::move(name);
     }
 
     [[nodiscard]] Submission take() {
         for (Finding& finding : contents_.refusals)
             submission_.findings.push_back({std::nullopt, std::move(finding)});
+        if (other_ != nullptr) {
+            submission_.otherExercise = other_->name;
+            submission_.findings.push_back({std::nullopt, belongsElsewhere(*other_, exercise_)});
+        }
         if (submission_.findings.empty()) {
             for (const std::string& part : exercise_.parts())
                 choose(part);
@@ -152,6 +159,7 @@ private:
 
     const Exercise& exercise_;
     Contents contents_;
+    const Exercise* other_;  ///< null: these files are of `exercise_`, or of none
     Submission submission_;
 };
 
@@ -162,7 +170,7 @@ Submission readSubmission(const Located& located, const IntakeLimits& limits) {
                             ? readFolder(located.path, limits, located.owner)
                             : readArchive(located.path, limits, located.owner);
     openArchives(contents, limits);
-    return Assembly{located.name, std::move(contents), *limits.exercise}.take();
+    return Assembly{located.name, std::move(contents), limits}.take();
 }
 
 }  // namespace ticker::intake

@@ -25,6 +25,7 @@ struct Submission {
     std::map<std::string, std::optional<std::string>, std::less<>> parts;  ///< bytes, by name
     std::vector<std::string> ignored;     ///< paths of everything else; untrusted, one line each
     std::vector<IntakeFinding> findings;  ///< intake.*
+    std::string otherExercise = {};       ///< whose files it brings instead; empty: none
 
     /// Bytes of the part; empty if it is missing.
     [[nodiscard]] const std::optional<std::string>& part(std::string_view which) const;

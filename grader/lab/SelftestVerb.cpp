@@ -57,7 +57,7 @@ std::vector<selftest::RightSource> rightSources(const Home& home) {
           "grader/corpus/samples/awarded/bump-z-up",
           "grader/corpus/samples/awarded/distributed-half-width",
           "grader/corpus/samples/awarded/distributed-phong-per-sample"})
-        for (const std::string& file : theExercise().files())
+        for (const std::string& file : defaultExercise().files())
             if (const auto path = home.data / folder / file; std::filesystem::exists(path))
                 sources.push_back({folder, file, readWhole(path)});
     return sources;

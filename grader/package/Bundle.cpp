@@ -32,6 +32,18 @@ std::vector<fs::path> sharedLibraries() {
     return files;
 }
 
+std::string replaced(std::string text, std::string_view mark, std::string_view value) {
+    for (std::size_t at = text.find(mark); at != std::string::npos;
+         at = text.find(mark, at + value.size()))
+        text.replace(at, mark.size(), value);
+    return text;
+}
+
+/// An integration's text with what it says about the exercise.
+std::string filled(const Parts& parts, const std::string& name) {
+    return replaced(integration(parts, name), "@EXERCISE@", parts.exercise.name);
+}
+
 bool isLoader(const fs::path& library) {
     return library.filename().string().starts_with("ld-linux");
 }
@@ -39,7 +51,7 @@ bool isLoader(const fs::path& library) {
 // The loader lies beside the program, so that ticker finds its kit and data from that folder,
 // whichever of the two files the kernel reports as the running program.
 void addProgram(zip::ZipWriter& zip, const Parts& parts) {
-    zip.add("ticker/bin/ticker", integration(parts, "bundle/ticker"), true);
+    zip.add("ticker/bin/ticker", filled(parts, "bundle/ticker"), true);
     zip.addFile("ticker/bin/ticker.program", parts.program);
     for (const fs::path& library : sharedLibraries())
         if (isLoader(library))
@@ -52,7 +64,7 @@ void addProgram(zip::ZipWriter& zip, const Parts& parts) {
 
 // Without the precompiled header: only the exact compiler that made it can read it.
 void addKit(zip::ZipWriter& zip, const Parts& parts) {
-    const std::string kit = "ticker/lib/ticker/kit/";
+    const std::string kit = "ticker/lib/ticker/kit/" + parts.exercise.name + "/";
     for (const char* folder : {"include", "lib", "template"})
         zip.addFolder(kit + folder, parts.kit / folder);
     zip.addFile(kit + "kit.json", parts.kit / "kit.json");
@@ -64,7 +76,7 @@ void addData(zip::ZipWriter& zip, const Parts& parts) {
     zip.addFolder(share + "scenes", parts.data / "scenes");
     for (const char* map : {"bumpmap.png", "bumpmap-test.png"})
         zip.addFile(share + "assets/" + map, parts.data / "assets" / map);
-    zip.addFile(share + "grader/rubric/rubric.json", parts.rubric);
+    zip.addFile(share + parts.exercise.rubric, parts.rubric);
     zip.addFile(share + "grader/report/student-view.json", parts.studentView);
 }
 
@@ -85,15 +97,8 @@ std::string majorVersion(const std::string& compiler) {
     return version;
 }
 
-std::string replaced(std::string text, std::string_view mark, std::string_view value) {
-    for (std::size_t at = text.find(mark); at != std::string::npos;
-         at = text.find(mark, at + value.size()))
-        text.replace(at, mark.size(), value);
-    return text;
-}
-
 std::string prepareScript(const Parts& parts) {
-    std::string text = integration(parts, "bundle/prepare.sh");
+    std::string text = filled(parts, "bundle/prepare.sh");
     text = replaced(std::move(text), "@COMPILER@", parts.compiler);
     text = replaced(std::move(text), "@MAJOR@", majorVersion(parts.compiler));
     text = replaced(std::move(text), "@COMPILE@", quoted(parts.compileFlags));

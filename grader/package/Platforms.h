@@ -1,6 +1,8 @@
 #ifndef TICKER_PACKAGE_PLATFORMS_H
 #define TICKER_PACKAGE_PLATFORMS_H
 
+#include <grader/exercise/Exercise.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,6 +11,7 @@ namespace ticker::package {
 
 /// Paths of this ticker's parts, in a build tree or an installation.
 struct Parts {
+    const Exercise& exercise;       ///< what the platform grades
     std::filesystem::path program;  ///< ticker
     std::filesystem::path helper;   ///< ticker-jail
     std::filesystem::path decoder;  ///< ticker-decode

@@ -166,6 +166,7 @@ private:
 SubmissionResult blankResult(const std::string& name, const Grader& grader, std::uint64_t seed) {
     SubmissionResult result;
     result.submission = name;
+    result.exercise = grader.exercise->name;
     result.seed = seed;
     result.sandboxLevel = sandbox::toString(grader.sandbox.level());
     result.toolVersion = grader.toolVersion;

@@ -33,8 +33,8 @@ struct Grader {
     std::vector<SpecScene> scenes = {};  ///< rendered for the report; may be empty
     std::string build = {};       ///< digest of the tool itself, see Inputs.h; empty if unknown
     std::string rubricText = {};  ///< text of the file that `rubric` was read from
-    const Exercise* exercise = &theExercise();
-    std::span<const Task> tasks = tasks::theTasks();  ///< the code of the exercise's tasks
+    const Exercise* exercise = &defaultExercise();
+    std::span<const Task> tasks = tasks::tasksOf(exercise->name);  ///< the code of its tasks
 };
 
 /// Judges one submission: builds each attempted file, asks it, applies the rubric.

@@ -48,6 +48,7 @@ Inputs inputsOf(const intake::Submission& submission, const Grader& grader, std:
     Digest how;
     how.add(grader.rubricText)
         .add(sandbox::toString(grader.sandbox.level()))
+        .add(grader.exercise->name)
         .add(grader.option)
         .add(std::to_string(seed));
     return {filesOf(submission, *grader.exercise), grader.build, how.text()};

@@ -25,7 +25,7 @@ namespace ticker::pipeline {
 /// one seed, equal files get equal questions, whatever the submission's name. Other files get other
 /// questions, which no earlier report reveals.
 [[nodiscard]] std::uint64_t questionSeed(const intake::Submission& submission, std::uint64_t seed,
-                                         const Exercise& exercise = theExercise());
+                                         const Exercise& exercise = defaultExercise());
 
 }  // namespace ticker::pipeline
 

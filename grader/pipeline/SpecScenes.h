@@ -54,7 +54,7 @@ struct Rendered {
 /// @throws raytracer::InputError if a scene or a map cannot be read.
 [[nodiscard]] std::vector<SpecScene> readSpecScenes(const std::filesystem::path& scenes,
                                                     const std::filesystem::path& assets,
-                                                    const Exercise& exercise = theExercise());
+                                                    const Exercise& exercise = defaultExercise());
 
 /// Misfits of a picture of a random scene for the accepted readings, in order. A reading is tried
 /// only if all earlier ones do not fit.

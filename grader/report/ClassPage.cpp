@@ -152,14 +152,18 @@ std::string table(const std::vector<SubmissionResult>& results,
 std::string classPage(const std::vector<SubmissionResult>& results, const Exercise& exercise) {
     const Tally tally = tallyOf(results);
     const std::string title = counted(results.size(), "submission");
-    return page("Tick 1*: " + title, classCss(), classJs(),
-                fmt::format("<header><p class=\"soft crumbs\">Tick 1*</p><h1>{}</h1>{}{}</header>"
+    return page(exercise.title + ": " + title, classCss(), classJs(),
+                fmt::format("<header><p class=\"soft crumbs\">{}</p><h1>{}</h1>{}{}</header>"
                             "<main id=\"main\">{}<section aria-labelledby=\"all\">"
                             "<h2 id=\"all\">Submissions</h2>{}{}</section></main>"
                             "<footer><p>Proposed by ticker; a person decides.</p></footer>",
-                            title, verdictBar(tally), taskCounts(tally),
+                            escapeHtml(exercise.title), title, verdictBar(tally), taskCounts(tally),
                             findingCounts(tally, results.size()), filters(tally, results.size()),
                             table(results, exercise.reported())));
+}
+
+std::string classPage(const std::vector<SubmissionResult>& results) {
+    return classPage(results, exerciseOf(results));
 }
 
 }  // namespace ticker::report

@@ -10,8 +10,11 @@
 namespace ticker::report {
 
 /// The text of index.html: an overview of a class, with links to `<submission>/report.html`.
+/// @param exercise  The results' exercise.
 [[nodiscard]] std::string classPage(const std::vector<SubmissionResult>& results,
-                                    const Exercise& exercise = theExercise());
+                                    const Exercise& exercise);
+/// The same for the exercise that the results name.
+[[nodiscard]] std::string classPage(const std::vector<SubmissionResult>& results);
 
 }  // namespace ticker::report
 

@@ -57,8 +57,7 @@ enum class PictureKeys {
 
 /// Expected and submitted pictures; empty without any.
 [[nodiscard]] std::string picturesSection(const SubmissionResult& result, const Album& album,
-                                          PictureKeys keys = PictureKeys::all,
-                                          const Exercise& exercise = theExercise());
+                                          PictureKeys keys = PictureKeys::all);
 
 /// The compiler's messages, beside the student's lines; empty without messages.
 [[nodiscard]] std::string diagnosticsSection(const SubmissionResult& result);

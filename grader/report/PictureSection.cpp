@@ -153,12 +153,11 @@ std::string ofScreenshot(const SubmissionResult& result, const Album& album, Pic
 
 }  // namespace
 
-std::string picturesSection(const SubmissionResult& result, const Album& album, PictureKeys keys,
-                            const Exercise& exercise) {
+std::string picturesSection(const SubmissionResult& result, const Album& album, PictureKeys keys) {
     std::string html;
     for (const RenderScore& render : result.renders)
         html += ofRender(render, album, keys);
-    html += ofScreenshot(result, album, keys, exercise);
+    html += ofScreenshot(result, album, keys, exerciseOf(result));
     if (html.empty()) return "";
     const std::string intro =
         "<p class=\"soft\">They explain; they fail nobody: accepted readings of the handout "

@@ -121,14 +121,15 @@ std::string reviewReasons(const SubmissionResult& result) {
 
 std::string header(const SubmissionResult& result) {
     std::string html = fmt::format(
-        "<header><p class=\"soft crumbs\">Tick 1* report "
+        "<header><p class=\"soft crumbs\">{7} report "
         "<a id=\"class\" href=\"../index.html\">All submissions</a></p>"
         "<div class=\"hero {0}\"><h1>{1}</h1><p class=\"verdict\">{2} <span>{3:g} of {4:g} "
         "point{6}</span>"
         "</p><p class=\"lead\">{5}</p></div></header>",
         toString(result.verdict), escapeHtml(result.submission),
         badge(toString(result.verdict), wordsFor(result.verdict)), result.score, result.maxScore,
-        escapeHtml(lead(result)), result.maxScore == 1.0 ? "" : "s");
+        escapeHtml(lead(result)), result.maxScore == 1.0 ? "" : "s",
+        escapeHtml(exerciseOf(result).title));
     return html;
 }
 

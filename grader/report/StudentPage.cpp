@@ -37,16 +37,17 @@ std::string studentPage(const StudentView& view) {
     const SubmissionResult& result = view.result();
     const Album album{result};
     std::string body = fmt::format(
-        "<header><p class=\"soft crumbs\">Tick 1*</p><div class=\"hero {0}\"><h1>{1}</h1>"
+        "<header><p class=\"soft crumbs\">{4}</p><div class=\"hero {0}\"><h1>{1}</h1>"
         "<p class=\"verdict\">{2}</p><p class=\"lead\">{3}</p></div></header><main id=\"main\">",
         toString(result.verdict), escapeHtml(result.submission),
-        badge(toString(result.verdict), wordsFor(result.verdict)), escapeHtml(verdictText(view)));
+        badge(toString(result.verdict), wordsFor(result.verdict)), escapeHtml(verdictText(view)),
+        escapeHtml(view.exercise().title));
     for (const TaskReport& task : result.tasks)
         if (concernsStudent(task) && saidBefore(result, task) == nullptr)
             body += section(view, task, album);
     body += diagnosticsSection(result) + pictures(result, album) + "</main>";
-    return page(fmt::format("Tick 1*: {}", wordsFor(result.verdict)), reportCss(), reportJs(),
-                body);
+    return page(fmt::format("{}: {}", view.exercise().title, wordsFor(result.verdict)), reportCss(),
+                reportJs(), body);
 }
 
 }  // namespace ticker::report

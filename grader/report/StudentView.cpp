@@ -147,6 +147,10 @@ StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, s
     if (!policy.compilerOutput) result_.diagnostics.clear();
 }
 
+StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment,
+                         std::optional<Verdict> proposed)
+    : StudentView(result, policy, std::move(comment), proposed, exerciseOf(result)) {}
+
 bool concernsStudent(const TaskReport& task) {
     return task.state != TaskState::notAttempted || !task.findings.empty();
 }

@@ -32,8 +32,12 @@ class StudentView {
 public:
     /// @param comment   The ticker's comment; empty if there is no comment.
     /// @param proposed  The tool's own verdict; without a value: that of `result`.
+    /// @param exercise  The result's exercise.
+    StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment,
+                std::optional<Verdict> proposed, const Exercise& exercise);
+    /// The same for the exercise that the result names.
     StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment = {},
-                std::optional<Verdict> proposed = {}, const Exercise& exercise = theExercise());
+                std::optional<Verdict> proposed = {});
 
     [[nodiscard]] const SubmissionResult& result() const { return result_; }
     [[nodiscard]] const std::string& comment() const { return comment_; }

@@ -50,4 +50,9 @@ std::string summaryCsv(const std::vector<SubmissionResult>& results,
     return text;
 }
 
+std::string summaryCsv(const std::vector<SubmissionResult>& results,
+                       const std::vector<Decision>& decisions) {
+    return summaryCsv(results, decisions, exerciseOf(results));
+}
+
 }  // namespace ticker::report

@@ -14,9 +14,13 @@ namespace ticker::report {
 /// submission, verdict, score, option, the state of each task, and the ids of its findings of
 /// severity fail or warn, separated by spaces. Then the ticker's decision, empty if there is none:
 /// ruling ("awarded", "notYet"), name, time (UTC) and comment. Lines end in CR LF (RFC 4180).
+/// @param exercise  The results' exercise.
 [[nodiscard]] std::string summaryCsv(const std::vector<SubmissionResult>& results,
-                                     const std::vector<Decision>& decisions = {},
-                                     const Exercise& exercise = theExercise());
+                                     const std::vector<Decision>& decisions,
+                                     const Exercise& exercise);
+/// The same for the exercise that the results name.
+[[nodiscard]] std::string summaryCsv(const std::vector<SubmissionResult>& results,
+                                     const std::vector<Decision>& decisions = {});
 
 }  // namespace ticker::report
 

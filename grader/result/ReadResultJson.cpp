@@ -161,6 +161,7 @@ SubmissionResult parseResultJson(const std::string& text, const std::string& nam
         top.at("schemaVersion").expect(fmt::format("{}", SubmissionResult::kSchemaVersion));
     SubmissionResult result;
     result.submission = top.at("submission").text();
+    if (top.has("exercise")) result.exercise = top.at("exercise").text();
     result.verdict = oneOf(kVerdictNames, top.at("verdict"));
     result.score = realOf(top.at("score"));
     result.maxScore = realOf(top.at("maxScore"));

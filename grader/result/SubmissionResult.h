@@ -109,6 +109,7 @@ struct SubmissionResult {
     static constexpr int kSchemaVersion = 1;
 
     std::string submission;  ///< name, and folder under OUT
+    std::string exercise;    ///< name; empty in results of older tools
     Verdict verdict = Verdict::notGraded;
     double score = 0.0;
     double maxScore = 1.0;

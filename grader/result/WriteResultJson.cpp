@@ -186,6 +186,7 @@ std::string resultJson(const SubmissionResult& result) {
     ordered_json json;
     json["schemaVersion"] = SubmissionResult::kSchemaVersion;
     json["submission"] = cleanText(result.submission);
+    if (!result.exercise.empty()) json["exercise"] = cleanText(result.exercise);
     json["verdict"] = toString(result.verdict);
     json["score"] = number(result.score);
     json["maxScore"] = number(result.maxScore);

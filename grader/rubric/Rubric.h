@@ -23,7 +23,7 @@ struct Rubric {
 /// @throws raytracer::InputError with the file, the line, the member and what was expected, also
 ///         for an unknown finding.
 [[nodiscard]] Rubric readRubric(const std::filesystem::path& file,
-                                const Exercise& exercise = theExercise());
+                                const Exercise& exercise = defaultExercise());
 
 /// The result with severities, task states, option, score and verdict according to the rubric:
 ///  - a failed task passes if the rubric softens its last finding of severity fail; a passed task

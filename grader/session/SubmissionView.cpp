@@ -48,10 +48,10 @@ std::string head(const SubmissionResult& result) {
 std::string task(const SubmissionResult& result, const TaskReport& task,
                  const report::Album& album) {
     if (task.state == TaskState::notAttempted && task.findings.empty()) return "";
-    std::string html =
-        fmt::format("<section><h2>{} {}</h2>",
-                    escapeHtml(task.id.starts_with('T') ? task.id + " " + task.title : task.title),
-                    report::badge(report::kindOf(task), report::wordsFor(task)));
+    std::string html = fmt::format(
+        "<section><h2>{} {}</h2>",
+        escapeHtml(task.id != kScreenshotTask ? task.id + " " + task.title : task.title),
+        report::badge(report::kindOf(task), report::wordsFor(task)));
     if (const TaskReport* before = report::saidBefore(result, task))
         return html +
                fmt::format("<p>The same as for {}.</p></section>", escapeHtml(before->title));
@@ -70,9 +70,9 @@ std::string notices(const SubmissionResult& result) {
     return html.empty() ? "" : "<section><h2>Notes</h2><ul>" + html + "</ul></section>";
 }
 
-std::vector<SourceText> sourcesIn(const fs::path& folder) {
+std::vector<SourceText> sourcesIn(const fs::path& folder, const Exercise& exercise) {
     std::vector<SourceText> sources;
-    for (const std::string& name : theExercise().files()) {
+    for (const std::string& name : exercise.files()) {
         std::error_code error;
         if (!fs::is_regular_file(fs::symlink_status(folder / name, error))) continue;
         sources.push_back({name, readIfThere(folder / name).value_or("")});
@@ -94,7 +94,7 @@ std::string code(const std::vector<SourceText>& sources) {
 }  // namespace
 
 std::string submissionHtml(SubmissionResult result, const fs::path& codeFolder) {
-    result.sources = sourcesIn(codeFolder);
+    result.sources = sourcesIn(codeFolder, exerciseOf(result));
     const report::Album album{result, "of/" + result.submission + "/"};
     std::string html = head(result) + report::diagnosticsSection(result) +
                        report::picturesSection(result, album, report::PictureKeys::blinkAndZoom);

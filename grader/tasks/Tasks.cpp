@@ -33,13 +33,22 @@ void doubtT22(std::vector<TaskReport>& tasks, const RenderEvidence& renders) {
     doubtPicture(tasks, renders.misfits, aperture);
 }
 
+constexpr std::array kTick1star{Task{"T1", judgeBump, hasRelief, doubtT1},
+                                Task{"T2.1", judgeShadows, isAnyScene, nullptr},
+                                Task{"T2.2", judgeLens, isAnyScene, doubtT22}};
+
+struct Rows {
+    std::string_view exercise;
+    std::span<const Task> tasks;
+};
+
+constexpr std::array kExercises{Rows{"tick1star", kTick1star}};
+
 }  // namespace
 
-std::span<const Task> theTasks() {
-    static constexpr std::array kTasks{Task{"T1", judgeBump, hasRelief, doubtT1},
-                                       Task{"T2.1", judgeShadows, isAnyScene, nullptr},
-                                       Task{"T2.2", judgeLens, isAnyScene, doubtT22}};
-    return kTasks;
+std::span<const Task> tasksOf(std::string_view exercise) {
+    const auto* const found = std::ranges::find(kExercises, exercise, &Rows::exercise);
+    return found == kExercises.end() ? std::span<const Task>{} : found->tasks;
 }
 
 }  // namespace ticker::tasks

@@ -32,7 +32,8 @@ void print(const Finding& finding) {
 
 void print(const SubmissionResult& result) {
     for (const TaskReport& task : result.tasks) {
-        const std::string name = task.id.starts_with('T') ? task.id + " " + task.title : task.title;
+        const std::string name =
+            task.id != kScreenshotTask ? task.id + " " + task.title : task.title;
         fmt::print("{}: {}{}\n", name, report::wordsFor(task),
                    task.reason.empty() ? "" : ": " + report::escapeLine(task.reason));
         for (const Finding& finding : task.findings)
@@ -54,16 +55,17 @@ void printForStudent(const SubmissionResult& result) {
 }
 
 raytracer::ExitCode check(const CheckOptions& options) {
-    const auto found = intake::findSubmissions(options.folder);
+    pipeline::Grader grader = makeGrader(options.grade);
+    grader.isAlone = true;
+    const auto found = intake::findSubmissions(options.folder, *grader.exercise);
     if (found.size() != 1)
         throw raytracer::InputError(
             options.folder, 0,
             fmt::format("{} here; check takes one (ticker grade takes many)",
                         report::counted(found.size(), "submission")));
-    pipeline::Grader grader = makeGrader(options.grade);
-    grader.isAlone = true;
-    const SubmissionResult result = pipeline::gradeSubmission(intake::readSubmission(found.front()),
-                                                              grader, seedOf(options.grade));
+    const SubmissionResult result = pipeline::gradeSubmission(
+        intake::readSubmission(found.front(), {.exercise = grader.exercise}), grader,
+        seedOf(options.grade));
     if (options.audience == "student")
         printForStudent(result);
     else

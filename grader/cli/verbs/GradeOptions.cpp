@@ -5,7 +5,9 @@
 #include <grader/exercise/Exercise.h>
 #include <grader/pipeline/Inputs.h>
 
-#include <fmt/format.h>
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
 #include <random>
@@ -16,16 +18,24 @@ namespace {
 
 constexpr const char* kAllOptions = "auto";
 
-std::vector<std::string> optionNames() {
+/// @throws raytracer::InputError where the exercise has no such option.
+std::string chosenOption(const std::string& option, const Exercise& exercise) {
+    if (option == kAllOptions) return "";
     std::vector<std::string> names;
-    for (const OptionEntry& option : theExercise().options)
-        names.push_back(option.name);
-    return names;
+    for (const OptionEntry& known : exercise.options) {
+        if (known.name == option) return option;
+        names.push_back(known.name);
+    }
+    names.emplace_back(kAllOptions);
+    throw raytracer::InputError("", 0,
+                                fmt::format("--option {}: {} has no such option; expected {}",
+                                            option, exercise.name, enumerated(names, "or")));
 }
 
-std::vector<std::string> choices() {
-    std::vector<std::string> names = optionNames();
-    names.insert(names.begin(), kAllOptions);
+std::vector<std::string> exerciseNames() {
+    std::vector<std::string> names;
+    for (const Exercise& exercise : knownExercises())
+        names.push_back(exercise.name);
     return names;
 }
 
@@ -38,13 +48,19 @@ sandbox::Sandbox openSandbox(const std::string& level) {
     return sandbox::Sandbox::best();
 }
 
+void addExerciseOption(CLI::App& verb, std::string& name) {
+    name = defaultExercise().name;
+    verb.add_option("--exercise", name, "Which exercise: " + enumerated(exerciseNames(), "or"))
+        ->envname("TICKER_EXERCISE")
+        ->check(CLI::IsMember(exerciseNames()));
+}
+
 void addGradeOptions(CLI::App& verb, GradeOptions& options) {
+    addExerciseOption(verb, options.exercise);
     verb.add_option("--seed", options.seed,
                     "Whole number that the hidden questions are drawn from");
     verb.add_option("--option", options.option,
-                    "Which option to judge: " + fmt::format("{}", fmt::join(optionNames(), ", ")) +
-                        " or auto (both)")
-        ->check(CLI::IsMember(choices()));
+                    "Which option of the exercise to judge, or auto: all of them");
     verb.add_option("--sandbox", options.sandbox, "Level A, B or C, auto (the best), or none")
         ->check(CLI::IsMember({"auto", "A", "B", "C", "none"}));
     verb.add_option("--rubric", options.rubric, "Another rubric than the kit's own");
@@ -52,15 +68,20 @@ void addGradeOptions(CLI::App& verb, GradeOptions& options) {
 
 pipeline::Grader makeGrader(const GradeOptions& options) {
     const Home home = Home::find();
-    const std::filesystem::path rubric =
-        options.rubric.empty() ? home.rubric() : std::filesystem::path{options.rubric};
-    pipeline::Grader grader{.kit = build::Kit::besideProgram(),
-                            .sandbox = openSandbox(options.sandbox),
-                            .policy = sandbox::defaultPolicy(),
-                            .rubric = rubric::readRubric(rubric),
-                            .toolVersion = TICKER_VERSION,
-                            .option = options.option == kAllOptions ? "" : options.option,
-                            .scenes = pipeline::readSpecScenes(home.scenes(), home.assets())};
+    const Exercise& exercise =
+        options.exercise.empty() ? defaultExercise() : exerciseNamed(options.exercise);
+    const std::filesystem::path rubric = options.rubric.empty()
+                                             ? home.data / exercise.rubric
+                                             : std::filesystem::path{options.rubric};
+    pipeline::Grader grader{
+        .kit = build::Kit::besideProgram(exercise),
+        .sandbox = openSandbox(options.sandbox),
+        .policy = sandbox::defaultPolicy(),
+        .rubric = rubric::readRubric(rubric, exercise),
+        .toolVersion = TICKER_VERSION,
+        .option = chosenOption(options.option, exercise),
+        .scenes = pipeline::readSpecScenes(home.scenes(), home.assets(), exercise),
+        .exercise = &exercise};
     grader.build = pipeline::toolBuild(grader.kit, {home.scenes(), home.assets()});
     grader.rubricText = readIfThere(rubric).value_or("");
     return grader;

@@ -15,13 +15,18 @@ namespace ticker::cli {
 
 /// The options that `grade` and `check` share.
 struct GradeOptions {
-    std::optional<std::uint64_t> seed;
+    std::string exercise = {};  ///< its name; empty: the default one
+    std::optional<std::uint64_t> seed = {};
     std::string option = "auto";
     std::string sandbox = "auto";
-    std::string rubric;  ///< empty: the kit's own
+    std::string rubric = {};  ///< empty: the exercise's own
 };
 
-/// Adds --seed, --option, --sandbox and --rubric to a verb.
+/// Adds --exercise to a verb: a known exercise's name; the environment's TICKER_EXERCISE or the
+/// default one where it is not given.
+void addExerciseOption(CLI::App& verb, std::string& name);
+
+/// Adds --exercise, --seed, --option, --sandbox and --rubric to a verb.
 void addGradeOptions(CLI::App& verb, GradeOptions& options);
 
 /// @param level  "A", "B", "C", "none", or "auto": the best available level.

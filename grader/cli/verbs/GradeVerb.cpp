@@ -131,11 +131,13 @@ void warnOfStore(const ClassRun& run, const BatchOptions& options, const GlobalO
 
 raytracer::ExitCode grade(const BatchOptions& options, const GlobalOptions& global) {
     std::vector<intake::Located> submissions = locate(options.from);
+    expectOneExercise(options.from, submissions);
     if (!options.share.empty()) submissions = shareOf(std::move(submissions), options.share);
     const std::string skipped = skippedLine(options.from);
     pipeline::Grader grader = makeGrader(options.grade);
     grader.isAlone = submissions.size() == 1;
-    ClassRun run{options.out, {options.regrade, grader.build}, !options.resultsOnly};
+    ClassRun run{
+        options.out, *grader.exercise, {options.regrade, grader.build}, !options.resultsOnly};
     run.checkRegrade(submissions);
     warnOfStore(run, options, global);
     const std::uint64_t seed =
@@ -199,7 +201,10 @@ Run addGrade(CLI::App& app, const GlobalOptions& global) {
         ->check(CLI::IsMember(formatNames()));
     addFormatOptions(*verb, options->formats);
     addGradeOptions(*verb, options->grade);
-    return [options, &global] { return grade(*options, global); };
+    return [options, &global] {
+        options->from.exercise = &exerciseNamed(options->grade.exercise);
+        return grade(*options, global);
+    };
 }
 
 }  // namespace ticker::cli

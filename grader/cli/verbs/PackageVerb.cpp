@@ -1,5 +1,6 @@
 #include <grader/build/Kit.h>
 #include <grader/cli/Home.h>
+#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/package/Platforms.h>
 #include <grader/package/StudentPackage.h>
@@ -28,23 +29,27 @@ struct PackageOptions {
     std::string file;
     std::string rubric;
     std::string studentView;
+    std::string exercise;
 };
 
 /// All parts that run, found from this ticker's place.
 package::Parts partsOf(const PackageOptions& options) {
     const Home home = Home::find();
-    const build::Kit kit = build::Kit::besideProgram();
-    return {.program = home.programs / "ticker",
-            .helper = sandbox::findProgram("ticker-jail"),
-            .decoder = sandbox::findProgram("ticker-decode"),
-            .kit = kit.folder(),
-            .compiler = kit.compiler(),
-            .compileFlags = kit.compileFlags(),
-            .linkFlags = kit.linkFlags(),
-            .data = home.data,
-            .rubric = options.rubric.empty() ? home.rubric() : fs::path{options.rubric},
-            .studentView =
-                options.studentView.empty() ? home.studentView() : fs::path{options.studentView}};
+    const Exercise& exercise = exerciseNamed(options.exercise);
+    const build::Kit kit = build::Kit::besideProgram(exercise);
+    return {
+        .exercise = exercise,
+        .program = home.programs / "ticker",
+        .helper = sandbox::findProgram("ticker-jail"),
+        .decoder = sandbox::findProgram("ticker-decode"),
+        .kit = kit.folder(),
+        .compiler = kit.compiler(),
+        .compileFlags = kit.compileFlags(),
+        .linkFlags = kit.linkFlags(),
+        .data = home.data,
+        .rubric = options.rubric.empty() ? home.data / exercise.rubric : fs::path{options.rubric},
+        .studentView =
+            options.studentView.empty() ? home.studentView() : fs::path{options.studentView}};
 }
 
 void packGradescope(const PackageOptions& options) {
@@ -56,7 +61,7 @@ void packPrairieLearn(const PackageOptions& options) {
 }
 
 void packStudent(const PackageOptions& options) {
-    package::writeStudentPackage(Home::find().data, options.file);
+    package::writeStudentPackage(Home::find().data, exerciseNamed(options.exercise), options.file);
 }
 
 /// One kind of package. A new kind is one row of this type.
@@ -102,6 +107,7 @@ Run addPackage(CLI::App& app, const GlobalOptions& global) {
     CLI::App* verb = app.add_subcommand("package", "Make what is uploaded or handed out");
     verb->add_option("kind", options->kind, help)->required()->check(CLI::IsMember(names));
     verb->add_option("-o,--output", options->file, "The file to write")->required();
+    addExerciseOption(*verb, options->exercise);
     verb->add_option("--rubric", options->rubric, "Carry another rubric than the kit's own");
     verb->add_option("--student-view", options->studentView,
                      "Carry another policy of what students may see than the kit's own");

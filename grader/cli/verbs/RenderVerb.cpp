@@ -31,6 +31,7 @@ struct RenderOptions {
     std::string size;
     std::string solution;
     std::string engine = "solution";
+    std::string exercise;
     int samples = 0;
     int threads = 0;
     std::optional<std::uint64_t> seed;
@@ -68,16 +69,18 @@ raytracer::ExitCode renderBySubmission(const RenderOptions& options) {
     raytracer::RenderSettings settings = settingsOf(options);
     settings.seed = options.seed.value_or(std::random_device{}());
     if (options.samples > 0) settings.dofRayCount = options.samples;
+    const pipeline::Grader grader = makeGrader({.exercise = options.exercise});
     const raytracer::ByteImage picture = pipeline::renderSubmission(
-        intake::readSubmission({"solution", options.solution}), makeGrader({}), scene, settings);
+        intake::readSubmission({"solution", options.solution}, {.exercise = grader.exercise}),
+        grader, scene, settings);
     raytracer::writePng(picture, options.image);
     return raytracer::ExitCode::success;
 }
 
-// Runs tick1star, the program that students use, with its progress bar and Ctrl-C.
-raytracer::ExitCode becomeTick1star(const RenderOptions& options, const GlobalOptions& global) {
+// Runs the reference in the program that students use, with its progress bar and Ctrl-C.
+raytracer::ExitCode becomeReference(const RenderOptions& options, const GlobalOptions& global) {
     const Home home = Home::find();
-    const std::string program = (home.programs / "tick1star-reference").string();
+    const std::string program = (home.programs / (options.exercise + "-reference")).string();
     std::vector<std::string> words{program,       "-i",       options.scene,         "-o",
                                    options.image, "--assets", home.assets().string()};
     const auto pass = [&](const char* name, const std::string& value) {
@@ -104,6 +107,7 @@ Run addRender(CLI::App& app, const GlobalOptions& global) {
     verb->add_option("scene", options->scene, "Scene file")->required();
     verb->add_option("-o,--output", options->image, "PNG file to write")->required();
     verb->add_option("-r,--resolution", options->size, "WIDTHxHEIGHT, 640x480 if not given");
+    addExerciseOption(*verb, options->exercise);
     verb->add_option("--samples", options->samples, "Camera rays for each pixel")
         ->check(CLI::PositiveNumber);
     verb->add_option("--threads", options->threads, "Threads; the picture does not depend on them")
@@ -115,7 +119,7 @@ Run addRender(CLI::App& app, const GlobalOptions& global) {
     return [options, &global] {
         if (options->engine == "oracle") return renderByOracle(*options);
         if (!options->solution.empty()) return renderBySubmission(*options);
-        return becomeTick1star(*options, global);
+        return becomeReference(*options, global);
     };
 }
 

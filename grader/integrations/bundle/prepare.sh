@@ -10,7 +10,7 @@ if [ ! -x '@COMPILER@' ] || [ ! -x /usr/bin/ld.lld ] || [ ! -x /usr/bin/bwrap ];
   apt-get install -y -q --no-install-recommends 'g++-@MAJOR@' libc6-dev lld bubblewrap
 fi
 
-cd lib/ticker/kit
+cd lib/ticker/kit/@EXERCISE@
 '@COMPILER@' @COMPILE@ -Iinclude -x c++-header pch/Framework.h -o pch/Framework.h.gch
 
 # Does the kit fit this system's C library? The image must not be built if not.
@@ -19,7 +19,7 @@ trial=$(mktemp)
   -Wl,--whole-archive lib/libkit.a -Wl,--no-whole-archive -o "$trial" @LINK@
 rm -f "$trial"
 
-cd ../../..
+cd ../../../..
 chmod -R a+rX .
 # For the log: which sandbox levels there are. The one that counts is that of the running container.
 bin/ticker doctor || true

@@ -19,7 +19,7 @@ struct AgreementCase {
     oracle::Reading reading;
 
     /// Whether it concerns only the relief, which has no random rays.
-    [[nodiscard]] bool isBump() const { return file == theExercise().files().front(); }
+    [[nodiscard]] bool isBump() const { return file == defaultExercise().files().front(); }
 };
 
 /// The accepted readings (docs/decisions/0003), one at a time, and all at once.

@@ -105,7 +105,7 @@ MistakeRow runOne(const Made& made, const build::Kit& kit, const sandbox::Sandbo
                   std::uint64_t seed) {
     const sandbox::Limits limits;
     const bool bump = made.entry.task() == "T1";
-    const std::string file{theExercise().fileOf(made.entry.task())};
+    const std::string file{defaultExercise().fileOf(made.entry.task())};
     const build::BuildResult built = build::buildProgram(kit, sandbox, limits, file, made.source);
     MistakeRow row;
     row.entry = made.entry;

@@ -34,7 +34,7 @@ std::string withReason(std::string_view element, const std::string& text) {
                        escapeHtml(text.substr(0, text.find('\n'))), escapeHtml(text));
 }
 
-std::string caseXml(const Case& test) {
+std::string caseXml(const Case& test, const std::string& exercise) {
     std::string inside;
     if (test.outcome == Outcome::failed)
         inside = withReason("failure", test.text);
@@ -42,8 +42,8 @@ std::string caseXml(const Case& test) {
         inside = withReason("skipped", test.text);
     else if (!test.text.empty())
         inside = fmt::format("      <system-out>{}</system-out>\n", escapeHtml(test.text));
-    const std::string start = fmt::format(
-        "    <testcase classname=\"tick1star\" name=\"{}\" time=\"0\"", escapeHtml(test.name));
+    const std::string start = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"",
+                                          exercise, escapeHtml(test.name));
     return inside.empty() ? start + "/>\n" : start + ">\n" + inside + "    </testcase>\n";
 }
 
@@ -66,7 +66,7 @@ std::optional<std::string> junitXml(const StudentView& view) {
     std::array<int, 3> counts{};
     int tests = 0;
     for (const Case& test : casesOf(view)) {
-        inside += caseXml(test);
+        inside += caseXml(test, view.exercise().name);
         ++counts.at(static_cast<std::size_t>(test.outcome));
         ++tests;
     }
@@ -75,9 +75,9 @@ std::optional<std::string> junitXml(const StudentView& view) {
     };
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
-        "  <testsuite name=\"tick1star\" tests=\"{}\" failures=\"{}\" errors=\"0\" "
+        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" "
         "skipped=\"{}\" time=\"{:.3f}\">\n{}  </testsuite>\n</testsuites>\n",
-        tests, count(Outcome::failed), count(Outcome::skipped),
+        view.exercise().name, tests, count(Outcome::failed), count(Outcome::skipped),
         view.result().timing.totalMs / 1000.0, inside);
 }
 

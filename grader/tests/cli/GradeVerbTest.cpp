@@ -1,3 +1,4 @@
+#include <grader/store/Store.h>
 #include <grader/tests/support/FitsSchema.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
@@ -121,6 +122,35 @@ TEST_F(Verbs, CheckSaysThatNothingIsAttemptedInTheTemplate) {
     EXPECT_EQ(ran.status, 0) << ran.errors;
     EXPECT_NE(ran.output.find("T1 Bump mapping: not attempted"), std::string::npos) << ran.output;
     EXPECT_NE(ran.output.find(": not awarded"), std::string::npos) << ran.output;
+}
+
+TEST_F(Verbs, AnExerciseAndItsOptionsAreKnownByName) {
+    const std::string sample = repository("grader/corpus/samples/notAwarded/bump-inverted");
+    EXPECT_EQ(run("check " + sample + " --exercise tick1star").status, 1);
+    const Ran unknown = run("check " + sample + " --exercise tick9");
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_NE(unknown.errors.find("tick1star"), std::string::npos) << unknown.errors;
+    const Ran option = run("check " + sample + " --option T9");
+    EXPECT_EQ(option.status, 2);
+    EXPECT_NE(option.errors.find("--option T9: tick1star has no such option; expected T1, T2 or "
+                                 "auto"),
+              std::string::npos)
+        << option.errors;
+}
+
+TEST_F(Verbs, ResultsOfAnotherExerciseAreNotMixedIn) {
+    const std::string sample = repository("grader/corpus/samples/awarded/reference-bump");
+    const std::string out = at("out").string();
+    ASSERT_EQ(run("grade " + sample + " -o '" + out + "'").status, 0);
+    EXPECT_EQ(nlohmann::json::parse(readBytes(at("out") / "reference-bump" / "result.json"))
+                  .at("exercise"),
+              "tick1star");
+    store::Store{at("out")}.remember("exercise", "tick9");
+    const Ran ran = run("grade " + sample + " -o '" + out + "'");
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_NE(ran.errors.find("holds results of tick9; give results of tick1star another folder"),
+              std::string::npos)
+        << ran.errors;
 }
 
 TEST_F(Verbs, CheckExitsWithOneWhereATaskFails) {

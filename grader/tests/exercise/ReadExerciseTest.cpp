@@ -16,6 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path fileOf(const Exercise& exercise) {
+    return fs::path{TICKER_SOURCE_DIR} / "grader/exercises" / exercise.name / "exercise.json";
+}
+
 const std::string kFile = "grader/exercises/tick1star/exercise.json";
 
 std::string complaintAbout(const std::string& from, const std::string& to) {
@@ -29,33 +33,64 @@ std::string complaintAbout(const std::string& from, const std::string& to) {
     return "";
 }
 
-TEST(ReadExercise, TheProgramCarriesTheProjectsFile) {
-    const Exercise fromFile = readExercise(fs::path{TICKER_SOURCE_DIR} / kFile);
-    EXPECT_EQ(fromFile.parts(), theExercise().parts());
-    EXPECT_EQ(fromFile.reported(), theExercise().reported());
+TEST(ReadExercise, TheProgramCarriesTheProjectsFiles) {
+    EXPECT_EQ(defaultExercise().name, "tick1star");
+    for (const Exercise& exercise : knownExercises()) {
+        const Exercise fromFile = readExercise(fileOf(exercise));
+        EXPECT_EQ(fromFile.name, exercise.name);
+        EXPECT_EQ(fromFile.parts(), exercise.parts());
+        EXPECT_EQ(fromFile.reported(), exercise.reported());
+    }
 }
 
-TEST(ReadExercise, TheFileFitsItsSchemaAndNamesWhatIsThere) {
-    EXPECT_TRUE(tests::fitsSchema(tests::readFile(kFile), "exercise"));
+TEST(ReadExercise, EachFileFitsItsSchemaAndNamesWhatIsThere) {
     const fs::path root{TICKER_SOURCE_DIR};
-    EXPECT_TRUE(fs::exists(root / theExercise().handout));
-    for (const std::string& file : theExercise().files()) {
-        EXPECT_TRUE(fs::exists(root / theExercise().stubs / file)) << file;
-        EXPECT_TRUE(fs::exists(root / theExercise().reference / file)) << file;
+    for (const Exercise& exercise : knownExercises()) {
+        EXPECT_TRUE(
+            tests::fitsSchema(tests::readFile(fs::relative(fileOf(exercise), root)), "exercise"));
+        EXPECT_TRUE(fs::exists(root / exercise.handout));
+        EXPECT_TRUE(fs::exists(root / exercise.rubric));
+        for (const std::string& file : exercise.files()) {
+            EXPECT_TRUE(fs::exists(root / exercise.stubs / file)) << file;
+            EXPECT_TRUE(fs::exists(root / exercise.reference / file)) << file;
+        }
+        for (const SceneEntry& scene : exercise.scenes)
+            EXPECT_TRUE(fs::exists(root / "scenes" / (scene.name + ".xml"))) << scene.name;
     }
-    for (const SceneEntry& scene : theExercise().scenes)
-        EXPECT_TRUE(fs::exists(root / "scenes" / (scene.name + ".xml"))) << scene.name;
 }
 
 TEST(ReadExercise, EveryTaskHasOneRowAndEveryRowATask) {
-    EXPECT_EQ(tasks::theTasks().size(), theExercise().tasks.size());
-    for (const Task& task : tasks::theTasks())
-        EXPECT_NE(theExercise().task(task.id), nullptr) << task.id;
+    for (const Exercise& exercise : knownExercises()) {
+        EXPECT_EQ(tasks::tasksOf(exercise.name).size(), exercise.tasks.size());
+        for (const Task& task : tasks::tasksOf(exercise.name))
+            EXPECT_NE(exercise.task(task.id), nullptr) << task.id;
+    }
+}
+
+TEST(ReadExercise, IsFoundByItsNameAndAnUnknownNameIsTold) {
+    EXPECT_EQ(&exerciseNamed("tick1star"), &defaultExercise());
+    try {
+        static_cast<void>(exerciseNamed("tick9"));
+        FAIL();
+    } catch (const raytracer::InputError& error) {
+        EXPECT_NE(std::string{error.what()}.find("there is no exercise \"tick9\"; expected "),
+                  std::string::npos);
+    }
+}
+
+TEST(ReadExercise, OfAResultIsTheOneThatItNames) {
+    SubmissionResult old;
+    SubmissionResult fresh;
+    fresh.exercise = defaultExercise().name;
+    EXPECT_EQ(&exerciseOf({old, fresh}), &defaultExercise());
+    SubmissionResult unknown;
+    unknown.exercise = "tick9";
+    EXPECT_THROW(static_cast<void>(exerciseOf(unknown)), raytracer::InputError);
 }
 
 TEST(ReadExercise, SaysWhereAFaultIsAndWhatWasExpected) {
     EXPECT_NE(complaintAbout("\"title\": \"Soft", "\"titel\": \"Soft")
-                  .find("x.json:10: /tasks/1/titel: expected no member of this name; known are: "
+                  .find("x.json:12: /tasks/1/titel: expected no member of this name; known are: "
                         "id, title, file"),
               std::string::npos)
         << complaintAbout("\"title\": \"Soft", "\"titel\": \"Soft");

@@ -43,7 +43,8 @@ bool isFoggy(const raytracer::SceneDescription& /*scene*/) {
 
 const std::vector<Task>& toyTasks() {
     static const std::vector<Task> kTasks = [] {
-        std::vector<Task> tasks{tasks::theTasks().begin(), tasks::theTasks().end()};
+        const auto known = tasks::tasksOf(defaultExercise().name);
+        std::vector<Task> tasks{known.begin(), known.end()};
         tasks.push_back({"T3", judgeFog, isFoggy, nullptr});
         return tasks;
     }();

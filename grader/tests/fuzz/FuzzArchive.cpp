@@ -26,7 +26,7 @@ intake::IntakeLimits limits() {
 }
 
 void check(const intake::Submission& submission) {
-    for (const std::string& part : theExercise().parts())
+    for (const std::string& part : defaultExercise().parts())
         if (const auto& bytes = submission.part(part))
             require(bytes->size() <= intake::byteLimitOf(part, limits()), "parts are bounded");
     require(std::ranges::all_of(submission.ignored,

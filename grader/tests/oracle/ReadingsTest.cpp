@@ -36,7 +36,7 @@ protected:
     }
 
 private:
-    build::Kit kit_ = build::Kit::at(std::filesystem::path{TICKER_BINARY_DIR} / "kit");
+    build::Kit kit_ = build::Kit::besideProgram();
     sandbox::Sandbox sandbox_ = sandbox::Sandbox::best();
 };
 

@@ -107,7 +107,7 @@ TEST_F(Gradescope, TellsAStudentWhatTheCompilerSaid) {
 
 TEST_F(Gradescope, LeavesNoScoreWhereWeFailed) {
     submit("awarded/reference-bump");
-    root_.bindReadOnly("/dev/null", "/autograder/source/ticker/lib/ticker/kit/kit.json");
+    root_.bindReadOnly("/dev/null", "/autograder/source/ticker/lib/ticker/kit/tick1star/kit.json");
     EXPECT_NE(grade().status, 0);
     EXPECT_EQ(results(), "");
 }
@@ -136,7 +136,7 @@ TEST_F(Platforms, PrairieLearnGetsAResultOrIsToldThatThereIsNone) {
     EXPECT_TRUE(tests::fitsSchema(results(), "prairielearn")) << results();
     EXPECT_EQ(json::parse(results()).at("score"), 1.0);
 
-    root.bindReadOnly("/dev/null", "/opt/ticker/ticker/lib/ticker/kit/kit.json");
+    root.bindReadOnly("/dev/null", "/opt/ticker/ticker/lib/ticker/kit/tick1star/kit.json");
     ran = root.runInContainer("/opt/ticker/entrypoint.sh");
     EXPECT_EQ(ran.status, 0) << "anything else throws the results away";
     EXPECT_TRUE(tests::fitsSchema(results(), "prairielearn")) << results();

@@ -8,7 +8,8 @@ namespace ticker::tests {
 namespace fs = std::filesystem;
 
 UnpackedPackage::UnpackedPackage() {
-    package::writeStudentPackage(TICKER_SOURCE_DIR, work_.path() / "package.zip");
+    package::writeStudentPackage(TICKER_SOURCE_DIR, defaultExercise(),
+                                 work_.path() / "package.zip");
     const CommandResult unpacked =
         runCommand("cd '" + work_.path().string() + "' && cmake -E tar xf package.zip");
     if (unpacked.status != 0) throw std::runtime_error("cannot unpack: " + unpacked.output);
