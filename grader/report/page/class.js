@@ -27,7 +27,7 @@ function filter() {
   remember();
 }
 
-/// Keeps the filters in the address, so that coming back from a report, or a link, brings them back.
+/// Stores the filters in the address, so that going back from a report, or opening a link, restores them.
 function remember() {
   const state = new URLSearchParams();
   for (const [name, control] of Object.entries(controls)) if (control.value) state.set(name, control.value);

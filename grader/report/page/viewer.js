@@ -1,5 +1,5 @@
 "use strict";
-// Of the report and of the ticking session.
+// Shared by the report and the ticking session.
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
 
 /// The pictures of one scene: side by side or one over the other, blinking, all zooming together.
@@ -47,14 +47,14 @@ class Viewer {
     this.status.textContent = over ? `Showing: ${shown}` : "";
   }
 
-  /// How much of the submitted picture is over the expected one, in percent.
+  /// Covered share of the expected picture, in percent.
   wipe(share) {
     this.slider.value = share;
     this.section.style.setProperty("--share", `${this.slider.value}%`);
     this.lay(true);
   }
 
-  /// Where in a frame the pointer is, from 0 to 1; null where it is in none.
+  /// Position of the pointer in its frame, from 0 to 1; null outside of all frames.
   place(event) {
     // Not the event's target: a captured pointer has the stage for its target.
     const frame = document.elementFromPoint(event.clientX, event.clientY)?.closest(".frame");
@@ -63,7 +63,7 @@ class Viewer {
     return { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height, box, frame };
   }
 
-  /// Zooms by a factor; what is at `fixed` stays there.
+  /// Zooms by a factor around the fixed point `fixed`.
   magnify(factor, fixed) {
     const before = this.zoom;
     this.zoom = clamp(before * factor, 1, 32);
@@ -159,7 +159,7 @@ function pixelOf(image, x, y) {
   }
 }
 
-/// The one with the focus in it, else the one in the middle of the window.
+/// The viewer with the focus, or else the one in the middle of the window.
 function viewerInSight(viewers) {
   const focused = viewers.find(({ section }) => section.contains(document.activeElement));
   const distance = ({ section }) => {
