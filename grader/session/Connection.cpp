@@ -67,7 +67,7 @@ public:
     [[nodiscard]] socket_t socket() const override { return socket_; }
 
 private:
-    // What still comes must not be taken for another request.
+    // Later bytes must not be read as another request.
     [[nodiscard]] ssize_t giveUp() const {
         shutdown(socket_, SHUT_RDWR);
         return -1;

@@ -19,10 +19,10 @@ class Newcomers {
 public:
     explicit Newcomers(std::size_t most) : most_(most) {}
 
-    /// Takes a connection in. Where there are more than `most` now, the oldest one ends: what waits
-    /// for its data gets none.
+    /// Adds a connection. With more than `most` connections the oldest one is closed; a read that
+    /// waits for its data ends.
     void add(int socket);
-    /// For one that has shown the token, or is about to be closed.
+    /// Removes a connection that has shown the token, or is about to be closed.
     void remove(int socket);
 
 private:
@@ -31,10 +31,10 @@ private:
     std::list<int> sockets_;  // oldest first
 };
 
-/// For how long a connection may be silent between two requests.
+/// Longest silence of a connection between two requests.
 inline constexpr std::chrono::seconds kLongestIdle{2};
 
-/// Waits for the first byte of a request. False: none came in time.
+/// Waits for the first byte of a request; false if it does not come in time.
 [[nodiscard]] bool isRequestComing(int socket);
 
 /// One request of a connection. The connection ends where all of the request, its head and its
