@@ -1,6 +1,7 @@
 #include <grader/cli/Formats.h>
 
 #include <grader/base/WholeFile.h>
+#include <grader/cli/CanvasFormat.h>
 #include <grader/cli/Output.h>
 #include <grader/cli/verbs/StudentPages.h>
 #include <grader/report/ClassPage.h>
@@ -65,6 +66,18 @@ const std::map<std::string, ClassFormat>& classFormats() {
     return kFormats;
 }
 
+bool isOpen(const store::ClassEntry& entry) {
+    return !isDecided(entry);
+}
+
+std::vector<StudentView> viewsOf(const std::vector<store::ClassEntry>& entries,
+                                 const report::StudentPolicy& policy) {
+    std::vector<StudentView> views;
+    for (const store::ClassEntry& entry : entries)
+        views.push_back(studentViewOf(entry, policy));
+    return views;
+}
+
 void tell(const report::MoodleGrades& grades, const std::vector<store::ClassEntry>& entries) {
     for (const std::string& remark : grades.remarks)
         fmt::print(stderr, "{}\n", remark);
@@ -90,14 +103,11 @@ std::vector<fs::path> writeMoodle(const fs::path& out, std::vector<store::ClassE
         throw raytracer::InputError("--format moodle", 0,
                                     "needs --worksheet FILE: Moodle's grading worksheet, freshly "
                                     "downloaded");
-    if (options.decidedOnly)
-        std::erase_if(entries, [](const store::ClassEntry& entry) { return !isDecided(entry); });
-    std::vector<StudentView> views;
+    if (options.decidedOnly) std::erase_if(entries, isOpen);
+    const std::vector<StudentView> views = viewsOf(entries, policy);
     std::vector<std::string> pages;
-    for (const store::ClassEntry& entry : entries) {
-        views.push_back(studentViewOf(entry, policy));
+    for (const store::ClassEntry& entry : entries)
         pages.push_back(studentPageOf(out, entry, policy));
-    }
     std::optional<report::ScaleWords> scale;
     if (!options.scale.empty())
         scale = report::ScaleWords{options.scale.at(0), options.scale.at(1)};
@@ -146,18 +156,23 @@ std::vector<fs::path> writeEach(const fs::path& out, const std::vector<store::Cl
 
 void addFormatOptions(CLI::App& verb, FormatOptions& options) {
     verb.add_option("--worksheet", options.worksheet,
-                    "For moodle: its grading worksheet, freshly downloaded");
+                    "For moodle: its grading worksheet, freshly downloaded; for canvas: the "
+                    "exported gradebook");
+    verb.add_option("--assignment", options.assignment,
+                    "For canvas: the assignment's name or id in the gradebook");
+    verb.add_option("--download", options.download,
+                    "For canvas: the zip of its submissions, to write comments under its names");
     verb.add_option("--scale", options.scale,
                     "For moodle, where a scale is used: its words for not awarded and awarded")
         ->delimiter(',')
         ->expected(2);
     verb.add_flag("--decided-only", options.decidedOnly,
-                  "For moodle: only those about whom a person has decided");
+                  "For moodle and canvas: only those about whom a person has decided");
     addStudentView(verb, options.studentView);
 }
 
 std::vector<std::string> formatNames() {
-    std::vector<std::string> names{"html", "moodle"};
+    std::vector<std::string> names{"canvas", "html", "moodle"};
     for (const auto& [name, unused] : eachFormats())
         names.push_back(name);
     for (const auto& [name, unused] : classFormats())
@@ -179,6 +194,10 @@ std::vector<fs::path> writeFormats(const fs::path& out,
             files = writePages(out, entries, options);
         } else if (name == "moodle") {
             files = writeMoodle(out, entries, policyFrom(options.studentView), options);
+        } else if (name == "canvas") {
+            std::vector<store::ClassEntry> chosen = entries;
+            if (options.decidedOnly) std::erase_if(chosen, isOpen);
+            files = writeCanvas(out, viewsOf(chosen, policyFrom(options.studentView)), options);
         } else {
             for (const EachFile& file : eachFormats().at(name))
                 std::ranges::move(writeEach(out, entries, policyFrom(options.studentView), file),

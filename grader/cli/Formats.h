@@ -16,13 +16,17 @@ namespace ticker::cli {
 /// The formats to write, and their options.
 struct FormatOptions {
     std::vector<std::string> names;
-    std::string worksheet;           ///< moodle's
+    std::string worksheet;           ///< moodle's, or canvas's gradebook
+    std::string assignment;          ///< canvas: its column in the gradebook
+    std::string download;            ///< canvas: the zip of the submissions; empty: no comments
     std::vector<std::string> scale;  ///< moodle: words for "not awarded" and "awarded"
-    bool decidedOnly = false;        ///< moodle: leave out marks that are only the tool's proposal
-    std::string studentView;         ///< empty: the kit's own
+    bool decidedOnly =
+        false;                ///< moodle, canvas: leave out marks that are only the tool's proposal
+    std::string studentView;  ///< empty: the kit's own
 };
 
-/// Adds the formats' options to a verb: --worksheet, --scale, --decided-only, --student-view.
+/// Adds the formats' options to a verb: --worksheet, --assignment, --download,
+/// --scale, --decided-only, --student-view.
 void addFormatOptions(CLI::App& verb, FormatOptions& options);
 
 /// The formats of `writeFormats`: "autolab", "classroom", ...

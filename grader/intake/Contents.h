@@ -71,7 +71,7 @@ struct Contents {
 [[nodiscard]] bool isArchive(std::string_view path);
 
 /// Reads a folder and all folders below it. Links, pipes and devices are never opened.
-/// @param owner  The owner in a Moodle export whose part is read; empty: everything.
+/// @param owner  The owner in a class export whose part is read; empty: everything.
 /// @throws raytracer::InputError if the folder itself cannot be read.
 [[nodiscard]] Contents readFolder(const std::filesystem::path& folder, const IntakeLimits& limits,
                                   const std::string& owner = {});

@@ -1,6 +1,6 @@
 #include <grader/intake/Intake.h>
 #include <grader/intake/Layout.h>
-#include <grader/intake/MoodleExport.h>
+#include <grader/intake/ClassExport.h>
 #include <grader/intake/SafeName.h>
 
 #include <raytracer/base/Error.h>
@@ -54,7 +54,7 @@ Place placeAt(const fs::path& path, int depth) {
 }
 
 std::vector<Place> placesInExport(const fs::path& exported, const Exercise& exercise) {
-    const MoodleExport found = readMoodleExport(exported, exercise);
+    const ClassExport found = readClassExport(exported, exercise);
     std::vector<Place> places;
     for (const std::string& owner : found.owners)
         places.push_back({exported, owner, owner});

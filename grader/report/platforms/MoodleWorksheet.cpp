@@ -3,6 +3,7 @@
 #include <grader/report/Escape.h>
 #include <grader/report/platforms/CsvFile.h>
 #include <grader/report/platforms/MoodleColumns.h>
+#include <grader/report/platforms/SubmissionId.h>
 
 #include <raytracer/base/Error.h>
 
@@ -16,18 +17,6 @@
 
 namespace ticker::report {
 namespace {
-
-/// The digits at the end of "Participant 123" or "Ann Lee_123"; empty without digits.
-std::string digitsAtEnd(std::string_view text) {
-    const std::size_t last = text.find_last_not_of("0123456789");
-    return std::string{last == std::string_view::npos ? text : text.substr(last + 1)};
-}
-
-std::string idOf(const std::string& submission) {
-    const std::string digits = digitsAtEnd(submission);
-    const std::size_t mark = submission.size() - digits.size();
-    return !digits.empty() && mark > 0 && submission[mark - 1] == '_' ? digits : "";
-}
 
 std::string nameOf(const std::string& submission) {
     const std::string id = idOf(submission);

@@ -1,5 +1,5 @@
 #include <grader/intake/Intake.h>
-#include <grader/intake/MoodleExport.h>
+#include <grader/intake/ClassExport.h>
 #include <grader/tests/support/MoodleExport.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
@@ -128,11 +128,11 @@ TEST(MoodleExport, KeepsTheIdOfAVeryLongName) {
 }
 
 TEST(MoodleExport, IsNoneWhereOnlyTheWordsComeInAName) {
-    EXPECT_FALSE(readMoodlePath("_assignsubmission_file/Renderer.cpp"));
-    EXPECT_FALSE(readMoodlePath("Ann_1_assignsubmission_/Renderer.cpp"));
-    EXPECT_FALSE(readMoodlePath("Ann_1_assignfeedback_file/Renderer.cpp"));
-    EXPECT_FALSE(readMoodlePath("__MACOSX/._Ann_1_assignsubmission_file_Renderer.cpp"));
-    EXPECT_FALSE(readMoodlePath("work/src/Ann_1_assignsubmission_file/Renderer.cpp"));
+    EXPECT_FALSE(readExportedPath("_assignsubmission_file/Renderer.cpp"));
+    EXPECT_FALSE(readExportedPath("Ann_1_assignsubmission_/Renderer.cpp"));
+    EXPECT_FALSE(readExportedPath("Ann_1_assignfeedback_file/Renderer.cpp"));
+    EXPECT_FALSE(readExportedPath("__MACOSX/._Ann_1_assignsubmission_file_Renderer.cpp"));
+    EXPECT_FALSE(readExportedPath("work/src/Ann_1_assignsubmission_file/Renderer.cpp"));
 }
 
 TEST(MoodleExport, IsNotMadeOfAClassByOneFolderThatIsNamedSo) {

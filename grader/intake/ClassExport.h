@@ -1,5 +1,5 @@
-#ifndef TICKER_INTAKE_MOODLEEXPORT_H
-#define TICKER_INTAKE_MOODLEEXPORT_H
+#ifndef TICKER_INTAKE_CLASSEXPORT_H
+#define TICKER_INTAKE_CLASSEXPORT_H
 
 #include <grader/exercise/Exercise.h>
 
@@ -11,27 +11,27 @@
 
 namespace ticker::intake {
 
-/// Owner of a file in a Moodle export, and its path inside the owner's submission.
-struct MoodleFile {
+/// Owner of a file in an export of Moodle or Canvas, and its path inside the owner's submission.
+struct ExportedFile {
     std::string owner;  ///< "Ann Lee_123", "Participant_123", "Default group": raw bytes
     std::string path;   ///< "src/File.cpp", "onlinetext/onlinetext.html"; may be empty
 };
 
-/// Splits a path of an export, in any of Moodle's layouts, also below one folder that an unpacking
-/// program added; empty if it is not a submission's path.
-[[nodiscard]] std::optional<MoodleFile> readMoodlePath(std::string_view path);
+/// Splits a path of an export, in any layout of Moodle or Canvas, also below one folder that an
+/// unpacking program added; empty if it is not a submission's path.
+[[nodiscard]] std::optional<ExportedFile> readExportedPath(std::string_view path);
 
 /// Owners and other contents of an export (a zip or a folder).
-struct MoodleExport {
+struct ClassExport {
     std::vector<std::string> owners;  ///< all owners, by name; empty if it is not an export
     /// First components of paths that may be work, but fit no layout.
     std::vector<std::string> others;
 };
 
-/// Reads an export. Most paths that may be work must fit a layout of Moodle: a single such name
+/// Reads an export. Most paths that may be work must fit one of these layouts: a single such name
 /// does not make an export.
-[[nodiscard]] MoodleExport readMoodleExport(const std::filesystem::path& exported,
-                                            const Exercise& exercise);
+[[nodiscard]] ClassExport readClassExport(const std::filesystem::path& exported,
+                                          const Exercise& exercise);
 
 /// Name of the owner in Located for one of `others`.
 [[nodiscard]] std::string ownerOfOther(std::string_view other);

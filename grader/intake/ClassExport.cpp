@@ -1,5 +1,6 @@
-#include <grader/intake/MoodleExport.h>
+#include <grader/intake/ClassExport.h>
 
+#include <grader/intake/CanvasName.h>
 #include <grader/intake/Contents.h>
 
 #include <set>
@@ -16,7 +17,7 @@ constexpr std::string_view kSubmission = "_assignsubmission_";
 //   folders      Ann Lee_123_assignsubmission_file/src/File.cpp
 //   before 4.1   Ann Lee_123_assignsubmission_file_/src/File.cpp
 //   flat         Ann Lee_123_assignsubmission_file_File.cpp
-std::optional<MoodleFile> readFrom(std::string_view path) {
+std::optional<ExportedFile> readMoodlePath(std::string_view path) {
     const std::size_t mark = path.substr(0, path.find('/')).find(kSubmission);
     if (mark == std::string_view::npos || mark == 0) return std::nullopt;
     std::string_view rest = path.substr(mark + kSubmission.size());
@@ -26,9 +27,15 @@ std::optional<MoodleFile> readFrom(std::string_view path) {
     if (plugin.empty() || (!rest.empty() && rest[0] != '_' && rest[0] != '/')) return std::nullopt;
     if (rest.starts_with('_')) rest.remove_prefix(1);
     if (rest.starts_with('/')) rest.remove_prefix(1);
-    MoodleFile file{std::string{path.substr(0, mark)}, std::string{rest}};
+    ExportedFile file{std::string{path.substr(0, mark)}, std::string{rest}};
     if (plugin != "file" && !rest.empty()) file.path = std::string{plugin} + "/" + file.path;
     return file;
+}
+
+std::optional<ExportedFile> readFrom(std::string_view path) {
+    if (auto file = readMoodlePath(path)) return file;
+    if (auto name = readCanvasName(path)) return ExportedFile{name->owner, name->file};
+    return std::nullopt;
 }
 
 struct Member {
@@ -65,18 +72,18 @@ std::vector<Member> membersOf(const fs::path& exported, const Exercise& exercise
 
 }  // namespace
 
-std::optional<MoodleFile> readMoodlePath(std::string_view path) {
+std::optional<ExportedFile> readExportedPath(std::string_view path) {
     if (isLitter(path)) return std::nullopt;
     if (auto file = readFrom(path)) return file;
     const std::size_t slash = path.find('/');
     return slash == std::string_view::npos ? std::nullopt : readFrom(path.substr(slash + 1));
 }
 
-MoodleExport readMoodleExport(const fs::path& exported, const Exercise& exercise) {
+ClassExport readClassExport(const fs::path& exported, const Exercise& exercise) {
     std::set<std::string> owners;
     std::set<std::string> others;
     for (const Member& member : membersOf(exported, exercise)) {
-        if (const auto file = readMoodlePath(member.path))
+        if (const auto file = readExportedPath(member.path))
             owners.insert(file->owner);
         else if (member.mayBeWork)
             others.insert(member.path.substr(0, member.path.find('/')));
@@ -93,7 +100,7 @@ std::string ownerOfOther(std::string_view other) {
 
 std::optional<std::string> pathInWork(std::string_view owner, std::string_view path) {
     if (owner.empty()) return std::string{path};
-    auto file = readMoodlePath(path);
+    auto file = readExportedPath(path);
     const bool isOther = !file && ownerOfOther(path.substr(0, path.find('/'))) == owner;
     if (isOther) return std::string{path};
     if (!file || file->owner != owner) return std::nullopt;
