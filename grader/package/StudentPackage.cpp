@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 // Listed one by one, so that other things in the folder, such as a build, are left out.
 constexpr std::array kFolders{".devcontainer", ".vscode", "cmake", "framework", "tests"};
-constexpr std::array kFiles{".clangd",   "CMakeLists.txt", "CMakePresets.json",
-                            "README.md", "check",          "vcpkg.json"};
+constexpr std::array kFiles{".clangd", "CMakeLists.txt", "CMakePresets.json", "README.md",
+                            "check",   "check.cmd",      "check.json",        "vcpkg.json"};
 
 /// A student's package on its way.
 class Package {

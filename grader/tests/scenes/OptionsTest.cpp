@@ -1,5 +1,6 @@
 #include <student_template/framework/app/Options.h>
 #include <student_template/framework/app/Progress.h>
+#include <student_template/framework/app/ProgressText.h>
 
 #include <raytracer/base/Error.h>
 

@@ -103,6 +103,7 @@ TEST_F(StudentPackage, HoldsWhatAStudentNeeds) {
     const auto texts = contents();
     for (const char* name : {"README.md",
                              "check",
+                             "check.cmd",
                              "CMakeLists.txt",
                              "CMakePresets.json",
                              "vcpkg.json",

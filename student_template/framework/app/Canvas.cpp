@@ -43,7 +43,8 @@ void Canvas::pixelSet(int x, int y, const ColourRGB& colour) {
     picture_.set(x, y, colour);
     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(bytes_.width) +
                               static_cast<std::size_t>(x);
-    std::ranges::copy(bytes, bytes_.rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
+    std::copy(bytes.begin(), bytes.end(),
+              bytes_.rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
     if (interrupted_() && --pixelsToCome_ < 0) throw RenderStopped();
 }
 

@@ -6,6 +6,7 @@
 #include "PixelStory.h"
 #include "Preview.h"
 #include "Progress.h"
+#include "System.h"
 
 #include <raytracer/base/Unfinished.h>
 #include <raytracer/io/ImageWriter.h>
@@ -34,7 +35,7 @@ std::uint64_t freshSeed() {
 /// Finds the folder `assets` beside the program or above it, else in the working folder.
 fs::path findAssets() {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path program = programFile();
     for (fs::path folder = program.parent_path(); !folder.empty(); folder = folder.parent_path()) {
         if (fs::is_directory(folder / "assets", error)) return folder / "assets";
         if (folder == folder.root_path()) break;
@@ -99,7 +100,7 @@ Rendered render(const Options& options, const Scene& scene, const RenderSettings
 
 /// "out.png" -> "out-difference.png"
 fs::path differenceFileOf(const fs::path& image) {
-    return image.parent_path() / (image.stem().string() + "-difference.png");
+    return image.parent_path() / (image.stem() += "-difference.png");
 }
 
 void compare(const ByteImage& picture, const ByteImage& other, const Options& options) {
@@ -113,8 +114,8 @@ void compare(const ByteImage& picture, const ByteImage& other, const Options& op
 /// Lists the stubs that are still there, for the option that the scene belongs to. One option is
 /// enough, so the other one is not mentioned.
 void remindOfStubs(const SceneDescription& scene) {
-    const bool bumpy = std::ranges::any_of(
-        scene.spheres, [](const auto& sphere) { return sphere.heightMap != nullptr; });
+    const bool bumpy = std::any_of(scene.spheres.begin(), scene.spheres.end(),
+                                   [](const auto& sphere) { return sphere.heightMap != nullptr; });
     const std::vector<std::string_view> tasks =
         bumpy ? std::vector<std::string_view>{"T1"} : std::vector<std::string_view>{"T2.1", "T2.2"};
     for (const std::string_view task : tasks)

@@ -2,6 +2,7 @@
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>
+#include <raytracer/io/PathOf.h>
 
 #include <algorithm>
 #include <array>
@@ -100,9 +101,9 @@ void setTrace(Options& options, const Value& value) {
 
 constexpr auto kOptions = std::to_array<Option>({
     {"--input", "-i", "SCENE", "the scene file (XML)",
-     [](Options& o, const Value& value) { o.scene = value.text; }},
+     [](Options& o, const Value& value) { o.scene = pathOf(value.text); }},
     {"--output", "-o", "IMAGE", "the picture to write (PNG)",
-     [](Options& o, const Value& value) { o.image = value.text; }},
+     [](Options& o, const Value& value) { o.image = pathOf(value.text); }},
     {"--resolution", "-r", "WxH", "size of the full frame in pixels, 640x480 if not given",
      setSize},
     {"--bounces", "-b", "N", "reflections to follow, 2 if not given",
@@ -120,7 +121,7 @@ constexpr auto kOptions = std::to_array<Option>({
     {"--normals", "", "", "show normals as colours: red right, green up, blue towards the eye",
      [](Options& o, const Value&) { o.normals = true; }},
     {"--compare", "", "IMAGE", "say how far the picture is from this one; also as a picture",
-     [](Options& o, const Value& value) { o.compare = value.text; }},
+     [](Options& o, const Value& value) { o.compare = pathOf(value.text); }},
     {"--shadow-rays", "", "N", "shadow rays for each point and light, 10 if not given",
      [](Options& o, const Value& value) {
          o.settings.shadowRayCount = smallCount(value, 1, kMostRays);
@@ -143,9 +144,9 @@ constexpr auto kOptions = std::to_array<Option>({
          o.settings.lightSize = 0.0;
      }},
     {"--assets", "", "DIR", "where bump maps are that do not lie beside the scene",
-     [](Options& o, const Value& value) { o.assets = value.text; }},
+     [](Options& o, const Value& value) { o.assets = pathOf(value.text); }},
     {"--linear", "", "FILE", "also write the linear colours, as a PFM file",
-     [](Options& o, const Value& value) { o.linear = value.text; }},
+     [](Options& o, const Value& value) { o.linear = pathOf(value.text); }},
     {"--quiet", "-q", "", "no progress bar, no remarks",
      [](Options& o, const Value&) { o.quiet = true; }},
     {"--verbose", "-v", "", "say the seed, the threads and the time",
@@ -155,14 +156,13 @@ constexpr auto kOptions = std::to_array<Option>({
 });
 
 const Option& optionCalled(std::string_view name) {
-    const auto* found = std::ranges::find_if(kOptions, [name](const Option& option) {
-        return name == option.name || (!option.shortName.empty() && name == option.shortName);
-    });
-    if (found != kOptions.end()) return *found;
     std::vector<std::string_view> names;
     names.reserve(kOptions.size());
-    for (const Option& option : kOptions)
+    for (const Option& option : kOptions) {
+        const bool isShort = !option.shortName.empty() && name == option.shortName;
+        if (isShort || name == option.name) return option;
         names.push_back(option.name);
+    }
     const std::optional<std::string_view> nearest = nearestName(name, names);
     fail("unknown option " + inQuotes(name) +
          (nearest ? "; did you mean " + std::string(*nearest) + "?" : ""));
@@ -170,7 +170,7 @@ const Option& optionCalled(std::string_view name) {
 
 bool endsInPng(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](char c) {
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
         return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     });
     return extension == ".png";

@@ -76,8 +76,10 @@ int colourOf256(const Bytes& colour) {
     }
     constexpr std::array<int, 6> kLevels{0, 95, 135, 175, 215, 255};
     const auto level = [&](int value) {
-        const auto nearest = std::ranges::min_element(
-            kLevels, {}, [value](int candidate) { return std::abs(candidate - value); });
+        const auto nearest =
+            std::min_element(kLevels.begin(), kLevels.end(), [value](int one, int other) {
+                return std::abs(one - value) < std::abs(other - value);
+            });
         return static_cast<int>(nearest - kLevels.begin());
     };
     return 16 + 36 * level(colour[0]) + 6 * level(colour[1]) + level(colour[2]);

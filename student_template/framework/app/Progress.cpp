@@ -1,9 +1,8 @@
 #include "Progress.h"
 
-#include <algorithm>
-#include <cmath>
+#include "ProgressText.h"
+
 #include <csignal>
-#include <cstddef>
 #include <cstdio>
 #include <utility>
 
@@ -11,7 +10,6 @@ namespace raytracer {
 namespace {
 
 constexpr std::chrono::milliseconds kRedrawEvery{100};
-constexpr int kBarWidth = 30;
 
 // A signal handler may only set a flag: it has no other way to report.
 std::atomic<bool> interruptAsked{false};
@@ -20,14 +18,6 @@ static_assert(std::atomic<bool>::is_always_lock_free, "needed in a signal handle
 void askToStop(int signal) {
     interruptAsked = true;
     std::signal(signal, SIG_DFL);
-}
-
-std::string durationText(double seconds) {
-    const long whole = std::lround(seconds);
-    if (whole < 60) return std::to_string(whole) + " s";
-    if (whole < 3600)
-        return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
-    return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
 }  // namespace
@@ -61,18 +51,6 @@ void Progress::rowFinished(int /*row*/, int done, int rows) {
 
 bool Progress::interrupted() const {
     return interruptAsked;
-}
-
-std::string progressText(int done, int rows, double seconds) {
-    const int filled = kBarWidth * done / std::max(1, rows);
-    const double left = seconds * (rows - done) / std::max(1, done);
-    const std::string percent = std::to_string(100 * done / std::max(1, rows));
-    std::string text = "[";
-    text.append(static_cast<std::size_t>(filled), '#');
-    text.append(static_cast<std::size_t>(kBarWidth - filled), '-');
-    text += "] ";
-    text.append(3 - std::min<std::size_t>(3, percent.size()), ' ');
-    return text + percent + " %, " + durationText(left) + " left";
 }
 
 }  // namespace raytracer

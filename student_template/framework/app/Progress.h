@@ -42,10 +42,6 @@ private:
     std::function<std::string()> above_;
 };
 
-/// The text of a bar: `[#####-----]  50 %, 12 s left`.
-/// @param seconds  Time since the start.
-[[nodiscard]] std::string progressText(int done, int rows, double seconds);
-
 }  // namespace raytracer
 
 #endif

@@ -1,8 +1,9 @@
 #include "Terminal.h"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
+#include "System.h"
+
 #include <cstdlib>
+#include <optional>
 
 namespace raytracer {
 namespace {
@@ -25,19 +26,21 @@ Palette paletteFor(std::string_view colourTerm, std::string_view term, std::stri
 Terminal terminalOnStderr() {
     Terminal terminal;
     const std::string_view term = variable("TERM");
-    if (isatty(STDERR_FILENO) != 1) return terminal;
-    terminal.palette = paletteFor(variable("COLORTERM"), term, variable("NO_COLOR"));
-    terminal.redraws = !term.empty() && term != "dumb";
-    winsize size{};
-    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
-        terminal.columns = size.ws_col;
-        terminal.lines = size.ws_row;
+    if (!isTerminal(Stream::error)) return terminal;
+    const bool isModern = term.empty() && terminalsNeedNoTerm();
+    terminal.palette = isModern && variable("NO_COLOR").empty()
+                           ? Palette::fullColour
+                           : paletteFor(variable("COLORTERM"), term, variable("NO_COLOR"));
+    terminal.redraws = isModern || (!term.empty() && term != "dumb");
+    if (const std::optional<WindowSize> size = windowSize(Stream::error)) {
+        terminal.columns = size->columns;
+        terminal.lines = size->lines;
     }
     return terminal;
 }
 
 bool terminalWantsProgress() {
-    return isatty(STDERR_FILENO) == 1 && variable("NO_COLOR").empty();
+    return isTerminal(Stream::error) && variable("NO_COLOR").empty();
 }
 
 }  // namespace raytracer

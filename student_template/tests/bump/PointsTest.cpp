@@ -79,9 +79,10 @@ TEST_F(BumpMapping, NormalsPointOutwards) {
     const BumpySphere& sphere = keptSphere(
         {1.3, -0.7, 25.0}, 14.0, mapOf(questions::ramp(1500, kGentle.rise), questions::level(90)));
     const std::vector<Vector3> directions = telltaleDirections();
-    const auto inward = std::ranges::count_if(directions, [&](const Vector3& direction) {
-        return sphere.getNormalAt(sphere.centre() + direction * 14.0).dot(direction) <= 0.0;
-    });
+    const auto inward =
+        std::count_if(directions.begin(), directions.end(), [&](const Vector3& direction) {
+            return sphere.getNormalAt(sphere.centre() + direction * 14.0).dot(direction) <= 0.0;
+        });
     if (inward * 50 <= std::ssize(directions)) return;
     complain("a nearly flat map", "normals that point away from the centre",
              std::to_string(inward) + " of " + std::to_string(directions.size()) +

@@ -72,7 +72,7 @@ bool stayInPixel(const std::vector<Ray>& rays, const RenderSettings& settings, i
     const Vector3 middle = inPlane(camera.castRay(x, 0), plane);
     const double half = (inPlane(camera.castRay(x + 1, 0), plane) - middle).magnitude() / 2.0;
     constexpr double kRounding = 2e-4;
-    return std::ranges::all_of(rays, [&](const Ray& ray) {
+    return std::all_of(rays.begin(), rays.end(), [&](const Ray& ray) {
         const Vector3 beside = inPlane(ray, plane) - middle;
         return std::max(std::abs(beside.x), std::abs(beside.y)) <= half + kRounding;
     });
@@ -101,8 +101,8 @@ bool antialiases(const Trial& trial) {
 
 /// Complains if rays point away from the scene.
 void judgeHeading(const std::vector<Ray>& rays, const std::string& asked) {
-    const auto away =
-        std::ranges::count_if(rays, [](const Ray& ray) { return !(ray.direction.z > 0.0); });
+    const auto away = std::count_if(rays.begin(), rays.end(),
+                                    [](const Ray& ray) { return !(ray.direction.z > 0.0); });
     if (away == 0) return;
     complain(asked, "rays that run from the lens to the focal point",
              std::to_string(away) + " of " + std::to_string(rays.size()) + " run the other way",

@@ -145,8 +145,9 @@ TEST_F(SoftShadows, AimPointsAreDrawnAnewEachTime) {
     std::vector<Vector3> feet;
     for (const Ray& ray : trial.rays()) {
         const Vector3 foot = questions::footFrom(kLight, ray);
-        const bool known = std::ranges::any_of(
-            feet, [&](const Vector3& other) { return (foot - other).magnitude() < 1e-7; });
+        const bool known = std::any_of(feet.begin(), feet.end(), [&](const Vector3& other) {
+            return (foot - other).magnitude() < 1e-7;
+        });
         if (!known) feet.push_back(foot);
     }
     if (feet.size() > static_cast<std::size_t>(handout_.shadowRayCount)) return;

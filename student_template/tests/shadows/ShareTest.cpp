@@ -56,17 +56,18 @@ TEST_F(SoftShadows, OnlyAmbientLightIsLeftInFullShadow) {
 /// accepted; its few points give the share only roughly.
 bool hasOnePattern(const Trial& trial, const Vector3& point) {
     const double first = shareOf(trial.colours().front(), point);
-    return std::ranges::all_of(trial.colours(), [&](const ColourRGB& colour) {
-        return std::abs(shareOf(colour, point) - first) < 0.02;
-    });
+    return std::all_of(
+        trial.colours().begin(), trial.colours().end(),
+        [&](const ColourRGB& colour) { return std::abs(shareOf(colour, point) - first) < 0.02; });
 }
 
 /// Number of calls with a share between 0 and 1.
 std::ptrdiff_t countBetween(const Trial& trial, const Vector3& point) {
-    return std::ranges::count_if(trial.colours(), [&](const ColourRGB& colour) {
-        const double share = shareOf(colour, point);
-        return share > 0.04 && share < 0.96;
-    });
+    return std::count_if(trial.colours().begin(), trial.colours().end(),
+                         [&](const ColourRGB& colour) {
+                             const double share = shareOf(colour, point);
+                             return share > 0.04 && share < 0.96;
+                         });
 }
 
 TEST_F(SoftShadows, AShareOfTheLightArrivesAtTheEdgeOfAShadow) {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <numeric>
 #include <system_error>
 #include <vector>
@@ -35,15 +36,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-template <typename Number>
-std::optional<Number> parseWhole(std::string_view text) {
-    Number value{};
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || stop != end) return std::nullopt;
-    return value;
-}
-
 }  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -51,12 +43,23 @@ std::optional<double> parseNumber(std::string_view text) {
         text.remove_prefix(1);
         if (text.starts_with('-')) return std::nullopt;
     }
-    const std::optional<double> value = parseWhole<double>(text);
-    return value && std::isfinite(*value) ? value : std::nullopt;
+    // Not every library can read a double with from_chars. strtod also takes other notations.
+    if (text.empty() || text.find_first_not_of("0123456789.eE+-") != std::string_view::npos)
+        return std::nullopt;
+    const std::string whole{text};
+    char* end = nullptr;
+    errno = 0;
+    const double value = std::strtod(whole.c_str(), &end);
+    if (errno != 0 || end != whole.c_str() + whole.size()) return std::nullopt;
+    return value;
 }
 
 std::optional<std::uint64_t> parseCount(std::string_view text) {
-    return parseWhole<std::uint64_t>(text);
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end) return std::nullopt;
+    return value;
 }
 
 std::string inQuotes(std::string_view text) {
@@ -86,8 +89,10 @@ std::string joined(std::span<const std::string_view> names) {
 std::optional<std::string_view> nearestName(std::string_view name,
                                             std::span<const std::string_view> known) {
     if (known.empty() || name.size() > kLongestQuote) return std::nullopt;
-    const auto nearest = std::ranges::min_element(
-        known, {}, [name](std::string_view candidate) { return editDistance(name, candidate); });
+    const auto nearest = std::min_element(
+        known.begin(), known.end(), [name](std::string_view one, std::string_view other) {
+            return editDistance(name, one) < editDistance(name, other);
+        });
     const std::size_t allowed = std::max<std::size_t>(1, nearest->size() / 3);
     // A name of one letter is at distance one from every other such name: no basis for a guess.
     const bool guessable =

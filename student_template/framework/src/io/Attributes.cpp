@@ -34,7 +34,7 @@ Attributes::Attributes(std::string file, const XmlElement& element,
                          "found " + inQuotes(element.children.front().name) + " inside <" +
                              element.name + ">, which holds no elements; close it with />");
     for (const XmlAttribute& attribute : element.attributes)
-        if (std::ranges::find(known, attribute.name) == known.end())
+        if (std::find(known.begin(), known.end(), attribute.name) == known.end())
             throw InputError(file_, attribute.line,
                              "unknown attribute " + inQuotes(attribute.name) + " in <" +
                                  element.name + ">" + knownNamesHint(attribute.name, known));
@@ -76,7 +76,9 @@ void Attributes::fail(const XmlAttribute& attribute, const std::string& expected
 }
 
 const XmlAttribute* Attributes::find(std::string_view name) const {
-    const auto found = std::ranges::find(element_.attributes, name, &XmlAttribute::name);
+    const auto found =
+        std::find_if(element_.attributes.begin(), element_.attributes.end(),
+                     [name](const XmlAttribute& attribute) { return attribute.name == name; });
     return found == element_.attributes.end() ? nullptr : &*found;
 }
 

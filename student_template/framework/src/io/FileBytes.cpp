@@ -30,7 +30,7 @@ std::string nearbyFile(const fs::path& file) {
     for (const fs::directory_entry& entry : fs::directory_iterator{folder, error})
         if (entry.path().extension() == file.extension())
             names.push_back(entry.path().filename().string());
-    std::ranges::sort(names);
+    std::sort(names.begin(), names.end());
     const std::vector<std::string_view> known{names.begin(), names.end()};
     const std::string name = file.filename().string();
     const std::optional<std::string_view> nearest = nearestName(name, known);
@@ -42,7 +42,7 @@ class TemporaryFile {
 public:
     // The name is random, so that two programs that write the same picture use different files.
     explicit TemporaryFile(const fs::path& target)
-        : path_(target.string() + "." + std::to_string(std::random_device{}()) + ".part") {}
+        : path_(fs::path{target} += "." + std::to_string(std::random_device{}()) + ".part") {}
     ~TemporaryFile() {
         std::error_code ignored;
         if (!path_.empty()) fs::remove(path_, ignored);

@@ -1,5 +1,7 @@
 #include "MapFinder.h"
 
+#include <raytracer/io/PathOf.h>
+
 #include <algorithm>
 #include <system_error>
 
@@ -9,7 +11,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool leadsOutside(const fs::path& name) {
-    return name.is_absolute() || std::ranges::find(name, fs::path("..")) != name.end();
+    return name.has_root_path() ||
+           std::find(name.begin(), name.end(), fs::path("..")) != name.end();
 }
 
 bool liesIn(const fs::path& folder, const fs::path& file) {
@@ -34,7 +37,7 @@ MapFinder::MapFinder(const std::vector<fs::path>& folders) {
 
 MapFinder::Result MapFinder::find(const std::string& name) const {
     if (name.empty()) return {{}, "the name of a PNG file"};
-    const fs::path relative{name};
+    const fs::path relative = pathOf(name);
     if (leadsOutside(relative))
         return {{},
                 "a name without \"..\" that does not begin with \"/\", of a file in " +

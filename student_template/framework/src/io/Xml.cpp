@@ -78,7 +78,8 @@ private:
 };
 
 int lineOf(std::string_view bytes, std::size_t offset) {
-    return 1 + static_cast<int>(std::ranges::count(bytes.substr(0, offset), '\n'));
+    return 1 + static_cast<int>(std::count(
+                   bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
 }
 
 void refuseOtherEncodings(std::string_view bytes, const Converter& converter) {

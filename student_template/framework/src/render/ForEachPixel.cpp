@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -71,16 +72,34 @@ private:
     std::exception_ptr error_;
 };
 
+/// Threads that are waited for whatever happens, as std::jthread does, which not every library has.
+class Helpers {
+public:
+    Helpers() = default;
+    ~Helpers() {
+        for (std::thread& thread : threads_)
+            thread.join();
+    }
+    Helpers(const Helpers&) = delete;
+    Helpers& operator=(const Helpers&) = delete;
+
+    void start(const std::function<void()>& work) { threads_.emplace_back(work); }
+
+private:
+    std::vector<std::thread> threads_;
+};
+
 }  // namespace
 
 void forEachPixel(const Image& image, const std::function<void(int x, int y)>& function) {
     RowLoop loop{image, function};
     const int threads = std::clamp(image.settings().threads, 1, image.height());
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < threads; ++i)
-        helpers.emplace_back([&loop] { loop.work(); });
-    loop.work();
-    helpers.clear();
+    {
+        Helpers helpers;
+        for (int i = 1; i < threads; ++i)
+            helpers.start([&loop] { loop.work(); });
+        loop.work();
+    }
     // Numbers drawn after the loop must not depend on the last pixel that this thread rendered.
     seedRandom(pixelSeed(image.settings().seed, -1, -1));
     loop.rethrow();

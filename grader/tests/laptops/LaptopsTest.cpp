@@ -1,0 +1,149 @@
+// From the package's zip to pictures and public tests, for each kind of laptop that can be had
+// here. The libraries are downloaded as on a machine that has none of them.
+#include <grader/tests/student/UnpackedPackage.h>
+#include <grader/tests/support/Files.h>
+#include <grader/tests/support/RunCommand.h>
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace ticker {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::CommandResult;
+
+bool isInstalled(const std::string& program) {
+    return tests::runCommand("command -v " + program).status == 0;
+}
+
+/// Whether the package's libraries can be had: asks for a small file of the same archive.
+bool hasNetwork() {
+    const tests::TemporaryFolder folder;
+    folder.write("ask.cmake",
+                 "file(DOWNLOAD https://deb.debian.org/debian/dists/bookworm/Release.gpg release "
+                 "STATUS status)\nlist(GET status 0 status)\nif(status)\n"
+                 "message(FATAL_ERROR offline)\nendif()\n");
+    return tests::runCommand("cd '" + folder.path().string() + "' && cmake -P ask.cmake").status ==
+           0;
+}
+
+std::string withWindowsLineEnds(std::string text) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
+        text.insert(at, "\r");
+    return text;
+}
+
+/// A package with both options solved, below a name that scripts stumble over, on another system.
+class Laptop {
+public:
+    explicit Laptop(const std::string& toolchain) : toolchain_(toolchain) {
+        fs::rename(package_.folder(), folder());
+        // As an editor of Windows saves them.
+        for (const char* name : {"BumpySphere.cpp", "Renderer.cpp"})
+            std::ofstream{folder() / "exercise" / name} << withWindowsLineEnds(
+                tests::readFile(std::string{"reference_solution/exercise/"} + name));
+        for (const char* name : {"bump-mapping", "distributed"}) {
+            const fs::path scene = folder() / "scenes" / (std::string{name} + ".xml");
+            const std::string text = tests::readFile("scenes/" + std::string{name} + ".xml");
+            std::ofstream{scene} << withWindowsLineEnds(text);
+        }
+    }
+
+    [[nodiscard]] fs::path folder() const {
+        return package_.folder().parent_path() / "Tick für Zoë (2)";
+    }
+
+    [[nodiscard]] CommandResult run(const std::string& command) const {
+        return tests::runCommand(
+            "cd '" + folder().string() + "' && export LC_ALL=C.UTF-8 WINEDEBUG=-all WINEPREFIX='" +
+            wine_.path().string() +
+            "/prefix' CMAKE_TOOLCHAIN_FILE='" TICKER_SOURCE_DIR "/grader/tests/laptops/" +
+            toolchain_ + "'; " + command);
+    }
+
+private:
+    std::string toolchain_;
+    tests::UnpackedPackage package_;
+    tests::TemporaryFolder wine_;
+};
+
+void expectThatAllPublicTestsPass(const CommandResult& checked) {
+    EXPECT_EQ(checked.status, 0) << checked.output;
+    for (const char* line :
+         {"The first time, everything is built", "Building: 50 %", "T1   bump mapping:   11 of 11",
+          "T2.1 soft shadows:   11 of 11", "T2.2 depth of field: 11 of 11",
+          "Option 1: hand in exercise/BumpySphere.cpp"})
+        EXPECT_NE(checked.output.find(line), std::string::npos) << line << "\n" << checked.output;
+}
+
+/// Renders the handout's scenes here and there: pictures, and colours before they become bytes.
+void expectEqualPictures(const Laptop& laptop, const std::string& program) {
+    for (const std::string scene : {"bump-mapping", "distributed"}) {
+        const std::string options = " -r 96x72 --seed 5 --quiet -i scenes/" + scene + ".xml";
+        const CommandResult there =
+            laptop.run(program + options + " -o 'pictures/ö " + scene + ".png' --linear there.pfm");
+        EXPECT_EQ(there.status, 0) << there.output;
+        const CommandResult here =
+            laptop.run(TICKER_BINARY_DIR "/bin/tick1star-reference --assets assets" + options +
+                       " -o here.png --linear here.pfm");
+        EXPECT_EQ(here.status, 0) << here.output;
+        const CommandResult compared =
+            laptop.run("cmp here.png 'pictures/ö " + scene + ".png' && cmp here.pfm there.pfm");
+        EXPECT_EQ(compared.status, 0) << scene << ": " << compared.output;
+    }
+}
+
+TEST(Laptops, AWindowsPackageBuildsPassesAndRendersTheSamePictures) {
+    if (!isInstalled("x86_64-w64-mingw32-g++-posix") || !isInstalled("wine"))
+        GTEST_SKIP() << "needs g++-mingw-w64-x86-64 and wine";
+    if (!hasNetwork()) GTEST_SKIP() << "needs the network";
+    const Laptop laptop{"windows.cmake"};
+    expectThatAllPublicTestsPass(laptop.run("./check"));
+    for (const char* picture : {"bump-mapping", "bumpmap-test", "distributed"})
+        EXPECT_TRUE(fs::exists(laptop.folder() / "pictures" / (std::string{picture} + ".png")));
+    expectEqualPictures(laptop, "wine build/tick1star.exe");
+}
+
+TEST(Laptops, WindowsHandsItsCheckTheArgumentsAndTheStatusOfTheOneScript) {
+    if (!isInstalled("x86_64-w64-mingw32-g++-posix") || !isInstalled("wine"))
+        GTEST_SKIP() << "needs g++-mingw-w64-x86-64 and wine";
+    const Laptop laptop{"windows.cmake"};
+    const CommandResult missing = laptop.run("wine cmd /c check.cmd --quick");
+    EXPECT_EQ(missing.status, 2) << missing.output;
+    EXPECT_NE(missing.output.find("cmake is missing; README.md says"), std::string::npos)
+        << missing.output;
+
+    std::ofstream{laptop.folder() / "stand-in.cpp"} << R"(#include <cstdio>
+        int main(int count, char** words) {
+            if (count == 2) return 0;
+            for (int i = 1; i < count; ++i) std::printf("<%s>", words[i]);
+            std::FILE* status = std::fopen("build/check-status", "w");
+            std::fputs("1\n", status);
+            return std::fclose(status);
+        })";
+    const CommandResult ran = laptop.run(
+        "x86_64-w64-mingw32-g++-posix -static stand-in.cpp -o cmake.exe && "
+        "wine cmd /c check.cmd --quick");
+    EXPECT_EQ(ran.status, 1) << ran.output;
+    EXPECT_NE(ran.output.find("<-P><cmake/check.cmake><--><--quick>"), std::string::npos)
+        << ran.output;
+}
+
+TEST(Laptops, AMacsLibraryBuildsPassesAndRendersTheSamePictures) {
+    if (!isInstalled("clang++-14") || !fs::exists("/usr/lib/llvm-14/include/c++/v1/vector"))
+        GTEST_SKIP() << "needs clang-14 and libc++-14-dev";
+    if (!hasNetwork()) GTEST_SKIP() << "needs the network";
+    const Laptop laptop{"libcxx.cmake"};
+    expectThatAllPublicTestsPass(laptop.run("./check"));
+    expectEqualPictures(laptop, "build/tick1star");
+    const CommandResult linked = laptop.run("ldd build/tick1star");
+    EXPECT_NE(linked.output.find("libc++.so.1"), std::string::npos) << linked.output;
+}
+
+}  // namespace
+}  // namespace ticker

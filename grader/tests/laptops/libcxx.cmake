@@ -1,0 +1,7 @@
+# What macOS compiles with, as near as Debian has it. Debian's own libraries are of the other C++
+# library.
+set(CMAKE_C_COMPILER clang-14)
+set(CMAKE_CXX_COMPILER clang++-14)
+set(CMAKE_CXX_FLAGS_INIT "-stdlib=libc++")
+set(CMAKE_DISABLE_FIND_PACKAGE_GTest ON)
+set(CMAKE_DISABLE_FIND_PACKAGE_tinyxml2 ON)

@@ -1,0 +1,15 @@
+@echo off
+rem check [--quick]: what ./check does elsewhere; it is written in cmake\check.cmake.
+setlocal
+cd /d "%~dp0"
+chcp 65001 >nul
+cmake --version >nul 2>nul
+if errorlevel 1 (
+  echo cmake is missing; README.md says how to install it
+  exit /b 2
+)
+if not exist build mkdir build
+>build\check-status echo 2
+cmake -P cmake/check.cmake -- %*
+set /p status=<build\check-status
+exit /b %status%

@@ -1,0 +1,18 @@
+#ifndef RAYTRACER_IO_PATHOF_H
+#define RAYTRACER_IO_PATHOF_H
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace raytracer {
+
+/// The path that UTF-8 text names, on every system: what Windows makes of a path of `char` depends
+/// on the compiler's library.
+[[nodiscard]] inline std::filesystem::path pathOf(std::string_view text) {
+    return std::filesystem::path{std::u8string{text.begin(), text.end()}};
+}
+
+}  // namespace raytracer
+
+#endif
