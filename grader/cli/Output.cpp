@@ -96,9 +96,13 @@ void fetchFiles(const fs::path& out, SubmissionResult& result) {
     for (ResultPicture& picture : result.pictures)
         picture.png = readIfThere(folder / picture.file).value_or("");
     for (const Diagnostics& said : result.diagnostics)
-        result.sources.push_back(
-            {said.file,
-             readIfThere(folder / "code" / fs::path{said.file}.filename()).value_or("")});
+        fetchSource(out, said.file, result);
+}
+
+void fetchSource(const fs::path& out, const std::string& file, SubmissionResult& result) {
+    if (std::ranges::find(result.sources, file, &SourceText::file) != result.sources.end()) return;
+    const fs::path path = out / result.submission / "code" / fs::path{file}.filename();
+    result.sources.push_back({file, readIfThere(path).value_or("")});
 }
 
 fs::path rewriteReport(const fs::path& out, SubmissionResult result) {

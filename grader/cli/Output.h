@@ -37,6 +37,10 @@ void writeClass(const std::filesystem::path& out);
 /// to. Data that cannot be read stays empty.
 void fetchFiles(const std::filesystem::path& out, SubmissionResult& result);
 
+/// Reads one source back, unless it is there.
+void fetchSource(const std::filesystem::path& out, const std::string& file,
+                 SubmissionResult& result);
+
 /// Writes the submission's report.html again, from its result.json and the files beside it.
 /// @return  The file.
 /// @throws raytracer::InputError if it cannot be written.

@@ -2,7 +2,7 @@
 #define TICKER_REPORT_PAGEPARTS_H
 
 #include <grader/exercise/Exercise.h>
-#include <grader/result/SubmissionResult.h>
+#include <grader/result/Decision.h>
 
 #include <map>
 #include <string>
@@ -61,6 +61,11 @@ enum class PictureKeys {
 
 /// The compiler's messages, beside the student's lines; empty without messages.
 [[nodiscard]] std::string diagnosticsSection(const SubmissionResult& result);
+
+/// What a person said about lines of the student's code, each beside its line; empty where nothing
+/// was said.
+[[nodiscard]] std::string notesSection(const SubmissionResult& result,
+                                       const std::vector<LineNote>& notes);
 
 }  // namespace ticker::report
 

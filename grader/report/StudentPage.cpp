@@ -1,6 +1,7 @@
 #include <grader/report/StudentPage.h>
 
 #include <grader/report/Escape.h>
+#include <grader/report/Markdown.h>
 #include <grader/report/PageParts.h>
 #include <grader/report/PageSources.h>
 #include <grader/report/Words.h>
@@ -21,6 +22,12 @@ std::string section(const StudentView& view, const TaskReport& task, const Album
     return html + "</section>";
 }
 
+std::string comment(const StudentView& view) {
+    if (view.comment().empty()) return "";
+    return "<div class=\"why said\"><h2>Your ticker says</h2><div class=\"words\">" +
+           markdownHtml(view.comment()) + "</div></div>";
+}
+
 std::string pictures(const SubmissionResult& result, const Album& album) {
     std::string html;
     for (const RenderScore& render : result.renders)
@@ -37,10 +44,12 @@ std::string studentPage(const StudentView& view) {
     const SubmissionResult& result = view.result();
     const Album album{result};
     std::string body = fmt::format(
-        "<header><p class=\"soft crumbs\">{4}</p><div class=\"hero {0}\"><h1>{1}</h1>"
-        "<p class=\"verdict\">{2}</p><p class=\"lead\">{3}</p></div></header><main id=\"main\">",
+        "<header><p class=\"soft crumbs\">{6}</p><div class=\"hero {0}\"><h1>{1}</h1>"
+        "<p class=\"verdict\">{2}</p><p class=\"lead\">{3}</p></div>{4}</header>"
+        "<main id=\"main\">{5}",
         toString(result.verdict), escapeHtml(result.submission),
-        badge(toString(result.verdict), wordsFor(result.verdict)), escapeHtml(verdictText(view)),
+        badge(toString(result.verdict), wordsFor(result.verdict)),
+        escapeHtml(verdictSentence(view)), comment(view), notesSection(result, view.notes()),
         escapeHtml(view.exercise().title));
     for (const TaskReport& task : result.tasks)
         if (concernsStudent(task) && saidBefore(result, task) == nullptr)

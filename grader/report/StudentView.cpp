@@ -135,9 +135,11 @@ std::string withoutNewlinesAtEnd(std::string text) {
 }  // namespace
 
 StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment,
-                         std::optional<Verdict> proposed, const Exercise& exercise)
+                         std::optional<Verdict> proposed, const Exercise& exercise,
+                         std::vector<LineNote> notes)
     : result_(std::move(result)),
       comment_(std::move(comment)),
+      notes_(std::move(notes)),
       proposed_(proposed.value_or(result_.verdict)),
       exercise_(&exercise) {
     result_.seed = 0;
@@ -148,8 +150,9 @@ StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, s
 }
 
 StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment,
-                         std::optional<Verdict> proposed)
-    : StudentView(result, policy, std::move(comment), proposed, exerciseOf(result)) {}
+                         std::optional<Verdict> proposed, std::vector<LineNote> notes)
+    : StudentView(result, policy, std::move(comment), proposed, exerciseOf(result),
+                  std::move(notes)) {}
 
 bool concernsStudent(const TaskReport& task) {
     return task.state != TaskState::notAttempted || !task.findings.empty();
@@ -191,21 +194,32 @@ std::string headingOf(const StudentView& view, const TaskReport& task) {
     return listed(names);
 }
 
-std::string verdictText(const StudentView& view) {
-    const std::string sentence = sentenceFor(view);
-    if (view.comment().empty()) return sentence;
-    return cleanText(fmt::format("{}\nYour ticker says: {}", sentence, view.comment()));
+std::string verdictSentence(const StudentView& view) {
+    return sentenceFor(view);
 }
 
-std::string wholeText(const StudentView& view) {
-    std::string text = verdictText(view) + "\n";
+std::string verdictText(const StudentView& view) {
+    std::string text = sentenceFor(view);
+    if (!view.comment().empty()) text += fmt::format("\nYour ticker says: {}", view.comment());
+    for (const LineNote& note : view.notes())
+        text +=
+            fmt::format("\nAbout {}, line {}: {}\n{}", note.file, note.line, note.code, note.text);
+    return cleanText(text);
+}
+
+std::string tasksText(const StudentView& view) {
+    std::string text;
     for (const TaskReport& task : view.result().tasks) {
         if (!concernsStudent(task) || saidBefore(view.result(), task) != nullptr) continue;
         text += fmt::format("\n{}, {}\n", headingOf(view, task), wordsFor(task));
         if (const std::string said = taskText(view, task); said != wordsFor(task))
             text += said + "\n";
     }
-    return withoutNewlinesAtEnd(cleanText(text));
+    return cleanText(text);
+}
+
+std::string wholeText(const StudentView& view) {
+    return withoutNewlinesAtEnd(verdictText(view) + "\n" + tasksText(view));
 }
 
 }  // namespace ticker::report

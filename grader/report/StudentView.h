@@ -2,7 +2,7 @@
 #define TICKER_REPORT_STUDENTVIEW_H
 
 #include <grader/exercise/Exercise.h>
-#include <grader/result/SubmissionResult.h>
+#include <grader/result/Decision.h>
 
 #include <filesystem>
 #include <optional>
@@ -30,23 +30,27 @@ struct StudentPolicy {
 /// output for students is made from a StudentView.
 class StudentView {
 public:
-    /// @param comment   The ticker's comment; empty if there is no comment.
+    /// @param comment   The ticker's comment, Markdown; empty if there is no comment.
     /// @param proposed  The tool's own verdict; without a value: that of `result`.
     /// @param exercise  The result's exercise.
+    /// @param notes     The ticker's comments on single lines.
     StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment,
-                std::optional<Verdict> proposed, const Exercise& exercise);
+                std::optional<Verdict> proposed, const Exercise& exercise,
+                std::vector<LineNote> notes = {});
     /// The same for the exercise that the result names.
     StudentView(SubmissionResult result, const StudentPolicy& policy, std::string comment = {},
-                std::optional<Verdict> proposed = {});
+                std::optional<Verdict> proposed = {}, std::vector<LineNote> notes = {});
 
     [[nodiscard]] const SubmissionResult& result() const { return result_; }
     [[nodiscard]] const std::string& comment() const { return comment_; }
+    [[nodiscard]] const std::vector<LineNote>& notes() const { return notes_; }
     [[nodiscard]] Verdict proposed() const { return proposed_; }
     [[nodiscard]] const Exercise& exercise() const { return *exercise_; }
 
 private:
     SubmissionResult result_;
     std::string comment_;
+    std::vector<LineNote> notes_;
     Verdict proposed_;
     const Exercise* exercise_;
 };
@@ -73,12 +77,17 @@ private:
 /// The names of a task and of all later ones with the same text.
 [[nodiscard]] std::string headingOf(const StudentView& view, const TaskReport& task);
 
-/// One or two sentences on the verdict, and the ticker's comment, as plain text without control
-/// characters.
+/// One or two sentences on the verdict.
+[[nodiscard]] std::string verdictSentence(const StudentView& view);
+
+/// verdictSentence, the ticker's comment and line notes, as plain text without control characters.
 [[nodiscard]] std::string verdictText(const StudentView& view);
 
-/// verdictText, then the text of each task that concerns the student, under its name. A text that
-/// several tasks share appears once, under all names.
+/// The text of each task that concerns the student, under its name. A text that several tasks share
+/// appears once, under all names. Ends with a newline unless it is empty.
+[[nodiscard]] std::string tasksText(const StudentView& view);
+
+/// verdictText, then tasksText.
 [[nodiscard]] std::string wholeText(const StudentView& view);
 
 }  // namespace ticker::report

@@ -1,9 +1,13 @@
+#include <grader/base/Digest.h>
 #include <grader/base/WholeFile.h>
 #include <grader/session/ClassView.h>
+#include <grader/session/Requests.h>
 #include <grader/session/SubmissionView.h>
 
 #include <grader/report/Escape.h>
-#include <grader/result/Names.h>
+#include <grader/report/Markdown.h>
+#include <grader/report/PageParts.h>
+#include <grader/report/SourceLines.h>
 #include <grader/store/ClassFolder.h>
 
 #include <nlohmann/json.hpp>
@@ -18,27 +22,6 @@ namespace {
 
 using json = nlohmann::json;
 
-constexpr std::size_t kLongestComment = 20'000;
-constexpr std::size_t kLongestName = 100;
-
-json jsonOf(const Decision& decision) {
-    return {{"version", decision.version}, {"ruling", nameIn(kRulingNames, decision.ruling)},
-            {"comment", decision.comment}, {"who", decision.who},
-            {"when", decision.when},       {"proposed", toString(decision.proposed)}};
-}
-
-json jsonOf(const store::ResultRow& row) {
-    return {{"name", row.submission},
-            {"shown", cleanText(row.submission)},
-            {"verdict", toString(row.verdict)},
-            {"option", row.option},
-            {"findings", row.findings}};
-}
-
-std::string textOf(const json& value) {
-    return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
 Reply failure(int status, const std::string& message) {
     return {status, "application/json", textOf({{"error", message}})};
 }
@@ -48,38 +31,31 @@ bool isRegular(const fs::path& file) {
     return fs::is_regular_file(fs::symlink_status(file, error));
 }
 
-/// Reads a decision from a request; empty if it is not a decision.
-std::optional<Decision> readDecision(const std::string& body) {
-    const json request = json::parse(body, nullptr, false);
-    if (!request.is_object()) return std::nullopt;
-    for (const char* name : {"submission", "ruling", "comment", "who"})
-        if (!request.contains(name) || !request[name].is_string()) return std::nullopt;
-    if (!request.contains("version") || !request["version"].is_number_integer())
-        return std::nullopt;
-    const auto ruling = valueIn(kRulingNames, request["ruling"].get<std::string>());
-    if (!ruling) return std::nullopt;
-    Decision decision;
-    decision.submission = request["submission"];
-    decision.version = request["version"];
-    decision.ruling = *ruling;
-    decision.comment = cleanText(request["comment"].get<std::string>());
-    decision.who = report::escapeLine(request["who"].get<std::string>());
-    if (decision.comment.size() > kLongestComment || decision.who.size() > kLongestName)
-        return std::nullopt;
-    return decision;
+/// Adds the lines that notes are about; removes notes that are on no line of the student's files.
+void quoteLines(Decision& decision, const fs::path& code) {
+    std::erase_if(decision.notes, [&](LineNote& note) {
+        const bool isPlain = note.file.find('/') == std::string::npos;
+        if (!isPlain || !isRegular(code / note.file)) return true;
+        const std::string source = readIfThere(code / note.file).value_or("");
+        const auto lines = report::linesOf(source);
+        const auto at = static_cast<std::size_t>(note.line - 1);
+        if (at < lines.size() && note.code.empty()) note.code = cleanText(lines[at]);
+        return note.code.empty() && at >= lines.size();
+    });
 }
 
 // The answer to a stored decision was lost, and the page sends it again.
 bool isSentAgain(const Decision& sent, const Decision& current) {
     return current.version == sent.version + 1 && current.ruling == sent.ruling &&
-           current.comment == sent.comment && current.who == sent.who;
+           current.comment == sent.comment && current.who == sent.who &&
+           current.notes == sent.notes && current.bulk == sent.bulk;
 }
 
 }  // namespace
 
 ClassView::ClassView(fs::path out) : out_(std::move(out)), store_(out_) {}
 
-Reply ClassView::list() const {
+Reply ClassView::list(const std::string& known) const {
     std::map<std::string, Decision> decisions;
     for (Decision& decision : store_.decisions())
         decisions[decision.submission] = std::move(decision);
@@ -90,7 +66,14 @@ Reply ClassView::list() const {
             entry["decision"] = jsonOf(found->second);
         all.push_back(std::move(entry));
     }
-    return {200, "application/json", textOf({{"submissions", std::move(all)}})};
+    json comments = json::array();
+    for (const store::SavedComment& comment : store_.savedComments())
+        comments.push_back(jsonOf(comment));
+    json reply{{"submissions", std::move(all)}, {"comments", std::move(comments)}};
+    const std::string state = Digest{}.add(textOf(reply)).text();
+    if (state == known) reply = json::object();
+    reply["state"] = state;
+    return {200, "application/json", textOf(reply)};
 }
 
 Reply ClassView::submission(const std::string& name) const {
@@ -120,16 +103,64 @@ Reply ClassView::reportPage(const std::string& name) const {
     return {200, "text/html; charset=utf-8", readIfThere(path).value_or("")};
 }
 
+Reply ClassView::pictures(const std::string& name) const {
+    if (!store_.find(name)) return failure(404, "there is no such submission");
+    const auto result = store::readWholeResult(out_, name);
+    if (!result) return failure(503, "it is being graded at this moment");
+    json renders = json::array();
+    for (const RenderScore& render : result->renders)
+        if (!render.image.empty())
+            renders.push_back(
+                {{"scene", render.scene},
+                 {"image", report::address("of/" + name + "/" + render.image)},
+                 {"reference", render.reference.empty()
+                                   ? ""
+                                   : report::address("of/" + name + "/" + render.reference)}});
+    return {200, "application/json",
+            textOf({{"renders", std::move(renders)}, {"told", toldHtml(*result)}})};
+}
+
 Reply ClassView::decide(const std::string& body) {
-    std::optional<Decision> decision = readDecision(body);
-    if (!decision) return failure(400, "this is no decision");
-    const std::optional<store::ResultRow> row = store_.find(decision->submission);
-    if (!row) return failure(404, "there is no such submission");
-    decision->proposed = row->verdict;
-    decision->when = store::utcNow();
-    const store::DecideOutcome outcome = store_.decide(*decision);
-    const bool isKept = outcome.isKept || isSentAgain(*decision, outcome.current);
-    return {isKept ? 200 : 409, "application/json", textOf(jsonOf(outcome.current))};
+    std::optional<std::vector<Decision>> decisions = readDecisions(body);
+    if (!decisions) return failure(400, "this is no decision");
+    for (Decision& decision : *decisions) {
+        const std::optional<store::ResultRow> row = store_.find(decision.submission);
+        if (!row) return failure(404, "there is no such submission");
+        decision.proposed = row->verdict;
+        decision.files = row->inputs.files;
+        decision.when = store::utcNow();
+        quoteLines(decision, out_ / decision.submission / "code");
+    }
+    const std::vector<store::DecideOutcome> outcomes = store_.decide(*decisions);
+    json answers = json::array();
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        const store::DecideOutcome& outcome = outcomes[i];
+        const bool isKept = outcome.isKept || isSentAgain((*decisions)[i], outcome.current);
+        answers.push_back({{"isKept", isKept}, {"decision", jsonOf(outcome.current)}});
+    }
+    return {200, "application/json", textOf({{"answers", std::move(answers)}})};
+}
+
+Reply ClassView::saveComment(const std::string& body) {
+    std::optional<store::SavedComment> comment = readSavedComment(body);
+    if (!comment) return failure(400, "this is no comment");
+    comment->when = store::utcNow();
+    store_.saveComment(*comment);
+    return {200, "application/json", "{}"};
+}
+
+Reply ClassView::dropComment(const std::string& body) {
+    const json request = json::parse(body, nullptr, false);
+    if (!request.is_object() || !request.contains("id") || !request["id"].is_number_integer())
+        return failure(400, "this is no saved comment");
+    store_.dropComment(request["id"].get<std::int64_t>());
+    return {200, "application/json", "{}"};
+}
+
+Reply ClassView::preview(const std::string& body) const {
+    const std::optional<std::string> text = readText(body, "text");
+    if (!text) return failure(400, "this is no text");
+    return {200, "application/json", textOf({{"html", report::markdownHtml(*text)}})};
 }
 
 }  // namespace ticker::session

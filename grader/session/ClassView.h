@@ -23,8 +23,10 @@ public:
     /// @throws raytracer::InputError where `out` is no OUT of ticker grade.
     explicit ClassView(std::filesystem::path out);
 
-    /// All submissions with verdict, findings and decision, by name.
-    [[nodiscard]] Reply list() const;
+    /// All submissions with verdict, findings and decision, by name, the saved comments, and a
+    /// state. Every page asks for it each second, and mostly nothing has changed.
+    /// @param known  The state that the page has; where it still holds, the answer is that alone.
+    [[nodiscard]] Reply list(const std::string& known = {}) const;
 
     /// One submission as HTML, and all decisions about it. 404: nobody of this name; 503: it is
     /// being graded at this moment.
@@ -36,10 +38,22 @@ public:
     /// The submission's report.html.
     [[nodiscard]] Reply reportPage(const std::string& name) const;
 
-    /// Keeps a decision: {"submission", "version", "ruling", "comment", "who"}, version as the page
-    /// saw it. 200 with the decision once it is on disk; 409 with the one that somebody made
-    /// meanwhile; 400 where it is none. Sent again after a lost answer, it is kept once.
+    /// For a contact sheet: the renders of a submission beside what was expected, and what was
+    /// found.
+    [[nodiscard]] Reply pictures(const std::string& name) const;
+
+    /// Keeps decisions, all at once (see `readDecisions`), each with the version that the page saw.
+    /// 200 once they are on disk, with {"answers": [{"isKept", "decision"}]}: the decision that
+    /// stands now, which is another one's where one was made meanwhile. 400 where one is none. Sent
+    /// again after a lost answer, each is kept once.
     [[nodiscard]] Reply decide(const std::string& body);
+
+    /// Words for students that all tickers of the class are offered (see `readSavedComment`).
+    [[nodiscard]] Reply saveComment(const std::string& body);
+    [[nodiscard]] Reply dropComment(const std::string& body);
+
+    /// {"text"} as the student will see it: {"html"}.
+    [[nodiscard]] Reply preview(const std::string& body) const;
 
     /// What a notice should tell the user of the store; may be empty.
     [[nodiscard]] const std::string& notice() const { return store_.notice(); }

@@ -1,4 +1,4 @@
-#include <grader/session/Connection.h>
+#include <grader/session/Listener.h>
 #include <grader/session/PageSources.h>
 #include <grader/session/Server.h>
 
@@ -8,9 +8,7 @@
 #include <httplib.h>
 
 #include <sys/socket.h>
-#include <unistd.h>
 
-#include <functional>
 #include <string_view>
 #include <utility>
 
@@ -19,9 +17,7 @@ namespace {
 
 constexpr const char* kHost = "127.0.0.1";
 // A browser keeps several connections open for each tab, and each takes a thread.
-constexpr std::size_t kMostNewcomers = 16;
 constexpr std::size_t kThreads = 32 + kMostNewcomers;
-constexpr std::size_t kMostRequests = 1000;  // of one connection
 constexpr std::size_t kLargestBody = 256U << 10U;
 constexpr std::size_t kLargestRequest = kLargestBody + (64U << 10U);
 
@@ -45,6 +41,12 @@ void answerText(httplib::Response& response, std::string_view text, const char* 
     response.set_content(text.data(), text.size(), type);
 }
 
+/// Of a file that the page loads; null for the page.
+const char* typeOf(std::string_view name) {
+    if (name.ends_with(".css")) return "text/css; charset=utf-8";
+    return name.ends_with(".js") ? "text/javascript; charset=utf-8" : nullptr;
+}
+
 void refuse(httplib::Response& response) {
     response.status = 403;
     response.set_content("not here\n", "text/plain");
@@ -56,43 +58,6 @@ bool mayCarryBody(const httplib::Request& request) {
     return request.method == "POST" || request.method == "PUT" || request.method == "PATCH" ||
            request.method == "DELETE";
 }
-
-using IsAllowed = std::function<bool(const httplib::Request&)>;
-
-/// The library's server, which alone would wait as long as a byte comes now and then, for as many
-/// connections as there are threads: then the page's own wait for ever.
-class Listener : public httplib::Server {
-public:
-    explicit Listener(IsAllowed isAllowed) : isAllowed_(std::move(isAllowed)) {}
-
-    /// Lets more than the library's five connections wait to be accepted: one that finds no place
-    /// tries again only after a second.
-    void queueMany() const { ::listen(svr_sock_, SOMAXCONN); }
-
-private:
-    bool process_and_close_socket(socket_t socket) override {
-        newcomers_.add(socket);
-        bool isClosing = false;
-        for (std::size_t left = kMostRequests; left > 0 && !isClosing; --left)
-            if (svr_sock_ == INVALID_SOCKET || !isRequestComing(socket) ||
-                !answerOne(socket, left == 1, isClosing))
-                break;
-        newcomers_.remove(socket);
-        shutdown(socket, SHUT_RDWR);
-        close(socket);
-        return true;
-    }
-
-    bool answerOne(socket_t socket, bool isLast, bool& isClosing) {
-        const auto stream = requestStream(socket, kLargestRequest);
-        return process_request(*stream, isLast, isClosing, [&](httplib::Request& request) {
-            if (isAllowed_(request)) newcomers_.remove(socket);
-        });
-    }
-
-    IsAllowed isAllowed_;
-    Newcomers newcomers_{kMostNewcomers};
-};
 
 }  // namespace
 
@@ -178,19 +143,22 @@ private:
                                    {"Cross-Origin-Resource-Policy", "same-origin"}});
         get("", [](const httplib::Request& /*request*/, httplib::Response& response) {
             response.set_header("Content-Security-Policy", kPagePolicy);
-            answerText(response, pageHtml(), "text/html; charset=utf-8");
+            answerText(response, pageFiles().at("session.html"), "text/html; charset=utf-8");
         });
-        get("session.css", [](const httplib::Request& /*request*/, httplib::Response& response) {
-            answerText(response, pageCss(), "text/css; charset=utf-8");
-        });
-        get("session.js", [](const httplib::Request& /*request*/, httplib::Response& response) {
-            answerText(response, pageJs(), "text/javascript; charset=utf-8");
-        });
+        for (const auto& [name, text] : pageFiles())
+            if (const char* type = typeOf(name); type != nullptr)
+                get(name, [&text = text, type](const httplib::Request& /*request*/,
+                                               httplib::Response& response) {
+                    answerText(response, text, type);
+                });
     }
 
     void addClass() {
-        get("class", [this](const httplib::Request& /*request*/, httplib::Response& response) {
-            answer(response, view_.list());
+        get("class", [this](const httplib::Request& request, httplib::Response& response) {
+            answer(response, view_.list(request.get_param_value("known")));
+        });
+        get("pictures", [this](const httplib::Request& request, httplib::Response& response) {
+            answer(response, view_.pictures(request.get_param_value("name")));
         });
         get("submission", [this](const httplib::Request& request, httplib::Response& response) {
             answer(response, view_.submission(request.get_param_value("name")));
@@ -204,8 +172,14 @@ private:
                 answer(response, view_.image(request.matches[1], request.matches[2]));
             });
         http_.Post(".*", [this](const httplib::Request& request, httplib::Response& response) {
-            if (!mayEnter(request) || request.path != at("decide")) return refuse(response);
-            answer(response, view_.decide(request.body));
+            if (!mayEnter(request)) return refuse(response);
+            if (request.path == at("decide")) return answer(response, view_.decide(request.body));
+            if (request.path == at("save-comment"))
+                return answer(response, view_.saveComment(request.body));
+            if (request.path == at("drop-comment"))
+                return answer(response, view_.dropComment(request.body));
+            if (request.path == at("preview")) return answer(response, view_.preview(request.body));
+            refuse(response);
         });
         const auto never = [](const httplib::Request& /*request*/, httplib::Response& response) {
             refuse(response);
@@ -217,7 +191,8 @@ private:
 
     ClassView& view_;
     Access access_;
-    Listener http_{[this](const httplib::Request& request) { return mayEnter(request); }};
+    Listener http_{[this](const httplib::Request& request) { return mayEnter(request); },
+                   kLargestRequest};
 };
 
 Server::Server(ClassView& view, Access access, int port)

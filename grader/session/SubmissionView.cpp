@@ -1,5 +1,5 @@
 #include <grader/base/WholeFile.h>
-#include <grader/session/Highlight.h>
+#include <grader/session/CodeView.h>
 #include <grader/session/SubmissionView.h>
 
 #include <grader/exercise/Exercise.h>
@@ -19,8 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 using report::escapeHtml;
 
-// What was found, in a line each and once: the ticker need not look for it below the pictures.
-std::string told(const SubmissionResult& result) {
+}  // namespace
+
+std::string toldHtml(const SubmissionResult& result) {
     std::string html;
     for (const TaskReport& task : result.tasks)
         for (const Finding& finding : task.findings) {
@@ -32,6 +33,8 @@ std::string told(const SubmissionResult& result) {
     return html.empty() ? "" : "<ul class=\"told\">" + html + "</ul>";
 }
 
+namespace {
+
 std::string head(const SubmissionResult& result) {
     std::string html =
         fmt::format("<h1>{}</h1><p class=\"chips\">{}", escapeHtml(result.submission),
@@ -42,7 +45,7 @@ std::string head(const SubmissionResult& result) {
                                 report::badge(report::kindOf(task), report::wordsFor(task)));
     return html +
            "<button type=\"button\" data-act=\"report\">Full report <kbd>o</kbd></button></p>" +
-           told(result);
+           toldHtml(result);
 }
 
 std::string task(const SubmissionResult& result, const TaskReport& task,
@@ -80,27 +83,21 @@ std::vector<SourceText> sourcesIn(const fs::path& folder, const Exercise& exerci
     return sources;
 }
 
-std::string code(const std::vector<SourceText>& sources) {
-    std::string html;
-    for (const SourceText& source : sources)
-        html += fmt::format(
-            "<section><h2>{0}</h2><pre class=\"code\" tabindex=\"0\" role=\"region\" "
-            "aria-label=\"{0}\"><code>{1}"
-            "</code></pre></section>",
-            source.file, highlightCpp(source.bytes));
-    return html;
-}
-
 }  // namespace
 
 std::string submissionHtml(SubmissionResult result, const fs::path& codeFolder) {
     result.sources = sourcesIn(codeFolder, exerciseOf(result));
     const report::Album album{result, "of/" + result.submission + "/"};
-    std::string html = head(result) + report::diagnosticsSection(result) +
-                       report::picturesSection(result, album, report::PictureKeys::blinkAndZoom);
+    std::string findings = report::diagnosticsSection(result);
     for (const TaskReport& each : result.tasks)
-        html += task(result, each, album);
-    return html + code(result.sources) + notices(result);
+        findings += task(result, each, album);
+    const std::string pictures =
+        report::picturesSection(result, album, report::PictureKeys::blinkAndZoom);
+    const std::string work = "<div class=\"work\"><div class=\"findings\">" + findings +
+                             notices(result) + "</div>" +
+                             codeHtml(result.sources, markedLines(result)) + "</div>";
+    // What does not compile has no picture of its own: the code says more.
+    return head(result) + (result.diagnostics.empty() ? pictures + work : work + pictures);
 }
 
 }  // namespace ticker::session

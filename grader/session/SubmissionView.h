@@ -8,9 +8,12 @@
 
 namespace ticker::session {
 
-/// One submission for the session's page, as HTML: verdict, what the compiler said beside the
-/// student's lines, pictures, tasks with their findings, the code in colours. Pictures have
-/// addresses relative to the page.
+/// What was found, in a line each and once, as HTML; empty where nothing was.
+[[nodiscard]] std::string toldHtml(const SubmissionResult& result);
+
+/// One submission for the session's page, as HTML: verdict, pictures, and beside each other what
+/// was found (the compiler's words, tasks with their findings) and the code, in which the lines
+/// that something points at are marked. Pictures have addresses relative to the page.
 /// @param code  `OUT/<submission>/code`
 [[nodiscard]] std::string submissionHtml(SubmissionResult result,
                                          const std::filesystem::path& code);

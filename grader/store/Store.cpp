@@ -2,8 +2,7 @@
 
 #include <grader/result/Names.h>
 #include <grader/result/Tally.h>
-
-#include <raytracer/base/Error.h>
+#include <grader/store/Schema.h>
 
 #include <fmt/core.h>
 
@@ -14,32 +13,26 @@ namespace ticker::store {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kVersion = 1;
 constexpr const char* kFileName = "results.sqlite";
-
-constexpr const char* kTables = R"(
-CREATE TABLE class (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
-CREATE TABLE result (
-    submission TEXT PRIMARY KEY, verdict TEXT NOT NULL, score REAL NOT NULL,
-    max_score REAL NOT NULL, option TEXT NOT NULL, findings TEXT NOT NULL,
-    tool_version TEXT NOT NULL, files TEXT NOT NULL, tool TEXT NOT NULL, how TEXT NOT NULL,
-    graded_at TEXT NOT NULL, times_graded INTEGER NOT NULL) WITHOUT ROWID;
-CREATE TABLE decision (
-    submission TEXT NOT NULL, version INTEGER NOT NULL, ruling TEXT NOT NULL,
-    comment TEXT NOT NULL, who TEXT NOT NULL, at TEXT NOT NULL, proposed TEXT NOT NULL,
-    PRIMARY KEY (submission, version)) WITHOUT ROWID;
-)";
 
 constexpr const char* kResultColumns =
     "submission, verdict, score, max_score, option, findings, tool_version, files, tool, how, "
-    "graded_at, times_graded";
-constexpr const char* kDecisionColumns = "submission, version, ruling, comment, who, at, proposed";
+    "graded_at, times_graded, tasks";
+constexpr const char* kDecisionColumns =
+    "submission, version, ruling, comment, who, at, proposed, notes, bulk, files";
 
 std::string findingsOf(const SubmissionResult& result) {
     std::string ids;
     for (const std::string& id : findingIds(result))
         ids += (ids.empty() ? "" : " ") + id;
     return ids;
+}
+
+std::string tasksOf(const SubmissionResult& result) {
+    std::string states;
+    for (const TaskReport& task : result.tasks)
+        states += fmt::format("{}{}:{}", states.empty() ? "" : " ", task.id, toString(task.state));
+    return states;
 }
 
 std::vector<std::string> words(const std::string& text) {
@@ -62,6 +55,7 @@ ResultRow rowFrom(const Statement& found) {
     row.inputs = {found.text(7), found.text(8), found.text(9)};
     row.gradedAt = found.text(10);
     row.timesGraded = found.integer(11);
+    row.tasks = words(found.text(12));
     return row;
 }
 
@@ -74,6 +68,9 @@ Decision decisionFrom(const Statement& found) {
     decision.who = found.text(4);
     decision.when = found.text(5);
     decision.proposed = valueIn(kVerdictNames, found.text(6)).value_or(Verdict::needsReview);
+    decision.notes = readNotes(found.text(7));
+    decision.bulk = found.text(8);
+    decision.files = found.text(9);
     return decision;
 }
 
@@ -85,49 +82,6 @@ auto all(Statement statement, Read&& read) {
     return list;
 }
 
-std::int64_t pragma(const Database& database, const char* name) {
-    Statement statement = database.prepare(fmt::format("PRAGMA {}", name));
-    return statement.step() ? statement.integer(0) : 0;
-}
-
-std::string setJournal(const Database& database, Journal journal) {
-    const bool ahead = journal == Journal::writeAhead;
-    Statement statement =
-        database.prepare(ahead ? "PRAGMA journal_mode = WAL" : "PRAGMA journal_mode = DELETE");
-    statement.step();
-    const bool refused = ahead && statement.text(0) != "wal";
-    if (ahead && !refused) return {};
-    return "results.sqlite lies on a file system of the network, where SQLite's write-ahead log is "
-           "not safe: a rollback journal is used; let one machine at a time write here";
-}
-
-// Called before the first write. Our files have our tables, or none if they are new.
-void refuseForeign(const Database& database, const fs::path& file) {
-    const bool isNew = pragma(database, "user_version") == 0;
-    Statement isOurs = database.prepare(
-        isNew ? "SELECT count(*) = 0 FROM sqlite_schema"
-              : "SELECT count(*) = 3 FROM sqlite_schema WHERE name IN ('class', 'result', "
-                "'decision')");
-    if (isOurs.step() && isOurs.integer(0) != 0) return;
-    throw raytracer::InputError(
-        file.string(), 0,
-        "is a database of another program, not ticker's; move it away, then \"ticker collect OUT\" "
-        "makes ticker's own from the results beside it");
-}
-
-void makeTables(const Database& database, const fs::path& file) {
-    Transaction transaction{database};
-    const std::int64_t version = pragma(database, "user_version");
-    if (version > kVersion)
-        throw raytracer::InputError(file.string(), 0,
-                                    "was written by a newer ticker; use that one");
-    if (version == 0) {
-        database.run(kTables);
-        database.run(fmt::format("PRAGMA user_version = {}", kVersion));
-    }
-    transaction.commit();
-}
-
 Decision newestOf(const Database& database, std::string_view submission) {
     Statement found = database.prepare(
         fmt::format("SELECT {} FROM decision WHERE submission = ? ORDER BY version DESC LIMIT 1",
@@ -136,6 +90,26 @@ Decision newestOf(const Database& database, std::string_view submission) {
     Decision none;
     none.submission = submission;
     return found.step() ? decisionFrom(found) : none;
+}
+
+DecideOutcome keep(const Database& database, const Decision& decision) {
+    Decision current = newestOf(database, decision.submission);
+    if (current.version != decision.version) return {false, std::move(current)};
+    current = decision;
+    ++current.version;
+    database.prepare("INSERT INTO decision VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .bind(current.submission)
+        .bind(current.version)
+        .bind(nameIn(kRulingNames, current.ruling))
+        .bind(current.comment)
+        .bind(current.who)
+        .bind(current.when)
+        .bind(toString(current.proposed))
+        .bind(current.notes.empty() ? "" : notesText(current.notes))
+        .bind(current.bulk)
+        .bind(current.files)
+        .step();
+    return {true, std::move(current)};
 }
 
 }  // namespace
@@ -169,12 +143,13 @@ void Store::put(const SubmissionResult& result, std::string_view gradedAt) {
     Transaction transaction{database_};
     database_
         .prepare(
-            "INSERT INTO result VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 1) "
+            "INSERT INTO result VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 1, ?) "
             "ON CONFLICT (submission) DO UPDATE SET verdict = excluded.verdict, "
             "score = excluded.score, max_score = excluded.max_score, "
             "option = excluded.option, findings = excluded.findings, "
             "tool_version = excluded.tool_version, files = excluded.files, "
             "tool = excluded.tool, how = excluded.how, graded_at = excluded.graded_at, "
+            "tasks = excluded.tasks, "
             "times_graded = times_graded + 1")
         .bind(result.submission)
         .bind(toString(result.verdict))
@@ -187,6 +162,7 @@ void Store::put(const SubmissionResult& result, std::string_view gradedAt) {
         .bind(result.inputs.tool)
         .bind(result.inputs.how)
         .bind(gradedAt)
+        .bind(tasksOf(result))
         .step();
     transaction.commit();
 }
@@ -207,24 +183,14 @@ std::vector<ResultRow> Store::results() const {
         rowFrom);
 }
 
-DecideOutcome Store::decide(const Decision& decision) {
+std::vector<DecideOutcome> Store::decide(const std::vector<Decision>& decisions) {
     const std::lock_guard lock{mutex_};
     Transaction transaction{database_};
-    Decision current = newestOf(database_, decision.submission);
-    if (current.version != decision.version) return {false, std::move(current)};
-    current = decision;
-    ++current.version;
-    database_.prepare("INSERT INTO decision VALUES (?, ?, ?, ?, ?, ?, ?)")
-        .bind(current.submission)
-        .bind(current.version)
-        .bind(nameIn(kRulingNames, current.ruling))
-        .bind(current.comment)
-        .bind(current.who)
-        .bind(current.when)
-        .bind(toString(current.proposed))
-        .step();
+    std::vector<DecideOutcome> outcomes;
+    for (const Decision& decision : decisions)
+        outcomes.push_back(keep(database_, decision));
     transaction.commit();
-    return {true, std::move(current)};
+    return outcomes;
 }
 
 std::vector<Decision> Store::decisions() const {
@@ -242,6 +208,34 @@ std::vector<Decision> Store::history(std::string_view submission) const {
         "SELECT {} FROM decision WHERE submission = ? ORDER BY version", kDecisionColumns));
     found.bind(submission);
     return all(std::move(found), decisionFrom);
+}
+
+void Store::saveComment(const SavedComment& comment) {
+    const std::lock_guard lock{mutex_};
+    database_
+        .prepare(
+            "INSERT INTO saved_comment (finding, text, who, at) VALUES (?, ?, ?, ?) "
+            "ON CONFLICT (finding, text) DO NOTHING")
+        .bind(comment.finding)
+        .bind(comment.text)
+        .bind(comment.who)
+        .bind(comment.when)
+        .step();
+}
+
+void Store::dropComment(std::int64_t id) {
+    const std::lock_guard lock{mutex_};
+    database_.prepare("DELETE FROM saved_comment WHERE id = ?").bind(id).step();
+}
+
+std::vector<SavedComment> Store::savedComments() const {
+    const std::lock_guard lock{mutex_};
+    return all(
+        database_.prepare("SELECT id, finding, text, who, at FROM saved_comment ORDER BY id"),
+        [](const Statement& found) {
+            return SavedComment{found.integer(0), found.text(1), found.text(2), found.text(3),
+                                found.text(4)};
+        });
 }
 
 }  // namespace ticker::store

@@ -26,8 +26,18 @@ struct ResultRow {
     std::vector<std::string> findings;  ///< ids, of severity fail or warn
     std::string toolVersion;
     Inputs inputs;
-    std::string gradedAt;          ///< UTC, "2026-11-21T16:05:36Z"
-    std::int64_t timesGraded = 0;  ///< number of completed gradings in this OUT
+    std::string gradedAt;            ///< UTC, "2026-11-21T16:05:36Z"
+    std::int64_t timesGraded = 0;    ///< to the end, in this OUT
+    std::vector<std::string> tasks;  ///< "T1:passed", in the exercise's order
+};
+
+/// Words for students that the tickers of a class share.
+struct SavedComment {
+    std::int64_t id = 0;
+    std::string finding;  ///< for those who have it; empty: for anybody
+    std::string text;     ///< Markdown
+    std::string who;      ///< saved it
+    std::string when;     ///< UTC
 };
 
 /// Result of storing a decision.
@@ -61,13 +71,20 @@ public:
     /// All results, by name.
     [[nodiscard]] std::vector<ResultRow> results() const;
 
-    /// Stores a decision unless there is a newer one: `decision.version` is the version that its
-    /// author saw, and must still be the newest. On disk on return.
-    DecideOutcome decide(const Decision& decision);
+    /// Keeps each decision unless another one was made meanwhile: `version` is the version that its
+    /// author saw, and must still be the newest. One transaction, on disk when this returns.
+    std::vector<DecideOutcome> decide(const std::vector<Decision>& decisions);
+    DecideOutcome decide(const Decision& decision) { return decide(std::vector{decision}).front(); }
     /// The newest decision about each submission that has one, by name.
     [[nodiscard]] std::vector<Decision> decisions() const;
     /// All decisions about one submission, oldest first.
     [[nodiscard]] std::vector<Decision> history(std::string_view submission) const;
+
+    /// Keeps a saved comment, once for its finding. On disk when this returns.
+    void saveComment(const SavedComment& comment);
+    void dropComment(std::int64_t id);
+    /// All, oldest first.
+    [[nodiscard]] std::vector<SavedComment> savedComments() const;
 
 private:
     mutable std::mutex mutex_;

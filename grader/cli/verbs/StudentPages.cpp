@@ -30,8 +30,8 @@ SubmissionResult decided(const store::ClassEntry& entry) {
 
 report::StudentView viewOf(SubmissionResult result, const store::ClassEntry& entry,
                            const report::StudentPolicy& policy) {
-    return {std::move(result), policy, entry.decision ? entry.decision->comment : "",
-            entry.result.verdict};
+    const Decision decision = entry.decision.value_or(Decision{});
+    return {std::move(result), policy, decision.comment, entry.result.verdict, decision.notes};
 }
 
 }  // namespace
@@ -58,6 +58,9 @@ std::string studentPageOf(const fs::path& out, const store::ClassEntry& entry,
                           const report::StudentPolicy& policy) {
     SubmissionResult result = decided(entry);
     fetchFiles(out, result);
+    if (entry.decision)
+        for (const LineNote& note : entry.decision->notes)
+            fetchSource(out, note.file, result);
     return report::studentPage(viewOf(std::move(result), entry, policy));
 }
 

@@ -3,6 +3,7 @@
 #include <grader/report/Escape.h>
 #include <grader/report/platforms/CsvFile.h>
 #include <grader/report/platforms/MoodleColumns.h>
+#include <grader/report/platforms/MoodleFeedback.h>
 #include <grader/report/platforms/SubmissionId.h>
 
 #include <raytracer/base/Error.h>
@@ -57,21 +58,6 @@ private:
     std::map<std::string, std::size_t> byId_;
     std::map<std::string, std::size_t> byTeam_;
 };
-
-/// Moodle shows feedback as HTML. Quotes and backslashes become character references, so that all
-/// CSV parsers agree on the end of the field.
-std::string feedbackHtml(const StudentView& view) {
-    std::string html;
-    for (const char c : escapeHtml(wholeText(view))) {
-        if (c == '\n')
-            html += "<br>";
-        else if (c == '\\')
-            html += "&#92;";
-        else
-            html += c;
-    }
-    return html;
-}
 
 class Filler {
 public:
@@ -153,7 +139,7 @@ private:
         const SubmissionResult& result = views_[view].result();
         file_.set(row, columns_.grade, gradeOf(row, result));
         if (result.score <= 0.0) ++zeros_;
-        if (columns_.feedback) file_.set(row, *columns_.feedback, feedbackHtml(views_[view]));
+        if (columns_.feedback) file_.set(row, *columns_.feedback, moodleFeedback(views_[view]));
         grades_.graded.push_back({id, view});
     }
 

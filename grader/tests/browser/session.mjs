@@ -1,10 +1,16 @@
 // What tests of the ticking session share. TICKER is the program.
 import { execFileSync, spawn } from "node:child_process";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { openPage } from "./harness.mjs";
 
 export const ticker = process.env.TICKER;
 const sessions = [];
+const folders = [];
+const samples = ["bump-inverted-u", "distributed-off-centre", "does-not-compile", "reference-bump", "two-versions"];
+const oddNames = ["Jürgen, jr", "O'Neill #1? 100%", "=1+1", "张 伟", "a&b;c"];
 
 /// Starts a session and waits for its address.
 export async function startSession(out) {
@@ -19,12 +25,35 @@ export async function startSession(out) {
   return session;
 }
 
-export function killSessions() {
-  for (const session of sessions) session.process.kill("SIGKILL");
+/// TICKER_CLASS under new names: an OUT with so many submissions, as a cluster's nodes leave it and `ticker collect` takes it in.
+export function makeClass(size) {
+  const out = mkdtempSync(join(tmpdir(), "ticker-session-"));
+  folders.push(out);
+  for (let i = 0; i < size; ++i) {
+    const sample = join(process.env.TICKER_CLASS, samples[i % samples.length]);
+    const name = `${oddNames[i % oddNames.length]}_${1000 + i}`;
+    const result = JSON.parse(readFileSync(join(sample, "result.json"), "utf8"));
+    const isSmall = size <= 200; // pictures are not what many submissions try
+    const without = isSmall ? {} : { renders: [], pictures: [] };
+    mkdirSync(join(out, name));
+    writeFileSync(join(out, name, "result.json"), JSON.stringify({ ...result, ...without, submission: name }));
+    if (!isSmall) continue;
+    for (const part of ["images", "code", "report.html"])
+      cpSync(join(sample, part), join(out, name, part), { recursive: true });
+  }
+  execFileSync(ticker, ["collect", out, "--quiet"]);
+  return out;
 }
 
+/// Ends what `startSession` started, and removes what `makeClass` made.
+export function killSessions() {
+  for (const session of sessions) session.process.kill("SIGKILL");
+  for (const folder of folders) rmSync(folder, { recursive: true, force: true });
+}
+
+/// options: as of `openPage`, and `hash`: what stands behind the address.
 export const openSession = (browser, session, options = {}) =>
-  openPage(browser, session.address, { allowed: (address) => address.startsWith(session.address), ...options });
+  openPage(browser, session.address + (options.hash ?? ""), { allowed: (address) => address.startsWith(session.address), ...options });
 
 /// Waits until a submission fills the page and can be decided. Gives its name.
 export async function shown(page, other) {

@@ -51,7 +51,7 @@ std::map<std::string, Layer> readLayers() {
 }
 
 std::optional<std::string> packageOf(const std::string& header) {
-    static const std::array<std::pair<const char*, const char*>, 18> kPackages{{
+    static const std::array<std::pair<const char*, const char*>, 19> kPackages{{
         {"opencv2/", "opencv"},
         {"tinyxml2.h", "tinyxml2"},
         {"stb_", "stb"},
@@ -63,6 +63,7 @@ std::optional<std::string> packageOf(const std::string& header) {
         {"CLI/", "cli11"},
         {"fmt/", "fmt"},
         {"hwy/", "hwy"},
+        {"cmark.h", "cmark"},
         {"httplib.h", "httplib"},
         {"gtest/", "gtest"},
         {"benchmark/", "benchmark"},

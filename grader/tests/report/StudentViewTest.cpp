@@ -1,5 +1,7 @@
+#include <grader/report/Markdown.h>
 #include <grader/report/StudentPage.h>
 #include <grader/report/StudentView.h>
+#include <grader/report/platforms/MoodleFeedback.h>
 #include <grader/report/platforms/PlatformFormats.h>
 
 #include <raytracer/base/Error.h>
@@ -177,6 +179,33 @@ TEST(StudentPolicy, AFileThatForgetsAMemberOrInventsOneIsRefused) {
     EXPECT_NE(errorOf(text.replace(text.find("true"), 4, "1"))
                   .find("view.json:2: /hints: expected true or false"),
               std::string::npos);
+}
+
+TEST(StudentView, ShowsTheTickersWordsAsMarkdownAndBesideTheLines) {
+    SubmissionResult result = passedExample();
+    const std::vector<LineNote> notes{{"Own.cpp", 7, "a < b;", "`<` is **right**"}};
+    const StudentView view{result, {}, "See \\ `x`\nand <script>", {}, notes};
+    const std::string page = studentPage(view);
+    EXPECT_TRUE(holds(page, "See \\ <code>x</code><br />\nand &lt;script&gt;")) << page;
+    EXPECT_TRUE(holds(page, "<h3>Own.cpp, line 7</h3>")) << page;
+    EXPECT_TRUE(holds(page, "   7</span> a &lt; b;"));
+    EXPECT_TRUE(holds(page, "<p><code>&lt;</code> is <strong>right</strong></p>"));
+    EXPECT_TRUE(holds(verdictText(view), "About Own.cpp, line 7: a < b;\n`<` is **right**"));
+    const std::string feedback = moodleFeedback(view);
+    EXPECT_TRUE(
+        holds(feedback, "<blockquote><p>See &#92; <code>x</code><br />and &lt;script&gt;</p>"))
+        << feedback;
+    EXPECT_TRUE(holds(feedback, "<p>About Own.cpp, line 7:</p><pre>a &lt; b;</pre>")) << feedback;
+    for (const char* bad : {"\n", "\"", "\\"})
+        EXPECT_FALSE(holds(feedback, bad)) << bad;
+}
+
+TEST(Markdown, TakesMarkupForTextAndHeadingsForParagraphs) {
+    EXPECT_EQ(markdownHtml("# std::vector<int> x"), "<p>std::vector&lt;int&gt; x</p>\n");
+    EXPECT_EQ(markdownHtml("<b>\nx</b>"), "<p>&lt;b&gt;\nx&lt;/b&gt;</p>\n");
+    EXPECT_EQ(markdownHtml("![dot](http://x.example/y.png)"), "<p>dot</p>\n");
+    EXPECT_EQ(markdownHtml("[x](javascript:y)"), "<p><a href=\"\">x</a></p>\n");
+    EXPECT_EQ(markdownHtml(""), "");
 }
 
 }  // namespace

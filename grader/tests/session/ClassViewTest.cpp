@@ -14,12 +14,19 @@ const std::string kOddName = "J\xC3\xBCrgen, O'Neill_12";
 
 std::string request(const std::string& name, int version, const std::string& ruling,
                     const std::string& who = "ann", const std::string& comment = "") {
-    return json{{"submission", name},
-                {"version", version},
-                {"ruling", ruling},
-                {"comment", comment},
-                {"who", who}}
+    return json{{"decisions",
+                 {{{"submission", name},
+                   {"version", version},
+                   {"ruling", ruling},
+                   {"comment", comment},
+                   {"who", who}}}}}
         .dump();
+}
+
+/// The one answer to a request with one decision.
+json answerTo(const Reply& reply) {
+    EXPECT_EQ(reply.status, 200) << reply.body;
+    return json::parse(reply.body).at("answers").at(0);
 }
 
 class Session : public testing::Test {
@@ -44,20 +51,83 @@ TEST_F(Session, ListsTheClassWithFindingsAndDecisions) {
 
 TEST_F(Session, KeepsTheFirstOfTwoWhoDecideAtOnceAndTellsTheSecond) {
     EXPECT_EQ(view_.decide(request("bob", 0, "awarded", "ann")).status, 200);
-    const Reply late = view_.decide(request("bob", 0, "notYet", "cy"));
-    EXPECT_EQ(late.status, 409);
-    EXPECT_EQ(json::parse(late.body).at("who"), "ann");
-    EXPECT_EQ(view_.decide(request("bob", 1, "notYet", "cy")).status, 200);
+    const json late = answerTo(view_.decide(request("bob", 0, "notYet", "cy")));
+    EXPECT_EQ(late.at("isKept"), false);
+    EXPECT_EQ(late.at("decision").at("who"), "ann");
+    EXPECT_EQ(answerTo(view_.decide(request("bob", 1, "notYet", "cy"))).at("isKept"), true);
     EXPECT_EQ(json::parse(view_.submission("bob").body).at("history").size(), 2U);
 }
 
 TEST_F(Session, KeepsADecisionOnceThatIsSentAgainAfterALostAnswer) {
     const std::string sent = request("bob", 0, "awarded", "ann", "fine");
     EXPECT_EQ(view_.decide(sent).status, 200);
-    const Reply again = view_.decide(sent);
-    EXPECT_EQ(again.status, 200);
-    EXPECT_EQ(json::parse(again.body).at("version"), 1);
+    const json again = answerTo(view_.decide(sent));
+    EXPECT_EQ(again.at("isKept"), true);
+    EXPECT_EQ(again.at("decision").at("version"), 1);
     EXPECT_EQ(json::parse(view_.submission("bob").body).at("history").size(), 1U);
+}
+
+TEST_F(Session, KeepsManyAtOnceAndSaysWhichWereOvertaken) {
+    EXPECT_EQ(view_.decide(request("bob", 0, "awarded", "cy")).status, 200);
+    json bulk = json::array();
+    for (const std::string& name : {kOddName, std::string{"bob"}})
+        bulk.push_back({{"submission", name},
+                        {"version", 0},
+                        {"ruling", "notYet"},
+                        {"comment", ""},
+                        {"who", "ann"},
+                        {"bulk", "b1"}});
+    const json answers =
+        json::parse(view_.decide(json{{"decisions", bulk}}.dump()).body).at("answers");
+    EXPECT_EQ(answers.at(0).at("isKept"), true);
+    EXPECT_EQ(answers.at(0).at("decision").at("bulk"), "b1") << "what was decided in bulk says so";
+    EXPECT_EQ(answers.at(1).at("isKept"), false);
+    EXPECT_EQ(answers.at(1).at("decision").at("who"), "cy");
+}
+
+TEST_F(Session, KeepsCommentsOnLinesWithTheLinesThemselves) {
+    json one = json::parse(request("bob", 0, "undecided")).at("decisions").at(0);
+    one["notes"] = {{{"file", "BumpySphere.cpp"}, {"line", 1}, {"text", "why **int**?"}},
+                    {{"file", "BumpySphere.cpp"}, {"line", 99}, {"text", "beyond the end"}},
+                    {{"file", "../report.html"}, {"line", 1}, {"text", "no file of theirs"}},
+                    {{"file", "BumpySphere.cpp"}, {"line", 1}, {"text", ""}},
+                    {{"file", "BumpySphere.cpp"}, {"line", "1"}, {"text", "no number"}}};
+    const json kept = answerTo(view_.decide(json{{"decisions", {one}}}.dump()));
+    ASSERT_EQ(kept.at("decision").at("notes").size(), 1U) << kept;
+    EXPECT_EQ(kept.at("decision").at("notes").at(0).at("code"), "int x; // <script>code</script>");
+    EXPECT_EQ(store::Store{class_.out()}.decisions().at(0).notes.at(0).text, "why **int**?");
+}
+
+TEST_F(Session, SharesSavedCommentsAmongAllTickersOfTheClass) {
+    const auto saved = [](const std::string& finding, const std::string& text) {
+        return json{{"finding", finding}, {"text", text}, {"who", "ann"}}.dump();
+    };
+    EXPECT_EQ(view_.saveComment(saved("bump.inverted-u", "Turn one sign.")).status, 200);
+    EXPECT_EQ(view_.saveComment(saved("bump.inverted-u", "Turn one sign.")).status, 200);
+    EXPECT_EQ(view_.saveComment(saved("", "Well done, {name}.")).status, 200);
+    EXPECT_EQ(view_.saveComment(saved("", "")).status, 400);
+    ClassView other{class_.out()};
+    const json comments = json::parse(other.list().body).at("comments");
+    ASSERT_EQ(comments.size(), 2U) << "each once";
+    EXPECT_EQ(comments.at(0).at("text"), "Turn one sign.");
+    EXPECT_EQ(comments.at(0).at("who"), "ann");
+    EXPECT_EQ(other.dropComment(json{{"id", comments.at(0).at("id")}}.dump()).status, 200);
+    EXPECT_EQ(json::parse(view_.list().body).at("comments").size(), 1U);
+    EXPECT_EQ(view_.dropComment("{}").status, 400);
+}
+
+TEST_F(Session, TellsThatNothingHasChangedToWhoKnowsTheState) {
+    const std::string state = json::parse(view_.list().body).at("state");
+    EXPECT_EQ(json::parse(view_.list(state).body), (json{{"state", state}}));
+    EXPECT_EQ(view_.decide(request("bob", 0, "awarded")).status, 200);
+    EXPECT_EQ(json::parse(view_.list(state).body).at("submissions").size(), 2U);
+}
+
+TEST_F(Session, ShowsACommentAsTheStudentWillSeeIt) {
+    const Reply shown = view_.preview(json{{"text", "a **b** <script>c</script>"}}.dump());
+    EXPECT_EQ(json::parse(shown.body).at("html"),
+              "<p>a <strong>b</strong> &lt;script&gt;c&lt;/script&gt;</p>\n");
+    EXPECT_EQ(view_.preview("[]").status, 400);
 }
 
 TEST_F(Session, IsTheSameAfterItWasStartedAgain) {
@@ -69,17 +139,19 @@ TEST_F(Session, IsTheSameAfterItWasStartedAgain) {
 TEST_F(Session, RefusesWhatIsNoDecision) {
     for (const std::string& body :
          {std::string{}, std::string{"[]"}, std::string{"{}"}, std::string{"\xFF\xFE"},
-          request("bob", 0, "perhaps"), json{{"submission", "bob"}}.dump(),
-          json{{"submission", "bob"},
-               {"version", "0"},
-               {"ruling", "awarded"},
-               {"comment", ""},
-               {"who", ""}}
+          request("bob", 0, "perhaps"), json{{"decisions", {{{"submission", "bob"}}}}}.dump(),
+          json{{"decisions", {1}}}.dump(), json{{"decisions", "bob"}}.dump(),
+          json{{"decisions",
+                {{{"submission", "bob"},
+                  {"version", "0"},
+                  {"ruling", "awarded"},
+                  {"comment", ""},
+                  {"who", ""}}}}}
               .dump(),
           request("bob", 0, "awarded", "ann", std::string(30'000, 'x'))})
         EXPECT_EQ(view_.decide(body).status, 400) << body.substr(0, 80);
     EXPECT_EQ(view_.decide(request("nobody", 0, "awarded")).status, 404);
-    EXPECT_EQ(view_.decide(request("bob", 7, "awarded")).status, 409);
+    EXPECT_EQ(answerTo(view_.decide(request("bob", 7, "awarded"))).at("isKept"), false);
 }
 
 TEST_F(Session, GivesOutPicturesAndReportsOfTheClassAndNothingElse) {

@@ -48,8 +48,8 @@ protected:
         return result ? result->status : -1;
     }
     [[nodiscard]] int post(const httplib::Headers& headers, const std::string& path) {
-        const std::string body = R"({"submission": "bob", "version": 0, "ruling": "awarded",
-                                     "comment": "", "who": "ann"})";
+        const std::string body = R"({"decisions": [{"submission": "bob", "version": 0,
+            "ruling": "awarded", "comment": "", "who": "ann"}]})";
         const auto result = client_.Post(path.c_str(), headers, body, "application/json");
         return result ? result->status : -1;
     }
@@ -69,8 +69,9 @@ TEST_F(OnTheNetwork, GivesThePageAndTheClassToWhoKnowsTheToken) {
     EXPECT_EQ(page->status, 200);
     EXPECT_NE(page->get_header_value("Content-Security-Policy").find("default-src 'none'"),
               std::string::npos);
-    for (const char* path : {"session.js", "session.css", "class", "submission?name=bob",
-                             "of/bob/images/bump-mapping.png", "report?name=bob"})
+    for (const char* path :
+         {"main.js", "viewer.js", "session.css", "class", "pictures?name=bob",
+          "submission?name=bob", "of/bob/images/bump-mapping.png", "report?name=bob"})
         EXPECT_EQ(statusOf(at(path)), 200) << path;
     EXPECT_EQ(statusOf(at("submission?name=J%C3%BCrgen%2C%20100%25%20%22x%22%20%231%3F_12")), 200);
     EXPECT_EQ(

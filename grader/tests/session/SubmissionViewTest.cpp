@@ -1,5 +1,6 @@
 #include "ClassOnDisk.h"
 
+#include <grader/session/CodeView.h>
 #include <grader/session/SubmissionView.h>
 
 #include <gtest/gtest.h>
@@ -32,6 +33,23 @@ TEST(SubmissionHtml, PutsTheCompilersWordsBesideTheStudentsLine) {
     EXPECT_NE(html.find("<mark><span class=\"number\">   1</span> int x; // &lt;script&gt;"),
               std::string::npos)
         << html;
+    EXPECT_NE(html.find("<span class=\"line error\" data-line=\"1\">"), std::string::npos) << html;
+    EXPECT_NE(html.find("<span class=\"said error\">error: expected initializer before &#39;x"),
+              std::string::npos)
+        << html;
+}
+
+TEST(CodeHtml, SaysOfALineWhatPointsAtIt) {
+    const std::vector<SourceText> sources{{"Own.cpp", "int a;\nint b;\n"}};
+    const std::string html = codeHtml(sources, {{"Own.cpp", 2, "proven", "<b> makes it pass"},
+                                                {"Other.cpp", 1, "error", "elsewhere"}});
+    EXPECT_NE(html.find("<span class=\"line\" data-line=\"1\">"), std::string::npos) << html;
+    EXPECT_NE(html.find("<span class=\"line proven\" data-line=\"2\">"), std::string::npos) << html;
+    EXPECT_NE(html.find("<span class=\"said proven\">&lt;b&gt; makes it pass</span>"),
+              std::string::npos)
+        << html;
+    EXPECT_EQ(html.find("elsewhere"), std::string::npos);
+    EXPECT_EQ(codeHtml({}, {}), "");
 }
 
 TEST(SubmissionHtml, SaysAboveThePicturesOnceWhatStandsUnderSeveralTasks) {

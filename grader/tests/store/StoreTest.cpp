@@ -108,6 +108,48 @@ TEST(Store, KeepsEveryDecisionBesideWhatWasProposed) {
     EXPECT_EQ(newest[0].who, "bob");
 }
 
+TEST(Store, KeepsCommentsOnLinesAndWhatWasDecidedInBulk) {
+    const tests::TemporaryFolder out;
+    Decision decision = decisionOn("ann", Ruling::notYet, 0);
+    decision.notes = {{"Own.cpp", 7, "int \"x\";", "why `int`?\nsee *there*"}};
+    decision.bulk = "b1";
+    decision.files = "aa";
+    Decision other = decisionOn("bob", Ruling::notYet, 3);
+    const std::vector<DecideOutcome> outcomes = Store{out.path()}.decide({decision, other});
+    ASSERT_EQ(outcomes.size(), 2U);
+    EXPECT_TRUE(outcomes[0].isKept);
+    EXPECT_FALSE(outcomes[1].isKept) << "the others of a bulk are kept in any case";
+    const Decision kept = Store{out.path()}.decisions().at(0);
+    EXPECT_EQ(kept.notes, decision.notes);
+    EXPECT_EQ(kept.bulk, "b1");
+    EXPECT_EQ(kept.files, "aa");
+}
+
+TEST(Store, TakesTheFileOfAnOlderTickerWithItsDecisions) {
+    const tests::TemporaryFolder out;
+    {
+        const Database old{out.path() / "results.sqlite"};
+        old.run(R"(
+            CREATE TABLE class (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+            CREATE TABLE result (submission TEXT PRIMARY KEY, verdict TEXT NOT NULL,
+                score REAL NOT NULL, max_score REAL NOT NULL, option TEXT NOT NULL,
+                findings TEXT NOT NULL, tool_version TEXT NOT NULL, files TEXT NOT NULL,
+                tool TEXT NOT NULL, how TEXT NOT NULL, graded_at TEXT NOT NULL,
+                times_graded INTEGER NOT NULL) WITHOUT ROWID;
+            CREATE TABLE decision (submission TEXT NOT NULL, version INTEGER NOT NULL,
+                ruling TEXT NOT NULL, comment TEXT NOT NULL, who TEXT NOT NULL, at TEXT NOT NULL,
+                proposed TEXT NOT NULL, PRIMARY KEY (submission, version)) WITHOUT ROWID;
+            INSERT INTO decision VALUES ('ann', 1, 'awarded', 'fine', 'bo', '', 'awarded');
+            PRAGMA user_version = 1;)");
+    }
+    Store store{out.path()};
+    ASSERT_EQ(store.decisions().size(), 1U);
+    EXPECT_EQ(store.decisions().at(0).comment, "fine");
+    EXPECT_TRUE(store.decisions().at(0).notes.empty());
+    store.put(judgedResult("ann"), kNow);
+    EXPECT_EQ(store.find("ann")->tasks, std::vector<std::string>{"T1:notGraded"});
+}
+
 TEST(Store, LosesNoDecisionOfTwoWhoDecideAtOnce) {
     const tests::TemporaryFolder out;
     Store first{out.path()};

@@ -1,0 +1,67 @@
+#include <grader/session/CodeView.h>
+#include <grader/session/Highlight.h>
+
+#include <grader/report/Escape.h>
+#include <grader/report/SourceLines.h>
+
+#include <fmt/core.h>
+
+#include <string_view>
+
+namespace ticker::session {
+namespace {
+
+using report::escapeHtml;
+
+constexpr std::string_view kLineStart = "<span class=\"line\">";
+constexpr std::string_view kLineEnd = "</span>";
+
+/// One line of `highlightCpp` with its number, and what is said about it.
+std::string numbered(std::string_view line, int number, const std::string& file,
+                     const std::vector<MarkedLine>& marked) {
+    std::string kinds;
+    std::string said;
+    for (const MarkedLine& mark : marked) {
+        if (mark.file != file || mark.line != number) continue;
+        kinds += " " + mark.kind;
+        said += fmt::format("<span class=\"said {}\">{}</span>", mark.kind, escapeHtml(mark.words));
+    }
+    return fmt::format(
+        "<span class=\"line{0}\" data-line=\"{1}\"><button type=\"button\" class=\"at\" "
+        "tabindex=\"-1\" aria-label=\"{1}: comment on this line\">{1}</button>{2}{3}</span>",
+        kinds, number,
+        line.substr(kLineStart.size(), line.size() - kLineStart.size() - kLineEnd.size()), said);
+}
+
+std::string file(const SourceText& source, const std::vector<MarkedLine>& marked) {
+    const std::string coloured = highlightCpp(source.bytes);
+    std::string html = fmt::format(
+        "<h2>{0}</h2><pre class=\"code\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\" "
+        "data-file=\"{0}\"><code>",
+        escapeHtml(source.file));
+    int number = 0;
+    for (const std::string_view line : report::linesOf(coloured))
+        html += numbered(line, ++number, source.file, marked);
+    return html + "</code></pre>";
+}
+
+}  // namespace
+
+std::vector<MarkedLine> markedLines(const SubmissionResult& result) {
+    std::vector<MarkedLine> marked;
+    for (const Diagnostics& said : result.diagnostics)
+        for (const report::Remark& remark : report::remarksOf(said))
+            marked.push_back({said.file, remark.line, std::string{remark.kind},
+                              fmt::format("{}: {}", remark.kind, remark.message)});
+    return marked;
+}
+
+std::string codeHtml(const std::vector<SourceText>& sources,
+                     const std::vector<MarkedLine>& marked) {
+    std::string html;
+    for (const SourceText& source : sources)
+        html += file(source, marked);
+    return html.empty() ? "" : "<section class=\"codes\">" + html + "</section>";
+}
+
+}  // namespace ticker::session

@@ -1,0 +1,29 @@
+#ifndef TICKER_SESSION_CODEVIEW_H
+#define TICKER_SESSION_CODEVIEW_H
+
+#include <grader/result/SubmissionResult.h>
+
+#include <string>
+#include <vector>
+
+namespace ticker::session {
+
+/// A line of a student's file that something is to be said about.
+struct MarkedLine {
+    std::string file;
+    int line = 0;       ///< counted from 1
+    std::string kind;   ///< its class in the style sheet: error, warning, proven
+    std::string words;  ///< what is said, as plain text; shown below the line
+};
+
+/// The lines that the compiler's errors and warnings point at.
+[[nodiscard]] std::vector<MarkedLine> markedLines(const SubmissionResult& result);
+
+/// The student's files as HTML, each line with a button that stands for it, the marked lines with
+/// what is said about them.
+[[nodiscard]] std::string codeHtml(const std::vector<SourceText>& sources,
+                                   const std::vector<MarkedLine>& marked);
+
+}  // namespace ticker::session
+
+#endif

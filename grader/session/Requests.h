@@ -1,0 +1,35 @@
+#ifndef TICKER_SESSION_REQUESTS_H
+#define TICKER_SESSION_REQUESTS_H
+
+#include <grader/store/Store.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ticker::session {
+
+// What the page and the session say to each other, as JSON.
+
+[[nodiscard]] nlohmann::json jsonOf(const Decision& decision);
+[[nodiscard]] nlohmann::json jsonOf(const store::ResultRow& row);
+[[nodiscard]] nlohmann::json jsonOf(const store::SavedComment& comment);
+
+/// Any bytes as valid JSON text.
+[[nodiscard]] std::string textOf(const nlohmann::json& value);
+
+/// {"decisions": [{"submission", "version", "ruling", "comment", "who", "notes", "bulk"}]}, the
+/// last two optional. Nothing where one of them is no decision.
+[[nodiscard]] std::optional<std::vector<Decision>> readDecisions(const std::string& body);
+
+/// {"finding", "text", "who"}
+[[nodiscard]] std::optional<store::SavedComment> readSavedComment(const std::string& body);
+
+/// A member of a request; nothing where it is no string or too long.
+[[nodiscard]] std::optional<std::string> readText(const std::string& body, const char* member);
+
+}  // namespace ticker::session
+
+#endif

@@ -1,0 +1,95 @@
+// The comment for the student, about the whole or about a line, with a look at what the student will see.
+import { $, make } from "./dom.js";
+import { entries, model, saidOf, standing } from "./model.js";
+import { askFor, who } from "./decide.js";
+import { filled, offersFor, saveComment, showOffers } from "./saved.js";
+import { memory, post } from "./server.js";
+import { isOnPage } from "./submission.js";
+import { record } from "./undo.js";
+import { codeChanged } from "./code.js";
+
+const previewMs = 120;
+
+/// Markdown as the student will see it, into an element.
+export async function showMarkdown(place, text) {
+  place.dataset.text = text;
+  if (!text.trim()) return place.replaceChildren();
+  const { answer: { html } } = await post("preview", { text });
+  if (place.dataset.text === text) place.innerHTML = html; // made by the session, markup escaped
+}
+
+let timer = 0;
+function previewSoon(dialog) {
+  clearTimeout(timer);
+  timer = setTimeout(() => showMarkdown($(".preview .words", dialog), $("textarea", dialog).value), previewMs);
+}
+
+const isMissing = (text, one) => !text.includes(one);
+
+/// Opens the editor: words that stand, offers, a preview. `keep` gets what is to stand.
+function edit({ title, draft, text, offers, at, keep }) {
+  const entry = entries.get(model.current);
+  const dialog = $("#comment");
+  const area = $("textarea", dialog);
+  $("h2", dialog).textContent = title;
+  area.value = memory.get(draft, text);
+  const show = () => { memory.set(draft, area.value); previewSoon(dialog); };
+  const insert = (words) => {
+    area.value = [area.value.trim(), ...words.filter((one) => isMissing(area.value, one))].filter(Boolean).join("\n\n");
+    show();
+    area.focus();
+  };
+  area.oninput = show;
+  showOffers($(".offers", dialog), offers, (one) => insert([one]));
+  const quoted = offers.filter(({ isSaved, isHint }) => !isSaved && !isHint).map((one) => one.text);
+  const quote = $("[data-act=quote]", dialog);
+  quote.disabled = quoted.length === 0;
+  quote.onclick = () => insert(quoted);
+  $("#save-for").replaceChildren(make("option", { value: "" }, "anybody"),
+    ...[...new Set(entry.findings)].map((id) => make("option", { value: id, selected: "" }, id)));
+  $("[data-act=keepWords]", dialog).onclick = async () => {
+    if (!area.value.trim()) return;
+    await saveComment($("#save-for").value, area.value.trim(), who());
+    $(".kept", dialog).textContent = "Saved for the tickers of this class.";
+  };
+  $(".kept", dialog).textContent = "";
+  $("form", dialog).onsubmit = (event) => {
+    const said = filled(area.value.trim(), entry, at);
+    if (event.submitter?.value === "save" && said !== text) keep(said);
+  };
+  dialog.onclose = () => memory.remove(draft);
+  showMarkdown($(".preview .words", dialog), area.value);
+  dialog.showModal();
+  area.focus();
+}
+
+export function editComment() {
+  if (!isOnPage()) return;
+  if (!who()) return askFor("Who comments?", null, editComment);
+  const name = model.current;
+  const entry = entries.get(name);
+  edit({
+    title: "Comment for the student", draft: `draft.${name}`, text: standing(name).comment, offers: offersFor(entry), at: {},
+    keep: (comment) => record([{ submission: name, made: { ...saidOf(standing(name)), comment } }], who()),
+  });
+}
+
+/// Says something about a line: {file, line, code}. Nothing said takes the comment away.
+export function editNote(at) {
+  if (!isOnPage()) return;
+  if (!who()) return askFor("Who comments?", null, () => editNote(at));
+  const name = model.current;
+  const isHere = (note) => note.file === at.file && note.line === at.line;
+  const before = standing(name).notes.find(isHere);
+  edit({
+    title: `${at.file}, line ${at.line}`, draft: `draft.${name}.${at.file}.${at.line}`, text: before?.text ?? "",
+    offers: offersFor(entries.get(name), at), at,
+    keep: (text) => {
+      const said = saidOf(standing(name));
+      const notes = [...said.notes.filter((note) => !isHere(note)), ...(text ? [{ ...at, text }] : [])]
+        .sort((one, other) => one.file.localeCompare(other.file) || one.line - other.line);
+      record([{ submission: name, made: { ...said, notes } }], who());
+      codeChanged();
+    },
+  });
+}

@@ -1,0 +1,110 @@
+// Deciding: about the submission that fills the page, or about all of a contact sheet.
+import { $, counted, words } from "./dom.js";
+import { entries, model, overrules, saidOf, standing, whenOvertaken } from "./model.js";
+import { offersFor, showOffers } from "./saved.js";
+import { memory } from "./server.js";
+import { goOn, isOnPage, tell } from "./submission.js";
+import { record, undoLast } from "./undo.js";
+import { again, open, viewName } from "./views.js";
+
+export const who = () => $("#who").value.trim();
+
+function setWho(name) {
+  $("#who").value = name;
+  memory.set("who", name);
+}
+
+/// Asks for what is missing in a dialog, and goes on with the comment once it is there.
+///
+/// why: {isRequired, comment, offers}; null where no comment is asked for.
+export function askFor(title, why, then) {
+  const dialog = $("#ask");
+  const [name, reason] = [$("#ask-who"), $("#ask-why")];
+  $("h2", dialog).textContent = title;
+  name.closest("label").hidden = who() !== "";
+  name.disabled = who() !== "";
+  name.value = "";
+  reason.closest("label").hidden = !why;
+  reason.disabled = !why;
+  reason.required = why?.isRequired ?? false;
+  reason.value = why?.comment ?? "";
+  showOffers($(".offers", dialog), why?.offers ?? [], (text) => { reason.value = text; reason.focus(); });
+  $("form", dialog).onsubmit = (event) => {
+    if (event.submitter?.value === "cancel") return;
+    if (reason.required && !reason.value.trim()) return event.preventDefault(); // blanks are no reason
+    if (!name.disabled) setWho(name.value.trim());
+    then(reason.value.trim());
+  };
+  dialog.showModal();
+  (name.disabled ? reason : name).focus();
+}
+
+/// Decides about what fills the page, and goes on. Asks for a name once, for a reason against the
+/// proposal, and whether a comment still fits a decision that is turned round.
+function decideOne(ruling) {
+  if (!isOnPage()) return; // it was not seen yet
+  const name = model.current;
+  const entry = entries.get(name);
+  const before = saidOf(standing(name));
+  const isAgainst = overrules(ruling, entry);
+  const isTurned = before.ruling !== "undecided" && before.ruling !== ruling;
+  const keep = (comment) => {
+    record([{ submission: name, made: { ...before, ruling, comment, bulk: "" } }], who());
+    goOn();
+  };
+  if (before.comment ? isTurned : isAgainst)
+    askFor(before.comment ? "Does your comment still fit?" : `The proposal is “${words[entry.verdict]}”. Why “${words[ruling]}”?`,
+      { isRequired: isAgainst, comment: before.comment, offers: offersFor(entry).filter(({ isSaved }) => isSaved) }, keep);
+  else if (!who()) askFor("Who decides?", null, () => keep(before.comment));
+  else keep(before.comment);
+}
+
+/// Decides about many at once: the same ruling, and the same words for all who have none yet.
+export function decideMany(names, ruling) {
+  if (names.length === 0) return;
+  const all = names.map((name) => entries.get(name));
+  const isAgainst = all.some((entry) => overrules(ruling, entry) && !standing(entry.name).comment);
+  const title = `“${words[ruling]}” for ${counted(names.length, "submission")}${isAgainst ? ". Some proposals differ: why?" : "?"}`;
+  askFor(title, { isRequired: isAgainst, comment: "", offers: offersFor(all[0]) }, (comment) => {
+    const bulk = Math.random().toString(36).slice(2, 10);
+    record(names.map((submission) => {
+      const before = saidOf(standing(submission));
+      return { submission, made: { ...before, ruling, bulk, comment: before.comment || comment } };
+    }), who());
+    again();
+    tell(`“${words[ruling]}” for ${counted(names.length, "submission")}; one undo takes them back.`);
+  });
+}
+
+let bulkNames = () => [];
+/// Tells what a decision is about where no single submission fills the page.
+export const decidesAbout = (names) => { bulkNames = names; };
+
+export function decide(ruling) {
+  if (model.current !== null) return decideOne(ruling);
+  if (viewName() === "sheet") decideMany(bulkNames(), ruling);
+}
+
+export function undo() {
+  const back = undoLast(who());
+  if (!back) return;
+  if (back.submission) return open("submission", { name: back.submission });
+  if (model.current === null) again();
+  tell(back.text);
+}
+
+export function watchDecisions() {
+  $("#who").value = memory.get("who", "");
+  $("#who").addEventListener("input", (event) => memory.set("who", event.target.value));
+  whenOvertaken(async (mine, theirs) => {
+    const dialog = $("#conflict");
+    $(".words", dialog).textContent =
+      `${theirs.who || "Another ticker"} decided about ${entries.get(mine.submission)?.shown} meanwhile: ${words[theirs.ruling]}` +
+      `${theirs.comment ? ` (“${theirs.comment}”)` : ""}. You said: ${words[mine.ruling]}` +
+      `${mine.comment ? ` (“${mine.comment}”)` : ""}.`;
+    dialog.returnValue = "theirs";
+    dialog.showModal();
+    await new Promise((done) => dialog.addEventListener("close", done, { once: true }));
+    return dialog.returnValue;
+  });
+}

@@ -1,0 +1,128 @@
+// Submissions that are alike, and the contact sheet on which all that the list shows are decided at once.
+import { $, button, counted, make, soft, words } from "./dom.js";
+import { decidesAbout } from "./decide.js";
+import { entries, isOpen, standing, watch } from "./model.js";
+import { filter, groupOf, listed, setFilter } from "./list.js";
+import { ask } from "./server.js";
+import { tell } from "./submission.js";
+import { fill, here, open, register, viewName } from "./views.js";
+
+// --- groups --------------------------------------------------------------------------------------
+
+function card(key, members) {
+  const [first] = members;
+  const done = members.filter(({ name }) => !isOpen(name)).length;
+  const ids = [...new Set(first.findings)];
+  return make("li", { class: `card group ${first.verdict}` },
+    make("p", { class: "chips" }, make("span", { class: `badge ${first.verdict}` }, words[first.verdict]),
+      soft(`option ${first.option}`)),
+    make("h2", {}, ids.length > 0 ? ids.join(", ") : "nothing was found"),
+    make("p", {}, `${counted(members.length, "submission")}, ${done} decided`),
+    button("Contact sheet", () => { setFilter({ group: key }); open("sheet"); },
+      { "aria-label": `Contact sheet: ${ids.join(", ") || words[first.verdict]}` }));
+}
+
+function showGroups() {
+  if (filter.group) setFilter({ group: "" });
+  const groups = new Map();
+  for (const name of listed()) {
+    const entry = entries.get(name);
+    const key = groupOf(entry);
+    groups.set(key, [...(groups.get(key) ?? []), entry]);
+  }
+  const sorted = [...groups].sort((one, other) => other[1].length - one[1].length);
+  fill(make("h1", {}, counted(sorted.length, "group")),
+    make("p", {}, "Those in a group have the same findings. ",
+      button(`Contact sheet of all ${listed().length} listed`, () => open("sheet"))),
+    make("ul", { class: "groups" }, ...sorted.map(([key, members]) => card(key, members))));
+  tell(soft("A contact sheet shows everybody's picture; there all are decided at once."));
+}
+
+// --- the contact sheet ---------------------------------------------------------------------------
+
+let cards = new Map(); // name -> {box, isSeen}
+const picked = () => [...cards].filter(([, { box }]) => box.checked).map(([name]) => name);
+
+const picture = (address, what, name) =>
+  make("figure", {}, make("img", { src: address, alt: `${what}, ${name}`, loading: "lazy" }), make("figcaption", {}, what));
+
+async function addPictures(place, entry) {
+  const { renders = [], told = "" } = await ask(`pictures?name=${encodeURIComponent(entry.name)}`);
+  const [render] = renders;
+  place.replaceChildren(...(render
+    ? [...(render.reference ? [picture(render.reference, "expected", entry.shown)] : []), picture(render.image, "submitted", entry.shown)]
+    : [make("div", { class: "soft" }, "No picture.")]));
+  if (!render) place.insertAdjacentHTML("beforeend", told); // written by the session, escaped
+}
+
+/// Notes who was on the screen: nobody is decided about unseen.
+const sight = new IntersectionObserver((seen) => {
+  for (const { isIntersecting, target } of seen) {
+    if (!isIntersecting) continue;
+    const known = cards.get(target.dataset.name);
+    if (!known || known.isSeen) continue;
+    known.isSeen = true;
+    addPictures($(".pair", target), entries.get(target.dataset.name));
+  }
+  showPicked();
+}, { threshold: 0.35 });
+
+function sheetCard(name) {
+  const entry = entries.get(name);
+  const { ruling, bulk } = standing(name);
+  const box = make("input", { type: "checkbox" });
+  box.checked = ruling === "undecided";
+  box.addEventListener("change", showPicked);
+  const element = make("li", { class: `card sheet-card ${entry.verdict}`, "data-name": name },
+    make("p", { class: "row" }, make("label", {}, box, ` ${entry.shown}`), make("span", { class: "grow" }),
+      make("span", { class: `badge ${ruling === "undecided" ? entry.verdict : ruling === "awarded" ? "awarded" : "notAwarded"}` },
+        ruling === "undecided" ? words[entry.verdict] : `${words[ruling]}${bulk ? ", in bulk" : ""}`)),
+    make("div", { class: "pair" }, soft("...")),
+    button("Open", () => open("submission", { name }), { "aria-label": `Open ${entry.shown}` }));
+  cards.set(name, { box, isSeen: false });
+  sight.observe(element);
+  return element;
+}
+
+function showPicked() {
+  if (viewName() !== "sheet") return;
+  const unseen = picked().filter((name) => !cards.get(name).isSeen).length;
+  tell(`${counted(picked().length, "submission")} ticked of ${cards.size} listed`,
+    ...(unseen > 0 ? [soft(`; ${unseen} of them not looked at yet: scroll on`)] : []));
+}
+
+function showSheet() {
+  sight.disconnect();
+  cards = new Map();
+  const ids = filter.group.split(" ").slice(2).join(", ");
+  fill(make("h1", {}, `Contact sheet: ${filter.group ? ids || "nothing was found" : "all that the list shows"}`),
+    make("p", {}, "What is ticked is decided by ", make("kbd", {}, "a"), " or ", make("kbd", {}, "n"), ". ",
+      button("Tick all undecided", () => pick(isOpen)), " ", button("Tick none", () => pick(() => false)), " ",
+      button("Groups", () => open("groups"))),
+    make("ul", { class: "sheet" }, ...listed().map(sheetCard)));
+  $("main").focus({ preventScroll: true });
+  showPicked();
+}
+
+function pick(isPicked) {
+  for (const [name, { box }] of cards) box.checked = isPicked(name);
+  showPicked();
+}
+
+/// Those to be decided about; none before each of them was on the screen.
+function ready() {
+  const names = picked();
+  const unseen = names.find((name) => !cards.get(name).isSeen);
+  if (unseen === undefined) return names;
+  [...document.querySelectorAll(".sheet-card")].find((one) => one.dataset.name === unseen).scrollIntoView({ block: "start" });
+  return [];
+}
+
+export function watchGroups() {
+  register("groups", { show: showGroups, listChanged: showGroups });
+  register("sheet", { show: showSheet, listChanged: showSheet });
+  decidesAbout(ready);
+  watch((names) => {
+    if (viewName() === "sheet" && names === null && listed().some((name) => !cards.has(name))) here().show();
+  });
+}

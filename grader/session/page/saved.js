@@ -1,0 +1,57 @@
+// Words for students that are offered: the tool's own first, then those that tickers of the class saved.
+import { button, make } from "./dom.js";
+import { model } from "./model.js";
+import { post } from "./server.js";
+
+/// "Ann Lee" of "Ann Lee_1001": Moodle puts a number behind the name.
+const personOf = (entry) => entry.shown.replace(/_\d+$/, "");
+
+/// Puts the student's own names into saved words: {name}, {file}, {line}, {code}, {from}, {to}. What is
+/// not known here stays as it is, to be seen.
+export function filled(text, entry, at = {}) {
+  const known = { name: personOf(entry), ...at };
+  return text.replace(/\{(\w+)\}/g, (whole, key) => (known[key] === undefined ? whole : String(known[key])));
+}
+
+/// What was found about the submission on the page, each once: [{text, isHint}].
+function toolWords() {
+  const found = [...document.querySelectorAll("main .findings .card:is(.fail, .warn) > :is(.message, .hint)")].map((one) =>
+    ({ text: one.textContent.trim().replace(/^Hint\. /, ""), isHint: one.matches(".hint") }));
+  return found.filter((one, i) => found.findIndex(({ text }) => text === one.text) === i);
+}
+
+/// [{text, isSaved, isHint, id, who}] for a submission.
+///
+/// at: what is known of a line of the code.
+export function offersFor(entry, at = {}) {
+  const own = toolWords().map((one) => ({ ...one, isSaved: false }));
+  const isFitting = ({ finding }) => !finding || entry.findings.includes(finding);
+  const saved = model.comments.filter(isFitting)
+    .sort((one, other) => Number(!one.finding) - Number(!other.finding))
+    .map((one) => ({ ...one, text: filled(one.text, entry, at), isSaved: true }));
+  return [...own, ...saved];
+}
+
+/// Shows offers as buttons; `take` gets the words of the one that is chosen.
+export function showOffers(list, offers, take) {
+  list.hidden = offers.length === 0;
+  list.replaceChildren(...offers.map((offer) => {
+    const tag = offer.isSaved ? `saved by ${offer.who || "no name"}${offer.finding ? ` for ${offer.finding}` : ""}` : offer.isHint ? "hint" : "found";
+    const row = make("li", {}, button([make("span", { class: "soft" }, tag), " ", offer.text], () => take(offer.text), { class: "offer" }));
+    if (offer.isSaved)
+      row.append(button("×", async () => { await dropComment(offer.id); row.remove(); },
+        { class: "drop", "aria-label": `No longer offer: ${offer.text.slice(0, 60)}` }));
+    return row;
+  }));
+}
+
+export async function saveComment(finding, text, who) {
+  await post("save-comment", { finding, text, who });
+  if (!model.comments.some((one) => one.finding === finding && one.text === text))
+    model.comments.push({ id: 0, finding, text, who });
+}
+
+async function dropComment(id) {
+  await post("drop-comment", { id });
+  model.comments = model.comments.filter((one) => one.id !== id);
+}

@@ -1,0 +1,103 @@
+// One submission: it fills the page, and the footer says what stands for it.
+import { $, clock, make, soft, table, words } from "./dom.js";
+import { dressCode } from "./code.js";
+import { entries, isOverruled, isPending, isSame, isStale, model, saidOf, standing, watch } from "./model.js";
+import { nextUndecided } from "./list.js";
+import { ask } from "./server.js";
+import { undone } from "./undo.js";
+import { Viewer } from "./viewer.js";
+import { onOpen, open, register } from "./views.js";
+
+export let viewers = []; // of the submission that fills the page
+const cache = new Map(); // grading, decision and name -> promise of {html, history}
+
+function fetched(name) {
+  const key = `${entries.get(name).gradedAt} ${entries.get(name).decision?.version} ${name}`;
+  if (!cache.has(key)) {
+    if (cache.size > 20) cache.delete(cache.keys().next().value);
+    cache.set(key, ask(`submission?name=${encodeURIComponent(name)}`));
+  }
+  return cache.get(key);
+}
+
+/// True where the submission that may be decided about was seen.
+export const isOnPage = () => model.current !== null && $("main").dataset.name === model.current;
+
+/// Who decided what before; empty where that says no more than the footer.
+function decisionsSoFar(history) {
+  if (history.length < 2) return [];
+  const [all] = table("Decisions so far", ["When", "Ticker", "Decision", "Comment"],
+    history.map((one) => [clock(one.when), one.who, words[one.ruling] + (one.bulk ? ", in bulk" : ""), one.comment]));
+  return [make("details", { class: "card" }, make("summary", {}, `${history.length} decisions so far`), all)];
+}
+
+async function show({ name }) {
+  entries.get(name).row.scrollIntoView({ block: "nearest" });
+  const main = $("main");
+  main.classList.toggle("loading", main.dataset.name !== name);
+  const { html, history, error } = await fetched(name);
+  if (model.current !== name) return;
+  main.classList.remove("loading");
+  if (error) main.replaceChildren(make("p", { class: "soft" }, error));
+  else main.innerHTML = html; // written by the session itself, everything of the student's escaped
+  if (!error) main.append(...decisionsSoFar(history));
+  viewers = [...main.querySelectorAll(".viewer")].map((section) => new Viewer(section));
+  dressCode();
+  window.scrollTo(0, 0);
+  main.focus({ preventScroll: true });
+  main.dataset.name = name;
+  performance.mark("first submission");
+  const following = nextUndecided();
+  if (following) fetched(following);
+}
+
+// --- the footer ----------------------------------------------------------------------------------
+
+function ruled(now) {
+  const parts = [soft(" decided: "),
+    make("span", { class: `badge ${now.ruling === "awarded" ? "awarded" : "notAwarded"}` }, words[now.ruling])];
+  if (now.bulk) {
+    const alike = model.names.filter((name) => standing(name).bulk === now.bulk).length;
+    parts.push(make("strong", {}, alike > 1 ? ` in bulk, with ${alike - 1} more` : " in bulk"));
+  }
+  return parts;
+}
+
+/// What stands for a submission, in words.
+function standingOf(entry) {
+  const now = standing(entry.name);
+  const parts = [soft("proposed: "), make("span", { class: `badge ${entry.verdict}` }, words[entry.verdict])];
+  if (now.ruling !== "undecided") parts.push(...ruled(now));
+  if (isOverruled(entry)) parts.push(make("strong", {}, " against the proposal"));
+  if (isStale(entry)) parts.push(make("strong", {}, " other files than were decided about"));
+  const note = undone.get(entry.name);
+  const hasSaid = now.comment || now.notes.length > 0;
+  if (note && isSame(note.said, now)) parts.push(make("strong", {}, note.text));
+  else if (now.ruling === "undecided" && now.who) parts.push(soft(hasSaid ? " commented" : " taken back"));
+  if (now.who) parts.push(soft(" by ", now.who, ...(now.when ? [", ", clock(now.when)] : [])));
+  if (isPending(entry.name)) parts.push(soft(" (not saved yet)"));
+  if (now.comment) parts.push(make("span", { class: "remark" }, `“${now.comment}”`));
+  return parts;
+}
+
+/// Says something in the footer of a view that is no submission.
+export const tell = (...parts) => { if (model.current === null) $(".standing").replaceChildren(...parts); };
+
+export function showStanding() {
+  const entry = entries.get(model.current);
+  if (entry) $(".standing").replaceChildren(...standingOf(entry));
+}
+
+export function goOn() {
+  const name = nextUndecided();
+  if (name === null) open("summary");
+  else open("submission", { name });
+}
+
+export function watchSubmission() {
+  register("submission", { show });
+  onOpen(() => { tell(); showStanding(); });
+  watch((names) => {
+    if (model.current !== null && (names === null || names.includes(model.current))) showStanding();
+  });
+}

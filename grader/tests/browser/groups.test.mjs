@@ -1,0 +1,239 @@
+// Many at once: groups, contact sheets, words shared by tickers, filters with an address, and how long it
+// all takes. TICKER is the program, TICKER_CLASS a graded class (see session.mjs).
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { accessibilityFaults, launchBrowser, overflow } from "./harness.mjs";
+import { killSessions, makeClass, onDisk, openSession, saved, shown, showing, startSession } from "./session.mjs";
+
+let browser;
+before(async () => { browser = await launchBrowser(); });
+after(async () => {
+  await browser.close();
+  killSessions();
+});
+
+const listed = (page) => page.locator(".list li:visible .name").allTextContents();
+
+async function openAs(session, who, hash = "") {
+  const { page, problems } = await openSession(browser, session, { hash });
+  await page.locator("main[data-view]").waitFor();
+  await page.getByLabel("You are").fill(who);
+  await page.locator("main").focus();
+  return { page, problems };
+}
+
+const inClass = async (session) => (await (await fetch(`${session.address}class`)).json()).submissions;
+
+/// Goes through the whole contact sheet, as the eyes do.
+async function lookAtAll(page) {
+  for (const card of await page.locator(".sheet-card").all()) await card.scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => !document.querySelector(".standing").textContent.includes("not looked at yet"));
+}
+
+test("a group is decided on its contact sheet, says so, and is taken back as one", async () => {
+  const out = makeClass(60);
+  const session = await startSession(out);
+  const { page, problems } = await openAs(session, "ann");
+  await page.keyboard.press("g");
+  await page.getByRole("heading", { name: /^\d+ groups$/ }).waitFor();
+  assert.deepEqual(await accessibilityFaults(page), []);
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.getByRole("button", { name: "Contact sheet: bump.inverted-u" }).click();
+  const members = await listed(page);
+  assert.equal(members.length, 12);
+  await page.locator("main").focus();
+  await page.keyboard.press("n");
+  assert.equal(await page.locator("dialog[open]").count(), 0, "not all of them were on the screen");
+  await lookAtAll(page);
+  assert.equal(await page.locator(".sheet-card figure img").count(), 2 * members.length, "expected beside submitted");
+  await page.locator(".sheet-card input").first().uncheck();
+  assert.deepEqual(await accessibilityFaults(page), []);
+  await page.keyboard.press("n");
+  await page.locator("#ask[open]").waitFor();
+  assert.equal(await page.locator("#ask h2").textContent(), "“not yet” for 11 submissions?");
+  await page.keyboard.type("One sign is wrong.");
+  await page.keyboard.press("Enter");
+  await saved(page);
+  const rows = onDisk(out);
+  for (const [name, { ruling, comment, decidedBy }] of Object.entries(rows))
+    assert.deepEqual([ruling, comment, decidedBy],
+      members.slice(1).includes(name) ? ["notYet", "One sign is wrong.", "ann"] : ["", "", ""], name);
+  const bulks = new Set((await inClass(session)).map(({ decision }) => decision?.bulk ?? "").filter(Boolean));
+  assert.equal(bulks.size, 1);
+  await page.getByRole("button", { name: `Open ${members[1]}` }).click();
+  await showing(page, members[1]);
+  assert.match(await page.locator(".standing").textContent(), /in bulk, with 10 more/);
+  await page.keyboard.press("u");
+  await page.waitForFunction(() => document.querySelector(".count").textContent.startsWith("0 of"));
+  await saved(page);
+  assert.ok(Object.values(onDisk(out)).every(({ ruling, comment }) => ruling === "" && comment === ""));
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("a bulk decision against the proposals asks why, and its words are kept beside each one's own", async () => {
+  const out = makeClass(10);
+  const session = await startSession(out);
+  const { page } = await openAs(session, "ann", "#finding=bump.inverted-u&view=sheet");
+  const [first, second] = await listed(page);
+  await page.getByRole("button", { name: `Open ${first}` }).click();
+  await showing(page, first);
+  await page.keyboard.press("c");
+  await page.keyboard.type("Your own words.");
+  await page.keyboard.press("Control+Enter");
+  await page.keyboard.press("v");
+  await lookAtAll(page);
+  await page.keyboard.press("a");
+  await page.keyboard.press("Enter");
+  assert.ok(await page.locator("#ask[open]").isVisible(), "a reason is asked for");
+  await page.keyboard.type("shown at the desk");
+  await page.keyboard.press("Enter");
+  await saved(page);
+  const rows = onDisk(out);
+  assert.deepEqual([rows[first].ruling, rows[first].comment], ["awarded", "Your own words."]);
+  assert.deepEqual([rows[second].ruling, rows[second].comment], ["awarded", "shown at the desk"]);
+  await page.close();
+});
+
+test("saved words are offered to the other ticker, with the student's name", async () => {
+  const session = await startSession(makeClass(20));
+  const [ann, bob] = [await openAs(session, "ann", "#finding=bump.inverted-u"), await openAs(session, "bob", "#finding=bump.inverted-u")];
+  await shown(ann.page);
+  await ann.page.keyboard.press("c");
+  await ann.page.keyboard.type("{name}: turn **one** sign.");
+  await ann.page.locator("[data-act=keepWords]").click();
+  await ann.page.getByText("Saved for the tickers of this class.").waitFor();
+  await ann.page.keyboard.press("Escape");
+  const name = await shown(bob.page);
+  await bob.page.keyboard.press("j");
+  const other = await shown(bob.page, name);
+  await bob.page.waitForFunction(async () => (await (await fetch("class")).json()).comments.length === 1);
+  for (;;) { // the page asks each second
+    await bob.page.keyboard.press("c");
+    if (await bob.page.locator("#comment .offer", { hasText: "turn **one** sign" }).count() > 0) break;
+    await bob.page.keyboard.press("Escape");
+  }
+  await bob.page.locator("#comment .offer", { hasText: "saved by ann for bump.inverted-u" }).click();
+  await bob.page.locator("#comment .preview strong").waitFor();
+  assert.deepEqual(await accessibilityFaults(bob.page), []);
+  await bob.page.keyboard.press("Control+Enter");
+  await saved(bob.page);
+  const { decision } = (await inClass(session)).find((one) => one.name === other);
+  assert.equal(decision.comment, `${other.replace(/_\d+$/, "")}: turn **one** sign.`);
+  for (const { page, problems } of [ann, bob]) { assert.deepEqual(problems, []); await page.close(); }
+});
+
+test("the address says what the list shows, in which order, and what fills the page", async () => {
+  const session = await startSession(makeClass(20));
+  const { page } = await openAs(session, "ann");
+  await page.locator(".more summary").click();
+  await page.locator("#task").selectOption("T1:failed");
+  await page.locator("#finding").selectOption("bump.inverted-u");
+  await page.locator("#sort").selectOption("finding");
+  const found = await listed(page);
+  assert.equal(found.length, 4);
+  await page.keyboard.press("Tab");
+  await page.locator("main").focus();
+  await page.keyboard.press("j");
+  const name = await shown(page);
+  const other = await openSession(browser, session, { hash: await page.evaluate(() => location.hash) });
+  await showing(other.page, name);
+  assert.deepEqual(await listed(other.page), found);
+  await page.keyboard.press("n");
+  await saved(page);
+  await other.page.close();
+  await page.locator("#whole").click();
+  await page.locator("#by").selectOption("ann");
+  assert.deepEqual(await listed(page), [name]);
+  await page.close();
+});
+
+test("500 submissions: the page in half a second, a key in 50 ms, 200 at once in a second, others within two", async (t) => {
+  const out = makeClass(500);
+  const session = await startSession(out);
+  const opened = await openAs(session, "ann");
+  await opened.page.close(); // the browser has started, and the disk is warm
+  const { page } = await openSession(browser, session);
+  const name = await shown(page);
+  const took500 = await page.evaluate(() => performance.getEntriesByName("first submission")[0].startTime);
+  t.diagnostic(`500 submissions: ${Math.round(took500)} ms from the address to the first one on the page`);
+  await page.locator("main").focus();
+  const waits = [];
+  let before = name;
+  for (let i = 0; i < 20; ++i) {
+    waits.push(await page.evaluate(() => new Promise((done) => {
+      const main = document.querySelector("main");
+      const from = performance.now();
+      const was = main.dataset.name;
+      new MutationObserver((_, observer) => {
+        if (main.dataset.name === was) return;
+        observer.disconnect();
+        requestAnimationFrame(() => done(performance.now() - from));
+      }).observe(main, { attributes: true });
+      document.body.dispatchEvent(new KeyboardEvent("keydown", { key: "j", bubbles: true }));
+    })));
+    before = await shown(page);
+    await page.waitForLoadState("networkidle");
+  }
+  waits.sort((one, other) => one - other);
+  t.diagnostic(`a key: ${waits[10].toFixed(0)} ms in the middle, ${waits.at(-1).toFixed(0)} ms at most, until the next is on the page`);
+  assert.ok(before);
+  const bob = await openAs(session, "bob");
+  const took = await page.evaluate(async () => {
+    const { enqueue, waiting, model } = await import("./model.js");
+    const from = performance.now();
+    enqueue(model.names.slice(0, 200).map((submission) => ({ submission, ruling: "notYet", comment: "as all", notes: [], bulk: "b" })), "ann");
+    while (waiting() > 0) await new Promise((done) => setTimeout(done, 5));
+    return performance.now() - from;
+  });
+  const from = performance.now();
+  t.diagnostic(`200 at once: ${Math.round(took)} ms until they are on disk`);
+  await bob.page.waitForFunction(() => document.querySelector(".count").textContent.startsWith("200 of"));
+  t.diagnostic(`the other browser shows them ${Math.round(performance.now() - from)} ms later`);
+  assert.equal(Object.values(onDisk(out)).filter(({ ruling }) => ruling === "notYet").length, 200);
+  await page.close();
+  await bob.page.close();
+});
+
+test("killed twenty times while it decides, the session loses nothing", async () => {
+  const out = makeClass(60);
+  let session = await startSession(out);
+  const { page } = await openAs(session, "ann");
+  const meant = {};
+  let name;
+  for (let i = 0; i < 60; ++i) {
+    name = await shown(page, name);
+    const verdict = await page.locator(".list [aria-current]").evaluate((button) => button.parentElement.dataset.verdict);
+    meant[name] = verdict === "awarded" ? "awarded" : "notYet";
+    await page.keyboard.press(verdict === "awarded" ? "a" : "n");
+    if (i % 3 === 0) { await session.kill(); session = await startSession(out); }
+  }
+  await page.getByRole("heading", { name: "All are decided" }).waitFor();
+  await saved(page);
+  await session.kill();
+  const found = await inClass(await startSession(out));
+  assert.deepEqual(Object.fromEntries(found.map(({ name: one, decision }) => [one, decision.ruling])), meant);
+  await page.close();
+});
+
+test("every view fits a phone, and its footer leaves room", async () => {
+  const session = await startSession(makeClass(10));
+  const { page } = await openSession(browser, session, { width: 420, height: 850 });
+  await shown(page);
+  assert.ok(await page.evaluate(() => document.querySelector(".decide").offsetHeight) <= 90);
+  for (const view of ["groups", "sheet", "summary"]) {
+    await page.evaluate((one) => { location.hash = `view=${one}`; }, view);
+    await page.locator(`main[data-view=${view}]`).waitFor();
+    assert.equal(await overflow(page), 0, view);
+    assert.deepEqual(await accessibilityFaults(page), [], view);
+  }
+  await page.locator("[data-act=list]").click();
+  assert.ok(await page.locator(".list li:visible").count() >= 10);
+  await page.locator(".list button").nth(2).click();
+  await shown(page);
+  assert.ok(await page.locator(".class").isHidden());
+  assert.equal(await overflow(page), 0);
+  for (const button of await page.locator(".decide button").all())
+    assert.ok((await button.boundingBox()).height >= 44, "a thumb hits it");
+  await page.close();
+});
