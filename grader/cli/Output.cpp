@@ -8,6 +8,7 @@
 #include <grader/result/ResultJson.h>
 #include <grader/result/Tally.h>
 #include <grader/store/ClassFolder.h>
+#include <grader/store/Earlier.h>
 
 #include <raytracer/base/Error.h>
 
@@ -51,6 +52,7 @@ std::string findingsText(const SubmissionResult& result) {
 void writeSubmission(const fs::path& out, const SubmissionResult& result) {
     const fs::path folder = out / result.submission;
     makeFolder(folder);
+    store::keepEarlier(out, result);
     clear(folder);
     makeFolder(folder / "images");
     makeFolder(folder / "code");

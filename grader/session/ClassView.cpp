@@ -84,7 +84,8 @@ Reply ClassView::submission(const std::string& name) const {
     for (const Decision& decision : store_.history(name))
         history.push_back(jsonOf(decision));
     return {200, "application/json",
-            textOf({{"html", submissionHtml(*result, out_ / name / "code")},
+            textOf({{"html", submissionHtml(*result, out_ / name / "code",
+                                            store::earlierResults(out_, name))},
                     {"history", std::move(history)}})};
 }
 

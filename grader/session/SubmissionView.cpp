@@ -1,5 +1,6 @@
 #include <grader/base/WholeFile.h>
 #include <grader/session/CodeView.h>
+#include <grader/session/EarlierView.h>
 #include <grader/session/SubmissionView.h>
 
 #include <grader/exercise/Exercise.h>
@@ -85,7 +86,8 @@ std::vector<SourceText> sourcesIn(const fs::path& folder, const Exercise& exerci
 
 }  // namespace
 
-std::string submissionHtml(SubmissionResult result, const fs::path& codeFolder) {
+std::string submissionHtml(SubmissionResult result, const fs::path& codeFolder,
+                           const std::vector<store::Earlier>& earlier) {
     result.sources = sourcesIn(codeFolder, exerciseOf(result));
     const report::Album album{result, "of/" + result.submission + "/"};
     std::string findings = report::diagnosticsSection(result);
@@ -97,7 +99,8 @@ std::string submissionHtml(SubmissionResult result, const fs::path& codeFolder) 
                              notices(result) + "</div>" +
                              codeHtml(result.sources, markedLines(result)) + "</div>";
     // What does not compile has no picture of its own: the code says more.
-    return head(result) + (result.diagnostics.empty() ? pictures + work : work + pictures);
+    return head(result) + (result.diagnostics.empty() ? pictures + work : work + pictures) +
+           earlierHtml(result, codeFolder, earlier);
 }
 
 }  // namespace ticker::session

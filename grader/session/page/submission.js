@@ -23,11 +23,12 @@ function fetched(name) {
 /// True where the submission that may be decided about was seen.
 export const isOnPage = () => model.current !== null && $("main").dataset.name === model.current;
 
-/// Who decided what before; empty where that says no more than the footer.
-function decisionsSoFar(history) {
-  if (history.length < 2) return [];
+/// Who decided what before, and about which files; empty where that says no more than the footer.
+function decisionsSoFar(history, files) {
+  const isOld = (one) => Boolean(one.files) && one.files !== files;
+  if (history.length < 2 && !history.some(isOld)) return [];
   const [all] = table("Decisions so far", ["When", "Ticker", "Decision", "Comment"],
-    history.map((one) => [clock(one.when), one.who, words[one.ruling] + (one.bulk ? ", in bulk" : ""), one.comment]));
+    history.map((one) => [clock(one.when), one.who, words[one.ruling] + (one.bulk ? ", in bulk" : "") + (isOld(one) ? ", about an earlier hand-in" : ""), one.comment]));
   return [make("details", { class: "card" }, make("summary", {}, `${history.length} decisions so far`), all)];
 }
 
@@ -40,7 +41,8 @@ async function show({ name }) {
   main.classList.remove("loading");
   if (error) main.replaceChildren(make("p", { class: "soft" }, error));
   else main.innerHTML = html; // written by the session itself, everything of the student's escaped
-  if (!error) main.append(...decisionsSoFar(history));
+  if (!error) main.append(...decisionsSoFar(history, entries.get(name).files));
+  for (const time of main.querySelectorAll("#earlier time")) time.replaceWith(clock(time.dateTime));
   viewers = [...main.querySelectorAll(".viewer")].map((section) => new Viewer(section));
   dressCode();
   window.scrollTo(0, 0);

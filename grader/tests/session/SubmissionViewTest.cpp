@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace ticker::session {
 namespace {
 
@@ -50,6 +52,23 @@ TEST(CodeHtml, SaysOfALineWhatPointsAtIt) {
         << html;
     EXPECT_EQ(html.find("elsewhere"), std::string::npos);
     EXPECT_EQ(codeHtml({}, {}), "");
+}
+
+TEST(SubmissionHtml, ShowsWhatAnotherHandInChanged) {
+    const tests::ClassOnDisk onDisk{{"bob", "old"}};
+    SubmissionResult before = tests::markedResult("bob", Verdict::needsReview);
+    before.tasks.at(0).findings.at(0).id = "bump.flat";
+    const std::filesystem::path code = onDisk.out() / "bob" / "code";
+    std::ofstream{onDisk.out() / "old/code/BumpySphere.cpp"} << "int y;\n";
+    const std::string html =
+        submissionHtml(tests::markedResult("bob", Verdict::notAwarded), code,
+                       {{before, onDisk.out() / "old/code", "2026-11-21T16:05:36Z"}});
+    for (const char* part :
+         {"<time datetime=\"2026-11-21T16:05:36Z\">", "No longer found: <code>bump.flat</code>.",
+          "New: <code>bump.inverted-u</code>.", "<span class=\"diff out\">- int y;</span>",
+          "<span class=\"diff in\">+ int x; // &lt;script&gt;code"})
+        EXPECT_NE(html.find(part), std::string::npos) << part;
+    EXPECT_EQ(submissionHtml(before, code).find("Handed in before"), std::string::npos);
 }
 
 TEST(SubmissionHtml, SaysAboveThePicturesOnceWhatStandsUnderSeveralTasks) {

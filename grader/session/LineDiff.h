@@ -1,0 +1,23 @@
+#ifndef TICKER_SESSION_LINEDIFF_H
+#define TICKER_SESSION_LINEDIFF_H
+
+#include <string_view>
+#include <vector>
+
+namespace ticker::session {
+
+/// One line of a difference between two texts.
+struct DiffLine {
+    char kind = ' ';        ///< ' ' in both, '-' in the first only, '+' in the second only
+    std::string_view text;  ///< into the text that has it
+
+    bool operator==(const DiffLine&) const = default;
+};
+
+/// The fewest lines to take out of one text and to put into the other, in order. Texts that differ
+/// in more than 2000 lines are replaced as a whole.
+[[nodiscard]] std::vector<DiffLine> lineDiff(std::string_view before, std::string_view after);
+
+}  // namespace ticker::session
+
+#endif

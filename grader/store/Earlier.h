@@ -1,0 +1,29 @@
+#ifndef TICKER_STORE_EARLIER_H
+#define TICKER_STORE_EARLIER_H
+
+#include <grader/result/SubmissionResult.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ticker::store {
+
+/// A result that a later grading replaced: `OUT/<submission>/earlier/<number>/`.
+struct Earlier {
+    SubmissionResult result;     ///< from its result.json
+    std::filesystem::path code;  ///< folder of its sources
+    std::string gradedAt;        ///< UTC, "2026-11-21T16:05:36Z"
+};
+
+/// Moves result.json and code/ of a submission to earlier/ if the new result is about other files,
+/// or has another verdict or other findings. Pictures do not stay.
+void keepEarlier(const std::filesystem::path& out, const SubmissionResult& next);
+
+/// The earlier results of a submission, newest first. Those that cannot be read are left out.
+[[nodiscard]] std::vector<Earlier> earlierResults(const std::filesystem::path& out,
+                                                  const std::string& submission);
+
+}  // namespace ticker::store
+
+#endif
