@@ -16,5 +16,6 @@ install(DIRECTORY grader/integrations grader/corpus/samples DESTINATION "${share
   PATTERN "CMakeLists.txt" EXCLUDE)
 install(FILES grader/report/student-view.json DESTINATION "${share}/grader/report")
 install(FILES grader/rubric/rubric.json DESTINATION "${share}/grader/rubric")
-install(DIRECTORY docs DESTINATION "${share}")
+install(DIRECTORY docs DESTINATION "${share}"
+  PATTERN "make-figures" EXCLUDE PATTERN "plot-cost.awk" EXCLUDE PATTERN "Doxyfile" EXCLUDE)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION "${share}")

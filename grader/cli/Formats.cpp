@@ -42,6 +42,7 @@ const std::map<std::string, std::vector<EachFile>>& eachFormats() {
         {"prairielearn", {{"prairielearn.json", report::prairieLearnJson}}},
         {"classroom",
          {{"classroom.json", report::classroomJson}, {"classroom.md", report::classroomSummary}}},
+        {"github", {{"annotations.txt", report::gitHubAnnotations}}},
         {"autolab", {{"autolab.txt", report::autolabLines}}},
         {"junit", {{"junit.xml", report::junitXml}}},
     };

@@ -1,3 +1,4 @@
+#include <grader/cli/CommandTree.h>
 #include <grader/cli/Program.h>
 
 #include <CLI/CLI.hpp>
@@ -45,11 +46,35 @@ std::string commandLine(const GlobalOptions& global, int argc, char** argv) {
     return line;
 }
 
+/// "0.1.0 (1a2b3c4d5e)", without the commit where the source text is no checkout.
+std::string versionText() {
+    const std::string commit = TICKER_COMMIT;
+    return TICKER_VERSION + (commit.empty() ? "" : " (" + commit + ")");
+}
+
+/// Prints a text that is made from the command line's description, and ends.
+[[noreturn]] void print(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+    throw CLI::Success{};
+}
+
+void addTexts(CLI::App& app, const std::string& version) {
+    app.add_flag_callback(
+        "--manual", [&app, version] { print(manualPage(describe(app), version)); },
+        "Print the manual page: ticker --manual | man -l -");
+    app.add_option_function<std::string>(
+           "--completion",
+           [&app](const std::string& shell) { print(completionScript(describe(app), shell)); },
+           "Print the completion script of a shell")
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+}
+
 }  // namespace
 
 int runProgram(const Program& program, const std::vector<AddVerb>& verbs, int argc, char** argv) {
     CLI::App app{program.description, program.name};
-    app.set_version_flag("--version", TICKER_VERSION);
+    const std::string version = versionText();
+    app.set_version_flag("--version", version);
     app.require_subcommand(1);
     app.fallthrough();
     GlobalOptions global;
@@ -59,6 +84,7 @@ int runProgram(const Program& program, const std::vector<AddVerb>& verbs, int ar
     global.commandLine = commandLine(global, argc, argv);
     app.add_flag("--quiet", global.quiet, "Say nothing but errors");
     app.add_flag("--verbose", global.verbose, "Say more");
+    addTexts(app, version);
 
     std::vector<Run> runs;
     for (const AddVerb add : verbs)

@@ -2,6 +2,7 @@
 #include <grader/cli/Home.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/sandbox/Diagnosis.h>
+#include <grader/sandbox/Obstacle.h>
 
 #include <CLI/CLI.hpp>
 
@@ -31,15 +32,28 @@ bool showCompiler() {
     }
 }
 
+/// Says which level `--sandbox auto` takes, and the command that makes a better one possible.
+void showBest(const std::string& best) {
+    std::string text = best.empty() ? "no level confines submissions here"
+                                    : fmt::format("--sandbox auto takes level {}", best);
+    const std::string command = sandbox::commandForNamespaces(sandbox::namespaceSettings());
+    if (best != sandbox::toString(sandbox::Level::namespaces))
+        text += command.empty() ? "; level A needs what is said above"
+                                : fmt::format("; for level A: {}", command);
+    row("sandbox", !best.empty(), text);
+}
+
 /// True if some level confines submissions.
 bool showSandbox() {
-    bool locked = false;
+    std::string best;
     for (const sandbox::Diagnosis& level : sandbox::diagnose()) {
         const std::string advice = level.advice.empty() ? "" : "; " + level.advice;
         row("sandbox " + sandbox::toString(level.level), level.available, level.reason + advice);
-        locked = locked || (level.available && level.level != sandbox::Level::none);
+        if (level.available && level.level != sandbox::Level::none && best.empty())
+            best = sandbox::toString(level.level);
     }
-    return locked;
+    showBest(best);
+    return !best.empty();
 }
 
 void showProcessor() {

@@ -101,5 +101,35 @@ TEST(AutolabLines, TheLastLineIsTheScore) {
     EXPECT_TRUE(feedback["Tick"]["T2.1 Soft shadows"].contains("hint"));
 }
 
+TEST(GitHubAnnotations, StandAtTheCompilersLinesAndAtTheTasks) {
+    SubmissionResult result = failedBumpExample();
+    result.diagnostics = {{"Renderer.cpp", "Renderer.cpp:7:3: error: expected ';'\n  7 | a\n"}};
+    const std::string text = gitHubAnnotations(StudentView{result, {}}).value();
+    EXPECT_NE(text.find("::error file=exercise/Renderer.cpp,line=7,title=The compiler::expected "
+                        "';'\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("::error file=exercise/BumpySphere.cpp,line={T1},title=T1 Bump mapping::"),
+              std::string::npos)
+        << text;
+    EXPECT_FALSE(gitHubAnnotations(viewOf(notGradedExample())));
+}
+
+TEST(GitHubAnnotations, HoldNoCommandOfAStudents) {
+    SubmissionResult result = hostileExample();
+    result.diagnostics = {
+        {"Renderer.cpp", "Renderer.cpp:7:3: error: a%0A::stop-commands::x\r::b\n"}};
+    const std::string text = gitHubAnnotations(StudentView{result, {}}).value();
+    std::istringstream lines{text};
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_EQ(line.find('\r'), std::string::npos) << line;
+        EXPECT_TRUE(line.starts_with("::error file=exercise/") ||
+                    line.starts_with("::warning file=exercise/") ||
+                    line.starts_with("::notice file=exercise/"))
+            << line;
+    }
+    EXPECT_NE(text.find("::a%250A::stop-commands::x%0D::b\n"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace ticker::report
