@@ -22,7 +22,9 @@ void* boundedRealloc(void* block, std::size_t size) {
 }  // namespace
 
 // The casts are in stb, which is C, but the compiler reports them here.
+#ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wold-style-cast"
+#endif
 
 #define STBI_MALLOC(size) boundedMalloc(size)
 #define STBI_REALLOC(block, size) boundedRealloc(block, size)

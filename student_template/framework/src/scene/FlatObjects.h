@@ -1,6 +1,8 @@
 #ifndef RAYTRACER_SRC_SCENE_FLATOBJECTS_H
 #define RAYTRACER_SRC_SCENE_FLATOBJECTS_H
 
+#include "Pair.h"
+
 #include <raytracer/geometry/Plane.h>
 #include <raytracer/geometry/Sphere.h>
 #include <raytracer/scene/Scene.h>
@@ -36,10 +38,6 @@ public:
 private:
     static constexpr std::size_t kLanes = 4;
 
-    // GCC and Clang compile arithmetic on these to SIMD instructions (SSE2, NEON), with the same
-    // results as arithmetic on single doubles.
-    using Pair = double __attribute__((vector_size(16)));
-    using BitsOfPair = std::int64_t __attribute__((vector_size(16)));
     using Lanes = std::array<Pair, kLanes / 2>;
 
     class Block {
