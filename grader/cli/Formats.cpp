@@ -4,7 +4,6 @@
 #include <grader/cli/CanvasFormat.h>
 #include <grader/cli/Output.h>
 #include <grader/cli/verbs/StudentPages.h>
-#include <grader/report/ClassPage.h>
 #include <grader/report/platforms/MoodleWorksheet.h>
 #include <grader/report/platforms/PlatformFormats.h>
 #include <grader/result/ResultJson.h>
@@ -133,7 +132,7 @@ std::vector<fs::path> writePages(const fs::path& out, const std::vector<store::C
     for (const store::ClassEntry& entry : entries)
         written.push_back(rewriteReport(out, entry.result));
     written.push_back(out / "index.html");
-    writeAtomically(report::classPage(readResults(out)), written.back());
+    writeAtomically(classPageOf(store::readClass(out)), written.back());
     return written;
 }
 

@@ -47,6 +47,13 @@ std::string findingsText(const SubmissionResult& result) {
     return text;
 }
 
+std::vector<Decision> decisionsOf(const std::vector<store::ClassEntry>& entries) {
+    std::vector<Decision> decisions;
+    for (const store::ClassEntry& entry : entries)
+        if (entry.decision) decisions.push_back(*entry.decision);
+    return decisions;
+}
+
 }  // namespace
 
 void writeSubmission(const fs::path& out, const SubmissionResult& result) {
@@ -70,16 +77,17 @@ void writeSubmission(const fs::path& out, const SubmissionResult& result) {
 }
 
 std::string summaryOf(const std::vector<store::ClassEntry>& entries) {
-    std::vector<Decision> decisions;
-    for (const store::ClassEntry& entry : entries)
-        if (entry.decision) decisions.push_back(*entry.decision);
-    return report::summaryCsv(resultsOf(entries), decisions);
+    return report::summaryCsv(resultsOf(entries), decisionsOf(entries));
+}
+
+std::string classPageOf(const std::vector<store::ClassEntry>& entries) {
+    return report::classPage(resultsOf(entries), decisionsOf(entries));
 }
 
 void writeClass(const fs::path& out) {
     const std::vector<store::ClassEntry> entries = store::readClass(out);
     writeAtomically(summaryOf(entries), out / "summary.csv");
-    writeAtomically(report::classPage(resultsOf(entries)), out / "index.html");
+    writeAtomically(classPageOf(entries), out / "index.html");
 }
 
 std::vector<SubmissionResult> resultsOf(std::vector<store::ClassEntry> entries) {

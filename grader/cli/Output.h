@@ -23,6 +23,9 @@ void writeClass(const std::filesystem::path& out);
 /// The text of summary.csv: the tool's verdicts and the tickers' decisions.
 [[nodiscard]] std::string summaryOf(const std::vector<store::ClassEntry>& entries);
 
+/// The text of index.html.
+[[nodiscard]] std::string classPageOf(const std::vector<store::ClassEntry>& entries);
+
 /// The tool's results of a class.
 [[nodiscard]] std::vector<SubmissionResult> resultsOf(std::vector<store::ClassEntry> entries);
 

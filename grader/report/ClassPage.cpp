@@ -7,6 +7,7 @@
 #include <grader/result/Tally.h>
 
 #include <fmt/core.h>
+#include <algorithm>
 #include <cstddef>
 
 namespace ticker::report {
@@ -127,6 +128,19 @@ std::string row(const SubmissionResult& result, const std::vector<std::string>& 
            fmt::format("<td>{}</td><td class=\"thumbs\">{}</td></tr>\n", list, thumbnails(result));
 }
 
+/// The words of the session's summary; empty before the first decision.
+std::string decidedCounts(const std::vector<Decision>& decisions, std::size_t submissions) {
+    const auto number = [&](Ruling ruling) {
+        return static_cast<std::size_t>(std::ranges::count(decisions, ruling, &Decision::ruling));
+    };
+    const std::size_t awarded = number(Ruling::awarded);
+    const std::size_t notYet = number(Ruling::notYet);
+    if (awarded + notYet == 0) return "";
+    return fmt::format(
+        "<p>Decided: <span id=\"decided\">{} awarded, {} not yet, {} undecided of {}.</span></p>",
+        awarded, notYet, submissions - awarded - notYet, submissions);
+}
+
 std::string heading(std::string_view text) {
     return fmt::format("<th scope=\"col\"><button type=\"button\">{}</button></th>", text);
 }
@@ -149,21 +163,24 @@ std::string table(const std::vector<SubmissionResult>& results,
 
 }  // namespace
 
-std::string classPage(const std::vector<SubmissionResult>& results, const Exercise& exercise) {
+std::string classPage(const std::vector<SubmissionResult>& results, const Exercise& exercise,
+                      const std::vector<Decision>& decisions) {
     const Tally tally = tallyOf(results);
     const std::string title = counted(results.size(), "submission");
     return page(exercise.title + ": " + title, classCss(), classJs(),
-                fmt::format("<header><p class=\"soft crumbs\">{}</p><h1>{}</h1>{}{}</header>"
+                fmt::format("<header><p class=\"soft crumbs\">{}</p><h1>{}</h1>{}{}{}</header>"
                             "<main id=\"main\">{}<section aria-labelledby=\"all\">"
                             "<h2 id=\"all\">Submissions</h2>{}{}</section></main>"
                             "<footer><p>Proposed by ticker; a person decides.</p></footer>",
-                            escapeHtml(exercise.title), title, verdictBar(tally), taskCounts(tally),
+                            escapeHtml(exercise.title), title, verdictBar(tally),
+                            decidedCounts(decisions, results.size()), taskCounts(tally),
                             findingCounts(tally, results.size()), filters(tally, results.size()),
                             table(results, exercise.reported())));
 }
 
-std::string classPage(const std::vector<SubmissionResult>& results) {
-    return classPage(results, exerciseOf(results));
+std::string classPage(const std::vector<SubmissionResult>& results,
+                      const std::vector<Decision>& decisions) {
+    return classPage(results, exerciseOf(results), decisions);
 }
 
 }  // namespace ticker::report

@@ -133,6 +133,7 @@ Reply ClassView::decide(const std::string& body) {
         quoteLines(decision, out_ / decision.submission / "code");
     }
     const std::vector<store::DecideOutcome> outcomes = store_.decide(*decisions);
+    ++changes_;
     json answers = json::array();
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         const store::DecideOutcome& outcome = outcomes[i];

@@ -3,6 +3,8 @@
 
 #include <grader/store/Store.h>
 
+#include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -57,11 +59,14 @@ public:
 
     /// What a notice should tell the user of the store; may be empty.
     [[nodiscard]] const std::string& notice() const { return store_.notice(); }
+    /// Grows with each request that stored decisions.
+    [[nodiscard]] std::uint64_t changes() const { return changes_; }
     [[nodiscard]] std::size_t size() const { return store_.results().size(); }
 
 private:
     std::filesystem::path out_;
     store::Store store_;
+    std::atomic<std::uint64_t> changes_ = 0;
 };
 
 }  // namespace ticker::session

@@ -35,13 +35,13 @@ std::string diffHtml(const std::string& file, std::string_view before, std::stri
     for (std::size_t i = 0; i < diff.size(); ++i) {
         const bool isShown = isNearChange(diff, i);
         if (isShown)
-            html += fmt::format("<span class=\"diff {}\">{} {}</span>\n",
+            html += fmt::format("<span class=\"diff {}\">{} {}</span>",
                                 diff[i].kind == '+'   ? "in"
                                 : diff[i].kind == '-' ? "out"
                                                       : "same",
                                 diff[i].kind, report::escapeHtml(diff[i].text));
         else if (!isGap)
-            html += "<span class=\"diff gap\">...</span>\n";
+            html += "<span class=\"diff gap\">...</span>";
         isGap = !isShown;
     }
     const bool isSame =

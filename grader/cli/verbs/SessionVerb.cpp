@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 #include <csignal>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -32,6 +33,13 @@ sigset_t blockEnding() {
     return ending;
 }
 
+/// Waits for a signal that ends the session; meanwhile calls `work` every few seconds.
+void waitForEnd(const sigset_t& ending, const std::function<void()>& work) {
+    constexpr timespec kPause{3, 0};
+    while (sigtimedwait(&ending, nullptr, &kPause) < 0)
+        work();
+}
+
 raytracer::ExitCode run(const SessionOptions& options, const GlobalOptions& global) {
     if (!store::Store::isIn(options.out))
         throw raytracer::InputError(options.out, 0,
@@ -50,8 +58,11 @@ raytracer::ExitCode run(const SessionOptions& options, const GlobalOptions& glob
                    "whoever has it. Ctrl-C ends the session.\n",
                    report::counted(view.size(), "submission"));
     const std::jthread serving{[&] { server.serve(); }};
-    int signal = 0;
-    sigwait(&ending, &signal);
+    waitForEnd(ending, [&, seen = view.changes()]() mutable {
+        if (seen == view.changes()) return;
+        seen = view.changes();
+        writeClass(options.out);
+    });
     server.stop();
     // The store has the decisions; this updates the tables for readers.
     writeClass(options.out);

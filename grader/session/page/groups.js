@@ -87,8 +87,7 @@ function sheetCard(name) {
 function showPicked() {
   if (viewName() !== "sheet") return;
   const unseen = picked().filter((name) => !cards.get(name).isSeen).length;
-  tell(`${counted(picked().length, "submission")} ticked of ${cards.size} listed`,
-    ...(unseen > 0 ? [soft(`; ${unseen} of them not looked at yet: scroll on`)] : []));
+  tell(`${picked().length} of ${cards.size} listed are ticked${unseen > 0 ? `; ${unseen} not looked at yet: scroll on` : ""}`);
 }
 
 function showSheet() {

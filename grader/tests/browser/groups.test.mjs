@@ -1,7 +1,9 @@
 // Many at once: groups, contact sheets, words shared by tickers, filters with an address, and how long it
 // all takes. TICKER is the program, TICKER_CLASS a graded class (see session.mjs).
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { join } from "node:path";
 import { accessibilityFaults, launchBrowser, overflow } from "./harness.mjs";
 import { killSessions, makeClass, onDisk, openSession, saved, shown, showing, startSession } from "./session.mjs";
 
@@ -145,6 +147,37 @@ test("the address says what the list shows, in which order, and what fills the p
   await page.locator("#whole").click();
   await page.locator("#by").selectOption("ann");
   assert.deepEqual(await listed(page), [name]);
+  await page.close();
+});
+
+test("the class page and the session show the same numbers after random decisions", async () => {
+  const out = makeClass(40);
+  const session = await startSession(out);
+  const { page } = await openAs(session, "ann");
+  let state = 7; // an explicit seed
+  const random = (below) => { state = (state * 48271) % 2147483647; return state % below; };
+  const rulings = ["awarded", "notYet", "undecided"];
+  for (let round = 0; round < 3; ++round) {
+    const picks = Array.from({ length: 25 }, () => [random(40), rulings[random(3)]]);
+    await page.evaluate(async (all) => {
+      const { enqueue, model, waiting } = await import("./model.js");
+      enqueue(all.map(([i, ruling]) => ({ submission: model.names[i], ruling, comment: "", notes: [], bulk: "" })), "ann");
+      while (waiting() > 0) await new Promise((done) => setTimeout(done, 5));
+    }, picks);
+    await page.keyboard.press(round % 2 === 0 ? "g" : "v");
+    await page.keyboard.press("s");
+    const [decided, proposed] = await page.locator("main .counts").allTextContents();
+    const found = await page.locator("main table", { hasText: "Most frequent findings" }).locator("tbody tr")
+      .evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    const inTime = Date.now() + 30_000; // the session writes the class page anew every few seconds
+    let html;
+    do html = readFileSync(join(out, "index.html"), "utf8"); while (!html.includes(`>${decided}<`) && Date.now() < inTime && (await page.waitForTimeout(200), true));
+    assert.ok(html.includes(`<span id="decided">${decided}</span>`), decided);
+    for (const [, count, word] of proposed.matchAll(/(\d+) ([a-z ]+)/g))
+      assert.match(html, new RegExp(`<strong>${count}</strong> ${word.replace("needs a look", "needs? a look")}<`));
+    for (const [id, count] of found)
+      assert.ok(html.includes(`<span class="count">${count} of 40</span>`) && html.includes(`data-finding="${id}"`), id);
+  }
   await page.close();
 });
 
