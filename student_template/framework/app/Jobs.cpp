@@ -117,7 +117,8 @@ void remindOfStubs(const SceneDescription& scene) {
     const bool bumpy = std::any_of(scene.spheres.begin(), scene.spheres.end(),
                                    [](const auto& sphere) { return sphere.heightMap != nullptr; });
     const std::vector<std::string_view> tasks =
-        bumpy ? std::vector<std::string_view>{"T1"} : std::vector<std::string_view>{"T2.1", "T2.2"};
+        bumpy ? std::vector<std::string_view>{"T1"}
+              : std::vector<std::string_view>{"T2.1", "T2.2", "M1", "M2", "M3.1", "M3.2", "M4"};
     for (const std::string_view task : tasks)
         if (isUnfinished(task)) std::cerr << unfinishedRemark(task) << '\n';
 }

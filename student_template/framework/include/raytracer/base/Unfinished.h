@@ -9,7 +9,7 @@ namespace raytracer {
 /// Records that a task's stub is still in place; the program goes on. Safe to call from several
 /// threads.
 ///
-/// @param task  Tag as in the handout: "T1", "T2.1" or "T2.2".
+/// @param task  Tag as in the handout: "M1", "T2.1".
 /// @param hint  What must be written in its place.
 /// @throws Error for any other task.
 void unfinished(std::string_view task, std::string_view hint);

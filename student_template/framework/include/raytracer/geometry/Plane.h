@@ -3,8 +3,6 @@
 
 #include <raytracer/geometry/SceneObject.h>
 
-#include <limits>
-
 namespace raytracer {
 
 /// An infinite plane. Its normal points to one side; on the other side only ambient light is
@@ -19,23 +17,13 @@ public:
     [[nodiscard]] const Vector3& point() const { return point_; }
     [[nodiscard]] const Vector3& normal() const { return normal_; }
 
-    /// Distance to the plane in lengths of the ray's direction; infinite when it is not in front.
-    [[nodiscard]] double distanceAlong(const Ray& ray) const {
-        return distanceAlong(ray, point_, normal_);
-    }
-
-    /// The same for the plane through `point` with `normal`.
-    [[nodiscard]] static double distanceAlong(const Ray& ray, const Vector3& point,
-                                              const Vector3& normal) {
-        const double height = (point - ray.origin).dot(normal);
-        const double slope = ray.direction.dot(normal);
-        // Equal signs mean a hit in front: rays that miss skip the division.
-        if (!(height * slope > 0.0)) return std::numeric_limits<double>::infinity();
-        return height / slope;
-    }
-
+    /// Main tick, task M3.1, in exercise/Plane.cpp: the point where the ray meets the plane, from
+    /// either side.
     [[nodiscard]] std::optional<RaycastHit> intersectionWith(const Ray& ray) const override;
-    [[nodiscard]] Vector3 getNormalAt(const Vector3& position) const override;
+    /// The same everywhere.
+    [[nodiscard]] Vector3 getNormalAt(const Vector3& /*position*/) const override {
+        return normal_;
+    }
 
 private:
     Vector3 point_;

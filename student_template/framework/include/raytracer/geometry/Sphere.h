@@ -3,9 +3,6 @@
 
 #include <raytracer/geometry/SceneObject.h>
 
-#include <cmath>
-#include <limits>
-
 namespace raytracer {
 
 /// A smooth sphere.
@@ -18,21 +15,8 @@ public:
     [[nodiscard]] const Vector3& centre() const { return centre_; }
     [[nodiscard]] double radius() const { return radius_; }
 
-    /// Distance to the nearest point of the sphere in front of the origin, in lengths of the ray's
-    /// direction; infinite when the ray misses. An origin inside sees the far side.
-    [[nodiscard]] double distanceAlong(const Ray& ray) const {
-        const Vector3 toCentre = centre_ - ray.origin;
-        const double a = ray.direction.dot(ray.direction);
-        const double b = toCentre.dot(ray.direction);
-        const double c = toCentre.dot(toCentre) - radius_ * radius_;
-        const double discriminant = b * b - a * c;
-        if (!(discriminant >= 0.0)) return std::numeric_limits<double>::infinity();
-        const double root = std::sqrt(discriminant);
-        if (b - root > 0.0) return (b - root) / a;
-        if (b + root > 0.0) return (b + root) / a;
-        return std::numeric_limits<double>::infinity();
-    }
-
+    /// Main tick, task M1, in exercise/Sphere.cpp: the nearest point of the sphere in front of the
+    /// ray's origin. An origin inside sees the far side.
     [[nodiscard]] std::optional<RaycastHit> intersectionWith(const Ray& ray) const override;
     /// Away from the centre.
     [[nodiscard]] Vector3 getNormalAt(const Vector3& position) const override {

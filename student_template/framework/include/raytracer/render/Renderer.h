@@ -19,15 +19,17 @@ public:
 
     [[nodiscard]] const RenderSettings& settings() const { return settings_; }
 
-    /// Task T2.2, in exercise/Renderer.cpp: the picture of a scene, in linear colours.
+    /// The picture of a scene, in linear colours. Starred exercise: task T2.2, in
+    /// exercise/Renderer.cpp.
     [[nodiscard]] Image render(const Scene& scene) const;
 
     /// The colour that arrives along a ray: direct light, and mirrored light over up to
-    /// `bouncesLeft` reflections. Already implemented; do not change it.
+    /// `bouncesLeft` reflections. Main tick: task M4, in exercise/Renderer.cpp; in the starred
+    /// exercise it is there already.
     [[nodiscard]] ColourRGB trace(const Scene& scene, const Ray& ray, int bouncesLeft) const;
 
-    /// Task T2.1, in exercise/Renderer.cpp: the light that a point sends to a viewer, by Phong's
-    /// model: ambient, diffuse and specular.
+    /// The light that a point sends to a viewer, by Phong's model: ambient, diffuse and specular.
+    /// In exercise/Renderer.cpp: tasks M2 and M3.2 of the main tick, T2.1 of the starred exercise.
     ///
     /// @param object  The surface that the point lies on.
     /// @param P       The point, world space.

@@ -6,21 +6,15 @@
 #include <raytracer/geometry/Plane.h>
 #include <raytracer/geometry/Sphere.h>
 #include <raytracer/math/Ray.h>
+#include <raytracer/scene/Nearest.h>
 #include <raytracer/scene/PointLight.h>
 #include <raytracer/scene/SceneDescription.h>
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace raytracer {
-
-/// The first hit of a ray in short form, small enough to be returned in registers.
-struct Nearest {
-    double distance = std::numeric_limits<double>::infinity();  ///< in lengths of the direction
-    const SceneObject* object = nullptr;                        ///< null: a miss
-};
 
 /// All objects and lights. Never changes once built, so threads may share it.
 class Scene {
@@ -37,15 +31,7 @@ public:
     ///
     /// Inline, so that a caller that needs only the distance does not pay for location and normal.
     [[nodiscard]] std::optional<RaycastHit> findClosestIntersection(const Ray& ray) const {
-        std::optional<RaycastHit> hit;
-        const Nearest nearest = findNearest(ray);
-        if (nearest.object != nullptr) {
-            hit.emplace();
-            hit->object = nearest.object;
-            hit->distance = nearest.distance;
-            hit->location = ray.evaluateAt(nearest.distance);
-            hit->normal = nearest.object->getNormalAt(hit->location);
-        }
+        std::optional<RaycastHit> hit = findNearest(ray).hitOf(ray);
         if (observer_ != nullptr) tellObserver(ray, hit);
         return hit;
     }

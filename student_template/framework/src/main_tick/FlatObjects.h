@@ -1,5 +1,7 @@
-#ifndef RAYTRACER_SRC_SCENE_FLATOBJECTS_H
-#define RAYTRACER_SRC_SCENE_FLATOBJECTS_H
+#ifndef RAYTRACER_SRC_MAIN_TICK_FLATOBJECTS_H
+#define RAYTRACER_SRC_MAIN_TICK_FLATOBJECTS_H
+
+#include "Distances.h"
 
 #include "Pair.h"
 
@@ -60,7 +62,7 @@ private:
         [[nodiscard, gnu::noinline]] Nearest nearest(const Ray& ray, Nearest found) const {
             for (const Sphere* sphere : spheres_) {
                 if (sphere == nullptr) break;
-                const double distance = sphere->distanceAlong(ray);
+                const double distance = distanceTo(*sphere, ray);
                 if (distance < found.distance) found = {distance, sphere};
             }
             return found;
@@ -68,7 +70,7 @@ private:
 
     private:
         // Negative if both spheres of a pair are missed: no real root, or both roots behind an
-        // origin that lies outside. The terms are those of Sphere::distanceAlong.
+        // origin that lies outside. The terms are those of distanceTo.
         [[nodiscard]] std::int64_t missSigns(const Ray& ray, double a, std::size_t pair) const {
             const Pair x = x_[pair] - ray.origin.x;
             const Pair y = y_[pair] - ray.origin.y;
@@ -103,7 +105,7 @@ public:
     /// The nearest plane, or `found` if no plane is nearer.
     [[nodiscard]] Nearest nearest(const Ray& ray, Nearest found) const {
         for (const Entry& plane : planes_) {
-            const double distance = Plane::distanceAlong(ray, plane.point, plane.normal);
+            const double distance = distanceTo(plane.point, plane.normal, ray);
             if (distance < found.distance) found = {distance, plane.object};
         }
         return found;

@@ -1,3 +1,5 @@
+#include "Distances.h"
+
 #include <raytracer/geometry/Plane.h>
 
 #include <cmath>
@@ -5,13 +7,9 @@
 namespace raytracer {
 
 std::optional<RaycastHit> Plane::intersectionWith(const Ray& ray) const {
-    const double distance = distanceAlong(ray);
+    const double distance = distanceTo(point_, normal_, ray);
     if (std::isinf(distance)) return std::nullopt;
     return RaycastHit{this, distance, ray.evaluateAt(distance), normal_};
-}
-
-Vector3 Plane::getNormalAt(const Vector3& /*position*/) const {
-    return normal_;
 }
 
 }  // namespace raytracer
