@@ -24,6 +24,16 @@ std::uint64_t valueCountOf(const RenderQuestion& question) {
            static_cast<std::uint64_t>(question.repetitions);
 }
 
+std::uint64_t valueCountOf(const HitQuestion& question) {
+    return question.rays.size() * kValuesOfHit;
+}
+std::uint64_t valueCountOf(const TraceQuestion& question) {
+    return question.rays.size();
+}
+
+std::uint64_t askCountOf(const HitQuestion& question) {
+    return question.rays.size();
+}
 std::uint64_t askCountOf(const RenderQuestion& question) {
     return static_cast<std::uint64_t>(question.repetitions);
 }
@@ -33,6 +43,9 @@ std::uint64_t askCountOf(const AnyQuestion& question) {
 }
 
 std::uint32_t eventCapacityOf(const NormalQuestion& /*question*/) {
+    return 0;
+}
+std::uint32_t eventCapacityOf(const HitQuestion& /*question*/) {
     return 0;
 }
 template <typename AnyQuestion>
@@ -114,14 +127,23 @@ struct Read {
         return answer;
     }
 
-    Answer operator()(const IlluminateQuestion& question) const {
-        IlluminateAnswer answer;
+    Answer operator()(const IlluminateQuestion& question) const { return colours(question.scene); }
+    Answer operator()(const TraceQuestion& question) const { return colours(question.scene); }
+
+    Answer operator()(const HitQuestion& question) const {
+        HitAnswer answer;
         answer.state = stateOf(header);
         answer.message = messageOf(header);
         answer.exceptions = exceptions();
-        answer.colours = loadAll<ColourRGB>(memory, place.values, place.valueCount);
-        answer.events = eventsOf(header, memory, place, objectCount(question.scene));
-        answer.eventsCut = eventsCut();
+        const auto values = loadAll<Vector3>(memory, place.values, place.valueCount);
+        for (std::size_t i = 0; i + kValuesOfHit <= values.size(); i += kValuesOfHit) {
+            const double object = values[i].z;
+            const bool known =
+                object >= 0.0 && object < static_cast<double>(objectCount(question.scene));
+            answer.hits.push_back({values[i].x == 1.0, values[i].y,
+                                   known ? static_cast<int>(object) : -1, values[i + 1],
+                                   values[i + 2]});
+        }
         return answer;
     }
 
@@ -143,6 +165,16 @@ struct Read {
     }
 
 private:
+    [[nodiscard]] IlluminateAnswer colours(const raytracer::SceneDescription& scene) const {
+        IlluminateAnswer answer;
+        answer.state = stateOf(header);
+        answer.message = messageOf(header);
+        answer.exceptions = exceptions();
+        answer.colours = loadAll<ColourRGB>(memory, place.values, place.valueCount);
+        answer.events = eventsOf(header, memory, place, objectCount(scene));
+        answer.eventsCut = eventsCut();
+        return answer;
+    }
     [[nodiscard]] std::uint32_t exceptions() const {
         return wasBegun(header) ? std::min(header.exceptions, place.askCount) : 0;
     }

@@ -68,7 +68,33 @@ struct RenderQuestion {
     std::uint32_t eventCapacity = 0;  ///< most logged events of all repetitions; 0: no log
 };
 
-using Question = std::variant<NormalQuestion, IlluminateQuestion, RenderQuestion>;
+/// A ray to be cast: of `object` (index as in LitPoint), or by `Renderer::trace` with `bounces`.
+struct CastRay {
+    int object = 0;
+    int bounces = 0;
+    Vector3 origin;
+    Vector3 direction;
+};
+
+/// Asks `SceneObject::intersectionWith` of objects of a scene, each with a ray.
+struct HitQuestion {
+    raytracer::SceneDescription scene;
+    std::vector<CastRay> rays;
+};
+
+/// Asks `Renderer::trace` along rays, one after the other.
+struct TraceQuestion {
+    raytracer::SceneDescription scene;
+    raytracer::RenderSettings settings;
+    std::vector<CastRay> rays;
+    std::uint32_t eventCapacity = 0;  ///< most logged rays; 0: no log
+};
+
+using Question =
+    std::variant<NormalQuestion, IlluminateQuestion, RenderQuestion, HitQuestion, TraceQuestion>;
+
+/// A hit fills three values: (is a hit, distance, object), location, normal.
+inline constexpr std::size_t kValuesOfHit = 3;
 
 /// An event that RenderObserver reported, in order of occurrence on each thread. `ask` is the index
 /// of the point or repetition that it belongs to. Fields that an event does not have are zero.
@@ -112,13 +138,30 @@ struct NormalAnswer {
     std::vector<Vector3> normals;  ///< one for each position
 };
 
+/// Also of a TraceQuestion.
 struct IlluminateAnswer {
     AnswerState state = AnswerState::missing;
     std::string message;
-    std::vector<ColourRGB> colours;  ///< one for each point
+    std::vector<ColourRGB> colours;  ///< one for each point or ray
     std::vector<Event> events;
     bool eventsCut = false;        ///< more events occurred than fit
     std::uint32_t exceptions = 0;  ///< number of points at which an exception was thrown
+};
+
+/// What an object says of a ray.
+struct Hit {
+    bool isHit = false;
+    double distance = 0.0;
+    int object = -1;  ///< the one that the hit names, index in Scene::objects()
+    Vector3 location;
+    Vector3 normal;
+};
+
+struct HitAnswer {
+    AnswerState state = AnswerState::missing;
+    std::string message;
+    std::uint32_t exceptions = 0;  ///< number of rays at which an exception was thrown
+    std::vector<Hit> hits;         ///< one for each ray
 };
 
 struct RenderAnswer {
@@ -133,7 +176,7 @@ struct RenderAnswer {
     std::uint32_t exceptions = 0;  ///< number of repetitions in which an exception was thrown
 };
 
-using Answer = std::variant<NormalAnswer, IlluminateAnswer, RenderAnswer>;
+using Answer = std::variant<NormalAnswer, IlluminateAnswer, RenderAnswer, HitAnswer>;
 
 }  // namespace ticker::probe
 

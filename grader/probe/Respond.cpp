@@ -153,7 +153,44 @@ struct Reply {
         }
     }
 
+    void operator()(const HitQuestion& question) const {
+        const raytracer::Scene scene{question.scene};
+        for (std::size_t i = 0; i < question.rays.size(); ++i) {
+            const CastRay& asked = question.rays[i];
+            const auto& object = *scene.objects()[static_cast<std::size_t>(asked.object)];
+            sheet.attempt([&] {
+                writeHit(i, scene, object.intersectionWith({asked.origin, asked.direction}));
+            });
+        }
+    }
+
+    void operator()(const TraceQuestion& question) const {
+        const Stage stage{sheet, question.scene, question.settings};
+        const raytracer::Renderer renderer{stage.settings};
+        for (std::size_t i = 0; i < question.rays.size(); ++i) {
+            const CastRay& ray = question.rays[i];
+            stage.begin(i);
+            raytracer::seedRandom(question.settings.seed + i);
+            sheet.attempt([&] {
+                sheet.write(i,
+                            renderer.trace(stage.scene, {ray.origin, ray.direction}, ray.bounces));
+            });
+        }
+    }
+
 private:
+    void writeHit(std::size_t index, const raytracer::Scene& scene,
+                  const std::optional<raytracer::RaycastHit>& hit) const {
+        const raytracer::RaycastHit told = hit.value_or(raytracer::RaycastHit{});
+        const auto& objects = scene.objects();
+        const auto named = std::ranges::find_if(
+            objects, [&](const auto& object) { return object.get() == told.object; });
+        const auto number = static_cast<double>(named - objects.begin());
+        sheet.write(kValuesOfHit * index, Vector3{hit ? 1.0 : 0.0, told.distance, number});
+        sheet.write(kValuesOfHit * index + 1, told.location);
+        sheet.write(kValuesOfHit * index + 2, told.normal);
+    }
+
     /// A scene with its observer.
     struct Stage {
         std::unique_ptr<EventLog> log;

@@ -21,7 +21,7 @@ using raytracer::SceneDescription;
 using raytracer::SphereDescription;
 
 constexpr std::uint32_t kMagic = 0x544B5051;  // "TKPQ"
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr int kLargestMapSide = 16384;  // same limit as raytracer/io/ImageReader.h
 constexpr int kLargestFrame = 4096;
 constexpr int kMostRepetitions = 4096;
@@ -138,13 +138,27 @@ void check(const NormalQuestion& question) {
     if (!fits) refuse("a map has another number of heights than its size says");
 }
 
-void check(const IlluminateQuestion& question) {
-    check(question.settings);
-    const std::size_t objects = question.scene.spheres.size() + question.scene.planes.size();
-    const bool allThere = std::ranges::all_of(question.points, [&](const LitPoint& point) {
-        return point.object >= 0 && static_cast<std::size_t>(point.object) < objects;
+/// @param asked  Points or rays.
+template <class Asked>
+void checkObjects(const std::vector<Asked>& asked, const SceneDescription& scene) {
+    const std::size_t objects = scene.spheres.size() + scene.planes.size();
+    const bool allThere = std::ranges::all_of(asked, [&](const Asked& one) {
+        return one.object >= 0 && static_cast<std::size_t>(one.object) < objects;
     });
     if (!allThere) refuse("a point lies on an object that is not in the scene");
+}
+
+void check(const IlluminateQuestion& question) {
+    check(question.settings);
+    checkObjects(question.points, question.scene);
+}
+
+void check(const HitQuestion& question) {
+    checkObjects(question.rays, question.scene);
+}
+
+void check(const TraceQuestion& question) {
+    check(question.settings);
 }
 
 void check(const RenderQuestion& question) {
@@ -196,6 +210,18 @@ struct Put {
         writer.put(question.repetitions);
         writer.put(question.eventCapacity);
     }
+    void operator()(const HitQuestion& question) const {
+        check(question);
+        putScene(writer, question.scene);
+        writer.putAll(question.rays);
+    }
+    void operator()(const TraceQuestion& question) const {
+        check(question);
+        putScene(writer, question.scene);
+        putSettings(writer, question.settings);
+        writer.putAll(question.rays);
+        writer.put(question.eventCapacity);
+    }
 };
 
 NormalQuestion getNormalQuestion(ByteReader& reader) {
@@ -234,6 +260,24 @@ RenderQuestion getRenderQuestion(ByteReader& reader) {
     return question;
 }
 
+HitQuestion getHitQuestion(ByteReader& reader) {
+    HitQuestion question;
+    question.scene = getScene(reader);
+    question.rays = reader.getAll<CastRay>();
+    check(question);
+    return question;
+}
+
+TraceQuestion getTraceQuestion(ByteReader& reader) {
+    TraceQuestion question;
+    question.scene = getScene(reader);
+    question.settings = getSettings(reader);
+    question.rays = reader.getAll<CastRay>();
+    question.eventCapacity = reader.get<std::uint32_t>();
+    check(question);
+    return question;
+}
+
 Question getQuestion(ByteReader& reader) {
     switch (reader.get<std::uint32_t>()) {
         case 0:
@@ -242,6 +286,10 @@ Question getQuestion(ByteReader& reader) {
             return getIlluminateQuestion(reader);
         case 2:
             return getRenderQuestion(reader);
+        case 3:
+            return getHitQuestion(reader);
+        case 4:
+            return getTraceQuestion(reader);
         default:
             refuse("a question of no known kind");
     }

@@ -23,7 +23,11 @@ struct Reply {
     probe::Answer operator()(const probe::NormalQuestion& /*question*/) const {
         return probe::NormalAnswer{};
     }
-    probe::Answer operator()(const probe::IlluminateQuestion& /*question*/) const {
+    probe::Answer operator()(const probe::HitQuestion& /*question*/) const {
+        return probe::HitAnswer{};
+    }
+    template <class LightQuestion>
+    probe::Answer operator()(const LightQuestion& /*question*/) const {
         return probe::IlluminateAnswer{};
     }
 };
