@@ -39,7 +39,8 @@ struct Expectation {
 /// One submission of the corpus: its files and the expected result. grader/corpus/README.md
 /// describes the format.
 struct Entry {
-    std::string collection;  ///< "samples", "accepted", "mistakes", "unseen" or "hostile"
+    std::string collection;  ///< "samples", "accepted", "mistakes", "unseen", "hostile"; of another
+                             ///< exercise than the default one "NAME/samples" and so on
     std::string group;       ///< the folders between collection and name: "T1", "T2/right", "cases"
     std::string name;        ///< of its folder, or of its file without ".json"
     std::string about;       ///< a short description

@@ -64,9 +64,11 @@ std::vector<Edit> readEdits(const json& array, const std::string& path) {
     return edits;
 }
 
-fs::path folderOf(const std::string& base, const fs::path& root) {
-    if (base == "reference") return root / "reference_solution/exercise";
-    if (base == "template") return root / "student_template/exercise";
+/// @param exercise  The first folder of a collection that belongs to another exercise than the
+///                  default one; or empty.
+fs::path folderOf(const std::string& base, const fs::path& root, const fs::path& exercise) {
+    if (base == "reference") return root / "reference_solution" / exercise / "exercise";
+    if (base == "template") return root / "student_template" / exercise / "exercise";
     return root / "grader/corpus" / base;
 }
 
@@ -113,7 +115,8 @@ void readMade(const json& array, Entry& entry) {
     }
 }
 
-Entry readEntry(const fs::path& file, const fs::path& place, const fs::path& root) {
+Entry readEntry(const fs::path& file, const fs::path& place, const fs::path& root,
+                const fs::path& exercise) {
     Entry entry;
     entry.path = file.string();
     entry.name = (file == place ? file.stem() : place.filename()).string();
@@ -121,7 +124,7 @@ Entry readEntry(const fs::path& file, const fs::path& place, const fs::path& roo
     Members members(document, entry.path, "the entry");
     entry.about = members.string("about");
     entry.folderName = members.has("folder") ? members.plainName("folder") : entry.name;
-    if (members.has("base")) entry.base = folderOf(members.string("base"), root);
+    if (members.has("base")) entry.base = folderOf(members.string("base"), root, exercise);
     if (members.has("edits"))
         for (const auto& [name, edits] : members.required("edits").items())
             entry.edits[name] = readEdits(edits, entry.path);
@@ -152,7 +155,7 @@ void addCollection(const std::string& collection, const fs::path& root,
         if (file.extension() != ".json" || !found.is_regular_file() || folder == top) continue;
         if (!isFolders && fs::exists(folder / kExpected)) continue;
         const fs::path place = isFolders ? folder : file;
-        Entry entry = readEntry(file, place, root);
+        Entry entry = readEntry(file, place, root, fs::path{collection}.parent_path());
         entry.collection = collection;
         entry.group = place.parent_path().lexically_relative(top).string();
         if (isFolders) entry.files = filesBeside(folder);

@@ -18,9 +18,13 @@ std::vector<std::string> Exercise::files() const {
     return files;
 }
 
+bool Exercise::hasScreenshot() const {
+    return std::ranges::any_of(scenes, &SceneEntry::isHandedIn);
+}
+
 std::vector<std::string> Exercise::parts() const {
     std::vector<std::string> parts = files();
-    parts.emplace_back(kScreenshotPart);
+    if (hasScreenshot()) parts.emplace_back(kScreenshotPart);
     return parts;
 }
 
@@ -28,7 +32,7 @@ std::vector<std::string> Exercise::reported() const {
     std::vector<std::string> ids;
     for (const TaskEntry& task : tasks)
         ids.push_back(task.id);
-    ids.emplace_back(kScreenshotTask);
+    if (hasScreenshot()) ids.emplace_back(kScreenshotTask);
     return ids;
 }
 

@@ -48,14 +48,21 @@ struct Exercise {
     std::vector<TaskEntry> tasks;
     std::vector<OptionEntry> options;
     std::vector<SceneEntry> scenes;
+    /// Folder that is laid over the template for students, its framework over the kit's; may be
+    /// empty.
+    std::string overlay;
+    /// Folder of framework/src that its students do not get; may be empty.
+    std::string leftOut;
     /// Paths inside the kit of framework files that share their name with a file of the exercise.
     std::vector<std::string> frameworkFiles;
 
     /// The files that a submission may contain, in the order of their tasks.
     [[nodiscard]] std::vector<std::string> files() const;
-    /// The files and the screenshot: all parts of a submission.
+    /// Whether a screenshot of some scene is handed in.
+    [[nodiscard]] bool hasScreenshot() const;
+    /// The files and the screenshot, if there is one: all parts of a submission.
     [[nodiscard]] std::vector<std::string> parts() const;
-    /// Ids of the tasks and of the screenshot: the contents of a result.
+    /// Ids of the tasks and of the screenshot, if there is one: the contents of a result.
     [[nodiscard]] std::vector<std::string> reported() const;
     /// Null if no task has this id.
     [[nodiscard]] const TaskEntry* task(std::string_view id) const;

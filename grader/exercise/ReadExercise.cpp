@@ -76,7 +76,7 @@ void expectUniqueIds(const JsonValue& tasks, const Exercise& exercise) {
 Exercise parseExercise(const std::string& file, const std::string& text) {
     const JsonValue top = JsonValue::parse(text, file);
     allowOnly(top, {"name", "title", "handout", "template", "reference", "rubric", "tasks",
-                    "options", "scenes", "frameworkFiles", "without", "with"});
+                    "options", "scenes", "frameworkFiles", "overlay", "leftOut", "companions"});
     Exercise exercise;
     exercise.name = textOf(top.at("name"));
     exercise.title = textOf(top.at("title"));
@@ -91,6 +91,8 @@ Exercise parseExercise(const std::string& file, const std::string& text) {
     exercise.scenes = listOf(
         top.at("scenes"), [&](const JsonValue& scene) { return readSceneEntry(scene, exercise); });
     exercise.frameworkFiles = listOf(top.at("frameworkFiles"), textOf);
+    if (top.has("overlay")) exercise.overlay = textOf(top.at("overlay"));
+    if (top.has("leftOut")) exercise.leftOut = textOf(top.at("leftOut"));
     return exercise;
 }
 

@@ -63,17 +63,27 @@ std::vector<selftest::RightSource> rightSources(const Home& home) {
     return sources;
 }
 
+/// The catalogue of an exercise, with what was written unseen where that is in the same form.
+std::vector<corpus::Entry> catalogueOf(const Home& home, const Exercise& exercise) {
+    if (&exercise == &defaultExercise()) return corpus::readCatalogue(home.data);
+    std::vector<std::string> collections;
+    for (const char* collection : {"/accepted", "/mistakes", "/unseen"})
+        collections.push_back(exercise.name + collection);
+    return corpus::readEntries(home.data, collections);
+}
+
 /// The catalogue's entries of T1 or T2 (both without a task), or the requested entries.
 bool testMistakes(const SelftestOptions& options, const std::string& task,
                   const pipeline::Grader& grader, bool draw) {
     const Home home = Home::find();
     const Countdown counter{task.empty() ? "mistakes" : task, 0, draw};
     std::vector<corpus::Entry> entries =
-        selftest::mistakesOf(corpus::readCatalogue(home.data), task);
+        selftest::mistakesOf(catalogueOf(home, *grader.exercise), task);
     if (!options.cases.empty()) entries = selftest::mistakesCalled(entries, options.cases);
     selftest::MistakeRun run;
     run.fraction = options.cases.empty() ? options.fraction : 1.0;
     run.seed = seedOf(options.grade);
+    run.exercise = grader.exercise;
     run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
     const auto rows = selftest::runMistakes(entries, grader.kit, grader.sandbox, run);
     printTable((task.empty() ? "" : task + ": ") + "the catalogue of mistakes, compiled and judged",
@@ -126,7 +136,8 @@ bool testScreenshots(const SelftestOptions& options, const pipeline::Grader& gra
 
 bool runTables(const SelftestOptions& options, bool draw) {
     const pipeline::Grader grader = makeGrader(options.grade);
-    if (!options.cases.empty() && !options.hostile)
+    const bool isOther = grader.exercise != &defaultExercise();
+    if (isOther || (!options.cases.empty() && !options.hostile))
         return testMistakes(options, options.task, grader, draw);
     const bool all = options.task.empty() && !options.hostile && !options.screenshots;
     bool good = true;
@@ -155,6 +166,7 @@ Run addSelftest(CLI::App& app, const GlobalOptions& global) {
                                         "screenshots, against what is expected");
     verb->add_option("--task", options->task, "Only the tables of T1, or of T2")
         ->check(CLI::IsMember({"T1", "T2"}));
+    addExerciseOption(*verb, options->grade.exercise);
     verb->add_flag("--hostile", options->hostile, "Only the hostile submissions");
     verb->add_flag("--screenshots", options->screenshots, "Only the screenshots");
     verb->add_option("--fraction", options->fraction, "Share of each table to run")

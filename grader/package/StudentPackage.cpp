@@ -3,9 +3,11 @@
 #include <grader/zip/ZipWriter.h>
 
 #include <array>
+#include <map>
 #include <regex>
 #include <set>
 #include <string>
+#include <string_view>
 
 namespace ticker::package {
 namespace {
@@ -13,9 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 
 // Listed one by one, so that other things in the folder, such as a build, are left out.
-constexpr std::array kFolders{".devcontainer", ".vscode", "cmake", "framework", "tests"};
-constexpr std::array kFiles{".clangd", "CMakeLists.txt", "CMakePresets.json", "README.md",
-                            "check",   "check.cmd",      "check.json",        "vcpkg.json"};
+constexpr std::array kFolders{"cmake", "framework"};
+constexpr std::array kFiles{".clangd", "CMakePresets.json"};
+// Those of which an exercise with an overlay has its own.
+constexpr std::array kOwnFolders{".devcontainer", ".vscode", "tests"};
+constexpr std::array kOwnFiles{"CMakeLists.txt", "README.md",  "check",
+                               "check.cmd",      "check.json", "vcpkg.json"};
+// How an overlay is built beside the framework instead of over it.
+constexpr std::string_view kWholeKit = "WholeKit.cmake";
 
 /// A student's package on its way.
 class Package {
@@ -25,8 +32,14 @@ public:
 
     void write() {
         addTemplate();
-        addKind("scenes", ".xml");
-        addKind("assets", ".png");
+        if (exercise_.overlay.empty()) {
+            addKind("scenes", ".xml");
+            addKind("assets", ".png");
+        } else {
+            for (const SceneEntry& scene : exercise_.scenes)
+                zip_.addFile(root_ + "scenes/" + scene.name + ".xml",
+                             data_ / "scenes" / (scene.name + ".xml"));
+        }
         addHandout();
         // An installation keeps its licence elsewhere.
         if (fs::is_regular_file(data_ / "LICENSE"))
@@ -37,11 +50,32 @@ public:
 private:
     void addTemplate() {
         const fs::path folder = data_ / "student_template";
-        for (const char* name : kFolders)
-            zip_.addFolder(root_ + name, folder / name);
-        zip_.addFolder(root_ + "exercise", data_ / exercise_.stubs);
-        for (const char* name : kFiles)
-            zip_.addFile(root_ + name, folder / name);
+        std::map<std::string, fs::path> files;
+        const auto add = [&](const auto& folders, const auto& names) {
+            for (const char* name : folders)
+                collect(folder, folder / name, files);
+            for (const char* name : names)
+                files[name] = folder / name;
+        };
+        add(kFolders, kFiles);
+        if (exercise_.overlay.empty()) {
+            add(kOwnFolders, kOwnFiles);
+        } else {
+            const std::string leftOut = "framework/src/" + exercise_.leftOut + "/";
+            std::erase_if(files, [&](const auto& one) { return one.first.starts_with(leftOut); });
+            collect(data_ / exercise_.overlay, data_ / exercise_.overlay, files);
+        }
+        collect((data_ / exercise_.stubs).parent_path(), data_ / exercise_.stubs, files);
+        for (const auto& [name, file] : files)
+            if (!name.ends_with(kWholeKit)) zip_.addFile(root_ + name, file);
+    }
+
+    /// The files below `folder`, by their path in `top`; those that come later replace others.
+    static void collect(const fs::path& top, const fs::path& folder,
+                        std::map<std::string, fs::path>& files) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder})
+            if (entry.is_regular_file())
+                files[fs::relative(entry.path(), top).generic_string()] = entry.path();
     }
 
     /// Adds the files of one kind directly in a folder, without subfolders: assets/references/ is

@@ -122,6 +122,7 @@ public:
     }
 
     void screenshot(SubmissionResult& result) {
+        if (!grader_.exercise->hasScreenshot()) return;
         if (const Finding* refusal = submission_.refusalOf(kScreenshotPart))
             return result.tasks.push_back(refused(*refusal, *grader_.exercise));
         TaskReport report = judgeScreenshotFile(submission_.part(kScreenshotPart), files_, grader_,
@@ -163,6 +164,13 @@ private:
     std::vector<JudgedFile> files_;
 };
 
+/// The order of the exercise, not that of the files.
+void inOrderOf(const std::vector<std::string>& ids, std::vector<TaskReport>& tasks) {
+    std::ranges::stable_sort(tasks, {}, [&](const TaskReport& task) {
+        return std::ranges::find(ids, task.id) - ids.begin();
+    });
+}
+
 SubmissionResult blankResult(const std::string& name, const Grader& grader, std::uint64_t seed) {
     SubmissionResult result;
     result.submission = name;
@@ -182,6 +190,7 @@ SubmissionResult gradeSubmission(const intake::Submission& submission, const Gra
     SubmissionResult result = blankResult(submission.name, grader, seed);
     for (const std::string& file : grader.exercise->files())
         grading.file(file, result);
+    inOrderOf(grader.exercise->reported(), result.tasks);
     grading.screenshot(result);
     grading.sources(result);
     grading.notices(result);

@@ -6,6 +6,7 @@
 #include <grader/lab/selftest/MistakeTables.h>
 #include <grader/result/Names.h>
 #include <grader/tasks/JudgeDistributed.h>
+#include <grader/tasks/Tasks.h>
 #include <grader/tasks/bump/JudgeBump.h>
 
 #include <raytracer/base/Error.h>
@@ -101,11 +102,29 @@ std::string firstError(const std::string& diagnostics) {
     return diagnostics.substr(begin, diagnostics.find('\n', error) - begin);
 }
 
+/// All tasks of the entry's file, by their rows.
+void judgeByRows(const Exercise& exercise, probe::Examinee& examinee, std::uint64_t seed,
+                 MistakeRow& row) {
+    row.asExpected = true;
+    for (const Task& task : tasks::tasksOf(exercise.name)) {
+        const std::string id{task.id};
+        if (exercise.fileOf(id) != exercise.fileOf(row.entry.task())) continue;
+        const TaskJudgement judgement = task.judge(examinee, seed);
+        const auto expected = row.entry.tasks.find(id);
+        const bool isExpected = expected != row.entry.tasks.end()
+                                    ? isAsExpected(judgement, expected->second)
+                                    : judgement.state == TaskState::passed;
+        if (id == row.entry.task() || !isExpected)
+            row.seen += (row.seen.empty() ? "" : ", ") + id + " " + told(judgement);
+        row.asExpected = row.asExpected && isExpected;
+    }
+}
+
 MistakeRow runOne(const Made& made, const build::Kit& kit, const sandbox::Sandbox& sandbox,
-                  std::uint64_t seed) {
+                  const MistakeRun& run) {
     const sandbox::Limits limits;
     const bool bump = made.entry.task() == "T1";
-    const std::string file{defaultExercise().fileOf(made.entry.task())};
+    const std::string file{run.exercise->fileOf(made.entry.task())};
     const build::BuildResult built = build::buildProgram(kit, sandbox, limits, file, made.source);
     MistakeRow row;
     row.entry = made.entry;
@@ -115,7 +134,10 @@ MistakeRow runOne(const Made& made, const build::Kit& kit, const sandbox::Sandbo
     }
     build::SandboxedExaminee examinee{*built.program, sandbox, limits};
     const double before = threadCpuMs();
-    (bump ? judgeT1 : judgeT2)(examinee, seed, row);
+    if (run.exercise != &defaultExercise())
+        judgeByRows(*run.exercise, examinee, run.seed, row);
+    else
+        (bump ? judgeT1 : judgeT2)(examinee, run.seed, row);
     row.judgeMs = threadCpuMs() - before;
     row.probeMs = examinee.cpuMs();
     return row;
@@ -158,7 +180,7 @@ std::vector<MistakeRow> runMistakes(const std::vector<Entry>& entries, const bui
     std::size_t done = 0;
     std::mutex mutex;
     onWorkers(run.jobs, picked.size(), [&](std::size_t i) {
-        rows[i] = runOne(picked[i], kit, sandbox, run.seed);
+        rows[i] = runOne(picked[i], kit, sandbox, run);
         const std::lock_guard lock{mutex};
         if (run.progress) run.progress(++done, picked.size());
     });

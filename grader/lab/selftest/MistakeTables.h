@@ -3,6 +3,7 @@
 
 #include <grader/build/Kit.h>
 #include <grader/corpus/Entry.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/sandbox/Sandbox.h>
 
 #include <cstdint>
@@ -18,6 +19,7 @@ struct MistakeRun {
     double fraction = 1.0;   ///< share of the entries, evenly picked; at least one
     std::uint64_t seed = 1;  ///< of the decision and of the choice of entries
     int jobs = 2;
+    const Exercise* exercise = &defaultExercise();
     std::function<void(std::size_t done, std::size_t of)>
         progress;  ///< one call at a time; or null
 };
@@ -26,7 +28,7 @@ struct MistakeRun {
 struct MistakeRow {
     corpus::Entry entry;
     std::string seen;         ///< "failed shadow.hard", or the compiler's first words
-    bool asExpected = false;  ///< and, for T2, the other task passed without review
+    bool asExpected = false;  ///< and the other tasks of the file passed without review
     double probeMs = 0.0;     ///< CPU of the submission's process
     double judgeMs = 0.0;     ///< CPU of the judgement itself
 };
