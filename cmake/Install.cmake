@@ -9,7 +9,9 @@ install(DIRECTORY "${CMAKE_BINARY_DIR}/kit" DESTINATION "${CMAKE_INSTALL_LIBDIR}
 
 set(share "${CMAKE_INSTALL_DATADIR}/ticker")
 install(DIRECTORY scenes assets student_template DESTINATION "${share}" USE_SOURCE_PERMISSIONS)
-install(DIRECTORY reference_solution/exercise DESTINATION "${share}/reference_solution")
+install(DIRECTORY reference_solution/exercise reference_solution/tick1
+  DESTINATION "${share}/reference_solution")
+install(DIRECTORY grader/exercises DESTINATION "${share}/grader")
 install(DIRECTORY grader/integrations grader/corpus/samples DESTINATION "${share}/grader"
   USE_SOURCE_PERMISSIONS
   PATTERN "*.h" EXCLUDE

@@ -2,6 +2,9 @@
 #include <grader/tasks/AllFindings.h>
 #include <grader/tasks/bump/BumpFindings.h>
 #include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/maintick/LightFindings.h>
+#include <grader/tasks/maintick/MainTickFindings.h>
+#include <grader/tasks/maintick/MirrorFindings.h>
 #include <grader/tasks/screenshot/ScreenshotFindings.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
 
@@ -20,6 +23,11 @@ std::span<const FindingText* const> allFindings() {
         add(kBumpFindings);
         add(kShadowFindings);
         add(kLensFindings);
+        add(kSphereFindings);
+        add(kPhongFindings);
+        add(kPlaneFindings);
+        add(kShadeFindings);
+        add(kMirrorFindings);
         add(kScreenshotFindings);
         add(kGeneralFindings);
         return all;

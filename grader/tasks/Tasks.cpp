@@ -4,6 +4,7 @@
 #include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tasks/lens/JudgeLens.h>
 #include <grader/tasks/lens/PictureDoubt.h>
+#include <grader/tasks/maintick/JudgeMainTick.h>
 #include <grader/tasks/shadows/JudgeShadows.h>
 
 #include <algorithm>
@@ -37,12 +38,18 @@ constexpr std::array kTick1star{Task{"T1", judgeBump, hasRelief, doubtT1},
                                 Task{"T2.1", judgeShadows, isAnyScene, nullptr},
                                 Task{"T2.2", judgeLens, isAnyScene, doubtT22}};
 
+constexpr std::array kTick1{Task{"M1", judgeSpheres, isAnyScene, nullptr},
+                            Task{"M2", judgePhong, isAnyScene, nullptr},
+                            Task{"M3.1", judgePlanes, isAnyScene, nullptr},
+                            Task{"M3.2", judgeHardShadows, isAnyScene, nullptr},
+                            Task{"M4", judgeReflections, isAnyScene, nullptr}};
+
 struct Rows {
     std::string_view exercise;
     std::span<const Task> tasks;
 };
 
-constexpr std::array kExercises{Rows{"tick1star", kTick1star}};
+constexpr std::array kExercises{Rows{"tick1star", kTick1star}, Rows{"tick1", kTick1}};
 
 }  // namespace
 

@@ -39,11 +39,12 @@ std::pair<std::string, int> outsideMarks(const std::string& text) {
     return {outside.str(), parts};
 }
 
-void expectEqualOutsideMarks(const std::string& file, int tasks) {
+void expectEqualOutsideMarks(const std::string& file, int tasks,
+                             const std::string& exercise = "/exercise/") {
     const auto [stub, stubParts] =
-        outsideMarks(readFile(kRoot + "/student_template/exercise/" + file));
+        outsideMarks(readFile(kRoot + "/student_template" + exercise + file));
     const auto [reference, referenceParts] =
-        outsideMarks(readFile(kRoot + "/reference_solution/exercise/" + file));
+        outsideMarks(readFile(kRoot + "/reference_solution" + exercise + file));
     EXPECT_EQ(reference, stub);
     EXPECT_EQ(stubParts, tasks);
     EXPECT_EQ(referenceParts, tasks);
@@ -52,6 +53,9 @@ void expectEqualOutsideMarks(const std::string& file, int tasks) {
 TEST(ReferenceSolution, EqualsTheTemplateOutsideTheTaskMarks) {
     expectEqualOutsideMarks("BumpySphere.cpp", 1);
     expectEqualOutsideMarks("Renderer.cpp", 2);
+    expectEqualOutsideMarks("Sphere.cpp", 1, "/tick1/exercise/");
+    expectEqualOutsideMarks("Plane.cpp", 1, "/tick1/exercise/");
+    expectEqualOutsideMarks("Renderer.cpp", 3, "/tick1/exercise/");
 }
 
 TEST(ReferenceSolution, HasNoStubLeftAndTheTemplateHasEachOnce) {

@@ -7,16 +7,15 @@ namespace ticker::tests {
 
 namespace fs = std::filesystem;
 
-UnpackedPackage::UnpackedPackage() {
-    package::writeStudentPackage(TICKER_SOURCE_DIR, defaultExercise(),
-                                 work_.path() / "package.zip");
+UnpackedPackage::UnpackedPackage(const Exercise& exercise) : name_(exercise.name) {
+    package::writeStudentPackage(TICKER_SOURCE_DIR, exercise, work_.path() / "package.zip");
     const CommandResult unpacked =
         runCommand("cd '" + work_.path().string() + "' && cmake -E tar xf package.zip");
     if (unpacked.status != 0) throw std::runtime_error("cannot unpack: " + unpacked.output);
 }
 
 fs::path UnpackedPackage::folder() const {
-    return work_.path() / "tick1star";
+    return work_.path() / name_;
 }
 
 std::vector<fs::path> UnpackedPackage::files() const {

@@ -1,6 +1,7 @@
 #ifndef TICKER_TESTS_STUDENT_UNPACKEDPACKAGE_H
 #define TICKER_TESTS_STUDENT_UNPACKEDPACKAGE_H
 
+#include <grader/exercise/Exercise.h>
 #include <grader/tests/support/RunCommand.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
@@ -13,7 +14,7 @@ namespace ticker::tests {
 /// The students' package, made and unpacked in a temporary folder.
 class UnpackedPackage {
 public:
-    UnpackedPackage();
+    explicit UnpackedPackage(const Exercise& exercise = defaultExercise());
 
     /// The folder that contains ./check.
     [[nodiscard]] std::filesystem::path folder() const;
@@ -25,6 +26,7 @@ public:
     [[nodiscard]] CommandResult runAlone(const std::string& command) const;
 
 private:
+    std::string name_;
     TemporaryFolder work_;
 };
 

@@ -1,0 +1,67 @@
+#ifndef TICKER_TASKS_MAINTICK_EXACT_H
+#define TICKER_TASKS_MAINTICK_EXACT_H
+
+#include <grader/tasks/support/FindingText.h>
+
+#include <raytracer/image/ColourRGB.h>
+#include <raytracer/math/Ray.h>
+#include <raytracer/scene/SceneDescription.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace ticker::tasks::maintick {
+
+using raytracer::ColourRGB;
+using raytracer::Ray;
+using raytracer::Vector3;
+
+/// What right answers may differ by, relative to the larger of 1 and the expected value. In double
+/// precision all algebra agrees to 1e-11; in float, with distances below 10, radii above 0.3 and
+/// discriminants above 0.06, to 1e-4. Every known mistake moves some answer by more than 1e-2.
+inline constexpr double kTolerance = 5e-4;
+/// Of colours behind a mirror: the reflected ray starts up to 1e-3 above the surface.
+inline constexpr double kMirrorTolerance = 4e-3;
+
+/// False for NaN.
+[[nodiscard]] inline bool isNear(double a, double expected, double tolerance = kTolerance) {
+    return std::abs(a - expected) <= tolerance * std::max(1.0, std::abs(expected));
+}
+[[nodiscard]] inline bool isNear(const Vector3& a, const Vector3& expected,
+                                 double tolerance = kTolerance) {
+    return isNear((a - expected).magnitude() + expected.magnitude(), expected.magnitude(),
+                  tolerance);
+}
+/// Relative to the colour itself, whose channels may all be small.
+[[nodiscard]] inline bool isNear(const ColourRGB& a, const ColourRGB& expected,
+                                 double tolerance = kTolerance) {
+    const double scale =
+        std::max({std::abs(expected.r), std::abs(expected.g), std::abs(expected.b), 1e-6});
+    const ColourRGB d = a - expected;
+    return std::abs(d.r) <= tolerance * scale && std::abs(d.g) <= tolerance * scale &&
+           std::abs(d.b) <= tolerance * scale;
+}
+
+/// Where a ray meets a surface, in double precision.
+struct Meeting {
+    double distance = 0.0;
+    Vector3 location;
+    Vector3 normal;
+};
+[[nodiscard]] std::optional<Meeting> meet(const raytracer::SphereDescription& sphere,
+                                          const Ray& ray);
+[[nodiscard]] std::optional<Meeting> meet(const raytracer::PlaneDescription& plane, const Ray& ray);
+
+/// "(0.12, 3, -1.5)"
+[[nodiscard]] std::string words(const Vector3& v);
+[[nodiscard]] std::string words(const ColourRGB& c);
+
+/// A finding that fails.
+/// @param hint  Empty: that of `text`.
+[[nodiscard]] Finding failure(const FindingText& text, std::string seen, std::string hint = {});
+
+}  // namespace ticker::tasks::maintick
+
+#endif

@@ -1,0 +1,178 @@
+#include <grader/tasks/maintick/Hits.h>
+#include <grader/tasks/support/Finite.h>
+#include <grader/tasks/support/RunEnd.h>
+
+#include <fmt/core.h>
+
+#include <utility>
+#include <variant>
+
+namespace ticker::tasks::maintick {
+namespace {
+
+using Hits = std::vector<probe::Hit>;
+using Asked = std::vector<AskedHit>;
+
+bool isRight(const probe::Hit& hit, const std::optional<double>& distance) {
+    if (hit.isHit != distance.has_value()) return false;
+    if (!distance) return true;
+    return std::isnan(*distance) ? std::isnan(hit.distance) : isNear(hit.distance, *distance);
+}
+
+std::optional<double> distanceOf(const AskedHit& asked) {
+    return asked.expected ? std::optional{asked.expected->distance} : std::nullopt;
+}
+
+std::string askedOf(const AskedHit& asked) {
+    return fmt::format("A ray from {} in direction {} was asked of {}", words(asked.ray.origin),
+                       words(asked.ray.direction), asked.object);
+}
+
+std::string expectedOf(const AskedHit& asked) {
+    return asked.expected ? fmt::format("a hit at distance {:.4g}", asked.expected->distance)
+                          : "no hit";
+}
+
+std::string gotOf(const probe::Hit& hit) {
+    return hit.isHit ? fmt::format("a hit at distance {:.4g}", hit.distance) : "no hit";
+}
+
+const FindingText& nameOf(const AskedHit& asked, const probe::Hit& hit, const HitTexts& texts) {
+    switch (asked.place) {
+        case Place::behind:
+            return *texts.behind;
+        case Place::past:
+            return *texts.phantom;
+        case Place::inside:
+            return *texts.inside;
+        default:
+            return hit.isHit ? *texts.distance : *texts.missed;
+    }
+}
+
+/// Of the distances: the first that is wrong, under the name of the mistake that explains all.
+std::optional<Finding> checkDistances(const raytracer::SceneDescription& scene, const Asked& asked,
+                                      const Hits& hits, std::span<const HitSlip> slips,
+                                      const HitTexts& texts) {
+    const auto wrongAt = [&](std::size_t i) {
+        return asked[i].place != Place::longDirection && !isRight(hits[i], distanceOf(asked[i]));
+    };
+    std::size_t first = 0;
+    while (first < asked.size() && !wrongAt(first))
+        ++first;
+    if (first == asked.size()) return std::nullopt;
+    const std::string seen = fmt::format("{}: expected {}, got {}.", askedOf(asked[first]),
+                                         expectedOf(asked[first]), gotOf(hits[first]));
+    for (const HitSlip& slip : slips) {
+        bool explains = true;
+        for (std::size_t i = 0; i < asked.size() && explains; ++i)
+            explains = asked[i].place == Place::longDirection ||
+                       isRight(hits[i], slip.distance(scene, asked[i].ray.object, asked[i].line()));
+        if (explains) return failure(*slip.finding, seen, slip.hint);
+    }
+    return failure(nameOf(asked[first], hits[first], texts), seen);
+}
+
+std::optional<Finding> checkLocation(const AskedHit& asked, const probe::Hit& hit,
+                                     const HitTexts& texts) {
+    if (isNear(hit.location, asked.expected->location)) return std::nullopt;
+    const bool leavesOriginOut =
+        isNear(hit.location, asked.ray.direction * asked.expected->distance);
+    return failure(*texts.location,
+                   fmt::format("{}: expected the location {}, got {}.", askedOf(asked),
+                               words(asked.expected->location), words(hit.location)),
+                   leavesOriginOut ? "The origin of the ray is left out: the location is O + s D, "
+                                     "ray.evaluateAt(distance)."
+                                   : "");
+}
+
+/// The text asks for none of this; only back faces look different.
+bool isTurned(const AskedHit& asked, const probe::Hit& hit) {
+    const Vector3 expected = asked.expected->normal;
+    return asked.ray.direction.dot(expected) > 0.0 && isNear(hit.normal, expected * -1.0);
+}
+
+std::optional<Finding> checkNormal(const AskedHit& asked, const probe::Hit& hit,
+                                   const HitTexts& texts) {
+    const Vector3 expected = asked.expected->normal;
+    if (isNear(hit.normal, expected) || isTurned(asked, hit)) return std::nullopt;
+    const double length = hit.normal.magnitude();
+    const bool isAlong = isNear(hit.normal, expected * length);
+    std::string hint = texts.normalHint;
+    if (isNear(hit.normal, expected * -1.0))
+        hint =
+            "It points the wrong way: exchange the two sides of the subtraction, or leave out "
+            "the minus. getNormalAt(location) gives the right one.";
+    else if (isFinite(hit.normal) && isAlong)
+        hint = fmt::format(
+            "It has the length {:.4g}: add .normalised(), or use getNormalAt(location).", length);
+    return failure(*texts.normal,
+                   fmt::format("{}: expected the normal {}, got {}.", askedOf(asked),
+                               words(expected), words(hit.normal)),
+                   hint);
+}
+
+std::optional<Finding> checkFields(const Asked& asked, const Hits& hits, const HitTexts& texts) {
+    std::optional<Finding> location;
+    std::optional<Finding> normal;
+    std::optional<Finding> object;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (asked[i].place == Place::longDirection || !asked[i].expected) continue;
+        if (!location) location = checkLocation(asked[i], hits[i], texts);
+        if (!normal) normal = checkNormal(asked[i], hits[i], texts);
+        if (!object && hits[i].object != asked[i].ray.object)
+            object = failure(*texts.object, askedOf(asked[i]) +
+                                                ": the hit should name this object, and names "
+                                                "another or none.");
+    }
+    return location ? location : normal ? normal : object;
+}
+
+std::optional<Finding> noteTurned(const Asked& asked, const Hits& hits, const HitTexts& texts) {
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        if (asked[i].expected && isTurned(asked[i], hits[i]))
+            return distributedFinding(*texts.turned, Severity::note,
+                                      askedOf(asked[i]) +
+                                          ": the normal is turned to the side "
+                                          "that the ray comes from.");
+    return std::nullopt;
+}
+
+/// A distance may count lengths of the direction or world units; the location is one point.
+std::optional<Finding> checkLongDirections(const Asked& asked, const Hits& hits,
+                                           const HitTexts& texts) {
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (asked[i].place != Place::longDirection) continue;
+        if (hits[i].isHit && isNear(hits[i].location, asked[i].expected->location)) continue;
+        return distributedFinding(*texts.length, Severity::note,
+                                  askedOf(asked[i]) +
+                                      ": the location is another than with a "
+                                      "direction of length 1.");
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+TaskJudgement judgeHits(probe::Examinee& examinee, const raytracer::SceneDescription& scene,
+                        const std::vector<AskedHit>& asked, std::span<const HitSlip> slips,
+                        const HitTexts& texts, const std::string& function) {
+    probe::HitQuestion question{scene, {}};
+    for (const AskedHit& one : asked)
+        question.rays.push_back(one.ray);
+    const probe::Run run = examinee.ask({question});
+    if (auto blocked = judgeUnanswered(run, function)) return *std::move(blocked);
+    const Hits& hits = std::get<probe::HitAnswer>(run.answers.at(0)).hits;
+    std::vector<Finding> findings;
+    if (auto wrong = checkDistances(scene, asked, hits, slips, texts))
+        findings.push_back(*std::move(wrong));
+    else if (auto field = checkFields(asked, hits, texts))
+        findings.push_back(*std::move(field));
+    if (!hasFailure(findings)) {
+        for (auto note : {checkLongDirections(asked, hits, texts), noteTurned(asked, hits, texts)})
+            if (note) findings.push_back(*std::move(note));
+    }
+    return judgementOf(std::move(findings), texts.order);
+}
+
+}  // namespace ticker::tasks::maintick

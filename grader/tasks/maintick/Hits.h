@@ -1,0 +1,62 @@
+#ifndef TICKER_TASKS_MAINTICK_HITS_H
+#define TICKER_TASKS_MAINTICK_HITS_H
+
+#include <grader/probe/Examinee.h>
+#include <grader/result/SubmissionResult.h>
+#include <grader/tasks/maintick/Exact.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ticker::tasks::maintick {
+
+/// Where a ray starts, seen from the object that it is asked of.
+enum class Place { outside, behind, past, inside, longDirection };
+
+/// One ray, and what an object should say of it.
+struct AskedHit {
+    Place place = Place::outside;
+    probe::CastRay ray;
+    std::string object;  ///< in words: "a sphere with centre (1, 2, 3) and radius 2"
+    std::optional<Meeting> expected;
+
+    [[nodiscard]] Ray line() const { return {ray.origin, ray.direction}; }
+};
+
+/// A known mistake in the distance: what it answers, and what mends it.
+struct HitSlip {
+    const FindingText* finding;
+    const char* hint;
+    /// Nothing: no hit.
+    std::optional<double> (*distance)(const raytracer::SceneDescription& scene, int object,
+                                      const Ray& ray);
+};
+
+/// What is said where no known mistake fits, and of the fields of a hit.
+struct HitTexts {
+    const FindingText* missed;
+    const FindingText* phantom;  ///< a hit where the ray passes by
+    const FindingText* behind;
+    const FindingText* inside;  ///< of rays that start inside, or on the other side
+    const FindingText* distance;
+    const FindingText* location;
+    const FindingText* normal;
+    const FindingText* object;
+    const FindingText* turned;  ///< a note: normals that are turned towards the ray
+    const FindingText* length;  ///< of directions that are no unit vectors; null: not asked
+    const char* normalHint;     ///< of one that is neither reversed nor of another length
+    std::span<const FindingText* const> order;
+};
+
+/// Asks all rays of one scene and judges the answers.
+/// @param function  "Sphere::intersectionWith"
+[[nodiscard]] TaskJudgement judgeHits(probe::Examinee& examinee,
+                                      const raytracer::SceneDescription& scene,
+                                      const std::vector<AskedHit>& asked,
+                                      std::span<const HitSlip> slips, const HitTexts& texts,
+                                      const std::string& function);
+
+}  // namespace ticker::tasks::maintick
+
+#endif

@@ -1,0 +1,25 @@
+#ifndef TICKER_TASKS_MAINTICK_JUDGEMAINTICK_H
+#define TICKER_TASKS_MAINTICK_JUDGEMAINTICK_H
+
+#include <grader/probe/Examinee.h>
+#include <grader/result/SubmissionResult.h>
+
+#include <cstdint>
+
+namespace ticker::tasks {
+
+/// M1: `Sphere::intersectionWith`.
+[[nodiscard]] TaskJudgement judgeSpheres(probe::Examinee& examinee, std::uint64_t seed);
+/// M2: `Renderer::illuminate` where nothing stands in the way of the light.
+[[nodiscard]] TaskJudgement judgePhong(probe::Examinee& examinee, std::uint64_t seed);
+/// M3.1: `Plane::intersectionWith`.
+[[nodiscard]] TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed);
+/// M3.2: `Renderer::illuminate` where something does. What arrives is held against what the same
+/// code says without that object, so that a mistake of M2 does not count twice.
+[[nodiscard]] TaskJudgement judgeHardShadows(probe::Examinee& examinee, std::uint64_t seed);
+/// M4: `Renderer::trace`, held against what the same code's `illuminate` says of each surface.
+[[nodiscard]] TaskJudgement judgeReflections(probe::Examinee& examinee, std::uint64_t seed);
+
+}  // namespace ticker::tasks
+
+#endif

@@ -1,0 +1,133 @@
+#include <grader/tasks/maintick/Hits.h>
+#include <grader/tasks/maintick/JudgeMainTick.h>
+#include <grader/tasks/maintick/MainTickFindings.h>
+#include <grader/tasks/support/Draw.h>
+
+#include <fmt/core.h>
+
+#include <array>
+
+namespace ticker::tasks {
+namespace {
+
+using maintick::AskedHit;
+using maintick::HitSlip;
+using maintick::Place;
+using raytracer::Ray;
+using raytracer::SceneDescription;
+using Distance = std::optional<double>;
+
+/// s = height / slope.
+struct Fraction {
+    double height = 0.0;    ///< (Q - O).N
+    double slope = 0.0;     ///< D.N
+    double ofPoint = 0.0;   ///< Q.N
+    double ofOrigin = 0.0;  ///< O.N
+};
+
+template <auto Solve>
+Distance solved(const SceneDescription& scene, int object, const Ray& ray) {
+    const auto& plane = scene.planes[static_cast<std::size_t>(object)];
+    const Vector3 normal = plane.normal.normalised();
+    return Solve(Fraction{(plane.point - ray.origin).dot(normal), ray.direction.dot(normal),
+                          plane.point.dot(normal), ray.origin.dot(normal)});
+}
+
+Distance inFront(double distance) {
+    return distance > 0.0 ? Distance{distance} : Distance{};
+}
+
+const std::array kPlaneSlips{
+    HitSlip{&kPlaneDistance,
+            "The sign is wrong: s = (Q - O).N / D.N, from the origin of the ray to the plane.",
+            solved<[](const Fraction& f) { return inFront(-f.height / f.slope); }>},
+    HitSlip{&kPlaneDistance, "The origin of the ray is left out: s = (Q - O).N / D.N.",
+            solved<[](const Fraction& f) { return inFront(f.ofPoint / f.slope); }>},
+    HitSlip{&kPlaneDistance, "O is added instead of subtracted: s = (Q - O).N / D.N.",
+            solved<[](const Fraction& f) { return inFront((f.ofPoint + f.ofOrigin) / f.slope); }>},
+    HitSlip{&kPlaneDistance, "The point of the plane is left out: s = (Q - O).N / D.N.",
+            solved<[](const Fraction& f) { return inFront(-f.ofOrigin / f.slope); }>},
+    HitSlip{&kPlaneDistance, "The division by D.N is missing: s = (Q - O).N / D.N.",
+            solved<[](const Fraction& f) { return inFront(f.height); }>},
+    HitSlip{&kPlaneDistance, "The fraction is upside down: s = (Q - O).N / D.N.",
+            solved<[](const Fraction& f) { return inFront(f.slope / f.height); }>},
+    HitSlip{&kPlaneDistance, "It is multiplied where it should be divided: s = (Q - O).N / D.N.",
+            solved<[](const Fraction& f) { return inFront(f.slope * f.height); }>},
+    HitSlip{&kPlaneBehind, "",
+            solved<[](const Fraction& f) { return Distance{f.height / f.slope}; }>},
+    HitSlip{
+        &kPlaneBehind,
+        "The absolute value brings what lies behind the ray before it: leave it out, and return "
+        "std::nullopt where s is negative.",
+        solved<[](const Fraction& f) { return Distance{std::abs(f.height / f.slope)}; }>},
+    HitSlip{&kPlaneBehind, "The test is the wrong way round: a positive s is a hit.",
+            solved<[](const Fraction& f) {
+                return f.height / f.slope < 0.0 ? Distance{f.height / f.slope} : Distance{};
+            }>},
+    HitSlip{&kPlaneOneSided, "", solved<[](const Fraction& f) {
+                return f.slope < 0.0 ? inFront(f.height / f.slope) : Distance{};
+            }>},
+    HitSlip{&kPlaneOneSided, "", solved<[](const Fraction& f) {
+                return 0.0 < f.slope ? inFront(f.height / f.slope) : Distance{};
+            }>},
+    HitSlip{&kPlaneOneSided, "", solved<[](const Fraction& f) {
+                return f.slope < 0.0 ? Distance{f.height / f.slope} : Distance{};
+            }>},
+    HitSlip{&kPlaneOneSided,
+            "The absolute value of D.N loses the side that the ray comes from: leave it out.",
+            solved<[](const Fraction& f) { return inFront(f.height / std::abs(f.slope)); }>},
+};
+
+constexpr maintick::HitTexts kPlaneTexts{&kPlaneMissed,
+                                         &kPlaneDistance,
+                                         &kPlaneBehind,
+                                         &kPlaneOneSided,
+                                         &kPlaneDistance,
+                                         &kPlaneLocation,
+                                         &kPlaneNormal,
+                                         &kPlaneObject,
+                                         &kPlaneTurned,
+                                         &kPlaneLength,
+                                         "A plane has the same normal everywhere: normal().",
+                                         kPlaneFindings};
+
+AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, Place place, double side) {
+    const auto& plane = scene.planes[static_cast<std::size_t>(object)];
+    const Vector3 normal = plane.normal.normalised();
+    // D.N is at least 0.4, so that the distance is as exact as its parts.
+    const Vector3 direction = draw.directionAround(normal * -side, 1.1);
+    const Vector3 foot = plane.point + perpendicularsOf(normal).first * draw.between(-2.0, 2.0);
+    const double distance = draw.between(1.0, 5.0);
+    AskedHit asked;
+    asked.place = place;
+    asked.ray.object = object;
+    asked.ray.origin = foot - direction * (place == Place::behind ? -distance : distance);
+    asked.ray.direction = direction * (place == Place::longDirection ? 2.5 : 1.0);
+    asked.object = fmt::format("a plane through {} with normal {}", maintick::words(plane.point),
+                               maintick::words(normal));
+    asked.expected = maintick::meet(plane, asked.line());
+    return asked;
+}
+
+}  // namespace
+
+TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
+    Draw draw{seed, 102};
+    SceneDescription scene;
+    std::vector<AskedHit> asked;
+    for (int i = 0; i < 5; ++i) {
+        const Vector3 point{draw.between(-3.0, 3.0), draw.between(-3.0, 3.0),
+                            draw.between(2.0, 6.0)};
+        scene.planes.push_back({point, draw.direction() * draw.between(0.5, 3.0), {}});
+    }
+    for (const Place place : {Place::outside, Place::inside, Place::behind, Place::longDirection})
+        for (int object = 0; object < 5; ++object) {
+            const bool isFromBack = place == Place::inside || object % 2 == 1;
+            const double side = place == Place::outside || !isFromBack ? 1.0 : -1.0;
+            asked.push_back(drawHit(draw, scene, object, place, side));
+        }
+    return maintick::judgeHits(examinee, scene, asked, kPlaneSlips, kPlaneTexts,
+                               "Plane::intersectionWith");
+}
+
+}  // namespace ticker::tasks

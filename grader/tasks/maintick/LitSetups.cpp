@@ -1,0 +1,111 @@
+#include <grader/tasks/maintick/LitSetups.h>
+
+#include <numbers>
+
+namespace ticker::tasks::maintick {
+namespace {
+
+using raytracer::Material;
+
+Vector3 towardsLightOf(const LitSetup& setup, std::size_t light) {
+    return (setup.scene.pointLights[light].position() - setup.P).normalised();
+}
+
+/// Moves O so that R.V has this value for the first light.
+void viewAt(Draw& draw, LitSetup& setup, double cosine) {
+    const Vector3 mirrored = towardsLightOf(setup, 0).reflectIn(setup.N);
+    const Perpendiculars sides = perpendicularsOf(mirrored);
+    const double around = draw.between(0.0, 2.0 * std::numbers::pi);
+    const Vector3 side = sides.first * std::cos(around) + sides.second * std::sin(around);
+    const Vector3 V = mirrored * cosine + side * std::sqrt(1.0 - cosine * cosine);
+    setup.O = setup.P + V * draw.between(1.7, 4.0);
+}
+
+void addLightAt(Draw& draw, LitSetup& setup, double facing, double distance, double intensity) {
+    const Perpendiculars sides = perpendicularsOf(setup.N);
+    const double around = draw.between(0.0, 2.0 * std::numbers::pi);
+    const Vector3 side = sides.first * std::cos(around) + sides.second * std::sin(around);
+    const Vector3 L = setup.N * facing + side * std::sqrt(1.0 - facing * facing);
+    setup.scene.pointLights.emplace_back(setup.P + L * distance, draw.colour(0.3, 0.9), intensity);
+}
+
+Material& materialOf(LitSetup& setup) {
+    return setup.scene.spheres[0].material;
+}
+
+LitQuestion lit(Draw& draw, LitKind kind, double distance) {
+    LitQuestion question{kind, drawPoint(draw)};
+    addLight(draw, question.setup, distance, 60.0 * distance);
+    if (kind == LitKind::diffuse || kind == LitKind::specular)
+        question.setup.scene.ambientLighting = ColourRGB{0.0};
+    if (kind == LitKind::diffuse) materialOf(question.setup).phongKS = 0.0;
+    if (kind == LitKind::specular) materialOf(question.setup).phongKD = 0.0;
+    return question;
+}
+
+/// R.V is negative and the power even; with `isBelow` N.L is, too.
+LitQuestion behind(Draw& draw, bool isBelow) {
+    LitQuestion question{LitKind::behind, drawPoint(draw)};
+    materialOf(question.setup).phongAlpha = 2.0 * draw.whole(1, 3);
+    const double facing = draw.between(0.3, 0.8) * (isBelow ? -1.0 : 1.0);
+    addLightAt(draw, question.setup, facing, draw.between(1.5, 3.0), 200.0);
+    viewAt(draw, question.setup, draw.between(-0.9, -0.6));
+    return question;
+}
+
+LitQuestion several(Draw& draw, int lights) {
+    LitQuestion question{LitKind::several, drawPoint(draw)};
+    addLight(draw, question.setup, draw.between(1.5, 3.0), 90.0);
+    for (int i = 1; i < lights; ++i)
+        addLightAt(draw, question.setup, draw.between(0.35, 0.9), draw.between(1.5, 3.0), 110.0);
+    return question;
+}
+
+}  // namespace
+
+LitSetup drawPoint(Draw& draw) {
+    LitSetup setup;
+    setup.P = {draw.between(-2.0, 2.0), draw.between(-2.0, 2.0), draw.between(3.0, 6.0)};
+    setup.N = draw.direction();
+    setup.O = setup.P + setup.N * 2.5;
+    setup.scene.ambientLighting = draw.colour(0.05, 0.3);
+    Material material;
+    material.colour = draw.colour(0.15, 0.9);
+    material.phongKD = draw.between(0.4, 0.7);
+    material.phongKS = draw.between(0.9, 1.4);
+    material.phongAlpha = draw.whole(5, 12);
+    setup.scene.spheres.push_back({setup.P - setup.N * 3.0, 0.02, material, nullptr});
+    return setup;
+}
+
+void addLight(Draw& draw, LitSetup& setup, double distance, double intensity) {
+    addLightAt(draw, setup, draw.between(0.3, 0.8), distance, intensity);
+    viewAt(draw, setup, draw.between(0.75, 0.93));
+}
+
+std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
+    Draw draw{seed, 103};
+    std::vector<LitQuestion> asked;
+    for (int i = 0; i < 3; ++i) {
+        asked.push_back({LitKind::ambient, drawPoint(draw)});
+        asked.push_back(lit(draw, LitKind::diffuse, draw.between(1.5, 3.5)));
+        asked.push_back(lit(draw, LitKind::specular, draw.between(1.5, 3.5)));
+        asked.push_back(behind(draw, i == 1));
+        asked.push_back(several(draw, 2 + i % 2));
+        asked.push_back(lit(draw, LitKind::all, i == 0 ? 0.5 : draw.between(2.5, 4.0)));
+    }
+    asked.push_back(lit(draw, LitKind::all, 3.0));
+    LitQuestion bright{LitKind::bright, drawPoint(draw)};
+    addLight(draw, bright.setup, 1.2, 400.0);
+    asked.push_back(bright);
+    return asked;
+}
+
+probe::IlluminateQuestion questionOf(const LitSetup& setup) {
+    probe::IlluminateQuestion question;
+    question.scene = setup.scene;
+    question.points.push_back({0, setup.P, setup.N, setup.O});
+    return question;
+}
+
+}  // namespace ticker::tasks::maintick

@@ -1,0 +1,38 @@
+#ifndef TICKER_TASKS_MAINTICK_LITSETUPS_H
+#define TICKER_TASKS_MAINTICK_LITSETUPS_H
+
+#include <grader/probe/Question.h>
+#include <grader/tasks/maintick/PhongModel.h>
+#include <grader/tasks/support/Draw.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace ticker::tasks::maintick {
+
+/// What a question is about.
+enum class LitKind : std::uint8_t { ambient, diffuse, specular, behind, several, bright, all };
+
+struct LitQuestion {
+    LitKind kind = LitKind::all;
+    LitSetup setup;
+};
+
+/// A point, its normal and a viewer, without lights. The object is a small sphere well below the
+/// point, whose normal there is the right one: nothing casts a shadow, and a normal that code works
+/// out itself is the same.
+[[nodiscard]] LitSetup drawPoint(Draw& draw);
+
+/// A light whose cosines are off their edges: N.L from 0.3 to 0.8, R.V from 0.75 to 0.93 as seen
+/// from the setup's O, which is moved. Coloured.
+/// @param distance  From the point.
+void addLight(Draw& draw, LitSetup& setup, double distance, double intensity);
+
+/// The questions of M2.
+[[nodiscard]] std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed);
+
+[[nodiscard]] probe::IlluminateQuestion questionOf(const LitSetup& setup);
+
+}  // namespace ticker::tasks::maintick
+
+#endif

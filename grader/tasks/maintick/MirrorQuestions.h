@@ -1,0 +1,33 @@
+#ifndef TICKER_TASKS_MAINTICK_MIRRORQUESTIONS_H
+#define TICKER_TASKS_MAINTICK_MIRRORQUESTIONS_H
+
+#include <grader/probe/Question.h>
+#include <grader/tasks/maintick/TraceModel.h>
+
+#include <cstdint>
+
+namespace ticker::tasks::maintick {
+
+/// Rays to trace, and the points at which the same code says what light there is.
+struct MirrorQuestion {
+    probe::IlluminateQuestion direct;
+    probe::TraceQuestion question;
+};
+
+/// Ambient light alone: each object has one colour. All chains of mirrors end. No object of a chain
+/// changes where a reflected ray starts up to 0.001 above the surface, or the first one turns by
+/// 0.01.
+/// `direct` asks each object once.
+[[nodiscard]] MirrorQuestion drawOpenScene(std::uint64_t seed);
+
+/// Two planes that show each other in the light, one ray with 0, 1 and 2 bounces. `direct` asks the
+/// points of its chain in order.
+[[nodiscard]] MirrorQuestion drawFacingMirrors(std::uint64_t seed);
+
+/// The colour of a ray with `bounces` left along the chain of its first points.
+[[nodiscard]] ColourRGB alongChain(const MirrorQuestion& asked,
+                                   const std::vector<ColourRGB>& direct, int bounces);
+
+}  // namespace ticker::tasks::maintick
+
+#endif

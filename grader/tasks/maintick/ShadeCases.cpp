@@ -1,0 +1,138 @@
+#include <grader/tasks/maintick/ShadeCases.h>
+
+#include <utility>
+
+namespace ticker::tasks::maintick {
+namespace {
+
+Vector3 towards(const LitSetup& setup, std::size_t light = 0) {
+    return (setup.scene.pointLights[light].position() - setup.P).normalised();
+}
+
+void hide(ShadeCase& made, std::size_t light) {
+    auto& lights = made.without.scene.pointLights;
+    lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(light));
+    raytracer::PointLight& lamp = made.putOut.scene.pointLights[light];
+    lamp = {lamp.position(), lamp.colour(), 0.0};
+}
+
+ShadeCase begun(Draw& draw, Occluder place, double distance) {
+    ShadeCase made;
+    made.place = place;
+    made.free = drawPoint(draw);
+    addLight(draw, made.free, distance, 60.0 * distance);
+    made.asked = made.without = made.putOut = made.free;
+    hide(made, 0);
+    return made;
+}
+
+void addBall(LitSetup& setup, double along, double radius, std::size_t light = 0) {
+    setup.scene.spheres.push_back({setup.P + towards(setup, light) * along, radius, {}, nullptr});
+}
+
+ShadeCase withBall(Draw& draw, Occluder place, double distance, double along, double radius) {
+    ShadeCase made = begun(draw, place, distance);
+    addBall(made.asked, along, radius);
+    return made;
+}
+
+ShadeCase behindWall(Draw& draw) {
+    ShadeCase made = begun(draw, Occluder::before, 3.0);
+    const Vector3 L = towards(made.asked);
+    made.asked.scene.planes.push_back(
+        {made.asked.P + L * 1.5, draw.directionAround(L * -1.0, 0.4), {}});
+    return made;
+}
+
+/// Two lights at right angles around the normal, one of them hidden.
+ShadeCase ofTwo(Draw& draw, bool firstIsHidden) {
+    ShadeCase made = begun(draw, firstIsHidden ? Occluder::ofFirstLight : Occluder::ofSecondLight,
+                           draw.between(2.5, 3.5));
+    const Vector3 L = towards(made.free);
+    const Vector3 across = made.free.N.cross(L).normalised();
+    const Vector3 second = (made.free.N + across).normalised();
+    made.free.scene.pointLights.emplace_back(made.free.P + second * draw.between(2.5, 3.5),
+                                             draw.colour(0.3, 0.9), 150.0);
+    made.asked = made.without = made.putOut = made.free;
+    hide(made, firstIsHidden ? 0 : 1);
+    addBall(made.asked, 1.2, 0.2, firstIsHidden ? 0 : 1);
+    return made;
+}
+
+ShadeCase ofItself(Draw& draw, bool isPlane) {
+    ShadeCase made = begun(draw, Occluder::itself, draw.between(2.0, 4.0));
+    raytracer::SceneDescription& scene = made.asked.scene;
+    if (isPlane) {
+        scene.planes.push_back(
+            {made.asked.P + perpendicularsOf(made.asked.N).first * draw.between(-3.0, 3.0),
+             made.asked.N, scene.spheres[0].material});
+        made.object = 1;
+    } else {
+        scene.spheres[0].radius = draw.between(0.4, 2.0);
+        scene.spheres[0].centre = made.asked.P - made.asked.N * scene.spheres[0].radius;
+    }
+    return made;
+}
+
+}  // namespace
+
+bool ShadeCase::isShaded() const {
+    switch (place) {
+        case Occluder::beyond:
+        case Occluder::farBeyond:
+        case Occluder::backwards:
+        case Occluder::itself:
+            return false;
+        default:
+            return true;
+    }
+}
+
+std::string_view wordsOf(Occluder place) {
+    switch (place) {
+        case Occluder::before:
+            return "something stands half-way to the light";
+        case Occluder::near:
+            return "something stands between, 0.03 from the point";
+        case Occluder::beyond:
+            return "something stands behind the light";
+        case Occluder::farBeyond:
+            return "the light is 3 away, and something stands behind it, 5 away";
+        case Occluder::close:
+            return "the light is 0.5 away, and something stands before it, 0.4 away";
+        case Occluder::between:
+            return "the light is 3 away, and something stands before it, 2 away";
+        case Occluder::backwards:
+            return "something stands on the side that looks away from the light";
+        case Occluder::ofFirstLight:
+            return "of two lights the first is hidden";
+        case Occluder::ofSecondLight:
+            return "of two lights the second is hidden";
+        case Occluder::itself:
+            return "there is nothing but the surface that the point lies on";
+    }
+    return {};
+}
+
+std::vector<ShadeCase> drawShadeCases(std::uint64_t seed) {
+    Draw draw{seed, 104};
+    std::vector<ShadeCase> cases;
+    for (int i = 0; i < 2; ++i) {
+        const double distance = draw.between(3.0, 4.0);
+        cases.push_back(withBall(draw, Occluder::before, distance, distance / 2.0, 0.3));
+        cases.push_back(withBall(draw, Occluder::beyond, distance, distance + 1.0, 0.4));
+        cases.push_back(withBall(draw, Occluder::farBeyond, 3.0, 5.5, 0.5));
+        cases.push_back(withBall(draw, Occluder::close, 0.5, 0.43, 0.03));
+        cases.push_back(withBall(draw, Occluder::between, 3.0, 2.4, 0.4));
+        cases.push_back(withBall(draw, Occluder::backwards, distance, -1.5, 0.4));
+        cases.push_back(withBall(draw, Occluder::near, distance, 0.06, 0.03));
+        cases.push_back(behindWall(draw));
+        cases.push_back(ofTwo(draw, i == 0));
+    }
+    constexpr int kOwnSurfaces = 24;
+    for (int i = 0; i < kOwnSurfaces; ++i)
+        cases.push_back(ofItself(draw, i % 2 == 0));
+    return cases;
+}
+
+}  // namespace ticker::tasks::maintick

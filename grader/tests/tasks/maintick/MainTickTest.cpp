@@ -1,0 +1,105 @@
+#include <grader/build/Build.h>
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/tasks/Tasks.h>
+#include <grader/tasks/maintick/LitSetups.h>
+#include <grader/tasks/maintick/MirrorQuestions.h>
+#include <grader/tasks/support/Surfaces.h>
+#include <grader/tests/support/Files.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace ticker::tasks {
+namespace {
+
+using namespace maintick;
+
+constexpr double kFarApart = 1e-2;
+
+TEST(MainTickAnswer, MeetsASphereAheadFromOutsideAndFromInside) {
+    const raytracer::SphereDescription sphere{{1.0, 0.0, 5.0}, 2.0, {}, nullptr};
+    const auto outside = meet(sphere, {{1.0, 1.2, 0.0}, {0.0, 0.0, 1.0}});
+    ASSERT_TRUE(outside);
+    EXPECT_NEAR(outside->distance, 3.4, 1e-12);
+    EXPECT_NEAR(outside->normal.y, 0.6, 1e-12);
+    EXPECT_NEAR(meet(sphere, {{1.0, 0.0, 4.0}, {0.0, 0.0, 1.0}})->distance, 3.0, 1e-12);
+    EXPECT_FALSE(meet(sphere, {{1.0, 0.0, 8.0}, {0.0, 0.0, 1.0}}));
+    EXPECT_FALSE(meet(sphere, {{1.0, 2.5, 0.0}, {0.0, 0.0, 1.0}}));
+}
+
+TEST(MainTickAnswer, TracesTheChainOfTheHandout) {
+    raytracer::SceneDescription scene;
+    scene.spheres.push_back({{0.0, 0.0, 5.0}, 1.0, {{0.2, 0.0, 0.0}}, nullptr});
+    scene.spheres[0].material.reflectivity = 0.3;
+    scene.planes.push_back({{0.0, 0.0, -3.0}, {0.0, 0.0, 1.0}, {{0.0, 1.0, 0.0}}});
+    scene.planes[0].material.reflectivity = 0.1;
+    const std::vector<ColourRGB> direct{{0.2, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+    const TraceModel trace{scene, direct};
+    const Ray ray{{}, {0.0, 0.0, 1.0}};
+    EXPECT_TRUE(isNear(trace.along(ray, 1), ColourRGB{0.14, 0.3, 0.0}));
+    EXPECT_TRUE(isNear(trace.along(ray, 2), ColourRGB{0.146, 0.27, 0.0}));
+    EXPECT_TRUE(isNear(trace.along(ray, 3), ColourRGB{0.1442, 0.279, 0.0}));
+}
+
+TEST(MainTickQuestions, SetEveryKnownMistakeOfPhongFarApart) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const auto asked = drawLitQuestions(seed);
+        for (int i = 1; i < static_cast<int>(PhongSlip::kCount); ++i) {
+            bool shows = false;
+            for (const LitQuestion& one : asked)
+                shows = shows || !isNear(phongWith(static_cast<PhongSlip>(i), one.setup),
+                                         phongWith(PhongSlip::none, one.setup), kFarApart);
+            EXPECT_TRUE(shows) << "slip " << i << ", seed " << seed;
+        }
+    }
+}
+
+TEST(MainTickQuestions, SetEveryKnownMistakeOfMirrorsFarApart) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        const MirrorQuestion asked = drawOpenScene(seed);
+        std::vector<ColourRGB> direct;
+        for (const probe::LitPoint& point : asked.direct.points)
+            direct.push_back(asked.question.scene.ambientLighting *
+                             materialOf(asked.question.scene, point.object).colour);
+        EXPECT_GE(asked.question.rays.size(), 40U) << seed;
+        for (int i = 1; i < static_cast<int>(TraceSlip::kCount); ++i) {
+            const TraceModel right{asked.question.scene, direct};
+            const TraceModel wrong{asked.question.scene, direct, static_cast<TraceSlip>(i)};
+            bool shows = false;
+            for (const probe::CastRay& ray : asked.question.rays)
+                shows = shows ||
+                        !isNear(wrong.along({ray.origin, ray.direction}, ray.bounces),
+                                right.along({ray.origin, ray.direction}, ray.bounces), kFarApart);
+            EXPECT_TRUE(shows) << "slip " << i << ", seed " << seed;
+        }
+    }
+}
+
+// No question is random for right code: a failure under one seed is a question too near its edge.
+TEST(MainTickQuestions, NeverFailTheReference) {
+    const Exercise& exercise = exerciseNamed("tick1");
+    const build::Kit kit = build::Kit::besideProgram(exercise);
+    const sandbox::Sandbox sandbox = sandbox::Sandbox::best();
+    const sandbox::Limits limits;
+    for (const std::string& file : exercise.files()) {
+        const build::BuildResult built = build::buildProgram(
+            kit, sandbox, limits, file, tests::readFile(exercise.reference + "/" + file));
+        ASSERT_TRUE(built.program) << built.diagnostics;
+        build::SandboxedExaminee examinee{*built.program, sandbox, limits};
+        for (const Task& task : tasksOf(exercise.name)) {
+            if (exercise.fileOf(task.id) != file) continue;
+            for (std::uint64_t seed = 0; seed < 40; ++seed) {
+                const TaskJudgement judgement = task.judge(examinee, seed);
+                EXPECT_EQ(judgement.state, TaskState::passed)
+                    << task.id << ", seed " << seed << ": "
+                    << (judgement.findings.empty() ? judgement.reason
+                                                   : judgement.findings.front().message);
+                EXPECT_TRUE(judgement.findings.empty()) << task.id << ", seed " << seed;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ticker::tasks
