@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace ticker::session {
 
@@ -19,13 +18,6 @@ struct Access {
 
 /// @throws raytracer::InputError if it cannot be written.
 void writeAccess(const Access& access, const std::filesystem::path& out);
-
-/// True if the header Host, or Origin without its "http://", names this machine and port. Requests
-/// of other sites' pages, and host names that point to this machine, do not.
-[[nodiscard]] bool namesThisServer(std::string_view host, int port);
-
-/// True for equal texts; the time taken does not depend on where they differ.
-[[nodiscard]] bool isSameSecret(std::string_view one, std::string_view other);
 
 }  // namespace ticker::session
 

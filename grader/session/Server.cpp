@@ -3,6 +3,7 @@
 #include <grader/session/Server.h>
 
 #include <raytracer/base/Error.h>
+#include <raytracer/serve/Door.h>
 
 #include <fmt/core.h>
 #include <httplib.h>
@@ -20,12 +21,6 @@ constexpr const char* kHost = "127.0.0.1";
 constexpr std::size_t kThreads = 32 + kMostNewcomers;
 constexpr std::size_t kLargestBody = 256U << 10U;
 constexpr std::size_t kLargestRequest = kLargestBody + (64U << 10U);
-
-// The page's own script and style, its own pictures and requests; nothing else, and no frames.
-constexpr const char* kPagePolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' "
-    "data:; "
-    "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 // A report is a page by itself: its script runs, but may ask this server for nothing.
 constexpr const char* kReportPolicy =
@@ -112,20 +107,10 @@ private:
     }
 
     [[nodiscard]] bool mayEnter(const httplib::Request& request) const {
-        if (!namesThisServer(request.get_header_value("Host"), access_.port)) return false;
-        const std::string_view path{request.path};
-        const std::string_view token =
-            path.substr(0, path.find('/', 1)).substr(path.empty() ? 0 : 1);
-        if (!isSameSecret(token, access_.token)) return false;
-        if (request.method == "GET" || request.method == "HEAD") return true;
-        return request.method == "POST" && request.get_header_value("X-Ticker") == access_.token &&
-               isOwnOrigin(request.get_header_value("Origin"));
-    }
-
-    [[nodiscard]] bool isOwnOrigin(std::string_view origin) const {
-        constexpr std::string_view kScheme = "http://";
-        return origin.starts_with(kScheme) &&
-               namesThisServer(origin.substr(kScheme.size()), access_.port);
+        return raytracer::mayEnter(
+            {request.method, request.path, request.get_header_value("Host"),
+             request.get_header_value("Origin"), request.get_header_value("X-Ticker")},
+            access_.token, access_.port);
     }
 
     [[nodiscard]] std::string at(std::string_view rest) const {
@@ -137,12 +122,9 @@ private:
     }
 
     void addPage() {
-        http_.set_default_headers({{"Cache-Control", "no-store"},
-                                   {"Referrer-Policy", "no-referrer"},
-                                   {"X-Content-Type-Options", "nosniff"},
-                                   {"Cross-Origin-Resource-Policy", "same-origin"}});
+        http_.set_default_headers({raytracer::kAnswerHeaders.begin(), raytracer::kAnswerHeaders.end()});
         get("", [](const httplib::Request& /*request*/, httplib::Response& response) {
-            response.set_header("Content-Security-Policy", kPagePolicy);
+            response.set_header("Content-Security-Policy", raytracer::kPagePolicy);
             answerText(response, pageFiles().at("session.html"), "text/html; charset=utf-8");
         });
         for (const auto& [name, text] : pageFiles())

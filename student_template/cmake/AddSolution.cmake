@@ -18,6 +18,7 @@ function(add_solution name directory)
     add_executable(public_tests-${name})
     target_link_libraries(public_tests-${name} PRIVATE solution_${name} raytracer_public_tests)
   endif()
+  add_view_home(tick1star-${name} "${directory}")
 endfunction()
 
 # File names are UTF-8 inside the program: Windows has to be told.

@@ -117,6 +117,8 @@ constexpr auto kOptions = std::to_array<Option>({
     {"--region", "", "X,Y,W,H", "render only these pixels of the full frame", setRegion},
     {"--preview", "-p", "", "draw the picture in the terminal while it comes",
      [](Options& o, const Value&) { o.preview = true; }},
+    {"--view", "", "", "show the picture in the browser, with its rays; see README.md",
+     [](Options& o, const Value&) { o.view = true; }},
     {"--trace", "", "X,Y", "render no picture, but tell what happens at this pixel", setTrace},
     {"--normals", "", "", "show normals as colours: red right, green up, blue towards the eye",
      [](Options& o, const Value&) { o.normals = true; }},
@@ -178,8 +180,9 @@ bool endsInPng(const std::filesystem::path& file) {
 
 void checkTogether(const Options& options) {
     if (options.showHelp || options.showVersion) return;
-    if (options.scene.empty()) fail("no scene given; add -i SCENE");
-    if (options.image.empty() && !options.trace) fail("no picture to write given; add -o IMAGE");
+    if (options.scene.empty() && !options.view) fail("no scene given; add -i SCENE");
+    if (options.image.empty() && !options.trace && !options.view)
+        fail("no picture to write given; add -o IMAGE");
     if (!options.image.empty() && !endsInPng(options.image))
         fail("-o " + inQuotes(options.image.string()) + ": expected a name that ends in .png");
     const RenderSettings& settings = options.settings;
@@ -201,6 +204,10 @@ Options parseOptions(std::span<const std::string> arguments) {
     Options options;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string_view argument = arguments[i];
+        if (options.view && options.scene.empty() && !argument.starts_with('-')) {
+            options.scene = argument;  // --view SCENE
+            continue;
+        }
         const std::size_t equals =
             argument.starts_with("--") ? argument.find('=') : std::string_view::npos;
         const Option& option = optionCalled(argument.substr(0, equals));

@@ -30,6 +30,7 @@ struct Options {
     std::filesystem::path compare;  ///< --compare; empty: no comparison
     bool normals = false;           ///< --normals: show normals as colours
     bool preview = false;           ///< --preview
+    bool view = false;              ///< --view
     bool quiet = false;
     bool verbose = false;
     bool showHelp = false;

@@ -1,5 +1,7 @@
 #include "Jobs.h"
 #include "Options.h"
+#include "view/View.h"
+#include "view/Worker.h"
 
 #include <raytracer/base/Error.h>
 
@@ -13,6 +15,7 @@ namespace raytracer {
 namespace {
 
 ExitCode run(const std::vector<std::string>& arguments) {
+    if (!arguments.empty() && arguments.front() == view::kWorkerArgument) view::runWorker();
     const Options options = parseOptions(arguments);
     if (options.showHelp) {
         std::cout << usage();
@@ -22,6 +25,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
         std::cout << "tick1star " << TICK1STAR_VERSION << '\n';
         return ExitCode::success;
     }
+    if (options.view) return view::run(options);
     return options.trace ? tellOfPixel(options) : renderPicture(options);
 }
 

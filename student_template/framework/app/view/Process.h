@@ -1,0 +1,65 @@
+#ifndef RAYTRACER_APP_VIEW_PROCESS_H
+#define RAYTRACER_APP_VIEW_PROCESS_H
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raytracer::view {
+
+/// A program that this one starts. It ends, with everything that it started itself, when this object
+/// goes, and when this program ends, in whatever way: also when this program is killed.
+class Process {
+public:
+    /// Where what it writes on stderr goes.
+    enum class Errors { toOurs, withItsOutput };
+
+    /// @param command  The program, looked up in PATH, and its arguments.
+    /// @throws Error where the system gives no process or pipe. A program that cannot be started ends
+    ///         at once with the status 127.
+    Process(const std::vector<std::string>& command, Errors errors);
+    ~Process();
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+
+    /// Waits for output. @return How many bytes came; 0 at its end.
+    [[nodiscard]] std::size_t read(char* bytes, std::size_t size);
+    /// False where it reads no more.
+    bool write(std::string_view bytes);
+    /// Ends it and everything that it started; `read` then comes to the end. Another thread may call
+    /// this.
+    void kill();
+    /// Waits for its end. @return Its exit status; above 128 where a signal or `kill` ended it.
+    [[nodiscard]] int wait();
+
+private:
+    struct Handles;
+    std::unique_ptr<Handles> handles_;
+};
+
+/// Both ends of what a `Process` was started with, in that process.
+class Parent {
+public:
+    /// Takes stdout away from the rest of the program, which writes to stderr from here on.
+    Parent();
+
+    [[nodiscard]] std::size_t read(char* bytes, std::size_t size);
+    bool write(std::string_view bytes);
+
+private:
+    int in_;
+    int out_;
+};
+
+/// Makes room for a linker where the system lets no running program be replaced.
+void moveAside(const std::filesystem::path& program);
+
+/// Opens an address in the browser where this is a desktop. @return False where it is not.
+bool openInBrowser(const std::string& address);
+
+}  // namespace raytracer::view
+
+#endif

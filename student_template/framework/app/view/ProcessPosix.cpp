@@ -1,0 +1,242 @@
+#ifndef _WIN32
+#include "Process.h"
+
+#include <raytracer/base/Error.h>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#endif
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <mutex>
+#include <system_error>
+
+namespace raytracer::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLifeline = 3;  // of a guard
+constexpr int kNotFound = 127;
+constexpr int kKilled = 128 + SIGKILL;
+
+struct Pipe {
+    int read = -1;
+    int write = -1;
+};
+
+// Two forks at a time would hand each other's pipes on, which then never end.
+std::mutex& forking() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+Pipe makePipe() {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) throw Error("the system gives no pipe");
+    for (const int end : ends)
+        fcntl(end, F_SETFD, FD_CLOEXEC);
+    return {ends[0], ends[1]};
+}
+
+void closeEnd(int& end) {
+    if (end >= 0) close(end);
+    end = -1;
+}
+
+// Between fork and exec nothing may be called that takes a lock.
+
+void closeFrom(int first) {
+#ifdef SYS_close_range
+    if (syscall(SYS_close_range, static_cast<unsigned>(first), ~0U, 0U) == 0) return;
+#endif
+    constexpr int kMost = 4096;
+    for (int file = first; file < kMost; ++file)
+        close(file);
+}
+
+[[noreturn]] void becomeProgram(char* const* command) {
+    setpgid(0, 0);
+    close(kLifeline);
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP})
+        std::signal(signal, SIG_DFL);
+    execvp(command[0], command);
+    _exit(kNotFound);
+}
+
+int statusOf(int status) {
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// Waits for the program's end, or for that of the lifeline, which only the program that asked for
+/// all this holds; then leaves none of the program's group behind.
+[[noreturn]] void guard(pid_t program) {
+    constexpr int kLookEveryMs = 15;
+    for (const int file : {0, 1, 2})
+        close(file);
+    pollfd lifeline{kLifeline, POLLIN, 0};
+    int status = 0;
+    for (;;) {
+        if (waitpid(program, &status, WNOHANG) == program) {
+            ::kill(-program, SIGKILL);
+            _exit(statusOf(status));
+        }
+        if (poll(&lifeline, 1, kLookEveryMs) <= 0) continue;
+        ::kill(-program, SIGKILL);
+        ::kill(program, SIGKILL);  // where it has no group yet
+        waitpid(program, &status, 0);
+        _exit(kKilled);
+    }
+}
+
+/// In the new process: puts the pipes at their places and starts the program under a guard.
+[[noreturn]] void becomeGuard(char* const* command, const std::array<int, 4>& ends) {
+    setpgid(0, 0);  // Ctrl-C is for the program that asked
+    std::array<int, 4> copies{};
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        copies[i] = fcntl(ends[i], F_DUPFD, 10);
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        dup2(copies[i], static_cast<int>(i));
+    closeFrom(kLifeline + 1);
+    const pid_t program = fork();
+    if (program == 0) becomeProgram(command);
+    if (program < 0) _exit(kNotFound);
+    setpgid(program, program);
+    guard(program);
+}
+
+std::size_t readAll(int file, char* bytes, std::size_t size) {
+    for (;;) {
+        const ssize_t got = ::read(file, bytes, size);
+        if (got >= 0) return static_cast<std::size_t>(got);
+        if (errno != EINTR) return 0;
+    }
+}
+
+bool writeAll(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+}  // namespace
+
+struct Process::Handles {
+    pid_t guard = -1;
+    int in = -1;   // what it reads
+    int out = -1;  // what it writes
+    int lifeline = -1;
+    int status = kKilled;
+    std::mutex mutex{};
+};
+
+Process::Process(const std::vector<std::string>& command, Errors errors)
+    : handles_(std::make_unique<Handles>()) {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::vector<char*> words;
+    for (const std::string& word : command)
+        words.push_back(const_cast<char*>(word.c_str()));  // exec's old-fashioned type
+    words.push_back(nullptr);
+
+    const std::lock_guard lock{forking()};
+    Pipe in = makePipe();
+    Pipe out = makePipe();
+    Pipe life = makePipe();
+    const int err = errors == Errors::withItsOutput ? out.write : STDERR_FILENO;
+    handles_->guard = fork();
+    if (handles_->guard == 0) becomeGuard(words.data(), {in.read, out.write, err, life.read});
+    for (int* end : {&in.read, &out.write, &life.read})
+        closeEnd(*end);
+    handles_->in = in.write;
+    handles_->out = out.read;
+    handles_->lifeline = life.write;
+    if (handles_->guard < 0) throw Error("the system gives no process");
+}
+
+Process::~Process() {
+    kill();
+    static_cast<void>(wait());
+    closeEnd(handles_->in);
+    closeEnd(handles_->out);
+}
+
+std::size_t Process::read(char* bytes, std::size_t size) {
+    return readAll(handles_->out, bytes, size);
+}
+
+bool Process::write(std::string_view bytes) {
+    return writeAll(handles_->in, bytes);
+}
+
+void Process::kill() {
+    const std::lock_guard lock{handles_->mutex};
+    closeEnd(handles_->lifeline);
+}
+
+int Process::wait() {
+    if (handles_->guard > 0) {
+        int status = 0;
+        while (waitpid(handles_->guard, &status, 0) < 0 && errno == EINTR)
+            ;
+        handles_->status = statusOf(status);
+        handles_->guard = -1;
+    }
+    return handles_->status;
+}
+
+Parent::Parent() : in_(STDIN_FILENO), out_(dup(STDOUT_FILENO)) {
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+std::size_t Parent::read(char* bytes, std::size_t size) {
+    return readAll(in_, bytes, size);
+}
+
+bool Parent::write(std::string_view bytes) {
+    return writeAll(out_, bytes);
+}
+
+void moveAside(const fs::path& /*program*/) {}
+
+bool openInBrowser(const std::string& address) {
+#ifdef __APPLE__
+    const char* opener = "open";
+#else
+    const char* opener = "xdg-open";
+    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
+        return false;
+#endif
+    if (isatty(STDOUT_FILENO) != 1) return false;
+    const std::array<const char*, 3> command{opener, address.c_str(), nullptr};
+    // The browser outlives this program, so nothing guards it.
+    const pid_t child = fork();
+    if (child == 0) {
+        closeFrom(kLifeline);
+        if (fork() != 0) _exit(0);
+        setsid();
+        execvp(opener, const_cast<char* const*>(command.data()));
+        _exit(kNotFound);
+    }
+    int status = 0;
+    return child > 0 && waitpid(child, &status, 0) == child;
+}
+
+}  // namespace raytracer::view
+#endif

@@ -1,0 +1,161 @@
+#include "SolutionRunner.h"
+
+#include "Lines.h"
+#include "Worker.h"
+
+#include <raytracer/base/Text.h>
+
+#include <utility>
+
+namespace raytracer::view {
+namespace {
+
+constexpr std::chrono::seconds kLongestAnswer{10};
+constexpr int kSignalled = 128;
+
+constexpr const char* kNoEnd = "Your code does not come to an end: look for a loop whose condition "
+                               "never becomes false.";
+
+}  // namespace
+
+SolutionRunner::SolutionRunner(std::filesystem::path program, Listener listener)
+    : program_(std::move(program)), listener_(std::move(listener)) {}
+
+SolutionRunner::~SolutionRunner() {
+    stop();
+}
+
+void SolutionRunner::render(int number, const std::vector<std::string>& options) {
+    const std::lock_guard lock{starting_};
+    start();
+    {
+        const std::lock_guard waiting{mutex_};
+        waitingSince_ = Clock::now();
+    }
+    send("picture", number, options);
+}
+
+SolutionRunner::Answer SolutionRunner::ask(const std::string& verb,
+                                           const std::vector<std::string>& arguments) {
+    int number = 0;
+    {
+        const std::lock_guard lock{starting_};
+        start();
+        {
+            const std::lock_guard counting{mutex_};
+            number = ++lastQuestion_;
+            answers_[number] = std::nullopt;
+        }
+        send(verb, number, arguments);
+    }
+    std::unique_lock lock{mutex_};
+    answered_.wait_for(lock, kLongestAnswer,
+                       [&] { return answers_[number].has_value() || !isRunning_; });
+    const std::optional<Answer> answer = answers_[number];
+    answers_.erase(number);
+    const bool isStuck = !answer && isRunning_;
+    const bool wasEnded = isStopping_;
+    lock.unlock();
+    if (isStuck) restart();
+    if (answer) return *answer;
+    if (isStuck) return {false, kNoEnd};
+    return {false, wasEnded ? "Your code was just built again: ask once more."
+                            : "Your code crashed at this question."};
+}
+
+void SolutionRunner::restart() {
+    const std::lock_guard lock{starting_};
+    stop();
+}
+
+void SolutionRunner::look() {
+    {
+        const std::lock_guard lock{mutex_};
+        if (!waitingSince_ || Clock::now() - *waitingSince_ < kLongestAnswer) return;
+        waitingSince_.reset();
+    }
+    restart();
+    listener_.onTrouble(kNoEnd);
+}
+
+void SolutionRunner::start() {
+    {
+        const std::lock_guard lock{mutex_};
+        if (isRunning_) return;
+    }
+    stop();
+    process_ = std::make_unique<Process>(
+        std::vector<std::string>{program_.string(), std::string{kWorkerArgument}},
+        Process::Errors::toOurs);
+    {
+        const std::lock_guard lock{mutex_};
+        isRunning_ = true;
+        isStopping_ = false;
+    }
+    reader_ = std::thread{[this, process = process_.get()] { listen(*process); }};
+}
+
+void SolutionRunner::stop() {
+    {
+        const std::lock_guard lock{mutex_};
+        isStopping_ = true;
+    }
+    if (process_) process_->kill();
+    if (reader_.joinable()) reader_.join();
+    process_.reset();
+}
+
+void SolutionRunner::send(const std::string& verb, int number,
+                          const std::vector<std::string>& arguments) {
+    std::string line = verb + "\t" + std::to_string(number);
+    for (const std::string& argument : arguments)
+        line += "\t" + argument;
+    process_->write(line + "\n");  // where it has ended, the reader says so
+}
+
+void SolutionRunner::listen(Process& process) {
+    LineReader lines{[&](char* bytes, std::size_t size) { return process.read(bytes, size); }};
+    while (const auto head = lines.next()) {
+        const std::vector<std::string> words = splitAt(*head, ' ');
+        if (words.size() != 3) break;
+        const auto payload = lines.block(parseCount(words[2]).value_or(0));
+        if (!payload) break;
+        hear(words[0], static_cast<int>(parseCount(words[1]).value_or(0)), *payload);
+    }
+    process.kill();
+    tellOfEnd(process.wait());
+}
+
+void SolutionRunner::hear(const std::string& kind, int number, const std::string& payload) {
+    {
+        const std::lock_guard lock{mutex_};
+        const auto question = answers_.find(number);
+        if (question != answers_.end()) {
+            question->second = Answer{kind != "failed", payload};
+            answered_.notify_all();
+            return;
+        }
+        waitingSince_.reset();
+    }
+    if (kind == "part") listener_.onPart(number, payload);
+    if (kind == "failed") listener_.onTrouble(payload);
+}
+
+void SolutionRunner::tellOfEnd(int status) {
+    bool isUnexpected = false;
+    {
+        const std::lock_guard lock{mutex_};
+        isRunning_ = false;
+        isUnexpected = !isStopping_;
+        waitingSince_.reset();
+        answered_.notify_all();
+    }
+    if (!isUnexpected) return;
+    listener_.onTrouble(status > kSignalled
+                            ? "Your code crashed (signal " + std::to_string(status - kSignalled) +
+                                  "). The debug build tells the line: see README.md."
+                            : "Your code ended the program with the status " +
+                                  std::to_string(status) + ".");
+}
+
+}  // namespace raytracer::view

@@ -1,0 +1,76 @@
+#ifndef RAYTRACER_APP_VIEW_SOLUTIONRUNNER_H
+#define RAYTRACER_APP_VIEW_SOLUTIONRUNNER_H
+
+#include "Process.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace raytracer::view {
+
+/// The process in which the solution runs (see Worker.h): started where it is needed, ended where it
+/// does not answer.
+class SolutionRunner {
+public:
+    /// Called on a thread of the runner's.
+    struct Listener {
+        std::function<void(int number, const std::string& payload)> onPart;
+        std::function<void(const std::string& words)> onTrouble;
+    };
+
+    /// The answer to a question: JSON or bytes, else words on what went wrong.
+    struct Answer {
+        bool isGood = false;
+        std::string payload;
+    };
+
+    SolutionRunner(std::filesystem::path program, Listener listener);
+    ~SolutionRunner();
+    SolutionRunner(const SolutionRunner&) = delete;
+    SolutionRunner& operator=(const SolutionRunner&) = delete;
+
+    /// Asks for a picture; it comes to the listener.
+    void render(int number, const std::vector<std::string>& options);
+    /// Asks, and waits for the answer.
+    [[nodiscard]] Answer ask(const std::string& verb, const std::vector<std::string>& arguments);
+    /// Ends the process: the program has been built again.
+    void restart();
+    /// To be called now and then: ends a process that gives no first part of a picture.
+    void look();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void start();
+    void stop();
+    void listen(Process& process);
+    void hear(const std::string& kind, int number, const std::string& payload);
+    void send(const std::string& verb, int number, const std::vector<std::string>& arguments);
+    void tellOfEnd(int status);
+
+    std::filesystem::path program_;
+    Listener listener_;
+    std::mutex starting_;  // taken before mutex_
+    std::unique_ptr<Process> process_;
+    std::thread reader_;
+    std::mutex mutex_;
+    std::condition_variable answered_;
+    std::map<int, std::optional<Answer>> answers_;
+    int lastQuestion_ = 1'000'000;  // pictures have smaller numbers
+    bool isRunning_ = false;
+    bool isStopping_ = false;
+    std::optional<Clock::time_point> waitingSince_;
+};
+
+}  // namespace raytracer::view
+
+#endif

@@ -1,0 +1,26 @@
+#ifndef RAYTRACER_APP_VIEW_VIEWHOME_H
+#define RAYTRACER_APP_VIEW_VIEWHOME_H
+
+#include <filesystem>
+#include <string>
+
+namespace raytracer::view {
+
+/// Where the program was built from: what the viewer watches, and how it builds that again. CMake
+/// writes one for each solution.
+struct ViewHome {
+    std::filesystem::path exercise;  ///< the folder that students edit
+    std::filesystem::path scenes;
+    std::filesystem::path build;     ///< cmake --build ...
+    std::string target;              ///< ... --target ...
+    std::filesystem::path program;   ///< ... which makes this
+    std::string testTarget;          ///< empty: there are no tests
+    std::filesystem::path tests;
+    std::string cmake;
+};
+
+[[nodiscard]] const ViewHome& viewHome();
+
+}  // namespace raytracer::view
+
+#endif

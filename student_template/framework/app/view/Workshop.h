@@ -1,0 +1,71 @@
+#ifndef RAYTRACER_APP_VIEW_WORKSHOP_H
+#define RAYTRACER_APP_VIEW_WORKSHOP_H
+
+#include "Board.h"
+#include "Process.h"
+#include "ViewHome.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace raytracer::view {
+
+/// Watches the exercise's files. When one is saved, it builds, says so, and runs the public tests of
+/// that file's tasks; a save meanwhile begins again.
+class Workshop {
+public:
+    /// @param onBuilt  Called when there is a new program.
+    Workshop(const ViewHome& home, Board& board, std::function<void()> onBuilt);
+    ~Workshop();
+    Workshop(const Workshop&) = delete;
+    Workshop& operator=(const Workshop&) = delete;
+
+    /// Looks whether a file was saved; to be called often.
+    void look();
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using Stamp = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
+
+    /// Output and exit status of a command.
+    struct Outcome {
+        std::string output;
+        int status = 0;
+    };
+
+    [[nodiscard]] std::map<std::filesystem::path, Stamp> stamps() const;
+    void work();
+    void buildAndTest(const std::set<std::string>& tasks);
+    [[nodiscard]] Outcome run(const std::vector<std::string>& command);
+    [[nodiscard]] Outcome build(const std::string& target);
+    void test(const std::set<std::string>& tasks);
+    void tellOfErrors(const std::string& output);
+    [[nodiscard]] bool isOver();
+
+    const ViewHome& home_;
+    Board& board_;
+    std::function<void()> onBuilt_;
+    std::map<std::filesystem::path, Stamp> seen_;
+    std::mutex mutex_;
+    std::condition_variable asked_;
+    std::set<std::string> tasks_;  // of files that were saved since the last build began
+    bool isAsked_ = true;          // what is there may be older than the files
+    bool isEnding_ = false;
+    Process* running_ = nullptr;
+    Clock::time_point deadline_;
+    std::thread thread_;
+};
+
+}  // namespace raytracer::view
+
+#endif

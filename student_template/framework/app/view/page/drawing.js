@@ -1,0 +1,221 @@
+// Draws a scene and its rays on a canvas. What a drawing holds, as JSON (every point is [x, y, z]):
+//   about     what it shows, one line
+//   spheres   [{name, centre, radius, colour, bumpy}]    planes [{name, point, normal, colour}]
+//   lights    [{name, centre, radius, colour}]           lens   {halfWidth}    focalPlane  z
+//   rays      [{k, a, b, t, p, l}]: kind, from, to, its words, the index of the ray before it, the light
+//   normals   [{at, smooth, given, expected, t}]
+//   words     lines that tell the whole
+const kRayKinds = {
+  camera: { name: "camera rays", light: "#0064a8", dark: "#6cc0f5", dash: [] },
+  reflected: { name: "reflected rays", light: "#9a3f7c", dark: "#e39bc6", dash: [9, 3] },
+  arrives: { name: "shadow rays that arrive", light: "#a36a00", dark: "#f2b134", dash: [] },
+  blocked: { name: "shadow rays that are blocked", light: "#b83a00", dark: "#ff7d45", dash: [3, 4] },
+  other: { name: "other rays", light: "#666666", dark: "#aaaaaa", dash: [2, 3] },
+  expected: { name: "expected", light: "#00735a", dark: "#35c9a0", dash: [7, 3, 2, 3] },
+};
+const kNormalKinds = {
+  smooth: { name: "smooth normals", light: "#666666", dark: "#aaaaaa", dash: [2, 3] },
+  expected: { name: "expected normals", light: "#00735a", dark: "#35c9a0", dash: [7, 3] },
+  given: { name: "normals given", light: "#0064a8", dark: "#6cc0f5", dash: [] },
+};
+const kRayOrder = Object.keys(kRayKinds);
+
+/// The points that a first view should have in it: what belongs to the first hits. Reflected rays
+/// may end far away.
+function pointsOf(data) {
+  const points = [];
+  const isNear = (ray) => ray.k !== "reflected" && (ray.p < 0 || data.rays[ray.p].k !== "reflected");
+  for (const ray of data.rays) if (!ray.m && isNear(ray)) points.push(ray.a, ray.b);
+  for (const { at, given, expected } of data.rays.length ? [] : data.normals || [])
+    points.push(at, plus(at, unit(given || expected), 0.2));
+  for (const { centre, radius } of points.length ? [] : data.spheres)
+    points.push(plus(centre, [radius, radius, radius]), plus(centre, [-radius, -radius, -radius]));
+  return points.length > 1 ? points : [...points, [0, 0, 0], [0, 0, 4]];
+}
+
+class RayDrawing {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.pen = canvas.getContext("2d");
+    this.orbit = new Orbit();
+    this.hidden = new Set();
+    this.chosen = -1;
+    this.isDark = false;
+    this.data = { spheres: [], planes: [], lights: [], rays: [] };
+  }
+
+  show(data, keepsView) {
+    this.data = data;
+    this.chosen = -1;
+    if (!keepsView) this.orbit.home();
+    this.orbit.frame(pointsOf(data));
+    this.draw();
+  }
+
+  resize(width, height, dots) {
+    this.canvas.width = Math.round(width * dots);
+    this.canvas.height = Math.round(height * dots);
+    this.pen.setTransform(dots, 0, 0, dots, 0, 0);
+    this.orbit.resize(width, height);
+  }
+
+  colour(kind) { return this.isDark ? kind.dark : kind.light; }
+
+  draw(isMoving = false) {
+    const { width, height } = this.orbit;
+    if (!width) return;
+    this.pen.fillStyle = this.isDark ? "#14171b" : "#fbfaf7";
+    this.pen.fillRect(0, 0, width, height);
+    for (const plane of this.data.planes) this.drawPlane(plane);
+    if (this.data.focalPlane) this.drawFocalPlane();
+    const far = (centre) => this.orbit.seen(centre)[2];
+    for (const sphere of [...this.data.spheres].sort((a, b) => far(b.centre) - far(a.centre)))
+      this.drawSphere(sphere);
+    for (const light of this.data.lights) this.drawLight(light);
+    this.drawRays(isMoving);
+    this.drawNormals();
+    if (this.data.lens) this.drawLens();
+    this.drawChosen();
+  }
+
+  /// One stroke for all these lines, [[from, to], ...].
+  strokeAll(lines, colour, width, dash = [], alpha = 1) {
+    this.pen.beginPath();
+    for (const [from, to] of lines) {
+      const ends = this.orbit.segment(from, to);
+      if (!ends) continue;
+      this.pen.moveTo(ends[0], ends[1]);
+      this.pen.lineTo(ends[2], ends[3]);
+    }
+    this.pen.globalAlpha = alpha;
+    this.pen.setLineDash(dash);
+    this.pen.strokeStyle = colour;
+    this.pen.lineWidth = width;
+    this.pen.stroke();
+    this.pen.setLineDash([]);
+    this.pen.globalAlpha = 1;
+  }
+
+  label(text, point, colour) {
+    const at = this.orbit.project(point);
+    if (!at) return;
+    this.pen.font = "12px system-ui, sans-serif";
+    this.pen.lineWidth = 3;
+    this.pen.strokeStyle = this.isDark ? "#14171b" : "#fbfaf7";
+    this.pen.strokeText(text, at[0] + 5, at[1] - 5);
+    this.pen.fillStyle = colour;
+    this.pen.fillText(text, at[0] + 5, at[1] - 5);
+  }
+
+  ink() { return this.isDark ? "#a5afba" : "#57616b"; }
+
+  /// A grid of a plane about the point of it that is nearest to what the drawing looks at.
+  drawPlane({ point, normal, name }) {
+    const axis = unit(normal);
+    const [right, up] = besides(axis);
+    const target = this.orbit.target;
+    const foot = plus(target, axis, -dot(minus(target, point), axis));
+    const reach = 4 * Math.max(1, 2 ** Math.round(Math.log2(this.orbit.size / 4)));
+    const lines = [];
+    for (let i = -4; i <= 4; ++i) {
+      const at = i / 4 * reach;
+      lines.push([plus(plus(foot, right, at), up, -reach), plus(plus(foot, right, at), up, reach)],
+        [plus(plus(foot, up, at), right, -reach), plus(plus(foot, up, at), right, reach)]);
+    }
+    this.strokeAll(lines, this.ink(), 1, [], 0.35);
+    this.label(name, plus(plus(foot, right, reach), up, -reach), this.ink());
+  }
+
+  circle(centre, radius, axis) {
+    const [right, up] = besides(axis);
+    const points = Array.from({ length: 41 }, (_, i) =>
+      plus(plus(centre, right, radius * Math.cos(i * Math.PI / 20)), up, radius * Math.sin(i * Math.PI / 20)));
+    return points.slice(1).map((point, i) => [points[i], point]);
+  }
+
+  disc(centre, radius, fill, alpha) {
+    const at = this.orbit.project(centre);
+    if (!at) return;
+    this.pen.beginPath();
+    this.pen.arc(at[0], at[1], Math.max(1.5, this.orbit.pixels(centre, radius)), 0, 2 * Math.PI);
+    this.pen.globalAlpha = alpha;
+    this.pen.fillStyle = fill;
+    this.pen.fill();
+    this.pen.globalAlpha = 1;
+  }
+
+  drawSphere({ centre, radius, colour, name }) {
+    this.disc(centre, radius, this.isDark ? "#2d343d" : "#dfe3e8", 0.75);
+    this.disc(centre, radius, colour, 0.3);
+    this.strokeAll(this.circle(centre, radius, minus(this.orbit.eye, centre)), this.ink(), 1.5);
+    this.strokeAll([...this.circle(centre, radius, [0, 1, 0]), ...this.circle(centre, radius, [1, 0, 0]),
+      ...this.circle(centre, radius, [0, 0, 1])], this.ink(), 1, [], 0.35);
+    this.label(name, plus(centre, this.orbit.up, radius), this.ink());
+  }
+
+  drawLight({ centre, radius, name }) {
+    this.disc(centre, radius, "#ffd84d", 0.55);
+    this.strokeAll(this.circle(centre, radius, minus(this.orbit.eye, centre)), this.colour(kRayKinds.arrives), 1.5);
+    this.disc(centre, 0, this.colour(kRayKinds.arrives), 1);
+    this.label(name, plus(centre, this.orbit.up, radius), this.colour(kRayKinds.arrives));
+  }
+
+  square(z, halfWidth, halfHeight = halfWidth) {
+    const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) => [x * halfWidth, y * halfHeight, z]);
+    return corners.map((corner, i) => [corner, corners[(i + 1) % 4]]);
+  }
+
+  drawFocalPlane() {
+    const z = this.data.focalPlane;
+    const half = z * Math.tan(Math.PI / 8);
+    this.strokeAll(this.square(z, half, 0.75 * half), this.colour(kRayKinds.expected), 1.5, [6, 4]);
+    this.label("plane in focus", [half, 0.75 * half, z], this.colour(kRayKinds.expected));
+  }
+
+  drawLens() {
+    const colour = this.colour(kRayKinds.expected);
+    this.strokeAll(this.square(0, this.data.lens.halfWidth), colour, 2);
+    this.disc([0, 0, 0], 0, colour, 1);
+    this.label(this.data.lens.halfWidth > 0 ? "lens" : "eye", [this.data.lens.halfWidth, this.data.lens.halfWidth, 0], colour);
+  }
+
+  drawRays(isMoving) {
+    const alpha = Math.min(0.9, Math.max(0.25, 12 / Math.sqrt(this.data.rays.length)));
+    for (const name of kRayOrder) {
+      if (this.hidden.has(name)) continue;
+      const lines = this.data.rays.filter((ray) => ray.k === name).map((ray) => [ray.a, ray.b]);
+      const kind = kRayKinds[name];
+      // Dashes cost more than all the rest: a drawing that turns does without where there are many.
+      const dash = isMoving && lines.length > 300 ? [] : kind.dash;
+      if (lines.length) this.strokeAll(lines, this.colour(kind), 1.3, dash, alpha);
+    }
+  }
+
+  arrow(at, direction, kind) {
+    const tip = plus(at, unit(direction), 0.09 * this.orbit.size + 0.05);
+    const ends = this.orbit.segment(at, tip);
+    this.strokeAll([[at, tip]], this.colour(kind), 2, kind.dash);
+    if (!ends) return;
+    const angle = Math.atan2(ends[3] - ends[1], ends[2] - ends[0]);
+    this.pen.beginPath();
+    for (const side of [-0.45, 0.45]) {
+      this.pen.moveTo(ends[2], ends[3]);
+      this.pen.lineTo(ends[2] - 8 * Math.cos(angle + side), ends[3] - 8 * Math.sin(angle + side));
+    }
+    this.pen.stroke();
+  }
+
+  drawNormals() {
+    for (const normal of this.data.normals || [])
+      for (const [name, kind] of Object.entries(kNormalKinds))
+        if (normal[name] && !this.hidden.has(name + "Normal")) this.arrow(normal.at, normal[name], kind);
+  }
+
+  drawChosen() {
+    const ray = this.data.rays[this.chosen];
+    if (!ray) return;
+    this.strokeAll([[ray.a, ray.b]], this.isDark ? "#ffffff" : "#000000", 6);
+    this.strokeAll([[ray.a, ray.b]], this.colour(kRayKinds[ray.k]), 3);
+    this.disc(ray.b, 0, this.isDark ? "#ffffff" : "#000000", 1);
+  }
+}

@@ -1,0 +1,245 @@
+// A drawing of rays with its words: what turns, picks and highlights. Needs orbit.js, drawing.js and
+// picking.js before it, and an element to fill.
+class RayView {
+  /// onPoint: what happens with a point of a surface that is picked, as a function of it; none: points
+  /// cannot be picked.
+  constructor(root, { onPoint } = {}) {
+    this.onPoint = onPoint;
+    root.classList.add("ray-view");
+    root.innerHTML = `<div class="ray-stage"><canvas tabindex="0" role="application"></canvas></div>
+      <div class="ray-tools" role="group" aria-label="View"></div>
+      <fieldset class="ray-legend"><legend>Shown</legend></fieldset>
+      <div class="ray-faces"></div>
+      <div class="ray-story"></div>
+      <ol class="ray-list" role="listbox" tabindex="0" aria-label="Rays"></ol>`;
+    for (const name of ["stage", "tools", "legend", "faces", "story", "list"])
+      this[name] = root.querySelector(`.ray-${name}`);
+    this.canvas = root.querySelector("canvas");
+    this.drawing = new RayDrawing(this.canvas);
+    this.addTools();
+    this.listen();
+    this.follow();
+  }
+
+  show(data, keepsView = false) {
+    this.drawing.data = data;
+    this.fillLegend();
+    this.fillWords();
+    this.canvas.setAttribute("aria-label", `${data.about}. ${data.rays.length} rays in 3-D: ` +
+      "arrow keys turn the drawing, plus and minus come nearer and go away, 0 goes back");
+    this.fit();
+    this.drawing.show(data, keepsView);
+    this.choose(-1);
+  }
+
+  addTools() {
+    const tools = { left: ["\u2190", "Turn left"], right: ["\u2192", "Turn right"], up: ["\u2191", "Look from higher"],
+      down: ["\u2193", "Look from lower"], in: ["+", "Nearer"], out: ["\u2212", "Further away"], home: ["0", "First view"] };
+    for (const [act, [sign, words]] of Object.entries(tools)) this.addButton(act, sign, words);
+    if (!this.onPoint) return;
+    this.addButton("point", "Light at the end of this ray", "");
+    this.tools.lastChild.disabled = true;
+  }
+
+  addButton(act, sign, words) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.dataset.act = act;
+    button.textContent = sign;
+    if (words) button.setAttribute("aria-label", button.title = words);
+    button.addEventListener("click", () => this.act(act));
+    this.tools.append(button);
+  }
+
+  act(act) {
+    const { orbit } = this.drawing;
+    const step = 0.12;
+    const ray = this.drawing.data.rays[this.drawing.chosen];
+    ({ left: () => orbit.turn(step, 0), right: () => orbit.turn(-step, 0), up: () => orbit.turn(0, step),
+      down: () => orbit.turn(0, -step), in: () => orbit.zoomBy(1.25), out: () => orbit.zoomBy(0.8),
+      home: () => orbit.home(), point: () => ray && this.onPoint(ray.b) })[act]();
+    this.redraw();
+  }
+
+  redraw(isMoving = false) {
+    if (this.isAsked) return;
+    this.isAsked = true;
+    requestAnimationFrame(() => { this.isAsked = false; this.drawing.draw(isMoving); });
+  }
+
+  listen() {
+    const keys = { ArrowLeft: "left", ArrowRight: "right", ArrowUp: "up", ArrowDown: "down", "+": "in", "=": "in",
+      "-": "out", 0: "home" };
+    this.canvas.addEventListener("keydown", (event) => {
+      const act = !event.ctrlKey && !event.metaKey && !event.altKey && keys[event.key];
+      if (!act) return;
+      event.preventDefault();
+      event.stopPropagation();
+      this.act(act);
+    });
+    this.canvas.addEventListener("pointerdown", (event) => this.grab(event));
+    this.canvas.addEventListener("pointermove", (event) => this.move(event));
+    for (const name of ["pointerup", "pointercancel"])
+      this.canvas.addEventListener(name, (event) => this.letGo(event));
+    this.canvas.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && document.activeElement !== this.canvas) return; // the page scrolls
+      event.preventDefault();
+      this.drawing.orbit.zoomBy(event.deltaY < 0 ? 1.1 : 1 / 1.1);
+      this.redraw(true);
+    }, { passive: false });
+    this.list.addEventListener("click", (event) => {
+      const line = event.target.closest("li");
+      if (line) this.choose(Number(line.dataset.ray));
+    });
+    this.list.addEventListener("keydown", (event) => this.walk(event));
+    this.legend.addEventListener("change", ({ target }) => {
+      this.drawing.hidden[target.checked ? "delete" : "add"](target.value);
+      this.redraw();
+    });
+  }
+
+  grab(event) {
+    this.canvas.setPointerCapture(event.pointerId);
+    this.held = { x: event.clientX, y: event.clientY, moved: 0 };
+  }
+
+  move(event) {
+    if (!this.held) return;
+    const [dx, dy] = [event.clientX - this.held.x, event.clientY - this.held.y];
+    this.held = { x: event.clientX, y: event.clientY, moved: this.held.moved + Math.abs(dx) + Math.abs(dy) };
+    this.drawing.orbit.turn(-dx * 0.008, dy * 0.008);
+    this.redraw(true);
+  }
+
+  letGo(event) {
+    const wasClick = this.held && this.held.moved < 4 && event.type === "pointerup";
+    this.held = null;
+    if (wasClick) this.pick(event.offsetX, event.offsetY, event.shiftKey);
+    this.redraw();
+  }
+
+  /// A click takes the ray there, else (or with Shift) the point of the surface there.
+  pick(x, y, wantsSurface) {
+    const ray = wantsSurface ? -1 : rayAt(this.drawing, x, y);
+    const point = ray < 0 && this.onPoint && surfaceAt(this.drawing, x, y);
+    if (point) this.onPoint(point);
+    else this.choose(ray);
+  }
+
+  walk(event) {
+    const last = this.list.children.length - 1;
+    const at = [...this.list.children].findIndex((line) => line.getAttribute("aria-selected") === "true");
+    const to = { ArrowDown: Math.min(last, at + 1), ArrowUp: Math.max(0, at - 1), Home: 0, End: last }[event.key];
+    if (to === undefined || last < 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.choose(Number(this.list.children[to].dataset.ray));
+  }
+
+  /// Highlights a ray and its line together; -1: none.
+  choose(index) {
+    this.drawing.chosen = index;
+    this.list.querySelector("[aria-selected=true]")?.setAttribute("aria-selected", "false");
+    const line = this.lines[index];
+    this.list.setAttribute("aria-activedescendant", line ? line.id : "");
+    if (!line) this.list.removeAttribute("aria-activedescendant");
+    line?.setAttribute("aria-selected", "true");
+    if (line) this.list.scrollTop = line.offsetTop - this.list.clientHeight / 2;
+    const point = this.tools.querySelector("[data-act=point]");
+    if (point) point.disabled = !line || Boolean(this.drawing.data.rays[index].m);
+    this.fillFaces(index);
+    this.redraw();
+  }
+
+  fillLegend() {
+    const { data, hidden } = this.drawing;
+    this.legend.querySelectorAll("label").forEach((label) => label.remove());
+    for (const [name, kind] of Object.entries(kRayKinds))
+      this.addKind(name, kind, data.rays.filter((ray) => ray.k === name).length, hidden);
+    for (const [name, kind] of Object.entries(kNormalKinds))
+      this.addKind(`${name}Normal`, kind, (data.normals || []).filter((normal) => normal[name]).length, hidden);
+  }
+
+  addKind(name, kind, count, hidden) {
+    if (count === 0) return;
+    const label = document.createElement("label");
+    const sign = `<svg viewBox="0 0 28 8" aria-hidden="true"><line x1="0" y1="4" x2="28" y2="4"
+      stroke-dasharray="${kind.dash.join(" ")}" style="--light:${kind.light};--dark:${kind.dark}"/></svg>`;
+    label.innerHTML = `<input type="checkbox" value="${name}"${hidden.has(name) ? "" : " checked"}>${sign}<span></span>`;
+    label.lastChild.textContent = `${kind.name}: ${count}`;
+    this.legend.append(label);
+  }
+
+  fillWords() {
+    const { data } = this.drawing;
+    this.story.replaceChildren(...data.words.map((words) => {
+      const line = document.createElement("p");
+      line.textContent = words;
+      return line;
+    }));
+    const id = RayView.count = (RayView.count || 0) + 1;
+    const depths = [];
+    this.lines = data.rays.map((ray, index) => {
+      depths[index] = ray.p >= 0 ? depths[ray.p] + 1 : 0;
+      const line = document.createElement("li");
+      line.id = `ray-${id}-${index}`;
+      line.dataset.ray = index;
+      line.className = `ray-${ray.k}`;
+      line.setAttribute("role", "option");
+      line.setAttribute("aria-selected", "false");
+      line.style.paddingLeft = `${0.5 + depths[index]}rem`;
+      line.textContent = ray.t;
+      return line;
+    });
+    this.list.replaceChildren(...this.lines);
+    this.list.hidden = this.lines.length === 0;
+  }
+
+  /// The lens, and the lights as the hit of the chosen ray sees them (else the first hit).
+  fillFaces(index) {
+    const { data } = this.drawing;
+    const chosen = data.rays[index];
+    const first = data.rays.find((ray) => ray.l >= 0);
+    let parent = chosen && chosen.l >= 0 ? chosen.p : index;
+    if (!data.rays.some((ray) => ray.p === parent && ray.l >= 0)) parent = first ? first.p : -2;
+    this.faces.replaceChildren();
+    const starts = data.rays.filter((ray) => ray.k === "camera" && ray.p < 0);
+    if (data.lens && starts.length > 1)
+      this.addFace("The lens, and where rays start on it", { radius: data.lens.halfWidth, isSquare: true,
+        points: starts.map(({ a, k }) => ({ x: a[0], y: a[1], k })) }, `${starts.length} rays`);
+    for (const { light, points } of lightFaces(data, parent)) {
+      const arrive = points.filter(({ k }) => k === "arrives").length;
+      this.addFace(`${light.name} as ${parent >= 0 ? "this hit" : "the point"} sees it`,
+        { radius: light.radius, points }, `${arrive} of ${points.length} rays arrive`);
+    }
+  }
+
+  addFace(title, face, words) {
+    const figure = document.createElement("figure");
+    figure.innerHTML = `<canvas width="240" height="240" role="img"></canvas><figcaption></figcaption>`;
+    figure.firstChild.setAttribute("aria-label", `${title}: ${words}`);
+    figure.lastChild.textContent = `${title}: ${words}`;
+    drawFace(figure.firstChild, face, this.drawing.isDark);
+    this.faces.append(figure);
+  }
+
+  fit() {
+    const { width, height } = this.canvas.getBoundingClientRect();
+    if (width) this.drawing.resize(width, height, Math.min(2, window.devicePixelRatio || 1));
+  }
+
+  /// Follows the window's size and colours; paper is light.
+  follow() {
+    const colours = matchMedia("(prefers-color-scheme: dark)");
+    const paper = matchMedia("print");
+    const adapt = () => {
+      this.drawing.isDark = colours.matches && !paper.matches;
+      if (this.lines) this.fillFaces(this.drawing.chosen);
+      this.drawing.draw();
+    };
+    for (const media of [colours, paper]) media.addEventListener("change", adapt);
+    new ResizeObserver(() => { this.fit(); this.drawing.draw(); }).observe(this.canvas);
+    this.lines = [];
+    this.drawing.isDark = colours.matches && !paper.matches;
+  }
+}

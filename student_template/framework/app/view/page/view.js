@@ -1,0 +1,221 @@
+// The page of tick1star --view: shows what the program tells, asks it what is clicked.
+const byId = (id) => document.getElementById(id);
+const token = location.pathname.split("/")[1];
+const picture = new Picture(byId("picture"), byId("other"));
+const mark = { x: 320, y: 240 };
+let settings = null;
+let firstSettings = null;
+let question = null; // the last one, to be asked again when the code or a setting changes
+let isAsking = false;
+
+const controls = [
+  ["lightSize", "Light size", 0, 2, 0.05], ["shadowRays", "Shadow rays", 1, 100, 1],
+  ["aperture", "Aperture", 0, 1, 0.01], ["focalPlane", "Focal plane", 0.5, 12, 0.05],
+  ["dofRays", "Camera rays", 1, 200, 1], ["bounces", "Bounces", 0, 8, 1],
+];
+
+const rays = new RayView(byId("drawing"), { onPoint: (point) => ask("point", { x: point[0], y: point[1], z: point[2] }) });
+
+function element(name, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children);
+  return made;
+}
+
+async function request(path, options) {
+  const response = await fetch(path, options);
+  if (!response.ok) throw new Error(await response.text());
+  return response;
+}
+
+// ---- settings
+
+function addControls() {
+  for (const [name, words, min, max, step] of controls) {
+    const [range, number] = ["range", "number"].map((type) => element("input", { type, min, max, step }));
+    number.removeAttribute("max"); // the program says what is too much
+    range.setAttribute("aria-label", `${words}, as a slider`);
+    number.setAttribute("aria-label", words);
+    for (const input of [range, number]) {
+      input.dataset.setting = name;
+      input.addEventListener("input", () => change({ [name]: input.value }));
+    }
+    byId("settings").append(element("span", { textContent: words }), range, number);
+  }
+  const seed = element("input", { type: "number", min: 0, step: 1, className: "wide" });
+  seed.setAttribute("aria-label", "Seed");
+  seed.dataset.setting = "seed";
+  seed.addEventListener("input", () => seed.value && change({ seed: seed.value }));
+  byId("settings").append(element("span", { textContent: "Seed" }), seed);
+  byId("scene").addEventListener("change", () => change({ scene: byId("scene").value }));
+  byId("defaults").addEventListener("click", () => change(firstSettings));
+}
+
+let waiting = null;
+let isSending = false;
+/// Sends the newest values alone: a slider moves faster than a picture can begin.
+async function change(changes) {
+  waiting = { ...waiting, ...changes };
+  if (isSending) return;
+  isSending = true;
+  while (waiting) {
+    const body = new URLSearchParams(waiting);
+    waiting = null;
+    try {
+      await request("settings", { method: "POST", body, headers: { "X-Ticker": token } });
+    } catch (error) { tell(error.message); }
+  }
+  isSending = false;
+}
+
+function showSettings(now) {
+  settings = now;
+  firstSettings ||= now;
+  for (const input of document.querySelectorAll("[data-setting]"))
+    if (input !== document.activeElement || input.type === "range") input.value = now[input.dataset.setting];
+}
+
+// ---- pixels
+
+/// A pixel or a point of a surface: {about, words, rays, ...} is drawn.
+async function ask(kind, at, isAgain = false) {
+  question = { kind, at };
+  if (isAsking) return;
+  isAsking = true;
+  try {
+    const asked = question;
+    const drawing = await (await request(`${kind}?${new URLSearchParams(at)}`)).json();
+    byId("rays").hidden = false;
+    rays.show(drawing, isAgain || kind === "point");
+    tell(drawing.about);
+    if (question !== asked) { isAsking = false; await ask(question.kind, question.at, true); }
+  } catch (error) { tell(error.message); }
+  isAsking = false;
+}
+
+function moveMark(x, y) {
+  const { canvas } = picture;
+  mark.x = Math.min(canvas.width - 1, Math.max(0, Math.floor(x)));
+  mark.y = Math.min(canvas.height - 1, Math.max(0, Math.floor(y)));
+  byId("mark").hidden = false;
+  byId("mark").style.left = `${100 * (mark.x + 0.5) / canvas.width}%`;
+  byId("mark").style.top = `${100 * (mark.y + 0.5) / canvas.height}%`;
+}
+
+function listenToPicture() {
+  const { canvas } = picture;
+  canvas.addEventListener("click", (event) => {
+    const box = canvas.getBoundingClientRect();
+    moveMark((event.clientX - box.left) / box.width * canvas.width, (event.clientY - box.top) / box.height * canvas.height);
+    ask("pixel", { ...mark });
+  });
+  const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+  canvas.addEventListener("keydown", (event) => {
+    const step = steps[event.key];
+    if (!step && event.key !== "Enter") return;
+    event.preventDefault();
+    const far = event.shiftKey ? 20 : 2;
+    if (step) moveMark(mark.x + far * step[0], mark.y + far * step[1]);
+    else { moveMark(mark.x, mark.y); ask("pixel", { ...mark }); }
+    if (step) tell(`Pixel (${mark.x}, ${mark.y}): Enter shows its rays`);
+  });
+}
+
+// ---- comparing
+
+async function compare() {
+  const name = byId("compare").value;
+  byId("wipe").hidden = !name;
+  if (name === "pinhole" && !picture.kept.pinhole) {
+    const { width, height } = picture.canvas;
+    try {
+      const bytes = new Uint8Array(await (await request("pinhole")).arrayBuffer());
+      picture.kept.pinhole = picture.imageOf(bytes, width, height);
+    } catch (error) { return tell(error.message); }
+  }
+  picture.compare(name);
+}
+
+function showCompare() {
+  byId("compare").querySelector("[value=before]").disabled = !picture.kept.before;
+  if (byId("compare").value) compare();
+}
+
+// ---- what the program tells
+
+function tell(words) { byId("status").textContent = words; }
+
+function showBuild(build) {
+  const words = { building: "Building ...", built: "Built.", failed: "It does not compile. The picture is that of the last program." };
+  const parts = [element("p", { className: `verdict ${build.state === "failed" ? "bad" : ""}`, textContent: words[build.state] })];
+  if (build.state === "failed") {
+    if (build.message) parts.push(element("p", {}, build.file ? `${build.file}, line ${build.line}: ` : "", build.message));
+    if (build.source) parts.push(element("pre", { textContent: build.source.trim(), tabIndex: 0 }));
+    parts.push(element("details", {}, element("summary", { textContent: "All that the compiler said" }),
+      element("pre", { textContent: build.all, tabIndex: 0 })));
+    byId("tests").replaceChildren();
+  }
+  byId("build").replaceChildren(...parts);
+}
+
+function showTests(tests) {
+  const words = { running: "The public tests run ...", passed: "The public tests:", none: "No public tests: install GoogleTest.",
+    failed: `Not yet: ${tests.title}` };
+  const verdict = element("p", { className: `verdict ${tests.state === "failed" ? "bad" : ""}`, textContent: words[tests.state] });
+  const parts = [verdict];
+  if (tests.text) parts.push(element("pre", { textContent: tests.text.trimEnd(), tabIndex: 0 }));
+  for (const line of (tests.summary || "").split("\n").filter(Boolean)) parts.push(element("p", { textContent: line }));
+  byId("tests").replaceChildren(...parts);
+}
+
+function showPicture(head) {
+  const isNewScene = settings && settings.scene !== head.settings.scene;
+  picture.begin(head);
+  showSettings(head.settings);
+  byId("done").value = 0;
+  byId("stage").textContent = "";
+  if (question && !isNewScene) ask(question.kind, question.at, true);
+  showCompare();
+}
+
+function showPiece(piece) {
+  picture.add(piece);
+  const { at } = piece;
+  byId("done").value = picture.share();
+  byId("stage").textContent = at.stage || (at.last ? "done" : `${Math.max(1, Math.round(at.left))} s left`);
+}
+
+function show(news) {
+  if (news.scenes)
+    byId("scene").replaceChildren(...news.scenes.map((name) => element("option", { value: name, textContent: name })));
+  if (news.picture) showPicture(news.picture);
+  else if (news.scenes && settings) showSettings(settings);
+  if (news.build) showBuild(news.build);
+  if (news.tests) showTests(news.tests);
+  if (news.trouble !== undefined) {
+    byId("trouble").hidden = !news.trouble;
+    byId("trouble").textContent = news.trouble;
+  }
+  for (const piece of news.pieces) showPiece(piece);
+}
+
+async function newsAfter(version) {
+  try { return await (await request(`news?after=${version}`)).json(); } catch { return null; }
+}
+
+async function follow() {
+  for (let version = 0; ;) {
+    const news = await newsAfter(version);
+    if (news && version === 0) tell("");
+    if (news) { version = news.version; show(news); continue; }
+    tell("The viewer has ended. Start it again: it prints a new address.");
+    await new Promise((done) => setTimeout(done, 2000));
+  }
+}
+
+addControls();
+listenToPicture();
+byId("compare").addEventListener("change", compare);
+byId("wipe").querySelector("input").addEventListener("input", (event) =>
+  byId("other").style.setProperty("--share", `${event.target.value}%`));
+follow();
