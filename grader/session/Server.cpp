@@ -122,7 +122,8 @@ private:
     }
 
     void addPage() {
-        http_.set_default_headers({raytracer::kAnswerHeaders.begin(), raytracer::kAnswerHeaders.end()});
+        http_.set_default_headers(
+            {raytracer::kAnswerHeaders.begin(), raytracer::kAnswerHeaders.end()});
         get("", [](const httplib::Request& /*request*/, httplib::Response& response) {
             response.set_header("Content-Security-Policy", raytracer::kPagePolicy);
             answerText(response, pageFiles().at("session.html"), "text/html; charset=utf-8");

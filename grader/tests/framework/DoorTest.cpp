@@ -42,7 +42,8 @@ TEST(Door, LetsThePageInAndNoOther) {
     EXPECT_FALSE(mayEnter({"GET", "/", "127.0.0.1:80", "", ""}, token, 80)) << "no token";
     EXPECT_FALSE(mayEnter({"GET", "", "127.0.0.1:80", "", ""}, token, 80)) << "no path";
     EXPECT_FALSE(mayEnter({"GET", read.path, "evil.example", "", ""}, token, 80)) << "rebinding";
-    EXPECT_FALSE(mayEnter({"POST", change.path, change.host, "http://evil.example", token}, token, 80));
+    EXPECT_FALSE(
+        mayEnter({"POST", change.path, change.host, "http://evil.example", token}, token, 80));
     EXPECT_FALSE(mayEnter({"POST", change.path, change.host, change.origin, ""}, token, 80));
     EXPECT_FALSE(mayEnter({"DELETE", change.path, change.host, change.origin, token}, token, 80));
 }

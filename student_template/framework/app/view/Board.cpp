@@ -27,10 +27,8 @@ void Board::addPiece(int number, const Piece& piece) {
     const std::lock_guard lock{mutex_};
     if (number != picture_) return;
     if (piece.isWhole) pieces_.clear();
-    pieces_.push_back({++version_, Members{}
-                                       .add("at", piece.head)
-                                       .add("rgb", json(base64(piece.rgb)))
-                                       .object()});
+    pieces_.push_back(
+        {++version_, Members{}.add("at", piece.head).add("rgb", json(base64(piece.rgb))).object()});
     changed_.notify_all();
 }
 

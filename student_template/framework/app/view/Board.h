@@ -33,8 +33,8 @@ public:
     void beginPicture(int number, const std::string& head);
     void addPiece(int number, const Piece& piece);
 
-    /// Waits until there is something newer than `version`, and gives it with the version that it is
-    /// up to; after a while also without news.
+    /// Waits until there is something newer than `version`, and gives it with the version that it
+    /// is up to; after a while also without news.
     [[nodiscard]] std::string newsAfter(std::uint64_t version);
 
     /// Lets everything that waits go.

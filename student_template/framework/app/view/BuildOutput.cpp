@@ -78,9 +78,10 @@ std::set<std::string> tasksIn(std::string_view source) {
     static const std::regex kMark{R"(//\s*TASK\s+(\S+)\s+begin\b.*)"};
     std::set<std::string> tasks;
     for (const std::string& raw : splitAt(source, '\n')) {
-        const std::size_t comment = raw.find("//");
+        const std::string line = withoutReturn(raw);
+        const std::size_t comment = line.find("//");
         std::smatch match;
-        const std::string mark = comment == std::string::npos ? "" : raw.substr(comment);
+        const std::string mark = comment == std::string::npos ? "" : line.substr(comment);
         if (std::regex_match(mark, match, kMark)) tasks.insert(match[1]);
     }
     return tasks;

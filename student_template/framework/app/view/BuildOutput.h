@@ -27,7 +27,8 @@ struct TestOutcome {
 };
 
 /// @param tasks  Tags of the tasks; empty: all.
-[[nodiscard]] TestOutcome testOutcomeIn(std::string_view output, const std::set<std::string>& tasks);
+[[nodiscard]] TestOutcome testOutcomeIn(std::string_view output,
+                                        const std::set<std::string>& tasks);
 
 /// The tags that a file of the exercise has marks of: "// TASK T1 begin".
 [[nodiscard]] std::set<std::string> tasksIn(std::string_view source);

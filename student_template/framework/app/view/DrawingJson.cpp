@@ -136,9 +136,9 @@ private:
                 arrive -= count;
                 by += ", " + std::to_string(count) + " blocked by " + name;
             }
-            say("Light " + std::to_string(i + 1) + " from the first point: " +
-                countedText(cast, "shadow ray") + ", " + std::to_string(arrive) + " arrive" + by +
-                ".");
+            say("Light " + std::to_string(i + 1) +
+                " from the first point: " + countedText(cast, "shadow ray") + ", " +
+                std::to_string(arrive) + " arrive" + by + ".");
         }
     }
 
@@ -187,7 +187,7 @@ private:
 
 /// "they start at x from -0.2 to 0.2 and y from -0.2 to 0.2"
 std::string startsOf(const std::vector<TracedRay>& rays) {
-    const auto between = [&](double Vector3::* axis) {
+    const auto between = [&](double Vector3::*axis) {
         const auto [low, high] = std::ranges::minmax(
             rays, {}, [axis](const TracedRay& traced) { return traced.ray.origin.*axis; });
         return "from " + numberText(low.ray.origin.*axis) + " to " +
@@ -221,8 +221,8 @@ std::string drawingOfPixel(const PixelLog& log, const Scene& scene, const Render
 std::string drawingOfPoint(const PixelLog& log, const Scene& scene, const RenderSettings& settings,
                            const RaycastHit& point, const ColourRGB& colour) {
     Drawing drawing{scene, settings};
-    const std::string name = "The point " + text(point.location) + " of " +
-                             nameOf(scene, point.object);
+    const std::string name =
+        "The point " + text(point.location) + " of " + nameOf(scene, point.object);
     drawing.say(name + ": illuminate gives " + text(colour) + " towards the eye.");
     drawing.addNormal(point);
     drawing.addShadowRays(log.loose(), kNone);

@@ -10,15 +10,16 @@
 
 namespace raytracer::view {
 
-/// A program that this one starts. It ends, with everything that it started itself, when this object
-/// goes, and when this program ends, in whatever way: also when this program is killed.
+/// A program that this one starts. It ends, with everything that it started itself, when this
+/// object goes, and when this program ends, in whatever way: also when this program is killed.
 class Process {
 public:
     /// Where what it writes on stderr goes.
     enum class Errors { toOurs, withItsOutput };
 
     /// @param command  The program, looked up in PATH, and its arguments.
-    /// @throws Error where the system gives no process or pipe. A program that cannot be started ends
+    /// @throws Error where the system gives no process or pipe. A program that cannot be started
+    /// ends
     ///         at once with the status 127.
     Process(const std::vector<std::string>& command, Errors errors);
     ~Process();
@@ -29,8 +30,8 @@ public:
     [[nodiscard]] std::size_t read(char* bytes, std::size_t size);
     /// False where it reads no more.
     bool write(std::string_view bytes);
-    /// Ends it and everything that it started; `read` then comes to the end. Another thread may call
-    /// this.
+    /// Ends it and everything that it started; `read` then comes to the end. Another thread may
+    /// call this.
     void kill();
     /// Waits for its end. @return Its exit status; above 128 where a signal or `kill` ended it.
     [[nodiscard]] int wait();

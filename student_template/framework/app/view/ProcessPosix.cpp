@@ -1,17 +1,12 @@
 #ifndef _WIN32
+#include "Guard.h"
 #include "Process.h"
 
 #include <raytracer/base/Error.h>
 
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#ifdef __linux__
-#include <sys/prctl.h>
-#include <sys/syscall.h>
-#endif
 
 #include <array>
 #include <cerrno>
@@ -24,10 +19,6 @@ namespace raytracer::view {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kLifeline = 3;  // of a guard
-constexpr int kNotFound = 127;
-constexpr int kKilled = 128 + SIGKILL;
 
 struct Pipe {
     int read = -1;
@@ -51,70 +42,6 @@ Pipe makePipe() {
 void closeEnd(int& end) {
     if (end >= 0) close(end);
     end = -1;
-}
-
-// Between fork and exec nothing may be called that takes a lock.
-
-void closeFrom(int first) {
-#ifdef SYS_close_range
-    if (syscall(SYS_close_range, static_cast<unsigned>(first), ~0U, 0U) == 0) return;
-#endif
-    constexpr int kMost = 4096;
-    for (int file = first; file < kMost; ++file)
-        close(file);
-}
-
-[[noreturn]] void becomeProgram(char* const* command) {
-    setpgid(0, 0);
-    close(kLifeline);
-#ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-    for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP})
-        std::signal(signal, SIG_DFL);
-    execvp(command[0], command);
-    _exit(kNotFound);
-}
-
-int statusOf(int status) {
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-/// Waits for the program's end, or for that of the lifeline, which only the program that asked for
-/// all this holds; then leaves none of the program's group behind.
-[[noreturn]] void guard(pid_t program) {
-    constexpr int kLookEveryMs = 15;
-    for (const int file : {0, 1, 2})
-        close(file);
-    pollfd lifeline{kLifeline, POLLIN, 0};
-    int status = 0;
-    for (;;) {
-        if (waitpid(program, &status, WNOHANG) == program) {
-            ::kill(-program, SIGKILL);
-            _exit(statusOf(status));
-        }
-        if (poll(&lifeline, 1, kLookEveryMs) <= 0) continue;
-        ::kill(-program, SIGKILL);
-        ::kill(program, SIGKILL);  // where it has no group yet
-        waitpid(program, &status, 0);
-        _exit(kKilled);
-    }
-}
-
-/// In the new process: puts the pipes at their places and starts the program under a guard.
-[[noreturn]] void becomeGuard(char* const* command, const std::array<int, 4>& ends) {
-    setpgid(0, 0);  // Ctrl-C is for the program that asked
-    std::array<int, 4> copies{};
-    for (std::size_t i = 0; i < ends.size(); ++i)
-        copies[i] = fcntl(ends[i], F_DUPFD, 10);
-    for (std::size_t i = 0; i < ends.size(); ++i)
-        dup2(copies[i], static_cast<int>(i));
-    closeFrom(kLifeline + 1);
-    const pid_t program = fork();
-    if (program == 0) becomeProgram(command);
-    if (program < 0) _exit(kNotFound);
-    setpgid(program, program);
-    guard(program);
 }
 
 std::size_t readAll(int file, char* bytes, std::size_t size) {
@@ -228,7 +155,7 @@ bool openInBrowser(const std::string& address) {
     // The browser outlives this program, so nothing guards it.
     const pid_t child = fork();
     if (child == 0) {
-        closeFrom(kLifeline);
+        closeFrom(STDERR_FILENO + 1);
         if (fork() != 0) _exit(0);
         setsid();
         execvp(opener, const_cast<char* const*>(command.data()));

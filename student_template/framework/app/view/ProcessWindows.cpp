@@ -88,8 +88,7 @@ Process::Process(const std::vector<std::string>& command, Errors errors)
     start.dwFlags = STARTF_USESTDHANDLES;
     start.hStdInput = in.read;
     start.hStdOutput = out.write;
-    start.hStdError =
-        errors == Errors::withItsOutput ? out.write : GetStdHandle(STD_ERROR_HANDLE);
+    start.hStdError = errors == Errors::withItsOutput ? out.write : GetStdHandle(STD_ERROR_HANDLE);
     PROCESS_INFORMATION made{};
     std::string line = lineOf(command);
     handles_->job = makeJob();
@@ -116,8 +115,7 @@ Process::~Process() {
 
 std::size_t Process::read(char* bytes, std::size_t size) {
     DWORD got = 0;
-    const BOOL worked =
-        ReadFile(handles_->out, bytes, static_cast<DWORD>(size), &got, nullptr);
+    const BOOL worked = ReadFile(handles_->out, bytes, static_cast<DWORD>(size), &got, nullptr);
     return worked != 0 ? got : 0;
 }
 
@@ -179,8 +177,7 @@ void moveAside(const fs::path& program) {
 bool openInBrowser(const std::string& address) {
     constexpr std::size_t kFirstThatWorked = 33;  // as the system's handbook has it
     return reinterpret_cast<std::size_t>(ShellExecuteA(nullptr, "open", address.c_str(), nullptr,
-                                                       nullptr, SW_SHOWNORMAL)) >=
-           kFirstThatWorked;
+                                                       nullptr, SW_SHOWNORMAL)) >= kFirstThatWorked;
 }
 
 }  // namespace raytracer::view

@@ -13,8 +13,9 @@ namespace {
 constexpr std::chrono::seconds kLongestAnswer{10};
 constexpr int kSignalled = 128;
 
-constexpr const char* kNoEnd = "Your code does not come to an end: look for a loop whose condition "
-                               "never becomes false.";
+constexpr const char* kNoEnd =
+    "Your code does not come to an end: look for a loop whose condition "
+    "never becomes false.";
 
 }  // namespace
 

@@ -17,8 +17,8 @@
 
 namespace raytracer::view {
 
-/// The process in which the solution runs (see Worker.h): started where it is needed, ended where it
-/// does not answer.
+/// The process in which the solution runs (see Worker.h): started where it is needed, ended where
+/// it does not answer.
 class SolutionRunner {
 public:
     /// Called on a thread of the runner's.

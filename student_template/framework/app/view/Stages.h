@@ -21,9 +21,9 @@ struct Part {
 
 using Sink = std::function<void(const Part&)>;
 
-/// Renders a picture so that something is seen at once: the whole frame at a quarter of its width and
-/// height with one ray for each pixel, then with more and more of them, then tile by tile as it will
-/// be in the end. The tiles are rendered with the settings as they are, so that nothing that a
+/// Renders a picture so that something is seen at once: the whole frame at a quarter of its width
+/// and height with one ray for each pixel, then with more and more of them, then tile by tile as it
+/// will be in the end. The tiles are rendered with the settings as they are, so that nothing that a
 /// solution does wrong is hidden by the way in which the picture comes.
 ///
 /// @param stop  Asked often; true: the rest is not wanted.

@@ -7,8 +7,8 @@
 
 namespace raytracer::view {
 
-/// tick1star --view: serves the page until Ctrl-C. Says what to install where this program was built
-/// without the library that it needs.
+/// tick1star --view: serves the page until Ctrl-C. Says what to install where this program was
+/// built without the library that it needs.
 [[nodiscard]] ExitCode run(const Options& options);
 
 }  // namespace raytracer::view

@@ -11,10 +11,10 @@ namespace raytracer::view {
 struct ViewHome {
     std::filesystem::path exercise;  ///< the folder that students edit
     std::filesystem::path scenes;
-    std::filesystem::path build;     ///< cmake --build ...
-    std::string target;              ///< ... --target ...
-    std::filesystem::path program;   ///< ... which makes this
-    std::string testTarget;          ///< empty: there are no tests
+    std::filesystem::path build;    ///< cmake --build ...
+    std::string target;             ///< ... --target ...
+    std::filesystem::path program;  ///< ... which makes this
+    std::string testTarget;         ///< empty: there are no tests
     std::filesystem::path tests;
     std::string cmake;
 };

@@ -33,8 +33,7 @@ void refuse(httplib::Response& response, int status, const std::string& words) {
     response.set_content(words, "text/plain; charset=utf-8");
 }
 
-void answer(httplib::Response& response, const SolutionRunner::Answer& answered,
-            const char* type) {
+void answer(httplib::Response& response, const SolutionRunner::Answer& answered, const char* type) {
     if (!answered.isGood) return refuse(response, 409, answered.payload);
     answer(response, answered.payload, type);
 }

@@ -89,7 +89,8 @@ public:
 private:
     /// A solution may be busy for ever: that this process has to end is noticed here.
     void readCommands() {
-        LineReader lines{[this](char* bytes, std::size_t size) { return parent_.read(bytes, size); }};
+        LineReader lines{
+            [this](char* bytes, std::size_t size) { return parent_.read(bytes, size); }};
         while (const std::optional<std::string> line = lines.next()) {
             Command command = commandOf(*line);
             const std::lock_guard lock{mutex_};
@@ -182,8 +183,8 @@ private:
         for (const auto& object : scene.objects()) {
             Vector3 foot = point;
             if (const auto* sphere = dynamic_cast<const Sphere*>(object.get()))
-                foot = sphere->centre() +
-                       (point - sphere->centre()).normalised() * sphere->radius();
+                foot =
+                    sphere->centre() + (point - sphere->centre()).normalised() * sphere->radius();
             else if (const auto* plane = dynamic_cast<const Plane*>(object.get()))
                 foot = point - plane->normal() * (point - plane->point()).dot(plane->normal());
             const double away = (foot - point).magnitude();

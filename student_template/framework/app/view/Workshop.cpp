@@ -143,15 +143,14 @@ void Workshop::tellOfErrors(const std::string& output) {
         members.add("file", json(file.filename().string()))
             .add("line", std::to_string(error->line))
             .add("message", json(error->message))
-            .add("source", json(lineOf(file.is_absolute() ? file : home_.build / file,
-                                       error->line)));
+            .add("source",
+                 json(lineOf(file.is_absolute() ? file : home_.build / file, error->line)));
     }
     board_.set("build", members.add("all", json(output.substr(0, kMostOutput))).object());
 }
 
 void Workshop::test(const std::set<std::string>& tasks) {
-    if (home_.testTarget.empty())
-        return board_.set("tests", state("none").object());
+    if (home_.testTarget.empty()) return board_.set("tests", state("none").object());
     board_.set("tests", state("running").object());
     const Outcome built = build(home_.testTarget);
     if (isOver()) return;

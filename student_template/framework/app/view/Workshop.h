@@ -20,8 +20,8 @@
 
 namespace raytracer::view {
 
-/// Watches the exercise's files. When one is saved, it builds, says so, and runs the public tests of
-/// that file's tasks; a save meanwhile begins again.
+/// Watches the exercise's files. When one is saved, it builds, says so, and runs the public tests
+/// of that file's tasks; a save meanwhile begins again.
 class Workshop {
 public:
     /// @param onBuilt  Called when there is a new program.

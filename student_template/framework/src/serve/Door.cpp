@@ -26,8 +26,7 @@ std::string freshToken() {
 }
 
 bool isToken(std::string_view text) {
-    return text.size() == kTokenDigits &&
-           text.find_first_not_of(kDigits) == std::string_view::npos;
+    return text.size() == kTokenDigits && text.find_first_not_of(kDigits) == std::string_view::npos;
 }
 
 bool namesThisServer(std::string_view host, int port) {
@@ -48,8 +47,7 @@ bool isSameSecret(std::string_view one, std::string_view other) {
 bool mayEnter(const RequestHead& head, std::string_view token, int port) {
     if (!namesThisServer(head.host, port)) return false;
     const std::string_view path{head.path};
-    const std::string_view shown =
-        path.substr(0, path.find('/', 1)).substr(path.empty() ? 0 : 1);
+    const std::string_view shown = path.substr(0, path.find('/', 1)).substr(path.empty() ? 0 : 1);
     if (!isSameSecret(shown, token)) return false;
     if (head.method == "GET" || head.method == "HEAD") return true;
     return head.method == "POST" && isSameSecret(head.proof, token) &&

@@ -1,0 +1,91 @@
+#include <student_template/framework/app/view/Lines.h>
+#include <student_template/framework/app/view/Process.h>
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace raytracer::view {
+namespace {
+
+std::vector<std::string> shell(const std::string& script) {
+    return {"/bin/sh", "-c", script};
+}
+
+std::string everythingFrom(Process& process) {
+    std::string text;
+    char bytes[256];
+    while (const std::size_t got = process.read(bytes, sizeof(bytes)))
+        text.append(bytes, got);
+    return text;
+}
+
+std::string lineFrom(Process& process) {
+    LineReader lines{[&](char* bytes, std::size_t size) { return process.read(bytes, size); }};
+    return lines.next().value_or("");
+}
+
+/// Waits until there is no such process; the test's own time limit ends a wait in vain.
+void expectGone(pid_t process) {
+    while (kill(process, 0) == 0)
+        std::this_thread::yield();
+}
+
+TEST(ViewProcess, ReadsWritesAndTellsTheStatus) {
+    Process process{shell("read line; echo got $line; echo more >&2; exit 7"),
+                    Process::Errors::withItsOutput};
+    EXPECT_TRUE(process.write("this\n"));
+    EXPECT_EQ(everythingFrom(process), "got this\nmore\n");
+    EXPECT_EQ(process.wait(), 7);
+}
+
+TEST(ViewProcess, TellsACrashAndAMissingProgram) {
+    Process crashing{shell("kill -SEGV $$"), Process::Errors::toOurs};
+    EXPECT_EQ(crashing.wait(), 128 + SIGSEGV);
+    Process missing{{"/there/is/no/such/program"}, Process::Errors::toOurs};
+    EXPECT_EQ(missing.wait(), 127);
+}
+
+TEST(ViewProcess, EndsWhatItStartedAlsoInGroupsOfTheirOwn) {
+    // As a build tool does: a compiler in another group, which nothing has told to end.
+    Process process{shell("setsid /bin/sh -c 'trap \"\" TERM; echo $$; while :; do sleep 1; done'"),
+                    Process::Errors::toOurs};
+    const pid_t compiler = std::stoi(lineFrom(process));
+    EXPECT_EQ(kill(compiler, 0), 0);
+    process.kill();
+    static_cast<void>(process.wait());
+    expectGone(compiler);
+}
+
+TEST(ViewProcess, EndsWithTheProgramThatIsKilled) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t viewer = fork();
+    if (viewer == 0) {
+        Process process{shell("echo $$; while :; do sleep 1; done"), Process::Errors::toOurs};
+        const std::string number = lineFrom(process) + "\n";
+        if (write(ends[1], number.data(), number.size()) < 0) _exit(1);
+        pause();
+        _exit(0);
+    }
+    close(ends[1]);
+    LineReader lines{[&](char* bytes, std::size_t size) {
+        const ssize_t got = read(ends[0], bytes, size);
+        return got > 0 ? static_cast<std::size_t>(got) : 0U;
+    }};
+    const pid_t child = std::stoi(lines.next().value_or("0"));
+    ASSERT_GT(child, 1);
+    kill(viewer, SIGKILL);
+    waitpid(viewer, nullptr, 0);
+    expectGone(child);
+    close(ends[0]);
+}
+
+}  // namespace
+}  // namespace raytracer::view

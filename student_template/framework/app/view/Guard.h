@@ -1,0 +1,28 @@
+#ifndef RAYTRACER_APP_VIEW_GUARD_H
+#define RAYTRACER_APP_VIEW_GUARD_H
+
+#ifndef _WIN32
+#include <array>
+#include <csignal>
+
+namespace raytracer::view {
+
+inline constexpr int kNotFound = 127;  ///< status of a program that cannot be started
+inline constexpr int kKilled = 128 + SIGKILL;
+
+/// In a process that was just forked: puts the pipes at their places, starts the program and guards
+/// it, until it ends or nothing holds the other end of the lifeline any more. Nothing that the
+/// program started is left behind.
+/// @param ends  Of pipes: stdin, stdout and stderr of the program, and the lifeline.
+[[noreturn]] void becomeGuard(char* const* command, const std::array<int, 4>& ends);
+
+/// Closes this file and all after it.
+void closeFrom(int first);
+
+/// Exit status from what waitpid says; above 128: the number of a signal.
+[[nodiscard]] int statusOf(int status);
+
+}  // namespace raytracer::view
+#endif
+
+#endif
