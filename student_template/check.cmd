@@ -8,6 +8,11 @@ if errorlevel 1 (
   echo cmake is missing; README.md says how to install it
   exit /b 2
 )
+if "%~1"=="--view" (
+  if not exist build\tick1star.exe cmake -P cmake/check.cmake -- --build
+  build\tick1star.exe --view %2
+  exit /b
+)
 if not exist build mkdir build
 >build\check-status echo 2
 cmake -P cmake/check.cmake -- %*

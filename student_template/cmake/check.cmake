@@ -15,15 +15,19 @@ endif()
 file(READ "${here}/check.json" description)
 
 set(quick OFF)
+set(only_build OFF)
 math(EXPR last "${CMAKE_ARGC} - 1")
 foreach(i RANGE 4 ${last})
   if(CMAKE_ARGC LESS 5)
     break()
   elseif(CMAKE_ARGV${i} STREQUAL "--quick")
     set(quick ON)
+  elseif(CMAKE_ARGV${i} STREQUAL "--build")
+    set(only_build ON)  # before ./check --view
   else()
     say("check [--quick]: builds your solution, asks it the public tests' questions, renders the scenes of
 what you attempted, and says in a few lines how things stand. --quick leaves the pictures out.
+check --view [SCENE]: the picture and its rays in the browser; a save builds, tests and renders again.
 Exit status: 0 every task that you attempted passes, 1 not yet, 2 something is missing here.")
     if(CMAKE_ARGV${i} STREQUAL "--help")
       finish(0)
@@ -43,6 +47,8 @@ include("${here}/build/release/programs.cmake")
 compile()
 if(NOT built)
   finish(1)
+  return()
+elseif(only_build)
   return()
 endif()
 

@@ -205,7 +205,7 @@ Options parseOptions(std::span<const std::string> arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string_view argument = arguments[i];
         if (options.view && options.scene.empty() && !argument.starts_with('-')) {
-            options.scene = argument;  // --view SCENE
+            options.scene = pathOf(argument);  // --view SCENE
             continue;
         }
         const std::size_t equals =

@@ -82,8 +82,8 @@ Studio::Studio(const ViewHome& home, const Options& options)
                     }
                     render();
                 }),
-      clock_([this](const std::stop_token& stop) {
-          while (!stop.stop_requested()) {
+      clock_([this] {
+          while (!isEnding_) {
               workshop_.look();
               runner_.look();
               std::this_thread::sleep_for(kLookEvery);
@@ -97,7 +97,7 @@ Studio::Studio(const ViewHome& home, const Options& options)
 }
 
 Studio::~Studio() {
-    clock_.request_stop();
+    isEnding_ = true;
     clock_.join();
     board_.close();
 }

@@ -7,6 +7,7 @@
 #include "ViewHome.h"
 #include "Workshop.h"
 
+#include <atomic>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -53,7 +54,8 @@ private:
     int builds_ = 0;
     SolutionRunner runner_;
     Workshop workshop_;
-    std::jthread clock_;
+    std::atomic<bool> isEnding_{false};
+    std::thread clock_;
 };
 
 }  // namespace raytracer::view

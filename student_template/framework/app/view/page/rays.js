@@ -34,7 +34,7 @@ class RayView {
 
   addTools() {
     const tools = { left: ["\u2190", "Turn left"], right: ["\u2192", "Turn right"], up: ["\u2191", "Look from higher"],
-      down: ["\u2193", "Look from lower"], in: ["+", "Nearer"], out: ["\u2212", "Further away"], home: ["0", "First view"] };
+      down: ["\u2193", "Look from lower"], in: ["+", "Nearer"], out: ["\u2212", "Further away"], home: ["\u2302", "First view"] };
     for (const [act, [sign, words]] of Object.entries(tools)) this.addButton(act, sign, words);
     if (!this.onPoint) return;
     this.addButton("point", "Light at the end of this ray", "");

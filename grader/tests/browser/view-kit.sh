@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# view-kit.sh SOURCE KIT: the students' package with the model answer, built, for tests that save its files.
+# Later calls build only what changed.
+set -euo pipefail
+source="$1"
+kit="$2"
+mkdir -p "$kit/scenes" "$kit/assets"
+cp -a --update "$source/student_template/." "$kit"
+cp -a --update "$source"/scenes/*.xml "$kit/scenes"
+cp -a --update "$source"/assets/*.png "$kit/assets"
+for file in "$source"/reference_solution/exercise/*.cpp; do
+  cmp -s "$file" "$kit/exercise/${file##*/}" || cp "$file" "$kit/exercise"
+done
+cd "$kit"
+[[ -f build/release/CMakeCache.txt ]] || cmake --preset release -G Ninja -DCMAKE_UNITY_BUILD=ON
+cmake --build --preset release --parallel 2

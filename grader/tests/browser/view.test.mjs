@@ -1,0 +1,169 @@
+// tick1star --view as a student meets it.
+import assert from "node:assert/strict";
+import { after, afterEach, before, test } from "node:test";
+import { readFile, writeFile } from "node:fs/promises";
+import { accessibilityFaults, launchBrowser, overflow } from "./harness.mjs";
+import { clickPixel, exerciseFile, finished, openViewer, processesOfTheKit, startViewer } from "./viewer.mjs";
+
+let browser;
+let source;
+let viewer;
+before(async () => {
+  browser = await launchBrowser();
+  source = await readFile(exerciseFile, "utf8");
+});
+after(() => browser.close());
+afterEach(async () => {
+  await viewer?.end("SIGTERM");
+  viewer = null;
+  await writeFile(exerciseFile, source);
+  assert.deepEqual(processesOfTheKit(), [], "left behind");
+});
+
+/// Opens the viewer on a small picture and holds the page to what all pages promise.
+async function withPage(look, options) {
+  viewer = await startViewer("scenes/distributed.xml", "-r", "160x120", "--dof-rays", "8", "--seed", "1");
+  const { page, problems } = await openViewer(browser, viewer, options);
+  await look(page, problems);
+  assert.deepEqual(problems, []);
+  await page.close();
+}
+
+const text = (page, id) => page.locator(`#${id}`).textContent();
+const showing = (page, id, words) => page.waitForFunction(([where, what]) =>
+  document.getElementById(where).textContent.includes(what), [id, words]);
+
+test("the viewer's page is quiet, accessible, fits a telephone, and ends with all that it started", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await showing(page, "tests", "T2.2");
+    await clickPixel(page, 0.5, 0.6);
+    assert.deepEqual(await accessibilityFaults(page), []);
+    await page.setViewportSize({ width: 360, height: 740 });
+    assert.equal(await overflow(page), 0, "scrolls sideways");
+  }));
+
+test("a click draws the pixel's rays; a line and its ray are highlighted together", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await clickPixel(page, 0.5, 0.6);
+    const list = page.getByRole("listbox", { name: "Rays" });
+    assert.equal(await list.locator(".ray-camera").count(), 8);
+    assert.match(await page.locator(".ray-story").textContent(), /8 camera rays; they start at x from/);
+    await list.locator("li").nth(3).click();
+    assert.equal(await page.evaluate(() => rays.drawing.chosen), 3);
+    await list.press("ArrowDown");
+    assert.equal(await page.evaluate(() => rays.drawing.chosen), 4);
+    assert.equal(await list.locator("[aria-selected=true]").getAttribute("data-ray"), "4");
+    // and the other way round: a click on that ray in the drawing
+    const at = await page.evaluate(() => {
+      rays.choose(-1);
+      const [ax, ay, bx, by] = rays.drawing.orbit.segment(rays.drawing.data.rays[0].a, rays.drawing.data.rays[0].b);
+      return { x: (ax + bx) / 2, y: (ay + by) / 2 };
+    });
+    await page.locator(".ray-stage canvas").click({ position: at });
+    assert.equal(await list.locator("[aria-selected=true]").count(), 1);
+    assert.match(await list.locator("[aria-selected=true]").textContent(), /camera ray/);
+  }));
+
+test("the drawing turns by mouse and by keys, and a surface can be asked", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await clickPixel(page, 0.5, 0.6);
+    const yaw = () => page.evaluate(() => rays.drawing.orbit.yaw);
+    const canvas = page.locator(".ray-stage canvas");
+    const first = await yaw();
+    await canvas.press("ArrowLeft");
+    assert.notEqual(await yaw(), first);
+    await canvas.press("0");
+    assert.equal(await yaw(), first);
+    const box = await canvas.boundingBox();
+    await page.mouse.move(box.x + 50, box.y + 50);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 120, box.y + 60, { steps: 4 });
+    await page.mouse.up();
+    assert.notEqual(await yaw(), first);
+    await page.locator(".ray-list li").first().click();
+    await page.getByRole("button", { name: "Light at the end of this ray" }).click();
+    await page.waitForFunction(() => rays.drawing.data.about.startsWith("The point"));
+    assert.match(await page.locator(".ray-faces").textContent(), /light 1 as the point sees it: \d+ of 10 rays arrive/);
+  }));
+
+test("all of it can be reached by keys", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await page.locator("#picture").focus();
+    await page.keyboard.press("ArrowRight");
+    assert.match(await text(page, "status"), /Pixel \(\d+, \d+\)/);
+    await page.keyboard.press("Enter");
+    await page.locator("#rays").waitFor();
+    for (const wanted of ["CANVAS", "BUTTON", "INPUT", "OL"])
+      await page.waitForFunction((name) =>
+        [...document.querySelectorAll("#rays *")].some((one) => one.tagName === name && one.tabIndex === 0), wanted);
+  }));
+
+test("a slider renders again, and a value out of range is refused with words", () =>
+  withPage(async (page, problems) => {
+    await finished(page);
+    const number = page.getByRole("spinbutton", { name: "Aperture" });
+    assert.equal(await number.inputValue(), "0.2");
+    await page.getByRole("slider", { name: "Aperture, as a slider" }).fill("0");
+    await page.waitForFunction(() => settings.aperture === "0");
+    await finished(page);
+    assert.equal(await number.inputValue(), "0");
+    await page.getByRole("spinbutton", { name: "Camera rays" }).fill("0");
+    await showing(page, "status", "expected a whole number from 1");
+    assert.match(problems.splice(0).join(), /^console: .*400/, "Chromium notes the refusal, and nothing else");
+  }));
+
+test("another picture can be laid over this one", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await page.getByLabel("Compare with").selectOption("pinhole");
+    await page.waitForFunction(() => picture.kept.pinhole);
+    assert.equal(await page.locator("#other").isVisible(), true);
+  }));
+
+test("an error of the compiler shows with its line, a right edit with its picture, a mistake with its test", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await showing(page, "tests", "T2.1");
+    const build = await page.evaluate(() => picture.build);
+    const builtAgain = (times) => page.waitForFunction((wanted) => picture.build === wanted, build + times);
+    await writeFile(exerciseFile, source.replace("return colour;", "return colour"));
+    await showing(page, "build", "Renderer.cpp, line ");
+    assert.match(await text(page, "build"), /expected .;.* before/);
+    assert.equal(await page.evaluate(() => picture.build), build, "the last picture stays");
+    await clickPixel(page, 0.3, 0.3); // and answers
+    await writeFile(exerciseFile, source.replace("return colour;", "return colour * 0.5;"));
+    await builtAgain(1);
+    await finished(page);
+    await showing(page, "tests", "Not yet: T2.1");
+    assert.equal(await page.getByLabel("Compare with").locator("[value=before]").isDisabled(), false);
+    await writeFile(exerciseFile, source);
+    await builtAgain(2);
+    await showing(page, "tests", "passed");
+  }));
+
+test("code that crashes says so and takes nothing with it", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await writeFile(exerciseFile, source.replace("return colour;", "__builtin_trap(); return colour;"));
+    await showing(page, "trouble", "Your code crashed");
+    await writeFile(exerciseFile, source);
+    await page.waitForFunction(() => document.getElementById("trouble").hidden);
+    await finished(page);
+  }));
+
+test("a viewer that is killed leaves no process behind, and its page says that it has ended", async () => {
+  viewer = await startViewer("scenes/distributed.xml", "--seed", "1");
+  const { page } = await openViewer(browser, viewer);
+  await page.waitForFunction(() => document.getElementById("stage").textContent !== "");
+  await writeFile(exerciseFile, `${source}\n// saved\n`);
+  await showing(page, "build", "Building");
+  await viewer.end("SIGKILL");
+  viewer = null;
+  await showing(page, "status", "has ended");
+  for (let tries = 0; tries < 100 && processesOfTheKit().length > 0; ++tries) await page.waitForTimeout(50);
+  await page.close();
+});

@@ -1,0 +1,43 @@
+// What tests of tick1star --view share. TICKER_VIEW_KIT is a built package of a student.
+import { readdirSync, readFileSync, readlinkSync } from "node:fs";
+import { spawn } from "node:child_process";
+import { createInterface } from "node:readline";
+import { join } from "node:path";
+import { openPage } from "./harness.mjs";
+
+export const kit = process.env.TICKER_VIEW_KIT;
+export const exerciseFile = join(kit, "exercise/Renderer.cpp");
+
+/// Starts the viewer and waits for its address.
+export async function startViewer(...options) {
+  const viewer = spawn(join(kit, "build/tick1star"), ["--view", ...options, "--quiet"],
+    { cwd: kit, stdio: ["ignore", "pipe", "inherit"] });
+  const lines = createInterface({ input: viewer.stdout });
+  const address = await new Promise((done) => lines.once("line", done));
+  return { address, end: (signal) => new Promise((done) => { viewer.once("exit", done); viewer.kill(signal); }) };
+}
+
+export const openViewer = (browser, viewer, options = {}) =>
+  openPage(browser, viewer.address, { allowed: (address) => /^(data:|about:)/.test(address) || address.startsWith(viewer.address), ...options });
+
+/// Commands of the processes that run a program of the kit or work in its build folder.
+export function processesOfTheKit() {
+  return readdirSync("/proc").filter((name) => /^\d+$/.test(name)).flatMap((name) => {
+    try {
+      const command = readFileSync(`/proc/${name}/cmdline`, "utf8").replaceAll("\0", " ");
+      return command.includes(kit) || readlinkSync(`/proc/${name}/exe`).startsWith(kit) ? [command] : [];
+    } catch { return []; } // it has ended meanwhile, or is not ours to look at
+  });
+}
+
+/// Clicks a pixel, as a share of the picture's width and height, and waits for its rays.
+export async function clickPixel(page, x, y) {
+  const box = await page.locator("#picture").boundingBox();
+  const before = await page.evaluate(() => rays.drawing.data);
+  await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+  await page.waitForFunction((last) => rays.drawing.data.about && rays.drawing.data.about !== last, before.about);
+}
+
+/// Waits until all pixels are there as they will be.
+export const finished = (page) =>
+  page.waitForFunction(() => document.getElementById("stage").textContent === "done");
