@@ -35,7 +35,7 @@ void askToEnd(int signal) {
     std::signal(signal, SIG_DFL);
 }
 
-std::string textOf(const fs::path& file) {
+std::string contentsOf(const fs::path& file) {
     std::ifstream stream{file};
     return {std::istreambuf_iterator<char>{stream}, {}};
 }
@@ -43,11 +43,11 @@ std::string textOf(const fs::path& file) {
 /// How much a scene suits where none was named: most where its picture is handed in and
 /// its option is worked on.
 int fitOf(const fs::path& scene) {
-    const std::string text = textOf(scene);
+    const std::string text = contentsOf(scene);
     if (text.find("screenshot.png") == std::string::npos) return 0;
     const bool isBumpy = text.find("<bumpy-sphere") != std::string::npos;
     const fs::path file = viewHome().exercise / (isBumpy ? "BumpySphere.cpp" : "Renderer.cpp");
-    return textOf(file).find("unfinished(\"") == std::string::npos ? 2 : 1;
+    return contentsOf(file).find("unfinished(\"") == std::string::npos ? 2 : 1;
 }
 
 /// The scene that the options name, else the one that suits best.
