@@ -12,5 +12,5 @@ for file in "$source"/reference_solution/exercise/*.cpp; do
   cmp -s "$file" "$kit/exercise/${file##*/}" || cp "$file" "$kit/exercise"
 done
 cd "$kit"
-[[ -f build/release/CMakeCache.txt ]] || cmake --preset release -G Ninja -DCMAKE_UNITY_BUILD=ON
+[[ -f build/release/CMakeCache.txt ]] || cmake --preset release -G Ninja
 cmake --build --preset release --parallel 2

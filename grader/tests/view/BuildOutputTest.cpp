@@ -52,6 +52,9 @@ TEST(BuildOutput, TellsTheFirstFailingTestOfTheTasksInTheFile) {
     EXPECT_NE(outcome.summary.find("T2.2 depth of field: not attempted"), std::string::npos);
     EXPECT_EQ(testOutcomeIn(kOutput, {}).title, "T1   Normals have unit length");
     EXPECT_FALSE(testOutcomeIn(kOutput, {"T2.2"}).hasFailed);
+    EXPECT_EQ(
+        testOutcomeIn(std::string{"NOT YET: T2.2 Later\n  a\n\n"} + kOutput, {"T2.1", "T2.2"}).text,
+        "  expected: a share\n");
 }
 
 TEST(BuildOutput, KnowsTheTasksOfAFileByItsMarks) {

@@ -58,10 +58,13 @@ TestOutcome testOutcomeIn(std::string_view output, const std::set<std::string>& 
         const std::string line = withoutReturn(raw);
         if (line.starts_with(kNotYet)) {
             const std::string title = line.substr(kNotYet.size());
-            isInside = !outcome.hasFailed && isWanted(tagOf(title), tasks);
+            // The tests of the tasks run in any order.
+            isInside = isWanted(tagOf(title), tasks) &&
+                       (!outcome.hasFailed || tagOf(title) < tagOf(outcome.title));
             if (!isInside) continue;
             outcome.hasFailed = true;
             outcome.title = title;
+            outcome.text.clear();
         } else if (isWanted(tagOf(line), tasks)) {
             isInside = false;
             outcome.summary += line + "\n";
