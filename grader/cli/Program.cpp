@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <malloc.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -16,6 +18,15 @@ namespace {
 
 using raytracer::ExitCode;
 using raytracer::toInt;
+
+// Bump maps and pictures take some megabytes each. With glibc's default limits their memory goes
+// back to the kernel after each use, and every page has to be cleared anew for the next submission.
+void keepFreedMemory() {
+    constexpr int kLargestKept = 32 << 20;  // glibc takes no more
+    constexpr int kMostKept = 64 << 20;     // free memory at the end of a heap
+    mallopt(M_MMAP_THRESHOLD, kLargestKept);
+    mallopt(M_TRIM_THRESHOLD, kMostKept);
+}
 
 int report(const CLI::App& app, const std::string& message, ExitCode code) {
     std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), message.c_str());
@@ -72,6 +83,7 @@ void addTexts(CLI::App& app, const std::string& version) {
 }  // namespace
 
 int runProgram(const Program& program, const std::vector<AddVerb>& verbs, int argc, char** argv) {
+    keepFreedMemory();
     CLI::App app{program.description, program.name};
     const std::string version = versionText();
     app.set_version_flag("--version", version);

@@ -2,8 +2,6 @@
 
 #include <raytracer/base/Error.h>
 
-#include <cmath>
-
 namespace ticker::probe {
 namespace {
 
@@ -33,10 +31,11 @@ raytracer::HeightMap HeightMapDescription::build() const {
 
 HeightMapDescription describe(const raytracer::HeightMap& map) {
     HeightMapDescription told{map.width(), map.height(), {}, {}, {}};
+    told.bytes.reserve(texelCount(told));
     for (int row = 0; row < map.height(); ++row)
         for (int column = 0; column < map.width(); ++column)
             told.bytes.push_back(static_cast<std::uint8_t>(
-                std::lround(map.at(column, row) * 255.0 / raytracer::kBumpFactor)));
+                map.at(column, row) * 255.0 / raytracer::kBumpFactor + 0.5));
     return told;
 }
 

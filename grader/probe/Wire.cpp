@@ -5,9 +5,8 @@
 #include <raytracer/base/Error.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <memory>
-#include <optional>
 
 namespace ticker::probe {
 namespace {
@@ -30,24 +29,27 @@ constexpr int kMostRepetitions = 4096;
     throw raytracer::Error(std::string{"questions: "} + what);
 }
 
-// The byte of a picture that gives this height; empty if none does.
-std::optional<std::uint8_t> byteOf(double height) {
-    const double level = std::round(height * 255.0 / raytracer::kBumpFactor);
-    if (!(level >= 0.0 && level <= 255.0)) return std::nullopt;
-    const auto byte = static_cast<std::uint8_t>(level);
-    if (raytracer::kBumpFactor * byte / 255.0 != height) return std::nullopt;
-    return byte;
+// The heights of a picture's bytes.
+std::array<double, 256> heightsOfBytes() {
+    std::array<double, 256> heights{};
+    for (std::size_t byte = 0; byte < heights.size(); ++byte)
+        heights[byte] = raytracer::kBumpFactor * static_cast<int>(byte) / 255.0;
+    return heights;
 }
 
 // An eighth of the size of the heights; empty if some height is not a picture's.
 std::vector<std::uint8_t> asBytes(const HeightMap& map) {
+    static const std::array<double, 256> kHeights = heightsOfBytes();
     std::vector<std::uint8_t> bytes;
     bytes.reserve(static_cast<std::size_t>(map.width()) * static_cast<std::size_t>(map.height()));
     for (int row = 0; row < map.height(); ++row)
         for (int column = 0; column < map.width(); ++column) {
-            const std::optional<std::uint8_t> byte = byteOf(map.at(column, row));
-            if (!byte) return {};
-            bytes.push_back(*byte);
+            const double height = map.at(column, row);
+            const double level = height * 255.0 / raytracer::kBumpFactor + 0.5;
+            if (!(level >= 0.0 && level < 256.0)) return {};
+            const auto byte = static_cast<std::uint8_t>(level);
+            if (kHeights[byte] != height) return {};
+            bytes.push_back(byte);
         }
     return bytes;
 }
