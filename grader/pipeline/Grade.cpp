@@ -55,6 +55,10 @@ bool isBlocked(const TaskReport& task) {
     return task.state == TaskState::blocked;
 }
 
+bool hasPassed(const TaskReport& task) {
+    return task.state == TaskState::passed;
+}
+
 bool isNotAttempted(const TaskReport& task) {
     return task.state == TaskState::notAttempted;
 }
@@ -106,6 +110,10 @@ public:
             const bool isUsable = std::ranges::none_of(work.tasks, isBlocked);
             if (isUsable) {
                 Gallery rendered = gallery.get();
+                if (!rendered.isClear && std::ranges::all_of(work.tasks, hasPassed))
+                    rendered = questioning.run([&](probe::Examinee& examinee) {
+                        return renderSpecScenes(grader_.scenes, file, examinee, Rays::handout);
+                    });
                 if (!grader_.scenes.empty())
                     doubt(work.tasks, grader_, {rendered.misfits, rendered.bumpMisfit});
                 judged.renders = std::move(rendered).moveTo(result);

@@ -3,13 +3,15 @@
 #include <grader/metrics/Colours.h>
 #include <grader/metrics/Compare.h>
 #include <grader/picture/EncodePicture.h>
+#include <grader/pipeline/Fit.h>
 #include <grader/probe/AnswerMemory.h>
 #include <grader/tasks/bump/BumpPicture.h>
-#include <grader/tasks/lens/PictureDoubt.h>
 
 #include <raytracer/image/Image.h>
 #include <raytracer/io/ImageWriter.h>
 #include <raytracer/io/SceneReader.h>
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
@@ -30,56 +32,22 @@ raytracer::RenderSettings settingsOf(int width, int height) {
     return settings;
 }
 
-/// Comparison of a submission's picture with an expectation, in standard errors.
-struct Comparison {
-    const Expectation* expected = nullptr;
-    metrics::Measured z;
-    double misfit = 0.0;
-};
-
-Comparison compare(const Expectation& expected, const probe::RenderAnswer& answer) {
-    if (expected.brightness.mean.values.empty()) return {&expected, {}, 0.0};
-    Comparison result{
-        &expected,
-        metrics::zMap(expected.brightness,
-                      brightnessOf(answer.width, answer.height, answer.images[0]), 1.0),
-        0.0};
-    for (const float z : result.z.map.values)
-        result.misfit += static_cast<double>(z) * static_cast<double>(z);
-    result.misfit /= static_cast<double>(result.z.map.values.size());
-    return result;
-}
-
-Comparison bestFitting(const SpecScene& scene, const probe::RenderAnswer& answer,
-                       std::vector<Misfit>& misfits) {
-    // A larger misfit fits no accepted reading of the light.
-    constexpr double kNearMiss = 2.0;
-    Comparison best = compare(scene.expected(), answer);
-    double factor = 0.0;
-    for (std::size_t i = 0; i < scene.readings.size(); ++i) {
-        const bool isOfLight = i >= kAcceptedApertures.size();
-        const double own = scene.readings[i].apertureFactor;
-        if (i > 0 && best.misfit <= tasks::kMostMisfit) break;
-        if (isOfLight && (best.misfit > kNearMiss || own != factor)) continue;
-        Comparison other = compare(scene.expected(i), answer);
-        misfits.push_back({own, other.misfit});
-        if (i > 0 && other.misfit >= best.misfit) continue;
-        best = std::move(other);
-        factor = own;
-    }
-    return best;
-}
-
 std::string add(Gallery& gallery, const std::string& file, const std::string& title,
                 const raytracer::ByteImage& image) {
     gallery.pictures.push_back({"images/" + file + ".png", title, picture::encodePicture(image)});
     return gallery.pictures.back().file;
 }
 
-void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnswer& answer,
+std::string titleOf(const SpecScene& scene, Rays rays) {
+    const std::string title = scene.name + " as this submission renders it";
+    return scene.isRandom && rays == Rays::few
+               ? title + fmt::format(", with {} rays for each pixel", kFewRays)
+               : title;
+}
+
+void addRender(Gallery& gallery, const SpecScene& scene, Rays rays, const Fit& compared,
                const raytracer::ByteImage& picture) {
     constexpr double kFullZ = 6.0;
-    const Comparison compared = bestFitting(scene, answer, gallery.misfits);
     const raytracer::ByteImage& expected = compared.expected->picture;
     const metrics::Scores scores =
         metrics::score(metrics::viewOf(expected), metrics::viewOf(picture));
@@ -92,7 +60,7 @@ void addRender(Gallery& gallery, const SpecScene& scene, const probe::RenderAnsw
     render.ssim = scores.ssim;
     render.gmsd = scores.gmsd;
     render.rmse = scores.rmse;
-    render.image = add(gallery, scene.name, scene.name + " as this submission renders it", picture);
+    render.image = add(gallery, scene.name, titleOf(scene, rays), picture);
     render.reference =
         add(gallery, "expected-" + scene.name, scene.name + " as it should be", expected);
     render.errorMap =
@@ -140,10 +108,10 @@ std::optional<double> worstMisfit(const std::vector<Relief>& reliefs,
 
 }  // namespace
 
-std::vector<Misfit> misfitsOf(const SpecScene& scene, const probe::RenderAnswer& answer) {
-    std::vector<Misfit> misfits;
-    static_cast<void>(bestFitting(scene, answer, misfits));
-    return misfits;
+raytracer::RenderSettings settingsFor(const SpecScene& scene, Rays rays) {
+    raytracer::RenderSettings settings = scene.settings;
+    if (scene.isRandom && rays == Rays::few) settings.dofRayCount = kFewRays;
+    return settings;
 }
 
 std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer) {
@@ -197,13 +165,13 @@ std::vector<Rendered> Gallery::moveTo(SubmissionResult& result) && {
 }
 
 Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, std::string_view file,
-                         probe::Examinee& examinee) {
+                         probe::Examinee& examinee, Rays rays) {
     std::vector<const SpecScene*> asked;
     std::vector<probe::Question> questions;
     for (const SpecScene& scene : scenes) {
         if (scene.file != file) continue;
         asked.push_back(&scene);
-        questions.emplace_back(probe::RenderQuestion{scene.scene, scene.settings, 1, 0});
+        questions.emplace_back(probe::RenderQuestion{scene.scene, settingsFor(scene, rays), 1, 0});
     }
     Gallery gallery;
     if (questions.empty()) return gallery;
@@ -218,7 +186,11 @@ Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, std::string_view 
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const auto& answer = std::get<probe::RenderAnswer>(run.answers.at(i));
         pictures.push_back(pictureFrom(answer));
-        if (pictures[i]) addRender(gallery, *asked[i], answer, *pictures[i]);
+        if (!pictures[i]) continue;
+        const Fit fit = bestFit(*asked[i], answer, rays);
+        addRender(gallery, *asked[i], rays, fit, *pictures[i]);
+        gallery.misfits.insert(gallery.misfits.end(), fit.misfits.begin(), fit.misfits.end());
+        gallery.isClear = gallery.isClear && fit.isClear;
     }
     gallery.bumpMisfit =
         worstMisfit(reliefs, pictures, std::span(run.answers).subspan(pictures.size()));

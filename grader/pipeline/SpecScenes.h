@@ -56,10 +56,17 @@ struct Rendered {
                                                     const std::filesystem::path& assets,
                                                     const Exercise& exercise = defaultExercise());
 
-/// Misfits of a picture of a random scene for the accepted readings, in order. A reading is tried
-/// only if all earlier ones do not fit.
-[[nodiscard]] std::vector<Misfit> misfitsOf(const SpecScene& scene,
-                                            const probe::RenderAnswer& answer);
+/// How many camera rays each pixel of a random scene's picture gets.
+enum class Rays {
+    few,     ///< enough for most submissions, at a quarter of the time
+    handout  ///< the handout's number
+};
+inline constexpr int kFewRays = 12;
+/// Pixels on a side of the tiles in which a picture with few rays is compared.
+inline constexpr int kTileOfFewRays = 3;
+
+/// The settings of such a picture.
+[[nodiscard]] raytracer::RenderSettings settingsFor(const SpecScene& scene, Rays rays);
 
 /// The answered picture after the tone curve; empty if a part is missing.
 [[nodiscard]] std::optional<raytracer::ByteImage> pictureFrom(const probe::RenderAnswer& answer);
@@ -74,6 +81,8 @@ struct Gallery {
     std::vector<Misfit> misfits;
     /// The largest `tasks::bumpMisfit`; empty if no scene has a relief, or if a picture is missing.
     std::optional<double> bumpMisfit;
+    /// False if a picture of few rays leaves a doubt that one of the handout's rays may settle.
+    bool isClear = true;
 
     /// Moves scores and pictures into the result. @return  The renders.
     std::vector<Rendered> moveTo(SubmissionResult& result) &&;
@@ -83,7 +92,7 @@ struct Gallery {
 /// never fail a submission; a misfit may ask for review (tasks/lens/PictureDoubt.h,
 /// tasks/bump/BumpPicture.h).
 [[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, std::string_view file,
-                                       probe::Examinee& examinee);
+                                       probe::Examinee& examinee, Rays rays = Rays::few);
 
 /// Computes the expectations of a file's scenes in advance.
 void prepareExpectations(const std::vector<SpecScene>& scenes, std::string_view file);

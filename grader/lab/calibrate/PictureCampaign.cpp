@@ -2,6 +2,7 @@
 #include <grader/lab/calibrate/Bounds.h>
 #include <grader/lab/calibrate/PictureCampaign.h>
 #include <grader/lab/calibrate/Seed.h>
+#include <grader/pipeline/Fit.h>
 #include <grader/tasks/lens/PictureDoubt.h>
 
 #include <raytracer/base/Error.h>
@@ -99,7 +100,11 @@ std::string PictureCampaign::run(std::size_t unit) {
         const auto& answer = std::get<probe::RenderAnswer>(run.answers.at(0));
         if (answer.state != probe::AnswerState::answered || answer.images.empty())
             throw raytracer::Error(subject.name + " gave no picture: " + run.end.detail);
-        misfits.push_back(std::round(1e4 * smallestOf(pipeline::misfitsOf(scene_, answer))) / 1e4);
+        misfits.push_back(
+            std::round(
+                1e4 *
+                smallestOf(pipeline::bestFit(scene_, answer, pipeline::Rays::handout).misfits)) /
+            1e4);
     }
     return json{{"subject", subject.name}, {"right", subject.isRight()}, {"misfits", misfits}}
         .dump();
