@@ -26,6 +26,6 @@ int main(int argc, char** argv) {
     return runProgram(
         {"ticker", "Grades a ray-tracing exercise: bump mapping, soft shadows, depth of field."},
         {addGrade, addCheck, addRender, addReport, addDoctor, addCompare, addRefs, addPackage,
-         addCollect, addSession, addElsewhere<kSelftest>, addElsewhere<kCalibrate>},
+         addCollect, addSession, addAppeal, addElsewhere<kSelftest>, addElsewhere<kCalibrate>},
         argc, argv);
 }

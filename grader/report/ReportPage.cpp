@@ -3,6 +3,7 @@
 #include <grader/report/PageSources.h>
 #include <grader/report/ReportPage.h>
 #include <grader/report/Words.h>
+#include <grader/result/AppealNumber.h>
 #include <grader/result/Names.h>
 
 #include <fmt/core.h>
@@ -215,7 +216,10 @@ std::string reportPage(const SubmissionResult& result) {
     for (const TaskReport& task : result.tasks)
         if (hasSection(task)) body += taskSection(result, task, album);
     body += diagnosticsSection(result) + picturesSection(result, album) + facts(result) +
-            "</main><footer><p>Proposed by ticker; a person decides.</p></footer>";
+            fmt::format(
+                "</main><footer><p>Proposed by ticker; a person decides. Number for an "
+                "appeal: {}</p></footer>",
+                appealNumber(result));
     return page(fmt::format("{}: {}", result.submission, wordsFor(result.verdict)), reportCss(),
                 reportJs(), body);
 }

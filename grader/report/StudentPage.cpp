@@ -54,7 +54,11 @@ std::string studentPage(const StudentView& view) {
     for (const TaskReport& task : result.tasks)
         if (concernsStudent(task) && saidBefore(result, task) == nullptr)
             body += section(view, task, album);
-    body += diagnosticsSection(result) + pictures(result, album) + "</main>";
+    body += diagnosticsSection(result) + pictures(result, album) +
+            fmt::format(
+                "</main><footer><p>Should you doubt this result, tell the course staff its "
+                "number: {}</p></footer>",
+                view.appealNumber());
     return page(fmt::format("{}: {}", view.exercise().title, wordsFor(result.verdict)), reportCss(),
                 reportJs(), body);
 }

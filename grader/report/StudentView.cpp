@@ -2,6 +2,7 @@
 
 #include <grader/report/Escape.h>
 #include <grader/report/Words.h>
+#include <grader/result/AppealNumber.h>
 
 #include <fmt/core.h>
 
@@ -141,6 +142,7 @@ StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, s
       comment_(std::move(comment)),
       notes_(std::move(notes)),
       proposed_(proposed.value_or(result_.verdict)),
+      appealNumber_(ticker::appealNumber(result_)),
       exercise_(&exercise) {
     result_.seed = 0;
     for (TaskReport& task : result_.tasks)

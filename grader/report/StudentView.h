@@ -44,6 +44,8 @@ public:
     [[nodiscard]] const SubmissionResult& result() const { return result_; }
     [[nodiscard]] const std::string& comment() const { return comment_; }
     [[nodiscard]] const std::vector<LineNote>& notes() const { return notes_; }
+    /// Names the result to staff; see `appealNumber`.
+    [[nodiscard]] const std::string& appealNumber() const { return appealNumber_; }
     [[nodiscard]] Verdict proposed() const { return proposed_; }
     [[nodiscard]] const Exercise& exercise() const { return *exercise_; }
 
@@ -52,6 +54,7 @@ private:
     std::string comment_;
     std::vector<LineNote> notes_;
     Verdict proposed_;
+    std::string appealNumber_;
     const Exercise* exercise_;
 };
 

@@ -31,6 +31,7 @@ Run addRender(CLI::App& app, const GlobalOptions& global);
 Run addCompare(CLI::App& app, const GlobalOptions& global);
 Run addRefs(CLI::App& app, const GlobalOptions& global);
 Run addCollect(CLI::App& app, const GlobalOptions& global);
+Run addAppeal(CLI::App& app, const GlobalOptions& global);
 Run addSession(CLI::App& app, const GlobalOptions& global);
 Run addReport(CLI::App& app, const GlobalOptions& global);
 Run addDoctor(CLI::App& app, const GlobalOptions& global);

@@ -1,8 +1,11 @@
 #include <grader/report/Markdown.h>
+#include <grader/report/ReportPage.h>
 #include <grader/report/StudentPage.h>
 #include <grader/report/StudentView.h>
 #include <grader/report/platforms/MoodleFeedback.h>
 #include <grader/report/platforms/PlatformFormats.h>
+
+#include <grader/result/AppealNumber.h>
 
 #include <raytracer/base/Error.h>
 
@@ -198,6 +201,16 @@ TEST(StudentView, ShowsTheTickersWordsAsMarkdownAndBesideTheLines) {
     EXPECT_TRUE(holds(feedback, "<p>About Own.cpp, line 7:</p><pre>a &lt; b;</pre>")) << feedback;
     for (const char* bad : {"\n", "\"", "\\"})
         EXPECT_FALSE(holds(feedback, bad)) << bad;
+}
+
+TEST(StudentView, TellsTheNumberOfTheResultAndNotItsSeed) {
+    SubmissionResult result = passedExample();
+    const std::string number = appealNumber(result);
+    EXPECT_EQ(number.size(), 9U);
+    EXPECT_TRUE(holds(studentPage(StudentView{result, {}}), "number: " + number + "<"));
+    EXPECT_TRUE(holds(reportPage(result), number));
+    ++result.seed;
+    EXPECT_NE(appealNumber(result), number);
 }
 
 TEST(Markdown, TakesMarkupForTextAndHeadingsForParagraphs) {
