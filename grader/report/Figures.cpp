@@ -2,6 +2,7 @@
 #include <grader/report/Graphics.h>
 #include <grader/report/PageParts.h>
 #include <grader/report/Words.h>
+#include <grader/result/RayDrawingJson.h>
 
 #include <fmt/core.h>
 
@@ -24,6 +25,17 @@ std::string plotFigure(const ScatterPlot& plot) {
         escapeHtml(expectation(plot)));
 }
 
+/// The page's script makes a drawing of it; without scripts its words remain.
+std::string rayFigure(const RayDrawing& drawing) {
+    std::string words;
+    for (const std::string& line : drawing.words)
+        words += escapeHtml(line) + " ";
+    return fmt::format(
+        "<figure class=\"ray-figure\"><script type=\"application/json\">{}</script>"
+        "<figcaption><strong>{}.</strong><noscript> {}</noscript></figcaption></figure>",
+        rayDrawingJson(drawing), escapeHtml(drawing.about), words);
+}
+
 std::string rasterFigure(const Raster& raster, const Album& album) {
     const std::string source = album.addressOf(raster.image);
     if (source.empty()) return "";
@@ -36,8 +48,11 @@ std::string rasterFigure(const Raster& raster, const Album& album) {
 std::string figures(const std::vector<ScatterPlot>& plots, const std::vector<Raster>& rasters,
                     const Album& album) {
     std::string html;
-    for (const ScatterPlot& plot : plots)
-        html += plotFigure(plot);
+    for (const ScatterPlot& plot : plots) {
+        // Students see the rays alone.
+        if (!plot.points.empty()) html += plotFigure(plot);
+        if (plot.drawing) html += rayFigure(*plot.drawing);
+    }
     for (const Raster& raster : rasters)
         html += rasterFigure(raster, album);
     return html;

@@ -10,7 +10,8 @@ namespace ticker::report {
 [[nodiscard]] std::string_view commonCss();
 [[nodiscard]] std::string_view reportCss();
 [[nodiscard]] std::string_view reportJs();
-/// Part of `reportJs`: the class of overlaid pictures, without keys.
+/// Part of `reportJs`: the class of pictures that lie over each other, and `drawRays`; bound to no
+/// keys.
 [[nodiscard]] std::string_view viewerJs();
 [[nodiscard]] std::string_view classCss();
 [[nodiscard]] std::string_view classJs();

@@ -25,7 +25,8 @@ const std::map<std::string, bool StudentPolicy::*>& switches() {
         {"compilerOutput", &StudentPolicy::compilerOutput},
         {"warnings", &StudentPolicy::warnings},
         {"notes", &StudentPolicy::notes},
-        {"ownPictures", &StudentPolicy::ownPictures}};
+        {"ownPictures", &StudentPolicy::ownPictures},
+        {"rays", &StudentPolicy::rays}};
     return kSwitches;
 }
 
@@ -57,7 +58,7 @@ StudentPolicy readStudentPolicy(const std::filesystem::path& path) {
     if (!document.isObject()) throw InputError(path.string(), 1, "expected an object");
     // A missing member must not default to "show".
     for (const auto& [name, unused] : switches())
-        if (!document.has(name))
+        if (name != "rays" && !document.has(name))  // which is off where it is missing
             throw InputError(path.string(), 1, fmt::format("expected a member \"{}\"", name));
     StudentPolicy policy;
     const auto members = document.members();

@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 namespace ticker::report {
 namespace {
 
@@ -17,8 +19,9 @@ std::string section(const StudentView& view, const TaskReport& task, const Album
                                    badge(kindOf(task), wordsFor(task)));
     if (task.findings.empty() && !task.reason.empty())
         html += fmt::format("<p>{}</p>", escapeHtml(sentence(task.reason)));
+    std::string seen = figures(task.plots, task.rasters, album);
     for (const Finding& finding : task.findings)
-        html += findingCard(finding, album, "");
+        html += findingCard(finding, album, std::exchange(seen, {}));
     return html + "</section>";
 }
 

@@ -25,8 +25,20 @@ bool isShown(const Finding& finding, const StudentPolicy& policy) {
     return false;
 }
 
+/// What the student's own code did at one question that was asked, at most: no other point of it,
+/// and no ray that it should have cast.
+void withhold(std::vector<ScatterPlot>& plots, const StudentPolicy& policy) {
+    std::erase_if(plots, [&](const ScatterPlot& plot) { return !policy.rays || !plot.drawing; });
+    for (ScatterPlot& plot : plots) {
+        std::erase_if(plot.drawing->rays, [](const RayDrawing::Ray& ray) {
+            return ray.kind == RayDrawing::Kind::expected;
+        });
+        plot = {.title = plot.title, .unit = plot.unit, .drawing = std::move(plot.drawing)};
+    }
+}
+
 void withhold(Finding& finding, const StudentPolicy& policy) {
-    finding.plots.clear();
+    withhold(finding.plots, policy);
     finding.rasters.clear();
     if (!policy.hints) finding.hint.clear();
     std::erase_if(finding.evidence, [&](const auto& entry) {
@@ -41,7 +53,7 @@ void withhold(TaskReport& task, const StudentPolicy& policy) {
     std::erase_if(task.findings, [&](const Finding& finding) { return !isShown(finding, policy); });
     for (Finding& finding : task.findings)
         withhold(finding, policy);
-    task.plots.clear();
+    withhold(task.plots, policy);
     task.rasters.clear();
 }
 

@@ -18,6 +18,7 @@ struct StudentPolicy {
     bool warnings = true;
     bool notes = true;
     bool ownPictures = true;
+    bool rays = false;                  ///< of one pixel or point that was asked about
     std::vector<std::string> evidence;  ///< keys; all others are withheld
 };
 

@@ -1,6 +1,9 @@
 #ifndef TICKER_RESULT_FINDING_H
 #define TICKER_RESULT_FINDING_H
 
+#include <grader/result/RayDrawing.h>
+
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -32,6 +35,7 @@ struct ScatterPlot {
     enum class Shape { square, disc } expectedShape = Shape::square;
     double expectedHalfWidth = 0.0;  ///< half the square's side, or the disc's radius; centred on 0
     double otherHalfWidth = 0.0;     ///< of another accepted size; 0 if there is no other
+    std::optional<RayDrawing> drawing;  ///< rays of one of the pixels or points that are plotted
 };
 
 /// A picture made by a judge: a relief, a map of z-scores.

@@ -1,6 +1,7 @@
 #include <grader/base/JsonValue.h>
 #include <grader/base/WholeFile.h>
 #include <grader/result/Names.h>
+#include <grader/result/RayDrawingJson.h>
 #include <grader/result/ResultJson.h>
 
 #include <raytracer/base/Error.h>
@@ -59,6 +60,7 @@ ScatterPlot readPlot(const JsonValue& place) {
         if (pair.size() != 2) point.expect("two numbers");
         plot.points.push_back({realOf(pair[0]), realOf(pair[1])});
     }
+    if (place.has("drawing")) plot.drawing = readRayDrawing(place.at("drawing"));
     return plot;
 }
 

@@ -1,5 +1,6 @@
 #include <grader/base/Utf8.h>
 #include <grader/result/Names.h>
+#include <grader/result/RayDrawingJson.h>
 #include <grader/result/ResultJson.h>
 
 #include <fmt/core.h>
@@ -55,6 +56,7 @@ ordered_json plotJson(const ScatterPlot& plot) {
     json["expectedHalfWidth"] = number(plot.expectedHalfWidth);
     if (plot.otherHalfWidth > 0.0) json["otherHalfWidth"] = number(plot.otherHalfWidth);
     json["points"] = points;
+    if (plot.drawing) json["drawing"] = ordered_json::parse(rayDrawingJson(*plot.drawing));
     return json;
 }
 

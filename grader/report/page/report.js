@@ -1,4 +1,5 @@
 const viewers = [...document.querySelectorAll(".viewer")].map((section) => new Viewer(section));
+drawRays(document);
 
 document.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;

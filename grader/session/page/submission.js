@@ -5,7 +5,7 @@ import { entries, isOverruled, isPending, isSame, isStale, model, saidOf, standi
 import { nextUndecided } from "./list.js";
 import { ask } from "./server.js";
 import { undone } from "./undo.js";
-import { Viewer } from "./viewer.js";
+import { Viewer, drawRays } from "./viewer.js";
 import { onOpen, open, register } from "./views.js";
 
 export let viewers = []; // of the submission that fills the page
@@ -44,6 +44,7 @@ async function show({ name }) {
   if (!error) main.append(...decisionsSoFar(history, entries.get(name).files));
   for (const time of main.querySelectorAll("#earlier time")) time.replaceWith(clock(time.dateTime));
   viewers = [...main.querySelectorAll(".viewer")].map((section) => new Viewer(section));
+  drawRays(main);
   dressCode();
   window.scrollTo(0, 0);
   main.focus({ preventScroll: true });

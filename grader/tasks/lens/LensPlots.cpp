@@ -1,8 +1,14 @@
 #include <grader/tasks/lens/LensPlots.h>
 #include <grader/tasks/support/Plots.h>
+#include <grader/tasks/support/SceneDrawing.h>
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <optional>
 
 namespace ticker::tasks {
 namespace {
@@ -10,6 +16,47 @@ namespace {
 /// Half of a pixel of the handout's picture, at a distance of 1.
 double halfPixel() {
     return std::tan(std::numbers::pi / 8.0) / raytracer::RenderSettings{}.width;
+}
+
+/// The pixel with the most rays; null if no ray was seen.
+const LensPixel* tellingPixel(const LensLog& log) {
+    const auto most = std::ranges::max_element(
+        log.pixels, {}, [](const LensPixel& pixel) { return pixel.rays.size(); });
+    return most == log.pixels.end() || most->rays.empty() ? nullptr : &*most;
+}
+
+/// The rays of one pixel, beside the one to its focal point.
+std::optional<RayDrawing> drawPixel(const LensLog& log) {
+    constexpr std::size_t kMostRays = 60;
+    const LensPixel* pixel = tellingPixel(log);
+    if (pixel == nullptr) return std::nullopt;
+    const raytracer::RenderSettings& settings = log.asked->settings;
+    const Vector3 focal = focalPointOf(*pixel, settings);
+    RayDrawing drawing = drawScene(log.asked->scene, settings.lightSize);
+    drawing.about = "The rays of one pixel, as this code casts them";
+    drawing.words = {fmt::format("{} camera rays of one pixel.", pixel->rays.size()),
+                     "Expected: they start in the square, the lens, and all pass one point, the "
+                     "pixel's focal point."};
+    drawing.lensHalfWidth = settings.dofAmount;
+    drawing.focalPlane = settings.dofFocalPlane;
+    drawing.rays.push_back({RayDrawing::Kind::expected,
+                            {},
+                            drawn(focal),
+                            "the pinhole's ray, up to the focal point",
+                            -1});
+    for (std::size_t i = 0; i < std::min(kMostRays, pixel->rays.size()); ++i) {
+        const LensRay& ray = pixel->rays[i];
+        const Vector3 end =
+            endInScene(log.asked->scene, ray.origin, ray.direction, 1.5 * settings.dofFocalPlane);
+        const double away = (focal - ray.origin).cross(ray.direction).magnitude();
+        drawing.rays.push_back(
+            {RayDrawing::Kind::camera, drawn(ray.origin), drawn(end),
+             fmt::format("camera ray {} starts at ({:.3g}, {:.3g}, {:.3g}), passes {:.2g} from the "
+                         "focal point",
+                         i + 1, ray.origin.x, ray.origin.y, ray.origin.z, away < 1e-6 ? 0.0 : away),
+             -1});
+    }
+    return drawing;
 }
 
 }  // namespace
@@ -25,6 +72,7 @@ ScatterPlot plotLens(const LensLog& log) {
         for (const LensRay& ray : pixel.rays)
             plot.points.push_back({ray.origin.x, ray.origin.y});
     thin(plot.points);
+    plot.drawing = drawPixel(log);
     return plot;
 }
 
@@ -44,6 +92,7 @@ ScatterPlot plotFocus(const LensLog& log) {
         }
     }
     thin(plot.points);
+    plot.drawing = drawPixel(log);
     return plot;
 }
 

@@ -131,7 +131,7 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
     outcome.findings =
         runChecks<ShadowSeen>(outcome.rayless ? checksOfValues() : checksOfRays(), seen);
     outcome.reading = seen.reading;
-    outcome.plots = unshown({plotAims(logs.farLight)}, outcome.findings);
+    outcome.plots = unshown({plotAims(logs.farLight, logs.oneLight)}, outcome.findings);
     return outcome;
 }
 

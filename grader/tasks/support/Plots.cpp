@@ -25,6 +25,14 @@ std::vector<ScatterPlot> unshown(std::vector<ScatterPlot> plots,
                        [&](const ScatterPlot& shown) { return shown.title == plot.title; });
                });
     });
+    bool isDrawn = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+        return std::any_of(finding.plots.begin(), finding.plots.end(),
+                           [](const ScatterPlot& shown) { return shown.drawing.has_value(); });
+    });
+    for (ScatterPlot& plot : plots) {
+        if (isDrawn) plot.drawing.reset();
+        isDrawn = isDrawn || plot.drawing;
+    }
     return plots;
 }
 

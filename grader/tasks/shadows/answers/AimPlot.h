@@ -9,8 +9,10 @@
 namespace ticker::tasks {
 
 /// Where shadow rays pass the light's centre, seen from the shaded point, with the light's outline.
-/// @param far  Logs of purpose farLight.
-[[nodiscard]] ScatterPlot plotAims(const std::vector<const ShadowLog*>& far);
+/// @param far   Logs of purpose farLight.
+/// @param near  Logs with points of which a part of the light is hidden: one of them is drawn.
+[[nodiscard]] ScatterPlot plotAims(const std::vector<const ShadowLog*>& far,
+                                   const std::vector<const ShadowLog*>& near);
 
 }  // namespace ticker::tasks
 

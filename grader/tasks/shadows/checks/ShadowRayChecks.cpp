@@ -201,7 +201,7 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
         finding->evidence.emplace_back("shareNearRim", aims.rimShare);
         finding->evidence.emplace_back("lean", aims.lean * radius);
         finding->evidence.emplace_back("lines", static_cast<double>(aims.lines));
-        finding->plots.push_back(plotAims(logs.farLight));
+        finding->plots.push_back(plotAims(logs.farLight, logs.oneLight));
     }
     return finding;
 }
