@@ -26,6 +26,7 @@ function pointsOf(data) {
   const points = [];
   const isNear = (ray) => ray.k !== "reflected" && (ray.p < 0 || data.rays[ray.p].k !== "reflected");
   for (const ray of data.rays) if (!ray.m && isNear(ray)) points.push(ray.a, ray.b);
+  data.lights.forEach(({ centre }, light) => { if (data.rays.some(({ l }) => l === light)) points.push(centre); });
   for (const { at, given, expected } of data.rays.length ? [] : data.normals || [])
     points.push(at, plus(at, unit(given || expected), 0.2));
   for (const { centre, radius } of points.length ? [] : data.spheres)

@@ -57,7 +57,7 @@ function lightFaces(data, parent) {
 function drawFace(canvas, { radius, isSquare, points }, isDark) {
   const pen = canvas.getContext("2d");
   const side = canvas.width;
-  const reach = 1.1 * Math.max(radius, 1e-9, ...points.map(({ x, y }) => Math.max(Math.abs(x), Math.abs(y))));
+  const reach = 1.1 * Math.max(radius, 0.02, ...points.map(({ x, y }) => Math.max(Math.abs(x), Math.abs(y))));
   const at = (x) => side / 2 * (1 + x / reach);
   const colour = (name) => isDark ? kRayKinds[name].dark : kRayKinds[name].light;
   pen.fillStyle = isDark ? "#14171b" : "#fbfaf7";

@@ -1,0 +1,106 @@
+// The viewer's figures, of a built package of a student with the model answer (view-kit.sh):
+//   TICKER_VIEW_KIT=KIT node view-bench.mjs
+// Times of the clock; the cost of rendering is processor time, which other programs do not change much.
+import { spawnSync } from "node:child_process";
+import { readdirSync, readFileSync } from "node:fs";
+import { readFile, writeFile } from "node:fs/promises";
+import { join } from "node:path";
+import { launchBrowser } from "./harness.mjs";
+import { clickPixel, exerciseFile, finished, kit, openViewer, startViewer } from "./viewer.mjs";
+
+const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
+const say = (what, value, wanted) => console.log(`${what.padEnd(58)} ${value.padStart(12)}   (${wanted})`);
+const scene = ["scenes/distributed.xml", "--seed", "1"];
+
+/// Seconds of the processor that the process which renders has had.
+function workerSeconds() {
+  for (const name of readdirSync("/proc").filter((each) => /^\d+$/.test(each))) {
+    try {
+      const command = readFileSync(`/proc/${name}/cmdline`, "utf8");
+      if (!command.startsWith(kit) || !command.includes("--view-worker")) continue;
+      const fields = readFileSync(`/proc/${name}/stat`, "utf8").replace(/.*\) /, "").split(" ");
+      return (Number(fields[11]) + Number(fields[12])) / 100;
+    } catch { /* it has ended */ }
+  }
+  return 0;
+}
+
+async function firstPicture() {
+  const start = performance.now();
+  const viewer = await startViewer(...scene);
+  for (let pieces = 0; pieces === 0;)
+    pieces = (await (await fetch(`${viewer.address}news?after=0`)).json()).pieces.length;
+  const taken = performance.now() - start;
+  await viewer.end("SIGTERM");
+  return taken;
+}
+
+function compileSeconds() {
+  const start = performance.now();
+  spawnSync("cmake", ["--build", join(kit, "build/release"), "--target", "tick1star-template"]);
+  return performance.now() - start;
+}
+
+const browser = await launchBrowser();
+const firsts = [];
+for (let i = 0; i < 5; ++i) firsts.push(await firstPicture());
+say("start of the program to the first picture", `${median(firsts).toFixed(0)} ms`, "200 ms");
+
+const viewer = await startViewer(...scene);
+const { page } = await openViewer(browser, viewer);
+await finished(page);
+const withView = workerSeconds();
+const plain = spawnSync("bash", ["-c",
+  `TIMEFORMAT=%U; time build/tick1star -i scenes/distributed.xml -o ${join(kit, "build/bench.png")} --seed 1 -q`], { cwd: kit });
+const without = Number(plain.stderr.toString().trim());
+say("rendering, speed with the viewer", `${(100 * without / withView).toFixed(0)} %`, "at least 90 %");
+
+await clickPixel(page, 0.5, 0.6);
+const clicks = await page.evaluate(async () => {
+  const times = [];
+  for (let i = 0; i < 9; ++i) {
+    const start = performance.now();
+    await ask("pixel", { x: 300 + i, y: 250 });
+    await new Promise((done) => requestAnimationFrame(done));
+    times.push(performance.now() - start);
+  }
+  return { times, count: rays.drawing.data.rays.length };
+});
+say(`click to drawn rays (${clicks.count} rays)`, `${median(clicks.times).toFixed(0)} ms`, "100 ms for 1,000");
+
+const frames = await page.evaluate(async () => {
+  const { data } = rays.drawing;
+  const many = Array.from({ length: 5000 }, (_, i) => data.rays[i % data.rays.length]);
+  rays.drawing.data = { ...data, rays: many };
+  let count = 0;
+  const start = performance.now();
+  while (performance.now() - start < 3000) {
+    rays.drawing.orbit.turn(0.02, 0);
+    rays.drawing.draw(true);
+    ++count;
+    await new Promise((done) => requestAnimationFrame(done));
+  }
+  return count / ((performance.now() - start) / 1000);
+});
+say("turning 5,000 rays", `${frames.toFixed(0)} frames/s`, "30 frames/s");
+
+const source = await readFile(exerciseFile, "utf8");
+const beyond = [];
+for (let i = 1; i <= 3; ++i) {
+  const build = await page.evaluate(() => picture.build);
+  const start = performance.now();
+  await writeFile(exerciseFile, `${source}// ${i}\n`);
+  await page.waitForFunction((last) => picture.build > last && document.getElementById("stage").textContent, build);
+  const saved = performance.now() - start;
+  await page.waitForFunction(() => !document.getElementById("tests").textContent.includes("run ..."));
+  beyond.push(saved);
+}
+await viewer.end("SIGTERM");
+const compiles = [];
+for (let i = 1; i <= 3; ++i) {
+  await writeFile(exerciseFile, `${source}// by hand ${i}\n`);
+  compiles.push(compileSeconds());
+}
+await writeFile(exerciseFile, source);
+say("save to new picture, beyond the compiler", `${(median(beyond) - median(compiles)).toFixed(0)} ms`, "500 ms");
+await browser.close();
