@@ -33,7 +33,8 @@ void withhold(std::vector<ScatterPlot>& plots, const StudentPolicy& policy) {
         std::erase_if(plot.drawing->rays, [](const RayDrawing::Ray& ray) {
             return ray.kind == RayDrawing::Kind::expected;
         });
-        plot = {.title = plot.title, .unit = plot.unit, .drawing = std::move(plot.drawing)};
+        plot.points.clear();
+        plot.expectedHalfWidth = plot.otherHalfWidth = 0.0;
     }
 }
 

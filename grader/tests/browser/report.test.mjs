@@ -40,7 +40,7 @@ for (const [what, url] of Object.entries({
 test("a report runs nothing that a student wrote", () =>
   withReport(example("=hostile<img src=x onerror=alert(3)>\"'&"), async (page) => {
     page.on("dialog", () => assert.fail("a script of the student's ran"));
-    assert.equal(await page.locator("script").count(), 1);
+    assert.equal(await page.locator("script:not([type='application/json'])").count(), 1);
     const ran = await page.evaluate(() => {
       const script = document.createElement("script");
       script.textContent = "window.intruder = true";
@@ -49,6 +49,18 @@ test("a report runs nothing that a student wrote", () =>
     });
     assert.equal(ran, false, "the page's policy let a foreign script run");
   }, { expectRefusals: true }));
+
+test("a report draws the rays of one pixel, with a line for each", () =>
+  withReport(graded("distributed-off-centre"), async (page) => {
+    const drawing = page.locator(".ray-figure").first();
+    await drawing.scrollIntoViewIfNeeded();
+    const lines = drawing.getByRole("listbox", { name: "Rays" }).locator("li");
+    assert.ok(await lines.count() > 10);
+    await lines.nth(2).click();
+    assert.equal(await drawing.locator("[aria-selected=true]").count(), 1);
+    assert.match(await drawing.locator(".ray-faces").textContent(), /The lens, and where rays start on it/);
+    assert.ok((await page.content()).length < 3_000_000);
+  }));
 
 test("a report of the class leads back to it, one by itself has no such link", () =>
   withReport(graded("does-not-compile"), async (page) => {

@@ -67,14 +67,31 @@ ResultPicture reliefPicture(const std::string& file) {
 }
 
 ScatterPlot lensPlot() {
-    ScatterPlot plot{"Where 600 lens rays began", "world units", {},
-                     ScatterPlot::Shape::square,  0.2,           0.1};
+    ScatterPlot plot;
+    plot.title = "Where 600 lens rays began";
+    plot.unit = "world units";
+    plot.expectedHalfWidth = 0.2;
+    plot.otherHalfWidth = 0.1;
     std::mt19937_64 generator{7};
     std::uniform_real_distribution<double> along{-0.2, 0.2};
     while (plot.points.size() < 600) {
         const PlotPoint point{along(generator), along(generator)};
         if (point.x * point.x + point.y * point.y < 0.04) plot.points.push_back(point);
     }
+    RayDrawing drawing;
+    drawing.about = "The rays of one pixel";
+    drawing.words = {"50 camera rays of one pixel."};
+    drawing.spheres = {{"sphere 1", {0.0, 0.0, 4.0}, 0.5}};
+    drawing.lensHalfWidth = 0.2;
+    drawing.focalPlane = 3.5;
+    drawing.rays = {{RayDrawing::Kind::expected, {}, {0.0, 0.0, 3.5}, "the expected ray", -1}};
+    for (std::size_t i = 0; i < 50; ++i)
+        drawing.rays.push_back({RayDrawing::Kind::camera,
+                                {plot.points[i].x, plot.points[i].y, 0.0},
+                                {0.0, 0.0, 3.5},
+                                "a camera ray",
+                                -1});
+    plot.drawing = drawing;
     return plot;
 }
 
@@ -259,6 +276,9 @@ SubmissionResult hostileExample() {
     finding.evidence = {{hostile, hostile}, {"notFinite", std::nan("")}};
     finding.plots[0].title = finding.plots[0].unit = hostile;
     finding.plots[0].points = {{std::nan(""), 0.0}, {1e300, -1e300}, {0.1, 0.1}};
+    RayDrawing& drawing = *finding.plots[0].drawing;
+    drawing.about = drawing.words[0] = drawing.spheres[0].name = drawing.rays[1].words = hostile;
+    drawing.rays[1].to = {std::nan(""), 1e300, -1e300};
     finding.rasters = {reliefRaster("https://example.org/" + hostile)};
     finding.rasters[0].title = hostile;
     result.tasks[0].findings = {finding};

@@ -41,7 +41,18 @@ SubmissionResult example() {
                       {{0.123456, -1e-9}, {std::nan(""), 2.0}},
                       ScatterPlot::Shape::disc,
                       0.4,
-                      0.2}};
+                      0.2,
+                      RayDrawing{}}};
+    RayDrawing& drawing = *finding.plots[0].drawing;
+    drawing.about = "one <pixel>";
+    drawing.words = {"50 \x1B rays"};
+    drawing.spheres = {{"sphere 1", {0.0, 0.5, 4.0}, 1.0}};
+    drawing.planes = {{"plane 1", {0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}};
+    drawing.lights = {{"light 1", {0.0, 4.0, 2.0}, 0.4}};
+    drawing.lensHalfWidth = 0.2;
+    drawing.focalPlane = 3.5;
+    drawing.rays = {{RayDrawing::Kind::blocked, {0.0, -1.0, 4.0}, {0.0, 1.0 / 3.0, 4.0}, "x", 0},
+                    {RayDrawing::Kind::expected, {}, {std::nan(""), 0.0, 3.5}, "y", -1}};
     finding.rasters.resize(1);
     finding.rasters[0].title = "relief";
     finding.rasters[0].image = "images/T1-1.png";
@@ -124,6 +135,19 @@ TEST(ResultJson, KeepsAllThatAPageShows) {
     const Finding& finding = back.tasks.at(0).findings.at(0);
     EXPECT_EQ(finding.plots.at(0).points.at(0).x, 0.1235) << "four digits are enough";
     EXPECT_EQ(finding.plots.at(0).otherHalfWidth, 0.2);
+    ASSERT_TRUE(finding.plots.at(0).drawing);
+    const RayDrawing& drawing = *finding.plots.at(0).drawing;
+    EXPECT_EQ(drawing.about, "one <pixel>");
+    EXPECT_EQ(drawing.spheres.at(0).centre[2], 4.0);
+    EXPECT_EQ(drawing.planes.at(0).normal[1], 1.0);
+    EXPECT_EQ(drawing.lights.at(0).radius, 0.4);
+    EXPECT_EQ(drawing.lensHalfWidth, 0.2);
+    EXPECT_EQ(drawing.focalPlane, 3.5);
+    ASSERT_EQ(drawing.rays.size(), 2U);
+    EXPECT_EQ(drawing.rays[0].kind, RayDrawing::Kind::blocked);
+    EXPECT_EQ(drawing.rays[0].to[1], 0.3333);
+    EXPECT_EQ(drawing.rays[0].light, 0);
+    EXPECT_EQ(drawing.rays[1].to[0], 0.0) << "a drawing has finite ends alone";
     EXPECT_EQ(finding.rasters.at(0).image, "images/T1-1.png");
     EXPECT_TRUE(back.tasks.at(1).needsReview);
     EXPECT_EQ(back.pictures.at(0).caption, "relief");

@@ -221,5 +221,20 @@ TEST(Markdown, TakesMarkupForTextAndHeadingsForParagraphs) {
     EXPECT_EQ(markdownHtml(""), "");
 }
 
+TEST(StudentView, ShowsTheStudentsOwnRaysAndNoOther) {
+    SubmissionResult result = failedLensExample();
+    for (TaskReport& task : result.tasks)
+        for (Finding& finding : task.findings)
+            for (ScatterPlot& plot : finding.plots)
+                plot.title = "a plot of what was asked";
+    StudentPolicy policy = readStudentPolicy(kPolicy);
+    const std::string shown = studentPage(StudentView{result, policy});
+    EXPECT_TRUE(holds(shown, "a camera ray")) << "the test must look at something";
+    EXPECT_FALSE(holds(shown, "the expected ray"));
+    EXPECT_FALSE(holds(shown, "<svg")) << "a plot of all points";
+    policy.rays = false;
+    EXPECT_FALSE(holds(studentPage(StudentView{result, policy}), "a camera ray"));
+}
+
 }  // namespace
 }  // namespace ticker::report
