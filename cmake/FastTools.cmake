@@ -8,3 +8,12 @@ find_program(TICKER_LLD ld.lld)
 if(TICKER_LLD)
   add_link_options(-fuse-ld=lld)
 endif()
+
+# Clang's parser, for `ticker explain`; without it everything else works.
+file(GLOB TICKER_LLVM_FOLDERS "/usr/lib/llvm-*")
+find_path(TICKER_LIBCLANG_INCLUDE clang-c/Index.h PATHS ${TICKER_LLVM_FOLDERS}
+  PATH_SUFFIXES include)
+find_library(TICKER_LIBCLANG clang PATHS ${TICKER_LLVM_FOLDERS} PATH_SUFFIXES lib)
+if(NOT TICKER_LIBCLANG_INCLUDE)
+  set(TICKER_LIBCLANG "")
+endif()

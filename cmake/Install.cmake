@@ -7,6 +7,10 @@ install(TARGETS ticker tick1star-template tick1star-reference
 install(TARGETS ticker-jail ticker-decode RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/ticker")
 install(DIRECTORY "${CMAKE_BINARY_DIR}/kit" DESTINATION "${CMAKE_INSTALL_LIBDIR}/ticker")
 
+if(TARGET ticker-candidates)
+  install(TARGETS ticker-candidates RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/ticker")
+endif()
+
 set(share "${CMAKE_INSTALL_DATADIR}/ticker")
 install(DIRECTORY scenes assets student_template DESTINATION "${share}" USE_SOURCE_PERMISSIONS)
 install(DIRECTORY reference_solution/exercise reference_solution/tick1

@@ -34,11 +34,12 @@ struct Attempt {
 class Job {
 public:
     Job(const Kit& kit, const sandbox::Sandbox& sandbox, const sandbox::Limits& limits,
-        std::string file)
+        std::string file, Purpose purpose)
         : kit_(kit),
           sandbox_(sandbox),
           limits_(limits),
           file_(std::move(file)),
+          isSwitched_(purpose == Purpose::switched),
           kitPath_{kit.folder(), "/kit"},
           sourcePath_{sources_.path(), "/source"} {}
 
@@ -82,14 +83,17 @@ private:
         sandbox::Command command;
         std::vector<std::string>& words = command.arguments;
         words.push_back(kit_.compiler());
-        words.insert(words.end(), kit_.compileFlags().begin(), kit_.compileFlags().end());
+        const std::vector<std::string>& flags =
+            isSwitched_ ? kit_.quickFlags() : kit_.compileFlags();
+        words.insert(words.end(), flags.begin(), flags.end());
         words.push_back("-I" + inKit("include"));
         if (precompiled)
-            words.insert(words.end(), {"-Winvalid-pch", "-include", inKit("pch/Framework.h")});
+            words.insert(words.end(), {"-Winvalid-pch", "-include",
+                                       inKit(isSwitched_ ? "pch/Switched.h" : "pch/Framework.h")});
         words.push_back((sandbox_.pathFor(sourcePath_) / file_).string());
         for (const std::string& other : kit_.files())
             if (other != file_) words.push_back(inKit(Kit::templateObject(other)));
-        words.push_back(inKit("lib/probe.o"));
+        words.push_back(inKit(isSwitched_ ? "lib/switched.o" : "lib/probe.o"));
         words.insert(words.end(), {"-Wl,--whole-archive", inKit("lib/libkit.a"),
                                    "-Wl,--no-whole-archive", "-o", "probe"});
         words.insert(words.end(), kit_.linkFlags().begin(), kit_.linkFlags().end());
@@ -147,6 +151,7 @@ private:
     const sandbox::Sandbox& sandbox_;
     const sandbox::Limits& limits_;
     std::string file_;
+    bool isSwitched_;
     JobFolder sources_;
     sandbox::ReadOnlyPath kitPath_;
     sandbox::ReadOnlyPath sourcePath_;
@@ -156,12 +161,13 @@ private:
 
 BuildResult buildProgram(const Kit& kit, const sandbox::Sandbox& sandbox,
                          const sandbox::Limits& limits, const std::string& file,
-                         std::string_view source) {
-    const Job job{kit, sandbox, limits, file};
+                         std::string_view source, Purpose purpose) {
+    const Job job{kit, sandbox, limits, file, purpose};
     job.writeSource(source);
     Attempt attempt = job.compileAndLink(true);
     BuildResult first = std::move(attempt.result);
-    if (first.kind != Kind::failed || attempt.couldCompile) return first;
+    if (first.kind != Kind::failed || attempt.couldCompile || purpose == Purpose::switched)
+        return first;
     BuildResult second = job.compileAndLink(false).result;
     second.cpuMs += first.cpuMs;
     second.wallMs += first.wallMs;

@@ -31,6 +31,12 @@ struct BuildResult {
     int compilations = 0;  ///< how often the compiler was run
 };
 
+/// What a program is for.
+enum class Purpose {
+    graded,   ///< to be judged: as a submission is compiled and asked
+    switched  ///< carries many edits (grader/repair): compiled quickly, asked by switched.o
+};
+
 /// Compiles one submitted file and links it with the kit and the template's other files.
 ///
 /// The file is compiled alone, with nothing else of the submission around it, so that it can only
@@ -39,7 +45,7 @@ struct BuildResult {
 /// those of the second run. A file that compiled but did not link is not compiled again.
 [[nodiscard]] BuildResult buildProgram(const Kit& kit, const sandbox::Sandbox& sandbox,
                                        const sandbox::Limits& limits, const std::string& file,
-                                       std::string_view source);
+                                       std::string_view source, Purpose purpose = Purpose::graded);
 
 }  // namespace ticker::build
 

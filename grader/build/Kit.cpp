@@ -54,8 +54,10 @@ Kit Kit::at(const fs::path& folder) {
         const auto json = nlohmann::json::parse(text);
         if (json.at("version") != 1)
             throw raytracer::Error(fmt::format("{}: not a kit of version 1", file.string()));
+        kit.madeAt_ = json.at("madeAt").get<std::string>();
         kit.compiler_ = json.at("compiler");
         kit.compileFlags_ = json.at("compile").get<std::vector<std::string>>();
+        kit.quickFlags_ = json.at("quick").get<std::vector<std::string>>();
         kit.linkFlags_ = json.at("link").get<std::vector<std::string>>();
         kit.files_ = json.at("files").get<std::vector<std::string>>();
     } catch (const nlohmann::json::exception& error) {
@@ -70,6 +72,11 @@ Kit Kit::at(const fs::path& folder) {
     const fs::path whole = fs::canonical(folder);
     kit.folder_ = everybodyReaches(whole) ? whole : copyForEverybody(whole);
     return kit;
+}
+
+fs::path Kit::parsedHeader() const {
+    const fs::path file = folder_ / "pch" / "Framework.pch";
+    return folder_ == madeAt_ && fs::is_regular_file(file) ? file : fs::path{};
 }
 
 std::string Kit::templateSource(const std::string& file) const {

@@ -24,7 +24,13 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] const std::string& compiler() const { return compiler_; }
     [[nodiscard]] const std::vector<std::string>& compileFlags() const { return compileFlags_; }
+    /// The same without optimisation, for a program that is asked once.
+    [[nodiscard]] const std::vector<std::string>& quickFlags() const { return quickFlags_; }
     [[nodiscard]] const std::vector<std::string>& linkFlags() const { return linkFlags_; }
+
+    /// The framework's headers, precompiled for Clang's parser. Empty if the kit has none, or was
+    /// moved since: the file names its place.
+    [[nodiscard]] std::filesystem::path parsedHeader() const;
 
     /// Names of the files that a submission may contain.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
@@ -37,8 +43,10 @@ private:
     Kit() = default;
 
     std::filesystem::path folder_;
+    std::filesystem::path madeAt_;
     std::string compiler_;
     std::vector<std::string> compileFlags_;
+    std::vector<std::string> quickFlags_;
     std::vector<std::string> linkFlags_;
     std::vector<std::string> files_;
 };

@@ -33,8 +33,9 @@ public:
                     intake::readSubmission(located, {.exercise = grader_.exercise});
                 if (auto known = knownResult(located, submission)) return {std::move(*known), true};
                 SubmissionResult result = pipeline::gradeSubmission(submission, grader_, seed_);
-                if (result.verdict != Verdict::notGraded || attempt == kTries)
-                    return {std::move(result), false};
+                if (result.verdict == Verdict::notGraded && attempt < kTries) continue;
+                if (hooks_.complete) hooks_.complete(submission, result);
+                return {std::move(result), false};
             } catch (const std::exception& error) {
                 reason = error.what();
             }

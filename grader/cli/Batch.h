@@ -17,6 +17,9 @@ struct BatchHooks {
     /// Returns the submission's existing result if it is still valid; empty: grade it. Several
     /// threads may call it at once; may be null.
     std::function<std::optional<SubmissionResult>(const intake::Located&, const Inputs&)> known;
+    /// May add to a fresh result before it is written; throws nothing. Several threads may call it
+    /// at once; may be null.
+    std::function<void(const intake::Submission&, SubmissionResult&)> complete = {};
     /// Writes a fresh result. Several threads may call it at once; may be null.
     std::function<void(const SubmissionResult&)> write;
     /// Receives each result when it is ready; never called in parallel.

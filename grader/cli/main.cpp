@@ -16,6 +16,7 @@ Run addElsewhere(CLI::App& app, const GlobalOptions& /*global*/) {
 
 constexpr const char* kSelftest = "selftest";
 constexpr const char* kCalibrate = "calibrate";
+constexpr const char* kRepairs = "repairs";
 
 }  // namespace
 }  // namespace ticker::cli
@@ -25,7 +26,8 @@ int main(int argc, char** argv) {
     using namespace ticker::cli;
     return runProgram(
         {"ticker", "Grades a ray-tracing exercise: bump mapping, soft shadows, depth of field."},
-        {addGrade, addCheck, addRender, addReport, addDoctor, addCompare, addRefs, addPackage,
-         addCollect, addSession, addAppeal, addElsewhere<kSelftest>, addElsewhere<kCalibrate>},
+        {addGrade, addCheck, addExplain, addRender, addReport, addDoctor, addCompare, addRefs,
+         addPackage, addCollect, addSession, addAppeal, addElsewhere<kSelftest>,
+         addElsewhere<kCalibrate>, addElsewhere<kRepairs>},
         argc, argv);
 }

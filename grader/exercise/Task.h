@@ -1,6 +1,7 @@
 #ifndef TICKER_EXERCISE_TASK_H
 #define TICKER_EXERCISE_TASK_H
 
+#include <grader/exercise/Screening.h>
 #include <grader/probe/Examinee.h>
 #include <grader/result/SubmissionResult.h>
 
@@ -43,6 +44,8 @@ struct Task {
     /// Asks for review if the renders do not show what the submission answers; may be null.
     /// @param tasks  All tasks of the task's file.
     void (*doubt)(std::vector<TaskReport>& tasks, const RenderEvidence& renders) = nullptr;
+    /// For hundreds of edits of one submission; may be null.
+    Screening (*screen)(std::uint64_t seed) = nullptr;
 };
 
 }  // namespace ticker

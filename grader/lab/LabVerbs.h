@@ -8,6 +8,7 @@ namespace ticker::cli {
 // The verbs of ticker-lab; see Verb.h.
 Run addSelftest(CLI::App& app, const GlobalOptions& global);
 Run addCalibrate(CLI::App& app, const GlobalOptions& global);
+Run addRepairsLab(CLI::App& app, const GlobalOptions& global);
 
 }  // namespace ticker::cli
 

@@ -6,5 +6,5 @@
 int main(int argc, char** argv) {
     using namespace ticker::cli;
     return runProgram({"ticker-lab", "Tries the grader on submissions whose result is known."},
-                      {addSelftest, addCalibrate}, argc, argv);
+                      {addSelftest, addCalibrate, addRepairsLab}, argc, argv);
 }

@@ -30,8 +30,18 @@ const std::map<std::string, bool StudentPolicy::*>& switches() {
     return kSwitches;
 }
 
+constexpr const char* kRepairs = "repairs";
+
+StudentPolicy::Repairs repairsOf(const JsonValue& value) {
+    const std::string word = value.text();
+    if (word == "off") return StudentPolicy::Repairs::off;
+    if (word == "line") return StudentPolicy::Repairs::line;
+    if (word == "line and hint") return StudentPolicy::Repairs::lineAndHint;
+    value.expect("off, line, or line and hint");
+}
+
 std::string unknownMember(const std::string& name) {
-    std::vector<std::string_view> known{"evidence"};
+    std::vector<std::string_view> known{"evidence", kRepairs};
     for (const auto& [each, unused] : switches())
         known.push_back(each);
     return "expected no member of this name" + raytracer::knownNamesHint(name, known);
@@ -40,6 +50,10 @@ std::string unknownMember(const std::string& name) {
 void takeMember(const std::string& name, const JsonValue& value, StudentPolicy& policy) {
     if (const auto known = switches().find(name); known != switches().end()) {
         policy.*known->second = value.flag();
+        return;
+    }
+    if (name == kRepairs) {
+        policy.repairs = repairsOf(value);
         return;
     }
     if (name != "evidence") value.refuse(unknownMember(name));

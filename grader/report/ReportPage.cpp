@@ -1,6 +1,7 @@
 #include <grader/report/Escape.h>
 #include <grader/report/PageParts.h>
 #include <grader/report/PageSources.h>
+#include <grader/report/RepairSection.h>
 #include <grader/report/ReportPage.h>
 #include <grader/report/Words.h>
 #include <grader/result/AppealNumber.h>
@@ -176,7 +177,7 @@ std::string taskSection(const SubmissionResult& result, const TaskReport& task,
     // Findings are clearer than the reason.
     if (task.findings.empty() && !task.reason.empty())
         html += fmt::format("<p>{}</p>", escapeHtml(sentence(task.reason)));
-    return html + findingCards(result, task, album) + "</section>";
+    return html + findingCards(result, task, album) + repairSection(result, task) + "</section>";
 }
 
 std::string seconds(double milliseconds) {

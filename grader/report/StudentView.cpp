@@ -1,6 +1,7 @@
 #include <grader/report/StudentView.h>
 
 #include <grader/report/Escape.h>
+#include <grader/report/RepairSection.h>
 #include <grader/report/Words.h>
 #include <grader/result/AppealNumber.h>
 
@@ -38,22 +39,32 @@ void withhold(std::vector<ScatterPlot>& plots, const StudentPolicy& policy) {
     }
 }
 
-void withhold(Finding& finding, const StudentPolicy& policy) {
+/// @param isAllowed  Its hint is shown even if the policy withholds hints.
+void withhold(Finding& finding, const StudentPolicy& policy, bool isAllowed) {
     withhold(finding.plots, policy);
     finding.rasters.clear();
-    if (!policy.hints) finding.hint.clear();
+    if (!policy.hints && !isAllowed) finding.hint.clear();
     std::erase_if(finding.evidence, [&](const auto& entry) {
         return std::ranges::find(policy.evidence, entry.first) == policy.evidence.end();
     });
 }
 
-void withhold(TaskReport& task, const StudentPolicy& policy) {
+/// The line that mends a task, in the words of its first failure. @param whole  Everything known.
+void sayLine(TaskReport& task, const SubmissionResult& whole, const StudentPolicy& policy) {
+    if (policy.repairs == StudentPolicy::Repairs::off) return;
+    const std::string line = agreedLine(whole, task.id);
+    const auto said = std::ranges::find(task.findings, Severity::fail, &Finding::severity);
+    if (!line.empty() && said != task.findings.end()) said->message += " " + line;
+}
+
+/// @param isMended  A line was said that mends it, and its hint may be shown beside.
+void withhold(TaskReport& task, const StudentPolicy& policy, bool isMended) {
     // The reason of a notGraded task may describe this machine.
     if (task.state == TaskState::notGraded)
         task.reason = "could not be graded, for reasons that are not yours";
     std::erase_if(task.findings, [&](const Finding& finding) { return !isShown(finding, policy); });
     for (Finding& finding : task.findings)
-        withhold(finding, policy);
+        withhold(finding, policy, isMended && finding.severity == Severity::fail);
     withhold(task.plots, policy);
     task.rasters.clear();
 }
@@ -158,8 +169,13 @@ StudentView::StudentView(SubmissionResult result, const StudentPolicy& policy, s
       appealNumber_(ticker::appealNumber(result_)),
       exercise_(&exercise) {
     result_.seed = 0;
-    for (TaskReport& task : result_.tasks)
-        withhold(task, policy);
+    for (TaskReport& task : result_.tasks) {
+        const bool isMended = policy.repairs == StudentPolicy::Repairs::lineAndHint &&
+                              !agreedLine(result_, task.id).empty();
+        sayLine(task, result_, policy);
+        withhold(task, policy, isMended);
+    }
+    result_.repairs.reset();
     withholdPictures(result_, policy);
     if (!policy.compilerOutput) result_.diagnostics.clear();
 }

@@ -18,7 +18,9 @@ struct StudentPolicy {
     bool warnings = true;
     bool notes = true;
     bool ownPictures = true;
-    bool rays = false;                  ///< of one pixel or point that was asked about
+    bool rays = false;  ///< of one pixel or point that was asked about
+    /// What students read of proven edits: nothing, or their line if all of a task are in one.
+    enum class Repairs { off, line, lineAndHint } repairs = Repairs::off;
     std::vector<std::string> evidence;  ///< keys; all others are withheld
 };
 

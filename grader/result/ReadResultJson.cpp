@@ -129,6 +129,30 @@ RenderScore readRender(const JsonValue& place) {
     return render;
 }
 
+RepairEdit readRepairEdit(const JsonValue& place) {
+    const JsonValue edit = place.at("edit");
+    return {integerOf(place.at("line")), edit.at("from").text(), edit.at("to").text()};
+}
+
+/// An edit that is not proven is left out, even if the file holds one.
+std::vector<Repair> readRepairs(const JsonValue& place) {
+    std::vector<Repair> repairs;
+    for (const JsonValue& item : place.items()) {
+        Repair repair;
+        repair.task = item.at("task").text();
+        repair.finding = item.at("finding").text();
+        repair.file = item.at("file").text();
+        repair.proven = item.at("proven").flag();
+        repair.next = item.at("next").text();
+        repair.edits.push_back(readRepairEdit(item));
+        if (item.has("more"))
+            for (const JsonValue& more : item.at("more").items())
+                repair.edits.push_back(readRepairEdit(more));
+        if (repair.proven) repairs.push_back(std::move(repair));
+    }
+    return repairs;
+}
+
 Option readOption(const JsonValue& place) {
     Option option{place.at("name").text(), {}, realOf(place.at("points"))};
     for (const JsonValue& task : place.at("tasks").items())
@@ -183,6 +207,7 @@ SubmissionResult parseResultJson(const std::string& text, const std::string& nam
         result.tasks.push_back(readTask(task));
     for (const JsonValue& render : top.at("renders").items())
         result.renders.push_back(readRender(render));
+    if (top.has("repairs")) result.repairs = readRepairs(top.at("repairs"));
     for (const JsonValue& notice : top.at("notices").items())
         result.notices.push_back(notice.text());
     if (top.has("pictures"))

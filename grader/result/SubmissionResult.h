@@ -3,6 +3,7 @@
 
 #include <grader/result/Finding.h>
 #include <grader/result/Inputs.h>
+#include <grader/result/Repair.h>
 
 #include <cstdint>
 #include <optional>
@@ -121,6 +122,8 @@ struct SubmissionResult {
     Inputs inputs;
     std::vector<TaskReport> tasks;
     std::vector<RenderScore> renders;
+    /// Edits that are proven to mend failed tasks; nothing: they were not looked for.
+    std::optional<std::vector<Repair>> repairs;
     std::vector<ResultPicture> pictures;
     std::vector<Diagnostics> diagnostics;
     std::vector<SourceText> sources;

@@ -172,6 +172,30 @@ ordered_json pictureJson(const ResultPicture& picture) {
     return {{"file", picture.file}, {"caption", cleanText(picture.caption)}};
 }
 
+ordered_json editJson(const RepairEdit& edit) {
+    return {{"from", cleanText(edit.from)}, {"to", cleanText(edit.to)}};
+}
+
+/// What is not proven is in no file.
+ordered_json repairsJson(const std::vector<Repair>& repairs) {
+    ordered_json list = ordered_json::array();
+    for (const Repair& repair : repairs) {
+        if (!repair.proven || repair.edits.empty()) continue;
+        ordered_json json{{"task", repair.task},
+                          {"finding", repair.finding},
+                          {"file", cleanText(repair.file)},
+                          {"line", repair.edits.front().line},
+                          {"edit", editJson(repair.edits.front())},
+                          {"proven", true},
+                          {"next", repair.next}};
+        for (std::size_t i = 1; i < repair.edits.size(); ++i)
+            json["more"].push_back(
+                {{"line", repair.edits[i].line}, {"edit", editJson(repair.edits[i])}});
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
 }  // namespace
 
 std::string resultJson(const SubmissionResult& result) {
@@ -203,6 +227,7 @@ std::string resultJson(const SubmissionResult& result) {
                           {"how", result.inputs.how}};
     json["tasks"] = tasks;
     json["renders"] = renders;
+    if (result.repairs) json["repairs"] = repairsJson(*result.repairs);
     json["notices"] = notices;
     for (const ResultPicture& picture : result.pictures)
         json["pictures"].push_back(pictureJson(picture));

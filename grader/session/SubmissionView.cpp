@@ -6,6 +6,7 @@
 #include <grader/exercise/Exercise.h>
 #include <grader/report/Escape.h>
 #include <grader/report/PageParts.h>
+#include <grader/report/RepairSection.h>
 #include <grader/report/Words.h>
 #include <grader/result/Names.h>
 
@@ -62,6 +63,7 @@ std::string task(const SubmissionResult& result, const TaskReport& task,
     if (!task.reason.empty()) html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
     for (const Finding& finding : task.findings)
         html += report::findingCard(finding, album, "");
+    html += report::repairSection(result, task);
     if (const std::string seen = report::figures(task.plots, task.rasters, album); !seen.empty())
         html += "<div class=\"card\"><div class=\"figures\">" + seen + "</div></div>";
     return html + "</section>";

@@ -2,10 +2,12 @@
 
 #include <grader/tasks/bump/BumpPicture.h>
 #include <grader/tasks/bump/JudgeBump.h>
+#include <grader/tasks/bump/ScreenBump.h>
 #include <grader/tasks/lens/JudgeLens.h>
 #include <grader/tasks/lens/PictureDoubt.h>
 #include <grader/tasks/maintick/JudgeMainTick.h>
 #include <grader/tasks/shadows/JudgeShadows.h>
+#include <grader/tasks/shadows/ScreenShadows.h>
 
 #include <algorithm>
 #include <array>
@@ -34,8 +36,8 @@ void doubtT22(std::vector<TaskReport>& tasks, const RenderEvidence& renders) {
     doubtPicture(tasks, renders.misfits, aperture);
 }
 
-constexpr std::array kTick1star{Task{"T1", judgeBump, hasRelief, doubtT1},
-                                Task{"T2.1", judgeShadows, isAnyScene, nullptr},
+constexpr std::array kTick1star{Task{"T1", judgeBump, hasRelief, doubtT1, screenBump},
+                                Task{"T2.1", judgeShadows, isAnyScene, nullptr, screenShadows},
                                 Task{"T2.2", judgeLens, isAnyScene, doubtT22}};
 
 constexpr std::array kTick1{Task{"M1", judgeSpheres, isAnyScene, nullptr},

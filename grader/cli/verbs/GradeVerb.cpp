@@ -1,6 +1,7 @@
 #include <grader/cli/Batch.h>
 #include <grader/cli/ClassPaths.h>
 #include <grader/cli/ClassRun.h>
+#include <grader/cli/Explained.h>
 #include <grader/cli/Formats.h>
 #include <grader/cli/Interrupt.h>
 #include <grader/cli/Output.h>
@@ -20,8 +21,10 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace ticker::cli {
@@ -36,6 +39,7 @@ struct BatchOptions {
     bool resultsOnly = false;
     std::string share;
     std::vector<std::string> regrade;
+    std::string explain;
     GradeOptions grade;
     FormatOptions formats;
 
@@ -150,7 +154,15 @@ raytracer::ExitCode grade(const BatchOptions& options, const GlobalOptions& glob
         gradeAll(
             submissions, grader, seed, workersOf(options), stop,
             {.known = [&](const intake::Located& located,
-                          const Inputs& inputs) { return run.known(located.name, inputs); },
+                          const Inputs& inputs) -> std::optional<SubmissionResult> {
+                 auto known = run.known(located.name, inputs);
+                 const bool isWhole = options.explain.empty() || (known && !wantsRepairs(*known));
+                 return isWhole ? std::move(known) : std::nullopt;
+             },
+             .complete =
+                 [&](const intake::Submission& submission, SubmissionResult& result) {
+                     if (!options.explain.empty()) addRepairs(submission, grader, result);
+                 },
              .write = [&](const SubmissionResult& result) { run.write(result); },
              .take =
                  [&](const intake::Located& located, const SubmissionResult& result, bool isKept) {
@@ -187,6 +199,9 @@ Run addGrade(CLI::App& app, const GlobalOptions& global) {
     verb->add_option("--regrade", options->regrade,
                      "Keep what is in OUT, but grade again: all, older (graded by another ticker "
                      "than this), a submission, or all with a finding");
+    verb->add_option("--explain", options->explain,
+                     "failed: look for edits that are proven to mend failed tasks")
+        ->check(CLI::IsMember({"failed"}));
     verb->add_flag("--results-only", options->resultsOnly,
                    "Write the submissions' folders alone, for a node of a cluster; ticker collect "
                    "takes them in");

@@ -27,6 +27,7 @@ using Run = std::function<raytracer::ExitCode()>;
 // outlives the program.
 Run addGrade(CLI::App& app, const GlobalOptions& global);
 Run addCheck(CLI::App& app, const GlobalOptions& global);
+Run addExplain(CLI::App& app, const GlobalOptions& global);
 Run addRender(CLI::App& app, const GlobalOptions& global);
 Run addCompare(CLI::App& app, const GlobalOptions& global);
 Run addRefs(CLI::App& app, const GlobalOptions& global);

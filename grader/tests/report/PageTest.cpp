@@ -289,5 +289,30 @@ TEST(Pages, AreWrittenToTheBuildFolderToBeLookedAt) {
     EXPECT_GT(fs::file_size(folder / "index.html"), 5'000U);
 }
 
+SubmissionResult withRepair(bool proven) {
+    SubmissionResult result = failedBumpExample();
+    result.repairs = std::vector<Repair>{{"T1",
+                                          "bump.inverted-u",
+                                          "BumpySphere.cpp",
+                                          {{31, "return a < b;", "return a + b;"}},
+                                          proven,
+                                          ""}};
+    return result;
+}
+
+TEST(ReportPage, ShowsAProvenEditAsLinesBeforeAndAfter) {
+    const std::string html = reportPage(withRepair(true));
+    EXPECT_NE(html.find("BumpySphere.cpp, line 31"), std::string::npos);
+    EXPECT_NE(html.find("return a &lt; b;</del>"), std::string::npos);
+    EXPECT_NE(html.find("return a + b;</ins>"), std::string::npos);
+    EXPECT_NE(html.find("passes all questions under three seeds"), std::string::npos);
+}
+
+TEST(ReportPage, NeverShowsAnEditThatIsNotProven) {
+    const std::string html = reportPage(withRepair(false));
+    EXPECT_EQ(html.find("return a + b;"), std::string::npos);
+    EXPECT_NE(html.find("No small edit of the code was found"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ticker::report

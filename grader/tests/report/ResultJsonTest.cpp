@@ -241,5 +241,31 @@ TEST(SummaryCsv, SaysWhatAPersonDecidedBesideWhatTheToolSays) {
     EXPECT_EQ(lineAfter(decision), "bump.inverted-u,,,,\r\n");
 }
 
+TEST(ResultJson, KeepsProvenEditsAndDropsTheOthers) {
+    SubmissionResult result = example();
+    const Repair proven{
+        "T1", "bump.inverted-u", "BumpySphere.cpp", {{3, "a", "b"}, {7, "c\nd", "e"}}, true, ""};
+    Repair guessed = proven;
+    guessed.proven = false;
+    result.repairs = std::vector<Repair>{guessed, proven};
+    const std::string text = resultJson(result);
+    EXPECT_TRUE(tests::fitsSchema(text, "result")) << text;
+
+    const SubmissionResult back = parseResultJson(text, "result.json");
+    ASSERT_TRUE(back.repairs);
+    ASSERT_EQ(back.repairs->size(), 1U);
+    EXPECT_TRUE(back.repairs->front().proven);
+    ASSERT_EQ(back.repairs->front().edits.size(), 2U);
+    EXPECT_EQ(back.repairs->front().edits[1].line, 7);
+    EXPECT_EQ(back.repairs->front().edits[1].from, "c\nd");
+}
+
+TEST(ResultJson, TellsNoRepairsFromNotLookedFor) {
+    SubmissionResult result = example();
+    EXPECT_FALSE(parseResultJson(resultJson(result), "result.json").repairs);
+    result.repairs.emplace();
+    EXPECT_TRUE(parseResultJson(resultJson(result), "result.json").repairs);
+}
+
 }  // namespace
 }  // namespace ticker::report

@@ -236,5 +236,49 @@ TEST(StudentView, ShowsTheStudentsOwnRaysAndNoOther) {
     EXPECT_FALSE(holds(studentPage(StudentView{result, policy}), "a camera ray"));
 }
 
+Repair repairIn(int line, bool proven) {
+    return {"T1",
+            "bump.inverted-u",
+            "BumpySphere.cpp",
+            {{line, "    return a - b;", "    return a + b;"}},
+            proven,
+            ""};
+}
+
+SubmissionResult withRepairs(std::vector<Repair> repairs) {
+    SubmissionResult result = failedBumpExample();
+    result.repairs = std::move(repairs);
+    return result;
+}
+
+TEST(StudentView, SaysTheLineButNotTheEditWhereAllProvenEditsAgree) {
+    const StudentPolicy policy = readStudentPolicy(kPolicy);
+    const std::string shown =
+        everythingShown(withRepairs({repairIn(31, true), repairIn(31, true)}), policy);
+
+    EXPECT_TRUE(holds(shown, "An edit in line 31 of BumpySphere.cpp mends this."));
+    EXPECT_FALSE(holds(shown, "a + b"));
+}
+
+TEST(StudentView, SaysNoLineWhereProvenEditsDisagree) {
+    const StudentPolicy policy = readStudentPolicy(kPolicy);
+    EXPECT_FALSE(
+        holds(everythingShown(withRepairs({repairIn(31, true), repairIn(12, true)}), policy),
+              "An edit in line"));
+}
+
+TEST(StudentView, SaysNoLineOfAnEditThatIsNotProven) {
+    const StudentPolicy policy = readStudentPolicy(kPolicy);
+    EXPECT_FALSE(
+        holds(everythingShown(withRepairs({repairIn(31, false)}), policy), "An edit in line"));
+}
+
+TEST(StudentView, SaysNoLineWhereThePolicyIsOff) {
+    StudentPolicy policy = readStudentPolicy(kPolicy);
+    policy.repairs = StudentPolicy::Repairs::off;
+    EXPECT_FALSE(
+        holds(everythingShown(withRepairs({repairIn(31, true)}), policy), "An edit in line"));
+}
+
 }  // namespace
 }  // namespace ticker::report

@@ -29,11 +29,13 @@ public:
     }
 
 private:
-    void change(probe::NormalQuestion& /*asked*/) const {}
+    // Questions of values have no settings.
     template <class Asked>
     void change(Asked& asked) const {
-        if (alter_) alter_(asked.settings);
-        if (hideRays_) asked.eventCapacity = 0;
+        if constexpr (requires { asked.settings; })
+            if (alter_) alter_(asked.settings);
+        if constexpr (requires { asked.eventCapacity; })
+            if (hideRays_) asked.eventCapacity = 0;
     }
 
     probe::Examinee& inner_;

@@ -1,0 +1,28 @@
+#include <grader/cli/Explained.h>
+
+#include <grader/repair/Explain.h>
+
+#include <algorithm>
+#include <exception>
+#include <string>
+
+namespace ticker::cli {
+
+bool wantsRepairs(const SubmissionResult& result) {
+    return !result.repairs && std::ranges::any_of(result.tasks, repair::isExplainable);
+}
+
+void addRepairs(const intake::Submission& submission, const pipeline::Grader& grader,
+                SubmissionResult& result) {
+    if (!wantsRepairs(result)) return;
+    // Other questions than those of the verdict.
+    constexpr std::uint64_t kOtherSeed = 0x9E3779B97F4A7C15U;
+    try {
+        result.repairs =
+            repair::explain(submission, grader, result, result.seed ^ kOtherSeed).repairs;
+    } catch (const std::exception& error) {
+        result.notices.push_back("Edits were not looked for: " + std::string{error.what()});
+    }
+}
+
+}  // namespace ticker::cli

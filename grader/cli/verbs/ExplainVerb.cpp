@@ -1,0 +1,117 @@
+#include <grader/cli/Explained.h>
+#include <grader/cli/verbs/GradeOptions.h>
+#include <grader/cli/verbs/Verb.h>
+#include <grader/intake/Intake.h>
+#include <grader/repair/Explain.h>
+#include <grader/report/Escape.h>
+#include <grader/report/Words.h>
+#include <grader/store/ClassFolder.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace ticker::cli {
+namespace {
+
+struct ExplainOptions {
+    std::string folder;
+    GradeOptions grade;
+};
+
+void printLines(char mark, const std::string& text) {
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        fmt::print("    {} {}\n", mark, report::escapeLine(text.substr(at, end - at)));
+        at = end + 1;
+    }
+}
+
+void print(const Repair& repair) {
+    for (const RepairEdit& edit : repair.edits) {
+        fmt::print("  {}, line {}\n", repair.file, edit.line);
+        printLines('-', edit.from);
+        printLines('+', edit.to);
+    }
+    if (repair.next.empty())
+        fmt::print("  proven: passes all questions under three seeds\n");
+    else
+        fmt::print("  proven: with this, the next finding is {}\n", repair.next);
+}
+
+void print(const TaskReport& task, const SubmissionResult& result) {
+    fmt::print("{} {}: {}\n", task.id, task.title,
+               task.findings.empty() ? "" : task.findings.front().id);
+    bool isFirst = true;
+    for (const Repair& repair : result.repairs.value_or(std::vector<Repair>{})) {
+        if (repair.task != task.id || !repair.proven) continue;
+        if (!isFirst) fmt::print("  or\n");
+        print(repair);
+        isFirst = false;
+    }
+    if (isFirst && result.repairs)
+        fmt::print("  no small edit of the code was found that mends this\n");
+}
+
+void print(const SubmissionResult& result) {
+    bool anyFailed = false;
+    for (const TaskReport& task : result.tasks) {
+        if (!repair::isExplainable(task)) continue;
+        anyFailed = true;
+        print(task, result);
+    }
+    if (!anyFailed) fmt::print("No task failed in a way that an edit of its code could mend.\n");
+    for (const std::string& notice : result.notices)
+        fmt::print("note: {}\n", report::escapeLine(notice));
+}
+
+/// What a class's results say.
+void printClass(const std::filesystem::path& out) {
+    for (const store::ClassEntry& entry : store::readClass(out)) {
+        if (!entry.result.repairs) continue;
+        fmt::print("{}\n", report::escapeLine(entry.result.submission));
+        print(entry.result);
+    }
+}
+
+raytracer::ExitCode explain(const ExplainOptions& options) {
+    if (std::filesystem::exists(std::filesystem::path{options.folder} / "results.sqlite")) {
+        printClass(options.folder);
+        return raytracer::ExitCode::success;
+    }
+    pipeline::Grader grader = makeGrader(options.grade);
+    grader.isAlone = true;
+    const auto found = intake::findSubmissions(options.folder, *grader.exercise);
+    if (found.size() != 1)
+        throw raytracer::InputError(
+            options.folder, 0,
+            fmt::format("{} here; explain takes one (ticker grade --explain failed takes many)",
+                        report::counted(found.size(), "submission")));
+    const intake::Submission submission =
+        intake::readSubmission(found.front(), {.exercise = grader.exercise});
+    SubmissionResult result = pipeline::gradeSubmission(submission, grader, seedOf(options.grade));
+    addRepairs(submission, grader, result);
+    print(result);
+    return result.verdict == Verdict::notGraded ? raytracer::ExitCode::notGradable
+                                                : raytracer::ExitCode::success;
+}
+
+}  // namespace
+
+Run addExplain(CLI::App& app, const GlobalOptions& /*global*/) {
+    auto options = std::make_shared<ExplainOptions>();
+    CLI::App* verb = app.add_subcommand(
+        "explain", "The lines of a failing submission, with edits that are proven to mend it");
+    verb->add_option("folder", options->folder,
+                     "Folder or zip with the files; or the OUT of a class that was graded with "
+                     "--explain failed")
+        ->required();
+    addGradeOptions(*verb, options->grade);
+    return [options] { return explain(*options); };
+}
+
+}  // namespace ticker::cli

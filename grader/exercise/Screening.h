@@ -1,0 +1,21 @@
+#ifndef TICKER_EXERCISE_SCREENING_H
+#define TICKER_EXERCISE_SCREENING_H
+
+#include <grader/probe/Examinee.h>
+
+#include <functional>
+#include <vector>
+
+namespace ticker {
+
+/// A few cheap questions that tell most wrong submissions of a task. They decide nothing: who
+/// answers them well is judged in full.
+struct Screening {
+    std::vector<probe::Question> questions;
+    /// False: with these answers the submission is sure to fail.
+    std::function<bool(const probe::Run&)> mayPass;
+};
+
+}  // namespace ticker
+
+#endif

@@ -1,0 +1,183 @@
+#include <grader/repair/Candidates.h>
+
+#include <grader/base/JsonValue.h>
+#include <grader/base/WholeFile.h>
+#include <grader/build/Program.h>
+#include <grader/repair/probe/Switches.h>
+#include <grader/sandbox/HelperProgram.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fcntl.h>
+
+#include <grader/base/FileDescriptor.h>
+
+#include <algorithm>
+#include <fstream>
+#include <utility>
+
+namespace ticker::repair {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kLargestReply = 8U << 20U;
+constexpr const char* kProduct = "candidates.json";
+
+// A copy that the jail's user can reach wherever the project lies.
+const fs::path& stagedProgram() {
+    static const fs::path program = [] {
+        const fs::path copy = sandbox::Sandbox::makeStagingFolder() / "candidates";
+        fs::copy_file(sandbox::findProgram("ticker-candidates"), copy);
+        fs::permissions(copy, fs::perms{0755});
+        return copy;
+    }();
+    return program;
+}
+
+std::size_t offsetOf(const JsonValue& value, std::size_t most) {
+    const double number = value.number();
+    if (!(number >= 0.0 && number <= static_cast<double>(most)))
+        value.expect("a place in the file");
+    return static_cast<std::size_t>(number);
+}
+
+TextEdit readEdit(const JsonValue& value, std::size_t size) {
+    const auto items = value.items();
+    if (items.size() != 3) value.expect("a beginning, an end and a text");
+    TextEdit edit{offsetOf(items[0], size), offsetOf(items[1], size), items[2].text()};
+    if (edit.end < edit.begin) value.expect("an end behind the beginning");
+    return edit;
+}
+
+/// The reply comes from a process that read untrusted text: anything may stand in it.
+Candidates readReply(std::string text, std::size_t size) {
+    const JsonValue top = JsonValue::parse(std::move(text), kProduct);
+    Candidates found;
+    found.program = top.at("program").text();
+    found.keepsState = top.at("keepsState").flag();
+    for (const JsonValue& item : top.at("atoms").items()) {
+        if (found.atoms.size() == kMostEdits) break;
+        Atom atom;
+        atom.kind = item.at("kind").text();
+        atom.function = item.at("function").text();
+        atom.isApart = item.at("apart").flag();
+        const auto statement = item.at("statement").items();
+        if (statement.size() != 2) item.expect("the range of a statement");
+        atom.statementBegin = offsetOf(statement[0], size);
+        atom.statementEnd = offsetOf(statement[1], size);
+        for (const JsonValue& edit : item.at("edits").items())
+            atom.edits.push_back(readEdit(edit, size));
+        std::ranges::sort(atom.edits, {}, &TextEdit::begin);
+        found.atoms.push_back(std::move(atom));
+    }
+    return found;
+}
+
+/// A file that a command makes, in a folder that every user can read.
+struct Product {
+    build::JobFolder folder;
+    fs::path file;
+    FileDescriptor descriptor;
+
+    explicit Product(const char* name)
+        : file(folder.path() / name),
+          descriptor(open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644)) {
+        if (!descriptor.isOpen()) throw raytracer::Error("cannot write " + file.string());
+    }
+};
+
+/// The parser's command, up to the words that say what it parses. The kit is seen at its own place,
+/// which the precompiled header names.
+sandbox::Command parserCommand(const build::Kit& kit, const sandbox::Limits& limits,
+                               const Product& product) {
+    sandbox::Command command;
+    command.arguments = {"/candidates"};
+    command.folder = sandbox::kScratchFolder;
+    command.readOnly = {
+        {"/usr", "/usr"}, {kit.folder(), kit.folder()}, {stagedProgram(), "/candidates"}};
+    command.wantsScratch = true;
+    command.policy = sandbox::Policy::compile;
+    command.limits = limits;
+    command.products = {{product.file.filename().string(), product.descriptor.get()}};
+    return command;
+}
+
+/// The headers, precompiled where the kit lies now.
+struct MadeHeader {
+    Product product{"Framework.pch"};
+
+    MadeHeader(const build::Kit& kit, const sandbox::Sandbox& sandbox,
+               const sandbox::Limits& limits) {
+        sandbox::Command command = parserCommand(kit, limits, product);
+        for (const std::string& word :
+             {std::string{"--precompile"}, (kit.folder() / "pch" / "Framework.h").string(),
+              product.file.filename().string(), std::string{"-xc++-header"},
+              std::string{"-std=c++20"}, "-I" + (kit.folder() / "include").string()})
+            command.arguments.push_back(word);
+        const sandbox::Outcome outcome = sandbox.run(command);
+        if (!outcome.succeeded() || outcome.productsMissing)
+            throw raytracer::Error("the framework's headers cannot be parsed: " + outcome.output);
+    }
+};
+
+/// Made once where the kit's own cannot be used.
+fs::path parsedHeader(const build::Kit& kit, const sandbox::Sandbox& sandbox,
+                      const sandbox::Limits& limits) {
+    if (fs::path own = kit.parsedHeader(); !own.empty()) return own;
+    static const MadeHeader made{kit, sandbox, limits};
+    return made.product.file;
+}
+
+}  // namespace
+
+std::optional<Candidates> findCandidates(const build::Kit& kit, const sandbox::Sandbox& sandbox,
+                                         const sandbox::Limits& limits, const std::string& file,
+                                         std::string_view source) {
+    const build::JobFolder sources;
+    std::ofstream{sources.path() / file, std::ios::binary} << source;
+    fs::permissions(sources.path() / file, fs::perms{0644});
+    const fs::path header = parsedHeader(kit, sandbox, limits);
+    const Product product{kProduct};
+    sandbox::Command command = parserCommand(kit, limits, product);
+    const sandbox::ReadOnlyPath sourcePath{sources.path(), "/source"};
+    const sandbox::ReadOnlyPath headerPath{header, "/Framework.pch"};
+    command.readOnly.push_back(sourcePath);
+    command.readOnly.push_back(headerPath);
+    for (const std::string& word :
+         {(sandbox.pathFor(sourcePath) / file).string(),
+          (kit.folder() / "template" / file).string(), std::string{kProduct}, std::string{"-xc++"},
+          std::string{"-std=c++20"}, "-I" + (kit.folder() / "include").string(),
+          std::string{"-include-pch"}, sandbox.pathFor(headerPath).string(),
+          std::string{"-ferror-limit=0"}})
+        command.arguments.push_back(word);
+    const sandbox::Outcome outcome = sandbox.run(command);
+    if (outcome.end == sandbox::Outcome::End::failed) throw raytracer::Error(outcome.output);
+    if (!outcome.succeeded() || outcome.productsMissing ||
+        fs::file_size(product.file) > kLargestReply)
+        return std::nullopt;
+    try {
+        Candidates found = readReply(readWhole(product.file), source.size());
+        found.cpuMs = outcome.cpuMs;
+        return found;
+    } catch (const raytracer::InputError&) {
+        return std::nullopt;
+    }
+}
+
+std::optional<std::string> withEdits(std::string_view source, std::vector<TextEdit> edits) {
+    std::ranges::sort(edits, {},
+                      [](const TextEdit& edit) { return std::make_pair(edit.begin, edit.end); });
+    std::string text;
+    std::size_t at = 0;
+    for (const TextEdit& edit : edits) {
+        if (edit.begin < at || edit.end < edit.begin || edit.end > source.size())
+            return std::nullopt;
+        text += source.substr(at, edit.begin - at);
+        text += edit.text;
+        at = edit.end;
+    }
+    text += source.substr(at);
+    return text;
+}
+
+}  // namespace ticker::repair

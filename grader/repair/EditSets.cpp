@@ -1,0 +1,211 @@
+#include <grader/repair/EditSets.h>
+
+#include <grader/repair/candidates/Tokens.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+
+namespace ticker::repair {
+namespace {
+
+using candidates::Range;
+using candidates::tokensOf;
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+    std::vector<std::string_view> words;
+    for (const Range& token : tokensOf(text))
+        words.push_back(text.substr(token.begin, token.size()));
+    return words;
+}
+
+/// Words that two lists do not share at their beginnings and ends: those of the longer one.
+std::size_t differing(const std::vector<std::string_view>& a,
+                      const std::vector<std::string_view>& b) {
+    std::size_t front = 0;
+    while (front < a.size() && front < b.size() && a[front] == b[front])
+        ++front;
+    std::size_t back = 0;
+    while (back + front < a.size() && back + front < b.size() &&
+           a[a.size() - 1 - back] == b[b.size() - 1 - back])
+        ++back;
+    return std::max(a.size(), b.size()) - front - back;
+}
+
+bool touch(const TextEdit& a, const TextEdit& b) {
+    return a.begin <= b.end && b.begin <= a.end;
+}
+
+bool touch(const Atom& a, const Atom& b) {
+    return std::ranges::any_of(a.edits, [&](const TextEdit& one) {
+        return std::ranges::any_of(b.edits,
+                                   [&](const TextEdit& other) { return touch(one, other); });
+    });
+}
+
+/// A text with every name and number replaced: statements of the same shape say the same of
+/// different things.
+std::string shapeOf(std::string_view text) {
+    std::string shape;
+    for (const std::string_view word : wordsOf(text)) {
+        const bool isName = std::isalpha(static_cast<unsigned char>(word.front())) != 0;
+        shape += isName ? "n" : word;
+        shape += ' ';
+    }
+    return shape;
+}
+
+bool isLight(const Atom& atom) {
+    static const std::set<std::string> kKinds{"operator", "sign",     "drop",   "exchange",
+                                              "name",     "number",   "member", "function",
+                                              "unwrap",   "normalise"};
+    return !atom.isApart && kKinds.contains(atom.kind);
+}
+
+std::string_view statementOf(std::string_view source, const Atom& atom) {
+    return source.substr(atom.statementBegin, atom.statementEnd - atom.statementBegin);
+}
+
+/// Where in its statement an edit begins, in tokens, and what it does there without names.
+std::string placeOf(std::string_view source, const Atom& atom) {
+    std::string place = atom.kind + "|" + shapeOf(statementOf(source, atom)) + "|";
+    for (const TextEdit& edit : atom.edits) {
+        const std::string_view before =
+            source.substr(atom.statementBegin, edit.begin - atom.statementBegin);
+        place += std::to_string(tokensOf(before).size()) + ":" + shapeOf(edit.text) + ";";
+    }
+    return place;
+}
+
+std::string replacementOf(std::string_view source, const Atom& atom) {
+    std::string text = atom.kind;
+    for (const TextEdit& edit : atom.edits)
+        text +=
+            "|" + std::string{source.substr(edit.begin, edit.end - edit.begin)} + ">" + edit.text;
+    return text;
+}
+
+/// All of a group together, and each two of it.
+void addGroup(const Candidates& candidates, const EditSet& group, std::set<EditSet>& sets) {
+    constexpr std::size_t kMostPlaces = 4;
+    if (group.size() < 2 || group.size() > kMostPlaces) return;
+    bool isApart = true;
+    for (std::size_t a = 0; a < group.size(); ++a)
+        for (std::size_t b = a + 1; b < group.size(); ++b) {
+            if (touch(candidates.atoms[group[a]], candidates.atoms[group[b]]))
+                isApart = false;
+            else
+                sets.insert({group[a], group[b]});
+        }
+    if (isApart) sets.insert(group);
+}
+
+/// The more a kind of edit puts in beside what was there, the later it comes among equals.
+std::size_t rankOf(const Atom& atom) {
+    static const std::map<std::string, std::size_t> kRanks{
+        {"operator", 0}, {"number", 0}, {"function", 0}, {"member", 0}, {"name", 1},
+        {"drop", 1},     {"unwrap", 1}, {"exchange", 1}, {"sign", 2}};
+    const auto found = kRanks.find(atom.kind);
+    return found == kRanks.end() ? 3 : found->second;
+}
+
+EditSet switched(const Candidates& candidates, const Choice& isChosen) {
+    EditSet numbers;
+    for (std::size_t i = 0; i < candidates.atoms.size(); ++i)
+        if (!candidates.atoms[i].isApart && isChosen(candidates.atoms[i]))
+            numbers.push_back(static_cast<std::uint16_t>(i));
+    return numbers;
+}
+
+/// @param isOne  The edits of a set are one edit at several places.
+std::vector<EditSet> simplestFirst(std::string_view source, const Candidates& candidates,
+                                   std::vector<EditSet> sets, bool isOne = false) {
+    constexpr std::size_t kRanks = 4;
+    std::vector<std::size_t> costOf;
+    for (std::size_t i = 0; i < candidates.atoms.size(); ++i)
+        costOf.push_back(kRanks *
+                             tokensChanged(source, candidates, {static_cast<std::uint16_t>(i)}) +
+                         rankOf(candidates.atoms[i]));
+    std::vector<std::pair<std::size_t, EditSet>> ranked;
+    for (EditSet& set : sets) {
+        std::size_t tokens = 0;
+        for (const std::uint16_t number : set)
+            tokens = isOne ? std::max(tokens, costOf[number]) : tokens + costOf[number];
+        ranked.emplace_back(tokens, std::move(set));
+    }
+    std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, EditSet>::first);
+    sets.clear();
+    for (auto& [tokens, set] : ranked)
+        sets.push_back(std::move(set));
+    return sets;
+}
+
+}  // namespace
+
+std::vector<TextEdit> textEdits(const Candidates& candidates, const EditSet& set) {
+    std::vector<TextEdit> edits;
+    for (const std::uint16_t number : set) {
+        const std::vector<TextEdit>& own = candidates.atoms[number].edits;
+        edits.insert(edits.end(), own.begin(), own.end());
+    }
+    std::ranges::sort(edits, {}, &TextEdit::begin);
+    return edits;
+}
+
+std::size_t tokensChanged(std::string_view source, const Candidates& candidates,
+                          const EditSet& set) {
+    std::size_t count = 0;
+    for (const TextEdit& edit : textEdits(candidates, set))
+        count += differing(wordsOf(source.substr(edit.begin, edit.end - edit.begin)),
+                           wordsOf(edit.text));
+    return count;
+}
+
+std::vector<EditSet> singles(std::string_view source, const Candidates& candidates,
+                             const Choice& isChosen) {
+    std::vector<EditSet> sets;
+    for (const std::uint16_t number : switched(candidates, isChosen))
+        sets.push_back({number});
+    return simplestFirst(source, candidates, std::move(sets));
+}
+
+std::vector<EditSet> withoutSwitch(const Candidates& candidates, const Choice& isChosen) {
+    std::vector<EditSet> sets;
+    for (std::size_t i = 0; i < candidates.atoms.size(); ++i)
+        if (candidates.atoms[i].isApart && isChosen(candidates.atoms[i]))
+            sets.push_back({static_cast<std::uint16_t>(i)});
+    return sets;
+}
+
+std::vector<EditSet> twins(std::string_view source, const Candidates& candidates,
+                           const Choice& isChosen) {
+    std::map<std::string, EditSet> groups;
+    for (const std::uint16_t number : switched(candidates, isChosen)) {
+        groups[replacementOf(source, candidates.atoms[number])].push_back(number);
+        groups[placeOf(source, candidates.atoms[number])].push_back(number);
+    }
+    std::set<EditSet> sets;
+    for (const auto& [key, group] : groups)
+        addGroup(candidates, group, sets);
+    return simplestFirst(source, candidates, {sets.begin(), sets.end()}, true);
+}
+
+std::vector<EditSet> pairs(std::string_view source, const Candidates& candidates,
+                           const Choice& isChosen) {
+    std::map<std::size_t, EditSet> statements;
+    for (const std::uint16_t number : switched(candidates, isChosen))
+        if (isLight(candidates.atoms[number]))
+            statements[candidates.atoms[number].statementBegin].push_back(number);
+    std::vector<EditSet> sets;
+    for (const auto& [begin, atoms] : statements)
+        for (std::size_t a = 0; a < atoms.size(); ++a)
+            for (std::size_t b = a + 1; b < atoms.size(); ++b)
+                if (!touch(candidates.atoms[atoms[a]], candidates.atoms[atoms[b]]))
+                    sets.push_back({atoms[a], atoms[b]});
+    return simplestFirst(source, candidates, std::move(sets));
+}
+
+}  // namespace ticker::repair

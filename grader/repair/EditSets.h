@@ -1,0 +1,44 @@
+#ifndef TICKER_REPAIR_EDITSETS_H
+#define TICKER_REPAIR_EDITSETS_H
+
+#include <grader/repair/Candidates.h>
+#include <grader/repair/SwitchedProgram.h>
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace ticker::repair {
+
+/// Tokens that a set of edits takes away and puts in: the fewer, the simpler the repair.
+[[nodiscard]] std::size_t tokensChanged(std::string_view source, const Candidates& candidates,
+                                        const EditSet& set);
+
+/// All text edits of a set, in the order of the file.
+[[nodiscard]] std::vector<TextEdit> textEdits(const Candidates& candidates, const EditSet& set);
+
+/// Which edits take part: those of the functions that another task is not solved in.
+using Choice = std::function<bool(const Atom&)>;
+
+// Sets of edits, those that change the fewest tokens first.
+
+/// Each edit that has a switch by itself.
+[[nodiscard]] std::vector<EditSet> singles(std::string_view source, const Candidates& candidates,
+                                           const Choice& isChosen);
+
+/// Each edit that has to be compiled by itself, such as a variable that is no longer static.
+[[nodiscard]] std::vector<EditSet> withoutSwitch(const Candidates& candidates,
+                                                 const Choice& isChosen);
+
+/// The same edit at places that correspond: in x and in y, along u and along v, in two calls.
+[[nodiscard]] std::vector<EditSet> twins(std::string_view source, const Candidates& candidates,
+                                         const Choice& isChosen);
+
+/// Two small edits of one statement.
+[[nodiscard]] std::vector<EditSet> pairs(std::string_view source, const Candidates& candidates,
+                                         const Choice& isChosen);
+
+}  // namespace ticker::repair
+
+#endif

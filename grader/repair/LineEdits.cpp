@@ -1,0 +1,58 @@
+#include <grader/repair/LineEdits.h>
+
+#include <algorithm>
+
+namespace ticker::repair {
+namespace {
+
+/// Without what stays the same at both ends.
+TextEdit trimmed(std::string_view source, TextEdit edit) {
+    while (edit.begin < edit.end && !edit.text.empty() && source[edit.begin] == edit.text.front()) {
+        ++edit.begin;
+        edit.text.erase(0, 1);
+    }
+    while (edit.begin < edit.end && !edit.text.empty() &&
+           source[edit.end - 1] == edit.text.back()) {
+        --edit.end;
+        edit.text.pop_back();
+    }
+    return edit;
+}
+
+std::size_t beginOfLine(std::string_view source, std::size_t at) {
+    const std::size_t newline = at == 0 ? std::string_view::npos : source.rfind('\n', at - 1);
+    return newline == std::string_view::npos ? 0 : newline + 1;
+}
+
+std::size_t endOfLine(std::string_view source, std::size_t at) {
+    return std::min(source.find('\n', at), source.size());
+}
+
+int lineOf(std::string_view source, std::size_t at) {
+    return 1 + static_cast<int>(std::ranges::count(source.substr(0, at), '\n'));
+}
+
+}  // namespace
+
+std::vector<RepairEdit> lineEdits(std::string_view source, const std::vector<TextEdit>& edits) {
+    std::vector<RepairEdit> lines;
+    std::vector<TextEdit> sorted;
+    for (const TextEdit& edit : edits)
+        sorted.push_back(trimmed(source, edit));
+    std::ranges::sort(sorted, {}, &TextEdit::begin);
+    for (std::size_t i = 0; i < sorted.size();) {
+        const std::size_t begin = beginOfLine(source, sorted[i].begin);
+        std::size_t end = endOfLine(source, std::max(sorted[i].begin, sorted[i].end));
+        std::vector<TextEdit> together;
+        for (; i < sorted.size() && sorted[i].begin <= end; ++i) {
+            together.push_back({sorted[i].begin - begin, sorted[i].end - begin, sorted[i].text});
+            end = std::max(end, endOfLine(source, sorted[i].end));
+        }
+        const std::string_view from = source.substr(begin, end - begin);
+        if (const auto to = withEdits(from, together))
+            lines.push_back({lineOf(source, begin), std::string{from}, *to});
+    }
+    return lines;
+}
+
+}  // namespace ticker::repair

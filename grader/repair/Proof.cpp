@@ -1,0 +1,93 @@
+#include <grader/repair/Proof.h>
+
+#include <grader/build/Build.h>
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/repair/TaskLookup.h>
+
+#include <algorithm>
+
+namespace ticker::repair {
+namespace {
+
+constexpr int kSeeds = 3;
+
+/// One edited program, judged.
+class Trial {
+public:
+    Trial(const build::Program& program, const pipeline::Grader& grader, std::uint64_t seed)
+        : examinee_(program, grader.sandbox, grader.policy.run), grader_(grader), seed_(seed) {}
+
+    std::optional<Proof> judge(const std::string& task) {
+        Proof proof;
+        for (int i = 0; i < kSeeds; ++i) {
+            const TaskJudgement judgement =
+                codeOf(grader_, task).judge(examinee_, seed_ + static_cast<std::uint64_t>(i));
+            const std::string next = passes(judgement) ? "" : firstFailure(judgement);
+            if (!passes(judgement) && next.empty()) return std::nullopt;
+            if (i > 0 && next != proof.next) return std::nullopt;
+            proof.next = next;
+            if (i == 0) aperture_ = judgement.apertureFactor;
+        }
+        return proof;
+    }
+
+    bool keepsOthers(const std::string& file, const std::string& task,
+                     const std::vector<TaskReport>& before) {
+        return std::ranges::all_of(before, [&](const TaskReport& report) {
+            if (report.id == task || report.state != TaskState::passed ||
+                grader_.exercise->fileOf(report.id) != file)
+                return true;
+            return passes(codeOf(grader_, report.id).judge(examinee_, seed_));
+        });
+    }
+
+    /// Whether its renders show what it answers.
+    bool rendersAlike(const std::string& file, const std::string& task,
+                      const std::vector<TaskReport>& before) {
+        const auto doubt = codeOf(grader_, task).doubt;
+        if (doubt == nullptr || grader_.scenes.empty()) return true;
+        std::vector<TaskReport> reports;
+        for (const TaskReport& report : before)
+            if (grader_.exercise->fileOf(report.id) == file) reports.push_back(report);
+        const auto own = std::ranges::find(reports, task, &TaskReport::id);
+        if (own == reports.end()) return false;
+        own->state = TaskState::passed;
+        own->needsReview = false;
+        own->findings.clear();
+        own->apertureFactor = aperture_;
+        const pipeline::Gallery gallery =
+            pipeline::renderSpecScenes(grader_.scenes, file, examinee_);
+        doubt(reports, {gallery.misfits, gallery.bumpMisfit});
+        return passes(*own);
+    }
+
+    [[nodiscard]] double cpuMs() const { return examinee_.cpuMs(); }
+
+private:
+    build::SandboxedExaminee examinee_;
+    const pipeline::Grader& grader_;
+    std::uint64_t seed_;
+    std::optional<double> aperture_;
+};
+
+}  // namespace
+
+std::optional<Proof> prove(const std::string& edited, const std::string& file,
+                           const std::string& task, const std::vector<TaskReport>& before,
+                           const pipeline::Grader& grader, std::uint64_t seed, double& cpuMs) {
+    const build::BuildResult built =
+        build::buildProgram(grader.kit, grader.sandbox, grader.policy.compile, file, edited);
+    std::optional<Proof> proof;
+    if (built.program) {
+        Trial trial{*built.program, grader, seed};
+        proof = trial.judge(task);
+        if (proof && proof->next.empty() &&
+            !(trial.keepsOthers(file, task, before) && trial.rendersAlike(file, task, before)))
+            proof.reset();
+        cpuMs += trial.cpuMs();
+    }
+    cpuMs += built.cpuMs;
+    return proof;
+}
+
+}  // namespace ticker::repair

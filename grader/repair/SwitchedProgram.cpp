@@ -1,0 +1,93 @@
+#include <grader/repair/SwitchedProgram.h>
+
+#include <grader/probe/AnswerMemory.h>
+#include <grader/probe/Wire.h>
+#include <grader/repair/probe/Switches.h>
+#include <grader/sandbox/SharedMemory.h>
+
+#include <raytracer/base/Error.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace ticker::repair {
+namespace {
+
+// Of the answers of one process.
+constexpr std::size_t kMostBytes = 256U << 20U;
+
+std::vector<EditRound> roundsOf(std::span<const EditSet> sets) {
+    std::vector<EditRound> rounds;
+    for (const EditSet& set : sets) {
+        EditRound round{};
+        std::ranges::fill(round.edits, EditRound::kNoEdit);
+        if (set.size() > EditRound::kMost) throw raytracer::Error("too many edits at once");
+        std::ranges::copy(set, std::begin(round.edits));
+        rounds.push_back(round);
+    }
+    return rounds;
+}
+
+}  // namespace
+
+std::vector<probe::Run> SwitchedProgram::askTogether(const std::vector<probe::Question>& questions,
+                                                     std::span<const EditSet> sets) const {
+    const probe::AnswerLayout layout = probe::layoutFor(questions);
+    const std::vector<EditRound> rounds = roundsOf(sets);
+    const FileDescriptor message = sandbox::sealedCopy(probe::encodeQuestions(questions));
+    const FileDescriptor edits = sandbox::sealedCopy(std::as_bytes(std::span{rounds}));
+    const sandbox::SharedMemory memory{layout.totalBytes * sets.size()};
+    const auto part = [&](std::size_t i) {
+        return memory.bytes().subspan(i * layout.totalBytes, layout.totalBytes);
+    };
+    for (std::size_t i = 0; i < sets.size(); ++i)
+        probe::fillUnanswered(part(i), layout);
+
+    sandbox::Command command;
+    command.arguments = {"/probe"};
+    command.readOnly = {{program_.file(), "/probe"}};
+    command.descriptors = {{message.get(), kSwitchedQuestions},
+                           {memory.descriptor(), kSwitchedAnswers},
+                           {edits.get(), kSwitchedEdits}};
+    command.policy = sandbox::Policy::run;
+    command.limits = limits_;
+    const sandbox::Outcome outcome = sandbox_.run(command);
+    cpuMs_ += outcome.cpuMs;
+    if (outcome.end == sandbox::Outcome::End::failed) throw raytracer::Error(outcome.output);
+
+    std::vector<probe::Run> runs;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        probe::Run run;
+        const bool finished = probe::saysFinished(part(i));
+        if (finished)
+            run.answers = probe::readAnswers(questions, part(i));
+        else
+            run.end = {probe::ProcessEnd::Kind::crashed, "with an edit"};
+        runs.push_back(std::move(run));
+        // Those after it were not asked.
+        if (!finished) break;
+    }
+    return runs;
+}
+
+std::vector<probe::Run> SwitchedProgram::ask(const std::vector<probe::Question>& questions,
+                                             std::span<const EditSet> sets) const {
+    // After a process that ended early, the next one goes on behind the set that ended it.
+    const std::size_t bytesEach = std::max<std::size_t>(1, probe::layoutFor(questions).totalBytes);
+    const std::size_t most = keepsState_ ? 1 : std::max<std::size_t>(1, kMostBytes / bytesEach);
+    std::vector<probe::Run> all;
+    while (all.size() < sets.size()) {
+        const std::size_t count = std::min(most, sets.size() - all.size());
+        std::vector<probe::Run> some = askTogether(questions, sets.subspan(all.size(), count));
+        std::move(some.begin(), some.end(), std::back_inserter(all));
+    }
+    return all;
+}
+
+probe::Run EditedExaminee::ask(const std::vector<probe::Question>& questions) {
+    if (first_) return *std::exchange(first_, std::nullopt);
+    const EditSet sets[] = {set_};
+    return program_.ask(questions, sets).front();
+}
+
+}  // namespace ticker::repair

@@ -1,0 +1,69 @@
+#ifndef TICKER_REPAIR_SWITCHEDPROGRAM_H
+#define TICKER_REPAIR_SWITCHEDPROGRAM_H
+
+#include <grader/build/Build.h>
+#include <grader/probe/Examinee.h>
+#include <grader/repair/Candidates.h>
+#include <grader/sandbox/Sandbox.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ticker::repair {
+
+/// Numbers of the edits that are made together.
+using EditSet = std::vector<std::uint16_t>;
+
+/// A submission with all its edits in one program, which is told at run time which of them to make.
+class SwitchedProgram {
+public:
+    /// All of them must outlive this object.
+    SwitchedProgram(build::Program program, const sandbox::Sandbox& sandbox,
+                    const sandbox::Limits& limits, bool keepsState)
+        : program_(std::move(program)),
+          sandbox_(sandbox),
+          limits_(limits),
+          keepsState_(keepsState) {}
+
+    /// Puts the questions to the submission once for each set. What ends a process costs only the
+    /// set that was being asked.
+    [[nodiscard]] std::vector<probe::Run> ask(const std::vector<probe::Question>& questions,
+                                              std::span<const EditSet> sets) const;
+
+    /// CPU time of all runs so far, milliseconds.
+    [[nodiscard]] double cpuMs() const { return cpuMs_; }
+
+private:
+    [[nodiscard]] std::vector<probe::Run> askTogether(const std::vector<probe::Question>& questions,
+                                                      std::span<const EditSet> sets) const;
+
+    build::Program program_;
+    const sandbox::Sandbox& sandbox_;
+    const sandbox::Limits& limits_;
+    bool keepsState_;
+    mutable double cpuMs_ = 0.0;
+};
+
+/// A submission with a set of edits, as judges ask it.
+class EditedExaminee final : public probe::Examinee {
+public:
+    EditedExaminee(const SwitchedProgram& program, EditSet set)
+        : program_(program), set_(std::move(set)) {}
+
+    /// Answers to the first questions that are known already.
+    void expect(probe::Run first) { first_ = std::move(first); }
+
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override;
+
+private:
+    const SwitchedProgram& program_;
+    EditSet set_;
+    std::optional<probe::Run> first_;
+};
+
+}  // namespace ticker::repair
+
+#endif

@@ -1,0 +1,91 @@
+#include <grader/repair/candidates/Atom.h>
+
+#include <algorithm>
+
+namespace ticker::candidates {
+namespace {
+
+bool holdsTogether(const Node& node) {
+    switch (node.kind) {
+        case NodeKind::name:
+        case NodeKind::number:
+        case NodeKind::member:
+        case NodeKind::call:
+        case NodeKind::parentheses:
+        case NodeKind::cast:
+        case NodeKind::list:
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// Whether what stands around a node keeps it together.
+bool isEnclosed(const Tree& tree, int node) {
+    const int parent = tree.at(node).parent;
+    if (parent < 0 || !tree.at(parent).isExpression) return true;
+    const Node& around = tree.at(parent);
+    const bool isArgument = around.kind == NodeKind::call && around.children.front() != node;
+    return isArgument || around.kind == NodeKind::parentheses || around.kind == NodeKind::list ||
+           around.kind == NodeKind::cast;
+}
+
+}  // namespace
+
+std::string Edits::bareText(int node) const {
+    while (tree_.at(node).kind == NodeKind::parentheses && tree_.at(node).children.size() == 1)
+        node = tree_.at(node).children.front();
+    return text(node);
+}
+
+std::string Edits::operand(int node) const {
+    return holdsTogether(tree_.at(node)) ? text(node) : "(" + text(node) + ")";
+}
+
+bool Edits::isVector(int node) const {
+    return isType(node, "raytracer::Vector3") || isType(node, "raytracer::ColourRGB");
+}
+
+void Edits::insert(Atom atom) {
+    if (!std::ranges::all_of(atom.edits, [&](const Replacement& edit) {
+            return tree_.at(atom.site).range.holds(edit.range);
+        }))
+        return;
+    // Two edits that make the same text are one.
+    std::string key;
+    for (const Replacement& edit : atom.edits) {
+        if (source_.in(edit.range) == edit.text) return;
+        key += std::to_string(edit.range.begin) + ":" + std::to_string(edit.range.end) + ":" +
+               edit.text + "\n";
+    }
+    if (known_.insert(std::move(key)).second) atoms_.push_back(std::move(atom));
+}
+
+void Edits::add(std::string kind, int site, std::vector<Replacement> edits) {
+    insert({std::move(kind), std::move(edits), site, false});
+}
+
+void Edits::addApart(std::string kind, int site, std::vector<Replacement> edits) {
+    insert({std::move(kind), std::move(edits), site, true});
+}
+
+void Edits::replace(const std::string& kind, int node, const std::string& text, bool isPrimary) {
+    const bool isSafe = isPrimary || isEnclosed(tree_, node);
+    add(kind, node, {{tree_.at(node).range, isSafe ? text : "(" + text + ")"}});
+}
+
+void Edits::replaceBy(const std::string& kind, int node, int other) {
+    if (isEnclosed(tree_, node))
+        replace(kind, node, bareText(other), true);
+    else
+        replace(kind, node, operand(other), true);
+}
+
+std::string applied(std::string text, std::size_t begin, std::vector<Replacement> edits) {
+    std::ranges::sort(edits, {}, &Replacement::key);
+    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit)
+        text.replace(edit->range.begin - begin, edit->range.size(), edit->text);
+    return text;
+}
+
+}  // namespace ticker::candidates

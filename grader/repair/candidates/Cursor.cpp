@@ -1,0 +1,107 @@
+#include <grader/repair/candidates/Cursor.h>
+
+namespace ticker::candidates {
+namespace {
+
+std::string& removePrefix(std::string& text, std::string_view prefix) {
+    if (text.starts_with(prefix)) text.erase(0, prefix.size());
+    return text;
+}
+
+unsigned offsetOf(CXSourceLocation location) {
+    unsigned offset = 0;
+    clang_getExpansionLocation(location, nullptr, nullptr, nullptr, &offset);
+    return offset;
+}
+
+bool standsHere(CXSourceLocation location) {
+    return clang_Location_isFromMainFile(location) != 0;
+}
+
+/// What a field holds or a function without arguments returns; empty for any other cursor.
+std::string givenType(CXCursor declaration) {
+    const CXCursorKind kind = clang_getCursorKind(declaration);
+    if (kind == CXCursor_FieldDecl) return plainType(clang_getCursorType(declaration));
+    if (kind != CXCursor_CXXMethod || clang_Cursor_getNumArguments(declaration) != 0 ||
+        clang_CXXMethod_isStatic(declaration) != 0)
+        return {};
+    return plainType(clang_getCursorResultType(declaration));
+}
+
+}  // namespace
+
+std::string textOf(CXString text) {
+    const char* chars = clang_getCString(text);
+    std::string copy = chars == nullptr ? "" : chars;
+    clang_disposeString(text);
+    return copy;
+}
+
+std::optional<Range> rangeOf(CXCursor cursor) {
+    const CXSourceRange extent = clang_getCursorExtent(cursor);
+    const CXSourceLocation begin = clang_getRangeStart(extent);
+    const CXSourceLocation end = clang_getRangeEnd(extent);
+    if (!standsHere(begin)) return std::nullopt;
+    const Range range{offsetOf(begin), offsetOf(end)};
+    if (range.end <= range.begin) return std::nullopt;
+    return range;
+}
+
+bool isWrittenOut(CXCursor cursor) {
+    const CXSourceRange extent = clang_getCursorExtent(cursor);
+    for (const CXSourceLocation place : {clang_getRangeStart(extent), clang_getRangeEnd(extent)}) {
+        unsigned spelled = 0;
+        clang_getSpellingLocation(place, nullptr, nullptr, nullptr, &spelled);
+        if (spelled != offsetOf(place)) return false;
+    }
+    return true;
+}
+
+std::vector<CXCursor> childrenOf(CXCursor cursor) {
+    std::vector<CXCursor> children;
+    clang_visitChildren(
+        cursor,
+        [](CXCursor child, CXCursor, CXClientData data) {
+            static_cast<std::vector<CXCursor>*>(data)->push_back(child);
+            return CXChildVisit_Continue;
+        },
+        &children);
+    return children;
+}
+
+std::string plainType(CXType type) {
+    const CXType pointee = clang_getPointeeType(type);
+    const bool isReference =
+        type.kind == CXType_LValueReference || type.kind == CXType_RValueReference;
+    std::string text =
+        textOf(clang_getTypeSpelling(clang_getCanonicalType(isReference ? pointee : type)));
+    return removePrefix(text, "const ");
+}
+
+CXCursor withoutConversions(CXCursor cursor) {
+    while (true) {
+        const CXCursorKind kind = clang_getCursorKind(cursor);
+        if (kind != CXCursor_UnexposedExpr && kind != CXCursor_CallExpr) return cursor;
+        const std::vector<CXCursor> children = childrenOf(cursor);
+        if (children.size() != 1 || rangeOf(children.front()) != rangeOf(cursor)) return cursor;
+        cursor = children.front();
+    }
+}
+
+std::vector<std::string> siblingsOf(CXCursor member) {
+    const CXCursor declaration = clang_getCursorReferenced(member);
+    const std::string own = textOf(clang_getCursorSpelling(declaration));
+    const std::string type = givenType(declaration);
+    std::vector<std::string> names;
+    if (type.empty()) return names;
+    for (const CXCursor& other : childrenOf(clang_getCursorSemanticParent(declaration))) {
+        if (clang_getCursorKind(other) != clang_getCursorKind(declaration) ||
+            clang_getCXXAccessSpecifier(other) != CX_CXXPublic || givenType(other) != type)
+            continue;
+        std::string name = textOf(clang_getCursorSpelling(other));
+        if (name != own && !name.starts_with("operator")) names.push_back(std::move(name));
+    }
+    return names;
+}
+
+}  // namespace ticker::candidates

@@ -1,0 +1,31 @@
+#ifndef TICKER_REPAIR_CANDIDATES_CURSOR_H
+#define TICKER_REPAIR_CANDIDATES_CURSOR_H
+
+#include <grader/repair/candidates/Tree.h>
+
+#include <clang-c/Index.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ticker::candidates {
+
+/// libclang's text as one of the C++ library.
+[[nodiscard]] std::string textOf(CXString text);
+/// Where a cursor stands in the student's file; empty if it stands elsewhere.
+[[nodiscard]] std::optional<Range> rangeOf(CXCursor cursor);
+/// Whether its text is no macro's.
+[[nodiscard]] bool isWrittenOut(CXCursor cursor);
+[[nodiscard]] std::vector<CXCursor> childrenOf(CXCursor cursor);
+/// Canonical, without const and reference.
+[[nodiscard]] std::string plainType(CXType type);
+/// The same cursor without conversions and copies that stand in no text.
+[[nodiscard]] CXCursor withoutConversions(CXCursor cursor);
+/// Other fields, or functions without arguments, of the class that a member belongs to, of its
+/// type.
+[[nodiscard]] std::vector<std::string> siblingsOf(CXCursor member);
+
+}  // namespace ticker::candidates
+
+#endif

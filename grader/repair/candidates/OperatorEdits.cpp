@@ -1,0 +1,85 @@
+#include <grader/repair/candidates/Atom.h>
+
+#include <array>
+#include <span>
+
+namespace ticker::candidates {
+namespace {
+
+struct Exchange {
+    std::string_view from;
+    std::string_view to;
+};
+
+constexpr std::array kOperators{
+    Exchange{"+", "-"},   Exchange{"-", "+"},   Exchange{"*", "/"},   Exchange{"/", "*"},
+    Exchange{"<", "<="},  Exchange{"<", ">"},   Exchange{">", ">="},  Exchange{">", "<"},
+    Exchange{"<=", "<"},  Exchange{"<=", ">="}, Exchange{">=", ">"},  Exchange{">=", "<="},
+    Exchange{"==", "!="}, Exchange{"!=", "=="}, Exchange{"&&", "||"}, Exchange{"||", "&&"},
+    Exchange{"+=", "-="}, Exchange{"-=", "+="}, Exchange{"=", "+="},  Exchange{"+=", "="}};
+
+bool isOneOf(std::string_view name, std::initializer_list<std::string_view> names) {
+    for (const std::string_view one : names)
+        if (one == name) return true;
+    return false;
+}
+
+bool isSum(const Node& node) {
+    return node.kind == NodeKind::binary && isOneOf(node.name, {"+", "-"});
+}
+
+Range operatorOf(const Edits& edits, const Node& node) {
+    const Tree& tree = edits.tree();
+    return edits.source()
+        .tokensIn({tree.at(node.children[0]).range.end, tree.at(node.children[1]).range.begin})
+        .front();
+}
+
+void dropOneSide(Edits& edits, int index, const Node& node) {
+    const int left = node.children[0];
+    const int right = node.children[1];
+    if (!isOneOf(node.name, {"+", "-", "*", "/", "%", "&&", "||"})) return;
+    edits.replaceBy("drop", index, left);
+    if (isOneOf(node.name, {"/", "%"})) return;
+    edits.replaceBy("drop", index, right);
+    if (node.name == "-") edits.replace("drop", index, "-" + edits.operand(right), false);
+}
+
+void editBinary(Edits& edits, int index, const Node& node) {
+    const Tree& tree = edits.tree();
+    const int left = node.children[0];
+    const int right = node.children[1];
+    const Range sign = operatorOf(edits, node);
+    for (const Exchange& exchange : kOperators)
+        if (node.name == exchange.from)
+            edits.add("operator", index, {{sign, std::string{exchange.to}}});
+    dropOneSide(edits, index, node);
+    if (isOneOf(node.name, {"-", "/"}))
+        edits.add("exchange", index,
+                  {{tree.at(left).range, edits.operand(right)},
+                   {tree.at(right).range, edits.operand(left)}});
+    // The sign of a sum's first term.
+    const bool isFirst =
+        isSum(node) && !isSum(tree.at(left)) && (edits.isNumber(left) || edits.isVector(left));
+    if (isFirst && tree.at(left).kind != NodeKind::number)
+        edits.add("sign", index, {{{tree.at(left).range.begin, tree.at(left).range.begin}, "-"}});
+    if (node.name == "/" && edits.isInteger(left) && edits.isInteger(right))
+        edits.add("cast", index,
+                  {{tree.at(left).range, "static_cast<double>(" + edits.bareText(left) + ")"}});
+}
+
+}  // namespace
+
+void addOperatorEdits(Edits& edits, int index) {
+    const Node& node = edits.tree().at(index);
+    if (node.kind == NodeKind::binary) editBinary(edits, index, node);
+    if (node.kind == NodeKind::unary && isOneOf(node.name, {"-", "!"}) && !node.children.empty())
+        edits.replaceBy("sign", index, node.children.front());
+    if (node.kind == NodeKind::expression && node.children.size() == 3 &&
+        edits.text(index).find('?') != std::string::npos) {
+        edits.replaceBy("drop", index, node.children[1]);
+        edits.replaceBy("drop", index, node.children[2]);
+    }
+}
+
+}  // namespace ticker::candidates

@@ -1,0 +1,139 @@
+#include <grader/repair/candidates/Atom.h>
+
+#include <algorithm>
+#include <set>
+
+namespace ticker::candidates {
+namespace {
+
+/// Texts of expressions in a node's function that satisfy a condition, each once.
+template <class Wanted>
+std::vector<int> expressionsLike(const Edits& edits, int index, std::size_t most, Wanted wanted) {
+    const Tree& tree = edits.tree();
+    int function = tree.functionOf(index);
+    for (int outer = function; outer >= 0; outer = tree.functionOf(outer))
+        function = outer;
+    std::vector<int> found;
+    if (function < 0) return found;
+    std::set<std::string> known;
+    for (int i = function; i < static_cast<int>(tree.nodes.size()) && found.size() < most; ++i) {
+        if (!tree.at(function).range.holds(tree.at(i).range)) break;
+        if (wanted(i) && known.insert(edits.text(i)).second) found.push_back(i);
+    }
+    return found;
+}
+
+/// A quantity that something else tells: `map.width()`, `settings().rays`.
+bool isQuantity(const Edits& edits, int i) {
+    const Node& node = edits.tree().at(i);
+    if (!node.isExpression || !edits.isNumber(i)) return false;
+    if (node.kind == NodeKind::call) return node.children.size() == 1;
+    return node.kind == NodeKind::member && !node.children.empty() &&
+           edits.tree().at(node.children.front()).kind == NodeKind::call;
+}
+
+bool standsBefore(const Edits& edits, int declarationOrUse, int index) {
+    return edits.tree().at(declarationOrUse).range.end <= edits.tree().at(index).range.begin;
+}
+
+/// Variables of a type that an earlier part of the function uses.
+std::vector<int> usedBefore(const Edits& edits, int index, std::string_view type,
+                            std::size_t most) {
+    return expressionsLike(edits, index, most, [&](int i) {
+        const Node& node = edits.tree().at(i);
+        return node.kind == NodeKind::name && node.type == type && node.declared != 0 &&
+               standsBefore(edits, i, index);
+    });
+}
+
+void addBounds(Edits& edits, int index) {
+    // An index that may lie outside: bounded as sizes of the same function tell.
+    const Node& around = edits.tree().at(edits.tree().at(index).parent);
+    if (!edits.isInteger(index) || around.kind != NodeKind::declaration) return;
+    const auto sizes = expressionsLike(
+        edits, index, 6, [&](int i) { return edits.isInteger(i) && isQuantity(edits, i); });
+    for (const int size : sizes) {
+        const std::string bound = edits.text(size);
+        edits.replace("bound", index, edits.operand(index) + " % " + bound, false);
+        edits.replace("bound", index, "std::min(" + edits.text(index) + ", " + bound + " - 1)",
+                      true);
+        edits.replace("bound", index, "std::clamp(" + edits.text(index) + ", 0, " + bound + " - 1)",
+                      true);
+        edits.replace("bound", index, "(" + edits.operand(index) + " + " + bound + ") % " + bound,
+                      true);
+    }
+}
+
+/// Whether a node is a whole initialiser or value, an argument, or what `.normalised()` is asked
+/// of.
+bool isWhole(const Tree& tree, int index) {
+    const Node& node = tree.at(index);
+    if (node.parent < 0) return false;
+    const Node& around = tree.at(node.parent);
+    if (!around.isExpression || around.kind == NodeKind::parentheses) return true;
+    return around.kind == NodeKind::call && around.children.front() != index;
+}
+
+}  // namespace
+
+void addTermEdits(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (!node.isExpression || node.kind == NodeKind::parentheses || !isWhole(tree, index)) return;
+    addBounds(edits, index);
+    constexpr std::size_t kMost = 6;
+    if (edits.isVector(index) && node.kind != NodeKind::name)
+        for (const int variable : usedBefore(edits, index, node.type, kMost)) {
+            const std::string name = edits.text(variable);
+            edits.replace("term", index, name + " + " + edits.text(index), false);
+            edits.replace("term", index, name + " - " + edits.operand(index), false);
+        }
+    if (!edits.isVector(index) && !edits.isType(index, "double")) return;
+    std::vector<int> factors =
+        expressionsLike(edits, index, kMost, [&](int i) { return isQuantity(edits, i); });
+    if (edits.isVector(index))
+        for (const int variable : usedBefore(edits, index, "double", kMost))
+            factors.push_back(variable);
+    for (const int factor : factors) {
+        edits.replace("factor", index, edits.operand(index) + " * " + edits.text(factor), false);
+        edits.replace("factor", index, edits.operand(index) + " / " + edits.text(factor), false);
+    }
+}
+
+void addSiblingEdits(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (!node.isExpression || node.kind == NodeKind::parentheses) return;
+    if (!edits.isNumber(index) && !edits.isVector(index)) return;
+    constexpr std::size_t kMostTokens = 14;
+    constexpr std::size_t kMost = 8;
+    if (edits.source().tokensIn(node.range).size() > kMostTokens) return;
+    const bool isSimple = node.kind == NodeKind::number || node.kind == NodeKind::name;
+    const auto others = expressionsLike(edits, index, kMost, [&](int i) {
+        const Node& other = tree.at(i);
+        if (!other.isExpression || other.type != node.type || other.range.holds(node.range) ||
+            node.range.holds(other.range))
+            return false;
+        if (isQuantity(edits, i)) return true;
+        const bool isNear = tree.statementOf(i) == tree.statementOf(index);
+        return !isSimple && isNear &&
+               (other.kind == NodeKind::call || other.kind == NodeKind::binary);
+    });
+    for (const int other : others)
+        edits.replaceBy("sibling", index, other);
+}
+
+void addStatementEdits(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (node.kind == NodeKind::declaration && node.isStatic && !node.isConstant) {
+        for (const Range& token : edits.source().tokensIn(node.range)) {
+            if (token.begin >= node.declared) break;
+            const std::string_view word = edits.source().in(token);
+            if (word == "static" || word == "thread_local")
+                edits.addApart("static", index, {{{token.begin, token.end + 1}, ""}});
+        }
+    }
+}
+
+}  // namespace ticker::candidates

@@ -1,0 +1,110 @@
+#include <grader/repair/candidates/Atom.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace ticker::candidates {
+namespace {
+
+/// Variables of a node's type that stand before it in its function.
+std::vector<int> variablesBefore(const Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    int outermost = index;
+    for (int around = tree.functionOf(index); around >= 0; around = tree.functionOf(around))
+        outermost = around;
+    std::vector<int> found;
+    for (int i = outermost; i < index; ++i) {
+        const Node& node = tree.at(i);
+        const bool isVariable = node.declared != 0 && !node.isExpression && !node.name.empty();
+        if (!isVariable || node.type != tree.at(index).type) continue;
+        // Visible: its block, or the function that it is a parameter of, holds the use.
+        int block = node.parent;
+        while (block >= 0 && tree.at(block).kind != NodeKind::block &&
+               tree.at(block).kind != NodeKind::function && tree.at(block).kind != NodeKind::loop)
+            block = tree.at(block).parent;
+        if (block < 0 || tree.at(block).range.holds(tree.at(index).range)) found.push_back(i);
+    }
+    return found;
+}
+
+void exchangeNames(Edits& edits, int index, const Node& node) {
+    // All uses of two variables of one type, throughout a statement's expression.
+    const Tree& tree = edits.tree();
+    const int top = tree.topOf(index);
+    std::vector<int> uses;
+    for (int i = top; i < static_cast<int>(tree.nodes.size()); ++i) {
+        if (!tree.at(top).range.holds(tree.at(i).range)) break;
+        if (tree.at(i).kind == NodeKind::name && tree.at(i).type == node.type) uses.push_back(i);
+    }
+    for (const int other : uses) {
+        if (other <= index || tree.at(other).name == node.name) continue;
+        std::vector<Replacement> all;
+        for (const int use : uses) {
+            if (tree.at(use).name == node.name)
+                all.push_back({tree.at(use).range, edits.text(other)});
+            if (tree.at(use).name == tree.at(other).name)
+                all.push_back({tree.at(use).range, edits.text(index)});
+        }
+        if (all.size() > 2) edits.add("exchange", top, all);
+        edits.add("exchange", top,
+                  {{node.range, edits.text(other)}, {tree.at(other).range, edits.text(index)}});
+    }
+}
+
+std::string negated(const std::string& text) {
+    return text.starts_with('-') ? text.substr(1) : "-" + text;
+}
+
+}  // namespace
+
+void addNumberEdits(Edits& edits, int index) {
+    const Node& node = edits.tree().at(index);
+    if (node.kind != NodeKind::number || !edits.isNumber(index)) return;
+    const std::string text = edits.text(index);
+    static constexpr std::array kReals{"0.0", "0.5", "1.0", "2.0"};
+    static constexpr std::array kWhole{"0", "1", "2"};
+    if (edits.isInteger(index)) {
+        for (const char* other : kWhole)
+            edits.replace("number", index, other, true);
+        int value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error == std::errc{} && end == text.data() + text.size() && value < 100'000) {
+            edits.replace("number", index, std::to_string(value + 1), true);
+            if (value > 0) edits.replace("number", index, std::to_string(value - 1), true);
+        }
+    } else {
+        for (const char* other : kReals)
+            edits.replace("number", index, other, true);
+        edits.replace("number", index, "std::numbers::pi", true);
+    }
+    edits.replace("sign", index, negated(text), false);
+}
+
+void addNameEdits(Edits& edits, int index) {
+    const Node& node = edits.tree().at(index);
+    if (node.kind != NodeKind::name) return;
+    if (!edits.isNumber(index) && !edits.isVector(index)) return;
+    constexpr std::size_t kMost = 6;
+    const std::vector<int> others = variablesBefore(edits, index);
+    const std::size_t skipped = others.size() > kMost ? others.size() - kMost : 0;
+    for (std::size_t i = skipped; i < others.size(); ++i)
+        edits.replace("name", index, edits.tree().at(others[i]).name, true);
+    exchangeNames(edits, index, node);
+}
+
+void addMemberEdits(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (node.kind != NodeKind::member || node.children.empty()) return;
+    constexpr std::size_t kMost = 8;
+    const Range name{node.range.end - node.name.size(), node.range.end};
+    if (edits.source().in(name) != node.name) return;
+    const bool isCalled = node.parent >= 0 && tree.at(node.parent).kind == NodeKind::call &&
+                          tree.at(node.parent).children.front() == index;
+    const int site = isCalled ? node.parent : index;
+    for (std::size_t i = 0; i < std::min(kMost, node.siblings.size()); ++i)
+        edits.add("member", site, {{name, node.siblings[i]}});
+}
+
+}  // namespace ticker::candidates

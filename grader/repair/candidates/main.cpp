@@ -1,0 +1,121 @@
+// Finds edits of a student's file. Runs in the sandbox, since the file is untrusted.
+//   ticker-candidates --precompile HEADER TARGET CLANG-ARGUMENT...
+//   ticker-candidates SOURCE STUB PRODUCT CLANG-ARGUMENT...
+// writes the edits and the program that carries them as JSON, as ../Candidates.cpp reads it. What
+// stands in the stub as well is not the student's and is left alone.
+#include <grader/repair/candidates/Atom.h>
+#include <grader/repair/candidates/Schema.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace {
+
+using namespace ticker::candidates;
+
+std::string quoted(const std::string& text) {
+    static constexpr const char* kDigits = "0123456789abcdef";
+    std::string json = "\"";
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\')
+            json += std::string{'\\', c};
+        else if (c == '\n')
+            json += "\\n";
+        else if (code < 0x20)
+            json += std::string{"\\u00"} + kDigits[code >> 4U] + kDigits[code & 15U];
+        else
+            json += c;
+    }
+    return json + "\"";
+}
+
+/// Tokens with one blank between them.
+std::string normal(const Source& source, const Range& range) {
+    std::string text = " ";
+    for (const Range& token : source.tokensIn(range))
+        text += std::string{source.in(token)} + " ";
+    return text;
+}
+
+/// The outermost function that a node stands in.
+std::string functionAround(const Tree& tree, int index) {
+    std::string name;
+    for (int at = tree.functionOf(index); at >= 0; at = tree.functionOf(at))
+        name = tree.at(at).name;
+    return name;
+}
+
+std::string asJson(const Tree& tree, const std::vector<Atom>& atoms, const Schema& schema) {
+    std::ostringstream out;
+    out << "{\"program\": " << quoted(schema.text) << ",\n\"atoms\": [";
+    for (std::size_t i = 0; i < atoms.size(); ++i) {
+        const Atom& atom = atoms[i];
+        const Range& statement = tree.at(tree.statementOf(atom.site)).range;
+        out << (i == 0 ? "\n" : ",\n") << "{\"kind\": " << quoted(atom.kind) << ", \"statement\": ["
+            << statement.begin << ", " << statement.end
+            << "], \"function\": " << quoted(functionAround(tree, atom.site))
+            << ", \"apart\": " << (atom.isApart ? "true" : "false") << ", \"edits\": [";
+        for (std::size_t e = 0; e < atom.edits.size(); ++e) {
+            const Replacement& edit = atom.edits[e];
+            out << (e == 0 ? "" : ", ") << "[" << edit.range.begin << ", " << edit.range.end << ", "
+                << quoted(edit.text) << "]";
+        }
+        out << "]}";
+    }
+    const bool keepsState = std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const Node& node) {
+        return node.kind == NodeKind::declaration && node.isStatic && !node.isConstant;
+    });
+    out << "],\n\"keepsState\": " << (keepsState ? "true" : "false") << "}\n";
+    return out.str();
+}
+
+std::vector<Atom> findAtoms(const Tree& tree, const Source& source, const Source& stub) {
+    constexpr std::size_t kMost = 1500;
+    const std::string given = normal(stub, {0, stub.text().size()});
+    Edits edits{tree, source};
+    for (int i = 0; i < static_cast<int>(tree.nodes.size()); ++i) {
+        const Node& node = tree.at(i);
+        if (!node.isWritten || tree.functionOf(i) < 0 || edits.atoms().size() > kMost) continue;
+        if (given.find(normal(source, tree.at(tree.statementOf(i)).range)) != std::string::npos)
+            continue;
+        for (const auto add :
+             {addOperatorEdits, addNumberEdits, addNameEdits, addMemberEdits, addCallEdits,
+              addWrapEdits, addTermEdits, addSiblingEdits, addStatementEdits})
+            add(edits, i);
+    }
+    return edits.atoms();
+}
+
+std::string contentsOf(const std::string& file) {
+    std::ifstream stream{file, std::ios::binary};
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+int explain(const std::string& file, const std::string& stub, const std::string& product,
+            const Parser& parser) {
+    const Source source{contentsOf(file)};
+    const Tree tree = parser.parse(file, source.text());
+    if (!tree.wasParsed) return 2;
+    std::vector<Atom> atoms = findAtoms(tree, source, Source{contentsOf(stub)});
+    const Schema schema = fitSchema(parser, file, tree, source, atoms);
+    std::ofstream out{product, std::ios::binary};
+    out << asJson(tree, atoms, schema);
+    return out.flush() ? 0 : 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words{argv + 1, argv + argc};
+    if (words.size() >= 3 && words[0] == "--precompile")
+        return Parser{{words.begin() + 3, words.end()}}.precompile(words[1], words[2]) ? 0 : 1;
+    if (words.size() >= 3)
+        return explain(words[0], words[1], words[2], Parser{{words.begin() + 3, words.end()}});
+    std::cerr << "ticker-candidates: SOURCE STUB PRODUCT CLANG-ARGUMENT...\n";
+    return 2;
+}

@@ -1,0 +1,29 @@
+#ifndef TICKER_RESULT_REPAIR_H
+#define TICKER_RESULT_REPAIR_H
+
+#include <string>
+#include <vector>
+
+namespace ticker {
+
+/// One place of an edit, in whole lines.
+struct RepairEdit {
+    int line = 0;      ///< the first of the old lines; 1 for the file's first
+    std::string from;  ///< untrusted: the student's text
+    std::string to;
+};
+
+/// An edit of a submission that was proven to mend a failed task.
+struct Repair {
+    std::string task;
+    std::string finding;  ///< the failing one that it mends
+    std::string file;
+    std::vector<RepairEdit> edits;  ///< at least one; several where the same edit is needed twice
+    bool proven = false;            ///< all questions were answered under three seeds
+    /// The finding that is left with this edit; empty: the task passes.
+    std::string next;
+};
+
+}  // namespace ticker
+
+#endif

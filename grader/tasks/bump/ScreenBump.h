@@ -1,0 +1,15 @@
+#ifndef TICKER_TASKS_BUMP_SCREENBUMP_H
+#define TICKER_TASKS_BUMP_SCREENBUMP_H
+
+#include <grader/exercise/Screening.h>
+
+#include <cstdint>
+
+namespace ticker::tasks {
+
+/// Small ramps along u and v: do normals lean the right way?
+[[nodiscard]] Screening screenBump(std::uint64_t seed);
+
+}  // namespace ticker::tasks
+
+#endif

@@ -1,0 +1,80 @@
+#include <grader/repair/EditSets.h>
+#include <grader/repair/LineEdits.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace ticker::repair {
+namespace {
+
+constexpr std::string_view kSource = "a = f(0.0, s);\nb = f(0.0, s);\nc = a - b;\n";
+
+Atom atom(std::string kind, TextEdit edit, std::size_t begin, std::size_t end) {
+    Atom made;
+    made.kind = std::move(kind);
+    made.edits = {std::move(edit)};
+    made.statementBegin = begin;
+    made.statementEnd = end;
+    return made;
+}
+
+/// The same bound in two lines, and an operator in the third.
+Candidates candidates() {
+    Candidates made;
+    made.atoms = {atom("bound", {6, 9, "-s"}, 0, 13), atom("bound", {21, 24, "-s"}, 15, 28),
+                  atom("operator", {36, 37, "+"}, 30, 39)};
+    return made;
+}
+
+bool isAny(const Atom& /*atom*/) {
+    return true;
+}
+
+TEST(EditSets, OneTokenForAnotherCountsOnce) {
+    EXPECT_EQ(tokensChanged(kSource, candidates(), {2}), 1U);
+    EXPECT_EQ(tokensChanged(kSource, candidates(), {0, 1}), 4U);
+}
+
+TEST(EditSets, TheSimplestComesFirst) {
+    const auto sets = singles(kSource, candidates(), isAny);
+    ASSERT_EQ(sets.size(), 3U);
+    EXPECT_EQ(sets.front(), EditSet{2});
+}
+
+TEST(EditSets, TheSameEditAtTwoPlacesIsOneSet) {
+    const auto sets = twins(kSource, candidates(), isAny);
+    EXPECT_EQ(sets, (std::vector<EditSet>{{0, 1}}));
+}
+
+TEST(EditSets, EditsOfAnotherTaskTakeNoPart) {
+    const auto chosen = [](const Atom& each) { return each.kind == "operator"; };
+    EXPECT_EQ(singles(kSource, candidates(), chosen), (std::vector<EditSet>{{2}}));
+    EXPECT_TRUE(twins(kSource, candidates(), chosen).empty());
+}
+
+TEST(WithEdits, RefusesEditsOfTheSameText) {
+    EXPECT_FALSE(withEdits(kSource, {{6, 9, "1"}, {8, 10, "2"}}));
+    EXPECT_FALSE(withEdits(kSource, {{40, 90, ""}}));
+    EXPECT_EQ(withEdits("ab", {{1, 1, "-"}}), "a-b");
+}
+
+TEST(LineEdits, ShowsWholeLinesBeforeAndAfter) {
+    const auto lines = lineEdits(kSource, textEdits(candidates(), {0, 2}));
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0].line, 1);
+    EXPECT_EQ(lines[0].from, "a = f(0.0, s);");
+    EXPECT_EQ(lines[0].to, "a = f(-s, s);");
+    EXPECT_EQ(lines[1].line, 3);
+    EXPECT_EQ(lines[1].to, "c = a + b;");
+}
+
+TEST(LineEdits, NamesTheLineThatChangesWithinALongStatement) {
+    const auto lines = lineEdits("f(a,\n  b);", {{0, 9, "f(a,\n  c)"}});
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].line, 2);
+    EXPECT_EQ(lines[0].from, "  b);");
+}
+
+}  // namespace
+}  // namespace ticker::repair

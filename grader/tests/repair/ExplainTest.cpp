@@ -1,0 +1,131 @@
+#include <grader/base/WholeFile.h>
+#include <grader/corpus/Entry.h>
+#include <grader/repair/Explain.h>
+#include <grader/repair/Proof.h>
+#include <grader/tests/pipeline/TestGrader.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace ticker::repair {
+namespace {
+
+constexpr std::uint64_t kSeed = 11;
+
+corpus::Entry mistake(const std::string& task, const std::string& name) {
+    for (corpus::Entry& entry : corpus::readEntries(TICKER_SOURCE_DIR, {"mistakes"}))
+        if (entry.group == task && entry.name == name) return entry;
+    throw std::runtime_error("no mistake " + name);
+}
+
+intake::Submission handedIn(const std::string& file, const std::string& text) {
+    intake::Submission submission;
+    submission.name = "a-student";
+    submission.parts[file] = text;
+    return submission;
+}
+
+struct Explained {
+    SubmissionResult result;
+    Explanation explanation;
+};
+
+Explained explained(const intake::Submission& submission) {
+    const pipeline::Grader& grader = tests::testGrader();
+    SubmissionResult result = pipeline::gradeSubmission(submission, grader, kSeed);
+    Explanation explanation = explain(submission, grader, result, kSeed + 1);
+    return {std::move(result), std::move(explanation)};
+}
+
+std::string reference(const std::string& file) {
+    return readWhole(std::filesystem::path{TICKER_SOURCE_DIR} / "reference_solution/exercise" /
+                     file);
+}
+
+std::vector<TaskReport> failedBefore(const std::string& task) {
+    std::vector<TaskReport> before(1);
+    before.front().id = task;
+    before.front().state = TaskState::failed;
+    return before;
+}
+
+std::optional<Proof> proofOf(const std::string& edited) {
+    double cpuMs = 0.0;
+    return prove(edited, "BumpySphere.cpp", "T1", failedBefore("T1"), tests::testGrader(), kSeed,
+                 cpuMs);
+}
+
+TEST(Explain, FindsTheLineOfAWrongSignAndProvesTheEdit) {
+    const corpus::Entry entry = mistake("T1", "equation-with-slopes-as-printed");
+    const std::string text = corpus::textsOf(entry).at("BumpySphere.cpp");
+    const auto [result, explanation] = explained(handedIn("BumpySphere.cpp", text));
+
+    ASSERT_FALSE(explanation.repairs.empty());
+    const Repair& best = explanation.repairs.front();
+    EXPECT_TRUE(best.proven);
+    EXPECT_EQ(best.task, "T1");
+    EXPECT_EQ(best.finding, "bump.inverted-u");
+    EXPECT_EQ(best.next, "");
+    ASSERT_EQ(best.edits.size(), 1U);
+    EXPECT_NE(best.edits.front().from.find("return (normal - Bu"), std::string::npos);
+    EXPECT_NE(best.edits.front().from, best.edits.front().to);
+}
+
+TEST(Explain, EveryEditThatItShowsMakesTheTaskPass) {
+    const corpus::Entry entry = mistake("T1", "row-beyond-the-last");
+    const std::string text = corpus::textsOf(entry).at("BumpySphere.cpp");
+    const auto [result, explanation] = explained(handedIn("BumpySphere.cpp", text));
+
+    for (const Repair& repair : explanation.repairs) {
+        EXPECT_TRUE(repair.proven);
+        std::string edited = text;
+        for (const RepairEdit& edit : repair.edits) {
+            const std::size_t at = edited.find(edit.from);
+            ASSERT_NE(at, std::string::npos);
+            edited.replace(at, edit.from.size(), edit.to);
+        }
+        const SubmissionResult again = pipeline::gradeSubmission(
+            handedIn("BumpySphere.cpp", edited), tests::testGrader(), kSeed + 7);
+        EXPECT_EQ(tests::taskOf(again, "T1").state, TaskState::passed) << edited;
+    }
+}
+
+TEST(Explain, RunsNothingForARightSubmission) {
+    const auto [result, explanation] =
+        explained(handedIn("BumpySphere.cpp", reference("BumpySphere.cpp")));
+
+    EXPECT_TRUE(explanation.repairs.empty());
+    EXPECT_EQ(explanation.tried, 0U);
+    EXPECT_EQ(explanation.cpuMs, 0.0);
+}
+
+TEST(Explain, ShowsNothingWhereNoSmallEditMendsIt) {
+    const corpus::Entry entry = mistake("T1", "tangents-of-another-axis");
+    const std::string text = corpus::textsOf(entry).at("BumpySphere.cpp");
+    const auto [result, explanation] = explained(handedIn("BumpySphere.cpp", text));
+
+    for (const Repair& repair : explanation.repairs)
+        EXPECT_TRUE(repair.proven);
+    EXPECT_EQ(tests::taskOf(result, "T1").state, TaskState::failed);
+}
+
+TEST(Proof, HoldsForTheReference) {
+    const auto proof = proofOf(reference("BumpySphere.cpp"));
+    ASSERT_TRUE(proof);
+    EXPECT_EQ(proof->next, "");
+}
+
+TEST(Proof, NamesTheFindingThatAnEditLeaves) {
+    const corpus::Entry entry = mistake("T1", "inverted");
+    const auto proof = proofOf(corpus::textsOf(entry).at("BumpySphere.cpp"));
+    ASSERT_TRUE(proof);
+    EXPECT_EQ(proof->next, "bump.inverted");
+}
+
+TEST(Proof, FailsForCodeThatDoesNotCompile) {
+    EXPECT_FALSE(proofOf("int x = nonsense;\n"));
+}
+
+}  // namespace
+}  // namespace ticker::repair
