@@ -1,6 +1,7 @@
 #ifndef TICKER_BASE_JSONVALUE_H
 #define TICKER_BASE_JSONVALUE_H
 
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,6 +32,9 @@ public:
     [[noreturn]] void expect(const std::string& what) const;
     /// Refuses a member that is not among `names`, with the nearest name.
     void allowOnly(std::span<const std::string_view> names) const;
+    void allowOnly(std::initializer_list<std::string_view> names) const {
+        allowOnly(std::span{names.begin(), names.size()});
+    }
 
     [[nodiscard]] bool has(const std::string& name) const;
     /// A member that must be there.

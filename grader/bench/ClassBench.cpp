@@ -1,6 +1,7 @@
 // Benchmark of grading a class, as ratios: CPU time of ticker and all its child processes, against
 // a bare compiler that builds programs from the same files. Medians of interleaved rounds, two
 // workers.
+#include <grader/bench/Children.h>
 #include <grader/bench/Harness.h>
 #include <grader/exercise/Exercise.h>
 
@@ -10,10 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,8 +21,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-extern char** environ;  // NOLINT: POSIX
 
 namespace ticker::bench {
 namespace {
@@ -63,40 +58,6 @@ private:
     fs::path path_;
 };
 
-// CPU time of all child processes that have ended, and of their descendants.
-double childSeconds() {
-    rusage usage{};
-    getrusage(RUSAGE_CHILDREN, &usage);
-    const auto seconds = [](const timeval& time) {
-        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-pid_t start(Words words, const fs::path& output) {
-    posix_spawn_file_actions_t actions{};
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    pid_t child = 0;
-    const int error =
-        posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) throw raytracer::Error("cannot run " + words[0]);
-    return child;
-}
-
-void finish(pid_t child, const fs::path& output) {
-    int status = 0;
-    if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        throw raytracer::Error("a program failed; what it said stands in " + output.string());
-}
-
 /// Runs the two sides of the comparison.
 class Bench {
 public:
@@ -119,8 +80,8 @@ public:
         }
         std::vector<Figure> figures{
             {"bare g++ -O2: two files, compiled and linked, CPU", 1e3 * median(bare), "ms"},
-            {"honest T1, CPU", 1e3 * median(bump), "ms"},
-            {"honest T2, CPU", 1e3 * median(distributed), "ms"},
+            {"honest option 1, CPU", 1e3 * median(bump), "ms"},
+            {"honest option 2, CPU", 1e3 * median(distributed), "ms"},
             {"honest submission / bare compile", median(ratio), "x"},
             {"start of ticker, once for a class, CPU", 1e3 * startUp, "ms"}};
         for (Figure& figure : wholeClass())

@@ -2,6 +2,7 @@
 #define TICKER_CORPUS_ENTRY_H
 
 #include <grader/corpus/MadeFile.h>
+#include <grader/exercise/Exercise.h>
 
 #include <filesystem>
 #include <map>
@@ -67,10 +68,12 @@ struct Entry {
 /// @param root  The project's folder, which contains grader/corpus, reference_solution, ...
 /// @throws raytracer::InputError with the file, the line if known, and what was expected.
 [[nodiscard]] std::vector<Entry> readEntries(const std::filesystem::path& root,
-                                             const std::vector<std::string>& collections);
+                                             const std::vector<std::string>& collections,
+                                             const Exercise& exercise = defaultExercise());
 
 /// The known mistakes and the accepted readings.
-[[nodiscard]] std::vector<Entry> readCatalogue(const std::filesystem::path& root);
+[[nodiscard]] std::vector<Entry> readCatalogue(const std::filesystem::path& root,
+                                               const Exercise& exercise = defaultExercise());
 
 /// Applies the edits to a text.
 /// @param path  Name of the edits in messages.

@@ -1,12 +1,16 @@
-#include <grader/base/JsonLines.h>
+#include <grader/base/JsonValue.h>
 #include <grader/base/WholeFile.h>
 #include <grader/corpus/Entry.h>
-#include <grader/corpus/Members.h>
 
 #include <raytracer/base/Error.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -14,124 +18,160 @@ namespace ticker::corpus {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using raytracer::InputError;
 
 constexpr const char* kExpected = "expected.json";
 constexpr std::array<std::string_view, 5> kStates{"passed", "failed", "notAttempted", "blocked",
                                                   "notGraded"};
 constexpr std::array<std::string_view, 3> kVerdicts{"awarded", "notAwarded", "needsReview"};
-
-json parse(const std::string& path) {
-    const std::string text = readWhole(path);
-    try {
-        return json::parse(text);
-    } catch (const json::parse_error& error) {
-        throw InputError(path, lineOfByte(text, error.byte), "is not JSON");
-    }
+std::vector<std::string> texts(const JsonValue& array) {
+    std::vector<std::string> values;
+    for (const JsonValue& item : array.items())
+        values.push_back(item.text());
+    return values;
 }
 
-Expectation readExpectation(const json& object, const std::string& path, const std::string& task) {
-    Members members(object, path, "\"expect\" of " + task);
+/// A string, or an array of lines.
+std::string joined(const JsonValue& value) {
+    if (!value.isArray()) return value.text();
+    return fmt::format("{}", fmt::join(texts(value), "\n"));
+}
+
+/// False if the member is missing.
+bool isSet(const JsonValue& value, const std::string& name) {
+    return value.has(name) && value.at(name).flag();
+}
+
+/// A string or an array of strings, each one of `known`.
+std::vector<std::string> choices(const JsonValue& value, std::span<const std::string_view> known) {
+    std::vector<std::string> values =
+        value.isArray() ? texts(value) : std::vector<std::string>{value.text()};
+    for (const std::string& each : values)
+        if (std::find(known.begin(), known.end(), each) == known.end())
+            value.refuse(fmt::format("\"{}\" is not known", each));
+    if (values.empty()) value.refuse("is empty");
+    return values;
+}
+
+std::string plainName(const JsonValue& value) {
+    std::string name = value.text();
+    if (name.find('/') != std::string::npos) value.refuse("must be a plain name");
+    return name;
+}
+
+std::string bytesOf(const JsonValue& value) {
+    const std::string digits = value.text();
+    if (digits.size() % 2 != 0 || digits.find_first_not_of("0123456789abcdef") != std::string::npos)
+        value.refuse("is not hexadecimal");
+    std::string bytes;
+    for (std::size_t at = 0; at < digits.size(); at += 2)
+        bytes.push_back(static_cast<char>(std::stoi(digits.substr(at, 2), nullptr, 16)));
+    return bytes;
+}
+
+unsigned long countOf(const JsonValue& value) {
+    const double number = value.number();
+    if (number < 0.0 || number != std::floor(number)) value.refuse("must be a count");
+    return static_cast<unsigned long>(number);
+}
+
+Expectation readExpectation(const JsonValue& value) {
+    value.allowOnly({"state", "findings", "needsReview"});
     Expectation expect;
-    expect.states = members.choices("state", kStates);
-    if (members.has("findings")) expect.findings = members.strings("findings");
-    expect.needsReview = members.flag("needsReview");
-    members.finish();
+    expect.states = choices(value.at("state"), kStates);
+    if (value.has("findings")) expect.findings = texts(value.at("findings"));
+    expect.needsReview = isSet(value, "needsReview");
     return expect;
 }
 
-void readExpectations(const json& object, Entry& entry) {
-    Members members(object, entry.path, "\"expect\"");
-    for (const auto& [name, value] : object.items())
+void readExpectations(const JsonValue& value, Entry& entry) {
+    for (const auto& [name, member] : value.members())
         if (name == "verdict")
-            entry.verdicts = members.choices("verdict", kVerdicts);
+            entry.verdicts = choices(member, kVerdicts);
         else
-            entry.tasks[name] = readExpectation(value, entry.path, name);
-    if (entry.tasks.empty()) members.fail("says nothing of any task");
+            entry.tasks[name] = readExpectation(member);
+    if (entry.tasks.empty()) value.refuse("says nothing of any task");
 }
 
-std::vector<Edit> readEdits(const json& array, const std::string& path) {
-    if (!array.is_array()) throw InputError(path, 0, "\"edits\" of a file must be an array");
+std::vector<Edit> readEdits(const JsonValue& array) {
     std::vector<Edit> edits;
-    for (const json& object : array) {
-        Members members(object, path, "\"edits\"[" + std::to_string(edits.size()) + "]");
-        Edit edit{members.text("find"), members.text("replace")};
-        members.finish();
-        if (edit.find.empty()) members.fail("has nothing to find");
-        edits.push_back(std::move(edit));
+    for (const JsonValue& value : array.items()) {
+        value.allowOnly({"find", "replace"});
+        edits.push_back({joined(value.at("find")), joined(value.at("replace"))});
+        if (edits.back().find.empty()) value.refuse("has nothing to find");
     }
     return edits;
 }
 
-/// @param exercise  The first folder of a collection that belongs to another exercise than the
-///                  default one; or empty.
-fs::path folderOf(const std::string& base, const fs::path& root, const fs::path& exercise) {
-    if (base == "reference") return root / "reference_solution" / exercise / "exercise";
-    if (base == "template") return root / "student_template" / exercise / "exercise";
-    return root / "grader/corpus" / base;
+/// The folder of a "base": the exercise's own files, or another entry's.
+fs::path folderOf(const std::string& base, const fs::path& root, const Exercise& exercise) {
+    if (base == "reference") return root / exercise.reference;
+    if (base == "template") return root / exercise.stubs;
+    return root / exercise.corpus / base;
 }
 
-Member readMember(Members members) {
+Member readMember(const JsonValue& value) {
+    value.allowOnly(
+        {"name", "text", "repeat", "times", "copies", "link", "hardLink", "device", "pipe"});
     Member member;
-    member.name = members.string("name");
-    if (members.has("text")) member.text = members.string("text");
-    if (members.has("repeat")) member.text = members.string("repeat");
-    if (members.has("times")) member.repeats = members.count("times");
-    if (members.has("copies")) member.copies = members.count("copies");
-    if (members.flag("device")) member.kind = Member::Kind::device;
-    if (members.flag("pipe")) member.kind = Member::Kind::pipe;
+    member.name = value.at("name").text();
+    if (value.has("text")) member.text = value.at("text").text();
+    if (value.has("repeat")) member.text = value.at("repeat").text();
+    if (value.has("times")) member.repeats = countOf(value.at("times"));
+    if (value.has("copies")) member.copies = countOf(value.at("copies"));
+    if (isSet(value, "device")) member.kind = Member::Kind::device;
+    if (isSet(value, "pipe")) member.kind = Member::Kind::pipe;
     for (const auto& [name, kind] : {std::pair{"link", Member::Kind::symbolicLink},
                                      std::pair{"hardLink", Member::Kind::hardLink}}) {
-        if (!members.has(name)) continue;
+        if (!value.has(name)) continue;
         member.kind = kind;
-        member.text = members.string(name);
+        member.text = value.at(name).text();
     }
-    members.finish();
     return member;
 }
 
-decltype(MadeFile::contents) readContents(Members& members, const std::string& path) {
-    if (members.has("hex")) return MadeBytes{members.bytes("hex")};
-    if (members.has("link")) return MadeLink{members.string("link")};
-    if (members.flag("pipe")) return MadePipe{};
-    if (members.flag("folder")) return MadeFolder{};
-    if (!members.has("members"))
-        return MadeText{members.string("before"), members.string("repeat"), members.count("times"),
-                        members.string("after")};
-    MadeArchive archive;
-    for (const json& member : members.array("members"))
-        archive.members.push_back(readMember({member, path, "a member of an archive"}));
-    return archive;
-}
-
-void readMade(const json& array, Entry& entry) {
-    for (const json& object : array) {
-        Members members(object, entry.path, "\"make\"[" + std::to_string(entry.made.size()) + "]");
-        MadeFile made{members.plainName("file"), {}};
-        made.contents = readContents(members, entry.path);
-        members.finish();
-        entry.made.push_back(std::move(made));
+MadeFile readMade(const JsonValue& value) {
+    value.allowOnly(
+        {"file", "before", "repeat", "times", "after", "hex", "link", "pipe", "folder", "members"});
+    MadeFile made{plainName(value.at("file")), {}};
+    if (value.has("hex")) {
+        made.contents = MadeBytes{bytesOf(value.at("hex"))};
+    } else if (value.has("link")) {
+        made.contents = MadeLink{value.at("link").text()};
+    } else if (isSet(value, "pipe")) {
+        made.contents = MadePipe{};
+    } else if (isSet(value, "folder")) {
+        made.contents = MadeFolder{};
+    } else if (value.has("members")) {
+        MadeArchive archive;
+        for (const JsonValue& member : value.at("members").items())
+            archive.members.push_back(readMember(member));
+        made.contents = std::move(archive);
+    } else {
+        made.contents = MadeText{value.at("before").text(), value.at("repeat").text(),
+                                 countOf(value.at("times")), value.at("after").text()};
     }
+    return made;
 }
 
 Entry readEntry(const fs::path& file, const fs::path& place, const fs::path& root,
-                const fs::path& exercise) {
+                const Exercise& exercise) {
     Entry entry;
     entry.path = file.string();
     entry.name = (file == place ? file.stem() : place.filename()).string();
-    const json document = parse(entry.path);
-    Members members(document, entry.path, "the entry");
-    entry.about = members.string("about");
-    entry.folderName = members.has("folder") ? members.plainName("folder") : entry.name;
-    if (members.has("base")) entry.base = folderOf(members.string("base"), root, exercise);
-    if (members.has("edits"))
-        for (const auto& [name, edits] : members.required("edits").items())
-            entry.edits[name] = readEdits(edits, entry.path);
-    if (members.has("make")) readMade(members.array("make"), entry);
-    readExpectations(members.required("expect"), entry);
-    members.finish();
-    if (!entry.edits.empty() && entry.base.empty()) members.fail("has edits of no \"base\"");
+    const JsonValue value = JsonValue::parse(readWhole(file), entry.path);
+    value.allowOnly({"about", "folder", "base", "edits", "make", "expect"});
+    entry.about = value.at("about").text();
+    entry.folderName = value.has("folder") ? plainName(value.at("folder")) : entry.name;
+    if (value.has("base")) entry.base = folderOf(value.at("base").text(), root, exercise);
+    if (value.has("edits"))
+        for (const auto& [name, edits] : value.at("edits").members())
+            entry.edits[name] = readEdits(edits);
+    if (value.has("make"))
+        for (const JsonValue& made : value.at("make").items())
+            entry.made.push_back(readMade(made));
+    readExpectations(value.at("expect"), entry);
+    if (!entry.edits.empty() && entry.base.empty()) value.refuse("has edits of no \"base\"");
     return entry;
 }
 
@@ -144,9 +184,17 @@ std::vector<fs::path> filesBeside(const fs::path& folder) {
     return files;
 }
 
-void addCollection(const std::string& collection, const fs::path& root,
+/// Whose bases a collection's entries have: "tick1/mistakes" says it itself.
+const Exercise& ownerOf(const std::string& collection, const Exercise& exercise) {
+    for (const Exercise& known : knownExercises())
+        if (collection.starts_with(known.name + "/")) return known;
+    return exercise;
+}
+
+void addCollection(const std::string& collection, const fs::path& root, const Exercise& exercise,
                    std::vector<Entry>& entries) {
-    const fs::path top = root / "grader/corpus" / collection;
+    const fs::path top = root / exercise.corpus / collection;
+    const Exercise& owner = ownerOf(collection, exercise);
     if (!fs::is_directory(top)) return;
     for (const fs::directory_entry& found : fs::recursive_directory_iterator(top)) {
         const fs::path& file = found.path();
@@ -155,7 +203,7 @@ void addCollection(const std::string& collection, const fs::path& root,
         if (file.extension() != ".json" || !found.is_regular_file() || folder == top) continue;
         if (!isFolders && fs::exists(folder / kExpected)) continue;
         const fs::path place = isFolders ? folder : file;
-        Entry entry = readEntry(file, place, root, fs::path{collection}.parent_path());
+        Entry entry = readEntry(file, place, root, owner);
         entry.collection = collection;
         entry.group = place.parent_path().lexically_relative(top).string();
         if (isFolders) entry.files = filesBeside(folder);
@@ -165,20 +213,22 @@ void addCollection(const std::string& collection, const fs::path& root,
 
 }  // namespace
 
-std::vector<Entry> readEntries(const fs::path& root, const std::vector<std::string>& collections) {
-    if (!fs::is_directory(root / "grader/corpus"))
-        throw InputError((root / "grader/corpus").string(), 0, "is no folder with a corpus");
+std::vector<Entry> readEntries(const fs::path& root, const std::vector<std::string>& collections,
+                               const Exercise& exercise) {
+    const fs::path corpus = root / exercise.corpus;
+    if (!fs::is_directory(corpus))
+        throw InputError(corpus.string(), 0, "is no folder with a corpus");
     std::vector<Entry> entries;
     for (const std::string& collection : collections)
-        addCollection(collection, root, entries);
+        addCollection(collection, root, exercise, entries);
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         return std::tie(a.group, a.name) < std::tie(b.group, b.name);
     });
     return entries;
 }
 
-std::vector<Entry> readCatalogue(const fs::path& root) {
-    return readEntries(root, {"accepted", "mistakes"});
+std::vector<Entry> readCatalogue(const fs::path& root, const Exercise& exercise) {
+    return readEntries(root, {"accepted", "mistakes"}, exercise);
 }
 
 }  // namespace ticker::corpus

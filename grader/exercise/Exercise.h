@@ -45,6 +45,7 @@ struct Exercise {
     std::string stubs;      ///< "template": folder of the files as handed out
     std::string reference;  ///< folder of the same files, solved
     std::string rubric;     ///< file of what earns the tick, unless a course has its own
+    std::string corpus;     ///< folder of samples/, mistakes/ and further collections
     std::vector<TaskEntry> tasks;
     std::vector<OptionEntry> options;
     std::vector<SceneEntry> scenes;

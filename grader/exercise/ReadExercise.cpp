@@ -6,16 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <set>
 
 namespace ticker {
 namespace {
-
-void allowOnly(const JsonValue& value, std::initializer_list<std::string_view> names) {
-    if (!value.isObject()) value.expect("an object");
-    value.allowOnly({names.begin(), names.size()});
-}
 
 std::string textOf(const JsonValue& value) {
     std::string text = value.text();
@@ -40,13 +34,13 @@ auto listOf(const JsonValue& value, const Read& read) {
 }
 
 TaskEntry readTask(const JsonValue& value) {
-    allowOnly(value, {"id", "title", "file", "function", "symbols"});
+    value.allowOnly({"id", "title", "file", "function", "symbols"});
     return {textOf(value.at("id")), textOf(value.at("title")), textOf(value.at("file")),
             textOf(value.at("function")), listOf(value.at("symbols"), textOf)};
 }
 
 OptionEntry readOption(const JsonValue& value, const Exercise& exercise) {
-    allowOnly(value, {"name", "tasks"});
+    value.allowOnly({"name", "tasks"});
     return {textOf(value.at("name")), listOf(value.at("tasks"), [&](const JsonValue& task) {
                 if (exercise.task(task.text()) == nullptr) task.expect("the id of a task");
                 return task.text();
@@ -54,7 +48,7 @@ OptionEntry readOption(const JsonValue& value, const Exercise& exercise) {
 }
 
 SceneEntry readSceneEntry(const JsonValue& value, const Exercise& exercise) {
-    allowOnly(value, {"name", "file", "width", "height", "isRandom", "isHandedIn"});
+    value.allowOnly({"name", "file", "width", "height", "isRandom", "isHandedIn"});
     SceneEntry scene{textOf(value.at("name")),    textOf(value.at("file")),
                      sizeOf(value.at("width")),   sizeOf(value.at("height")),
                      value.at("isRandom").flag(), value.at("isHandedIn").flag()};
@@ -75,8 +69,8 @@ void expectUniqueIds(const JsonValue& tasks, const Exercise& exercise) {
 
 Exercise parseExercise(const std::string& file, const std::string& text) {
     const JsonValue top = JsonValue::parse(text, file);
-    allowOnly(top, {"name", "title", "handout", "template", "reference", "rubric", "tasks",
-                    "options", "scenes", "frameworkFiles", "overlay", "leftOut", "companions"});
+    top.allowOnly({"name", "title", "handout", "template", "reference", "rubric", "corpus", "tasks",
+                   "options", "scenes", "frameworkFiles", "overlay", "leftOut", "companions"});
     Exercise exercise;
     exercise.name = textOf(top.at("name"));
     exercise.title = textOf(top.at("title"));
@@ -84,6 +78,7 @@ Exercise parseExercise(const std::string& file, const std::string& text) {
     exercise.stubs = textOf(top.at("template"));
     exercise.reference = textOf(top.at("reference"));
     exercise.rubric = textOf(top.at("rubric"));
+    exercise.corpus = textOf(top.at("corpus"));
     exercise.tasks = listOf(top.at("tasks"), readTask);
     expectUniqueIds(top.at("tasks"), exercise);
     exercise.options = listOf(

@@ -38,13 +38,13 @@ void printTable(const std::string& title, const std::string& table) {
     std::fflush(stdout);
 }
 
-bool testBump(const SelftestOptions& options, bool draw) {
-    const Countdown counter{"T1", 0, draw};
+bool testBump(const SelftestOptions& options, const std::string& option, bool draw) {
+    const Countdown counter{option, 0, draw};
     const selftest::BumpSelfTest result =
         selftest::runBumpSelfTest(options.fraction, {1}, [&](int done, int total) {
             counter.show(static_cast<std::size_t>(done), static_cast<std::size_t>(total));
         });
-    printTable("T1: readings that must pass, mistakes in every reading that must be named",
+    printTable(option + ": readings that must pass, mistakes in every reading that must be named",
                result.table());
     return result.passed();
 }
@@ -63,37 +63,37 @@ std::vector<selftest::RightSource> rightSources(const Home& home) {
     return sources;
 }
 
-/// The catalogue of an exercise, with what was written unseen where that is in the same form.
-std::vector<corpus::Entry> catalogueOf(const Home& home, const Exercise& exercise) {
-    if (&exercise == &defaultExercise()) return corpus::readCatalogue(home.data);
-    std::vector<std::string> collections;
-    for (const char* collection : {"/accepted", "/mistakes", "/unseen"})
-        collections.push_back(exercise.name + collection);
-    return corpus::readEntries(home.data, collections);
+/// The catalogue of an exercise; that of another than the default one with what was written unseen.
+std::vector<corpus::Entry> catalogueOf(const Exercise& exercise) {
+    std::vector<std::string> collections{"accepted", "mistakes"};
+    if (&exercise != &defaultExercise()) collections.emplace_back("unseen");
+    return corpus::readEntries(Home::find().data, collections, exercise);
 }
 
-/// The catalogue's entries of T1 or T2 (both without a task), or the requested entries.
-bool testMistakes(const SelftestOptions& options, const std::string& task,
-                  const pipeline::Grader& grader, bool draw) {
-    const Home home = Home::find();
-    const Countdown counter{task.empty() ? "mistakes" : task, 0, draw};
-    std::vector<corpus::Entry> entries =
-        selftest::mistakesOf(catalogueOf(home, *grader.exercise), task);
-    if (!options.cases.empty()) entries = selftest::mistakesCalled(entries, options.cases);
+/// The catalogue's entries about an option's tasks.
+std::vector<corpus::Entry> entriesOf(const OptionEntry& option, const Exercise& exercise) {
+    return selftest::mistakesOf(catalogueOf(exercise), option.tasks);
+}
+
+/// @param what  Title of the table; may be empty.
+bool testMistakes(const std::vector<corpus::Entry>& entries, const std::string& what,
+                  const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
+    const Countdown counter{what.empty() ? "mistakes" : what, 0, draw};
     selftest::MistakeRun run;
+    run.exercise = grader.exercise;
     run.fraction = options.cases.empty() ? options.fraction : 1.0;
     run.seed = seedOf(options.grade);
-    run.exercise = grader.exercise;
     run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
     const auto rows = selftest::runMistakes(entries, grader.kit, grader.sandbox, run);
-    printTable((task.empty() ? "" : task + ": ") + "the catalogue of mistakes, compiled and judged",
+    printTable((what.empty() ? "" : what + ": ") + "the catalogue of mistakes, compiled and judged",
                selftest::tableOf(rows));
     return std::ranges::all_of(rows, &selftest::MistakeRow::asExpected);
 }
 
 /// The whole corpus, or the requested entries.
-std::vector<corpus::Entry> hostileCases(const Home& home, const std::vector<std::string>& wanted) {
-    auto corpus = corpus::readEntries(home.data, {"hostile"});
+std::vector<corpus::Entry> hostileCases(const Exercise& exercise,
+                                        const std::vector<std::string>& wanted) {
+    auto corpus = corpus::readEntries(Home::find().data, {"hostile"}, exercise);
     if (wanted.empty()) return corpus;
     std::vector<corpus::Entry> picked;
     for (const std::string& name : wanted) {
@@ -116,7 +116,7 @@ bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool d
     run.seed = seedOf(options.grade);
     run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
     const selftest::HostileTables tables =
-        selftest::runHostileTables(hostileCases(home, options.cases), grader, run);
+        selftest::runHostileTables(hostileCases(*grader.exercise, options.cases), grader, run);
     printTable("Hostile submissions at sandbox level " + sandbox::toString(grader.sandbox.level()),
                tables.table());
     return tables.passed();
@@ -134,22 +134,48 @@ bool testScreenshots(const SelftestOptions& options, const pipeline::Grader& gra
     return result.passed();
 }
 
+/// The tables that are made for the default exercise alone: models of its first option, and
+/// pictures.
+bool hasModels(const Exercise& exercise) {
+    return &exercise == &defaultExercise();
+}
+
 bool runTables(const SelftestOptions& options, bool draw) {
     const pipeline::Grader grader = makeGrader(options.grade);
-    const bool isOther = grader.exercise != &defaultExercise();
-    if (isOther || (!options.cases.empty() && !options.hostile))
-        return testMistakes(options, options.task, grader, draw);
+    const Exercise& exercise = *grader.exercise;
+    if (!options.cases.empty() && !options.hostile) {
+        const auto catalogue = catalogueOf(exercise);
+        return testMistakes(selftest::mistakesCalled(catalogue, options.cases), options.task,
+                            options, grader, draw);
+    }
     const bool all = options.task.empty() && !options.hostile && !options.screenshots;
     bool good = true;
-    for (const char* task : {"T1", "T2"})
-        if (all || options.task == task) good = testMistakes(options, task, grader, draw) && good;
-    if (all || options.task == "T1") good = testBump(options, draw) && good;
-    if (all || options.hostile) good = testHostile(options, grader, draw) && good;
-    if (all || options.screenshots) good = testScreenshots(options, grader, draw) && good;
+    for (const OptionEntry& option : exercise.options)
+        if (all || options.task == option.name)
+            good = testMistakes(entriesOf(option, exercise), option.name, options, grader, draw) &&
+                   good;
+    const std::string first = exercise.options.front().name;
+    if (hasModels(exercise) && (all || options.task == first))
+        good = testBump(options, first, draw) && good;
+    if ((hasModels(exercise) && all) || options.hostile)
+        good = testHostile(options, grader, draw) && good;
+    if (hasModels(exercise) && (all || options.screenshots))
+        good = testScreenshots(options, grader, draw) && good;
     return good;
 }
 
+/// @throws raytracer::InputError where the exercise has no such option.
+void checkTask(const SelftestOptions& options) {
+    std::vector<std::string> names;
+    for (const OptionEntry& option : exerciseNamed(options.grade.exercise).options)
+        names.push_back(option.name);
+    if (!options.task.empty() && std::ranges::find(names, options.task) == names.end())
+        throw raytracer::InputError("--task " + options.task, 0,
+                                    "expected " + enumerated(names, "or"));
+}
+
 raytracer::ExitCode selftest(const SelftestOptions& options, const GlobalOptions& global) {
+    checkTask(options);
     return runTables(options, mayDraw(global.quiet)) ? raytracer::ExitCode::success
                                                      : raytracer::ExitCode::checkFailed;
 }
@@ -164,9 +190,8 @@ Run addSelftest(CLI::App& app, const GlobalOptions& global) {
     CLI::App* verb = app.add_subcommand("selftest",
                                         "Mistakes, accepted readings, hostile submissions and "
                                         "screenshots, against what is expected");
-    verb->add_option("--task", options->task, "Only the tables of T1, or of T2")
-        ->check(CLI::IsMember({"T1", "T2"}));
     addExerciseOption(*verb, options->grade.exercise);
+    verb->add_option("--task", options->task, "Only the tables of this option of the exercise");
     verb->add_flag("--hostile", options->hostile, "Only the hostile submissions");
     verb->add_flag("--screenshots", options->screenshots, "Only the screenshots");
     verb->add_option("--fraction", options->fraction, "Share of each table to run")

@@ -4,7 +4,7 @@
 
 #include <raytracer/base/Error.h>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <link.h>
@@ -39,11 +39,6 @@ std::string replaced(std::string text, std::string_view mark, std::string_view v
     return text;
 }
 
-/// An integration's text with what it says about the exercise.
-std::string filled(const Parts& parts, const std::string& name) {
-    return replaced(integration(parts, name), "@EXERCISE@", parts.exercise.name);
-}
-
 bool isLoader(const fs::path& library) {
     return library.filename().string().starts_with("ld-linux");
 }
@@ -51,7 +46,7 @@ bool isLoader(const fs::path& library) {
 // The loader lies beside the program, so that ticker finds its kit and data from that folder,
 // whichever of the two files the kernel reports as the running program.
 void addProgram(zip::ZipWriter& zip, const Parts& parts) {
-    zip.add("ticker/bin/ticker", filled(parts, "bundle/ticker"), true);
+    zip.add("ticker/bin/ticker", integration(parts, "bundle/ticker"), true);
     zip.addFile("ticker/bin/ticker.program", parts.program);
     for (const fs::path& library : sharedLibraries())
         if (isLoader(library))
@@ -98,7 +93,7 @@ std::string majorVersion(const std::string& compiler) {
 }
 
 std::string prepareScript(const Parts& parts) {
-    std::string text = filled(parts, "bundle/prepare.sh");
+    std::string text = integration(parts, "bundle/prepare.sh");
     text = replaced(std::move(text), "@COMPILER@", parts.compiler);
     text = replaced(std::move(text), "@MAJOR@", majorVersion(parts.compiler));
     text = replaced(std::move(text), "@COMPILE@", quoted(parts.compileFlags));
@@ -108,7 +103,14 @@ std::string prepareScript(const Parts& parts) {
 }  // namespace
 
 std::string integration(const Parts& parts, const std::string& name) {
-    return readWhole(parts.data / "grader" / "integrations" / name);
+    std::vector<std::string> files;
+    for (const std::string& file : parts.exercise.files())
+        files.push_back("<code>" + file + "</code>");
+    std::string text = readWhole(parts.data / "grader" / "integrations" / name);
+    text = replaced(std::move(text), "@EXERCISE@", parts.exercise.name);
+    text = replaced(std::move(text), "@FILES@", enumerated(files, "or"));
+    return replaced(std::move(text), "@PARTS@",
+                    fmt::format("{}", fmt::join(parts.exercise.parts(), ", ")));
 }
 
 void addBundle(zip::ZipWriter& zip, const Parts& parts) {

@@ -10,7 +10,9 @@ namespace ticker::package {
 /// a compiler; and ticker/prepare.sh, which installs that compiler and adapts the kit to it.
 void addBundle(zip::ZipWriter& zip, const Parts& parts);
 
-/// The contents of a file of grader/integrations.
+/// The contents of a file of grader/integrations, with what it says about the exercise: its name
+/// for
+/// @EXERCISE@, its files for @FILES@ (HTML), the parts of a submission for @PARTS@.
 [[nodiscard]] std::string integration(const Parts& parts, const std::string& name);
 
 }  // namespace ticker::package

@@ -25,7 +25,8 @@ void writePrairieLearn(const Parts& parts, const fs::path& file) {
     zip::ZipWriter zip{file};
     zip.add("Dockerfile", integration(parts, "prairielearn/Dockerfile"));
     addScript(zip, parts, "entrypoint.sh", "prairielearn/entrypoint.sh");
-    zip.addFolder("question", parts.data / "grader/integrations/prairielearn/question");
+    for (const char* page : {"question/info.json", "question/question.html"})
+        zip.add(page, integration(parts, std::string{"prairielearn/"} + page));
     addBundle(zip, parts);
     zip.finish();
 }

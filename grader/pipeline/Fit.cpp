@@ -1,6 +1,6 @@
 #include <grader/pipeline/Fit.h>
 
-#include <grader/tasks/lens/PictureDoubt.h>
+#include <grader/tasks/lens/checks/PictureDoubt.h>
 
 #include <cstddef>
 #include <utility>

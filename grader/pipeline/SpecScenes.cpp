@@ -78,11 +78,6 @@ void addRender(Gallery& gallery, const SpecScene& scene, Rays rays, const Fit& c
     gallery.scores.push_back(std::move(render));
 }
 
-bool hasRelief(const raytracer::SceneDescription& scene) {
-    return std::ranges::any_of(scene.spheres,
-                               [](const auto& sphere) { return sphere.heightMap != nullptr; });
-}
-
 /// The question beside the picture of a scene with a bumpy sphere.
 struct Relief {
     std::size_t picture = 0;
@@ -177,7 +172,7 @@ Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, std::string_view 
     if (questions.empty()) return gallery;
     std::vector<Relief> reliefs;
     for (std::size_t i = 0; i < asked.size(); ++i)
-        if (hasRelief(asked[i]->scene)) {
+        if (tasks::hasRelief(asked[i]->scene)) {
             reliefs.push_back({i, tasks::planBumpPicture(asked[i]->scene, asked[i]->settings)});
             questions.emplace_back(reliefs.back().plan.question);
         }

@@ -9,7 +9,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <span>
@@ -42,8 +41,7 @@ std::string knownTasks(const Exercise& exercise) {
 }
 
 Option readOption(const JsonValue& member, const Exercise& exercise) {
-    static constexpr std::array<std::string_view, 3> kMembers{"name", "tasks", "points"};
-    member.allowOnly(kMembers);
+    member.allowOnly({"name", "tasks", "points"});
     Option option{.name = member.at("name").text(),
                   .tasks = {},
                   .points = numberOf(member.at("points"), 0.0)};
@@ -92,9 +90,7 @@ std::map<std::string, Severity> readSeverities(const JsonValue& member) {
 Rubric readRubric(const std::filesystem::path& path, const Exercise& exercise) {
     const JsonValue top = JsonValue::parse(readWhole(path, "cannot be read; expected a rubric"),
                                            path.string(), kWords);
-    static constexpr std::array<std::string_view, 4> kMembers{"maxScore", "options",
-                                                              "screenshotTask", "severities"};
-    top.allowOnly(kMembers);
+    top.allowOnly({"maxScore", "options", "screenshotTask", "severities"});
     Rubric rubric;
     rubric.maxScore = numberOf(top.at("maxScore"), 1e-9);
     rubric.options = readOptions(top.at("options"), exercise);

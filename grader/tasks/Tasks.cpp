@@ -4,7 +4,7 @@
 #include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tasks/bump/ScreenBump.h>
 #include <grader/tasks/lens/JudgeLens.h>
-#include <grader/tasks/lens/PictureDoubt.h>
+#include <grader/tasks/lens/checks/PictureDoubt.h>
 #include <grader/tasks/maintick/JudgeMainTick.h>
 #include <grader/tasks/shadows/JudgeShadows.h>
 #include <grader/tasks/shadows/ScreenShadows.h>
@@ -15,11 +15,6 @@
 
 namespace ticker::tasks {
 namespace {
-
-bool hasRelief(const raytracer::SceneDescription& scene) {
-    return std::ranges::any_of(scene.spheres,
-                               [](const auto& sphere) { return sphere.heightMap != nullptr; });
-}
 
 bool isAnyScene(const raytracer::SceneDescription& /*scene*/) {
     return true;
@@ -58,6 +53,20 @@ constexpr std::array kExercises{Rows{"tick1star", kTick1star}, Rows{"tick1", kTi
 std::span<const Task> tasksOf(std::string_view exercise) {
     const auto* const found = std::ranges::find(kExercises, exercise, &Rows::exercise);
     return found == kExercises.end() ? std::span<const Task>{} : found->tasks;
+}
+
+std::vector<TaskReport> judgeFile(const Exercise& exercise, std::string_view file,
+                                  probe::Examinee& examinee, std::uint64_t seed,
+                                  std::string_view only) {
+    std::vector<TaskReport> reports;
+    for (const Task& task : tasksOf(exercise.name)) {
+        if (exercise.fileOf(task.id) != file || (!only.empty() && task.id != only)) continue;
+        TaskReport& report = reports.emplace_back();
+        static_cast<TaskJudgement&>(report) = task.judge(examinee, seed);
+        report.id = task.id;
+        report.title = exercise.task(task.id)->title;
+    }
+    return reports;
 }
 
 }  // namespace ticker::tasks

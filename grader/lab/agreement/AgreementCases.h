@@ -23,7 +23,7 @@ struct AgreementCase {
 };
 
 /// The accepted readings (docs/decisions/0003), one at a time, and all at once.
-/// @param catalogue  Contains the edits of T2.1 and T2.2 as "accepted-...".
+/// @param catalogue  Contains the edits as "accepted-...".
 /// @throws raytracer::InputError if the catalogue lacks an entry.
 [[nodiscard]] std::vector<AgreementCase> agreementCases(
     const std::vector<corpus::Entry>& catalogue);

@@ -32,9 +32,10 @@ std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& da
     all.push_back(std::make_unique<PictureCampaign>(
         subjects, pipeline::readSpecScenes(data / "scenes", data / "assets").back(), programs));
     all.push_back(std::make_unique<ComparisonCampaign>(
-        subjects, raytracer::readScene(data / "scenes/distributed.xml", data / "assets"),
+        subjects,
+        raytracer::readScene(data / "scenes" / (randomScene().name + ".xml"), data / "assets"),
         programs));
-    AgreementPlan plan{data / "scenes", data / "assets", data / "reference_solution/exercise",
+    AgreementPlan plan{data / "scenes", data / "assets", data / defaultExercise().reference,
                        agreementCases(corpus::readCatalogue(data)), kAgreementRounds};
     all.push_back(
         std::make_unique<OracleAgreement>(std::move(plan), programs.kit(), programs.sandbox()));

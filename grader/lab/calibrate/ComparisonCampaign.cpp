@@ -1,12 +1,13 @@
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/calibrate/ComparisonCampaign.h>
 #include <grader/lab/calibrate/ComparisonTables.h>
-#include <grader/tasks/JudgeDistributed.h>
+#include <grader/tasks/Tasks.h>
 
 #include <raytracer/base/Error.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -28,9 +29,9 @@ double rounded(double value) {
     return std::round(value * 1e5) / 1e5;
 }
 
-bool passes(const tasks::DistributedJudgement& judgement) {
-    return judgement.softShadows.state == TaskState::passed &&
-           judgement.depthOfField.state == TaskState::passed;
+bool passes(const std::vector<TaskReport>& reports) {
+    return std::ranges::all_of(
+        reports, [](const TaskReport& report) { return report.state == TaskState::passed; });
 }
 
 }  // namespace
@@ -48,9 +49,7 @@ const PictureMethods& ComparisonCampaign::methods() {
 std::vector<std::size_t> ComparisonCampaign::checkUnits() const {
     std::vector<std::size_t> units;
     for (std::size_t unit = 0; unit < subjects_.size(); ++unit)
-        if (subjects_[unit].name == "T2.1/accepted-per-sample" ||
-            subjects_[unit].name == "T2.1/light-size-0.36")
-            units.push_back(unit);
+        if (isAmong(kRightAndSmaller, subjects_[unit])) units.push_back(unit);
     return units;
 }
 
@@ -80,7 +79,7 @@ std::string ComparisonCampaign::run(std::size_t unit) {
     if (answer == nullptr || answer->images.empty())
         throw raytracer::Error(subject.name + " gave no picture: " + run.end.detail);
     const PictureScores scores = methods().score(answer->images.front());
-    const bool ours = passes(tasks::judgeDistributed(examinee, {}, kSeed));
+    const bool ours = passes(tasks::judgeFile(defaultExercise(), subject.file, examinee, kSeed));
     return nlohmann::json{{"subject", subject.name},
                           {"right", subject.isRight()},
                           {"ours", ours},

@@ -4,7 +4,7 @@
 #include <grader/lab/calibrate/DecisionTables.h>
 #include <grader/lab/calibrate/Seed.h>
 #include <grader/result/Names.h>
-#include <grader/tasks/JudgeDistributed.h>
+#include <grader/tasks/Tasks.h>
 
 #include <fmt/core.h>
 
@@ -15,8 +15,6 @@
 
 namespace ticker::calibrate {
 namespace {
-
-using tasks::DistributedJudgement;
 
 constexpr std::size_t kBlock = 50;
 
@@ -35,16 +33,12 @@ void count(const TaskJudgement& task, const corpus::Expectation& expect, bool an
     if (!rightState || !rightName || task.needsReview) ++record.seen[firstOf(task)];
 }
 
-void count(const Subject& subject, const DistributedJudgement& judgement, BlockRecord& record) {
+void count(const Subject& subject, const std::vector<TaskReport>& reports, BlockRecord& record) {
     const corpus::Expectation passes{{"passed"}, {{}}, false};
     const bool anyWarning = subject.task.empty();
     ++record.decisions;
-    if (judgement.softShadows.state != TaskState::notAttempted)
-        count(judgement.softShadows, subject.task == "T2.1" ? subject.expect : passes, anyWarning,
-              record);
-    if (judgement.depthOfField.state != TaskState::notAttempted)
-        count(judgement.depthOfField, subject.task == "T2.2" ? subject.expect : passes, anyWarning,
-              record);
+    for (const TaskReport& report : reports)
+        count(report, report.id == subject.task ? subject.expect : passes, anyWarning, record);
 }
 
 }  // namespace
@@ -70,8 +64,7 @@ std::string DecisionCampaign::unitName(std::size_t unit) const {
 // Fast subjects that draw every number from the kit's generator, spread over the first round.
 std::vector<std::size_t> DecisionCampaign::checkUnits() const {
     std::vector<std::size_t> units;
-    for (const char* wanted : {"T2.1/accepted-per-sample", "T2.1/light-size-0.36",
-                               "T2.2/accepted-stratified", "T2.2/aperture-size-0.9"})
+    for (const std::string_view wanted : kQuick)
         for (std::size_t unit = 0; unit < blocks_.size(); ++unit)
             if (blocks_[unit].round == 0 && subjects_[blocks_[unit].subject].name == wanted)
                 units.push_back(unit);
@@ -85,8 +78,7 @@ std::string DecisionCampaign::run(std::size_t unit) {
     const Subject& subject = subjects_[block.subject];
     const build::Program& program = programs_.of(subject);
     const bool whole = subject.isRight() || block.round == 0;
-    const tasks::DistributedAttempt attempt{.softShadows = whole || subject.task != "T2.2",
-                                            .depthOfField = whole || subject.task != "T2.1"};
+    const std::string only = whole ? "" : subject.task;
     const sandbox::Limits limits;
     BlockRecord record;
     record.subject = subject.name;
@@ -95,9 +87,9 @@ std::string DecisionCampaign::run(std::size_t unit) {
     for (std::size_t i = 0; i < kBlock; ++i) {
         build::SandboxedExaminee examinee{program, programs_.sandbox(), limits};
         const double before = threadCpuMs();
-        const DistributedJudgement judgement =
-            tasks::judgeDistributed(examinee, attempt, record.seed + i);
-        count(subject, judgement, record);
+        count(subject,
+              tasks::judgeFile(defaultExercise(), subject.file, examinee, record.seed + i, only),
+              record);
         const double cpuMs = threadCpuMs() - before + examinee.cpuMs();
         ++record.cpu[static_cast<int>(std::lround(cpuMs / kCpuStep)) * kCpuStep];
     }

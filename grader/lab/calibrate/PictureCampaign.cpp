@@ -3,7 +3,7 @@
 #include <grader/lab/calibrate/PictureCampaign.h>
 #include <grader/lab/calibrate/Seed.h>
 #include <grader/pipeline/Fit.h>
-#include <grader/tasks/lens/PictureDoubt.h>
+#include <grader/tasks/lens/checks/PictureDoubt.h>
 
 #include <raytracer/base/Error.h>
 
@@ -23,17 +23,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uint64_t kRendersPerUnit = 10;
-
-// Mistakes that the doubt must find every time; the others are only measured.
-constexpr std::array<std::string_view, 2> kToBeSeen{"T2.1/hard-centre", "T2.2/none"};
-constexpr std::array<std::string_view, 8> kMeasured{
-    "T2.1/light-size-0.3",    "T2.1/light-size-0.5",    "T2.1/light-size-0.8",
-    "T2.2/aperture-size-0.7", "T2.2/aperture-size-1.4", "T2.2/disc",
-    "T2.2/focal-plane-0.9",   "T2.2/off-centre-quarter"};
-
-bool isAmong(const auto& names, const Subject& subject) {
-    return std::ranges::find(names, subject.name) != names.end();
-}
 
 // The warning explains their pictures, or their lens points are shared by all pixels, so that their
 // noise cannot be measured.
@@ -74,17 +63,15 @@ PictureCampaign::PictureCampaign(const std::vector<Subject>& subjects, pipeline:
                                  Programs& programs)
     : scene_(std::move(scene)), programs_(programs) {
     for (const Subject& subject : subjects)
-        if ((subject.isRight() && isCompared(subject)) || isAmong(kToBeSeen, subject) ||
-            isAmong(kMeasured, subject))
+        if ((subject.isRight() && isCompared(subject)) || isAmong(kSeenInPictures, subject) ||
+            isAmong(kMeasuredInPictures, subject))
             subjects_.push_back(subject);
 }
 
 std::vector<std::size_t> PictureCampaign::checkUnits() const {
     std::vector<std::size_t> units;
     for (std::size_t unit = 0; unit < subjects_.size(); ++unit)
-        if (subjects_[unit].name == "T2.1/accepted-per-sample" ||
-            subjects_[unit].name == "T2.1/hard-centre")
-            units.push_back(unit);
+        if (isAmong(kRightAndHard, subjects_[unit])) units.push_back(unit);
     return units;
 }
 
@@ -135,7 +122,7 @@ Summary PictureCampaign::summarise(const std::vector<std::string>& records) cons
         wrong.add(record);
         const auto name = record.at("subject").get<std::string>();
         others += wrong.line(name);
-        if (std::ranges::find(kToBeSeen, name) != kToBeSeen.end())
+        if (std::ranges::find(kSeenInPictures, name) != kSeenInPictures.end())
             summary.asExpected = summary.asExpected && wrong.doubted() == wrong.misfits.size();
     }
     summary.asExpected = summary.asExpected && right.doubted() == 0;

@@ -2,7 +2,7 @@
 #include <grader/lab/calibrate/Bounds.h>
 #include <grader/lab/calibrate/Seed.h>
 #include <grader/lab/calibrate/StageCampaign.h>
-#include <grader/tasks/lens/PictureCheck.h>
+#include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/shadows/checks/PenumbraCheck.h>
 
 #include <raytracer/base/Error.h>
@@ -91,13 +91,19 @@ bool isSuited(const Subject& subject) {
            subject.name.find("fixed") == std::string::npos;
 }
 
+// Of the subjects' file: the one that is asked about shadows.
+bool isOfFirstTask(const Subject& subject) {
+    const auto first = std::ranges::find(defaultExercise().tasks, subject.file, &TaskEntry::file);
+    return subject.task == first->id;
+}
+
 }  // namespace
 
 StageCampaign::StageCampaign(const std::vector<Subject>& subjects, std::size_t units,
                              Programs& programs)
     : units_(units), programs_(programs) {
     for (const Subject& subject : subjects)
-        if (isSuited(subject)) (subject.task == "T2.1" ? shadows_ : pictures_).push_back(subject);
+        if (isSuited(subject)) (isOfFirstTask(subject) ? shadows_ : pictures_).push_back(subject);
 }
 
 const Subject& StageCampaign::subjectOf(std::size_t unit) const {

@@ -4,13 +4,17 @@
 #include <grader/build/Kit.h>
 #include <grader/build/Program.h>
 #include <grader/corpus/Entry.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/sandbox/Sandbox.h>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ticker::calibrate {
@@ -21,6 +25,7 @@ struct Subject {
     std::string source;
     std::string task;  ///< the task of `expect`; empty: both tasks must pass
     corpus::Expectation expect;
+    std::string file;  ///< its name
 
     [[nodiscard]] bool isRight() const { return expect.passes(); }
     /// Its rays are not visible, so that values or pictures are judged.
@@ -29,8 +34,28 @@ struct Subject {
     [[nodiscard]] bool isStatistical() const;
 };
 
-/// The catalogue's entries of T2.1 and T2.2 applied to the reference, and the right solutions of
-/// grader/corpus/unseen/T2 and grader/corpus/samples.
+/// Subjects that campaigns repeat or look at more closely; all draw from the kit's generator alone.
+inline constexpr std::array<std::string_view, 4> kQuick{
+    "T2.1/accepted-per-sample", "T2.1/light-size-0.36", "T2.2/accepted-stratified",
+    "T2.2/aperture-size-0.9"};
+inline constexpr std::array<std::string_view, 2> kRightAndSmaller{"T2.1/accepted-per-sample",
+                                                                  "T2.1/light-size-0.36"};
+inline constexpr std::array<std::string_view, 2> kRightAndHard{"T2.1/accepted-per-sample",
+                                                               "T2.1/hard-centre"};
+/// Mistakes that a doubt about pictures must find every time, and those where it is only measured.
+inline constexpr std::array<std::string_view, 2> kSeenInPictures{"T2.1/hard-centre", "T2.2/none"};
+inline constexpr std::array<std::string_view, 8> kMeasuredInPictures{
+    "T2.1/light-size-0.3",    "T2.1/light-size-0.5",    "T2.1/light-size-0.8",
+    "T2.2/aperture-size-0.7", "T2.2/aperture-size-1.4", "T2.2/disc",
+    "T2.2/focal-plane-0.9",   "T2.2/off-centre-quarter"};
+
+[[nodiscard]] bool isAmong(std::span<const std::string_view> names, const Subject& subject);
+
+/// The scene with random rays that is handed in; its file is that of the subjects.
+[[nodiscard]] const SceneEntry& randomScene();
+
+/// The catalogue's entries about that file's tasks applied to the reference, and the right
+/// solutions of grader/corpus/unseen and grader/corpus/samples.
 /// @param data  The kit's folder, see cli/Home.h.
 /// @throws raytracer::InputError if one cannot be read.
 [[nodiscard]] std::vector<Subject> readSubjects(const std::filesystem::path& data);

@@ -32,7 +32,7 @@ struct TableRow {
     int misleading = 0;
 };
 
-/// What `./tick selftest --task T1` prints.
+/// What `./tick selftest` prints.
 struct BumpSelfTest {
     std::vector<TableRow> accepted;  ///< a row for each kind of gain
     std::vector<TableRow> refused;   ///< a row for each mistake

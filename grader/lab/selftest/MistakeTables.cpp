@@ -5,9 +5,7 @@
 #include <grader/exercise/Exercise.h>
 #include <grader/lab/selftest/MistakeTables.h>
 #include <grader/result/Names.h>
-#include <grader/tasks/JudgeDistributed.h>
 #include <grader/tasks/Tasks.h>
-#include <grader/tasks/bump/JudgeBump.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>
@@ -76,22 +74,20 @@ bool isAsExpected(const TaskJudgement& own, const corpus::Expectation& expected)
            own.needsReview == expected.needsReview;
 }
 
-void judgeT1(probe::Examinee& examinee, std::uint64_t seed, MistakeRow& row) {
-    const TaskJudgement own = tasks::judgeBump(examinee, seed);
-    row.seen = told(own);
-    row.asExpected = isAsExpected(own, row.entry.expected());
-}
-
-void judgeT2(probe::Examinee& examinee, std::uint64_t seed, MistakeRow& row) {
-    const auto judgement = tasks::judgeDistributed(examinee, {}, seed);
-    const bool shadows = row.entry.task() == "T2.1";
-    const TaskJudgement& own = shadows ? judgement.softShadows : judgement.depthOfField;
-    const TaskJudgement& other = shadows ? judgement.depthOfField : judgement.softShadows;
-    const bool otherPassed =
-        other.state == TaskState::passed && other.findings.empty() && !other.needsReview;
-    row.seen = told(own);
-    if (!otherPassed) row.seen += ", other task " + told(other);
-    row.asExpected = isAsExpected(own, row.entry.expected()) && otherPassed;
+/// Judges the file that the entry makes: its task is as expected, and the others pass.
+void judge(probe::Examinee& examinee, std::string_view file, const MistakeRun& run,
+           MistakeRow& row) {
+    row.asExpected = true;
+    for (const TaskReport& report : tasks::judgeFile(*run.exercise, file, examinee, run.seed)) {
+        if (report.id == row.entry.task()) {
+            row.seen = told(report) + row.seen;
+            row.asExpected = isAsExpected(report, row.entry.expected()) && row.asExpected;
+        } else if (report.state != TaskState::passed || !report.findings.empty() ||
+                   report.needsReview) {
+            row.seen += ", other task " + told(report);
+            row.asExpected = false;
+        }
+    }
 }
 
 /// The first line with a compiler error.
@@ -102,28 +98,9 @@ std::string firstError(const std::string& diagnostics) {
     return diagnostics.substr(begin, diagnostics.find('\n', error) - begin);
 }
 
-/// All tasks of the entry's file, by their rows.
-void judgeByRows(const Exercise& exercise, probe::Examinee& examinee, std::uint64_t seed,
-                 MistakeRow& row) {
-    row.asExpected = true;
-    for (const Task& task : tasks::tasksOf(exercise.name)) {
-        const std::string id{task.id};
-        if (exercise.fileOf(id) != exercise.fileOf(row.entry.task())) continue;
-        const TaskJudgement judgement = task.judge(examinee, seed);
-        const auto expected = row.entry.tasks.find(id);
-        const bool isExpected = expected != row.entry.tasks.end()
-                                    ? isAsExpected(judgement, expected->second)
-                                    : judgement.state == TaskState::passed;
-        if (id == row.entry.task() || !isExpected)
-            row.seen += (row.seen.empty() ? "" : ", ") + id + " " + told(judgement);
-        row.asExpected = row.asExpected && isExpected;
-    }
-}
-
 MistakeRow runOne(const Made& made, const build::Kit& kit, const sandbox::Sandbox& sandbox,
                   const MistakeRun& run) {
     const sandbox::Limits limits;
-    const bool bump = made.entry.task() == "T1";
     const std::string file{run.exercise->fileOf(made.entry.task())};
     const build::BuildResult built = build::buildProgram(kit, sandbox, limits, file, made.source);
     MistakeRow row;
@@ -134,10 +111,7 @@ MistakeRow runOne(const Made& made, const build::Kit& kit, const sandbox::Sandbo
     }
     build::SandboxedExaminee examinee{*built.program, sandbox, limits};
     const double before = threadCpuMs();
-    if (run.exercise != &defaultExercise())
-        judgeByRows(*run.exercise, examinee, run.seed, row);
-    else
-        (bump ? judgeT1 : judgeT2)(examinee, run.seed, row);
+    judge(examinee, file, run, row);
     row.judgeMs = threadCpuMs() - before;
     row.probeMs = examinee.cpuMs();
     return row;
@@ -145,10 +119,12 @@ MistakeRow runOne(const Made& made, const build::Kit& kit, const sandbox::Sandbo
 
 }  // namespace
 
-std::vector<Entry> mistakesOf(const std::vector<Entry>& catalogue, const std::string& task) {
+std::vector<Entry> mistakesOf(const std::vector<Entry>& catalogue,
+                              const std::vector<std::string>& tasks) {
     std::vector<Entry> found;
-    std::ranges::copy_if(catalogue, std::back_inserter(found),
-                         [&](const Entry& entry) { return entry.task().starts_with(task); });
+    std::ranges::copy_if(catalogue, std::back_inserter(found), [&](const Entry& entry) {
+        return std::ranges::count(tasks, entry.task()) > 0;
+    });
     return found;
 }
 

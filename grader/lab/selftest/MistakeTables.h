@@ -16,10 +16,10 @@ namespace ticker::selftest {
 
 /// Options of a run of the catalogue.
 struct MistakeRun {
+    const Exercise* exercise = &defaultExercise();
     double fraction = 1.0;   ///< share of the entries, evenly picked; at least one
     std::uint64_t seed = 1;  ///< of the decision and of the choice of entries
     int jobs = 2;
-    const Exercise* exercise = &defaultExercise();
     std::function<void(std::size_t done, std::size_t of)>
         progress;  ///< one call at a time; or null
 };
@@ -28,16 +28,16 @@ struct MistakeRun {
 struct MistakeRow {
     corpus::Entry entry;
     std::string seen;         ///< "failed shadow.hard", or the compiler's first words
-    bool asExpected = false;  ///< and the other tasks of the file passed without review
+    bool asExpected = false;  ///< and the file's other tasks passed without review
     double probeMs = 0.0;     ///< CPU of the submission's process
     double judgeMs = 0.0;     ///< CPU of the judgement itself
 };
 
-/// The entries of `catalogue` of T1 or T2 (both tasks of option 2), or all if `task` is empty.
+/// The entries of `catalogue` that are about one of these tasks.
 [[nodiscard]] std::vector<corpus::Entry> mistakesOf(const std::vector<corpus::Entry>& catalogue,
-                                                    const std::string& task);
+                                                    const std::vector<std::string>& tasks);
 
-/// The entries with these ids; "T2.1/hard" also names the task.
+/// The entries with these ids; "TASK/hard" also names the task.
 /// @throws raytracer::InputError for an unknown id, with the nearest id.
 [[nodiscard]] std::vector<corpus::Entry> mistakesCalled(const std::vector<corpus::Entry>& catalogue,
                                                         const std::vector<std::string>& ids);

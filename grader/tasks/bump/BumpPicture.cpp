@@ -88,6 +88,11 @@ Finding doubt(const std::optional<double>& misfit) {
 
 }  // namespace
 
+bool hasRelief(const raytracer::SceneDescription& scene) {
+    return std::ranges::any_of(scene.spheres,
+                               [](const auto& sphere) { return sphere.heightMap != nullptr; });
+}
+
 BumpPicture planBumpPicture(const SceneDescription& scene,
                             const raytracer::RenderSettings& settings) {
     constexpr int kStep = 3;  // pixels

@@ -23,6 +23,9 @@ struct BumpPicture {
     probe::NormalQuestion question;   ///< at these pixels
 };
 
+/// Whether the scene has a bumpy sphere.
+[[nodiscard]] bool hasRelief(const raytracer::SceneDescription& scene);
+
 /// The pixels of the scene's bumpy sphere and the question about them.
 /// @param scene     Contains one bumpy sphere, which nothing hides.
 /// @param settings  The picture's settings.

@@ -1,8 +1,8 @@
 #include <grader/result/GeneralFindings.h>
 #include <grader/tasks/lens/JudgeDepthOfField.h>
-#include <grader/tasks/lens/LensChecks.h>
 #include <grader/tasks/lens/LensFindings.h>
-#include <grader/tasks/lens/LensPlots.h>
+#include <grader/tasks/lens/answers/LensPlots.h>
+#include <grader/tasks/lens/checks/LensChecks.h>
 #include <grader/tasks/support/Checks.h>
 #include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/support/Plots.h>

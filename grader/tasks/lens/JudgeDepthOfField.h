@@ -1,8 +1,8 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_JUDGEDEPTHOFFIELD_H
-#define TICKER_TASKS_DISTRIBUTED_JUDGEDEPTHOFFIELD_H
+#ifndef TICKER_TASKS_LENS_JUDGEDEPTHOFFIELD_H
+#define TICKER_TASKS_LENS_JUDGEDEPTHOFFIELD_H
 
 #include <grader/result/Finding.h>
-#include <grader/tasks/lens/LensLog.h>
+#include <grader/tasks/lens/answers/LensLog.h>
 
 #include <optional>
 #include <vector>

@@ -1,10 +1,10 @@
-#include <grader/tasks/lens/FocusMistakes.h>
 #include <grader/tasks/lens/JudgeDepthOfField.h>
 #include <grader/tasks/lens/JudgeLens.h>
-#include <grader/tasks/lens/LensChecks.h>
 #include <grader/tasks/lens/LensFindings.h>
-#include <grader/tasks/lens/LensQuestions.h>
 #include <grader/tasks/lens/LensStages.h>
+#include <grader/tasks/lens/checks/FocusMistakes.h>
+#include <grader/tasks/lens/checks/LensChecks.h>
+#include <grader/tasks/lens/questions/LensQuestions.h>
 #include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/support/RunEnd.h>
 

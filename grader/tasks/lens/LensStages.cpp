@@ -1,8 +1,8 @@
 #include <grader/tasks/lens/JudgeDepthOfField.h>
 #include <grader/tasks/lens/LensFindings.h>
-#include <grader/tasks/lens/LensQuestions.h>
 #include <grader/tasks/lens/LensStages.h>
-#include <grader/tasks/lens/PictureCheck.h>
+#include <grader/tasks/lens/checks/PictureCheck.h>
+#include <grader/tasks/lens/questions/LensQuestions.h>
 
 #include <algorithm>
 #include <utility>

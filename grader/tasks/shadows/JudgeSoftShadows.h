@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_JUDGESOFTSHADOWS_H
-#define TICKER_TASKS_DISTRIBUTED_JUDGESOFTSHADOWS_H
+#ifndef TICKER_TASKS_SHADOWS_JUDGESOFTSHADOWS_H
+#define TICKER_TASKS_SHADOWS_JUDGESOFTSHADOWS_H
 
 #include <grader/result/Finding.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>

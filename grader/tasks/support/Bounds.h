@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_BOUNDS_H
-#define TICKER_TASKS_DISTRIBUTED_BOUNDS_H
+#ifndef TICKER_TASKS_SUPPORT_BOUNDS_H
+#define TICKER_TASKS_SUPPORT_BOUNDS_H
 
 #include <cstddef>
 #include <functional>

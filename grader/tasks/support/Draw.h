@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_DRAW_H
-#define TICKER_TASKS_DISTRIBUTED_DRAW_H
+#ifndef TICKER_TASKS_SUPPORT_DRAW_H
+#define TICKER_TASKS_SUPPORT_DRAW_H
 
 #include <raytracer/image/ColourRGB.h>
 #include <raytracer/math/Vector3.h>

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_RUNEND_H
-#define TICKER_TASKS_DISTRIBUTED_RUNEND_H
+#ifndef TICKER_TASKS_SUPPORT_RUNEND_H
+#define TICKER_TASKS_SUPPORT_RUNEND_H
 
 #include <grader/probe/Examinee.h>
 #include <grader/result/SubmissionResult.h>

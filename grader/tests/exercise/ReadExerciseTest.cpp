@@ -90,7 +90,7 @@ TEST(ReadExercise, OfAResultIsTheOneThatItNames) {
 
 TEST(ReadExercise, SaysWhereAFaultIsAndWhatWasExpected) {
     EXPECT_NE(complaintAbout("\"title\": \"Soft", "\"titel\": \"Soft")
-                  .find("x.json:12: /tasks/1/titel: expected no member of this name; known are: "
+                  .find("x.json:13: /tasks/1/titel: expected no member of this name; known are: "
                         "id, title, file"),
               std::string::npos)
         << complaintAbout("\"title\": \"Soft", "\"titel\": \"Soft");

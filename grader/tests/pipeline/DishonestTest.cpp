@@ -1,6 +1,6 @@
 // Code that answers questions and renders something else.
 #include <grader/pipeline/Grade.h>
-#include <grader/tasks/lens/PictureDoubt.h>
+#include <grader/tasks/lens/checks/PictureDoubt.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>
 

@@ -2,7 +2,7 @@
 // simulated by the oracle, with seeds of their own.
 #include <grader/oracle/Oracle.h>
 #include <grader/pipeline/Fit.h>
-#include <grader/tasks/lens/PictureDoubt.h>
+#include <grader/tasks/lens/checks/PictureDoubt.h>
 
 #include <gtest/gtest.h>
 

@@ -64,18 +64,19 @@ TEST(SandboxPolicy, BoundsAllRunsOfASubmissionTogether) {
 }
 
 TEST(SandboxPolicy, NamesTheFieldThatIsWrong) {
-    EXPECT_EQ(complaint("{"), "limits.json: is not JSON");
-    EXPECT_EQ(complaint("[]"), "limits.json: : an object is expected");
+    EXPECT_TRUE(complaint("{").starts_with("limits.json:1: not JSON"));
+    EXPECT_EQ(complaint("[]"), "limits.json:1: the file: expected an object");
     EXPECT_EQ(complaint(replaced("\"cpuSeconds\": 30", "\"cpuSeconds\": \"30\"")),
-              "limits.json: compile.cpuSeconds: must be a number, but is \"30\"");
+              "limits.json:2: /compile/cpuSeconds: expected a number from 1 to 3600");
     EXPECT_EQ(complaint(replaced("\"wallSeconds\": 90", "\"wallSeconds\": 29")),
-              "limits.json: compile.wallSeconds: must lie in [30, 10800], but is 29");
-    EXPECT_EQ(complaint(replaced("\"openFiles\"", "\"openfiles\"")),
-              "limits.json: compile.openfiles: is not known");
+              "limits.json:2: /compile/wallSeconds: expected a number from 30 to 10800");
+    EXPECT_TRUE(complaint(replaced("\"openFiles\"", "\"openfiles\""))
+                    .starts_with("limits.json:3: /compile/openfiles: expected no member of this "
+                                 "name; did you mean \"openFiles\"?"));
     EXPECT_EQ(complaint(replaced("\"run\": {}", "\"run\": {}")),
-              "limits.json: run.cpuSeconds: is missing");
+              "limits.json:5: /run: expected an object with a member \"cpuSeconds\"");
     EXPECT_EQ(complaint(replaced("60800", "65500")),
-              "limits.json: users.count: the range holds the uid 65534, which is nobody's");
+              "limits.json:1: /users/count: the range holds the uid 65534, which is nobody's");
 }
 
 TEST(SandboxPolicy, NamesTheFileThatIsMissing) {

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_AIMDENSITY_H
-#define TICKER_TASKS_DISTRIBUTED_AIMDENSITY_H
+#ifndef TICKER_TASKS_SHADOWS_ANSWERS_AIMDENSITY_H
+#define TICKER_TASKS_SHADOWS_ANSWERS_AIMDENSITY_H
 
 #include <grader/tasks/shadows/answers/AimFeet.h>
 #include <grader/tasks/shadows/answers/ShadowAims.h>

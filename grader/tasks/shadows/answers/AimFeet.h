@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_AIMFEET_H
-#define TICKER_TASKS_DISTRIBUTED_AIMFEET_H
+#ifndef TICKER_TASKS_SHADOWS_ANSWERS_AIMFEET_H
+#define TICKER_TASKS_SHADOWS_ANSWERS_AIMFEET_H
 
 #include <grader/tasks/shadows/answers/ShadowAims.h>
 #include <grader/tasks/support/Draw.h>

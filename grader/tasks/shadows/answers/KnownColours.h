@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_KNOWNCOLOURS_H
-#define TICKER_TASKS_DISTRIBUTED_KNOWNCOLOURS_H
+#ifndef TICKER_TASKS_SHADOWS_ANSWERS_KNOWNCOLOURS_H
+#define TICKER_TASKS_SHADOWS_ANSWERS_KNOWNCOLOURS_H
 
 #include <grader/result/Finding.h>
 #include <grader/tasks/shadows/answers/ShadowLog.h>

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_PENUMBRAHITS_H
-#define TICKER_TASKS_DISTRIBUTED_PENUMBRAHITS_H
+#ifndef TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAHITS_H
+#define TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAHITS_H
 
 #include <grader/result/Finding.h>
 #include <grader/tasks/shadows/answers/PenumbraShares.h>

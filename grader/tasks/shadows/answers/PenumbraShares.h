@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_PENUMBRASHARES_H
-#define TICKER_TASKS_DISTRIBUTED_PENUMBRASHARES_H
+#ifndef TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRASHARES_H
+#define TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRASHARES_H
 
 #include <grader/tasks/shadows/answers/ShadowAims.h>
 #include <grader/tasks/shadows/questions/PenumbraQuestion.h>

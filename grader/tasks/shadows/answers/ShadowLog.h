@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_SHADOWLOG_H
-#define TICKER_TASKS_DISTRIBUTED_SHADOWLOG_H
+#ifndef TICKER_TASKS_SHADOWS_ANSWERS_SHADOWLOG_H
+#define TICKER_TASKS_SHADOWS_ANSWERS_SHADOWLOG_H
 
 #include <grader/probe/Question.h>
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_LITRENDER_H
-#define TICKER_TASKS_DISTRIBUTED_LITRENDER_H
+#ifndef TICKER_TASKS_SHADOWS_CHECKS_LITRENDER_H
+#define TICKER_TASKS_SHADOWS_CHECKS_LITRENDER_H
 
 #include <grader/tasks/shadows/answers/ShadowLog.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>

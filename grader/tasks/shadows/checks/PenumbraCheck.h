@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_PENUMBRACHECK_H
-#define TICKER_TASKS_DISTRIBUTED_PENUMBRACHECK_H
+#ifndef TICKER_TASKS_SHADOWS_CHECKS_PENUMBRACHECK_H
+#define TICKER_TASKS_SHADOWS_CHECKS_PENUMBRACHECK_H
 
 #include <grader/result/Finding.h>
 #include <grader/tasks/shadows/questions/PenumbraQuestion.h>

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_SHADOWCHECKS_H
-#define TICKER_TASKS_DISTRIBUTED_SHADOWCHECKS_H
+#ifndef TICKER_TASKS_SHADOWS_CHECKS_SHADOWCHECKS_H
+#define TICKER_TASKS_SHADOWS_CHECKS_SHADOWCHECKS_H
 
 #include <grader/result/Finding.h>
 #include <grader/tasks/shadows/answers/ShadowAims.h>

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_DISTRIBUTED_SHADOWDRAWS_H
-#define TICKER_TASKS_DISTRIBUTED_SHADOWDRAWS_H
+#ifndef TICKER_TASKS_SHADOWS_QUESTIONS_SHADOWDRAWS_H
+#define TICKER_TASKS_SHADOWS_QUESTIONS_SHADOWDRAWS_H
 
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
 #include <grader/tasks/support/Draw.h>

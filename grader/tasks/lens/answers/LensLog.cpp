@@ -1,0 +1,109 @@
+#include <grader/tasks/lens/answers/LensLog.h>
+#include <grader/tasks/lens/answers/LensThreads.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+namespace ticker::tasks {
+namespace {
+
+int nearestByFocus(const LensRay& ray, const LensLog& log) {
+    const raytracer::RenderSettings& settings = log.asked->settings;
+    const double along = (settings.dofFocalPlane - ray.origin.z) / ray.direction.z;
+    const Vector3 meets = ray.origin + ray.direction * along;
+    const int count = settings.width * settings.height;
+    int nearest = -1;
+    double best = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < count; ++i) {
+        const Vector3 focal = focalPointOf(log.pixels[static_cast<std::size_t>(i)], settings);
+        const double distance = (focal - meets).magnitude();
+        if (distance < best) {
+            best = distance;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+// Succeeds only if every pixel gets a ray.
+bool distribute(LensLog& log, const std::vector<PlacedRay>& rays,
+                const std::function<int(const PlacedRay&)>& pixelOf) {
+    for (LensPixel& pixel : log.pixels)
+        pixel.rays.clear();
+    const int count = log.asked->settings.width * log.asked->settings.height;
+    for (const PlacedRay& placed : rays) {
+        const int pixel = pixelOf(placed);
+        if (pixel < 0) continue;
+        log.pixels[static_cast<std::size_t>(placed.repetition * count + pixel)].rays.push_back(
+            placed.ray);
+    }
+    return std::none_of(log.pixels.begin(), log.pixels.end(),
+                        [](const LensPixel& pixel) { return pixel.rays.empty(); });
+}
+
+void place(LensLog& log, const std::vector<PlacedRay>& rays) {
+    if (rays.empty()) return;
+    if (distribute(log, rays, [](const PlacedRay& placed) { return placed.bySet; })) return;
+    if (distribute(log, rays, [](const PlacedRay& placed) { return placed.byCamera; })) return;
+    distribute(log, rays, [&](const PlacedRay& placed) { return nearestByFocus(placed.ray, log); });
+}
+
+bool hasAllRays(const LensLog& log) {
+    const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
+    return std::all_of(log.pixels.begin(), log.pixels.end(),
+                       [&](const LensPixel& pixel) { return pixel.rays.size() >= asked; });
+}
+
+}  // namespace
+
+std::size_t LensLog::rayCount() const {
+    std::size_t count = 0;
+    for (const LensPixel& pixel : pixels)
+        count += pixel.rays.size();
+    return count;
+}
+
+Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y) {
+    const double pitch = 2.0 * std::tan(std::numbers::pi / 8.0) / settings.width;
+    return Vector3{(x + 0.5 - settings.width / 2.0) * pitch,
+                   (settings.height / 2.0 - y - 0.5) * pitch, 1.0}
+        .normalised();
+}
+
+Vector3 focalPointOf(const LensPixel& pixel, const raytracer::RenderSettings& settings) {
+    return pixel.pinhole * (settings.dofFocalPlane / pixel.pinhole.z);
+}
+
+LensLog readLensLog(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer) {
+    LensLog log;
+    log.asked = &asked;
+    log.cut = answer.eventsCut;
+    for (int repetition = 0; repetition < asked.repetitions; ++repetition)
+        for (int y = 0; y < asked.settings.height; ++y)
+            for (int x = 0; x < asked.settings.width; ++x) {
+                LensPixel pixel;
+                pixel.repetition = repetition;
+                pixel.pinhole = pinholeDirection(asked.settings, x, y);
+                const auto image = static_cast<std::size_t>(repetition);
+                const auto at = static_cast<std::size_t>(y * asked.settings.width + x);
+                if (image < answer.images.size() && at < answer.images[image].size())
+                    pixel.colour = answer.images[image][at];
+                log.pixels.push_back(std::move(pixel));
+            }
+    const ReadRays rays = readThreads(asked, answer.events);
+    std::vector<PlacedRay> traced = rays.entered;
+    std::erase_if(traced, [](const PlacedRay& placed) { return placed.untraced; });
+    if (traced.empty()) {
+        place(log, rays.cast);
+        return log;
+    }
+    place(log, traced);
+    // Extra rays that were cast but not traced, beside traced ones, are no samples.
+    if (traced.size() < rays.entered.size() && !hasAllRays(log)) place(log, rays.entered);
+    return log;
+}
+
+}  // namespace ticker::tasks

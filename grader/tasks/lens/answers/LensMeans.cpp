@@ -1,0 +1,109 @@
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/lens/answers/LensMeans.h>
+#include <grader/tasks/lens/answers/RayColours.h>
+#include <grader/tasks/support/FindingText.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace ticker::tasks {
+namespace {
+
+using probe::ColourRGB;
+
+// Fewer pixels are no evidence.
+constexpr std::size_t kEnoughPixels = 6;
+
+double sumOf(const ColourRGB& colour) {
+    return colour.r + colour.g + colour.b;
+}
+
+// Whether each pixel's colour contains another's, whole or divided a second time. No pixel precedes
+// the first one.
+bool areCarriedOn(const std::vector<PixelMean>& pixels, bool dividedAgain) {
+    std::size_t first = 0;
+    for (const PixelMean& pixel : pixels) {
+        const bool follows = std::any_of(pixels.begin(), pixels.end(), [&](const PixelMean& other) {
+            const double share = dividedAgain ? 1.0 / std::max(1.0, pixel.rays) : 1.0;
+            return &other != &pixel && isNear(pixel.colour, pixel.mean + other.colour * share);
+        });
+        if (!follows && (!isNear(pixel.colour, pixel.mean) || ++first > 1)) return false;
+    }
+    return true;
+}
+
+bool areScaled(const std::vector<PixelMean>& pixels, double& least, double& most) {
+    least = std::numeric_limits<double>::infinity();
+    most = 0.0;
+    for (const PixelMean& pixel : pixels) {
+        const double whole = sumOf(pixel.mean);
+        if (!(whole > 1e-6)) return false;
+        const double factor = sumOf(pixel.colour) / whole;
+        if (!isNear(pixel.colour, pixel.mean * factor)) return false;
+        least = std::min(least, factor);
+        most = std::max(most, factor);
+    }
+    return most > 0.0;
+}
+
+// Whether a greater mean never has a smaller value, over all channels of all pixels, and values are
+// many.
+bool followACurve(const std::vector<PixelMean>& pixels) {
+    constexpr double kSame = 1e-5;
+    std::vector<std::pair<double, double>> values;
+    for (const PixelMean& pixel : pixels) {
+        values.emplace_back(pixel.mean.r, pixel.colour.r);
+        values.emplace_back(pixel.mean.g, pixel.colour.g);
+        values.emplace_back(pixel.mean.b, pixel.colour.b);
+    }
+    std::sort(values.begin(), values.end());
+    std::size_t rises = 0;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        const double step = values[i].second - values[i - 1].second;
+        if (step > kSame) ++rises;
+        if (step < -kSame && values[i].first - values[i - 1].first > kSame) return false;
+    }
+    return rises >= values.size() / 4;
+}
+
+Finding meansFinding(const FindingText& text, const std::string& seen, const char* hint) {
+    Finding finding = distributedFinding(
+        text, Severity::fail,
+        "The colour of a pixel was expected to be the mean of its rays' colours; " + seen + ".");
+    finding.hint = hint;
+    return finding;
+}
+
+}  // namespace
+
+std::optional<Finding> changeOfMeans(const std::vector<PixelMean>& pixels) {
+    if (pixels.size() < kEnoughPixels) return std::nullopt;
+    if (areCarriedOn(pixels, false) || areCarriedOn(pixels, true))
+        return meansFinding(kDofNotAveraged, "what other pixels gave is added to it",
+                            "Start the sum anew for every pixel: declare it inside of the loop "
+                            "over the pixels.");
+    double least = 0.0;
+    double most = 0.0;
+    if (areScaled(pixels, least, most))
+        return meansFinding(kDofWrong,
+                            fmt::format("it is {:.3g} to {:.3g} times their mean, another factor "
+                                        "for each pixel",
+                                        least, most),
+                            "Add the colours of all rays of the pixel and divide by their number, "
+                            "no more.");
+    if (followACurve(pixels))
+        return meansFinding(kDofWrong,
+                            "it is their mean, changed by a curve (a power, a root, rounding) or "
+                            "cut off",
+                            "Set the mean as it is: the tone curve is applied when the picture is "
+                            "written.");
+    return std::nullopt;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,45 @@
+#ifndef TICKER_TASKS_LENS_ANSWERS_LENSSHAPE_H
+#define TICKER_TASKS_LENS_ANSWERS_LENSSHAPE_H
+
+#include <grader/tasks/lens/answers/LensLog.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace ticker::tasks {
+
+/// The lens points of all pixels.
+struct Lens {
+    std::vector<Vector3> points;
+    std::size_t distinct = 0;  ///< number of points that count as independent
+    Vector3 low;
+    Vector3 high;
+
+    [[nodiscard]] Vector3 centre() const { return (low + high) * 0.5; }
+    /// Half of the wider side.
+    [[nodiscard]] double halfWidth() const {
+        return 0.5 * std::max(high.x - low.x, high.y - low.y);
+    }
+};
+
+[[nodiscard]] Lens lensOf(const LensLog& log);
+
+/// Confidence bound on how much narrower than the aperture `count` independent points are: the
+/// range r of uniform points in [0, 1] has P(range <= r) = n r^(n-1) - (n-1) r^n, solved for the
+/// risk by bisection.
+[[nodiscard]] double rangeShortfall(std::size_t count);
+
+/// Test of the corners: a share of 1 - pi/4 of a square's points lies outside of the inscribed
+/// disc, and none of a disc's. The marginals and the two diagonals test for an uneven density.
+struct ShapeVerdict {
+    bool square = true;
+    double cornerShare = 0.0;
+    double gap = 0.0;
+};
+
+[[nodiscard]] ShapeVerdict judgeShape(const Lens& lens);
+
+}  // namespace ticker::tasks
+
+#endif

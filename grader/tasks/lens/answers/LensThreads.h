@@ -1,0 +1,31 @@
+#ifndef TICKER_TASKS_LENS_ANSWERS_LENSTHREADS_H
+#define TICKER_TASKS_LENS_ANSWERS_LENSTHREADS_H
+
+#include <grader/probe/Question.h>
+#include <grader/tasks/lens/answers/LensLog.h>
+
+#include <vector>
+
+namespace ticker::tasks {
+
+/// A lens ray with all that may determine its pixel; -1 for an unknown index.
+struct PlacedRay {
+    LensRay ray;
+    bool untraced = false;  // the scene was asked about it, and it hit nothing
+    int repetition = 0;
+    int bySet = -1;
+    int byCamera = -1;
+};
+
+struct ReadRays {
+    std::vector<PlacedRay> entered;  // traced, or not traced because they hit nothing
+    std::vector<PlacedRay> cast;     // the scene was asked about them outside of any trace
+};
+
+/// The lens rays of all threads of all repetitions, from the log of a render.
+[[nodiscard]] ReadRays readThreads(const probe::RenderQuestion& asked,
+                                   const std::vector<probe::Event>& events);
+
+}  // namespace ticker::tasks
+
+#endif

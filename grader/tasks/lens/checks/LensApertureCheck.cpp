@@ -1,0 +1,166 @@
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/lens/answers/LensPlots.h>
+#include <grader/tasks/lens/answers/LensShape.h>
+#include <grader/tasks/lens/checks/LensChecks.h>
+#include <grader/tasks/support/Bounds.h>
+#include <grader/tasks/support/FindingText.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ticker::tasks {
+namespace {
+
+// The rays of one pixel start on one row or column of the lens, or in one corner. The range of
+// fifty independent points is below half of the lens with a chance below 1e-12 (see
+// rangeShortfall).
+bool usesPartOfLens(const LensLog& log, const Lens& lens) {
+    constexpr std::size_t kEnough = 50;
+    for (const LensPixel& pixel : log.pixels) {
+        if (pixel.rays.size() < kEnough) continue;
+        const auto rangeOf = [&](double Vector3::*axis) {
+            const auto [low, high] = std::minmax_element(pixel.rays.begin(), pixel.rays.end(),
+                                                         [&](const LensRay& a, const LensRay& b) {
+                                                             return a.origin.*axis < b.origin.*axis;
+                                                         });
+            return high->origin.*axis - low->origin.*axis;
+        };
+        if (rangeOf(&Vector3::x) < 0.5 * (lens.high.x - lens.low.x) ||
+            rangeOf(&Vector3::y) < 0.5 * (lens.high.y - lens.low.y))
+            return true;
+    }
+    return false;
+}
+
+// All points lie on one straight line. The chance that ten independent points of a square do so,
+// within a thousandth of its half-width, is below 1e-20.
+bool isLine(const Lens& lens) {
+    constexpr std::size_t kEnough = 10;
+    constexpr double kWidth = 1e-3;
+    if (lens.distinct < kEnough) return false;
+    const Vector3 from = lens.points.front();
+    const auto farthest = std::ranges::max_element(
+        lens.points, {}, [&](const Vector3& point) { return (point - from).magnitude(); });
+    const Vector3 along = (*farthest - from).normalised();
+    return std::ranges::all_of(lens.points, [&](const Vector3& point) {
+        return along.cross(point - from).magnitude() < kWidth * lens.halfWidth();
+    });
+}
+
+// Half of all points lie within a small part of the range along each axis: the width comes from a
+// few outliers.
+bool crowdInTheMiddle(const Lens& lens) {
+    constexpr double kSmallPart = 0.3;
+    const Vector3 centre = lens.centre();
+    const auto crowdAlong = [&](double Vector3::*axis) {
+        const auto inside =
+            std::count_if(lens.points.begin(), lens.points.end(), [&](const Vector3& point) {
+                return std::abs(point.*axis - centre.*axis) < kSmallPart * lens.halfWidth();
+            });
+        return 2 * static_cast<std::size_t>(inside) > lens.points.size();
+    };
+    return crowdAlong(&Vector3::x) && crowdAlong(&Vector3::y);
+}
+
+// Whether the mean of the points is off the eye. The middle of their range is more sensitive for an
+// even square, but unreliable for crowded points, whose range depends on outliers. Hoeffding's
+// bound for two means of numbers from -half to half.
+bool leansAside(const Lens& lens) {
+    Vector3 sum;
+    for (const Vector3& point : lens.points)
+        sum += point;
+    const Vector3 mean = sum / static_cast<double>(lens.points.size());
+    const double share =
+        std::sqrt(2.0 * std::log(4.0 / kStatementRisk) / static_cast<double>(lens.distinct));
+    return std::max(std::abs(mean.x), std::abs(mean.y)) > share * lens.halfWidth();
+}
+
+// One side is far longer than the other: its number was scaled differently, or not at all.
+std::string hintOfSides(double alongX, double alongY) {
+    constexpr double kFar = 1.5;
+    if (std::max(alongX, alongY) < kFar * std::min(alongX, alongY)) return {};
+    return " x and y are both a random number in [-1, 1] times settings().dofAmount: look for one "
+           "that is not scaled, or by something else.";
+}
+
+// The accepted half-width that the points fill; 0 if none fits.
+double acceptedFactor(const Lens& lens, double amount, double shortfall) {
+    for (const double factor : {1.0, 0.5}) {
+        const double half = factor * amount;
+        if (lens.halfWidth() <= half * (1.0 + 1e-5) && lens.halfWidth() >= half * (1.0 - shortfall))
+            return factor;
+    }
+    return 0.0;
+}
+
+}  // namespace
+
+ApertureVerdict checkAperture(const LensLog& log) {
+    ApertureVerdict verdict;
+    const Lens lens = lensOf(log);
+    if (lens.points.size() < 3) return verdict;
+    const double amount = log.asked->settings.dofAmount;
+    const double half = lens.halfWidth();
+    const Vector3 centre = lens.centre();
+    const double shortfall = rangeShortfall(lens.distinct);
+    const ShapeVerdict shape = judgeShape(lens);
+    const double depth = std::max(std::abs(lens.low.z), std::abs(lens.high.z));
+    const double factor = acceptedFactor(lens, amount, shortfall);
+    const double aside = std::max(std::abs(centre.x), std::abs(centre.y));
+    if (usesPartOfLens(log, lens) && (shape.square || !crowdInTheMiddle(lens))) {
+        verdict.finding = distributedFinding(
+            kDofDisc, Severity::fail,
+            "The rays of each pixel were expected to start all over the aperture; those of one "
+            "pixel start in a part of it, on a line perhaps.");
+    } else if (isLine(lens)) {
+        verdict.finding = distributedFinding(
+            kDofDisc, Severity::fail,
+            "The rays were expected to start all over a square; all of them start on one straight "
+            "line.");
+        verdict.finding->hint +=
+            " Draw a number of its own for y: one that is computed from that "
+            "of x stays on a line.";
+    } else if (aside > 2.0 * shortfall * half + 1e-7 && (shape.square || leansAside(lens))) {
+        verdict.finding = distributedFinding(
+            kDofOffCentre, Severity::fail,
+            fmt::format("An aperture centred on the eye was expected; its centre is at ({:.3f}, "
+                        "{:.3f}).",
+                        centre.x, centre.y));
+    } else if (depth > 1e-6) {
+        verdict.finding = distributedFinding(
+            kDofDisc, Severity::fail,
+            fmt::format("A square in the plane z = 0 was expected; rays start up to {:.3g} in "
+                        "front of it or behind it.",
+                        depth));
+    } else if (!shape.square) {
+        verdict.finding = distributedFinding(
+            kDofDisc, Severity::fail,
+            fmt::format("An evenly filled square was expected; the starting points, up to {:.3g} "
+                        "from its centre in x and {:.3g} in y, form another shape ({:.1f} % of "
+                        "them outside of the inscribed disc, 21.5 % expected).",
+                        0.5 * (lens.high.x - lens.low.x), 0.5 * (lens.high.y - lens.low.y),
+                        100.0 * shape.cornerShare));
+        verdict.finding->hint += hintOfSides(lens.high.x - lens.low.x, lens.high.y - lens.low.y);
+    } else if (factor == 0.0) {
+        verdict.finding = distributedFinding(
+            kDofApertureSize, Severity::fail,
+            fmt::format("A square of half-width {:.3g} (or {:.3g}) was expected; its half-width is "
+                        "{:.3g}.",
+                        amount, 0.5 * amount, half));
+    }
+    if (factor != 0.0) verdict.factor = factor;
+    if (verdict.finding) {
+        verdict.finding->evidence.emplace_back("halfWidth", half);
+        verdict.finding->evidence.emplace_back("centre", std::vector<double>{centre.x, centre.y});
+        verdict.finding->evidence.emplace_back("shareInCorners", shape.cornerShare);
+        verdict.finding->evidence.emplace_back("largestGap", shape.gap);
+        verdict.finding->evidence.emplace_back("points", static_cast<double>(lens.points.size()));
+        verdict.finding->plots.push_back(plotLens(log));
+    }
+    return verdict;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,41 @@
+#ifndef TICKER_TASKS_LENS_CHECKS_PICTURECHECK_H
+#define TICKER_TASKS_LENS_CHECKS_PICTURECHECK_H
+
+#include <grader/probe/Question.h>
+#include <grader/result/Finding.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace ticker::tasks {
+
+/// A question for code whose rays are not visible: a scene without lights, at the handout's
+/// settings, without a log. Only the pictures are judged.
+/// @param onePicture  One large picture in place of several small ones: for code that repeats its
+///                    pictures.
+[[nodiscard]] probe::RenderQuestion drawPictureQuestion(std::uint64_t seed,
+                                                        bool onePicture = false);
+
+/// Result of T2.2's pictures as z-scores: standard normal for a correct submission, up to the
+/// normal approximation of sums of some hundred pixels.
+struct PictureVerdict {
+    double apertureFactor = 1.0;  ///< the accepted reading that fits best
+    double largestZ = 0.0;        ///< largest |z| of all tests under that reading
+    double excessVariance =
+        0.0;                     ///< z of the pixels' variance over repetitions; high: too few rays
+    double timesTheLimit = 0.0;  ///< the larger of both, each in units of its limit
+    bool identical = false;      ///< all repetitions are equal: a fixed seed
+    std::optional<Finding> finding;  ///< the best explanation, if a limit is exceeded
+    /// The pictures do not fit, but lens points that all pixels share could be the cause: needs
+    /// review.
+    bool ambiguous = false;
+};
+
+/// Compares with the oracle's mean and variance under each accepted aperture: by one matched filter
+/// for each named mistake (Neyman and Pearson 1933), and by tiles for unknown ones.
+[[nodiscard]] PictureVerdict judgePictures(const probe::RenderQuestion& asked,
+                                           const probe::RenderAnswer& answer, std::uint64_t seed);
+
+}  // namespace ticker::tasks
+
+#endif

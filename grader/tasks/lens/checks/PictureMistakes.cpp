@@ -1,0 +1,115 @@
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/lens/checks/PictureMistakes.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ticker::tasks {
+namespace {
+
+using oracle::Mistake;
+using oracle::Reading;
+
+PictureMistake seenMistake(const FindingText& text, const char* seen, double factor,
+                           const Mistake& mistake) {
+    Reading reading;
+    reading.apertureFactor = factor;
+    return {&text, seen, reading, mistake, false};
+}
+
+// The expected mean under this mistake.
+Plane pictureOf(const PictureMistake& mistake, probe::RenderQuestion asked, std::uint64_t seed) {
+    if (mistake.withoutBounces) asked.settings.bounces = 0;
+    return mistakenPicture(asked, mistake.reading, mistake.mistake, seed);
+}
+
+struct Tried {
+    const PictureMistake* mistake = nullptr;
+    Match match;
+    double leaves = 1.0;
+};
+
+// The mistake whose matched filter gives the largest z. Filters of similar shape give similar z:
+// among them the one with an amplitude nearest to 1.
+const Tried* bestOf(const std::vector<Tried>& tried) {
+    constexpr double kAlike = 0.85;
+    double loudest = 0.0;
+    for (const Tried& one : tried)
+        loudest = std::max(loudest, one.match.z);
+    const Tried* best = nullptr;
+    for (const Tried& one : tried) {
+        if (one.match.z <= 0.0 || one.match.z < kAlike * loudest) continue;
+        if (best == nullptr ||
+            std::abs(one.match.amplitude - 1.0) < std::abs(best->match.amplitude - 1.0))
+            best = &one;
+    }
+    return best;
+}
+
+}  // namespace
+
+std::vector<PictureMistake> pictureMistakes(double factor) {
+    std::vector<PictureMistake> mistakes;
+    const auto with = [](auto change) {
+        Mistake mistake;
+        change(mistake);
+        return mistake;
+    };
+    mistakes.push_back(seenMistake(kDofNone, "everything is sharp", factor,
+                                   with([](Mistake& m) { m.aperture = Mistake::Aperture::none; })));
+    mistakes.push_back(seenMistake(kDofFocalDistance,
+                                   "the sharp surface is a ball around the eye, not a plane",
+                                   factor, with([](Mistake& m) { m.focalByDistance = true; })));
+    for (const double focal : {0.85, 1.2})
+        mistakes.push_back(seenMistake(kDofFocalPlane, "another plane is sharp", factor,
+                                       with([&](Mistake& m) { m.focalFactor = focal; })));
+    mistakes.push_back(
+        seenMistake(kDofOffCentre, "things out of focus are shifted", factor, with([](Mistake& m) {
+                        m.lensOffsetX = 1.0;
+                        m.lensOffsetY = 1.0;
+                    })));
+    mistakes.push_back(seenMistake(kDofOffCentre, "things out of focus are shifted", 0.5 * factor,
+                                   with([](Mistake& m) {
+                                       m.lensOffsetX = 1.0;
+                                       m.lensOffsetY = 1.0;
+                                   })));
+    mistakes.push_back(seenMistake(kDofDisc, "the blur has the shape of a disc", factor,
+                                   with([](Mistake& m) { m.aperture = Mistake::Aperture::disc; })));
+    for (const double size : {0.7, 1.4})
+        mistakes.push_back(seenMistake(kDofApertureSize, "the blur has another size", size * factor,
+                                       with([](Mistake&) {})));
+    mistakes.push_back(seenMistake(kDofNotAveraged, "it is too bright or too dark", factor,
+                                   with([](Mistake& m) { m.pixelScale = 1.1; })));
+    mistakes.push_back(seenMistake(kDofWrong, "it lacks the reflections", factor, {}));
+    mistakes.back().withoutBounces = true;
+    return mistakes;
+}
+
+Bank tryAll(const std::vector<PictureMistake>& mistakes, const probe::RenderQuestion& asked,
+            const SeenPictures& seen, const ExpectedPicture& expected, std::uint64_t seed) {
+    Bank bank;
+    std::vector<Tried> tried;
+    for (const PictureMistake& mistake : mistakes) {
+        const Plane mistaken = pictureOf(mistake, asked, seed);
+        const Match match = matchOf(seen, expected, mistaken);
+        bank.largest = std::max(bank.largest, std::abs(match.z));
+        bank.squares += match.z * match.z;
+        bank.spread = std::max(bank.spread, match.spread);
+        tried.push_back({&mistake, match, unexplainedBy(mistaken, seen, expected)});
+    }
+    const Tried* best = bestOf(tried);
+    if (best == nullptr) return bank;
+    bank.best = best->mistake;
+    bank.bestMatch = best->match;
+    bank.bestLeaves = best->leaves;
+    double second = 0.0;
+    for (const Tried& one : tried) {
+        const bool sameName = one.mistake->text == bank.best->text;
+        if (sameName || one.match.z <= second) continue;
+        bank.second = one.mistake;
+        second = one.match.z;
+    }
+    return bank;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,43 @@
+#ifndef TICKER_TASKS_LENS_CHECKS_PICTUREMISTAKES_H
+#define TICKER_TASKS_LENS_CHECKS_PICTUREMISTAKES_H
+
+#include <grader/oracle/Reading.h>
+#include <grader/probe/Question.h>
+#include <grader/result/FindingText.h>
+#include <grader/tasks/lens/answers/Pictures.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace ticker::tasks {
+
+/// A mistake in T2.2 that changes pictures in a known way.
+struct PictureMistake {
+    const FindingText* text;
+    const char* seen;  ///< its visible effect
+    oracle::Reading reading;
+    oracle::Mistake mistake;
+    bool withoutBounces = false;
+};
+
+/// @param factor  Factor of the accepted aperture.
+[[nodiscard]] std::vector<PictureMistake> pictureMistakes(double factor);
+
+/// Results of the matched filters of all mistakes.
+struct Bank {
+    const PictureMistake* best = nullptr;  ///< null if none fits
+    const PictureMistake* second = nullptr;
+    Match bestMatch;
+    double bestLeaves = 1.0;  ///< share of the squared difference that it does not explain
+    double largest = 0.0;     ///< |z|
+    double squares = 0.0;     ///< sum of all z^2
+    double spread = 0.0;      ///< largest `Match::spread`
+};
+/// @param mistakes  Must outlive the result.
+[[nodiscard]] Bank tryAll(const std::vector<PictureMistake>& mistakes,
+                          const probe::RenderQuestion& asked, const SeenPictures& seen,
+                          const ExpectedPicture& expected, std::uint64_t seed);
+
+}  // namespace ticker::tasks
+
+#endif

@@ -1,0 +1,108 @@
+#include <grader/tasks/shadows/answers/LightParts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+
+namespace ticker::tasks {
+namespace {
+
+using Phong = ShadowReading::Phong;
+
+// The sample lies anywhere on the chord of the line in the light.
+SampleTerms termsOf(const Setting& at, const AimLine& line) {
+    if (at.reading.phong == Phong::central) return centralTerms(at);
+    const double centre = (at.light.position() - at.point.point.position).magnitude();
+    if (at.reading.phong == Phong::perSampleDirection) {
+        const PhongTerms terms = at.terms(line.direction, centre);
+        return {{terms.diffuse, terms.diffuse}, {terms.specular, terms.specular}};
+    }
+    const double along = (at.light.position() - line.origin).dot(line.direction);
+    const double radius = std::max(at.settings.lightSize, line.miss);
+    const double half = std::sqrt(std::max(0.0, radius * radius - line.miss * line.miss));
+    const Vector3 towards = at.reading.phong == Phong::perSample
+                                ? line.direction
+                                : (at.light.position() - at.point.point.position) / centre;
+    const PhongTerms near = at.terms(towards, std::max(along - half, 0.1 * centre));
+    const PhongTerms far = at.terms(towards, std::max(along + half, 0.1 * centre));
+    return {{far.diffuse, near.diffuse}, {far.specular, near.specular}};
+}
+
+std::vector<AimLine> countedLines(const Setting& at, const std::vector<AimLine>& lines) {
+    if (!at.reading.withoutCentral) return lines;
+    std::vector<AimLine> counted;
+    const double exact = 1e-9 + 1.01 * biasOf(at.point);
+    std::copy_if(lines.begin(), lines.end(), std::back_inserter(counted),
+                 [&](const AimLine& line) { return line.miss > exact; });
+    return counted;
+}
+
+// Without logged rays every share is possible. A light behind the surface is the exception: it
+// contributes nothing, and code may skip its rays.
+LightParts partsWithoutRays(const Setting& at) {
+    LightParts parts;
+    const Vector3 towards = (at.light.position() - at.point.point.position).normalised();
+    if (towards.dot(at.point.point.normal) <= 0.0) return parts;
+    const SampleTerms full = centralTerms(at);
+    parts.fullDiffuse = full.diffuse;
+    parts.fullSpecular = full.specular;
+    parts.litDiffuse = {{}, full.diffuse.high};
+    parts.litSpecular = {{}, full.specular.high};
+    parts.highShare = 1.0;
+    return parts;
+}
+
+LightParts partsOf(const Setting& at, std::span<const AimLine> lines) {
+    const double weight = 1.0 / static_cast<double>(lines.size());
+    LightParts parts;
+    for (const AimLine& line : lines) {
+        const SampleTerms terms = termsOf(at, line);
+        parts.fullDiffuse += terms.diffuse * weight;
+        parts.fullSpecular += terms.specular * weight;
+        const Sight sight = at.endless ? line.endlessly : line.toLight;
+        if (sight == Sight::blocked) continue;
+        parts.litDiffuse.high += terms.diffuse.high * weight;
+        parts.litSpecular.high += terms.specular.high * weight;
+        parts.highShare += weight;
+        if (sight == Sight::unsure) continue;
+        parts.litDiffuse.low += terms.diffuse.low * weight;
+        parts.litSpecular.low += terms.specular.low * weight;
+        parts.lowShare += weight;
+    }
+    return parts;
+}
+
+}  // namespace
+
+double biasOf(const PointLog& point) {
+    double bias = 0.0;
+    for (const std::vector<AimLine>& light : point.lines)
+        for (const AimLine& line : light)
+            bias = std::max(bias, (line.origin - point.point.position).magnitude());
+    return std::min(bias, 2e-3);
+}
+
+SampleTerms centralTerms(const Setting& at) {
+    const Vector3 towards = at.light.position() - at.point.point.position;
+    const double distance = towards.magnitude();
+    const PhongTerms terms = at.terms(towards / distance, distance);
+    return {{terms.diffuse, terms.diffuse}, {terms.specular, terms.specular}};
+}
+
+LightParts partsOf(const Setting& at, const std::vector<AimLine>& logged) {
+    const std::vector<AimLine> counted = countedLines(at, logged);
+    if (counted.empty()) return partsWithoutRays(at);
+    const std::span<const AimLine> lines{counted};
+    const auto asked = static_cast<std::size_t>(at.settings.shadowRayCount);
+    if (!at.reading.termsApart || lines.size() < 2 * asked) return partsOf(at, lines);
+    LightParts parts = partsOf(at, lines.first(lines.size() / 2));
+    const LightParts again = partsOf(at, lines.last(lines.size() - lines.size() / 2));
+    parts.fullSpecular = again.fullSpecular;
+    parts.litSpecular = again.litSpecular;
+    parts.lowShare = std::min(parts.lowShare, again.lowShare);
+    parts.highShare = std::max(parts.highShare, again.highShare);
+    return parts;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,188 @@
+// T2.2 judged from logs made by hand.
+#include <grader/tasks/lens/JudgeDepthOfField.h>
+#include <grader/tasks/lens/answers/LensPlots.h>
+#include <grader/tasks/support/Draw.h>
+#include <grader/tests/tasks/lens/LensByHand.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace ticker::tasks {
+namespace {
+
+/// A right render of 4 x 2 pixels.
+struct RightLog : LensByHand {
+    explicit RightLog(double amount = 0.2) {
+        asked.settings.width = 4;
+        asked.settings.height = 2;
+        Draw draw{6, 1};
+        for (int i = 0; i < 8; ++i) {
+            const int row = i / 4;
+            LensPixel& made = pixel({0.1 * (i % 4), 0.2 * row, 1.0});
+            for (int ray = 0; ray < 50; ++ray) {
+                const double x = draw.between(-amount, amount);
+                made.rays.push_back(rayThrough({x, draw.between(-amount, amount), 0.0},
+                                               focalPointOf(made, asked.settings)));
+                made.rays.back().value = ColourRGB{0.1 * i + 0.1, 0.3, 0.2};
+                made.rays.back().bounces = asked.settings.bounces;
+            }
+            made.colour = {0.1 * i + 0.1, 0.3, 0.2};
+        }
+    }
+};
+
+LensOutcome judge(const LensByHand& handout) {
+    const RightLog other;
+    return judgeDepthOfField(handout.log, other.log);
+}
+
+std::string idsOf(const LensOutcome& outcome) {
+    std::string ids;
+    for (const Finding& finding : outcome.findings)
+        ids += finding.id + " ";
+    return ids;
+}
+
+TEST(JudgeDepthOfField, AcceptsARightLogAndShowsItsPlots) {
+    const LensOutcome outcome = judge(RightLog());
+    EXPECT_EQ(idsOf(outcome), "");
+    EXPECT_EQ(outcome.apertureFactor, 1.0);
+    EXPECT_EQ(outcome.plots.size(), 2U);
+    EXPECT_FALSE(outcome.rayless);
+    EXPECT_FALSE(outcome.valueless);
+    EXPECT_EQ(judge(RightLog(0.1)).apertureFactor, 0.5);
+}
+
+TEST(JudgeDepthOfField, FindsPixelsThatWereNotSet) {
+    RightLog unset;
+    for (const std::size_t i : {6U, 7U}) {
+        unset.log.pixels[i].rays.clear();
+        unset.log.pixels[i].colour = {};
+    }
+    const LensOutcome outcome = judge(unset);
+    ASSERT_EQ(idsOf(outcome), "dof.wrong ");
+    EXPECT_NE(outcome.findings[0].message.find("2 of 8 have no ray and stay black"),
+              std::string::npos);
+    EXPECT_NE(outcome.findings[0].message.find("column 2, row 1"), std::string::npos);
+}
+
+TEST(JudgeDepthOfField, JudgesNoRaysWhereSomeCannotBeSeen) {
+    RightLog hidden;
+    hidden.log.pixels[3].rays.clear();
+    EXPECT_TRUE(judge(hidden).rayless) << "set, but by unknown code";
+    EXPECT_EQ(idsOf(judge(hidden)), "");
+    RightLog black;
+    black.log.pixels[3].colour = {};
+    ASSERT_EQ(judge(black).findings.size(), 1U);
+    EXPECT_EQ(judge(black).findings[0].message.find("stay black"), std::string::npos)
+        << "it has rays";
+    for (LensPixel& pixel : black.log.pixels)
+        pixel.rays.clear();
+    EXPECT_TRUE(judge(black).rayless);
+    EXPECT_EQ(idsOf(judge(black)), "") << "black, but no ray was seen anywhere";
+    RightLog valueless;
+    for (LensPixel& pixel : valueless.log.pixels)
+        for (LensRay& ray : pixel.rays)
+            ray.value.reset();
+    EXPECT_TRUE(judge(valueless).valueless);
+}
+
+TEST(JudgeDepthOfField, WantsNumbersInEveryChannel) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const ColourRGB& odd :
+         {ColourRGB{nan, 0.0, 0.0}, ColourRGB{0.0, nan, 0.0}, ColourRGB{0.0, 0.0, nan}}) {
+        RightLog made;
+        made.log.pixels[5].colour = odd;
+        EXPECT_EQ(idsOf(judge(made)), "dof.wrong ");
+    }
+}
+
+TEST(JudgeDepthOfField, SaysNoMoreOfALensThatIsNone) {
+    RightLog none;
+    for (LensPixel& pixel : none.log.pixels)
+        for (LensRay& ray : pixel.rays) {
+            ray.origin = {};
+            ray.direction = {0.3, 0.0, 0.9};
+        }
+    EXPECT_EQ(idsOf(judge(none)), "dof.none ");
+    RightLog shared;
+    for (LensPixel& pixel : shared.log.pixels)
+        for (LensRay& ray : pixel.rays)
+            ray = pixel.rays.front();
+    EXPECT_EQ(idsOf(judge(shared)), "dof.shared-samples ");
+}
+
+TEST(JudgeDepthOfField, WarnsOfOtherSettingsThatAreNotFollowed) {
+    const RightLog right;
+    RightLog other;
+    other.asked.settings.dofAmount = 0.3;
+    const LensOutcome outcome = judgeDepthOfField(right.log, other.log);
+    ASSERT_EQ(idsOf(outcome), "settings.hard-coded ");
+    EXPECT_EQ(outcome.findings[0].severity, Severity::warn);
+    RightLog wrong;
+    wrong.asked.settings.dofAmount = 0.3;
+    EXPECT_EQ(idsOf(judgeDepthOfField(wrong.log, other.log)), "dof.aperture-size ")
+        << "what is wrong at the handout's settings is said once";
+    other.log.pixels[1].rays.clear();
+    EXPECT_EQ(idsOf(judgeDepthOfField(right.log, other.log)), "") << "nothing can be said";
+}
+
+TEST(JudgeDepthOfField, WarnsOfPixelsThatAreLostInAPictureOfAnotherSize) {
+    RightLog other;
+    for (LensPixel& pixel : other.log.pixels) {
+        pixel.rays.clear();
+        pixel.colour = {};
+    }
+    const LensOutcome outcome = judgeDepthOfField(RightLog().log, other.log);
+    ASSERT_EQ(idsOf(outcome), "settings.hard-coded ");
+    EXPECT_NE(outcome.findings[0].message.find("8 of 8 have no ray"), std::string::npos);
+}
+
+TEST(JudgeWithThreads, NamesWhatOnlySeveralThreadsDo) {
+    RightLog log;
+    EXPECT_FALSE(judgeWithThreads(log.log));
+    log.log.pixels[2].colour = {0.1, 0.2, 0.3};
+    const std::optional<Finding> finding = judgeWithThreads(log.log);
+    ASSERT_TRUE(finding);
+    EXPECT_EQ(finding->id, "dof.threads-mixed");
+    EXPECT_EQ(finding->severity, Severity::fail);
+    EXPECT_NE(finding->message.find("mean of its rays' colours"), std::string::npos);
+}
+
+TEST(Plots, ShowWhereRaysStartAndCross) {
+    LensByHand lens;
+    LensPixel& pixel = lens.pixel({0.3, 0.0, 1.0});
+    const Vector3 focal = focalPointOf(pixel, lens.asked.settings);
+    pixel.rays = {rayThrough({0.1, -0.2, 0.0}, focal + Vector3{0.05, 0.02, 0.0}),
+                  rayThrough({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0})};
+    const ScatterPlot starts = plotLens(lens.log);
+    ASSERT_EQ(starts.points.size(), 2U);
+    EXPECT_NEAR(starts.points[0].y, -0.2, 1e-12);
+    EXPECT_EQ(starts.expectedHalfWidth, 0.2);
+    EXPECT_EQ(starts.otherHalfWidth, 0.1);
+    const ScatterPlot crossings = plotFocus(lens.log);
+    ASSERT_EQ(crossings.points.size(), 1U) << "the other never does";
+    EXPECT_NEAR(crossings.points[0].x, 0.05, 1e-9);
+    EXPECT_NEAR(crossings.points[0].y, 0.02, 1e-9);
+    EXPECT_NEAR(crossings.expectedHalfWidth, 3.51805 * 0.41421356 / 640.0, 1e-7);
+}
+
+TEST(Plots, HaveSomeFiveHundredPointsAtMost) {
+    const auto points = [](int rays) {
+        LensByHand lens;
+        LensPixel& pixel = lens.pixel();
+        for (int i = 0; i < rays; ++i)
+            pixel.rays.push_back(rayThrough({0.001 * i, 0.0, 0.0}, {0.0, 0.0, 1.0}));
+        return plotLens(lens.log).points;
+    };
+    EXPECT_EQ(points(500).size(), 500U);
+    EXPECT_EQ(points(501).size(), 251U);
+    EXPECT_EQ(points(1000).size(), 500U);
+    ASSERT_EQ(points(1001).size(), 334U);
+    EXPECT_NEAR(points(1001)[333].x, 0.999, 1e-12) << "every third";
+}
+
+}  // namespace
+}  // namespace ticker::tasks

@@ -1,0 +1,120 @@
+#include <grader/tasks/lens/answers/LensLog.h>
+#include <grader/tasks/lens/checks/LensChecks.h>
+
+#include <gtest/gtest.h>
+
+namespace ticker::tasks {
+namespace {
+
+using probe::Event;
+
+const ColourRGB kBackground{0.001};
+const ColourRGB kAmbient{2.0, 3.0, 4.0};
+
+/// A frame of one pixel with two rays; its scene is a ball on the right.
+struct OnePixel {
+    probe::RenderQuestion question;
+    probe::RenderAnswer answer;
+
+    OnePixel() {
+        question.settings.width = 1;
+        question.settings.height = 1;
+        question.settings.dofRayCount = 2;
+        question.repetitions = 1;
+        question.scene.ambientLighting = kAmbient;
+        raytracer::Material material;
+        material.colour = ColourRGB{0.5, 0.5, 0.5};
+        question.scene.spheres.push_back({{2.0, 0.0, 5.0}, 1.0, material, nullptr});
+    }
+    void tell(Event::Kind kind, const Vector3& a, const Vector3& b = {}, int object = -1) {
+        Event event;
+        event.kind = kind;
+        event.a = a;
+        event.b = b;
+        event.object = object;
+        event.bounces = question.settings.bounces;
+        answer.events.push_back(event);
+    }
+    void cast(double x, int object) {
+        tell(Event::Kind::rayCast, {x, 0.0, 0.0}, towards(x), object);
+    }
+    void trace(double x, const ColourRGB& colour) {
+        tell(Event::Kind::traceBegan, {x, 0.0, 0.0}, towards(x));
+        tell(Event::Kind::traceEnded, {colour.r, colour.g, colour.b});
+    }
+    LensLog setPixel(const ColourRGB& colour) {
+        tell(Event::Kind::pixelSet, {colour.r, colour.g, colour.b});
+        answer.images = {{colour}};
+        return readLensLog(question, answer);
+    }
+    [[nodiscard]] Vector3 towards(double x) const {
+        return {-x, 0.0, question.settings.dofFocalPlane};
+    }
+};
+
+TEST(LensLog, CountsARayThatHitNothingAndWasNotTraced) {
+    OnePixel asked;
+    asked.cast(0.1, -1);
+    asked.cast(-0.1, 0);
+    asked.trace(-0.1, kAmbient);
+    const LensLog log = asked.setPixel((kAmbient + kBackground) / 2.0);
+    ASSERT_EQ(log.pixels[0].rays.size(), 2U);
+    EXPECT_EQ(log.pixels[0].rays[0].value, kBackground);
+    EXPECT_EQ(log.pixels[0].rays[1].value, kAmbient);
+    EXPECT_FALSE(checkAverage(log));
+}
+
+TEST(LensLog, SeesThatSuchRaysAreLeftOutOfTheMean) {
+    OnePixel asked;
+    asked.cast(0.1, -1);
+    asked.cast(-0.1, 0);
+    asked.trace(-0.1, kAmbient);
+    const auto finding = checkAverage(asked.setPixel(kAmbient));
+    ASSERT_TRUE(finding);
+    EXPECT_EQ(finding->id, "dof.not-averaged");
+}
+
+TEST(LensLog, CountsARayOnceThatWasAskedAboutAndThenTraced) {
+    OnePixel asked;
+    asked.cast(0.1, -1);
+    asked.trace(0.1, kBackground);
+    asked.cast(-0.1, 0);
+    EXPECT_EQ(asked.setPixel(kBackground).pixels[0].rays.size(), 1U);
+}
+
+TEST(LensLog, LeavesOutARayThatOnlyLookedBesidesAllThatWereTraced) {
+    OnePixel asked;
+    asked.cast(0.0, -1);
+    asked.trace(0.1, kAmbient);
+    asked.trace(-0.1, kAmbient);
+    const LensLog log = asked.setPixel(kAmbient);
+    EXPECT_EQ(log.pixels[0].rays.size(), 2U);
+    EXPECT_FALSE(checkAverage(log));
+}
+
+TEST(LensLog, RecomputesWhatRaysOfAnotherRecursionGave) {
+    for (const bool leftOut : {false, true}) {
+        OnePixel asked;
+        asked.cast(0.1, -1);
+        asked.cast(-0.1, 0);
+        const ColourRGB hit = kAmbient * 0.5;
+        const auto finding =
+            checkAverage(asked.setPixel(leftOut ? hit : (hit + kBackground) / 2.0));
+        EXPECT_EQ(finding.has_value(), leftOut);
+    }
+}
+
+TEST(LensLog, DoesNotTakeAReflectionForALensRay) {
+    OnePixel asked;
+    asked.cast(0.1, 0);
+    asked.tell(Event::Kind::traceBegan, {1.0, 0.0, 5.0}, {-1.0, 0.0, 0.0});
+    asked.answer.events.back().bounces = asked.question.settings.bounces - 1;
+    asked.tell(Event::Kind::traceEnded, {0.0, 0.0, 0.0});
+    asked.cast(-0.1, 0);
+    const LensLog log = asked.setPixel(kAmbient);
+    ASSERT_EQ(log.pixels[0].rays.size(), 2U);
+    EXPECT_FALSE(log.pixels[0].rays[0].value);
+}
+
+}  // namespace
+}  // namespace ticker::tasks

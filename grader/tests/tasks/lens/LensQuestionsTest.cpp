@@ -1,0 +1,58 @@
+#include <grader/tasks/lens/answers/LensLog.h>
+#include <grader/tasks/lens/questions/LensQuestions.h>
+
+#include <raytracer/scene/Scene.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace ticker::tasks {
+namespace {
+
+constexpr int kRays = 64;
+
+// How many random rays through the lens hit something.
+int hitsOf(const raytracer::Scene& scene, const Vector3& focus, double halfWidth,
+           std::mt19937& engine) {
+    std::uniform_real_distribution<double> side{-halfWidth, halfWidth};
+    int hits = 0;
+    for (int i = 0; i < kRays; ++i) {
+        const double x = side(engine);
+        const Vector3 lens{x, side(engine), 0.0};
+        if (scene.findClosestIntersection({lens, focus - lens})) ++hits;
+    }
+    return hits;
+}
+
+void expectBoth(const probe::RenderQuestion& question, double halfWidth, std::mt19937& engine) {
+    const raytracer::Scene scene{question.scene};
+    int mixed = 0;
+    int whole = 0;
+    for (int y = 0; y < question.settings.height; ++y)
+        for (int x = 0; x < question.settings.width; ++x) {
+            const Vector3 pinhole = pinholeDirection(question.settings, x, y);
+            const Vector3 focus = pinhole * (question.settings.dofFocalPlane / pinhole.z);
+            const int hits = hitsOf(scene, focus, halfWidth, engine);
+            if (hits > 0 && hits < kRays) ++mixed;
+            if (hits == kRays) ++whole;
+        }
+    EXPECT_GE(mixed, 3);
+    EXPECT_GE(whole, 1);
+}
+
+// A mean without the misses shows only here. A pixel for which a fifth of the lens sees nothing
+// looks whole to 64 rays with a chance of 1e-6.
+TEST(LensQuestions, HaveHitsAndMissesInOnePixelAndWholePixelsToo) {
+    std::mt19937 engine{22};
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE(seed);
+        const LensQuestions asked = drawLensQuestions(seed);
+        for (const probe::RenderQuestion* question : {&asked.handout, &asked.other})
+            for (const double share : {1.0, 0.5})
+                expectBoth(*question, share * question->settings.dofAmount, engine);
+    }
+}
+
+}  // namespace
+}  // namespace ticker::tasks

@@ -1,0 +1,118 @@
+#include <grader/tests/tasks/lens/LensByHand.h>
+
+#include <gtest/gtest.h>
+
+namespace ticker::tasks {
+namespace {
+
+/// A pixel of `rays` rays from `origins` different points.
+void add(LensByHand& lens, int rays, int origins) {
+    LensPixel& pixel = lens.pixel();
+    for (int i = 0; i < rays; ++i)
+        pixel.rays.push_back(rayThrough({0.01 * (1 + i % origins), 0.0, 0.0}, {0.0, 0.0, 3.5}));
+}
+
+std::optional<Finding> judgeCounts(int rays, int origins, bool cut = false) {
+    LensByHand lens;
+    add(lens, 50, 50);
+    add(lens, rays, origins);
+    lens.log.cut = cut;
+    return checkLensCounts(lens.log);
+}
+
+TEST(LensCounts, AreThoseThatWereAskedForOrMore) {
+    EXPECT_FALSE(judgeCounts(50, 50));
+    EXPECT_FALSE(judgeCounts(70, 50));
+    const auto few = judgeCounts(49, 49);
+    ASSERT_EQ(idOf(few), "dof.too-few-rays");
+    EXPECT_EQ(numberIn(*few, "fewestRays"), 49.0);
+    EXPECT_EQ(numberIn(*few, "raysExpected"), 50.0);
+    EXPECT_FALSE(judgeCounts(49, 49, true)) << "the log ends there";
+}
+
+TEST(LensCounts, WantDifferentPointsOfTheLens) {
+    EXPECT_FALSE(judgeCounts(50, 26)) << "a coarse generator gives some twice";
+    const auto coarse = judgeCounts(50, 25);
+    ASSERT_EQ(idOf(coarse), "dof.shared-samples");
+    EXPECT_EQ(numberIn(*coarse, "fewestDistinctOrigins"), 25.0);
+    EXPECT_NE(coarse->hint.find("coarse"), std::string::npos);
+    EXPECT_NE(judgeCounts(50, 3)->hint.find("coarse"), std::string::npos);
+    EXPECT_EQ(judgeCounts(50, 2)->hint.find("coarse"), std::string::npos);
+}
+
+TEST(LensCounts, FindNoLensWhereEveryRayStartsAtTheEye) {
+    LensByHand lens;
+    for (int i = 0; i < 50; ++i)
+        lens.pixel().rays = {rayThrough({0.9e-7, 0.0, 0.0}, {0.0, 0.0, 1.0})};
+    EXPECT_EQ(idOf(checkLensCounts(lens.log)), "dof.none");
+    lens.log.pixels.front().rays = {rayThrough({1.1e-7, 0.0, 0.0}, {0.0, 0.0, 1.0})};
+    EXPECT_EQ(idOf(checkLensCounts(lens.log)), "dof.too-few-rays");
+}
+
+TEST(LensCounts, TellPixelsWithoutALens) {
+    LensByHand lens;
+    add(lens, 50, 50);
+    lens.pixel().rays.assign(50, rayThrough({}, {0.0, 0.0, 3.5}));
+    const auto some = checkLensCounts(lens.log);
+    ASSERT_EQ(idOf(some), "dof.shared-samples");
+    EXPECT_NE(some->message.find("in 1 of 2 pixels, the first in column 1, row 0"),
+              std::string::npos)
+        << some->message;
+    add(lens, 50, 2);
+    EXPECT_EQ(checkLensCounts(lens.log)->message.find("at the eye"), std::string::npos);
+}
+
+TEST(LensBounces, AreThoseOfTheSettings) {
+    const auto judge = [](int bounces) {
+        LensByHand lens;
+        lens.asked.settings.bounces = 3;
+        add(lens, 2, 2);
+        lens.log.pixels[0].rays[0].bounces = 3;
+        lens.log.pixels[0].rays[1].bounces = bounces;
+        return idOf(checkBounces(lens.log));
+    };
+    EXPECT_EQ(judge(3), "");
+    EXPECT_EQ(judge(-1), "") << "another recursion";
+    EXPECT_EQ(judge(2), "dof.wrong");
+    EXPECT_EQ(judge(0), "dof.wrong");
+}
+
+TEST(LensPattern, IsReusedWhereAllPixelsOfARepetitionHaveTheSamePoints) {
+    LensByHand lens;
+    for (int i = 0; i < 3; ++i)
+        add(lens, 5, 5);
+    EXPECT_EQ(idOf(checkPattern(lens.log)), "dof.reused-pattern");
+    for (int i = 0; i < 2; ++i) {
+        add(lens, 4, 4);
+        lens.log.pixels.back().repetition = 1;
+    }
+    EXPECT_EQ(idOf(checkPattern(lens.log)), "dof.reused-pattern") << "another in each repetition";
+    add(lens, 5, 5);
+    lens.log.pixels.back().repetition = 1;
+    EXPECT_EQ(idOf(checkPattern(lens.log)), "");
+}
+
+TEST(LensPattern, IsReusedWhereRowsShareTheirPoints) {
+    LensByHand lens;
+    for (int row = 0; row < 3; ++row)
+        for (int x = 0; x < 4; ++x)
+            add(lens, 5, 5 - row);
+    const auto rows = checkPattern(lens.log);
+    ASSERT_EQ(idOf(rows), "dof.reused-pattern");
+    EXPECT_NE(rows->message.find("3 patterns for 12 pixels"), std::string::npos);
+}
+
+TEST(LensPattern, IsNotReusedByAFewPixelsOrWhereNoRayIsSeen) {
+    LensByHand lens;
+    for (int origins = 1; origins <= 5; ++origins)
+        add(lens, 5, origins);
+    add(lens, 5, 5);
+    EXPECT_EQ(idOf(checkPattern(lens.log)), "");
+    LensByHand unseen;
+    for (int i = 0; i < 8; ++i)
+        unseen.pixel();
+    EXPECT_EQ(idOf(checkPattern(unseen.log)), "");
+}
+
+}  // namespace
+}  // namespace ticker::tasks

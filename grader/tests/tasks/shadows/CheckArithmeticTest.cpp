@@ -1,0 +1,89 @@
+#include <grader/tests/tasks/shadows/KnownParts.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+using Purpose = ShadowQuestion::Purpose;
+
+/// Points of one light with open and blocked rays, each with a colour that `colourOf` computes from
+/// the open share.
+template <typename ColourOf>
+std::optional<Finding> judgeRays(const ColourOf& colourOf,
+                                 const std::vector<int>& opens = {0, 2, 4, 6, 8, 10}) {
+    ShadowByHand made;
+    made.ask(Purpose::oneLight, {{0.0, 16.0, 0.0}});
+    for (const int open : opens) {
+        PointLog& point = made.point({0.1 * open, 0.0, 1.0});
+        made.castRing(10);
+        point.zones = {open == 10 ? Zone::lit : open == 0 ? Zone::umbra : Zone::penumbra};
+        for (int i = open; i < 10; ++i)
+            point.lines[0][static_cast<std::size_t>(i)].toLight = Sight::blocked;
+        point.colour = colourOf(partsOf(point, made.last()), open);
+    }
+    return checkArithmetic(made.logs()).finding;
+}
+
+TEST(CheckArithmetic, AcceptsTheShareThatArrives) {
+    EXPECT_EQ(idOf(judgeRays([](const Parts& p, int open) {
+                  return p.ambient + (p.diffuse + p.specular) * (open / 10.0);
+              })),
+              "");
+}
+
+TEST(CheckArithmetic, TellsAllOrNothingOfWhateverRule) {
+    const auto odd = judgeRays([](const Parts& p, int open) {
+        const bool isLit = open == 10 || open == 4;
+        return p.ambient + (p.diffuse + p.specular) * (isLit ? 1.0 : 0.0);
+    });
+    ASSERT_EQ(idOf(odd), "shadow.all-or-nothing");
+    EXPECT_NE(odd->message.find("never a part"), std::string::npos);
+    const auto few = judgeRays(
+        [](const Parts& p, int open) {
+            const bool isLit = open == 10 || open == 4;
+            return p.ambient + (p.diffuse + p.specular) * (isLit ? 1.0 : 0.0);
+        },
+        {0, 0, 2, 4, 6, 10, 10});
+    EXPECT_EQ(idOf(few), "shadow.wrong") << "three points at the edge say nothing";
+    const auto unlit = judgeRays([](const Parts& p, int open) {
+        return p.ambient + (p.diffuse + p.specular) * (open == 4 ? 1.0 : 0.0);
+    });
+    EXPECT_EQ(idOf(unlit), "shadow.wrong") << "dark in plain light";
+    const auto lit = judgeRays([](const Parts& p, int open) {
+        return p.ambient + (p.diffuse + p.specular) * (open % 4 == 0 ? 1.0 : 0.0);
+    });
+    EXPECT_EQ(idOf(lit), "shadow.wrong") << "lit in full shadow";
+}
+
+TEST(CheckArithmetic, ShowsAPointThatDoesNotFit) {
+    const auto wrong = judgeRays([](const Parts& p, int open) {
+        return p.ambient + p.diffuse * (open / 10.0) + p.specular * (open == 6 ? 0.1 : open / 10.0);
+    });
+    ASSERT_EQ(idOf(wrong), "shadow.wrong");
+    EXPECT_EQ(numberIn(*wrong, "raysThatArrive"), 6.0);
+    EXPECT_EQ(numberIn(*wrong, "raysCast"), 10.0);
+}
+
+TEST(CheckArithmetic, SeesRaysThatNeverGetOffTheSurface) {
+    ShadowByHand made;
+    made.ask(Purpose::oneLight, {{0.0, 16.0, 0.0}});
+    PointLog& point = made.point({1.0, 0.0, 1.0});
+    made.castRing(10);
+    point.zones = {Zone::lit};
+    for (AimLine& line : point.lines[0])
+        line.toLight = Sight::unsure;
+    const Parts parts = partsOf(point, made.last());
+    point.colour = parts.ambient + (parts.diffuse + parts.specular) * 0.4;
+    const ArithmeticVerdict verdict = checkArithmetic(made.logs());
+    ASSERT_EQ(idOf(verdict.finding), "shadow.wrong");
+    EXPECT_NE(verdict.finding->hint.find("kShadowBias"), std::string::npos);
+    point.colour = parts.ambient + parts.diffuse + parts.specular;
+    EXPECT_FALSE(checkArithmetic(made.logs()).finding) << "sorted out by the code itself";
+}
+
+}  // namespace
+}  // namespace ticker::tasks

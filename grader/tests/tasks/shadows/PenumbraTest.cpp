@@ -1,0 +1,212 @@
+// Points that see a part of the light, judged by values alone.
+#include <grader/tasks/shadows/answers/PenumbraHits.h>
+#include <grader/tasks/shadows/answers/PenumbraShares.h>
+#include <grader/tasks/shadows/checks/PenumbraCheck.h>
+#include <grader/tasks/support/Draw.h>
+#include <grader/tests/tasks/shadows/ShadowByHand.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace ticker::tasks {
+namespace {
+
+using Kind = PenumbraQuestion::Place::Kind;
+
+const PenumbraQuestion& question() {
+    static const PenumbraQuestion drawn = drawPenumbraQuestion(5);
+    return drawn;
+}
+
+/// How many of 3000 aims in a ball of this size around the light are visible.
+int openAims(const probe::LitPoint& point, double size) {
+    const Surfaces surfaces{question().question.scene};
+    const Vector3 light = question().question.scene.pointLights[0].position();
+    const Vector3 start = point.position + point.normal * 1e-4;
+    Draw draw{3, 9};
+    int open = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const Vector3 towards = light + draw.direction() * (0.4 * size) - start;
+        const double reach = towards.magnitude();
+        open += surfaces.sightAlong(start, towards / reach, reach) == Sight::blocked ? 0 : 1;
+    }
+    return open;
+}
+
+TEST(PenumbraQuestion, AsksWhereAPartIsSeenAndBesideTheRim) {
+    int places[4] = {0, 0, 0, 0};
+    std::size_t next = 0;
+    for (const PenumbraQuestion::Place& place : question().places) {
+        ++places[static_cast<std::size_t>(place.kind)];
+        EXPECT_EQ(place.first, next);
+        const std::size_t calls[] = {2000, 1000, 1000, 3000};
+        EXPECT_EQ(place.calls, calls[static_cast<std::size_t>(place.kind)]);
+        next += place.calls;
+        const probe::LitPoint& point = question().question.points[place.first];
+        EXPECT_EQ(place.fromLens, point.viewer.z == 0.0);
+        const Vector3 moved = question().question.points[next - 1].position - point.position;
+        EXPECT_TRUE(moved.magnitude() > 0.0 && moved.magnitude() < 4e-6);
+        EXPECT_LT(std::abs(moved.dot(point.normal)), 1e-9) << "in the floor";
+        if (place.kind == Kind::penumbra) {
+            EXPECT_GT(openAims(point, 1.0), 90) << "more than no light";
+            EXPECT_LT(openAims(point, 1.0), 2940) << "less than all";
+            continue;
+        }
+        constexpr double kDarkTo[] = {0.0, 1.02, 0.81, 0.95};
+        EXPECT_EQ(openAims(point, kDarkTo[static_cast<std::size_t>(place.kind)]), 0);
+        EXPECT_GT(openAims(point, place.kind == Kind::beyondRim ? 1.2 : 1.0), 0);
+    }
+    EXPECT_EQ(next, question().question.points.size());
+    EXPECT_EQ(places[0], 12);
+    EXPECT_EQ(places[1], 3);
+    EXPECT_EQ(places[2], 3);
+    EXPECT_EQ(places[3], 3);
+}
+
+/// Share of the light that one call gives, for the visible share of the light.
+using ShareOf = std::function<double(double open, Draw& draw)>;
+
+struct Answer {
+    double size = 1.0;               ///< of the light
+    double beyond = 0.0;             ///< share at places that should see nothing
+    bool beyondAlways = false;       ///< in every call instead of one
+    double within = 0.1;             ///< share at places that should see the outermost part
+    bool darkRim = false;            ///< no light at places that should see the outermost twentieth
+    raytracer::ColourRGB more{0.0};  ///< added to every colour
+    AimShape shape = AimShape::ball;
+};
+
+PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {},
+                      const PenumbraQuestion& question = tasks::question()) {
+    const probe::IlluminateQuestion& asked = question.question;
+    const Surfaces surfaces{asked.scene};
+    probe::IlluminateAnswer answer;
+    answer.state = probe::AnswerState::answered;
+    Draw draw{8, 9};
+    for (const PenumbraQuestion::Place& place : question.places) {
+        PointLog log;
+        log.point = asked.points[place.first];
+        log.lines.resize(1);
+        const ColourRGB full = unshadowed(log, asked.scene, 0, false);
+        const double open = expectedAt(asked, surfaces, log.point, how.shape, how.size).open;
+        for (std::size_t i = 0; i < place.calls; ++i) {
+            double share = 0.0;
+            if (place.kind == Kind::penumbra || place.kind == Kind::atRim || how.size > 1.0)
+                share = shareOf(open, draw);
+            if (place.kind == Kind::atRim && how.darkRim) share = 0.0;
+            if (place.kind == Kind::beyondRim && (i == 0 || how.beyondAlways)) share = how.beyond;
+            if (place.kind == Kind::withinRim && i == 0) share = how.within;
+            answer.colours.push_back(ambientPart(log, asked.scene) + full * share + how.more);
+        }
+    }
+    return checkPenumbra(question, answer);
+}
+
+/// The share of this many rays that arrive.
+ShareOf rays(int count) {
+    return [count](double open, Draw& draw) {
+        int arrive = 0;
+        for (int i = 0; i < count; ++i)
+            arrive += draw.between(0.0, 1.0) < open ? 1 : 0;
+        return arrive / static_cast<double>(count);
+    };
+}
+
+// Each right answer is refused with a chance below 1e-9.
+TEST(CheckPenumbra, AcceptsTenRays) {
+    const PenumbraVerdict verdict = judge(rays(10));
+    EXPECT_FALSE(verdict.finding);
+    EXPECT_FALSE(verdict.ambiguous);
+    EXPECT_LT(verdict.timesTheBound, 1.0);
+    EXPECT_GT(verdict.timesTheBound, 0.01);
+}
+
+TEST(CheckPenumbra, AcceptsEveryShapeAndNoneOfThemATenthSmaller) {
+    for (const AimShape shape : kAcceptedAimShapes) {
+        const PenumbraVerdict verdict = judge(rays(10), {.shape = shape});
+        EXPECT_FALSE(verdict.finding || verdict.ambiguous);
+        EXPECT_LT(verdict.timesTheBound, 1.0);
+        const PenumbraVerdict smaller = judge(rays(10), {.size = 0.9, .shape = shape});
+        EXPECT_TRUE(smaller.finding || smaller.ambiguous);
+    }
+}
+
+TEST(CheckPenumbra, NamesTheSizeOfALightThatIsTooSmallOrTooLarge) {
+    for (const double size : {0.5, 0.75, 1.25, 1.5}) {
+        const PenumbraVerdict verdict = judge(rays(10), {.size = size});
+        ASSERT_EQ(idOf(verdict.finding), "shadow.light-size") << size;
+        EXPECT_NEAR(numberIn(*verdict.finding, "radius"), 0.4 * size, 0.05);
+        EXPECT_GT(verdict.timesTheBound, 1.0);
+    }
+}
+
+// At more than twice the bound an error of a tenth is missed with a chance far below 1e-9.
+TEST(CheckPenumbra, FindsALightThatIsATenthTooSmallOrTooLargeWhateverIsDrawn) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const PenumbraQuestion drawn = drawPenumbraQuestion(seed);
+        for (const double size : {0.9, 1.1}) {
+            const PenumbraVerdict verdict = judge(rays(10), {.size = size}, drawn);
+            EXPECT_EQ(idOf(verdict.finding), "shadow.light-size") << seed << ' ' << size;
+            EXPECT_GT(verdict.timesTheBound, 2.0) << seed << ' ' << size;
+        }
+    }
+}
+
+TEST(CheckPenumbra, FindsLightBeyondTheRimAndNoneWithinIt) {
+    EXPECT_TRUE(judge(rays(10), {.beyond = 0.1}).finding);
+    EXPECT_FALSE(judge(rays(10), {.beyond = 0.015}).finding);
+    EXPECT_TRUE(judge(rays(10), {.within = 0.0}).finding);
+    EXPECT_FALSE(judge(rays(10), {.within = 0.025}).finding);
+}
+
+TEST(CheckPenumbra, TellsLightThatIsLeftInShadowFromALargerLight) {
+    const PenumbraVerdict once = judge(rays(10), {.beyond = 0.1});
+    ASSERT_TRUE(once.finding);
+    EXPECT_EQ(once.finding->message.find("ambient light alone"), std::string::npos);
+    const PenumbraVerdict always = judge(rays(10), {.beyond = 0.1, .beyondAlways = true});
+    ASSERT_EQ(idOf(always.finding), "shadow.wrong");
+    EXPECT_NEAR(numberIn(*always.finding, "leftInShadow"), 0.1, 1e-9);
+}
+
+TEST(CheckPenumbra, CountsTheRaysByTheSteps) {
+    EXPECT_EQ(idOf(judge(rays(1)).finding), "shadow.hard");
+    for (const int count : {2, 5, 9}) {
+        const PenumbraVerdict verdict = judge(rays(count));
+        ASSERT_EQ(idOf(verdict.finding), "shadow.too-few-rays") << count;
+        EXPECT_NE(verdict.finding->message.find("1/" + std::to_string(count)), std::string::npos);
+    }
+    EXPECT_FALSE(judge(rays(11)).finding) << "an extra ray";
+}
+
+TEST(CheckPenumbra, TellsAllOrNothingFromOneRay) {
+    const ShareOf ifAll = [](double open, Draw& draw) {
+        return rays(10)(open, draw) == 1.0 ? 1.0 : 0.0;
+    };
+    EXPECT_EQ(idOf(judge(ifAll).finding), "shadow.all-or-nothing");
+    const ShareOf still = [](double open, Draw&) { return open > 0.5 ? 1.0 : 0.0; };
+    EXPECT_EQ(idOf(judge(still).finding), "shadow.hard");
+}
+
+TEST(CheckPenumbra, LeavesCallsThatAreAllTheSameToAPerson) {
+    const PenumbraVerdict verdict = judge([](double open, Draw&) { return 0.9 * open; });
+    EXPECT_FALSE(verdict.finding);
+    EXPECT_TRUE(verdict.ambiguous);
+}
+
+TEST(CheckPenumbra, LeavesALightWithoutItsOutermostTwentiethToAPerson) {
+    const PenumbraVerdict verdict = judge(rays(10), {.darkRim = true});
+    EXPECT_FALSE(verdict.finding);
+    EXPECT_TRUE(verdict.ambiguous);
+}
+
+TEST(CheckPenumbra, WantsNumbers) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(idOf(judge(rays(10), {.more = ColourRGB{nan}}).finding), "shadow.wrong");
+}
+
+}  // namespace
+}  // namespace ticker::tasks
