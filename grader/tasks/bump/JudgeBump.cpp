@@ -91,16 +91,17 @@ std::optional<Hints> askForHints(probe::Examinee& examinee, std::uint64_t seed) 
     return readHints(plan, answers);
 }
 
-TaskJudgement failed(const std::vector<Fault>& faults, const Examination& examination,
+TaskJudgement failed(const Diagnosis& diagnosis, const Examination& examination,
                      const std::optional<Hints>& hints, const MainPlan& plan,
                      const Answers& answers) {
-    Finding finding = describe(faults, examination, hints);
+    Finding finding = describe(diagnosis, examination, hints);
     if (examination.ramps().response)
         finding.rasters =
             drawRelief(plan.letters, answers, examination.ramps().fit->parametrisation,
                        *examination.ramps().response);
     TaskJudgement judgement;
-    judgement.state = faults.front() == Fault::threw ? TaskState::blocked : TaskState::failed;
+    judgement.state =
+        diagnosis.faults.front() == Fault::threw ? TaskState::blocked : TaskState::failed;
     judgement.reason = finding.message;
     judgement.findings.push_back(std::move(finding));
     return judgement;
@@ -126,9 +127,11 @@ TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed) {
         examination = examine(plan, answers, askForCoarseRamps(examinee, seed));
 
     TaskJudgement judgement{TaskState::passed, {}, {}, false};
-    if (!diagnose(examination, std::nullopt).empty()) {
+    Diagnosis diagnosis = diagnose(examination);
+    if (!diagnosis.faults.empty()) {
         const std::optional<Hints> hints = askForHints(examinee, seed);
-        judgement = failed(diagnose(examination, hints), examination, hints, plan, answers);
+        if (isTransposed(examination, hints)) diagnosis = {{Fault::swapped}, {}};
+        judgement = failed(diagnosis, examination, hints, plan, answers);
     } else if (examination.ramps().response) {
         judgement.rasters =
             drawRelief(plan.letters, answers, examination.ramps().fit->parametrisation,

@@ -1,10 +1,8 @@
-#include <grader/result/GeneralFindings.h>
-#include <grader/tasks/bump/BumpFindings.h>
 #include <grader/tasks/bump/words/Diagnosis.h>
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
+#include <span>
 
 namespace ticker::tasks::bump {
 namespace {
@@ -12,24 +10,40 @@ namespace {
 // A tilt of a thousandth changes no pixel by a grey step, not even at an edge from black to white.
 constexpr double kVisibleTilt = 1e-3;
 
-/// Names a sign only if every map agrees: an inversion in some rows or greys alone is not a matter
-/// of one sign.
+/// What ramps of one kind show: a fault, or a reason of Fault::wrong. A sign is named only if every
+/// map agrees: an inversion in some rows or greys alone is not a matter of one sign.
+struct KindRow {
+    RampKind kind;
+    std::optional<Fault> fault;
+    std::optional<WrongReason> reason;
+    bool mustAgree = false;
+};
+
+constexpr std::array kKinds{
+    KindRow{RampKind::longitudeDependent, Fault::longitudeDependent, {}},
+    KindRow{RampKind::swapped, Fault::swapped, {}},
+    KindRow{RampKind::inverted, Fault::inverted, {}, true},
+    KindRow{RampKind::invertedU, Fault::invertedU, {}, true},
+    KindRow{RampKind::invertedV, Fault::invertedV, {}, true},
+    KindRow{RampKind::silent, {}, WrongReason::smallSlopesLost},
+    KindRow{RampKind::slopeUIgnored, {}, WrongReason::slopeUIgnored},
+    KindRow{RampKind::slopeVIgnored, {}, WrongReason::slopeVIgnored},
+    KindRow{RampKind::signLost, {}, WrongReason::signLost},
+    KindRow{RampKind::strangeParametrisation, {}, WrongReason::strangeParametrisation},
+    KindRow{RampKind::patchy, {}, WrongReason::patchy},
+    KindRow{RampKind::strangeDirection, {}, WrongReason::strangeDirection},
+};
+
+/// The row of the examination's ramps; one without fault and reason if they have none.
+KindRow rowOf(const Examination& examination) {
+    const RampKind kind = examination.ramps().kind;
+    const auto* const row = std::ranges::find(kKinds, kind, &KindRow::kind);
+    return row == kKinds.end() ? KindRow{kind, {}, {}} : *row;
+}
+
 std::optional<Fault> faultOf(const Examination& examination) {
-    const bool agrees = examination.agreesWithRamps();
-    switch (examination.ramps().kind) {
-        case RampKind::longitudeDependent:
-            return Fault::longitudeDependent;
-        case RampKind::swapped:
-            return Fault::swapped;
-        case RampKind::inverted:
-            return agrees ? std::optional(Fault::inverted) : std::nullopt;
-        case RampKind::invertedU:
-            return agrees ? std::optional(Fault::invertedU) : std::nullopt;
-        case RampKind::invertedV:
-            return agrees ? std::optional(Fault::invertedV) : std::nullopt;
-        default:
-            return std::nullopt;
-    }
+    const KindRow row = rowOf(examination);
+    return row.mustAgree && !examination.agreesWithRamps() ? std::nullopt : row.fault;
 }
 
 bool isFlat(const Examination& examination) {
@@ -57,27 +71,6 @@ bool growsWithSlope(const Examination& examination) {
     return examination.ladder.growsWithSlope && examination.proportion.good();
 }
 
-std::optional<WrongReason> reasonOf(RampKind kind) {
-    switch (kind) {
-        case RampKind::silent:
-            return WrongReason::smallSlopesLost;
-        case RampKind::slopeUIgnored:
-            return WrongReason::slopeUIgnored;
-        case RampKind::slopeVIgnored:
-            return WrongReason::slopeVIgnored;
-        case RampKind::signLost:
-            return WrongReason::signLost;
-        case RampKind::strangeParametrisation:
-            return WrongReason::strangeParametrisation;
-        case RampKind::patchy:
-            return WrongReason::patchy;
-        case RampKind::strangeDirection:
-            return WrongReason::strangeDirection;
-        default:
-            return std::nullopt;
-    }
-}
-
 /// True if each axis has one sense on the ramps, right or inverted.
 bool hasSenses(RampKind kind) {
     return kind == RampKind::right || kind == RampKind::inverted || kind == RampKind::invertedU ||
@@ -94,59 +87,71 @@ std::optional<WrongReason> findDisagreement(const Examination& examination) {
     return regionsDiffer ? WrongReason::regionsDiffer : WrongReason::steepDiffers;
 }
 
-/// A look-up with columns and rows exchanged leaves the map unless the map is square. So square
-/// maps decide.
-bool isTransposed(const Examination& examination, const std::optional<Hints>& hints) {
-    const bool unclear = !examination.ramps().response;
-    return unclear && (examination.ramps().transposed || (hints && hints->square.transposed));
+/// One reason of Fault::wrong.
+struct Rule {
+    WrongReason reason;
+    bool (*applies)(const Examination& examination);
+};
+
+// Half a degree; observed changes are larger.
+constexpr double kSomeChange = 0.01;
+
+bool pointInwards(const Examination& examination, double share) {
+    const Offence& inward = examination.conduct.inward;
+    return inward.count > share * inward.asked;
+}
+
+/// The reasons that apply whatever the ramps show.
+constexpr std::array kAnyRamps{
+    Rule{WrongReason::chance, [](const Examination& e) { return e.conduct.chance > kSomeChange; }},
+    Rule{WrongReason::mapIgnored, [](const Examination& e) { return e.mapIgnored; }},
+    Rule{WrongReason::normalMissing, liesFlat},
+    // Wrong tangents turn a few normals inwards; the tangents are then the fault.
+    Rule{WrongReason::inward, [](const Examination& e) { return pointInwards(e, 0.5); }},
+    Rule{WrongReason::flatTilted, tiltsWithoutSlope},
+    Rule{WrongReason::doesNotGrow,
+         [](const Examination& e) {
+             return e.ramps().kind == RampKind::strangeParametrisation && !growsWithSlope(e);
+         }},
+};
+
+/// The reasons of submissions that are right on ramps.
+constexpr std::array kRightRamps{
+    // Tangents at the texel's corner turn a very strong tilt inwards at the seam's step.
+    Rule{WrongReason::inward, [](const Examination& e) { return pointInwards(e, 0.01); }},
+    Rule{WrongReason::doesNotGrow, [](const Examination& e) { return !growsWithSlope(e); }},
+    Rule{WrongReason::pastHorizon,
+         [](const Examination& e) { return !e.proportion.staysAboveHorizon(); }},
+    Rule{WrongReason::remembers,
+         [](const Examination& e) { return e.conduct.memory > kSomeChange; }},
+    Rule{WrongReason::wallAtSeam,
+         [](const Examination& e) { return e.edges && !e.edges->goodSeam(); }},
+    Rule{WrongReason::coordinatesRounded,
+         [](const Examination& e) { return e.fineness && !e.fineness->good(); }},
+    Rule{WrongReason::lettersDiffer,
+         [](const Examination& e) { return !e.letters || !e.letters->good(); }},
+};
+
+std::optional<WrongReason> firstOf(std::span<const Rule> rules, const Examination& examination) {
+    for (const Rule& rule : rules)
+        if (rule.applies(examination)) return rule.reason;
+    return std::nullopt;
 }
 
 }  // namespace
 
-const FindingText& textOf(Fault fault) {
-    static constexpr std::array kTexts{&kRunCrashed,
-                                       &kBumpNotFinite,
-                                       &kBumpNotUnit,
-                                       &kBumpFlat,
-                                       &kBumpLongitudeDependent,
-                                       &kBumpSwappedAxes,
-                                       &kBumpInverted,
-                                       &kBumpInvertedU,
-                                       &kBumpInvertedV,
-                                       &kBumpUpsideDown,
-                                       &kBumpWrong};
-    return *kTexts.at(static_cast<std::size_t>(fault));
+std::optional<WrongReason> findWrong(const Examination& examination) {
+    if (const auto reason = firstOf(kAnyRamps, examination)) return reason;
+    const KindRow row = rowOf(examination);
+    if (row.reason) return row.reason;
+    if (!hasSenses(row.kind)) return std::nullopt;
+    if (const auto reason = findDisagreement(examination)) return reason;
+    return row.kind == RampKind::right ? firstOf(kRightRamps, examination) : std::nullopt;
 }
 
-std::optional<WrongReason> findWrong(const Examination& examination) {
-    // Half a degree; observed changes are larger.
-    constexpr double kSomeChange = 0.01;
-    if (examination.conduct.chance > kSomeChange) return WrongReason::chance;
-    if (examination.mapIgnored) return WrongReason::mapIgnored;
-    const Offence& inward = examination.conduct.inward;
-    const RampKind kind = examination.ramps().kind;
-    if (liesFlat(examination)) return WrongReason::normalMissing;
-    // Wrong tangents turn a few normals inwards; the tangents are then the fault.
-    if (inward.count > 0.5 * inward.asked) return WrongReason::inward;
-    if (tiltsWithoutSlope(examination)) return WrongReason::flatTilted;
-    if (kind == RampKind::strangeParametrisation && !growsWithSlope(examination))
-        return WrongReason::doesNotGrow;
-    if (const auto reason = reasonOf(kind)) return reason;
-    if (!hasSenses(kind)) return std::nullopt;
-    if (const auto reason = findDisagreement(examination)) return reason;
-    // The remaining reasons concern submissions that are right on ramps.
-    if (kind != RampKind::right) return std::nullopt;
-    // Tangents at the texel's corner turn a very strong tilt inwards at the seam's step.
-    constexpr double kSomeInward = 0.01;
-    if (inward.count > kSomeInward * inward.asked) return WrongReason::inward;
-    if (!growsWithSlope(examination)) return WrongReason::doesNotGrow;
-    if (!examination.proportion.staysAboveHorizon()) return WrongReason::pastHorizon;
-    if (examination.conduct.memory > kSomeChange) return WrongReason::remembers;
-    if (examination.edges && !examination.edges->goodSeam()) return WrongReason::wallAtSeam;
-    if (examination.fineness && !examination.fineness->good())
-        return WrongReason::coordinatesRounded;
-    if (!examination.letters || !examination.letters->good()) return WrongReason::lettersDiffer;
-    return std::nullopt;
+bool isTransposed(const Examination& examination, const std::optional<Hints>& hints) {
+    const bool unclear = !examination.ramps().response;
+    return unclear && (examination.ramps().transposed || (hints && hints->square.transposed));
 }
 
 bool standsOnItsHead(const Examination& examination) {
@@ -163,27 +168,29 @@ bool pointsInwards(const Examination& examination) {
     return inward.count > kNearlyAll * inward.asked;
 }
 
-std::vector<Fault> diagnose(const Examination& examination, const std::optional<Hints>& hints) {
-    if (isTransposed(examination, hints)) return {Fault::swapped};
-    std::vector<Fault> faults;
+Diagnosis diagnose(const Examination& examination, const std::optional<Hints>& hints) {
+    if (isTransposed(examination, hints)) return {{Fault::swapped}, {}};
+    Diagnosis diagnosis;
+    std::vector<Fault>& faults = diagnosis.faults;
     const Conduct& conduct = examination.conduct;
     if (conduct.threw) faults.push_back(Fault::threw);
     if (conduct.notFinite) faults.push_back(Fault::notFinite);
     if (conduct.notUnit) faults.push_back(Fault::notUnit);
     if (isFlat(examination)) {
         faults.push_back(Fault::flat);
-        return faults;
+        return diagnosis;
     }
     // Missing answers and answers that are not finite explain all other oddities.
     const bool incomplete = conduct.threw || conduct.notFinite;
+    if (!incomplete) diagnosis.wrong = findWrong(examination);
     const bool inward = !incomplete && pointsInwards(examination);
     // Seen from inside, signs and the map's place differ from those in the code.
     if (inward) faults.push_back(Fault::wrong);
     const bool telling = !tiltsWithoutSlope(examination);
     if (const auto fault = faultOf(examination); fault && telling) faults.push_back(*fault);
     if (telling && standsOnItsHead(examination)) faults.push_back(Fault::upsideDown);
-    if (!incomplete && !inward && findWrong(examination)) faults.push_back(Fault::wrong);
-    return faults;
+    if (!inward && diagnosis.wrong) faults.push_back(Fault::wrong);
+    return diagnosis;
 }
 
 }  // namespace ticker::tasks::bump

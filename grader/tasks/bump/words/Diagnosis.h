@@ -27,10 +27,6 @@ enum class Fault {
 /// The fault's row in the table of findings.
 [[nodiscard]] const FindingText& textOf(Fault fault);
 
-/// Every fault that applies, the most important first; empty for a right submission.
-[[nodiscard]] std::vector<Fault> diagnose(const Examination& examination,
-                                          const std::optional<Hints>& hints);
-
 /// Why a submission is wrong, if no named fault applies. The first reason that applies is reported.
 enum class WrongReason {
     chance,         ///< the same point of the same map gets another normal each time
@@ -55,6 +51,18 @@ enum class WrongReason {
     coordinatesRounded,  ///< u or v, coarsely
     lettersDiffer
 };
+
+/// What is wrong with a submission.
+struct Diagnosis {
+    std::vector<Fault> faults;         ///< the most important first; empty for a right submission
+    std::optional<WrongReason> wrong;  ///< of Fault::wrong
+};
+[[nodiscard]] Diagnosis diagnose(const Examination& examination,
+                                 const std::optional<Hints>& hints = {});
+
+/// True if columns and rows are exchanged in the look-up. Such a look-up leaves the map unless the
+/// map is square, so that the hints may show it alone.
+[[nodiscard]] bool isTransposed(const Examination& examination, const std::optional<Hints>& hints);
 
 /// Row 0 lies at the bottom of the sphere.
 [[nodiscard]] bool standsOnItsHead(const Examination& examination);

@@ -3,9 +3,55 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace ticker::tasks::bump {
+namespace {
+
+// If the direction is right, or inverted, at every longitude, only a factor can change.
+bool onlyStrengthChanges(const Response& response) {
+    const auto keepsDirection = [](const AxisResponse& axis) {
+        return axis.bandsThatTurn == 0 &&
+               (axis.sense == Sense::right || axis.sense == Sense::inverted);
+    };
+    return keepsDirection(response.u) && keepsDirection(response.v);
+}
+
+Words strengthWords(const Response& response) {
+    return {fmt::format("The normal tilts along the right lines, but not as far everywhere: the "
+                        "same slope tilts it {:.1f} times as far at one longitude as at another.",
+                        std::max(response.u.strengthRatio, response.v.strengthRatio)),
+            "Leave Pu and Pv as they are. Bu and Bv, or the terms of Equation (1), are multiplied "
+            "or divided by something that changes round the sphere: the distance to the camera "
+            "(position.magnitude()), a coordinate of the position or of the normal, an angle. "
+            "Take that factor out: the slope is a difference of texels, and nothing else scales "
+            "it.",
+            "Option 1: What to do, steps 3 and 4"};
+}
+
+}  // namespace
+
+Words longitudeWords(const Examination& examination) {
+    if (onlyStrengthChanges(*examination.ramps().response))
+        return strengthWords(*examination.ramps().response);
+    const double turn = examination.ramps().response->tangentTurn;
+    Words words;
+    words.message =
+        turn == 0.0 ? "The same slope tilts the normal differently at different longitudes: the "
+                      "tilt should turn with the point round the sphere."
+                    : fmt::format(
+                          "The normal tilts as it should at a longitude that is {:.0f} "
+                          "degrees away: the tangents belong to another parametrisation "
+                          "than the place where the map is looked up.",
+                          std::abs(turn));
+    words.hint =
+        "Pu and Pv must come from the same angles, with the same axis and the same origin, as the "
+        "(u, v) that you look up: write the point with your own longitude and polar angle, and "
+        "differentiate that.";
+    words.section = "Option 1: What to do, step 2";
+    return words;
+}
 
 Words smallSlopesWords() {
     return {"Steps of the map tilt the normal, but even slopes tilt nothing.",

@@ -17,6 +17,9 @@ namespace ticker::tasks::bump {
 /// The gentlest slope turns the normal by 90 degrees.
 [[nodiscard]] Words normalMissingWords();
 
+/// Words of bump.longitude-dependent: another strength, or tangents of another parametrisation.
+[[nodiscard]] Words longitudeWords(const Examination& examination);
+
 }  // namespace ticker::tasks::bump
 
 #endif

@@ -3,6 +3,7 @@
 #include <grader/tasks/bump/words/Words.h>
 
 #include <grader/tasks/bump/words/BumpEvidence.h>
+#include <grader/tasks/bump/words/GrowthWords.h>
 #include <grader/tasks/bump/words/Phrases.h>
 #include <grader/tasks/bump/words/SignWords.h>
 #include <grader/tasks/bump/words/WrongWords.h>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -68,48 +70,6 @@ Words flatWords() {
         "Option 1: What to do, steps 3 and 4"};
 }
 
-// If the direction is right, or inverted, at every longitude, only a factor can change.
-bool onlyStrengthChanges(const Response& response) {
-    const auto keepsDirection = [](const AxisResponse& axis) {
-        return axis.bandsThatTurn == 0 &&
-               (axis.sense == Sense::right || axis.sense == Sense::inverted);
-    };
-    return keepsDirection(response.u) && keepsDirection(response.v);
-}
-
-Words strengthWords(const Response& response) {
-    return {fmt::format("The normal tilts along the right lines, but not as far everywhere: the "
-                        "same slope tilts it {:.1f} times as far at one longitude as at another.",
-                        std::max(response.u.strengthRatio, response.v.strengthRatio)),
-            "Leave Pu and Pv as they are. Bu and Bv, or the terms of Equation (1), are multiplied "
-            "or divided by something that changes round the sphere: the distance to the camera "
-            "(position.magnitude()), a coordinate of the position or of the normal, an angle. "
-            "Take that factor out: the slope is a difference of texels, and nothing else scales "
-            "it.",
-            "Option 1: What to do, steps 3 and 4"};
-}
-
-Words longitudeWords(const Examination& examination) {
-    if (onlyStrengthChanges(*examination.ramps().response))
-        return strengthWords(*examination.ramps().response);
-    const double turn = examination.ramps().response->tangentTurn;
-    Words words;
-    words.message =
-        turn == 0.0 ? "The same slope tilts the normal differently at different longitudes: the "
-                      "tilt should turn with the point round the sphere."
-                    : fmt::format(
-                          "The normal tilts as it should at a longitude that is {:.0f} "
-                          "degrees away: the tangents belong to another parametrisation "
-                          "than the place where the map is looked up.",
-                          std::abs(turn));
-    words.hint =
-        "Pu and Pv must come from the same angles, with the same axis and the same origin, as the "
-        "(u, v) that you look up: write the point with your own longitude and polar angle, and "
-        "differentiate that.";
-    words.section = "Option 1: What to do, step 2";
-    return words;
-}
-
 Words swappedWords(const Examination& examination, const std::optional<Hints>& hints) {
     const bool transposed = examination.ramps().transposed || (hints && hints->square.transposed);
     if (transposed)
@@ -140,32 +100,44 @@ bool isSign(Fault fault) {
     return fault == Fault::inverted || fault == Fault::invertedU || fault == Fault::invertedV;
 }
 
-Words wordsFor(Fault fault, const Examination& examination, const std::optional<Hints>& hints) {
-    switch (fault) {
-        case Fault::threw:
-            return threwWords(examination.conduct.threw);
-        case Fault::notFinite:
-            return notFiniteWords(examination.conduct.notFinite);
-        case Fault::notUnit:
-            return notUnitWords(examination.conduct.notUnit);
-        case Fault::flat:
-            return flatWords();
-        case Fault::longitudeDependent:
-            return longitudeWords(examination);
-        case Fault::swapped:
-            return swappedWords(examination, hints);
-        case Fault::inverted:
-            return invertedWords();
-        case Fault::invertedU:
-            return invertedUWords();
-        case Fault::invertedV:
-            return invertedVWords();
-        case Fault::upsideDown:
-            return upsideDownWords();
-        case Fault::wrong:
-            return wrongWords(*findWrong(examination), examination, hints);
-    }
-    return {};
+/// What words are made from.
+struct Told {
+    const Examination& examination;
+    const std::optional<Hints>& hints;
+    std::optional<WrongReason> wrong;
+};
+
+struct FaultRow {
+    Fault fault;
+    const FindingText* text;
+    Words (*words)(const Told& told);
+};
+
+/// In the order of Fault.
+constexpr std::array kFaults{
+    FaultRow{Fault::threw, &kRunCrashed,
+             [](const Told& told) { return threwWords(told.examination.conduct.threw); }},
+    FaultRow{Fault::notFinite, &kBumpNotFinite,
+             [](const Told& told) { return notFiniteWords(told.examination.conduct.notFinite); }},
+    FaultRow{Fault::notUnit, &kBumpNotUnit,
+             [](const Told& told) { return notUnitWords(told.examination.conduct.notUnit); }},
+    FaultRow{Fault::flat, &kBumpFlat, [](const Told&) { return flatWords(); }},
+    FaultRow{Fault::longitudeDependent, &kBumpLongitudeDependent,
+             [](const Told& told) { return longitudeWords(told.examination); }},
+    FaultRow{Fault::swapped, &kBumpSwappedAxes,
+             [](const Told& told) { return swappedWords(told.examination, told.hints); }},
+    FaultRow{Fault::inverted, &kBumpInverted, [](const Told&) { return invertedWords(); }},
+    FaultRow{Fault::invertedU, &kBumpInvertedU, [](const Told&) { return invertedUWords(); }},
+    FaultRow{Fault::invertedV, &kBumpInvertedV, [](const Told&) { return invertedVWords(); }},
+    FaultRow{Fault::upsideDown, &kBumpUpsideDown, [](const Told&) { return upsideDownWords(); }},
+    FaultRow{Fault::wrong, &kBumpWrong,
+             [](const Told& told) {
+                 return wrongWords(told.wrong.value(), told.examination, told.hints);
+             }},
+};
+
+const FaultRow& rowOf(Fault fault) {
+    return *std::ranges::find(kFaults, fault, &FaultRow::fault);
 }
 
 Finding note(const FindingText& text, Severity severity, Words words) {
@@ -200,11 +172,17 @@ Finding endRowsWarning(const MapEdges& edges) {
 
 }  // namespace
 
-Finding describe(const std::vector<Fault>& faults, const Examination& examination,
+const FindingText& textOf(Fault fault) {
+    return *rowOf(fault).text;
+}
+
+Finding describe(const Diagnosis& diagnosis, const Examination& examination,
                  const std::optional<Hints>& hints) {
-    Words words = wordsFor(faults.front(), examination, hints);
+    const std::vector<Fault>& faults = diagnosis.faults;
+    const Told told{examination, hints, diagnosis.wrong};
+    Words words = rowOf(faults.front()).words(told);
     if (faults.front() == Fault::threw && faults.size() > 1)
-        addNext(words, wordsFor(faults[1], examination, hints));
+        addNext(words, rowOf(faults[1]).words(told));
     if (isSign(faults.front()) && standsOnItsHead(examination))
         words = signOnItsHeadWords(std::move(words));
     Finding finding = note(textOf(faults.front()), Severity::fail, std::move(words));

@@ -11,9 +11,10 @@
 namespace ticker::tasks::bump {
 
 /// The finding that a student reads: message, hint, section and evidence.
-/// @param faults  All faults that `diagnose` found; the first is described, the others are named in
-///         the evidence.
-[[nodiscard]] Finding describe(const std::vector<Fault>& faults, const Examination& examination,
+/// @param diagnosis  Of the examination, with at least one fault; the first is described, the
+/// others
+///                   are named in the evidence.
+[[nodiscard]] Finding describe(const Diagnosis& diagnosis, const Examination& examination,
                                const std::optional<Hints>& hints);
 
 /// Findings that are harmless but should be known: mirrored text, trouble at poles.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -175,56 +176,65 @@ Words lettersWords(const LetterReading& letters) {
         "Option 1: Test it"};
 }
 
+/// What words are made from.
+struct Seen {
+    const Examination& examination;
+    const std::optional<Hints>& hints;
+};
+
+struct ReasonRow {
+    WrongReason reason;
+    Words (*words)(const Seen& told);
+};
+
+constexpr std::array kReasons{
+    ReasonRow{WrongReason::chance,
+              [](const Seen& told) { return chanceWords(told.examination.conduct.chance); }},
+    ReasonRow{WrongReason::mapIgnored, [](const Seen&) { return mapIgnoredWords(); }},
+    ReasonRow{WrongReason::remembers, [](const Seen&) { return remembersWords(); }},
+    ReasonRow{WrongReason::normalMissing, [](const Seen&) { return normalMissingWords(); }},
+    ReasonRow{WrongReason::inward,
+              [](const Seen& told) { return inwardWords(told.examination.conduct.inward); }},
+    ReasonRow{WrongReason::flatTilted,
+              [](const Seen& told) { return flatTiltedWords(told.examination.ladder.flatTilt); }},
+    ReasonRow{WrongReason::slopeUIgnored, [](const Seen&) { return ignoredWords("u", "columns"); }},
+    ReasonRow{WrongReason::slopeVIgnored, [](const Seen&) { return ignoredWords("v", "rows"); }},
+    ReasonRow{WrongReason::signLost,
+              [](const Seen& told) { return landingWords(told.examination, told.hints); }},
+    ReasonRow{WrongReason::strangeParametrisation,
+              [](const Seen& told) { return landingWords(told.examination, told.hints); }},
+    ReasonRow{WrongReason::smallSlopesLost, [](const Seen&) { return smallSlopesWords(); }},
+    ReasonRow{WrongReason::patchy,
+              [](const Seen& told) {
+                  if (told.hints && told.hints->square.kind == RampKind::right) return sizeWords();
+                  return patchyWords(*told.examination.ramps().response);
+              }},
+    ReasonRow{WrongReason::strangeDirection,
+              [](const Seen& told) { return directionWords(*told.examination.ramps().response); }},
+    ReasonRow{WrongReason::doesNotGrow,
+              [](const Seen& told) { return growthWords(told.examination); }},
+    ReasonRow{WrongReason::pastHorizon,
+              [](const Seen& told) { return horizonWords(told.examination.proportion); }},
+    ReasonRow{WrongReason::steepDiffers,
+              [](const Seen& told) { return steepWords(told.examination.ladder.steepAgrees); }},
+    ReasonRow{WrongReason::regionsDiffer,
+              [](const Seen& told) { return regionWords(*told.examination.regions); }},
+    ReasonRow{WrongReason::slopesDiffer,
+              [](const Seen& told) { return slopesWords(*told.examination.slopes); }},
+    ReasonRow{WrongReason::wallAtSeam,
+              [](const Seen& told) { return seamWords(*told.examination.edges); }},
+    ReasonRow{WrongReason::coordinatesRounded,
+              [](const Seen& told) { return roundedWords(*told.examination.fineness); }},
+    ReasonRow{WrongReason::lettersDiffer,
+              [](const Seen& told) { return lettersWords(*told.examination.letters); }},
+};
+
 }  // namespace
 
 Words wrongWords(WrongReason reason, const Examination& examination,
                  const std::optional<Hints>& hints) {
     if (reason != WrongReason::chance && hints && hints->dependsOnOrder) return orderWords();
-    switch (reason) {
-        case WrongReason::chance:
-            return chanceWords(examination.conduct.chance);
-        case WrongReason::mapIgnored:
-            return mapIgnoredWords();
-        case WrongReason::remembers:
-            return remembersWords();
-        case WrongReason::normalMissing:
-            return normalMissingWords();
-        case WrongReason::inward:
-            return inwardWords(examination.conduct.inward);
-        case WrongReason::flatTilted:
-            return flatTiltedWords(examination.ladder.flatTilt);
-        case WrongReason::slopeUIgnored:
-            return ignoredWords("u", "columns");
-        case WrongReason::slopeVIgnored:
-            return ignoredWords("v", "rows");
-        case WrongReason::signLost:
-        case WrongReason::strangeParametrisation:
-            return landingWords(examination, hints);
-        case WrongReason::smallSlopesLost:
-            return smallSlopesWords();
-        case WrongReason::patchy:
-            if (hints && hints->square.kind == RampKind::right) return sizeWords();
-            return patchyWords(*examination.ramps().response);
-        case WrongReason::strangeDirection:
-            return directionWords(*examination.ramps().response);
-        case WrongReason::doesNotGrow:
-            return growthWords(examination);
-        case WrongReason::pastHorizon:
-            return horizonWords(examination.proportion);
-        case WrongReason::steepDiffers:
-            return steepWords(examination.ladder.steepAgrees);
-        case WrongReason::regionsDiffer:
-            return regionWords(*examination.regions);
-        case WrongReason::slopesDiffer:
-            return slopesWords(*examination.slopes);
-        case WrongReason::wallAtSeam:
-            return seamWords(*examination.edges);
-        case WrongReason::coordinatesRounded:
-            return roundedWords(*examination.fineness);
-        case WrongReason::lettersDiffer:
-            return lettersWords(*examination.letters);
-    }
-    return {};
+    return std::ranges::find(kReasons, reason, &ReasonRow::reason)->words({examination, hints});
 }
 
 }  // namespace ticker::tasks::bump

@@ -33,7 +33,7 @@ std::optional<WrongReason> reasonAfter(const Change& change) {
 
 TEST(FindWrong, FindsNothingInARightSubmission) {
     EXPECT_FALSE(findWrong(fine()));
-    EXPECT_TRUE(diagnose(fine(), std::nullopt).empty());
+    EXPECT_TRUE(diagnose(fine()).faults.empty());
 }
 
 TEST(FindWrong, NamesWhatIsWrongWithTheConduct) {
@@ -135,7 +135,7 @@ std::vector<std::string> idsAfter(const std::function<void(Examination&)>& chang
     Examination examination = fine();
     change(examination);
     std::vector<std::string> ids;
-    for (const Fault fault : diagnose(examination, hints))
+    for (const Fault fault : diagnose(examination, hints).faults)
         ids.emplace_back(textOf(fault).id);
     return ids;
 }
