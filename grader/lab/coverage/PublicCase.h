@@ -1,5 +1,7 @@
-#ifndef TICKER_TOOLS_PUBLICCOVERAGE_CASE_H
-#define TICKER_TOOLS_PUBLICCOVERAGE_CASE_H
+#ifndef TICKER_LAB_COVERAGE_PUBLICCASE_H
+#define TICKER_LAB_COVERAGE_PUBLICCASE_H
+
+#include <grader/exercise/Exercise.h>
 
 #include <filesystem>
 #include <map>
@@ -19,7 +21,8 @@ struct Case {
 
 /// The catalogue of mistakes and accepted readings, the sample class, and the unseen solutions.
 /// @param root  The project's root.
-[[nodiscard]] std::vector<Case> listCases(const std::filesystem::path& root);
+[[nodiscard]] std::vector<Case> listCases(const std::filesystem::path& root,
+                                          const Exercise& exercise);
 
 }  // namespace ticker::coverage
 

@@ -1,5 +1,6 @@
-#include "Examine.h"
+#include <grader/lab/coverage/PublicExaminer.h>
 
+#include <grader/base/JsonValue.h>
 #include <grader/base/WholeFile.h>
 
 #include <raytracer/base/Error.h>
@@ -7,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <sys/wait.h>
-#include <array>
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <utility>
@@ -16,8 +17,6 @@ namespace ticker::coverage {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array kNames{"BumpySphere", "Renderer"};
 
 std::string quoted(const fs::path& path) {
     return "'" + path.string() + "'";  // our own paths contain no quotes
@@ -29,11 +28,20 @@ int run(const std::string& command) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
-std::vector<std::string> suitesOf(const std::string& task) {
-    if (task == "T1") return {"BumpMapping"};
-    if (task == "T2.1") return {"SoftShadows"};
-    if (task == "T2.2") return {"DepthOfField"};
-    return {"SoftShadows", "DepthOfField"};
+/// The public tests' suite of each task, as the template's check.json lists them.
+std::map<std::string, std::string> readSuites(const fs::path& root, const Exercise& exercise) {
+    const fs::path file = root / fs::path{exercise.stubs}.parent_path() / "check.json";
+    std::map<std::string, std::string> suites;
+    for (const JsonValue& task :
+         JsonValue::parse(readWhole(file), file.string()).at("tasks").items())
+        suites[task.at("id").text()] = task.at("suite").text();
+    return suites;
+}
+
+/// Whether an option has this task.
+bool isOf(const std::string& task, const std::string& option, const Exercise& exercise) {
+    const auto found = std::ranges::find(exercise.options, option, &OptionEntry::name);
+    return found != exercise.options.end() && std::ranges::count(found->tasks, task) > 0;
 }
 
 Outcome read(const nlohmann::json& report) {
@@ -62,10 +70,10 @@ ScratchFolder::~ScratchFolder() {
     fs::remove_all(path_, ignored);
 }
 
-Examiner::Examiner(fs::path root, fs::path linkFile)
-    : root_(std::move(root)), linkFile_(std::move(linkFile)) {
-    for (const std::string name : kNames)
-        if (!compile(readWhole(root_ / "reference_solution/exercise" / (name + ".cpp")), name,
+Examiner::Examiner(fs::path root, const Exercise& exercise)
+    : root_(std::move(root)), exercise_(exercise), suites_(readSuites(root_, exercise)) {
+    for (const std::string& file : exercise_.files())
+        if (!compile(readWhole(root_ / exercise_.reference / file), fs::path{file}.stem(),
                      reference_.path()))
             throw raytracer::Error("the reference solution does not compile");
 }
@@ -81,14 +89,15 @@ bool Examiner::compile(const std::string& text, const std::string& name,
 
 bool Examiner::build(const Case& one, const fs::path& folder) const {
     std::string objects;
-    for (const std::string name : kNames) {
-        const auto own = one.files.find(name + ".cpp");
+    for (const std::string& file : exercise_.files()) {
+        const std::string name = fs::path{file}.stem();
+        const auto own = one.files.find(file);
         const bool isOwn = own != one.files.end();
         if (isOwn && !compile(own->second, name, folder)) return false;
         objects += " " + quoted((isOwn ? folder : reference_.path()) / (name + ".o"));
     }
     const std::string link = "cd " + quoted(folder) + " && " TICKER_LINK + objects + " @" +
-                             quoted(linkFile_) + " -o public_tests 2>link.txt";
+                             quoted(TICKER_LINK_FILE) + " -o public_tests 2>link.txt";
     if (run(link) != 0) throw raytracer::Error("cannot link: " + readWhole(folder / "link.txt"));
     return true;
 }
@@ -101,8 +110,9 @@ Outcome Examiner::examine(const Case& one) const {
         return outcome;
     }
     std::string filter;
-    for (const std::string& suite : suitesOf(one.task))
-        filter += (filter.empty() ? "" : ":") + suite + ".*";
+    for (const auto& [task, suite] : suites_)
+        if (task == one.task || isOf(task, one.task, exercise_))
+            filter += (filter.empty() ? "" : ":") + suite + ".*";
     // A right solution takes less than a second of CPU time.
     const int status = run("cd " + quoted(work.path()) +
                            " && ulimit -t 20 && timeout 120 ./public_tests --gtest_filter='" +

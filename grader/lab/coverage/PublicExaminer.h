@@ -1,7 +1,7 @@
-#ifndef TICKER_TOOLS_PUBLICCOVERAGE_EXAMINE_H
-#define TICKER_TOOLS_PUBLICCOVERAGE_EXAMINE_H
+#ifndef TICKER_LAB_COVERAGE_PUBLICEXAMINER_H
+#define TICKER_LAB_COVERAGE_PUBLICEXAMINER_H
 
-#include "Case.h"
+#include <grader/lab/coverage/PublicCase.h>
 
 #include <filesystem>
 #include <string>
@@ -36,9 +36,8 @@ class Examiner {
 public:
     /// Compiles the reference solution, which replaces missing files of a case.
     /// @param root      The project's root.
-    /// @param linkFile  The compiler's @FILE with the linker's arguments.
     /// @throws raytracer::Error if our own files fail.
-    Examiner(std::filesystem::path root, std::filesystem::path linkFile);
+    Examiner(std::filesystem::path root, const Exercise& exercise);
 
     /// Compiles a case, links it with the public tests and runs them. Threads may share an
     /// examiner.
@@ -51,7 +50,8 @@ private:
     [[nodiscard]] bool build(const Case& one, const std::filesystem::path& folder) const;
 
     std::filesystem::path root_;
-    std::filesystem::path linkFile_;
+    const Exercise& exercise_;
+    std::map<std::string, std::string> suites_;  ///< of the public tests, by task
     ScratchFolder reference_;
 };
 

@@ -1,0 +1,36 @@
+#ifndef TICKER_LAB_COVERAGE_COVERAGETABLES_H
+#define TICKER_LAB_COVERAGE_COVERAGETABLES_H
+
+#include <grader/exercise/Exercise.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ticker::coverage {
+
+struct CoverageRun {
+    const Exercise* exercise = &defaultExercise();
+    std::string only;       ///< cases whose name contains it
+    double fraction = 1.0;  ///< share of them, evenly picked
+    int jobs = 2;
+    std::function<void(std::size_t done, std::size_t of)>
+        progress;  ///< one call at a time; or null
+};
+
+struct Coverage {
+    std::string text;  ///< Markdown: a summary, and a table for each task
+    std::vector<std::string>
+        refused;  ///< right solutions on which a public test fails, a line each
+};
+
+/// Runs the public tests on the catalogue, the samples and the unseen solutions.
+/// @param root  The project's root.
+/// @throws raytracer::Error if our own files fail.
+[[nodiscard]] Coverage measure(const std::filesystem::path& root, const CoverageRun& run);
+
+}  // namespace ticker::coverage
+
+#endif
