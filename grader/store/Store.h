@@ -28,7 +28,7 @@ struct ResultRow {
     Inputs inputs;
     std::string gradedAt;            ///< UTC, "2026-11-21T16:05:36Z"
     std::int64_t timesGraded = 0;    ///< to the end, in this OUT
-    std::vector<std::string> tasks;  ///< "T1:passed", in the exercise's order
+    std::vector<std::string> tasks;  ///< "ID:passed", in the exercise's order
 };
 
 /// Words for students that the tickers of a class share.
