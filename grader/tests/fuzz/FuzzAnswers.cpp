@@ -16,9 +16,9 @@ using Words = std::vector<std::uint64_t>;
 constexpr std::uint32_t kMostEvents = 20;
 
 const std::vector<probe::Question>& questions() {
-    static const std::vector<probe::Question> asked{tests::normalQuestion(),
-                                                    tests::illuminateQuestion(kMostEvents),
-                                                    tests::renderQuestion(kMostEvents)};
+    static const std::vector<probe::Question> asked{
+        tests::normalQuestion(), tests::illuminateQuestion(kMostEvents),
+        tests::renderQuestion(kMostEvents), probe::HitQuestion{tests::smallScene(), {{}, {}}}};
     return asked;
 }
 
@@ -43,6 +43,9 @@ void check(const probe::NormalAnswer& answer) {
 void check(const probe::IlluminateAnswer& answer) {
     require(answer.colours.size() == 2 && answer.exceptions <= 2, "one colour for each point");
     checkEvents(answer.events, 2);
+}
+void check(const probe::HitAnswer& answer) {
+    require(answer.hits.size() == 2 && answer.exceptions <= 2, "one hit for each ray");
 }
 void check(const probe::RenderAnswer& answer) {
     require(answer.images.size() == 2 && answer.images[1].size() == 48 && answer.exceptions <= 2,
