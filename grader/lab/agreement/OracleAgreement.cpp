@@ -90,7 +90,8 @@ OracleAgreement::OracleAgreement(AgreementPlan plan, const build::Kit& kit,
                                  const sandbox::Sandbox& sandbox)
     : plan_(std::move(plan)), kit_(kit), sandbox_(sandbox) {
     for (const auto& entry : std::filesystem::directory_iterator(plan_.scenes))
-        if (entry.path().extension() == ".xml")
+        if (entry.path().extension() == ".xml" &&
+            std::ranges::count(plan_.leftOut, entry.path().stem().string()) == 0)
             scenes_.push_back(
                 {entry.path().stem().string(), raytracer::readScene(entry.path(), plan_.assets)});
     std::ranges::sort(scenes_, {}, &Scene::name);

@@ -21,10 +21,11 @@ namespace ticker::calibrate {
 
 /// What the oracle is compared with.
 struct AgreementPlan {
-    std::filesystem::path scenes;     ///< every *.xml in it
+    std::filesystem::path scenes;     ///< every *.xml in it but `leftOut`
     std::filesystem::path assets;     ///< maps of the scenes
     std::filesystem::path reference;  ///< the reference solution's two files
     std::vector<AgreementCase> cases;
+    std::vector<std::string> leftOut = {};  ///< scenes of other exercises, by name
     int rounds = 1;  ///< repetitions of each case with noise and each scene, with fresh seeds
 };
 

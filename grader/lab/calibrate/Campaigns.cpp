@@ -1,3 +1,4 @@
+#include <grader/exercise/Exercise.h>
 #include <grader/lab/agreement/OracleAgreement.h>
 #include <grader/lab/calibrate/Campaigns.h>
 #include <grader/lab/calibrate/ComparisonCampaign.h>
@@ -7,9 +8,24 @@
 
 #include <raytracer/io/SceneReader.h>
 
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace ticker::calibrate {
+namespace {
+
+/// The scenes of all exercises but the default one, by name.
+std::vector<std::string> scenesOfOthers() {
+    std::vector<std::string> names;
+    for (const Exercise& exercise : knownExercises())
+        if (exercise.name != defaultExercise().name)
+            for (const SceneEntry& scene : exercise.scenes)
+                names.push_back(scene.name);
+    return names;
+}
+
+}  // namespace
 
 std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& data,
                                                  Programs& programs) {
@@ -35,8 +51,12 @@ std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& da
         subjects,
         raytracer::readScene(data / "scenes" / (randomScene().name + ".xml"), data / "assets"),
         programs));
-    AgreementPlan plan{data / "scenes", data / "assets", data / defaultExercise().reference,
-                       agreementCases(corpus::readCatalogue(data)), kAgreementRounds};
+    AgreementPlan plan{data / "scenes",
+                       data / "assets",
+                       data / defaultExercise().reference,
+                       agreementCases(corpus::readCatalogue(data)),
+                       scenesOfOthers(),
+                       kAgreementRounds};
     all.push_back(
         std::make_unique<OracleAgreement>(std::move(plan), programs.kit(), programs.sandbox()));
     return all;

@@ -55,7 +55,7 @@ test("a report draws the rays of one pixel, with a line for each", () =>
     const drawing = page.locator(".ray-figure").first();
     await drawing.scrollIntoViewIfNeeded();
     const lines = drawing.getByRole("listbox", { name: "Rays" }).locator("li");
-    assert.ok(await lines.count() > 10);
+    await lines.nth(10).waitFor();
     await lines.nth(2).click();
     assert.equal(await drawing.locator("[aria-selected=true]").count(), 1);
     assert.match(await drawing.locator(".ray-faces").textContent(), /The lens, and where rays start on it/);
