@@ -48,10 +48,15 @@ TEST(Kit, PrecompiledHeaderFitsTheFlags) {
     EXPECT_NE(output.find("Framework.h.gch"), std::string::npos) << output;
 }
 
-TEST(Kit, HoldsNoPathOfTheProject) {
+// Clang's precompiled headers name the place where they were made; a kit that was moved sees it by
+// this member and makes them anew.
+TEST(Kit, HoldsNoPathOfTheProjectButThatWhereItWasMade) {
     const Kit kit = Kit::besideProgram();
-    const std::string json =
+    std::string json =
         tests::readFile(std::filesystem::relative(kit.folder() / "kit.json", TICKER_SOURCE_DIR));
+    const std::size_t made = json.find("\"madeAt\"");
+    ASSERT_NE(made, std::string::npos);
+    json.erase(made, json.find('\n', made) - made);
     EXPECT_EQ(json.find(TICKER_SOURCE_DIR), std::string::npos);
 }
 

@@ -41,7 +41,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 std::optional<double> parseNumber(std::string_view text) {
     if (text.starts_with('+')) {
         text.remove_prefix(1);
-        if (text.starts_with('-')) return std::nullopt;
+        if (text.starts_with('+') || text.starts_with('-')) return std::nullopt;
     }
     // Not every library can read a double with from_chars. strtod also takes other notations.
     if (text.empty() || text.find_first_not_of("0123456789.eE+-") != std::string_view::npos)
