@@ -188,10 +188,12 @@ private:
 /// "they start at x from -0.2 to 0.2 and y from -0.2 to 0.2"
 std::string startsOf(const std::vector<TracedRay>& rays) {
     const auto between = [&](double Vector3::*axis) {
-        const auto [low, high] = std::ranges::minmax(
-            rays, {}, [axis](const TracedRay& traced) { return traced.ray.origin.*axis; });
-        return "from " + numberText(low.ray.origin.*axis) + " to " +
-               numberText(high.ray.origin.*axis);
+        const auto [low, high] = std::minmax_element(
+            rays.begin(), rays.end(), [axis](const TracedRay& first, const TracedRay& second) {
+                return first.ray.origin.*axis < second.ray.origin.*axis;
+            });
+        return "from " + numberText(low->ray.origin.*axis) + " to " +
+               numberText(high->ray.origin.*axis);
     };
     return "they start at x " + between(&Vector3::x) + " and y " + between(&Vector3::y);
 }
