@@ -5,3 +5,5 @@ set(CMAKE_CXX_COMPILER clang++-14)
 set(CMAKE_CXX_FLAGS_INIT "-stdlib=libc++")
 set(CMAKE_DISABLE_FIND_PACKAGE_GTest ON)
 set(CMAKE_DISABLE_FIND_PACKAGE_tinyxml2 ON)
+# Debian's cpp-httplib is a library of its own, compiled for GCC's standard library.
+set(TICK1STAR_VIEW OFF CACHE BOOL "")
