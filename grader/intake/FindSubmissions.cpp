@@ -1,6 +1,6 @@
+#include <grader/intake/ClassExport.h>
 #include <grader/intake/Intake.h>
 #include <grader/intake/Layout.h>
-#include <grader/intake/ClassExport.h>
 #include <grader/intake/SafeName.h>
 
 #include <raytracer/base/Error.h>

@@ -20,8 +20,8 @@ struct Located {
 /// All submissions below a path. A path is a submission if it contains one of the parts, or a
 /// class: a folder of such folders and archives, over any number of levels. A folder with other
 /// contents counts as a submission if its neighbours are submissions: the files may have wrong
-/// names. An export of Moodle or Canvas, as downloaded or unpacked, gives every owner, as "<name>_<id>", and
-/// everything else that may be work, by its own name.
+/// names. An export of Moodle or Canvas, as downloaded or unpacked, gives every owner, as
+/// "<name>_<id>", and everything else that may be work, by its own name.
 /// @throws raytracer::InputError if the path does not exist or cannot be read.
 [[nodiscard]] std::vector<Located> findSubmissions(const std::filesystem::path& path,
                                                    const Exercise& exercise = defaultExercise());

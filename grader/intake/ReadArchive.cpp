@@ -1,6 +1,6 @@
 #include <grader/base/Utf8.h>
-#include <grader/intake/Contents.h>
 #include <grader/intake/ClassExport.h>
+#include <grader/intake/Contents.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>

@@ -44,8 +44,8 @@ namespace ticker::report {
 [[nodiscard]] std::optional<std::string> junitXml(const StudentView& view);
 
 /// Workflow commands that GitHub shows as annotations at the student's lines, one for each error of
-/// the compiler and each finding. Findings have a task's id in braces for the line, "line={ID}": the
-/// step that prints them knows where the task begins. Empty where the result is notGraded.
+/// the compiler and each finding. Findings have a task's id in braces for the line, "line={ID}":
+/// the step that prints them knows where the task begins. Empty where the result is notGraded.
 [[nodiscard]] std::optional<std::string> gitHubAnnotations(const StudentView& view);
 
 }  // namespace ticker::report

@@ -1,5 +1,5 @@
-#include <grader/intake/Intake.h>
 #include <grader/intake/ClassExport.h>
+#include <grader/intake/Intake.h>
 #include <grader/tests/support/MoodleExport.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
