@@ -2,7 +2,7 @@
 #define TICKER_CLI_CANVASFORMAT_H
 
 #include <grader/cli/Formats.h>
-#include <grader/report/StudentView.h>
+#include <grader/report/student/StudentView.h>
 
 #include <filesystem>
 #include <vector>

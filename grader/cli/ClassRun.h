@@ -54,7 +54,7 @@ public:
     /// Writes summary.csv and index.html of the whole class; without a store, neither.
     void finish() const;
 
-    /// A notice for the user about the store; empty if there is none to give.
+    /// A notice for the user about the store, or no text.
     [[nodiscard]] std::string notice() const { return store_ ? store_->notice() : ""; }
     /// Number of results in OUT's store.
     [[nodiscard]] std::size_t size() const { return store_ ? store_->results().size() : 0; }

@@ -9,7 +9,7 @@ constexpr std::string_view kDigits = "0123456789";
 constexpr std::string_view kLate = "_late";
 constexpr std::size_t kFewestAttachmentDigits = 5;
 
-/// Cuts the text before the next underscore off; empty where there is none.
+/// Removes the text up to the next underscore and returns it; empty without an underscore.
 std::string_view cutWord(std::string_view& rest) {
     const std::size_t end = rest.find('_');
     if (end == std::string_view::npos) return {};

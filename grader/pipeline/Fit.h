@@ -13,7 +13,7 @@ namespace ticker::pipeline {
 
 /// A picture of few rays is clear up to here. Right ones have 0.72 with a standard deviation of
 /// 0.03; those beyond are drawn again, no more. A mistake that has 1.12 in the handout's picture
-/// has 1.07 or more in this one: see docs/calibration.md.
+/// has 1.06 or more in this one: see docs/calibration.md.
 inline constexpr double kMostMisfitOfFewRays = 0.95;
 
 /// A submission's picture of a scene beside the expectation that fits it best.

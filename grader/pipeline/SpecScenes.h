@@ -89,7 +89,7 @@ struct Gallery {
 };
 
 /// Asks the submission for pictures of a file's scenes; missing pictures are left out. Pictures
-/// never fail a submission; a misfit may ask for review tasks/lens/checks/PictureDoubt.h,
+/// never fail a submission; a misfit may ask for review (tasks/lens/checks/PictureDoubt.h,
 /// tasks/bump/BumpPicture.h).
 [[nodiscard]] Gallery renderSpecScenes(const std::vector<SpecScene>& scenes, std::string_view file,
                                        probe::Examinee& examinee, Rays rays = Rays::few);

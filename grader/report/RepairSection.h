@@ -8,8 +8,8 @@
 namespace ticker::report {
 
 /// The edits that are proven to mend a failed task, as HTML: the simplest, the others folded away.
-/// Says plainly that there is none where edits were looked for; empty where they were not. An edit
-/// that is not proven is left out.
+/// If edits were looked for and none is proven, it says so; empty if no edits were looked for.
+/// Edits that are not proven are left out.
 [[nodiscard]] std::string repairSection(const SubmissionResult& result, const TaskReport& task);
 
 /// "An edit in line 12 of File.cpp mends this." if every proven edit of a task is in that one line;

@@ -17,7 +17,7 @@ bool takePrefix(std::string_view& text, std::string_view prefix) {
     return true;
 }
 
-/// Takes "12:" from the front; 0 where there is none.
+/// Takes a line number such as "12:" from the front; 0 if the text begins otherwise.
 int takeNumber(std::string_view& text) {
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -12,7 +12,7 @@ namespace ticker::report {
 
 /// The text of summary.csv: a header, then one line for each submission. First the tool's result:
 /// submission, verdict, score, option, the state of each task, and the ids of its findings of
-/// severity fail or warn, separated by spaces. Then the ticker's decision, empty if there is none:
+/// severity fail or warn, separated by spaces. Then the ticker's decision, or empty columns:
 /// ruling ("awarded", "notYet"), name, time (UTC) and comment. Lines end in CR LF (RFC 4180).
 /// @param exercise  The results' exercise.
 [[nodiscard]] std::string summaryCsv(const std::vector<SubmissionResult>& results,

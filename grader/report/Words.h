@@ -30,7 +30,7 @@ inline constexpr std::string_view kScreenshotFile = "images/screenshot.png";
 /// words.
 [[nodiscard]] std::string_view wordsForFinding(std::string_view id);
 
-/// An earlier task with exactly the same text, which need not be repeated; null if there is none.
+/// An earlier task with exactly the same text, which need not be repeated, or null.
 /// @param task  A task of the result.
 [[nodiscard]] const TaskReport* saidBefore(const SubmissionResult& result, const TaskReport& task);
 

@@ -11,8 +11,8 @@
 
 namespace ticker::tasks {
 
-/// The code of all tasks of an exercise, by its name; empty if there is none. A task is registered
-/// here only.
+/// The code of all tasks of an exercise, by its name; empty for an unknown name. A task is
+/// registered here only.
 [[nodiscard]] std::span<const Task> tasksOf(std::string_view exercise);
 
 /// Judges the tasks of a file, one after the other, for the lab and for tests: as a grading does,

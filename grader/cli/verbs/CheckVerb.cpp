@@ -3,8 +3,8 @@
 #include <grader/cli/verbs/Verb.h>
 #include <grader/intake/Intake.h>
 #include <grader/report/Escape.h>
-#include <grader/report/StudentView.h>
 #include <grader/report/Words.h>
+#include <grader/report/student/StudentView.h>
 #include <grader/result/Names.h>
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,7 @@
 #include <grader/base/WholeFile.h>
 #include <grader/cli/Home.h>
 #include <grader/cli/Output.h>
-#include <grader/report/StudentPage.h>
+#include <grader/report/student/StudentPage.h>
 #include <grader/result/ResultJson.h>
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #ifndef TICKER_CLI_STUDENTPAGES_H
 #define TICKER_CLI_STUDENTPAGES_H
 
-#include <grader/report/StudentView.h>
+#include <grader/report/student/StudentView.h>
 #include <grader/store/ClassFolder.h>
 
 #include <filesystem>

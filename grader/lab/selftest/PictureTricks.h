@@ -24,7 +24,7 @@ using metrics::Picture;
 [[nodiscard]] Picture moved(const ByteView& picture, int right, int down);
 /// A bright note over the lower right.
 [[nodiscard]] Picture withANote(const ByteView& picture);
-/// Hills of all sizes in natural colours, which is none of our scenes.
+/// A landscape in natural colours: hills of all sizes. No scene of the exercise looks like it.
 [[nodiscard]] Picture photograph(int width, int height, std::uint64_t seed);
 
 }  // namespace ticker::selftest

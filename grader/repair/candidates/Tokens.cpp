@@ -15,7 +15,7 @@ bool isSpace(char c) {
     return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Where a comment that begins at `at` ends; `at` if there is none.
+/// The end of the comment that begins at `at`; `at` itself if no comment begins there.
 std::size_t endOfComment(std::string_view text, std::size_t at) {
     if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
     if (text.substr(at, 2) != "/*") return at;

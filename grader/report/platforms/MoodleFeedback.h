@@ -1,7 +1,7 @@
 #ifndef TICKER_REPORT_MOODLEFEEDBACK_H
 #define TICKER_REPORT_MOODLEFEEDBACK_H
 
-#include <grader/report/StudentView.h>
+#include <grader/report/student/StudentView.h>
 
 #include <string>
 

@@ -23,8 +23,8 @@ struct Scene {
     bool isWanted = true;     ///< an attempted option asks for a screenshot of it
     bool mayMixBoth = false;  ///< the student may have rendered it with both files, and we with one
     const raytracer::SceneDescription* description = nullptr;
-    std::function<ByteView()> expected;   ///< its expected look, computed on demand
-    ByteView own;                         ///< this submission's render; no bytes if there is none
+    std::function<ByteView()> expected;  ///< its expected look, computed on demand
+    ByteView own;  ///< this submission's render; empty if it has not rendered the scene
     probe::Examinee* examinee = nullptr;  ///< this submission's code; null if it cannot be asked
     /// Why this code's pictures may differ from each other; empty if no reason is known.
     std::string whyUnlikeItself;

@@ -9,8 +9,9 @@ namespace ticker::tasks {
 
 // The findings of the screenshot. A new finding is one row here and one entry in the table below.
 
-inline constexpr FindingText kScreenshotMissing{
-    .id = "screenshot.missing", .words = "handed in no screenshot", .meaning = "there is none"};
+inline constexpr FindingText kScreenshotMissing{.id = "screenshot.missing",
+                                                .words = "handed in no screenshot",
+                                                .meaning = "no picture was handed in"};
 
 inline constexpr FindingText kScreenshotUnreadable{
     .id = "screenshot.unreadable",

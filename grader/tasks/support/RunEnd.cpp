@@ -82,7 +82,8 @@ std::optional<TaskJudgement> judgeUnanswered(const probe::Run& run, std::string_
     EndText text = textOf(run.end.kind);
     std::string seen = text.seen;
     if (missing.state == AnswerState::threw) {
-        text = {kRunCrashed.id, "", "Find out where the exception comes from; nobody catches it."};
+        text = {kRunCrashed.id, "",
+                "Find out where the exception comes from; no handler catches it."};
         seen = fmt::format("an exception came out of it: {}", missing.message);
     } else if (!run.end.detail.empty()) {
         seen += " (" + run.end.detail + ")";

@@ -52,13 +52,12 @@ test("a report runs nothing that a student wrote", () =>
 
 test("a report draws the rays of one pixel, with a line for each", () =>
   withReport(graded("distributed-off-centre"), async (page) => {
-    const drawing = page.locator(".ray-figure").first();
-    await drawing.scrollIntoViewIfNeeded();
+    const ofLens = page.locator(".ray-faces", { hasText: "The lens, and where rays start on it" });
+    const drawing = page.locator(".ray-figure", { has: ofLens });
     const lines = drawing.getByRole("listbox", { name: "Rays" }).locator("li");
-    await lines.nth(2).waitFor();
+    await lines.nth(10).waitFor();
     await lines.nth(2).click();
     assert.equal(await drawing.locator("[aria-selected=true]").count(), 1);
-    assert.match(await drawing.locator(".ray-faces").textContent(), /The lens, and where rays start on it|light 1 as the point sees it/);
     assert.ok((await page.content()).length < 3_000_000);
   }));
 

@@ -1,7 +1,7 @@
 #include <grader/intake/Intake.h>
 #include <grader/report/ClassPage.h>
-#include <grader/report/StudentView.h>
 #include <grader/report/SummaryCsv.h>
+#include <grader/report/student/StudentView.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>
 #include <grader/tests/support/SampleQuestions.h>

@@ -200,10 +200,10 @@ TEST(GradeSubmission, ShowsWhatTheCodeRendersBesideWhatWasExpected) {
     EXPECT_EQ(result.verdict, Verdict::awarded);
     ASSERT_EQ(result.renders.size(), 3U);
     for (const RenderScore& render : result.renders) {
-        // Measured: 0.939 for SSIM if each pixel is the mean of 12 paths; 0.0002 and 0.99996
-        // without random rays.
+        // Measured: 0.024 and 0.939 if each pixel is the mean of 12 paths (SpecScenesTest has the
+        // handout's 50); 0.0002 and 0.99996 without random rays.
         const bool isNoisy = render.scene == "distributed";
-        EXPECT_LT(render.flip, isNoisy ? 0.06 : 0.001) << render.scene;
+        EXPECT_LT(render.flip, isNoisy ? 0.04 : 0.001) << render.scene;
         EXPECT_GT(render.ssim, isNoisy ? 0.9 : 0.999) << render.scene;
         EXPECT_EQ(render.zMap.empty(), !isNoisy) << render.scene;
     }

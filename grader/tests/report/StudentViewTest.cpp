@@ -1,9 +1,9 @@
 #include <grader/report/Markdown.h>
 #include <grader/report/ReportPage.h>
-#include <grader/report/StudentPage.h>
-#include <grader/report/StudentView.h>
 #include <grader/report/platforms/MoodleFeedback.h>
 #include <grader/report/platforms/PlatformFormats.h>
+#include <grader/report/student/StudentPage.h>
+#include <grader/report/student/StudentView.h>
 
 #include <grader/result/AppealNumber.h>
 

@@ -13,7 +13,8 @@ namespace raytracer {
 [[nodiscard]] std::uint64_t freshSeed();
 
 /// Where bump maps are that do not lie beside the scene: what the options say, else the folder
-/// `assets` beside the program or above it, else in the working folder; empty where there is none.
+/// `assets` beside the program or above it, else in the working folder; empty if no such folder
+/// exists.
 /// @throws InputError if the folder that the options name is not there.
 [[nodiscard]] std::filesystem::path assetsOf(const Options& options);
 

@@ -1,4 +1,4 @@
-#include <grader/report/StudentPage.h>
+#include <grader/report/student/StudentPage.h>
 
 #include <grader/report/Escape.h>
 #include <grader/report/Markdown.h>

@@ -1,4 +1,4 @@
-#include <grader/report/StudentView.h>
+#include <grader/report/student/StudentView.h>
 
 #include <grader/report/Escape.h>
 #include <grader/report/RepairSection.h>

@@ -1,6 +1,6 @@
 #include <grader/base/JsonValue.h>
 #include <grader/base/WholeFile.h>
-#include <grader/report/StudentView.h>
+#include <grader/report/student/StudentView.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>

@@ -1,7 +1,7 @@
-#ifndef TICKER_REPORT_STUDENTPAGE_H
-#define TICKER_REPORT_STUDENTPAGE_H
+#ifndef TICKER_REPORT_STUDENT_STUDENTPAGE_H
+#define TICKER_REPORT_STUDENT_STUDENTPAGE_H
 
-#include <grader/report/StudentView.h>
+#include <grader/report/student/StudentView.h>
 
 #include <string>
 

@@ -1,5 +1,5 @@
-#ifndef TICKER_REPORT_STUDENTVIEW_H
-#define TICKER_REPORT_STUDENTVIEW_H
+#ifndef TICKER_REPORT_STUDENT_STUDENTVIEW_H
+#define TICKER_REPORT_STUDENT_STUDENTVIEW_H
 
 #include <grader/exercise/Exercise.h>
 #include <grader/result/Decision.h>
