@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // Larger references would be too big for the repository: more than four floats for each pixel.
-constexpr int kLargestSide = 640;
+constexpr int kLargestPicture = 640;
 
 json parse(const fs::path& file) {
     const json document = json::parse(readWhole(file), nullptr, false);
@@ -30,7 +30,7 @@ json parse(const fs::path& file) {
 
 bool isSide(const json& entry, const char* name) {
     return entry.contains(name) && entry.at(name).is_number_integer() && entry.at(name) > 0 &&
-           entry.at(name) <= kLargestSide;
+           entry.at(name) <= kLargestPicture;
 }
 
 ReferenceScene readEntry(const json& entry, const std::string& where, const fs::path& scenes,
@@ -44,7 +44,7 @@ ReferenceScene readEntry(const json& entry, const std::string& where, const fs::
             where, 0,
             fmt::format("must hold \"scene\", the name of a scene, \"pinhole\", true or false, and "
                         "\"width\" and \"height\" from 1 to {}, and nothing else: {}",
-                        kLargestSide, entry.dump()));
+                        kLargestPicture, entry.dump()));
     ReferenceScene scene;
     scene.name = entry.at("scene");
     scene.scene = raytracer::readScene(scenes / (scene.name + ".xml"), assets);

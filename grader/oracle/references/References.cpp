@@ -29,7 +29,7 @@ FloatPicture varianceOf(const Moments& moments) {
     return picture;
 }
 
-FloatPicture errorOf(const Moments& moments) {
+FloatPicture errorPicture(const Moments& moments) {
     FloatPicture picture{moments.width, moments.height, {}};
     for (const ColourRGB& e : moments.meanError)
         picture.pixels.emplace_back(rounded(e.r), rounded(e.g), rounded(e.b));
@@ -55,7 +55,7 @@ void writeOne(const std::filesystem::path& folder, const std::string& name,
     raytracer::writePng(toImage(moments), fileOf(folder, name, ".png"));
     writeTiff({moments.width, moments.height, moments.mean}, fileOf(folder, name, "-mean.tiff"));
     writeTiff(varianceOf(moments), fileOf(folder, name, "-variance.tiff"));
-    writeTiff(errorOf(moments), fileOf(folder, name, "-error.tiff"));
+    writeTiff(errorPicture(moments), fileOf(folder, name, "-error.tiff"));
 }
 
 }  // namespace

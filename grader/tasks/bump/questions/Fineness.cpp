@@ -27,12 +27,6 @@ Vector3 at(double longitude, double polarAngle) {
     return {ring * std::sin(longitude), std::cos(polarAngle), -ring * std::cos(longitude)};
 }
 
-LevelPair addPair(Questionnaire& questionnaire, const Ball& ball, probe::HeightMapDescription map,
-                  const std::vector<Vector3>& directions) {
-    const std::size_t flat = questionnaire.add(ball, flatMap(map.width, map.height), directions);
-    return {flat, questionnaire.add(ball, std::move(map), directions)};
-}
-
 /// Neighbours at the map's edge may be clamped, wrapped or mirrored. A wide difference is 0 on the
 /// zigzag except at the seam, where this choice shows: pairs near the seam are not compared.
 bool isAwayFromSeam(double u) {
@@ -78,12 +72,11 @@ FinenessPlan planFineness(Questionnaire& questionnaire, Draws& draws, const Ball
         plan.pairsV.push_back(at(longitude, polarAngle + kStepV));
     }
     const std::vector<double> level = raytracer::questions::level(kAcross);
-    plan.zigzagU = addPair(
-        questionnaire, ball,
-        {FinenessPlan::kColumns, kAcross, {}, zigzag(FinenessPlan::kColumns), level}, plan.pairsU);
-    plan.zigzagV = addPair(questionnaire, ball,
-                           {kAcross, FinenessPlan::kRows, {}, level, zigzag(FinenessPlan::kRows)},
-                           plan.pairsV);
+    plan.zigzagU = questionnaire.addPair(
+        ball, {FinenessPlan::kColumns, kAcross, {}, zigzag(FinenessPlan::kColumns), level},
+        plan.pairsU);
+    plan.zigzagV = questionnaire.addPair(
+        ball, {kAcross, FinenessPlan::kRows, {}, level, zigzag(FinenessPlan::kRows)}, plan.pairsV);
     return plan;
 }
 

@@ -12,13 +12,13 @@ namespace {
 
 using probe::HeightMapDescription;
 
-constexpr int kBytesPerTexel = 4;
+constexpr int kToothStep = 4;
 constexpr int kTooth = 64;  // texels: 63 steps of 4 bytes
 
 std::vector<double> sawtooth(int count) {
     std::vector<double> heights;
     for (int i = 0; i < count; ++i)
-        heights.push_back(kByte * kBytesPerTexel * (i % kTooth));
+        heights.push_back(kByte * kToothStep * (i % kTooth));
     return heights;
 }
 
@@ -111,12 +111,6 @@ double share(const std::vector<Vector3>& directions, const std::vector<Vector3>&
     return right / std::max(1.0, count);
 }
 
-LevelPair addPair(Questionnaire& questionnaire, const Ball& ball, HeightMapDescription map,
-                  const std::vector<Vector3>& directions) {
-    const std::size_t flat = questionnaire.add(ball, flatMap(map.width, map.height), directions);
-    return {flat, questionnaire.add(ball, std::move(map), directions)};
-}
-
 void readField(const SlopePlan& plan, const Answers& answers,
                const Parametrisation& parametrisation, const Response& response,
                SlopeAgreement& agreement) {
@@ -149,15 +143,13 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     SlopePlan plan;
     plan.directions = draws.directions(kPoints);
     plan.fieldDirections = draws.directions(kFieldPoints);
-    plan.sawtoothU =
-        addPair(questionnaire, ball,
-                {kAlong, kAcross, {}, sawtooth(kAlong), raytracer::questions::level(kAcross)},
-                plan.directions);
-    plan.sawtoothV =
-        addPair(questionnaire, ball,
-                {kAcross, kAlong, {}, raytracer::questions::level(kAcross), sawtooth(kAlong)},
-                plan.directions);
-    plan.field = addPair(questionnaire, ball, randomField(draws), plan.fieldDirections);
+    plan.sawtoothU = questionnaire.addPair(
+        ball, {kAlong, kAcross, {}, sawtooth(kAlong), raytracer::questions::level(kAcross)},
+        plan.directions);
+    plan.sawtoothV = questionnaire.addPair(
+        ball, {kAcross, kAlong, {}, raytracer::questions::level(kAcross), sawtooth(kAlong)},
+        plan.directions);
+    plan.field = questionnaire.addPair(ball, randomField(draws), plan.fieldDirections);
     return plan;
 }
 

@@ -11,12 +11,6 @@
 
 namespace ticker::tasks::bump {
 
-/// A map, and a flat map of its size at the same points.
-struct LevelPair {
-    std::size_t flat = 0;
-    std::size_t map = 0;
-};
-
 /// Slopes as in pictures: sawtooth ramps of whole bytes along u and along v, and a smooth random
 /// field of bytes.
 struct SlopePlan {

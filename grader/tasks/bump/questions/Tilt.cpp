@@ -71,6 +71,12 @@ std::size_t Questionnaire::add(const Ball& ball, probe::HeightMapDescription map
     return questions_.size() - 1;
 }
 
+LevelPair Questionnaire::addPair(const Ball& ball, probe::HeightMapDescription map,
+                                 const std::vector<Vector3>& directions) {
+    const std::size_t flat = add(ball, flatMap(map.width, map.height), directions);
+    return {flat, add(ball, std::move(map), directions)};
+}
+
 const probe::NormalQuestion& Questionnaire::question(std::size_t number) const {
     return std::get<probe::NormalQuestion>(questions_.at(number));
 }

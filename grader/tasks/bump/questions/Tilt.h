@@ -36,6 +36,12 @@ using raytracer::questions::tiltOf;
 /// A map without slope; `level` is half of the greatest height.
 [[nodiscard]] probe::HeightMapDescription flatMap(int width, int height, double level = 2.5);
 
+/// A map, and a flat map of its size at the same points.
+struct LevelPair {
+    std::size_t flat = 0;
+    std::size_t map = 0;
+};
+
 /// Collects the questions of one run; a question's number later finds its answer.
 class Questionnaire {
 public:
@@ -46,6 +52,10 @@ public:
     /// Asks for the normals of `ball` at the points that lie in `directions`.
     std::size_t add(const Ball& ball, probe::HeightMapDescription map,
                     const std::vector<Vector3>& directions);
+
+    /// Asks for `map` and for a flat map of its size, at the same points.
+    LevelPair addPair(const Ball& ball, probe::HeightMapDescription map,
+                      const std::vector<Vector3>& directions);
 
     [[nodiscard]] const std::vector<probe::Question>& questions() const { return questions_; }
     [[nodiscard]] const probe::NormalQuestion& question(std::size_t number) const;
