@@ -7,6 +7,7 @@
 #include <grader/lab/calibrate/Campaigns.h>
 #include <grader/lab/calibrate/Document.h>
 #include <grader/lab/calibrate/RunCampaign.h>
+#include <grader/lab/calibrate/Staleness.h>
 
 #include <CLI/CLI.hpp>
 
@@ -23,13 +24,17 @@ namespace {
 namespace fs = std::filesystem;
 using calibrate::Campaign;
 using calibrate::Record;
+using calibrate::Stamp;
 using calibrate::Summary;
 using Campaigns = std::vector<std::unique_ptr<Campaign>>;
 
 struct CalibrateOptions {
     bool check = false;
+    bool repeats = false;
+    bool records = false;
     bool report = false;
     std::string only;
+    std::string entry;
     std::string record = "build/calibration";
     int jobs = 2;
     std::string sandbox = "auto";
@@ -51,12 +56,15 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 // Prints the tables, and updates the document and the committed record.
-bool publish(const Campaign& campaign, const Record& record, const Places& places) {
+bool publish(const Campaign& campaign, const Record& record, const std::vector<Stamp>& stamps,
+             const Places& places) {
     const Summary summary = campaign.summarise(record.all());
-    const std::string text = record.size() == campaign.units()
-                                 ? summary.text
-                                 : fmt::format("{} of {} units were run.\n\n{}", record.size(),
-                                               campaign.units(), summary.text);
+    const std::size_t current = calibrate::currentUnits(record, stamps);
+    std::string text = summary.text;
+    if (current < campaign.units())
+        text = fmt::format("{} of {} units were run, {} of them by an earlier version.\n\n",
+                           record.size(), campaign.units(), record.size() - current) +
+               text;
     fmt::print("{}{}\n{}\n", campaign.name(), summary.asExpected ? "" : ": NOT AS EXPECTED", text);
     std::fflush(stdout);
     record.copyTo(places.record);
@@ -65,16 +73,31 @@ bool publish(const Campaign& campaign, const Record& record, const Places& place
     return summary.asExpected;
 }
 
-void runWithProgress(Campaign& campaign, Record& record, int jobs, bool draw) {
-    Countdown countdown{campaign.name(), record.size(), draw};
-    calibrate::runCampaign(campaign, record, jobs,
-                           [&](std::size_t done, std::size_t of) { countdown.show(done, of); });
+void runWithProgress(Campaign& campaign, Record& record, const std::vector<Stamp>& stamps,
+                     const CalibrateOptions& options, bool draw) {
+    Countdown countdown{campaign.name(), calibrate::currentUnits(record, stamps), draw};
+    calibrate::runCampaign(
+        campaign, record, stamps, options.jobs,
+        [&](std::size_t done, std::size_t of) { countdown.show(done, of); }, options.entry);
 }
 
-// Checks that the committed tables follow from the committed records, and that some units repeat as
-// recorded.
-bool check(Campaign& campaign, const Places& places, int jobs) {
-    const Record record{places.record, campaign};
+bool report(const std::vector<std::string>& wrong) {
+    for (const std::string& line : wrong)
+        fmt::print("{}\n", line);
+    return wrong.empty();
+}
+
+// Whether the committed record is of today's code.
+bool checkCode(const Campaign& campaign, const Record& record, const calibrate::Parts& parts) {
+    const bool good = report(
+        calibrate::stalenessOf(campaign, record, calibrate::stampsOf(campaign, parts), parts));
+    if (good) fmt::print("{}: {} units, each of today's code\n", campaign.name(), record.size());
+    std::fflush(stdout);
+    return good;
+}
+
+// Whether the committed tables follow from the committed record, and some units repeat as recorded.
+bool checkRepeats(Campaign& campaign, const Record& record, const Places& places, int jobs) {
     std::vector<std::string> wrong = calibrate::checkCampaign(campaign, record, jobs);
     const Summary summary = campaign.summarise(record.all());
     if (calibrate::sectionOf(readIfThere(places.document).value_or(""), campaign.name())
@@ -82,9 +105,7 @@ bool check(Campaign& campaign, const Places& places, int jobs) {
         wrong.push_back(campaign.name() +
                         ": docs/calibration.md does not have the record's tables");
     if (!summary.asExpected) wrong.push_back(campaign.name() + ": the record is not as expected");
-    for (const std::string& line : wrong)
-        fmt::print("{}\n", line);
-    if (wrong.empty())
+    if (report(wrong))
         fmt::print("{}: {} units again, each as recorded\n", campaign.name(),
                    campaign.checkUnits().size());
     std::fflush(stdout);
@@ -92,11 +113,18 @@ bool check(Campaign& campaign, const Places& places, int jobs) {
 }
 
 bool calibrateOne(Campaign& campaign, const CalibrateOptions& options, const Places& places,
-                  bool draw) {
-    if (options.check) return check(campaign, places, options.jobs);
+                  const calibrate::Parts& parts, bool draw) {
+    const Record committed{places.record, campaign};
+    if (options.check) {
+        const bool isCurrent = options.repeats || checkCode(campaign, committed, parts);
+        return (options.records || checkRepeats(campaign, committed, places, options.jobs)) &&
+               isCurrent;
+    }
+    const std::vector<Stamp> stamps = calibrate::stampsOf(campaign, parts);
     Record record{options.record, campaign};
-    if (!options.report) runWithProgress(campaign, record, options.jobs, draw);
-    return publish(campaign, record, places);
+    record.adopt(committed, stamps);
+    if (!options.report) runWithProgress(campaign, record, stamps, options, draw);
+    return publish(campaign, record, stamps, places);
 }
 
 /// An installation has neither the record nor the solutions of a campaign.
@@ -112,15 +140,16 @@ void requireCheckout(const Home& home) {
 raytracer::ExitCode calibrateAll(const CalibrateOptions& options, const GlobalOptions& global) {
     const Home home = Home::find();
     requireCheckout(home);
-    const build::Kit kit = build::Kit::besideProgram();
+    const calibrate::Parts parts{home.data};
     const sandbox::Sandbox sandbox = openSandbox(options.sandbox);
-    calibrate::Programs programs{kit, sandbox};
+    calibrate::Programs programs{sandbox};
     bool good = true;
     bool any = false;
     for (const auto& campaign : calibrate::campaigns(home.data, programs)) {
         if (!options.only.empty() && campaign->name() != options.only) continue;
         any = true;
-        good = calibrateOne(*campaign, options, placesOf(home), mayDraw(global.quiet)) && good;
+        good =
+            calibrateOne(*campaign, options, placesOf(home), parts, mayDraw(global.quiet)) && good;
     }
     if (!any) throw raytracer::InputError("--only", 0, "there is no campaign " + options.only);
     return good ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
@@ -134,10 +163,19 @@ Run addCalibrate(CLI::App& app, const GlobalOptions& global) {
         "calibrate",
         "Measures how often verdicts are wrong; writes docs/calibration.md of a checkout");
     CLI::Option* check = verb->add_flag(
-        "--check", options->check, "Repeat a small part and compare it with the committed record");
+        "--check", options->check,
+        "Compare the committed record with today's code, and repeat a small part of it");
+    CLI::Option* records = verb->add_flag("--records", options->records,
+                                          "With --check: compare the code alone, and run nothing")
+                               ->needs(check);
+    verb->add_flag("--repeat", options->repeats, "With --check: repeat the small part alone")
+        ->needs(check)
+        ->excludes(records);
     verb->add_flag("--report", options->report, "Run nothing: write what the record has so far")
         ->excludes(check);
     verb->add_option("--only", options->only, "One campaign: correct, stages, mistakes, ...");
+    verb->add_option("--entry", options->entry, "Run only units whose name contains this text")
+        ->excludes(check);
     verb->add_option("--record", options->record,
                      "Folder that keeps every finished unit, to go on after a stop");
     verb->add_option("--jobs", options->jobs, "Threads")->check(CLI::Range(1, 256));

@@ -1,8 +1,10 @@
+#include <grader/base/CpuTime.h>
 #include <grader/base/WholeFile.h>
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/agreement/Agreement.h>
 #include <grader/lab/agreement/OracleAgreement.h>
+#include <grader/lab/calibrate/CodeOnly.h>
 #include <grader/lab/calibrate/Seed.h>
 
 #include <raytracer/base/Error.h>
@@ -51,11 +53,13 @@ SceneDescription smooth(SceneDescription scene) {
     return scene;
 }
 
-std::vector<std::vector<raytracer::ColourRGB>> rendersOf(const build::Program& program,
-                                                         const sandbox::Sandbox& sandbox,
-                                                         const SceneDescription& scene,
-                                                         const RenderSettings& settings,
-                                                         int repetitions) {
+struct Renders {
+    std::vector<std::vector<raytracer::ColourRGB>> images;
+    double cpuMs = 0.0;
+};
+
+Renders rendersOf(const build::Program& program, const sandbox::Sandbox& sandbox,
+                  const SceneDescription& scene, const RenderSettings& settings, int repetitions) {
     const sandbox::Limits limits;
     build::SandboxedExaminee examinee{program, sandbox, limits};
     const probe::Run run = examinee.ask({probe::RenderQuestion{scene, settings, repetitions, 0}});
@@ -63,7 +67,7 @@ std::vector<std::vector<raytracer::ColourRGB>> rendersOf(const build::Program& p
     if (answer.state != probe::AnswerState::answered ||
         answer.images.size() != static_cast<std::size_t>(repetitions))
         throw raytracer::Error("the reference did not answer: " + run.end.detail);
-    return answer.images;
+    return {answer.images, examinee.cpuMs()};
 }
 
 raytracer::Image imageOf(const std::vector<raytracer::ColourRGB>& pixels,
@@ -92,8 +96,8 @@ OracleAgreement::OracleAgreement(AgreementPlan plan, const build::Kit& kit,
     for (const auto& entry : std::filesystem::directory_iterator(plan_.scenes))
         if (entry.path().extension() == ".xml" &&
             std::ranges::count(plan_.leftOut, entry.path().stem().string()) == 0)
-            scenes_.push_back(
-                {entry.path().stem().string(), raytracer::readScene(entry.path(), plan_.assets)});
+            scenes_.push_back({entry.path().stem().string(), readWhole(entry.path()),
+                               raytracer::readScene(entry.path(), plan_.assets)});
     std::ranges::sort(scenes_, {}, &Scene::name);
     for (std::size_t reading = 0; reading < plan_.cases.size(); ++reading)
         for (std::size_t scene = 0; scene < scenes_.size(); ++scene) {
@@ -115,14 +119,25 @@ std::vector<std::size_t> OracleAgreement::checkUnits() const {
     return picked;
 }
 
+std::string OracleAgreement::sourceOf(const AgreementCase& wanted) const {
+    return corpus::applyEdits(readWhole(plan_.reference / wanted.file), wanted.edits,
+                              "the reading " + wanted.name);
+}
+
+Campaign::Basis OracleAgreement::basisOf(std::size_t unit) const {
+    const AgreementCase& wanted = plan_.cases[units_.at(unit).reading];
+    return {{"agreement"},
+            wanted.name,
+            codeOnly(sourceOf(wanted)) + "\n" + scenes_[units_[unit].scene].text};
+}
+
 std::shared_ptr<const build::Program> OracleAgreement::programOf(std::size_t reading) {
     const std::lock_guard lock{mutex_};
     if (const auto found = programs_.find(reading); found != programs_.end()) return found->second;
     const AgreementCase& wanted = plan_.cases[reading];
     const std::string name = "the reading " + wanted.name;
-    build::BuildResult built = build::buildProgram(
-        kit_, sandbox_, sandbox::Limits{}, wanted.file,
-        corpus::applyEdits(readWhole(plan_.reference / wanted.file), wanted.edits, name));
+    build::BuildResult built =
+        build::buildProgram(kit_, sandbox_, sandbox::Limits{}, wanted.file, sourceOf(wanted));
     if (!built.program) throw raytracer::Error(name + " does not compile: " + built.diagnostics);
     auto program = std::make_shared<const build::Program>(std::move(*built.program));
     programs_[reading] = program;
@@ -147,6 +162,7 @@ std::string OracleAgreement::run(std::size_t unit) {
 
 std::string OracleAgreement::runNoisy(std::size_t number, const build::Program& program) const {
     const Unit& unit = units_.at(number);
+    const double before = threadCpuMs();
     const std::uint64_t seed = seedOf(unitName(number));
     const SceneDescription scene = smooth(scenes_[unit.scene].description);
     RenderSettings settings = smallSettings();
@@ -157,9 +173,9 @@ std::string OracleAgreement::runNoisy(std::size_t number, const build::Program& 
     const Moments moments =
         oracle::Oracle{scene, settings, plan_.cases[unit.reading].reading}.moments(seed + 1,
                                                                                    precision);
-    const auto images = rendersOf(program, sandbox_, scene, settings, kRenders);
+    const Renders renders = rendersOf(program, sandbox_, scene, settings, kRenders);
     const Agreement found = compare(moments, kRenders, [&](int render) {
-        return imageOf(images[static_cast<std::size_t>(render - 1)], settings);
+        return imageOf(renders.images[static_cast<std::size_t>(render - 1)], settings);
     });
     return nlohmann::json{{"reading", plan_.cases[unit.reading].name},
                           {"scene", scenes_[unit.scene].name},
@@ -167,11 +183,13 @@ std::string OracleAgreement::runNoisy(std::size_t number, const build::Program& 
                           {"largestZ", inThousandths(found.largestZ)},
                           {"meanZ2", inThousandths(found.meanZ2)},
                           {"varianceZ", inThousandths(found.varianceZ)},
-                          {"varianceRatio", inThousandths(found.varianceRatio)}}
+                          {"varianceRatio", inThousandths(found.varianceRatio)},
+                          {"cpu", std::lround(threadCpuMs() - before + renders.cpuMs)}}
         .dump();
 }
 
 std::string OracleAgreement::runBump(const Unit& unit, const build::Program& program) const {
+    const double before = threadCpuMs();
     const SceneDescription& scene = scenes_[unit.scene].description;
     const RenderSettings settings = bumpSettings();
     oracle::Reading reading = plan_.cases[unit.reading].reading;
@@ -182,11 +200,11 @@ std::string OracleAgreement::runBump(const Unit& unit, const build::Program& pro
     one.dofRayCount = 1;
     one.shadowRayCount = 1;
     const raytracer::Image expected = oracle::Oracle{scene, one, reading, pinhole}.studentRender(1);
-    const auto images = rendersOf(program, sandbox_, scene, settings, 1);
+    const Renders renders = rendersOf(program, sandbox_, scene, settings, 1);
     int off = 0;
     double largest = 0.0;
     for (std::size_t i = 0; i < expected.pixels().size(); ++i) {
-        const double difference = distance(expected.pixels()[i], images[0][i]);
+        const double difference = distance(expected.pixels()[i], renders.images[0][i]);
         if (difference > kEdge)
             ++off;
         else
@@ -196,7 +214,8 @@ std::string OracleAgreement::runBump(const Unit& unit, const build::Program& pro
                           {"scene", scenes_[unit.scene].name},
                           {"pixels", expected.pixels().size()},
                           {"off", off},
-                          {"largest", largest}}
+                          {"largest", largest},
+                          {"cpu", std::lround(threadCpuMs() - before + renders.cpuMs)}}
         .dump();
 }
 

@@ -43,6 +43,7 @@ public:
     [[nodiscard]] std::string name() const override { return "oracle"; }
     [[nodiscard]] std::size_t units() const override { return units_.size(); }
     [[nodiscard]] std::string unitName(std::size_t unit) const override;
+    [[nodiscard]] Basis basisOf(std::size_t unit) const override;
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override;
     [[nodiscard]] std::string run(std::size_t unit) override;
     [[nodiscard]] bool agrees(const std::string& before, const std::string& now) const override;
@@ -54,6 +55,7 @@ public:
 private:
     struct Scene {
         std::string name;
+        std::string text;  // of its file
         raytracer::SceneDescription description;
     };
     struct Unit {
@@ -62,6 +64,7 @@ private:
         int round = 0;
     };
 
+    [[nodiscard]] std::string sourceOf(const AgreementCase& wanted) const;
     [[nodiscard]] std::shared_ptr<const build::Program> programOf(std::size_t reading);
     [[nodiscard]] std::string runNoisy(std::size_t number, const build::Program& program) const;
     [[nodiscard]] std::string runBump(const Unit& unit, const build::Program& program) const;

@@ -30,12 +30,21 @@ public:
     /// Key of the unit in the record: unique, and unchanged when subjects are added or removed.
     [[nodiscard]] virtual std::string unitName(std::size_t unit) const = 0;
 
+    /// What a unit's result depends on.
+    struct Basis {
+        std::vector<std::string> measured;  ///< names that `Parts` knows
+        std::string entry;                  ///< name of what is measured, for messages
+        std::string text;                   ///< of that alone; may be empty
+    };
+    [[nodiscard]] virtual Basis basisOf(std::size_t unit) const = 0;
+
     /// The few units that `--check` repeats: some seconds of CPU in all.
     [[nodiscard]] virtual std::vector<std::size_t> checkUnits() const = 0;
 
     /// Runs one unit. Several threads call it at once; neighbouring units are requested together.
     /// @return  A JSON object as text, without line breaks. A repeated unit gives one that
-    ///          `agrees`; a member "cpu" may hold anything.
+    ///          `agrees`; a member "cpu" may differ. It has the CPU time, submission and judgement
+    ///          together, without compiling: milliseconds, or how often each was measured.
     /// @throws raytracer::Error if the unit could not be run.
     [[nodiscard]] virtual std::string run(std::size_t unit) = 0;
 
@@ -46,6 +55,9 @@ public:
     /// @param records  Results of `run` in the order of the units; some may be missing.
     [[nodiscard]] virtual Summary summarise(const std::vector<std::string>& records) const = 0;
 };
+
+/// The CPU time of a result of `Campaign::run`, milliseconds; 0 where it names none.
+[[nodiscard]] double cpuMsOf(const std::string& found);
 
 }  // namespace ticker::calibrate
 

@@ -3,6 +3,7 @@
 #include <grader/lab/calibrate/Campaigns.h>
 #include <grader/lab/calibrate/ComparisonCampaign.h>
 #include <grader/lab/calibrate/DecisionCampaign.h>
+#include <grader/lab/calibrate/DecisionTables.h>
 #include <grader/lab/calibrate/PictureCampaign.h>
 #include <grader/lab/calibrate/StageCampaign.h>
 
@@ -25,26 +26,45 @@ std::vector<std::string> scenesOfOthers() {
     return names;
 }
 
+// A decision on code whose rays are not visible takes ten times as long.
+std::size_t timesRight(const Subject& subject) {
+    return subject.isUnseen() ? 150 : 350;
+}
+
+std::size_t timesWrong(const Subject& subject) {
+    return !subject.isStatistical() || subject.isUnseen() ? 100 : 1000;
+}
+
+using Campaigns = std::vector<std::unique_ptr<Campaign>>;
+
+void addDecisions(Campaigns& all, DecisionPlan plan, Programs& programs) {
+    all.push_back(std::make_unique<DecisionCampaign>(std::move(plan), programs));
+}
+
 }  // namespace
 
-std::vector<std::unique_ptr<Campaign>> campaigns(const std::filesystem::path& data,
-                                                 Programs& programs) {
-    // A decision on code whose rays are not visible takes ten times as long.
-    const auto timesRight = [](const Subject& subject) -> std::size_t {
-        return subject.isUnseen() ? 150 : 350;
-    };
-    const auto timesWrong = [](const Subject& subject) -> std::size_t {
-        return !subject.isStatistical() || subject.isUnseen() ? 100 : 1000;
-    };
+Campaigns campaigns(const std::filesystem::path& data, Programs& programs) {
+    constexpr std::size_t kBlock = 50;
+    constexpr std::size_t kExactBlock = 20;
     constexpr std::size_t kStageUnits = 300;
     constexpr int kAgreementRounds = 10;
     const std::vector<Subject> subjects = readSubjects(data);
-    std::vector<std::unique_ptr<Campaign>> all;
-    all.push_back(
-        std::make_unique<DecisionCampaign>("correct", rightOnes(subjects), timesRight, programs));
+    const std::vector<std::string_view> quick{kQuick.begin(), kQuick.end()};
+    Campaigns all;
+    addDecisions(all, {"correct", rightOnes(subjects), timesRight, kBlock, true, quick, tablesOf},
+                 programs);
     all.push_back(std::make_unique<StageCampaign>(subjects, kStageUnits, programs));
-    all.push_back(
-        std::make_unique<DecisionCampaign>("mistakes", wrongOnes(subjects), timesWrong, programs));
+    addDecisions(all, {"mistakes", wrongOnes(subjects), timesWrong, kBlock, true, quick, tablesOf},
+                 programs);
+    addDecisions(all,
+                 {"exact",
+                  readExactSubjects(data),
+                  [](const Subject&) { return kExactBlock; },
+                  kExactBlock,
+                  false,
+                  {kQuickExact.begin(), kQuickExact.end()},
+                  exactTables},
+                 programs);
     all.push_back(std::make_unique<PictureCampaign>(
         subjects, pipeline::readSpecScenes(data / "scenes", data / "assets").back(), programs));
     all.push_back(std::make_unique<ComparisonCampaign>(

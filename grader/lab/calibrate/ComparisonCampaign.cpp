@@ -1,3 +1,4 @@
+#include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/calibrate/ComparisonCampaign.h>
 #include <grader/lab/calibrate/ComparisonTables.h>
@@ -46,6 +47,14 @@ const PictureMethods& ComparisonCampaign::methods() {
     return *methods_;
 }
 
+Campaign::Basis ComparisonCampaign::basisOf(std::size_t unit) const {
+    const Subject& subject = subjects_.at(unit);
+    std::vector<std::string> measured{"methods"};
+    for (const TaskEntry& task : subject.exercise->tasks)
+        if (task.file == subject.file) measured.push_back(task.id);
+    return {measured, subject.name, subject.basis()};
+}
+
 std::vector<std::size_t> ComparisonCampaign::checkUnits() const {
     std::vector<std::size_t> units;
     for (std::size_t unit = 0; unit < subjects_.size(); ++unit)
@@ -70,6 +79,7 @@ std::string ComparisonCampaign::run(std::size_t unit) {
     const Subject& subject = subjects_.at(unit);
     const sandbox::Limits limits;
     build::SandboxedExaminee examinee{programs_.of(subject), programs_.sandbox(), limits};
+    const double before = threadCpuMs();
     probe::RenderQuestion question;
     question.scene = scene_;
     question.settings = smallPicture();
@@ -86,7 +96,8 @@ std::string ComparisonCampaign::run(std::size_t unit) {
                           {"rmse", rounded(scores.rmse)},
                           {"ssim", rounded(scores.ssim)},
                           {"flip", rounded(scores.flip)},
-                          {"zTest", rounded(scores.zTest)}}
+                          {"zTest", rounded(scores.zTest)},
+                          {"cpu", std::lround(threadCpuMs() - before + examinee.cpuMs())}}
         .dump();
 }
 

@@ -1,7 +1,7 @@
 #include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
+#include <grader/lab/calibrate/BlockRecord.h>
 #include <grader/lab/calibrate/DecisionCampaign.h>
-#include <grader/lab/calibrate/DecisionTables.h>
 #include <grader/lab/calibrate/Seed.h>
 #include <grader/result/Names.h>
 #include <grader/tasks/Tasks.h>
@@ -15,8 +15,6 @@
 
 namespace ticker::calibrate {
 namespace {
-
-constexpr std::size_t kBlock = 50;
 
 std::string firstOf(const TaskJudgement& task) {
     return task.findings.empty() ? "nothing" : task.findings.front().id;
@@ -33,63 +31,72 @@ void count(const TaskJudgement& task, const corpus::Expectation& expect, bool an
     if (!rightState || !rightName || task.needsReview) ++record.seen[firstOf(task)];
 }
 
-void count(const Subject& subject, const std::vector<TaskReport>& reports, BlockRecord& record) {
-    const corpus::Expectation passes{{"passed"}, {{}}, false};
-    const bool anyWarning = subject.task.empty();
-    ++record.decisions;
-    for (const TaskReport& report : reports)
-        count(report, report.id == subject.task ? subject.expect : passes, anyWarning, record);
+std::vector<std::string> tasksOf(const Subject& subject) {
+    std::vector<std::string> ids;
+    for (const TaskEntry& task : subject.exercise->tasks)
+        if (task.file == subject.file) ids.push_back(task.id);
+    return ids;
 }
 
 }  // namespace
 
-DecisionCampaign::DecisionCampaign(std::string name, std::vector<Subject> subjects,
-                                   const std::function<std::size_t(const Subject&)>& decisions,
-                                   Programs& programs)
-    : name_(std::move(name)), subjects_(std::move(subjects)), programs_(programs) {
+DecisionCampaign::DecisionCampaign(DecisionPlan plan, Programs& programs)
+    : plan_(std::move(plan)), programs_(programs) {
     std::vector<std::size_t> rounds;
-    for (const Subject& subject : subjects_)
-        rounds.push_back((decisions(subject) + kBlock - 1) / kBlock);
+    for (const Subject& subject : plan_.subjects)
+        rounds.push_back((plan_.decisions(subject) + plan_.block - 1) / plan_.block);
     const std::size_t most = rounds.empty() ? 0 : *std::max_element(rounds.begin(), rounds.end());
     for (std::size_t round = 0; round < most; ++round)
-        for (std::size_t i = 0; i < subjects_.size(); ++i)
-            if (round < rounds[i]) blocks_.push_back({i, round});
+        for (std::size_t i = 0; i < plan_.subjects.size(); ++i)
+            if (round < rounds[i]) addBlocks(i, round);
+}
+
+// The other task of a wrong subject is the reference's.
+void DecisionCampaign::addBlocks(std::size_t subject, std::size_t round) {
+    const Subject& judged = plan_.subjects[subject];
+    const bool others = plan_.othersToo && (judged.isRight() || round == 0);
+    for (const std::string& task : tasksOf(judged))
+        if (others || judged.task.empty() || task == judged.task)
+            blocks_.push_back({subject, task, round});
 }
 
 std::string DecisionCampaign::unitName(std::size_t unit) const {
-    const Block& block = blocks_.at(unit);
-    return fmt::format("{} {}", subjects_[block.subject].name, block.round);
+    return fmt::format("{} {} {}", subjectOf(unit).name, blocks_[unit].task, blocks_[unit].round);
 }
 
-// Fast subjects that draw every number from the kit's generator, spread over the first round.
+Campaign::Basis DecisionCampaign::basisOf(std::size_t unit) const {
+    const Subject& subject = subjectOf(unit);
+    return {{blocks_[unit].task}, subject.name, subject.basis()};
+}
+
 std::vector<std::size_t> DecisionCampaign::checkUnits() const {
     std::vector<std::size_t> units;
-    for (const std::string_view wanted : kQuick)
-        for (std::size_t unit = 0; unit < blocks_.size(); ++unit)
-            if (blocks_[unit].round == 0 && subjects_[blocks_[unit].subject].name == wanted)
-                units.push_back(unit);
+    for (std::size_t unit = 0; unit < blocks_.size(); ++unit)
+        if (blocks_[unit].round == 0 &&
+            std::ranges::find(plan_.checked, subjectOf(unit).name) != plan_.checked.end())
+            units.push_back(unit);
     return units;
 }
 
-// A subject's other task is the reference's. It is judged in the first round, and in every round if
-// the subject must pass.
 std::string DecisionCampaign::run(std::size_t unit) {
     const Block& block = blocks_.at(unit);
-    const Subject& subject = subjects_[block.subject];
+    const Subject& subject = subjectOf(unit);
     const build::Program& program = programs_.of(subject);
-    const bool whole = subject.isRight() || block.round == 0;
-    const std::string only = whole ? "" : subject.task;
+    const corpus::Expectation passes{{"passed"}, {{}}, false};
+    const corpus::Expectation& expect = block.task == subject.task ? subject.expect : passes;
     const sandbox::Limits limits;
     BlockRecord record;
     record.subject = subject.name;
-    record.seed = seedOf(subject.name) + block.round * kBlock;
-    record.whole = whole;
-    for (std::size_t i = 0; i < kBlock; ++i) {
+    record.task = block.task;
+    record.seed = seedOf(subject.name) + block.round * plan_.block;
+    record.decisions = plan_.block;
+    for (std::size_t i = 0; i < plan_.block; ++i) {
         build::SandboxedExaminee examinee{program, programs_.sandbox(), limits};
         const double before = threadCpuMs();
-        count(subject,
-              tasks::judgeFile(defaultExercise(), subject.file, examinee, record.seed + i, only),
-              record);
+        count(
+            tasks::judgeFile(*subject.exercise, subject.file, examinee, record.seed + i, block.task)
+                .front(),
+            expect, subject.task.empty(), record);
         const double cpuMs = threadCpuMs() - before + examinee.cpuMs();
         ++record.cpu[static_cast<int>(std::lround(cpuMs / kCpuStep)) * kCpuStep];
     }
@@ -97,7 +104,7 @@ std::string DecisionCampaign::run(std::size_t unit) {
 }
 
 Summary DecisionCampaign::summarise(const std::vector<std::string>& records) const {
-    return tablesOf(subjects_, records);
+    return plan_.tables(plan_.subjects, records);
 }
 
 std::vector<Subject> rightOnes(const std::vector<Subject>& subjects) {

@@ -5,22 +5,38 @@
 #include <grader/lab/calibrate/Subject.h>
 
 #include <functional>
+#include <string_view>
 
 namespace ticker::calibrate {
 
-/// Judges subjects repeatedly, each time with another seed. A unit is a block of decisions on one
-/// subject. Each round covers all subjects, so that a stopped campaign has tried them all.
+/// What a campaign of decisions judges, and how often.
+struct DecisionPlan {
+    std::string name;
+    std::vector<Subject> subjects;
+    /// Number of decisions on a subject, rounded up to whole blocks; 0: none.
+    std::function<std::size_t(const Subject&)> decisions;
+    std::size_t block = 50;  ///< decisions of a unit
+    /// Whether the other tasks of a subject's file are judged, too: those of the right ones as
+    /// often, those of the wrong ones in the first block.
+    bool othersToo = true;
+    /// Names of the subjects of which `--check` repeats the first block.
+    std::vector<std::string_view> checked;
+    /// Its tables.
+    std::function<Summary(const std::vector<Subject>&, const std::vector<std::string>&)> tables;
+};
+
+/// Judges subjects repeatedly, each time with another seed. A unit is a block of decisions about
+/// one task of one subject, so that an edit of a task's checks makes only its own units old. Each
+/// round covers all subjects, so that a stopped campaign has tried them all.
 class DecisionCampaign final : public Campaign {
 public:
-    /// @param decisions  Number of decisions on a subject, rounded up to whole blocks; 0: none.
-    /// @param programs   Must outlive this object.
-    DecisionCampaign(std::string name, std::vector<Subject> subjects,
-                     const std::function<std::size_t(const Subject&)>& decisions,
-                     Programs& programs);
+    /// @param programs  Must outlive this object.
+    DecisionCampaign(DecisionPlan plan, Programs& programs);
 
-    [[nodiscard]] std::string name() const override { return name_; }
+    [[nodiscard]] std::string name() const override { return plan_.name; }
     [[nodiscard]] std::size_t units() const override { return blocks_.size(); }
     [[nodiscard]] std::string unitName(std::size_t unit) const override;
+    [[nodiscard]] Basis basisOf(std::size_t unit) const override;
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override;
     [[nodiscard]] std::string run(std::size_t unit) override;
     [[nodiscard]] Summary summarise(const std::vector<std::string>& records) const override;
@@ -28,10 +44,15 @@ public:
 private:
     struct Block {
         std::size_t subject;
+        std::string task;
         std::size_t round;
     };
-    std::string name_;
-    std::vector<Subject> subjects_;
+    void addBlocks(std::size_t subject, std::size_t round);
+    [[nodiscard]] const Subject& subjectOf(std::size_t unit) const {
+        return plan_.subjects.at(blocks_.at(unit).subject);
+    }
+
+    DecisionPlan plan_;
     std::vector<Block> blocks_;
     Programs& programs_;
 };

@@ -1,17 +1,14 @@
+#include <grader/lab/calibrate/BlockRecord.h>
 #include <grader/lab/calibrate/Bounds.h>
 #include <grader/lab/calibrate/DecisionTables.h>
 
-#include <raytracer/base/Error.h>
-
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace ticker::calibrate {
 namespace {
 
-using nlohmann::json;
 using Histogram = std::map<int, std::size_t>;
 
 /// Blocks of one or many subjects, added up.
@@ -22,17 +19,22 @@ struct Tally {
     std::size_t reviews = 0;
     std::size_t passed = 0;  // in the wrong state, less the block's reviews
     std::map<std::string, std::size_t> seen;
-    Histogram cpu;  // of whole decisions
+    Histogram cpu;  // of one task
 
     void add(const BlockRecord& block) {
         decisions += block.decisions;
+        addResults(block);
+        addCpu(block);
+    }
+    void addResults(const BlockRecord& block) {
         wrongState += block.wrongState;
         wrongName += block.wrongName;
         reviews += block.reviews;
         passed += block.wrongState - std::min(block.wrongState, block.reviews);
         for (const auto& [id, times] : block.seen)
             seen[id] += times;
-        if (!block.whole) return;
+    }
+    void addCpu(const BlockRecord& block) {
         for (const auto& [ms, times] : block.cpu)
             cpu[ms] += times;
     }
@@ -98,7 +100,7 @@ Summary rightTables(const Sums& sums, const std::string& rows) {
         boundLine("of these, whose rays cannot be seen: failed", sums.unseen.wrongState,
                   sums.unseen.decisions) +
         boundLine("likewise: to be looked at", sums.unseen.reviews, sums.unseen.decisions) +
-        "\nCPU of one verdict, submission and judgement together, without compiling, ms:\n\n"
+        "\nCPU of one task's verdict, submission and judgement together, without compiling, ms:\n\n"
         "| which | median | 90 % | 99 % | most |\n|---|---|---|---|---|\n" +
         cpuLine("all", all.cpu) + cpuLine("rays seen", sums.seen.cpu) +
         cpuLine("rays not seen", sums.unseen.cpu) +
@@ -122,7 +124,7 @@ Summary wrongTables(const Sums& sums, const std::string& rows) {
                   sums.unseen.decisions) +
         boundLine("not caught, but for a person", all.wrongState - all.passed, all.decisions) +
         boundLine("caught, but with another name", all.wrongName, caught) +
-        "\nCPU of one verdict, submission and judgement together, without compiling, ms:\n\n"
+        "\nCPU of one task's verdict, submission and judgement together, without compiling, ms:\n\n"
         "| which | median | 90 % | 99 % | most |\n|---|---|---|---|---|\n" +
         cpuLine("all", all.cpu) + cpuLine("rays seen", sums.seen.cpu) +
         cpuLine("rays not seen", sums.unseen.cpu) +
@@ -147,46 +149,31 @@ std::string wrongRow(const Subject& subject, const Tally& tally) {
                        listOf(tally.seen));
 }
 
-}  // namespace
-
-std::string BlockRecord::json() const {
-    nlohmann::json object{{"subject", subject},       {"seed", seed},
-                          {"whole", whole},           {"decisions", decisions},
-                          {"wrongState", wrongState}, {"wrongName", wrongName},
-                          {"reviews", reviews}};
-    if (!seen.empty()) object["seen"] = seen;
-    for (const auto& [ms, times] : cpu)
-        object["cpu"][std::to_string(ms)] = times;
-    return object.dump();
-}
-
-BlockRecord BlockRecord::parse(const std::string& text) {
-    try {
-        const nlohmann::json object = nlohmann::json::parse(text);
-        BlockRecord record;
-        record.subject = object.at("subject");
-        record.seed = object.at("seed");
-        record.whole = object.at("whole");
-        record.decisions = object.at("decisions");
-        record.wrongState = object.at("wrongState");
-        record.wrongName = object.at("wrongName");
-        record.reviews = object.at("reviews");
-        if (object.contains("seen"))
-            record.seen = object["seen"].get<std::map<std::string, std::size_t>>();
-        for (const auto& [ms, times] : object.at("cpu").items())
-            record.cpu[std::stoi(ms)] = times.get<std::size_t>();
-        return record;
-    } catch (const nlohmann::json::exception& error) {
-        throw raytracer::Error(fmt::format("no record of decisions: {}", error.what()));
-    }
-}
-
-Summary tablesOf(const std::vector<Subject>& subjects, const std::vector<std::string>& records) {
+// By the subjects' names.
+std::map<std::string, Tally> talliesOf(const std::vector<Subject>& subjects,
+                                       const std::vector<std::string>& records) {
+    std::map<std::string, const Subject*> byName;
+    for (const Subject& subject : subjects)
+        byName.emplace(subject.name, &subject);
     std::map<std::string, Tally> tallies;
     for (const std::string& text : records) {
         const BlockRecord block = BlockRecord::parse(text);
-        tallies[block.subject].add(block);
+        const Subject& subject = *byName.at(block.subject);
+        Tally& tally = tallies[block.subject];
+        // Its other tasks belong to the same decision.
+        if (block.task == subject.ownTask())
+            tally.add(block);
+        else
+            tally.addResults(block);
+        if (block.task != subject.ownTask() && subject.task.empty()) tally.addCpu(block);
     }
+    return tallies;
+}
+
+}  // namespace
+
+Summary tablesOf(const std::vector<Subject>& subjects, const std::vector<std::string>& records) {
+    std::map<std::string, Tally> tallies = talliesOf(subjects, records);
     Sums sums;
     std::string rows;
     bool right = true;
@@ -200,6 +187,35 @@ Summary tablesOf(const std::vector<Subject>& subjects, const std::vector<std::st
         rows += right ? rightRow(subject, tally) : wrongRow(subject, tally);
     }
     return right ? rightTables(sums, rows) : wrongTables(sums, rows);
+}
+
+Summary exactTables(const std::vector<Subject>& subjects, const std::vector<std::string>& records) {
+    struct Row {
+        Tally right;
+        Tally wrong;
+    };
+    std::map<std::string, bool> isRight;
+    for (const Subject& subject : subjects)
+        isRight.emplace(subject.name, subject.isRight());
+    std::map<std::string, Row> rows;
+    for (const std::string& text : records) {
+        const BlockRecord block = BlockRecord::parse(text);
+        Row& row = rows[block.task];
+        (isRight.at(block.subject) ? row.right : row.wrong).add(block);
+    }
+    Summary summary;
+    summary.text =
+        "| task | right ones judged | failed or with another finding | mistakes judged | passed | "
+        "another name |\n|---|---|---|---|---|---|\n";
+    for (const auto& [task, row] : rows) {
+        const std::size_t failed = row.right.wrongState + row.right.wrongName;
+        summary.text +=
+            fmt::format("| {} | {} | {} | {} | {} | {} |\n", task, row.right.decisions, failed,
+                        row.wrong.decisions, row.wrong.wrongState, row.wrong.wrongName);
+        summary.asExpected =
+            summary.asExpected && failed + row.wrong.wrongState + row.wrong.wrongName == 0;
+    }
+    return summary;
 }
 
 }  // namespace ticker::calibrate

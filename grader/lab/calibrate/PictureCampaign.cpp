@@ -1,3 +1,4 @@
+#include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/calibrate/Bounds.h>
 #include <grader/lab/calibrate/PictureCampaign.h>
@@ -68,6 +69,11 @@ PictureCampaign::PictureCampaign(const std::vector<Subject>& subjects, pipeline:
             subjects_.push_back(subject);
 }
 
+Campaign::Basis PictureCampaign::basisOf(std::size_t unit) const {
+    const Subject& subject = subjects_.at(unit);
+    return {{"pictures"}, subject.name, subject.basis()};
+}
+
 std::vector<std::size_t> PictureCampaign::checkUnits() const {
     std::vector<std::size_t> units;
     for (std::size_t unit = 0; unit < subjects_.size(); ++unit)
@@ -79,6 +85,7 @@ std::string PictureCampaign::run(std::size_t unit) {
     const Subject& subject = subjects_.at(unit);
     const sandbox::Limits limits;
     build::SandboxedExaminee examinee{programs_.of(subject), programs_.sandbox(), limits};
+    const double before = threadCpuMs();
     std::vector<double> misfits;
     for (std::uint64_t i = 0; i < kRendersPerUnit; ++i) {
         raytracer::RenderSettings settings = scene_.settings;
@@ -93,7 +100,10 @@ std::string PictureCampaign::run(std::size_t unit) {
                 smallestOf(pipeline::bestFit(scene_, answer, pipeline::Rays::handout).misfits)) /
             1e4);
     }
-    return json{{"subject", subject.name}, {"right", subject.isRight()}, {"misfits", misfits}}
+    return json{{"subject", subject.name},
+                {"right", subject.isRight()},
+                {"misfits", misfits},
+                {"cpu", std::lround(threadCpuMs() - before + examinee.cpuMs())}}
         .dump();
 }
 

@@ -24,6 +24,7 @@ public:
     [[nodiscard]] std::string unitName(std::size_t unit) const override {
         return subjects_.at(unit).name;
     }
+    [[nodiscard]] Basis basisOf(std::size_t unit) const override;
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override;
     [[nodiscard]] std::string run(std::size_t unit) override;
     [[nodiscard]] bool agrees(const std::string& before, const std::string& now) const override;

@@ -35,8 +35,9 @@ std::string Record::header() const {
     return fmt::format("{{\"campaign\":\"{}\"}}\n", name_);
 }
 
-std::string Record::lineOf(std::size_t unit, const std::string& found) const {
-    return fmt::format("{{\"unit\":{},\"found\":{}}}\n", json(unitNames_.at(unit)).dump(), found);
+std::string Record::lineOf(std::size_t unit, const Line& line) const {
+    return fmt::format("{{\"unit\":{},\"code\":{},\"found\":{}}}\n",
+                       json(unitNames_.at(unit)).dump(), json(line.stamp).dump(), line.found);
 }
 
 void Record::read() {
@@ -54,35 +55,53 @@ void Record::read() {
         const json line = json::parse(text.substr(whole, end - whole), nullptr, false);
         if (line.is_discarded() || !line.contains("unit") || !line.contains("found")) break;
         const auto unit = units.find(line["unit"].get<std::string>());
-        if (unit != units.end()) found_.insert_or_assign(unit->second, line["found"].dump());
+        if (unit != units.end())
+            found_.insert_or_assign(unit->second,
+                                    Line{line["found"].dump(), line.value("code", Stamp{})});
         whole = end + 1;
     }
     if (whole < text.size()) std::filesystem::resize_file(file_, whole);
 }
 
-void Record::add(std::size_t unit, const std::string& found) {
+void Record::add(std::size_t unit, const std::string& found, const Stamp& stamp) {
     const std::lock_guard lock{mutex_};
     const bool first = !std::filesystem::exists(file_);
-    write(file_, std::ios::app, (first ? header() : "") + lineOf(unit, found));
-    found_.insert_or_assign(unit, found);
+    const Line line{found, stamp};
+    write(file_, std::ios::app, (first ? header() : "") + lineOf(unit, line));
+    found_.insert_or_assign(unit, line);
+}
+
+void Record::adopt(const Record& other, const std::vector<Stamp>& stamps) {
+    for (const auto& [unit, line] : other.found_)
+        if (!isCurrent(unit, stamps.at(unit)) && (line.stamp == stamps.at(unit) || !has(unit)))
+            found_.insert_or_assign(unit, line);
 }
 
 std::string Record::at(std::size_t unit) const {
     const auto found = found_.find(unit);
-    return found == found_.end() ? "" : found->second;
+    return found == found_.end() ? "" : found->second.found;
+}
+
+Stamp Record::stampOf(std::size_t unit) const {
+    const auto found = found_.find(unit);
+    return found == found_.end() ? Stamp{} : found->second.stamp;
+}
+
+bool Record::isCurrent(std::size_t unit, const Stamp& stamp) const {
+    return has(unit) && stampOf(unit) == stamp;
 }
 
 std::vector<std::string> Record::all() const {
     std::vector<std::string> lines;
-    for (const auto& [unit, found] : found_)
-        lines.push_back(found);
+    for (const auto& [unit, line] : found_)
+        lines.push_back(line.found);
     return lines;
 }
 
 void Record::copyTo(const std::filesystem::path& folder) const {
     std::string text = header();
-    for (const auto& [unit, found] : found_)
-        text += lineOf(unit, found);
+    for (const auto& [unit, line] : found_)
+        text += lineOf(unit, line);
     write(folder / file_.filename(), std::ios::trunc, text);
 }
 

@@ -2,6 +2,7 @@
 #define TICKER_CALIBRATE_RECORD_H
 
 #include <grader/lab/calibrate/Campaign.h>
+#include <grader/lab/calibrate/Parts.h>
 
 #include <filesystem>
 #include <map>
@@ -12,9 +13,10 @@
 namespace ticker::calibrate {
 
 /// The finished units of one campaign on disk, `FOLDER/<name>.jsonl`: a first line that names the
-/// campaign, then one line for each unit in the order of finishing. Lines are only added; a line
-/// that was cut short by a kill is dropped when the file is opened again. Units are identified by
-/// name; units that the campaign no longer has are ignored.
+/// campaign, then one line for each unit in the order of finishing, with the code that it belongs
+/// to. Lines are only added, of which the last counts; a line that was cut short by a kill is
+/// dropped when the file is opened again. Units are identified by name; units that the campaign no
+/// longer has are ignored.
 class Record {
 public:
     /// Reads the existing record. The first `add` creates the folder and the file if necessary.
@@ -22,11 +24,18 @@ public:
     Record(const std::filesystem::path& folder, const Campaign& campaign);
 
     /// Writes one line; threads may call it at once.
-    void add(std::size_t unit, const std::string& found);
+    void add(std::size_t unit, const std::string& found, const Stamp& stamp = {});
+    /// Takes over, in memory, what another record has of the code of these stamps, and what only
+    /// the other one has.
+    void adopt(const Record& other, const std::vector<Stamp>& stamps);
 
     [[nodiscard]] bool has(std::size_t unit) const { return found_.contains(unit); }
     /// Empty if the unit is not finished.
     [[nodiscard]] std::string at(std::size_t unit) const;
+    /// The code that a finished unit belongs to; empty for one that is not, or older than stamps.
+    [[nodiscard]] Stamp stampOf(std::size_t unit) const;
+    /// Whether the unit is finished, by the code of this stamp.
+    [[nodiscard]] bool isCurrent(std::size_t unit, const Stamp& stamp) const;
     [[nodiscard]] std::size_t size() const { return found_.size(); }
     /// In the order of the units.
     [[nodiscard]] std::vector<std::string> all() const;
@@ -35,14 +44,18 @@ public:
     void copyTo(const std::filesystem::path& folder) const;
 
 private:
+    struct Line {
+        std::string found;
+        Stamp stamp;
+    };
     [[nodiscard]] std::string header() const;
-    [[nodiscard]] std::string lineOf(std::size_t unit, const std::string& found) const;
+    [[nodiscard]] std::string lineOf(std::size_t unit, const Line& line) const;
     void read();
 
     std::filesystem::path file_;
     std::string name_;
     std::vector<std::string> unitNames_;
-    std::map<std::size_t, std::string> found_;
+    std::map<std::size_t, Line> found_;
     std::mutex mutex_;
 };
 

@@ -7,17 +7,41 @@
 #include <mutex>
 
 namespace ticker::calibrate {
-void runCampaign(Campaign& campaign, Record& record, int jobs, const OnUnit& onUnit) {
+
+std::vector<Stamp> stampsOf(const Campaign& campaign, const Parts& parts) {
+    std::vector<Stamp> stamps;
+    for (std::size_t unit = 0; unit < campaign.units(); ++unit) {
+        const Campaign::Basis basis = campaign.basisOf(unit);
+        Stamp& stamp = stamps.emplace_back();
+        for (const std::string& measured : basis.measured)
+            stamp.merge(parts.stampOf(measured));
+        if (!basis.text.empty()) stamp.emplace(kOwnPart, shortDigest(basis.text));
+    }
+    return stamps;
+}
+
+std::size_t currentUnits(const Record& record, const std::vector<Stamp>& stamps) {
+    std::size_t current = 0;
+    for (std::size_t unit = 0; unit < stamps.size(); ++unit)
+        if (record.isCurrent(unit, stamps[unit])) ++current;
+    return current;
+}
+
+void runCampaign(Campaign& campaign, Record& record, const std::vector<Stamp>& stamps, int jobs,
+                 const OnUnit& onUnit, std::string_view part) {
     std::vector<std::size_t> missing;
     for (std::size_t unit = 0; unit < campaign.units(); ++unit)
-        if (!record.has(unit)) missing.push_back(unit);
+        if (!record.isCurrent(unit, stamps.at(unit)) &&
+            campaign.unitName(unit).find(part) != std::string::npos)
+            missing.push_back(unit);
+    std::size_t done = currentUnits(record, stamps);
     std::mutex mutex;
     onWorkers(jobs, missing.size(), [&](std::size_t i) {
         const std::size_t unit = missing[i];
         const std::string found = campaign.run(unit);
         const std::lock_guard lock{mutex};
-        record.add(unit, found);
-        if (onUnit) onUnit(record.size(), campaign.units());
+        record.add(unit, found, stamps[unit]);
+        if (onUnit) onUnit(++done, campaign.units());
     });
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ticker::calibrate {
@@ -13,11 +14,20 @@ namespace ticker::calibrate {
 /// Called when a unit is finished, one call at a time.
 using OnUnit = std::function<void(std::size_t done, std::size_t of)>;
 
-/// Runs all units that are not in the record.
-/// @param jobs  Number of threads.
+/// The code that each unit's result depends on today.
+[[nodiscard]] std::vector<Stamp> stampsOf(const Campaign& campaign, const Parts& parts);
+
+/// Runs all units that the record does not have, or has of other code.
+/// @param stamps  Of the units.
+/// @param part    Only units whose name contains it are run; empty: all.
+/// @param jobs    Number of threads.
 /// @throws raytracer::Error of the first unit that could not be run; finished units stay in the
 ///         record.
-void runCampaign(Campaign& campaign, Record& record, int jobs, const OnUnit& onUnit);
+void runCampaign(Campaign& campaign, Record& record, const std::vector<Stamp>& stamps, int jobs,
+                 const OnUnit& onUnit, std::string_view part = {});
+
+/// Units of the record that are of today's code.
+[[nodiscard]] std::size_t currentUnits(const Record& record, const std::vector<Stamp>& stamps);
 
 /// Repeats the campaign's check units and compares them with the record.
 /// @return  One line for each unit that differs or is not in the record.

@@ -1,3 +1,4 @@
+#include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/calibrate/Bounds.h>
 #include <grader/lab/calibrate/Seed.h>
@@ -116,12 +117,18 @@ std::string StageCampaign::unitName(std::size_t unit) const {
     return fmt::format("{} {}", subjectOf(unit).name, unit / 2 / subjects);
 }
 
+Campaign::Basis StageCampaign::basisOf(std::size_t unit) const {
+    const Subject& subject = subjectOf(unit);
+    return {{subject.task}, subject.name, subject.basis()};
+}
+
 std::string StageCampaign::run(std::size_t unit) {
     const bool picture = unit % 2 == 1;
     const Subject& subject = subjectOf(unit);
     const build::Program& program = programs_.of(subject);
     const sandbox::Limits limits;
     build::SandboxedExaminee examinee{program, programs_.sandbox(), limits};
+    const double before = threadCpuMs();
     std::size_t failed = 0;
     std::map<std::string, std::size_t> statistics;
     for (std::size_t i = 0; i < kBlock; ++i) {
@@ -134,7 +141,8 @@ std::string StageCampaign::run(std::size_t unit) {
                 {"subject", subject.name},
                 {"stages", kBlock},
                 {"failed", failed},
-                {"statistics", statistics}}
+                {"statistics", statistics},
+                {"cpu", std::lround(threadCpuMs() - before + examinee.cpuMs())}}
         .dump();
 }
 

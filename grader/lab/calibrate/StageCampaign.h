@@ -21,6 +21,7 @@ public:
     [[nodiscard]] std::string name() const override { return "stages"; }
     [[nodiscard]] std::size_t units() const override { return 2 * units_; }
     [[nodiscard]] std::string unitName(std::size_t unit) const override;
+    [[nodiscard]] Basis basisOf(std::size_t unit) const override;
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override { return {0, 1}; }
     [[nodiscard]] std::string run(std::size_t unit) override;
     [[nodiscard]] bool agrees(const std::string& before, const std::string& now) const override;

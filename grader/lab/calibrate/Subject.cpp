@@ -1,4 +1,5 @@
 #include <grader/build/Build.h>
+#include <grader/lab/calibrate/CodeOnly.h>
 #include <grader/lab/calibrate/Subject.h>
 
 #include <raytracer/base/Error.h>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -27,6 +29,19 @@ bool Subject::isStatistical() const {
                                      [&](const char* id) { return expect.names(id); });
 }
 
+std::string Subject::ownTask() const {
+    return task.empty() ? std::ranges::find(exercise->tasks, file, &TaskEntry::file)->id : task;
+}
+
+std::string Subject::basis() const {
+    std::string text = codeOnly(source);
+    for (const std::string& state : expect.states)
+        text += "\n" + state;
+    for (const std::string& finding : expect.findings.value_or(std::vector<std::string>{"any"}))
+        text += "\n" + finding;
+    return text + (expect.needsReview ? "\nreview" : "");
+}
+
 bool isAmong(std::span<const std::string_view> names, const Subject& subject) {
     return std::ranges::find(names, subject.name) != names.end();
 }
@@ -37,23 +52,56 @@ const SceneEntry& randomScene() {
     });
 }
 
-std::vector<Subject> readSubjects(const fs::path& data) {
-    const std::string& file = randomScene().file;
+namespace {
+
+bool isFileOf(const Exercise& exercise, const std::string& file) {
+    return std::ranges::find(exercise.tasks, file, &TaskEntry::file) != exercise.tasks.end();
+}
+
+// The entries of one file, or of all others.
+std::vector<Subject> subjectsOf(const fs::path& data, const Exercise& exercise,
+                                const std::function<bool(std::string_view file)>& isWanted) {
     std::vector<Subject> subjects;
-    for (const corpus::Entry& entry : corpus::readCatalogue(data))
-        if (defaultExercise().fileOf(entry.group) == file)
+    for (const corpus::Entry& entry : corpus::readCatalogue(data, exercise))
+        if (const std::string file{exercise.fileOf(entry.group)}; isWanted(file))
             subjects.push_back({entry.group + "/" + entry.name, corpus::textsOf(entry).at(file),
-                                entry.group, entry.expected(), file});
-    for (const corpus::Entry& entry : corpus::readEntries(data, {"samples", "unseen"})) {
+                                entry.group, entry.expected(), file, &exercise});
+    for (const corpus::Entry& entry : corpus::readEntries(data, {"samples", "unseen"}, exercise)) {
         if (entry.group != "awarded" && !entry.group.ends_with("/right")) continue;
-        const std::map<std::string, std::string> texts = corpus::textsOf(entry);
-        if (const auto text = texts.find(file); text != texts.end())
-            subjects.push_back(
-                {"right/" + entry.name, text->second, "", {{"passed"}, {{}}, false}, file});
+        for (const auto& [file, text] : corpus::textsOf(entry))
+            if (isWanted(file) && isFileOf(exercise, file))
+                subjects.push_back(
+                    {"right/" + entry.name, text, "", {{"passed"}, {{}}, false}, file, &exercise});
     }
-    std::sort(subjects.begin(), subjects.end(),
-              [](const Subject& a, const Subject& b) { return a.name < b.name; });
+    std::ranges::sort(subjects, {}, &Subject::name);
     return subjects;
+}
+
+}  // namespace
+
+std::vector<Subject> readSubjects(const fs::path& data) {
+    return subjectsOf(data, defaultExercise(),
+                      [](std::string_view file) { return file == randomScene().file; });
+}
+
+std::vector<Subject> readExactSubjects(const fs::path& data) {
+    std::vector<Subject> all;
+    for (const Exercise& exercise : knownExercises()) {
+        const bool isDefault = exercise.name == defaultExercise().name;
+        for (Subject& subject : subjectsOf(data, exercise, [&](std::string_view file) {
+                 return !isDefault || file != randomScene().file;
+             })) {
+            subject.name = exercise.name + ":" + subject.name;
+            if (subject.task.empty()) subject.name += "/" + subject.file;
+            all.push_back(std::move(subject));
+        }
+    }
+    return all;
+}
+
+Programs::Programs(const sandbox::Sandbox& sandbox) : sandbox_(sandbox) {
+    for (const Exercise& exercise : knownExercises())
+        kits_.emplace(exercise.name, build::Kit::besideProgram(exercise));
 }
 
 const build::Program& Programs::of(const Subject& subject) {
@@ -63,8 +111,8 @@ const build::Program& Programs::of(const Subject& subject) {
         slot = &slots_[subject.name];
     }
     std::call_once(slot->once, [&] {
-        build::BuildResult built =
-            build::buildProgram(kit_, sandbox_, sandbox::Limits{}, subject.file, subject.source);
+        build::BuildResult built = build::buildProgram(
+            kit(*subject.exercise), sandbox_, sandbox::Limits{}, subject.file, subject.source);
         if (!built.program)
             throw raytracer::Error(
                 fmt::format("{} does not compile: {}", subject.name, built.diagnostics));

@@ -26,8 +26,13 @@ struct Subject {
     std::string task;  ///< the task of `expect`; empty: both tasks must pass
     corpus::Expectation expect;
     std::string file;  ///< its name
+    const Exercise* exercise = &defaultExercise();
 
     [[nodiscard]] bool isRight() const { return expect.passes(); }
+    /// The task that it is about; of a whole file its first.
+    [[nodiscard]] std::string ownTask() const;
+    /// What of it can change a verdict: its code and the expected result.
+    [[nodiscard]] std::string basis() const;
     /// Its rays are not visible, so that values or pictures are judged.
     [[nodiscard]] bool isUnseen() const;
     /// Only a distribution is wrong, so that statistics must find it.
@@ -38,6 +43,9 @@ struct Subject {
 inline constexpr std::array<std::string_view, 4> kQuick{
     "T2.1/accepted-per-sample", "T2.1/light-size-0.36", "T2.2/accepted-stratified",
     "T2.2/aperture-size-0.9"};
+inline constexpr std::array<std::string_view, 4> kQuickExact{
+    "tick1star:T1/inverted-u", "tick1:M2/view-reversed", "tick1:M3.1/absolute",
+    "tick1:M3.2/at-least"};
 inline constexpr std::array<std::string_view, 2> kRightAndSmaller{"T2.1/accepted-per-sample",
                                                                   "T2.1/light-size-0.36"};
 inline constexpr std::array<std::string_view, 2> kRightAndHard{"T2.1/accepted-per-sample",
@@ -60,17 +68,22 @@ inline constexpr std::array<std::string_view, 8> kMeasuredInPictures{
 /// @throws raytracer::InputError if one cannot be read.
 [[nodiscard]] std::vector<Subject> readSubjects(const std::filesystem::path& data);
 
+/// The same of all tasks of the other files, of all exercises: their verdicts are exact.
+[[nodiscard]] std::vector<Subject> readExactSubjects(const std::filesystem::path& data);
+
 /// Compiles each subject once, on first use. Threads may share it.
 class Programs {
 public:
-    Programs(const build::Kit& kit, const sandbox::Sandbox& sandbox)
-        : kit_(kit), sandbox_(sandbox) {}
+    /// @throws raytracer::Error (notGradable) if the kit of an exercise is missing.
+    explicit Programs(const sandbox::Sandbox& sandbox);
 
     /// The program lives as long as this object.
     /// @throws raytracer::Error if the subject does not compile.
     [[nodiscard]] const build::Program& of(const Subject& subject);
 
-    [[nodiscard]] const build::Kit& kit() const { return kit_; }
+    [[nodiscard]] const build::Kit& kit(const Exercise& exercise = defaultExercise()) const {
+        return kits_.at(exercise.name);
+    }
     [[nodiscard]] const sandbox::Sandbox& sandbox() const { return sandbox_; }
 
 private:
@@ -78,7 +91,7 @@ private:
         std::once_flag once;
         std::unique_ptr<build::Program> program;
     };
-    const build::Kit& kit_;
+    std::map<std::string, build::Kit> kits_;  // by exercise
     const sandbox::Sandbox& sandbox_;
     std::mutex mutex_;
     std::map<std::string, Slot> slots_;

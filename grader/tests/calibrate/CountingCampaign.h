@@ -17,6 +17,11 @@ public:
     [[nodiscard]] std::string unitName(std::size_t unit) const override {
         return "number " + std::to_string(firstUnit + unit);
     }
+    [[nodiscard]] Basis basisOf(std::size_t unit) const override {
+        return {measured.empty() ? std::vector<std::string>{}
+                                 : std::vector{measured.at(unit % measured.size())},
+                "entry " + std::to_string(unit), text};
+    }
     [[nodiscard]] std::vector<std::size_t> checkUnits() const override { return {0, 2}; }
     [[nodiscard]] std::string run(std::size_t unit) override {
         ++runs;
@@ -30,6 +35,8 @@ public:
     std::atomic<int> runs{0};
     std::size_t offset = 0;
     std::size_t firstUnit = 0;
+    std::vector<std::string> measured;  // one for each unit, in turn
+    std::string text;                   // of each unit's entry
 
 private:
     std::size_t units_;

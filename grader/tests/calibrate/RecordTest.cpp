@@ -49,6 +49,34 @@ TEST(Record, RefusesThatOfAnotherCampaign) {
     EXPECT_THROW(Record(folder.path(), CountingCampaign{6}), raytracer::InputError);
 }
 
+TEST(Record, KeepsTheCodeThatAUnitBelongsTo) {
+    const tests::TemporaryFolder folder;
+    const CountingCampaign campaign{2};
+    Record{folder.path(), campaign}.add(1, R"({"a":1})", {{"shadows", "12345678"}});
+    const Record again{folder.path(), campaign};
+    EXPECT_TRUE(again.isCurrent(1, {{"shadows", "12345678"}}));
+    EXPECT_FALSE(again.isCurrent(1, {{"shadows", "12345679"}}));
+    EXPECT_FALSE(again.isCurrent(0, {}));
+}
+
+TEST(Record, AdoptsWhatAnotherOneHasOfTodaysCode) {
+    const tests::TemporaryFolder folder;
+    const tests::TemporaryFolder other;
+    const CountingCampaign campaign{3};
+    const std::vector<Stamp> today(3, Stamp{{"lens", "new"}});
+    Record committed{other.path(), campaign};
+    committed.add(0, R"({"a":"committed"})", {{"lens", "new"}});
+    committed.add(1, R"({"a":"committed"})", {{"lens", "old"}});
+    committed.add(2, R"({"a":"committed"})", {{"lens", "old"}});
+    Record record{folder.path(), campaign};
+    record.add(0, R"({"a":"own"})", {{"lens", "old"}});
+    record.add(1, R"({"a":"own"})", {{"lens", "new"}});
+    record.adopt(committed, today);
+    EXPECT_EQ(record.at(0), R"({"a":"committed"})");
+    EXPECT_EQ(record.at(1), R"({"a":"own"})");
+    EXPECT_EQ(record.at(2), R"({"a":"committed"})") << "old figures rather than none";
+}
+
 // A new entry of the catalogue must not invalidate the hours of work on the others.
 TEST(Record, KnowsUnitsByNameWhenOthersComeAndGo) {
     const tests::TemporaryFolder folder;

@@ -12,16 +12,36 @@ TEST(RunCampaign, DoesOnlyWhatTheRecordDoesNotHave) {
     CountingCampaign campaign{20};
     Record record{folder.path(), campaign};
     record.add(7, R"({"square":49})");
-    runCampaign(campaign, record, 3, {});
+    runCampaign(campaign, record, std::vector<Stamp>(20), 3, {});
     EXPECT_EQ(campaign.runs, 19);
     EXPECT_EQ(record.size(), 20U);
+}
+
+TEST(RunCampaign, RepeatsWhatIsOfOtherCode) {
+    const tests::TemporaryFolder folder;
+    CountingCampaign campaign{4};
+    Record record{folder.path(), campaign};
+    std::vector<Stamp> stamps(4, Stamp{{"shadows", "a"}});
+    runCampaign(campaign, record, stamps, 1, {});
+    stamps[2] = {{"shadows", "b"}};
+    runCampaign(campaign, record, stamps, 1, {});
+    EXPECT_EQ(campaign.runs, 5);
+    EXPECT_EQ(currentUnits(record, stamps), 4U);
+}
+
+TEST(RunCampaign, RunsOnlyUnitsOfThatName) {
+    const tests::TemporaryFolder folder;
+    CountingCampaign campaign{20};
+    Record record{folder.path(), campaign};
+    runCampaign(campaign, record, std::vector<Stamp>(20), 1, {}, "number 1");
+    EXPECT_EQ(campaign.runs, 11) << "1 and 10 to 19";
 }
 
 TEST(CheckCampaign, IsContentWithTheSameResultsAtAnotherCost) {
     const tests::TemporaryFolder folder;
     CountingCampaign campaign{4};
     Record record{folder.path(), campaign};
-    runCampaign(campaign, record, 1, {});
+    runCampaign(campaign, record, std::vector<Stamp>(4), 1, {});
     EXPECT_TRUE(checkCampaign(campaign, record, 2).empty());
     EXPECT_EQ(campaign.runs, 6);
 }
