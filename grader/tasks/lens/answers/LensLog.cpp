@@ -28,26 +28,40 @@ int nearestByFocus(const LensRay& ray, const LensLog& log) {
     return nearest;
 }
 
+using PixelOf = std::function<int(const PlacedRay&)>;
+
+void add(LensLog& log, const PlacedRay& placed, int pixel) {
+    if (pixel < 0) return;
+    const int count = log.asked->settings.width * log.asked->settings.height;
+    log.pixels[static_cast<std::size_t>(placed.repetition * count + pixel)].rays.push_back(
+        placed.ray);
+}
+
 // Succeeds only if every pixel gets a ray.
-bool distribute(LensLog& log, const std::vector<PlacedRay>& rays,
-                const std::function<int(const PlacedRay&)>& pixelOf) {
+bool distribute(LensLog& log, const std::vector<PlacedRay>& rays, const PixelOf& pixelOf) {
     for (LensPixel& pixel : log.pixels)
         pixel.rays.clear();
-    const int count = log.asked->settings.width * log.asked->settings.height;
-    for (const PlacedRay& placed : rays) {
-        const int pixel = pixelOf(placed);
-        if (pixel < 0) continue;
-        log.pixels[static_cast<std::size_t>(placed.repetition * count + pixel)].rays.push_back(
-            placed.ray);
-    }
+    for (const PlacedRay& placed : rays)
+        add(log, placed, pixelOf(placed));
     return std::none_of(log.pixels.begin(), log.pixels.end(),
                         [](const LensPixel& pixel) { return pixel.rays.empty(); });
 }
 
+// Adds the rays of threads that trace a part of a pixel for the thread that sets it.
+void addHelpers(LensLog& log, const std::vector<PlacedRay>& rays, const PixelOf& pixelOf) {
+    for (const PlacedRay& placed : rays)
+        if (placed.byHelper && pixelOf(placed) < 0)
+            add(log, placed,
+                placed.byCamera >= 0 ? placed.byCamera : nearestByFocus(placed.ray, log));
+}
+
 void place(LensLog& log, const std::vector<PlacedRay>& rays) {
     if (rays.empty()) return;
-    if (distribute(log, rays, [](const PlacedRay& placed) { return placed.bySet; })) return;
-    if (distribute(log, rays, [](const PlacedRay& placed) { return placed.byCamera; })) return;
+    for (const PixelOf& pixelOf : {PixelOf{&PlacedRay::bySet}, PixelOf{&PlacedRay::byCamera}})
+        if (distribute(log, rays, pixelOf)) {
+            addHelpers(log, rays, pixelOf);
+            return;
+        }
     distribute(log, rays, [&](const PlacedRay& placed) { return nearestByFocus(placed.ray, log); });
 }
 

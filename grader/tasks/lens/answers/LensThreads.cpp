@@ -59,6 +59,12 @@ public:
                 break;
         }
     }
+    /// No event of this thread follows.
+    void finish() {
+        for (auto* list : {&entered_, &cast_})
+            for (PlacedRay& ray : *list)
+                ray.byHelper = !setsPixels_;
+    }
     [[nodiscard]] const std::vector<PlacedRay>& entered() const { return entered_; }
     [[nodiscard]] const std::vector<PlacedRay>& cast() const { return cast_; }
 
@@ -114,6 +120,7 @@ private:
         entered_.push_back(cast);
     }
     void set(const Event& event) {
+        setsPixels_ = true;
         const int index = indexOf(event);
         for (auto* list : {&entered_, &cast_})
             for (auto ray = list->rbegin(); ray != list->rend() && ray->bySet < 0; ++ray)
@@ -126,6 +133,7 @@ private:
     int repetition_;
     int depth_ = 0;
     bool open_ = false;
+    bool setsPixels_ = false;
     int camera_ = -1;
     std::vector<PlacedRay> entered_;
     std::vector<PlacedRay> cast_;
@@ -142,7 +150,8 @@ ReadRays readThreads(const probe::RenderQuestion& asked, const std::vector<Event
             .first->second.read(event);
     }
     ReadRays rays;
-    for (const auto& [key, reader] : threads) {
+    for (auto& [key, reader] : threads) {
+        reader.finish();
         rays.entered.insert(rays.entered.end(), reader.entered().begin(), reader.entered().end());
         rays.cast.insert(rays.cast.end(), reader.cast().begin(), reader.cast().end());
     }

@@ -15,6 +15,7 @@ struct PlacedRay {
     int repetition = 0;
     int bySet = -1;
     int byCamera = -1;
+    bool byHelper = false;  // its thread set no pixel
 };
 
 struct ReadRays {

@@ -139,6 +139,30 @@ TEST(LensEvents, KeepsThreadsApart) {
     expectOwnRays(events.read());
 }
 
+// Code may split the rays of each pixel among threads, std::async for example.
+TEST(LensEvents, GivesRaysOfAHelpingThreadToThePixelOfTheirFocalPoint) {
+    for (const bool setsAtOnce : {true, false}) {
+        Events events;
+        events.asked.settings.dofFocalPlane = 3.0;
+        const double pitch = 2.0 * std::tan(std::numbers::pi / 8.0) / 4.0;
+        std::uint32_t newest = 0;
+        events.everywhere([&](int x, int y) {
+            const Vector3 focal = Vector3{(x - 1.5) * pitch, (0.5 - y) * pitch, 1.0} * 3.0;
+            const Vector3 origin = mark(events.ask, x, y);
+            events.at(Kind::cameraRayAsked, x, y);
+            for (const std::uint32_t thread : {0U, ++newest}) {
+                events.thread = thread;
+                events.began(origin, focal - origin);
+                events.ended(0.5);
+            }
+            events.thread = 0;
+            if (setsAtOnce) events.at(Kind::pixelSet, x, y);
+        });
+        if (!setsAtOnce) events.everywhere([&](int x, int y) { events.at(Kind::pixelSet, x, y); });
+        expectOwnRays(events.read(), 2);
+    }
+}
+
 TEST(LensEvents, TakesRaysThatWereCastWhereNoneWasTraced) {
     Events events;
     events.everywhere([&](int x, int y) {
