@@ -79,7 +79,9 @@ inline constexpr FindingText kDofOffCentre{
     .words = "put the aperture off the eye",
     .meaning = "the aperture is not centred on the eye",
     .hint =
-        "The aperture is centred on the eye: random numbers between -1 and 1, not between 0 and 1.",
+        "The aperture is centred on the eye: random numbers between -1 and 1, not between 0 and 1. "
+        "Where it is divided into cells, every cell needs its ray: 50 rays leave cells of 8 x 8 "
+        "empty.",
     .section = "Depth of field (T2.2), step 2"};
 
 inline constexpr FindingText kDofDisc{

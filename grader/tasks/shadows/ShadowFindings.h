@@ -141,9 +141,10 @@ inline constexpr FindingText kShadowNotABall{
         "middle than the original's helper nor denser at the rim than a surface is accepted",
     .hint =
         "The light is a ball around light.position(): take Vector3::randomInsideUnitSphere() as it "
-        "is, without normalised() and without adding anything, times settings().lightSize. Numbers "
-        "of your own must go from -1 to 1 in x, y and z, not from 0 to 1, each drawn anew, and "
-        "what lies outside of the unit ball is drawn again.",
+        "is, without normalised(), a turned sign or anything added, times settings().lightSize. "
+        "Numbers of your own must go from -1 to 1 in x, y and z, not from 0 to 1, each drawn anew, "
+        "and what lies outside of the unit ball is drawn again; two angles need a random number "
+        "each.",
     .section = "Soft shadows (T2.1), step 1"};
 
 inline constexpr FindingText kShadowClustered{

@@ -161,7 +161,8 @@ Words slopesWords(const SlopeAgreement& slopes) {
                     "a few percent).",
                     percent(0.5 + 0.5 * slopes.fieldU), percent(0.5 + 0.5 * slopes.fieldV)),
         "Check that Bu compares two neighbouring texels of the point's own row, and Bv two of its "
-        "own column; that columns are counted by width() and rows by height(); and that nothing "
+        "own column; that columns are counted by width() and rows by height(); that u and v are "
+        "made from position - centre() in x, y and z alike, for every sphere; and that nothing "
         "depends on how bright or how steep the texels are.",
         "Option 1: What to do, step 3"};
 }
