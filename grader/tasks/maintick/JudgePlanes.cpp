@@ -23,14 +23,17 @@ struct Fraction {
     double slope = 0.0;     ///< D.N
     double ofPoint = 0.0;   ///< Q.N
     double ofOrigin = 0.0;  ///< O.N
+    double ofFirst = 0.0;   ///< Q.N of the first plane
 };
 
 template <auto Solve>
 Distance solved(const SceneDescription& scene, int object, const Ray& ray) {
     const auto& plane = scene.planes[static_cast<std::size_t>(object)];
     const Vector3 normal = plane.normal.normalised();
+    const auto& first = scene.planes[0];
     return Solve(Fraction{(plane.point - ray.origin).dot(normal), ray.direction.dot(normal),
-                          plane.point.dot(normal), ray.origin.dot(normal)});
+                          plane.point.dot(normal), ray.origin.dot(normal),
+                          first.point.dot(first.normal.normalised())});
 }
 
 Distance inFront(double distance) {
@@ -76,6 +79,34 @@ const std::array kPlaneSlips{
     HitSlip{&kPlaneOneSided,
             "The absolute value of D.N loses the side that the ray comes from: leave it out.",
             solved<[](const Fraction& f) { return inFront(f.height / std::abs(f.slope)); }>},
+    HitSlip{&kPlaneDistance,
+            "That is how far the origin is from the plane. The distance is s, along the ray: "
+            "s = (Q - O).N / D.N.",
+            solved<[](const Fraction& f) {
+                return 0.0 < f.height / f.slope ? Distance{std::abs(f.height)} : Distance{};
+            }>},
+    HitSlip{&kPlaneDistance,
+            "The point of another plane is used here: a static or global variable keeps the first. "
+            "Work everything out in each call.",
+            solved<[](const Fraction& f) { return inFront((f.ofFirst - f.ofOrigin) / f.slope); }>},
+    HitSlip{&kPlaneMissed,
+            "A limit cuts far hits off: every positive s is a hit, however large it is.",
+            solved<[](const Fraction& f) {
+                const double s = f.height / f.slope;
+                return 1000.0 < s ? Distance{} : inFront(s);
+            }>},
+    HitSlip{&kPlaneMissed,
+            "A tolerance of D.N cuts floors off before the horizon: leave rays out only where D.N "
+            "is 0, or below 1e-6.",
+            solved<[](const Fraction& f) {
+                return std::abs(f.slope) < 0.01 ? Distance{} : inFront(f.height / f.slope);
+            }>},
+    HitSlip{&kPlaneMissed,
+            "A limit cuts near hits off: every positive s is a hit, however small it is.",
+            solved<[](const Fraction& f) {
+                const double s = f.height / f.slope;
+                return s < 0.05 ? Distance{} : inFront(s);
+            }>},
 };
 
 constexpr maintick::HitTexts kPlaneTexts{&kPlaneMissed,
@@ -91,13 +122,11 @@ constexpr maintick::HitTexts kPlaneTexts{&kPlaneMissed,
                                          "A plane has the same normal everywhere: normal().",
                                          kPlaneFindings};
 
-AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, Place place, double side) {
+AskedHit hitFrom(Draw& draw, const SceneDescription& scene, int object, Place place,
+                 const Vector3& direction, double distance) {
     const auto& plane = scene.planes[static_cast<std::size_t>(object)];
     const Vector3 normal = plane.normal.normalised();
-    // D.N is at least 0.4, so that the distance is as exact as its parts.
-    const Vector3 direction = draw.directionAround(normal * -side, 1.1);
     const Vector3 foot = plane.point + perpendicularsOf(normal).first * draw.between(-2.0, 2.0);
-    const double distance = draw.between(1.0, 5.0);
     AskedHit asked;
     asked.place = place;
     asked.ray.object = object;
@@ -107,6 +136,31 @@ AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, Place pl
                                maintick::words(normal));
     asked.expected = maintick::meet(plane, asked.line());
     return asked;
+}
+
+/// @param side  1: from the side that the normal points to; -1: from the other one.
+AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, Place place, double side) {
+    const Vector3 normal = scene.planes[static_cast<std::size_t>(object)].normal.normalised();
+    // D.N is at least 0.4, so that the distance is as exact as its parts.
+    const Vector3 direction = draw.directionAround(normal * -side, 1.1);
+    return hitFrom(draw, scene, object, place, direction, draw.between(1.0, 5.0));
+}
+
+/// Where limits and tolerances show that the handout does not have: grazing, as near the horizon of
+/// a floor, near, and far away.
+void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
+    constexpr double kGrazing = 0.008;  // of D.N: in float the distance is right to 1e-4
+    constexpr double kNear = 0.03;
+    constexpr double kFar = 2000.0;
+    const Vector3 normal = scene.planes[0].normal.normalised();
+    const Vector3 along = perpendicularsOf(normal).second;
+    const Vector3 grazing = (along - normal * kGrazing).normalised();
+    asked.push_back(hitFrom(draw, scene, 0, Place::outside, grazing, 6.0));
+    const Vector3 down = draw.directionAround(normal * -1.0, 1.1);
+    asked.push_back(hitFrom(draw, scene, 0, Place::outside, down, kNear));
+    const int far = static_cast<int>(scene.planes.size());
+    scene.planes.push_back({draw.direction() * kFar, normal, {}});
+    asked.push_back(hitFrom(draw, scene, far, Place::outside, down, kFar));
 }
 
 }  // namespace
@@ -126,6 +180,7 @@ TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
             const double side = place == Place::outside || !isFromBack ? 1.0 : -1.0;
             asked.push_back(drawHit(draw, scene, object, place, side));
         }
+    addExtremes(draw, scene, asked);
     return maintick::judgeHits(examinee, scene, asked, kPlaneSlips, kPlaneTexts,
                                "Plane::intersectionWith");
 }
