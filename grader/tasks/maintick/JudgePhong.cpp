@@ -106,6 +106,17 @@ constexpr std::array kPhongSlips{
               "The absolute value makes highlights away from the mirrored ray: take std::max(0.0, "
               "R.dot(V)) before std::pow."},
     NamedSlip{PhongSlip::bothUnclamped, &kPhongClamp},
+    NamedSlip{
+        PhongSlip::normalTurned, &kPhongClamp,
+        "N is turned to the viewer here, so that the back of a surface is lit like its front: "
+        "take N as it is handed over."},
+    NamedSlip{PhongSlip::defaultCoefficients, &kPhongWrong,
+              "The coefficients are the usual ones, whatever the object's are: take "
+              "object.phongKD(), object.phongKS() and object.phongAlpha()."},
+    NamedSlip{PhongSlip::farLightsMissing, &kPhongFalloff,
+              "Lights that are far away count as well: leave no light out for its distance."},
+    NamedSlip{PhongSlip::lastHighlightOnly, &kPhongLights,
+              "Only the last light has a highlight: add (+=) the specular terms as well."},
     NamedSlip{PhongSlip::falloffMissing, &kPhongFalloff,
               "The light does not fade: I is light.illuminationAt(d), where d is the distance "
               "between P and the light, (light.position() - P).magnitude()."},
@@ -138,6 +149,8 @@ const FindingText& nameOf(maintick::LitKind kind) {
             return kPhongLights;
         case maintick::LitKind::bright:
             return kPhongRange;
+        case maintick::LitKind::far:
+            return kPhongFalloff;
         default:
             return kPhongWrong;
     }

@@ -98,6 +98,7 @@ std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
     LitQuestion bright{LitKind::bright, drawPoint(draw)};
     addLight(draw, bright.setup, 1.2, 400.0);
     asked.push_back(bright);
+    asked.push_back(lit(draw, LitKind::far, 120.0));
     return asked;
 }
 

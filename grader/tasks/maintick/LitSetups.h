@@ -11,7 +11,16 @@
 namespace ticker::tasks::maintick {
 
 /// What a question is about.
-enum class LitKind : std::uint8_t { ambient, diffuse, specular, behind, several, bright, all };
+enum class LitKind : std::uint8_t {
+    ambient,
+    diffuse,
+    specular,
+    behind,
+    several,
+    bright,
+    far,  ///< lit from 120 away
+    all
+};
 
 struct LitQuestion {
     LitKind kind = LitKind::all;

@@ -36,8 +36,9 @@ ColourRGB arriving(PhongSlip slip, const LitSetup& setup, const PointLight& ligh
     return light.colour() * (light.intensity() / (sphere * distance * distance));
 }
 
-double facing(PhongSlip slip, const Vector3& N, const Vector3& L) {
-    const double cosine = N.dot(L);
+double facing(PhongSlip slip, const Vector3& N, const Vector3& L, const Vector3& V) {
+    double cosine = N.dot(L);
+    if (slip == PhongSlip::normalTurned && N.dot(V) < 0.0) cosine = -cosine;
     if (slip == PhongSlip::facingUnclamped || slip == PhongSlip::bothUnclamped) return cosine;
     return slip == PhongSlip::facingAbsolute ? std::abs(cosine) : std::max(0.0, cosine);
 }
@@ -80,6 +81,14 @@ ColourRGB specular(PhongSlip slip, const Material& material, const PointLight& l
     return light.colour() * I * share;
 }
 
+Material materialWith(PhongSlip slip, const LitSetup& setup) {
+    const Material& own = setup.scene.spheres[0].material;
+    if (slip != PhongSlip::defaultCoefficients) return own;
+    Material usual;
+    usual.colour = own.colour;
+    return usual;
+}
+
 ColourRGB ambient(PhongSlip slip, const LitSetup& setup) {
     const Material& material = setup.scene.spheres[0].material;
     const ColourRGB light = setup.scene.ambientLighting;
@@ -93,21 +102,27 @@ ColourRGB ambient(PhongSlip slip, const LitSetup& setup) {
 }  // namespace
 
 ColourRGB phongWith(PhongSlip slip, const LitSetup& setup) {
-    const Material& material = setup.scene.spheres[0].material;
+    const Material material = materialWith(slip, setup);
     if (slip == PhongSlip::flat) return material.colour;
     const ColourRGB base = ambient(slip, setup);
     if (slip == PhongSlip::lightsMissing) return base;
     const Vector3 V = towardsViewer(slip, setup);
     ColourRGB sum;
+    ColourRGB highlights;
+    constexpr double kFar = 10.0;
     for (const PointLight& light : setup.scene.pointLights) {
+        const Vector3 path = light.position() - setup.P;
+        if (slip == PhongSlip::farLightsMissing && path.magnitude() > kFar) continue;
         const Vector3 L = towardsLight(slip, setup, light);
         const ColourRGB I = arriving(slip, setup, light);
-        const ColourRGB own = diffuse(slip, material, light, I, facing(slip, setup.N, L)) +
-                              specular(slip, material, light, I, mirrored(slip, setup.N, L, V));
         if (slip == PhongSlip::lastLightOnly) sum = {};
-        sum += own;
+        if (slip == PhongSlip::lastLightOnly || slip == PhongSlip::lastHighlightOnly)
+            highlights = {};
+        sum += diffuse(slip, material, light, I, facing(slip, setup.N, L, V));
+        highlights += specular(slip, material, light, I, mirrored(slip, setup.N, L, V));
         if (slip == PhongSlip::firstLightOnly) break;
     }
+    sum += highlights;
     if (slip == PhongSlip::averaged && !setup.scene.pointLights.empty())
         sum /= static_cast<double>(setup.scene.pointLights.size());
     const ColourRGB all = base + sum;

@@ -51,6 +51,10 @@ enum class PhongSlip : std::uint8_t {
     mirroredUnclamped,
     mirroredAbsolute,
     bothUnclamped,
+    normalTurned,         ///< to the viewer
+    defaultCoefficients,  ///< those of a scene element without any
+    farLightsMissing,
+    lastHighlightOnly,
     falloffMissing,
     falloffLinear,
     falloffSquaredAgain,
