@@ -151,6 +151,13 @@ std::pair<const FindingText*, std::string> nameOf(const Seen& seen, const ShadeS
         if (!at(Shown::right, Occluder::near)) return {&kShadeBias, ""};
         if (!at(Shown::right, Occluder::ofFirstLight) || !at(Shown::right, Occluder::ofSecondLight))
             return {&kShadeLights, ""};
+        if (!at(Shown::right, Occluder::wall))
+            return {&kShadeWrong,
+                    "Planes cast shadows, too: whatever the ray meets before the light hides it."};
+        if (!at(Shown::right, Occluder::beforeAndBeyond))
+            return {&kShadeWrong,
+                    "What stands behind the light decides nothing: look at the other objects, too, "
+                    "or take the nearest hit, scene.findClosestIntersection(ray)."};
     }
     if (anyIs(Shown::black)) return {&kShadeAmbient, ""};
     if (anyIs(Shown::specular)) return {&kShadeSpecular, ""};

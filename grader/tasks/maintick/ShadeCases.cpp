@@ -37,10 +37,19 @@ ShadeCase withBall(Draw& draw, Occluder place, double distance, double along, do
 }
 
 ShadeCase behindWall(Draw& draw) {
-    ShadeCase made = begun(draw, Occluder::before, 3.0);
+    ShadeCase made = begun(draw, Occluder::wall, 3.0);
     const Vector3 L = towards(made.asked);
     made.asked.scene.planes.push_back(
         {made.asked.P + L * 1.5, draw.directionAround(L * -1.0, 0.4), {}});
+    return made;
+}
+
+ShadeCase ofTwoBalls(Draw& draw, bool firstIsBeyond) {
+    const double distance = draw.between(3.0, 4.0);
+    ShadeCase made = begun(draw, Occluder::beforeAndBeyond, distance);
+    const double beyond = distance + 1.0;
+    addBall(made.asked, firstIsBeyond ? beyond : distance / 2.0, 0.3);
+    addBall(made.asked, firstIsBeyond ? distance / 2.0 : beyond, 0.3);
     return made;
 }
 
@@ -59,8 +68,16 @@ ShadeCase ofTwo(Draw& draw, bool firstIsHidden) {
     return made;
 }
 
+/// On the side that the normal points to, near the highlight.
+Vector3 viewerOutside(const LitSetup& setup) {
+    const Vector3 R = towards(setup).reflectIn(setup.N);
+    return setup.P + (R + setup.N * 0.4).normalised() * 2.5;
+}
+
 ShadeCase ofItself(Draw& draw, bool isPlane) {
     ShadeCase made = begun(draw, Occluder::itself, draw.between(2.0, 4.0));
+    for (LitSetup* setup : {&made.free, &made.asked, &made.without, &made.putOut})
+        setup->O = viewerOutside(made.free);
     raytracer::SceneDescription& scene = made.asked.scene;
     if (isPlane) {
         scene.planes.push_back(
@@ -108,6 +125,10 @@ std::string_view wordsOf(Occluder place) {
             return "of two lights the first is hidden";
         case Occluder::ofSecondLight:
             return "of two lights the second is hidden";
+        case Occluder::wall:
+            return "a plane stands half-way to the light";
+        case Occluder::beforeAndBeyond:
+            return "something stands half-way to the light, and something else behind the light";
         case Occluder::itself:
             return "there is nothing but the surface that the point lies on";
     }
@@ -128,6 +149,7 @@ std::vector<ShadeCase> drawShadeCases(std::uint64_t seed) {
         cases.push_back(withBall(draw, Occluder::near, distance, 0.06, 0.03));
         cases.push_back(behindWall(draw));
         cases.push_back(ofTwo(draw, i == 0));
+        cases.push_back(ofTwoBalls(draw, i == 0));
     }
     constexpr int kOwnSurfaces = 24;
     for (int i = 0; i < kOwnSurfaces; ++i)

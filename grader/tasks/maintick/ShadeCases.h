@@ -20,7 +20,9 @@ enum class Occluder : std::uint8_t {
     backwards,     ///< in the opposite direction
     ofFirstLight,  ///< the second light is free
     ofSecondLight,
-    itself  ///< nothing but the surface of the point
+    wall,             ///< a plane half-way to the light
+    beforeAndBeyond,  ///< one object half-way to the light, one behind it
+    itself            ///< nothing but the surface of the point
 };
 
 /// A point that is asked about with something around it, and the same without.
