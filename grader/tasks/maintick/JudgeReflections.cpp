@@ -75,6 +75,11 @@ constexpr std::array kTraceSlips{
     NamedTraceSlip{TraceSlip::baseReduced, &kMirrorBase,
                    "Where no bounce is left the direct colour counts whole: return it before it is "
                    "multiplied by 1 - rho."},
+    NamedTraceSlip{TraceSlip::weakIgnored, &kMirrorNone,
+                   "Weak mirrors are left out: return the direct light alone only where rho is 0."},
+    NamedTraceSlip{TraceSlip::weightReplaced, &kMirrorBlend,
+                   "From the second mirror on the shares of those before it are lost. In a loop "
+                   "the weight is multiplied: weight *= rho."},
 };
 
 std::string askedOf(const MirrorQuestion& asked, std::size_t ray) {

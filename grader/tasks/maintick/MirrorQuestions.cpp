@@ -12,6 +12,8 @@ using raytracer::Material;
 using raytracer::SceneDescription;
 
 constexpr int kMostBounces = 3;
+constexpr int kDull = 2;
+constexpr int kWeak = 6;
 constexpr double kBright = 2500.0;  ///< intensity of a light that makes colours above 1
 
 Material materialWith(Draw& draw, double reflectivity) {
@@ -21,7 +23,8 @@ Material materialWith(Draw& draw, double reflectivity) {
     return material;
 }
 
-/// Five mirrors around a middle, a dull ball among them; open on all sides.
+/// Five mirrors around a middle, a dull ball among them; open on all sides. A weak mirror hangs
+/// below the floor, where no chain comes from above.
 SceneDescription openScene(Draw& draw) {
     SceneDescription scene;
     scene.ambientLighting = draw.colour(0.03, 0.06);  // so that the background counts
@@ -29,13 +32,14 @@ SceneDescription openScene(Draw& draw) {
         const double angle = 1.05 * i + draw.between(-0.15, 0.15);
         const Vector3 centre{2.2 * std::cos(angle), draw.between(-0.5, 0.5),
                              5.0 + 2.2 * std::sin(angle)};
-        const double share = i == 2 ? 0.0 : draw.between(0.2, 0.8);
+        const double share = i == kDull ? 0.0 : draw.between(0.2, 0.8);
         scene.spheres.push_back(
             {centre, draw.between(0.65, 0.9), materialWith(draw, share), nullptr});
     }
     scene.planes.push_back({{0.0, -1.6, 0.0},
                             {draw.between(-0.1, 0.1), 1.0, draw.between(-0.1, 0.1)},
                             materialWith(draw, 0.35)});
+    scene.spheres.push_back({{0.0, -6.0, 5.0}, 0.7, materialWith(draw, 0.03), nullptr});
     return scene;
 }
 
@@ -102,8 +106,10 @@ MirrorQuestion drawOpenScene(std::uint64_t seed) {
     addClearRays(draw, asked, 2, 4);
     addClearRays(draw, asked, 1, 5);
     addRays(asked, {{0.0, 0.0, 0.0}, Vector3{0.1, 0.9, -0.3}.normalised()});
-    const Vector3 dull = asked.question.scene.spheres[2].centre + Vector3{0.0, 3.0, 0.0};
+    const Vector3 dull = asked.question.scene.spheres[kDull].centre + Vector3{0.0, 3.0, 0.0};
     addRays(asked, {dull, {0.0, -1.0, 0.0}});
+    const Vector3 weak = asked.question.scene.spheres[kWeak].centre - Vector3{0.0, 3.0, 0.0};
+    addRays(asked, {weak, {0.0, 1.0, 0.0}});
     askEachObject(asked);
     asked.question.eventCapacity = 2048;
     return asked;

@@ -69,7 +69,22 @@ ColourRGB TraceModel::blend(int object, const ColourRGB& mirrored) const {
     }
 }
 
+ColourRGB TraceModel::withReplacedWeight(Ray ray, int bounces) const {
+    ColourRGB sum;
+    double weight = 1.0;
+    while (const auto nearest = nearestOn(scene, ray)) {
+        const double share = materialOf(scene, nearest->object).reflectivity;
+        const ColourRGB own = direct[static_cast<std::size_t>(nearest->object)];
+        if (bounces-- == 0 || share == 0.0) return sum + own * weight;
+        sum += own * ((1.0 - share) * weight);
+        weight = share;
+        ray = mirrored(slip, ray, nearest->meeting);
+    }
+    return sum + kBackground * weight;
+}
+
 ColourRGB TraceModel::along(const Ray& ray, int bounces, int depth) const {
+    if (slip == TraceSlip::weightReplaced) return withReplacedWeight(ray, bounces);
     const auto nearest = nearestOn(scene, ray);
     const bool isBlack =
         slip == TraceSlip::black || (slip == TraceSlip::blackMirrored && depth > 0);
@@ -77,7 +92,10 @@ ColourRGB TraceModel::along(const Ray& ray, int bounces, int depth) const {
     const double share = materialOf(scene, nearest->object).reflectivity;
     const ColourRGB own = direct[static_cast<std::size_t>(nearest->object)];
     const int last = slip == TraceSlip::oneLess ? 1 : slip == TraceSlip::oneMore ? -1 : 0;
-    if (bounces <= last || share == 0.0 || depth > kDeepest || slip == TraceSlip::noMirror)
+    constexpr double kWeak = 0.1;
+    const bool isIgnored = slip == TraceSlip::weakIgnored && share < kWeak;
+    if (bounces <= last || share == 0.0 || isIgnored || depth > kDeepest ||
+        slip == TraceSlip::noMirror)
         return slip == TraceSlip::baseReduced ? own * (1.0 - share) : own;
     const Ray next = mirrored(slip, ray, nearest->meeting);
     if (slip == TraceSlip::directWhereMirroredMisses && !nearestOn(scene, next)) return own;

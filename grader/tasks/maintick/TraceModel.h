@@ -35,6 +35,8 @@ enum class TraceSlip : std::uint8_t {
     evenShares,
     timesColour,
     baseReduced,
+    weakIgnored,     ///< mirrors below 0.1
+    weightReplaced,  ///< a loop that forgets the shares of all mirrors but the last
     kCount
 };
 
@@ -62,6 +64,7 @@ struct TraceModel {
 
 private:
     [[nodiscard]] ColourRGB blend(int object, const ColourRGB& mirrored) const;
+    [[nodiscard]] ColourRGB withReplacedWeight(Ray ray, int bounces) const;
 };
 
 /// The objects that a ray meets one after the other, at most `most`.
