@@ -63,6 +63,7 @@ void EventLog::cameraRayAsked(int x, int y, const raytracer::Ray& ray) {
 
 void EventLog::traceBegan(const raytracer::Ray& ray, int bouncesLeft) {
     if (keepsNothing()) return;
+    seesTraces_ = true;
     Event event = rayEvent(Event::Kind::traceBegan, ray);
     event.bounces = bouncesLeft;
     record(event);
@@ -102,6 +103,9 @@ void EventLog::rayCast(const raytracer::Ray& ray, const raytracer::RaycastHit* h
     }
     record(event);
     if (std::exchange(turnIsDue(), false)) giveWay();
+    // A short sleep, since a yield returns at once while there are processors to spare, and may
+    // cost a time slice of another program while there are none.
+    if (takesTurns_ && !seesTraces_) std::this_thread::sleep_for(std::chrono::microseconds{1});
 }
 
 void EventLog::pixelSet(int x, int y, const ColourRGB& colour) {

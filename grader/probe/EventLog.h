@@ -26,7 +26,8 @@ public:
 
     /// Makes the observed threads take turns after every traced ray and after the first shadow ray
     /// of every point, the first turn after a short wait for a second thread: makes data races
-    /// between pixels and between lights visible even on a busy machine.
+    /// between pixels and between lights visible even on a busy machine. Where `trace` is the
+    /// student's own and reports nothing, they take turns after every ray.
     void takeTurns() { takesTurns_ = true; }
 
     /// Sets the scene whose objects are numbered; not owned; null: every object is -1.
@@ -55,6 +56,7 @@ private:
     std::uint64_t& seen_;
     const raytracer::Scene* scene_ = nullptr;
     bool takesTurns_ = false;
+    std::atomic<bool> seesTraces_{false};
     std::atomic<int> waits_{0};
     std::atomic<std::uint32_t> ask_{0};
     std::atomic<std::uint32_t> threads_{0};

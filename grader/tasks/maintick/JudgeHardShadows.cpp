@@ -1,6 +1,7 @@
 #include <grader/tasks/maintick/JudgeMainTick.h>
 #include <grader/tasks/maintick/LightFindings.h>
 #include <grader/tasks/maintick/ShadeCases.h>
+#include <grader/tasks/maintick/Threads.h>
 #include <grader/tasks/support/RunEnd.h>
 
 #include <fmt/core.h>
@@ -211,7 +212,11 @@ TaskJudgement judgeHardShadows(probe::Examinee& examinee, std::uint64_t seed) {
     const probe::Run run = examinee.ask(questions);
     if (auto blocked = judgeUnanswered(run, "Renderer::illuminate")) return *std::move(blocked);
     std::vector<Finding> findings;
-    if (auto wrong = check(readAnswers(cases, run))) findings.push_back(*std::move(wrong));
+    auto wrong = check(readAnswers(cases, run));
+    if (!wrong)
+        wrong =
+            maintick::checkThreads(examinee, seed, maintick::Shows::shadows, kShadeThreadsMixed);
+    if (wrong) findings.push_back(*std::move(wrong));
     return judgementOf(std::move(findings), kShadeFindings);
 }
 

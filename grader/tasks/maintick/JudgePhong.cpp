@@ -2,6 +2,7 @@
 #include <grader/tasks/maintick/LightFindings.h>
 #include <grader/tasks/maintick/LitSetups.h>
 #include <grader/tasks/maintick/PhongModel.h>
+#include <grader/tasks/maintick/Threads.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/RunEnd.h>
 
@@ -204,7 +205,10 @@ TaskJudgement judgePhong(probe::Examinee& examinee, std::uint64_t seed) {
     for (const probe::Answer& answer : run.answers)
         given.push_back(std::get<probe::IlluminateAnswer>(answer).colours.at(0));
     std::vector<Finding> findings;
-    if (auto wrong = check(asked, given)) findings.push_back(*std::move(wrong));
+    auto wrong = check(asked, given);
+    if (!wrong)
+        wrong = maintick::checkThreads(examinee, seed, maintick::Shows::floor, kPhongThreadsMixed);
+    if (wrong) findings.push_back(*std::move(wrong));
     return judgementOf(std::move(findings), kPhongFindings);
 }
 

@@ -1,6 +1,7 @@
 #include <grader/tasks/maintick/JudgeMainTick.h>
 #include <grader/tasks/maintick/MirrorFindings.h>
 #include <grader/tasks/maintick/MirrorQuestions.h>
+#include <grader/tasks/maintick/Threads.h>
 #include <grader/tasks/support/RunEnd.h>
 
 #include <fmt/core.h>
@@ -231,6 +232,10 @@ TaskJudgement judgeReflections(probe::Examinee& examinee, std::uint64_t seed) {
             if (auto wrong = checkLit(facing, second)) findings.push_back(*std::move(wrong));
         }
     }
+    if (findings.empty())
+        if (auto mixed = maintick::checkThreads(examinee, seed, maintick::Shows::mirrors,
+                                                kMirrorThreadsMixed))
+            findings.push_back(*std::move(mixed));
     return judgementOf(std::move(findings), kMirrorFindings);
 }
 

@@ -92,6 +92,15 @@ inline constexpr FindingText kPhongWrong{
     .hint = "The colour is ambient light plus, for every light, its diffuse and its specular term.",
     .section = kPhongSection};
 
+inline constexpr FindingText kPhongThreadsMixed{
+    .id = "phong.threads-mixed",
+    .words = "let threads share what they light",
+    .meaning = "right with one thread, another picture with two",
+    .hint =
+        "forEachPixel calls your code from several threads at once: a static or global variable "
+        "belongs to all of them. Declare it inside of the function, without static.",
+    .section = kPhongSection};
+
 inline constexpr FindingText kShadeNoLight{
     .id = "shade.no-light",
     .words = "had no light that shadows could take away",
@@ -176,12 +185,23 @@ inline constexpr FindingText kShadeWrong{
         "specular term where a hit is nearer than the light.",
     .section = kShadeSection};
 
-inline constexpr std::array kPhongFindings{
-    &kPhongUnlit,   &kPhongAmbient,  &kPhongLightWay, &kPhongViewer, &kPhongFalloff, &kPhongClamp,
-    &kPhongDiffuse, &kPhongSpecular, &kPhongLights,   &kPhongRange,  &kPhongWrong};
+inline constexpr FindingText kShadeThreadsMixed{
+    .id = "shade.threads-mixed",
+    .words = "let threads share their shadow rays",
+    .meaning = "right with one thread, another picture with two",
+    .hint =
+        "forEachPixel calls your code from several threads at once: a static or global variable "
+        "belongs to all of them. Declare it inside of the function, without static.",
+    .section = kShadeSection};
+
+inline constexpr std::array kPhongFindings{&kPhongUnlit,   &kPhongAmbient,      &kPhongLightWay,
+                                           &kPhongViewer,  &kPhongFalloff,      &kPhongClamp,
+                                           &kPhongDiffuse, &kPhongSpecular,     &kPhongLights,
+                                           &kPhongRange,   &kPhongThreadsMixed, &kPhongWrong};
 inline constexpr std::array kShadeFindings{
-    &kShadeNoLight, &kShadeInverted, &kShadeNone,    &kShadeAcne,   &kShadeBeyond, &kShadeDistance,
-    &kShadeAmbient, &kShadeSpecular, &kShadeDiffuse, &kShadeLights, &kShadeBias,   &kShadeWrong};
+    &kShadeNoLight,  &kShadeInverted,     &kShadeNone,     &kShadeAcne,    &kShadeBeyond,
+    &kShadeDistance, &kShadeAmbient,      &kShadeSpecular, &kShadeDiffuse, &kShadeLights,
+    &kShadeBias,     &kShadeThreadsMixed, &kShadeWrong};
 }  // namespace ticker::tasks
 
 #endif

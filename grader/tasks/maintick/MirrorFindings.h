@@ -71,12 +71,21 @@ inline constexpr FindingText kMirrorWrong{
     .meaning = "no known mistake gives these colours",
     .hint =
         "R = (-ray.direction).reflectIn(N), start P + N * kShadowBias, colour direct * (1 - "
-        "rho) + trace(...) * rho.",
+        "rho) + trace(...) * rho, where rho is object.reflectivity() as it is, read in each call.",
     .section = kMirrorSection};
 
-inline constexpr std::array kMirrorFindings{&kMirrorEndless, &kMirrorBackground, &kMirrorBase,
-                                            &kMirrorNone,    &kMirrorDirection,  &kMirrorStart,
-                                            &kMirrorBlend,   &kMirrorBounces,    &kMirrorWrong};
+inline constexpr FindingText kMirrorThreadsMixed{
+    .id = "mirror.threads-mixed",
+    .words = "let threads share their mirrored rays",
+    .meaning = "right with one thread, another picture with two",
+    .hint =
+        "forEachPixel calls your code from several threads at once: a static or global variable "
+        "belongs to all of them. Declare it inside of the function, without static.",
+    .section = kMirrorSection};
+
+inline constexpr std::array kMirrorFindings{
+    &kMirrorEndless, &kMirrorBackground, &kMirrorBase,    &kMirrorNone,         &kMirrorDirection,
+    &kMirrorStart,   &kMirrorBlend,      &kMirrorBounces, &kMirrorThreadsMixed, &kMirrorWrong};
 
 }  // namespace ticker::tasks
 
