@@ -74,7 +74,14 @@ bool isAsExpected(const TaskJudgement& own, const corpus::Expectation& expected)
            own.needsReview == expected.needsReview;
 }
 
-/// Judges the file that the entry makes: its task is as expected, and the others pass.
+/// Whether a task that the entry is not about is as the entry says; it passes if it says nothing.
+bool isOtherAsExpected(const TaskReport& report, const corpus::Entry& entry) {
+    if (const auto named = entry.tasks.find(report.id); named != entry.tasks.end())
+        return isAsExpected(report, named->second);
+    return report.state == TaskState::passed && report.findings.empty() && !report.needsReview;
+}
+
+/// Judges the file that the entry makes: its task is as expected, and so are the others.
 void judge(probe::Examinee& examinee, std::string_view file, const MistakeRun& run,
            MistakeRow& row) {
     row.asExpected = true;
@@ -82,8 +89,7 @@ void judge(probe::Examinee& examinee, std::string_view file, const MistakeRun& r
         if (report.id == row.entry.task()) {
             row.seen = told(report) + row.seen;
             row.asExpected = isAsExpected(report, row.entry.expected()) && row.asExpected;
-        } else if (report.state != TaskState::passed || !report.findings.empty() ||
-                   report.needsReview) {
+        } else if (!isOtherAsExpected(report, row.entry)) {
             row.seen += ", other task " + told(report);
             row.asExpected = false;
         }

@@ -139,8 +139,8 @@ inline constexpr FindingText kPlaneTurned{
     .words = "turned the normals of planes to the ray",
     .meaning = "note: accepted, the text does not ask it",
     .hint =
-        "The exercise takes the normal as it is stored; a plane that is seen from behind is lit "
-        "by ambient light alone.",
+        "The exercise takes the normal as it is stored: from wherever a plane is seen, lights "
+        "behind it add nothing.",
     .section = kPlaneSection};
 inline constexpr FindingText kPlaneLength{
     .id = "plane.direction-length",

@@ -1,0 +1,78 @@
+#include <grader/build/Build.h>
+#include <grader/build/SandboxedExaminee.h>
+#include <grader/corpus/Entry.h>
+#include <grader/lab/selftest/MistakeTables.h>
+#include <grader/tasks/Tasks.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ticker::selftest {
+namespace {
+
+const Exercise& mainTick() {
+    return exerciseNamed("tick1");
+}
+
+std::vector<corpus::Entry> entriesOf(const std::string& collection,
+                                     const std::set<std::string>& names) {
+    auto entries = corpus::readEntries(TICKER_SOURCE_DIR, {collection}, mainTick());
+    std::erase_if(entries, [&](const corpus::Entry& entry) {
+        return names.count(entry.group + "/" + entry.name) == 0;
+    });
+    EXPECT_EQ(entries.size(), names.size());
+    return entries;
+}
+
+void expectJudgedAsTheySay(const std::vector<corpus::Entry>& entries, std::uint64_t seed) {
+    MistakeRun run;
+    run.exercise = &mainTick();
+    run.seed = seed;
+    for (const MistakeRow& row :
+         runMistakes(entries, build::Kit::besideProgram(mainTick()), sandbox::Sandbox::best(), run))
+        EXPECT_TRUE(row.asExpected) << row.entry.name << ", seed " << seed << ": " << row.seen;
+}
+
+// Two threads meet at every ray; a mistake that they share is missed with a chance below 1e-3.
+TEST(MainTickCatalogue, FindsVariablesThatThreadsShare) {
+    const auto entries =
+        entriesOf("mistakes", {"M2/static-sum", "M3.2/static-path", "M4/static-mirrored-ray"});
+    for (const std::uint64_t seed : {1U, 2U, 3U})
+        expectJudgedAsTheySay(entries, seed);
+}
+
+TEST(MainTickCatalogue, AnEntryMayNameWhatItDoesToAnotherTask) {
+    expectJudgedAsTheySay(entriesOf("mistakes", {"M2/ambient-only", "M3.2/inverted"}), 1);
+}
+
+// Single precision and small tolerances are right readings under every seed.
+TEST(MainTickCatalogue, NeverFailsRightReadingsThatRound) {
+    const auto entries = entriesOf(
+        "accepted", {"M1/floats", "M1/half-chord-floats", "M1/tolerance-millionth",
+                     "M1/small-roots-dropped", "M3.1/floats", "M3.1/by-heights",
+                     "M3.1/tolerance-thousandth", "M3.1/small-distances-dropped", "M2/floats"});
+    const build::Kit kit = build::Kit::besideProgram(mainTick());
+    const sandbox::Sandbox sandbox = sandbox::Sandbox::best();
+    const sandbox::Limits limits;
+    for (const corpus::Entry& entry : entries) {
+        const std::string file{mainTick().fileOf(entry.task())};
+        const build::BuildResult built =
+            build::buildProgram(kit, sandbox, limits, file, corpus::textsOf(entry).at(file));
+        ASSERT_TRUE(built.program) << built.diagnostics;
+        build::SandboxedExaminee examinee{*built.program, sandbox, limits};
+        for (const auto& task : tasks::tasksOf(mainTick().name)) {
+            if (task.id != entry.task()) continue;
+            constexpr std::uint64_t kSeeds = 60;
+            for (std::uint64_t seed = 0; seed < kSeeds; ++seed)
+                EXPECT_EQ(task.judge(examinee, seed).state, TaskState::passed)
+                    << entry.name << ", seed " << seed;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ticker::selftest
