@@ -54,8 +54,8 @@ struct Alone {
     double farAway;  ///< of the centre from the origin of the world
     Start start;
 };
-// The first two are seen 1.2 away and 2000 away, the third one from 0.03 before it. In float the
-// distances and locations are right to a tenth of the tolerance.
+// The first two are seen from 1.2 and from 2000 away, the third one from 0.03 before it. Distances,
+// locations and normals in float are right to 2e-4.
 constexpr std::array kAlone{Alone{0.03, 5.0, {Place::outside, -40.0, 0.0, 0.5}},
                             Alone{200.0, 2000.0, {Place::outside, -10.0, 0.1, 0.8}},
                             Alone{0.3, 5.0, {Place::outside, -1.1, 0.0, 0.02}}};
