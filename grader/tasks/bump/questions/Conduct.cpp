@@ -237,6 +237,10 @@ Conduct readConduct(const ConductPlan& plan, const Answers& answers) {
         QuestionReader(asked.question(i), answers.answer(i), plan.placeOf(i), conduct).read();
     conduct.chance = middleChange(answers.answer(plan.twice).normals);
     conduct.memory = largestChange(plan, answers);
+    conduct.sameOnOtherMap = std::ranges::all_of(plan.afterOtherMap, [&](std::size_t question) {
+        return answers.answer(question - 1).normals.front() ==
+               answers.answer(question).normals.front();
+    });
     return conduct;
 }
 

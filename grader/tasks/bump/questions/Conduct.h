@@ -70,6 +70,8 @@ struct Conduct {
     /// Largest change of a normal caused by the question just before it: the same point of another
     /// map, or another point of the same map.
     double memory = 0.0;
+    /// Two maps of random texels gave the very same normals, at all points asked for.
+    bool sameOnOtherMap = false;
 };
 
 [[nodiscard]] Conduct readConduct(const ConductPlan& plan, const Answers& answers);

@@ -143,6 +143,9 @@ std::optional<WrongReason> firstOf(std::span<const Rule> rules, const Examinatio
 std::optional<WrongReason> findWrong(const Examination& examination) {
     if (const auto reason = firstOf(kAnyRamps, examination)) return reason;
     const KindRow row = rowOf(examination);
+    // Slopes that are kept from an earlier, flat map of the same size.
+    if (row.kind == RampKind::silent && examination.conduct.sameOnOtherMap)
+        return WrongReason::mapIgnored;
     if (row.reason) return row.reason;
     if (!hasSenses(row.kind)) return std::nullopt;
     if (const auto reason = findDisagreement(examination)) return reason;

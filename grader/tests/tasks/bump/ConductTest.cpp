@@ -113,6 +113,16 @@ TEST(Conduct, MeasuresTheLargestTiltAndWhatPointsInwards) {
     EXPECT_FALSE(rough.inward) << "on a map of random texels";
 }
 
+TEST(Conduct, TellsWhetherTwoMapsGiveTheSameNormals) {
+    Made made;
+    EXPECT_TRUE(made.read().sameOnOtherMap) << "a smooth sphere";
+    Vector3& first = made.answer(made.plan.afterOtherMap.back()).normals.front();
+    first = (first + Vector3{1e-6, 2e-6, 3e-6}).normalised();
+    EXPECT_FALSE(made.read().sameOnOtherMap) << "one normal of another map";
+    first = kNothing;
+    EXPECT_FALSE(made.read().sameOnOtherMap);
+}
+
 TEST(Conduct, TellsExceptionsFromWhatIsNoNumberAndWhatIsMissing) {
     const Conduct odd = after(ordinary, kNothing);
     EXPECT_EQ(odd.notFinite.count, 1.0);

@@ -55,6 +55,17 @@ TEST(FindWrong, NamesWhatIsWrongWithTheConduct) {
     EXPECT_EQ(withFlat(501.0), WrongReason::inward);
 }
 
+TEST(FindWrong, NamesARememberedMapWhereRampsTiltNothing) {
+    const auto ofKind = [](RampKind kind) {
+        return reasonAfter([=](Examination& e) {
+            e.ladder.ramps.kind = kind;
+            e.conduct.sameOnOtherMap = true;
+        });
+    };
+    EXPECT_EQ(ofKind(RampKind::silent), WrongReason::mapIgnored);
+    EXPECT_FALSE(ofKind(RampKind::right));
+}
+
 TEST(FindWrong, NamesSteepSlopesThatTurnTheNormalPastTheHorizon) {
     EXPECT_EQ(reasonAfter([](Examination& e) { e.proportion.pastHorizon = 0.031; }),
               WrongReason::pastHorizon);
