@@ -68,6 +68,10 @@ Result horizon(ShadowSeen& seen) {
     return seen.reading ? checkHorizon(seen.logs, seen.aims, *seen.reading) : std::nullopt;
 }
 
+Result contact(ShadowSeen& seen) {
+    return seen.reading ? checkContact(seen.logs) : std::nullopt;
+}
+
 Result otherSettings(ShadowSeen& seen) {
     return seen.reading ? checkOtherSettings(seen.logs) : std::nullopt;
 }
@@ -102,6 +106,7 @@ const std::vector<ShadowCheck>& checksOfRays() {
              }},
         {.run = [](ShadowSeen& seen) { return keepReading(seen, checkArithmetic(seen.logs)); }},
         {.run = horizon, .ifNothingFails = true},
+        {.run = contact, .ifNothingFails = true},
         {.run = viewer},
         {.run = otherSettings, .ifNothingFails = true}};
     return kChecks;
@@ -111,6 +116,7 @@ const std::vector<ShadowCheck>& checksOfRays() {
 const std::vector<ShadowCheck>& checksOfValues() {
     static const std::vector<ShadowCheck> kChecks{
         {.run = [](ShadowSeen& seen) { return keepReading(seen, checkValues(seen.logs)); }},
+        {.run = contact, .ifNothingFails = true},
         {.run = viewer}};
     return kChecks;
 }

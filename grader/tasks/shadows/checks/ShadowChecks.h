@@ -20,10 +20,12 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> lightBehind;
     std::vector<const ShadowLog*> inLine;
     std::vector<const ShadowLog*> otherSettings;
+    std::vector<const ShadowLog*> contact;
     std::vector<const ShadowLog*> horizon;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
-    /// All questions except otherSettings and horizon, where code may cast fewer rays.
+    /// All questions except otherSettings and horizon, where code may cast fewer rays, and contact,
+    /// which has its own check.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
@@ -49,6 +51,9 @@ struct ShadowLogs {
 /// @param reading  The reading that fits all other questions.
 [[nodiscard]] std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,
                                                   const ShadowReading& reading);
+
+/// Whether an object shades what is close to it. Hits nearer than a hundredth may be ignored.
+[[nodiscard]] std::optional<Finding> checkContact(const ShadowLogs& logs);
 
 /// Result of replaying every value: the reading that fits, or the mistake.
 struct ArithmeticVerdict {

@@ -60,37 +60,33 @@ bool sameAimsEverywhere(const ShadowLog& log) {
 }  // namespace
 
 ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
-    for (const ShadowLog& log : logs) {
-        switch (log.asked->purpose) {
+    const auto listOf = [this](Purpose purpose) -> std::vector<const ShadowLog*>& {
+        switch (purpose) {
             case Purpose::oneLight:
-                oneLight.push_back(&log);
-                break;
+                return oneLight;
             case Purpose::severalLights:
-                severalLights.push_back(&log);
-                break;
+                return severalLights;
             case Purpose::beyondLight:
-                beyondLight.push_back(&log);
-                break;
+                return beyondLight;
             case Purpose::planeShadow:
-                planeShadow.push_back(&log);
-                break;
+                return planeShadow;
             case Purpose::farLight:
-                farLight.push_back(&log);
-                break;
+                return farLight;
             case Purpose::lightBehind:
-                lightBehind.push_back(&log);
-                break;
+                return lightBehind;
             case Purpose::inLine:
-                inLine.push_back(&log);
-                break;
+                return inLine;
             case Purpose::otherSettings:
-                otherSettings.push_back(&log);
-                break;
+                return otherSettings;
+            case Purpose::contact:
+                return contact;
             case Purpose::horizon:
-                horizon.push_back(&log);
                 break;
         }
-    }
+        return horizon;
+    };
+    for (const ShadowLog& log : logs)
+        listOf(log.asked->purpose).push_back(&log);
 }
 
 std::vector<const ShadowLog*> ShadowLogs::atHandoutSettings() const {

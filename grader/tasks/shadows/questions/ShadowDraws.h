@@ -46,6 +46,10 @@ void setCapacity(ShadowQuestion& question);
 /// behind the light, one before and one after these in the scene's list.
 [[nodiscard]] ShadowQuestion drawInLine(Draw& draw);
 
+/// A ball that rests on a floor, under a light. The points lie in full shadow, where the ball's
+/// surface is two to three hundredths above the floor.
+[[nodiscard]] ShadowQuestion drawContact(Draw& draw);
+
 /// A floor, and a light of which about a third is below it: rays to that part do not arrive.
 [[nodiscard]] ShadowQuestion drawHorizon(Draw& draw);
 

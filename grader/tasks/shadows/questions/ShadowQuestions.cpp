@@ -240,10 +240,9 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     other.shadowRayCount = draw.whole(13, 17);
     other.lightSize = draw.between(0.15, 0.22);
     questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
-    questions.push_back(drawPlaneShadow(draw));
-    questions.push_back(drawLightBehind(draw));
-    questions.push_back(drawHorizon(draw));
-    questions.push_back(drawInLine(draw));
+    for (const auto drawNext :
+         {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine, drawContact})
+        questions.push_back(drawNext(draw));
     return questions;
 }
 

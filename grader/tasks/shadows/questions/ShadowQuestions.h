@@ -22,6 +22,7 @@ struct ShadowQuestion {
         lightBehind,    ///< three lights, the second behind the surface: the other two light it
         otherSettings,  ///< like oneLight, with other ray counts and light size
         inLine,         ///< spheres one behind the other, before the light and beyond it
+        contact,        ///< a ball that rests on the floor, and points close to where it does
         horizon         ///< a light so low above a floor that part of it is below the horizon
     };
     Purpose purpose = Purpose::oneLight;

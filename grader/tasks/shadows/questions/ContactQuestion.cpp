@@ -1,0 +1,47 @@
+#include <grader/tasks/shadows/questions/ShadowDraws.h>
+#include <grader/tasks/support/Draw.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace ticker::tasks {
+namespace {
+
+constexpr int kPointsInContact = 12;
+constexpr int kFloorOfBall = 1;  // index of the floor, after the ball
+
+}  // namespace
+
+ShadowQuestion drawContact(Draw& draw) {
+    const Vector3 foot = drawPlace(draw);
+    const Vector3 up = draw.directionAround((-foot).normalised(), 1.0);
+    const Perpendiculars sides = perpendicularsOf(up);
+    const double distance = draw.between(4.0, 6.0);
+    const Vector3 light = foot + draw.directionAround(up, 0.3) * distance;
+    const double radius = draw.between(0.5, 0.7);
+
+    ShadowQuestion drawn;
+    drawn.purpose = ShadowQuestion::Purpose::contact;
+    raytracer::SceneDescription& scene = drawn.question.scene;
+    scene.ambientLighting = draw.colour(0.1, 0.5);
+    scene.pointLights.push_back(drawLight(draw, light, distance));
+    scene.spheres.push_back({foot + up * radius, radius, drawMaterial(draw), nullptr});
+    scene.planes.push_back({foot, up, drawMaterial(draw)});
+    const Surfaces surfaces{scene};
+    for (int i = 0; i < kPointsInContact; ++i) {
+        // A hundred times the shadow bias and more, so that every accepted start is below the ball.
+        const double gap = draw.between(0.02, 0.03);
+        const double beside = std::sqrt(gap * (2.0 * radius - gap));
+        const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
+        const Vector3 point =
+            foot + (sides.first * std::cos(turn) + sides.second * std::sin(turn)) * beside;
+        drawn.question.points.push_back(
+            {kFloorOfBall, point, up, drawViewer(draw, point, up, light)});
+        drawn.zones.push_back(
+            zonesOf(scene, surfaces, point, up, drawn.question.settings.lightSize));
+    }
+    setCapacity(drawn);
+    return drawn;
+}
+
+}  // namespace ticker::tasks
