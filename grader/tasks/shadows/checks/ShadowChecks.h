@@ -52,7 +52,7 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,
                                                   const ShadowReading& reading);
 
-/// Whether an object shades what is close to it. Hits nearer than a hundredth may be ignored.
+/// Whether an object shades what is close to it. Hits nearer than two hundredths may be ignored.
 [[nodiscard]] std::optional<Finding> checkContact(const ShadowLogs& logs);
 
 /// Result of replaying every value: the reading that fits, or the mistake.

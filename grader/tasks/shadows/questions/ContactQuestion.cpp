@@ -29,8 +29,9 @@ ShadowQuestion drawContact(Draw& draw) {
     scene.planes.push_back({foot, up, drawMaterial(draw)});
     const Surfaces surfaces{scene};
     for (int i = 0; i < kPointsInContact; ++i) {
-        // A hundred times the shadow bias and more, so that every accepted start is below the ball.
-        const double gap = draw.between(0.02, 0.03);
+        // Three hundred times the shadow bias and more, so that every accepted start is below the
+        // ball, and limits of two hundredths against shadow acne still pass.
+        const double gap = draw.between(0.03, 0.045);
         const double beside = std::sqrt(gap * (2.0 * radius - gap));
         const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
         const Vector3 point =

@@ -47,7 +47,7 @@ void setCapacity(ShadowQuestion& question);
 [[nodiscard]] ShadowQuestion drawInLine(Draw& draw);
 
 /// A ball that rests on a floor, under a light. The points lie in full shadow, where the ball's
-/// surface is two to three hundredths above the floor.
+/// surface is 0.03 to 0.045 above the floor.
 [[nodiscard]] ShadowQuestion drawContact(Draw& draw);
 
 /// A floor, and a light of which about a third is below it: rays to that part do not arrive.
