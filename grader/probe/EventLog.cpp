@@ -105,7 +105,10 @@ void EventLog::rayCast(const raytracer::Ray& ray, const raytracer::RaycastHit* h
     if (std::exchange(turnIsDue(), false)) giveWay();
     // A short sleep, since a yield returns at once while there are processors to spare, and may
     // cost a time slice of another program while there are none.
-    if (takesTurns_ && !seesTraces_) std::this_thread::sleep_for(std::chrono::microseconds{1});
+    if (!takesTurns_ || seesTraces_) return;
+    constexpr int kMostWaits = 200;
+    awaitSecondThread(kMostWaits);
+    std::this_thread::sleep_for(std::chrono::microseconds{1});
 }
 
 void EventLog::pixelSet(int x, int y, const ColourRGB& colour) {
@@ -138,9 +141,13 @@ void EventLog::record(Event event) {
 // delayed in the middle of that.
 void EventLog::giveWay() {
     constexpr int kMostWaits = 20;
-    while (threads_ < 2 && waits_++ < kMostWaits)
-        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    awaitSecondThread(kMostWaits);
     std::this_thread::yield();
+}
+
+void EventLog::awaitSecondThread(int mostWaits) {
+    while (threads_ < 2 && waits_++ < mostWaits)
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
 }
 
 std::uint32_t EventLog::threadNumber() {

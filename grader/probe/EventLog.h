@@ -49,6 +49,8 @@ private:
     void record(Event event);
     [[nodiscard]] std::uint32_t threadNumber();
     void giveWay();
+    /// @param mostWaits  Milliseconds, of all threads together.
+    void awaitSecondThread(int mostWaits);
     [[nodiscard]] std::int32_t numberOf(const raytracer::SceneObject* object) const;
 
     std::byte* slots_;
