@@ -88,7 +88,9 @@ inline constexpr FindingText kSphereLength{
     .id = "sphere.direction-length",
     .words = "met spheres elsewhere when directions are long",
     .meaning = "note: right for directions of length 1 alone, as all of the exercise are",
-    .hint = "Divide by 2 a, in brackets: (-b - root) / (2 * a).",
+    .hint =
+        "Your code relies on |D| = 1, which the handout grants; with a = D.D it is right for any "
+        "direction.",
     .section = kSphereSection};
 
 inline constexpr FindingText kPlaneMissed{

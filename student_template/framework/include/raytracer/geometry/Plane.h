@@ -5,8 +5,8 @@
 
 namespace raytracer {
 
-/// An infinite plane. Its normal points to one side; on the other side only ambient light is
-/// visible.
+/// An infinite plane. Its normal points to one side; lights on the other side add nothing, wherever
+/// it is seen from.
 class Plane final : public SceneObject {
 public:
     /// @param point   Any point of the plane, world space.
