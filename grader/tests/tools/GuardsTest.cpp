@@ -1,0 +1,78 @@
+#include <grader/tests/support/RunCommand.h>
+#include <grader/tests/support/TemporaryFolder.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace ticker {
+namespace {
+
+using tests::CommandResult;
+
+/// A repository with guards of its own.
+class Guards : public testing::Test {
+protected:
+    [[nodiscard]] CommandResult runWith(const std::string& table,
+                                        const std::string& environment = "") const {
+        folder_.write("tools/guards/guards.tsv", "# name\tcommand\tfigure\tleft out\n" + table);
+        return runIn(
+            "git add -A && git -c user.name=t -c user.email=t@example.org commit -qm all; " +
+            environment + " tools/guards/guards 2>/dev/null");
+    }
+    [[nodiscard]] CommandResult runIn(const std::string& command) const {
+        return tests::runCommand("cd '" + folder_.path().string() + "' && " + command);
+    }
+
+    void SetUp() override {
+        const CommandResult made = runIn(
+            "git init -q && mkdir -p tools/guards && echo build/ > .gitignore && cp "
+            "'" TICKER_SOURCE_DIR "/tools/guards/guards' tools/guards/");
+        ASSERT_EQ(made.status, 0) << made.output;
+    }
+
+    tests::TemporaryFolder folder_;
+};
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST_F(Guards, PrintOneTableWithFiguresAndWhatIsLeftOut) {
+    const CommandResult ran = runWith(
+        "count\techo 17 tests passed\t[0-9]+ tests\tthe rest\n"
+        "look\ttrue\t-\tnothing\n");
+    EXPECT_EQ(ran.status, 0) << ran.output;
+    EXPECT_TRUE(has(ran.output, "| count | ") && has(ran.output, "| 17 tests | the rest |"))
+        << ran.output;
+    EXPECT_TRUE(has(ran.output, "| look | ") && has(ran.output, "Z | passed | ")) << ran.output;
+}
+
+TEST_F(Guards, GoOnAfterAFailureAndReportIt) {
+    const CommandResult ran = runWith("bad\texit 3\t-\tnothing\ngood\ttrue\t-\tnothing\n");
+    EXPECT_EQ(ran.status, 1);
+    EXPECT_TRUE(has(ran.output, "failed (3)")) << ran.output;
+    EXPECT_TRUE(has(ran.output, "| good | ")) << ran.output;
+}
+
+TEST_F(Guards, ThatPassedOnThisCommitAreNotRunAgain) {
+    const std::string table = "count\techo x >> build/times\t-\tnothing\n";
+    EXPECT_EQ(runWith(table).status, 0);
+    EXPECT_EQ(runWith(table).status, 0);
+    EXPECT_EQ(runIn("wc -l < build/times").output, "1\n");
+    folder_.write("other", "a change");
+    EXPECT_EQ(runWith(table).status, 0);
+    EXPECT_EQ(runIn("wc -l < build/times").output, "2\n") << "another commit";
+}
+
+TEST_F(Guards, RefuseANameThatTheTableLacks) {
+    folder_.write("tools/guards/guards.tsv", "good\ttrue\t-\tnothing\n");
+    const CommandResult ran = runIn(
+        "git add -A; git -c user.name=t -c user.email=t@example.org "
+        "commit -qm all; tools/guards/guards bad");
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_TRUE(has(ran.output, "there is no guard 'bad'")) << ran.output;
+}
+
+}  // namespace
+}  // namespace ticker
