@@ -3,6 +3,7 @@
 
 #include <grader/report/Escape.h>
 #include <grader/report/SourceLines.h>
+#include <grader/result/ProvenLine.h>
 
 #include <fmt/core.h>
 
@@ -53,6 +54,9 @@ std::vector<MarkedLine> markedLines(const SubmissionResult& result) {
         for (const report::Remark& remark : report::remarksOf(said))
             marked.push_back({said.file, remark.line, std::string{remark.kind},
                               fmt::format("{}: {}", remark.kind, remark.message)});
+    for (const ProvenLine& proven : provenLines(result))
+        marked.push_back({proven.file, proven.line, "proven",
+                          fmt::format("{} passes with: {}", proven.task, proven.to)});
     return marked;
 }
 

@@ -16,7 +16,8 @@ struct MarkedLine {
     std::string words;  ///< what is said, as plain text; shown below the line
 };
 
-/// The lines that the compiler's errors and warnings point at.
+/// The lines that the compiler's errors and warnings point at, and those whose edit is proven to
+/// mend a task.
 [[nodiscard]] std::vector<MarkedLine> markedLines(const SubmissionResult& result);
 
 /// The student's files as HTML, each line with a button that stands for it, the marked lines with

@@ -62,11 +62,22 @@ json jsonOf(const Decision& decision) {
             {"files", decision.files}};
 }
 
+json jsonOf(const ProvenLine& line) {
+    return {{"file", cleanText(line.file)},
+            {"line", line.line},
+            {"from", cleanText(line.from)},
+            {"to", cleanText(line.to)}};
+}
+
 json jsonOf(const store::ResultRow& row) {
+    json proven = json::array();
+    for (const ProvenLine& line : row.proven)
+        proven.push_back(jsonOf(line));
     return {{"name", row.submission},           {"shown", cleanText(row.submission)},
             {"verdict", toString(row.verdict)}, {"option", row.option},
             {"findings", row.findings},         {"tasks", row.tasks},
-            {"files", row.inputs.files},        {"gradedAt", row.gradedAt}};
+            {"files", row.inputs.files},        {"gradedAt", row.gradedAt},
+            {"proven", std::move(proven)}};
 }
 
 json jsonOf(const store::SavedComment& comment) {

@@ -14,6 +14,7 @@ namespace ticker::session {
 // What the page and the session say to each other, as JSON.
 
 [[nodiscard]] nlohmann::json jsonOf(const Decision& decision);
+[[nodiscard]] nlohmann::json jsonOf(const ProvenLine& line);
 [[nodiscard]] nlohmann::json jsonOf(const store::ResultRow& row);
 [[nodiscard]] nlohmann::json jsonOf(const store::SavedComment& comment);
 

@@ -8,7 +8,7 @@ namespace ticker::store {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 constexpr const char* kTables = R"(
 CREATE TABLE class (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
@@ -32,6 +32,8 @@ CREATE TABLE saved_comment (
     id INTEGER PRIMARY KEY AUTOINCREMENT, finding TEXT NOT NULL, text TEXT NOT NULL,
     who TEXT NOT NULL, at TEXT NOT NULL, UNIQUE (finding, text));
 )";
+
+constexpr const char* kThird = "ALTER TABLE result ADD COLUMN proven TEXT NOT NULL DEFAULT '';";
 
 std::int64_t pragma(const Database& database, const char* name) {
     Statement statement = database.prepare(fmt::format("PRAGMA {}", name));
@@ -72,6 +74,7 @@ void makeTables(const Database& database, const fs::path& file) {
                                     "was written by a newer ticker; use that one");
     if (version == 0) database.run(kTables);
     if (version < 2) database.run(kSecond);
+    if (version < 3) database.run(kThird);
     if (version < kVersion) database.run(fmt::format("PRAGMA user_version = {}", kVersion));
     transaction.commit();
 }

@@ -17,7 +17,7 @@ constexpr const char* kFileName = "results.sqlite";
 
 constexpr const char* kResultColumns =
     "submission, verdict, score, max_score, option, findings, tool_version, files, tool, how, "
-    "graded_at, times_graded, tasks";
+    "graded_at, times_graded, tasks, proven";
 constexpr const char* kDecisionColumns =
     "submission, version, ruling, comment, who, at, proposed, notes, bulk, files";
 
@@ -56,6 +56,7 @@ ResultRow rowFrom(const Statement& found) {
     row.gradedAt = found.text(10);
     row.timesGraded = found.integer(11);
     row.tasks = words(found.text(12));
+    row.proven = readProven(found.text(13));
     return row;
 }
 
@@ -143,13 +144,13 @@ void Store::put(const SubmissionResult& result, std::string_view gradedAt) {
     Transaction transaction{database_};
     database_
         .prepare(
-            "INSERT INTO result VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 1, ?) "
+            "INSERT INTO result VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 1, ?, ?) "
             "ON CONFLICT (submission) DO UPDATE SET verdict = excluded.verdict, "
             "score = excluded.score, max_score = excluded.max_score, "
             "option = excluded.option, findings = excluded.findings, "
             "tool_version = excluded.tool_version, files = excluded.files, "
             "tool = excluded.tool, how = excluded.how, graded_at = excluded.graded_at, "
-            "tasks = excluded.tasks, "
+            "tasks = excluded.tasks, proven = excluded.proven, "
             "times_graded = times_graded + 1")
         .bind(result.submission)
         .bind(toString(result.verdict))
@@ -163,6 +164,7 @@ void Store::put(const SubmissionResult& result, std::string_view gradedAt) {
         .bind(result.inputs.how)
         .bind(gradedAt)
         .bind(tasksOf(result))
+        .bind(provenText(provenLines(result)))
         .step();
     transaction.commit();
 }

@@ -2,6 +2,7 @@
 #define TICKER_STORE_STORE_H
 
 #include <grader/result/Decision.h>
+#include <grader/result/ProvenLine.h>
 #include <grader/result/SubmissionResult.h>
 #include <grader/store/Database.h>
 #include <grader/store/Journal.h>
@@ -29,6 +30,7 @@ struct ResultRow {
     std::string gradedAt;            ///< UTC, "2026-11-21T16:05:36Z"
     std::int64_t timesGraded = 0;    ///< to the end, in this OUT
     std::vector<std::string> tasks;  ///< "ID:passed", in the exercise's order
+    std::vector<ProvenLine> proven;  ///< none where edits were not looked for
 };
 
 /// Words for students that the tickers of a class share.

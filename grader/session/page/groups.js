@@ -2,7 +2,7 @@
 import { $, button, counted, make, soft, words } from "./dom.js";
 import { decidesAbout } from "./decide.js";
 import { entries, isOpen, standing, watch } from "./model.js";
-import { filter, groupOf, listed, setFilter } from "./list.js";
+import { changesOf, filter, findingsOfGroup, groupOf, listed, setFilter } from "./list.js";
 import { ask } from "./server.js";
 import { tell } from "./submission.js";
 import { fill, here, open, register, viewName } from "./views.js";
@@ -17,6 +17,7 @@ function card(key, members) {
     make("p", { class: "chips" }, make("span", { class: `badge ${first.verdict}` }, words[first.verdict]),
       soft(`option ${first.option}`)),
     make("h2", {}, ids.length > 0 ? ids.join(", ") : "nothing was found"),
+    ...changesOf(first).map((change) => make("p", {}, soft("mended by "), make("code", {}, change))),
     make("p", {}, `${counted(members.length, "submission")}, ${done} decided`),
     button("Contact sheet", () => { setFilter({ group: key }); open("sheet"); },
       { "aria-label": `Contact sheet: ${ids.join(", ") || words[first.verdict]}` }));
@@ -32,7 +33,7 @@ function showGroups() {
   }
   const sorted = [...groups].sort((one, other) => other[1].length - one[1].length);
   fill(make("h1", {}, counted(sorted.length, "group")),
-    make("p", {}, "Those in a group have the same findings. ",
+    make("p", {}, "Submissions in a group have the same findings and, where edits were looked for, are mended by the same edit. ",
       button(`Contact sheet of all ${listed().length} listed`, () => open("sheet"))),
     make("ul", { class: "groups" }, ...sorted.map(([key, members]) => card(key, members))));
   tell(soft("A contact sheet shows everybody's picture; there all are decided at once."));
@@ -93,7 +94,7 @@ function showPicked() {
 function showSheet() {
   sight.disconnect();
   cards = new Map();
-  const ids = filter.group.split(" ").slice(2).join(", ");
+  const ids = findingsOfGroup(filter.group).join(", ");
   fill(make("h1", {}, `Contact sheet: ${filter.group ? ids || "nothing was found" : "all that the list shows"}`),
     make("p", {}, "What is ticked is decided by ", make("kbd", {}, "a"), " or ", make("kbd", {}, "n"), ". ",
       button("Tick all undecided", () => pick(isOpen)), " ", button("Tick none", () => pick(() => false)), " ",

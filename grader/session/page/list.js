@@ -26,8 +26,13 @@ const sorts = {
   graded: (a, b) => byText(b.gradedAt, a.gradedAt),
 };
 
-/// Those that are alike in what the tool says of them.
-export const groupOf = (entry) => [entry.verdict, entry.option, ...[...new Set(entry.findings)].sort()].join(" ");
+/// What proven edits change, for the eye.
+export const changesOf = ({ proven = [] }) => proven.map(({ from, to }) => `${from} → ${to}`);
+
+/// Those that are alike in what the tool says of them: the findings, and what a proven edit changes.
+export const groupOf = (entry) => [[entry.verdict, entry.option, ...[...new Set(entry.findings)].sort()].join(" "),
+  ...changesOf(entry)].join("\n");
+export const findingsOfGroup = (group) => group.split("\n")[0].split(" ").slice(2);
 
 const whole = { find: "", show: "all", finding: "", task: "", by: "", sort: "name", group: "" };
 export const filter = { ...whole };
@@ -101,7 +106,7 @@ export function filterList() {
   setText($(".shown"), shown === order.length ? "" : `${shown} of ${order.length} shown`);
   $("#whole").hidden = Object.keys(whole).every((key) => filter[key] === whole[key]);
   $("#group").hidden = !filter.group;
-  setText($("#group span"), filter.group.split(" ").slice(2).join(" ") || "no findings");
+  setText($("#group span"), findingsOfGroup(filter.group).join(" ") || "no findings");
 }
 
 // --- the controls --------------------------------------------------------------------------------

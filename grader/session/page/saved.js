@@ -9,7 +9,9 @@ const personOf = (entry) => entry.shown.replace(/_\d+$/, "");
 /// Puts the student's own names into saved words: {name}, {file}, {line}, {code}, {from}, {to}. What is
 /// not known here stays as it is, to be seen.
 export function filled(text, entry, at = {}) {
-  const known = { name: personOf(entry), ...at };
+  const proven = entry.proven ?? [];
+  const isHere = ({ file, line }) => at.line === undefined || (file === at.file && line === at.line);
+  const known = { name: personOf(entry), ...(proven.find(isHere) ?? {}), ...at };
   return text.replace(/\{(\w+)\}/g, (whole, key) => (known[key] === undefined ? whole : String(known[key])));
 }
 

@@ -125,6 +125,35 @@ test("saved words are offered to the other ticker, with the student's name", asy
   for (const { page, problems } of [ann, bob]) { assert.deepEqual(problems, []); await page.close(); }
 });
 
+test("who is mended by the same edit is a group, and its line fills saved words", async () => {
+  const repair = { task: "T1", finding: "bump.inverted-u", file: "BumpySphere.cpp", proven: true, next: "",
+    edits: [{ line: 20, from: "    return normal + Bu;", to: "    return normal - Bu;" }] };
+  const session = await startSession(makeClass(20, [repair]));
+  const { page, problems } = await openAs(session, "ann", "#view=groups");
+  const cards = page.locator(".group", { hasText: "bump.inverted-u" });
+  await cards.first().waitFor();
+  assert.equal(await cards.count(), 2, "the same finding with and without that edit");
+  const mended = cards.filter({ hasText: "return normal + Bu; → return normal - Bu;" });
+  assert.match(await mended.textContent(), /2 submissions/);
+  await mended.getByRole("button").click();
+  await page.locator(".sheet-card").first().waitFor();
+  const members = await listed(page);
+  assert.equal(members.length, 2);
+  await page.getByRole("button", { name: `Open ${members[0]}` }).click();
+  await showing(page, members[0]);
+  await page.keyboard.press("l");
+  assert.equal(await page.evaluate(() => document.activeElement.closest(".line")?.dataset.line), "20");
+  await page.keyboard.press("c");
+  await page.keyboard.type("Write {to} for {from}.");
+  await page.keyboard.press("Control+Enter");
+  await saved(page);
+  const { decision } = (await inClass(session)).find((one) => one.name === members[0]);
+  assert.equal(decision.comment, "Write return normal - Bu; for return normal + Bu;.");
+  assert.deepEqual(await accessibilityFaults(page), []);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
 test("the address says what the list shows, in which order, and what fills the page", async () => {
   const session = await startSession(makeClass(20));
   const { page } = await openAs(session, "ann");

@@ -3,6 +3,7 @@
 #include <grader/base/WholeFile.h>
 #include <grader/report/SummaryCsv.h>
 #include <grader/result/Names.h>
+#include <grader/result/ProvenLine.h>
 #include <grader/result/ResultJson.h>
 #include <grader/tests/support/FitsSchema.h>
 
@@ -258,6 +259,23 @@ TEST(ResultJson, KeepsProvenEditsAndDropsTheOthers) {
     ASSERT_EQ(back.repairs->front().edits.size(), 2U);
     EXPECT_EQ(back.repairs->front().edits[1].line, 7);
     EXPECT_EQ(back.repairs->front().edits[1].from, "c\nd");
+}
+
+TEST(ProvenLines, AreThoseOfTheFirstProvenEditThatMakesATaskPass) {
+    SubmissionResult result = example();
+    EXPECT_TRUE(provenLines(result).empty()) << "edits were not looked for";
+    const auto repair = [](const char* task, int line, bool proven, const char* next) {
+        return Repair{task,   "",  "Own.cpp", {{line, "  a + \"b\"\n", "  a - \"b\"\n"}},
+                      proven, next};
+    };
+    result.repairs = std::vector{repair("T1", 1, false, ""), repair("T1", 2, true, "bump.flat"),
+                                 repair("T1", 3, true, ""), repair("T1", 4, true, "")};
+    const std::vector<ProvenLine> lines = provenLines(result);
+    EXPECT_EQ(lines, (std::vector<ProvenLine>{{"T1", "Own.cpp", 3, "a + \"b\"", "a - \"b\""}}));
+    EXPECT_EQ(readProven(provenText(lines)), lines);
+    EXPECT_EQ(provenText({}), "");
+    EXPECT_TRUE(readProven("").empty());
+    EXPECT_TRUE(readProven("{\"no\": 1}").empty());
 }
 
 TEST(ResultJson, TellsNoRepairsFromNotLookedFor) {

@@ -54,6 +54,18 @@ TEST(CodeHtml, SaysOfALineWhatPointsAtIt) {
     EXPECT_EQ(codeHtml({}, {}), "");
 }
 
+TEST(SubmissionHtml, MarksTheLineOfAProvenEditInTheCode) {
+    const tests::ClassOnDisk onDisk{{"bob"}};
+    SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
+    result.repairs = {
+        {"T1", "bump.inverted-u", "BumpySphere.cpp", {{1, "int x;", "int <y>;"}}, true, ""}};
+    const std::string html = submissionHtml(result, onDisk.out() / "bob" / "code");
+    EXPECT_NE(html.find("<span class=\"line proven\" data-line=\"1\">"), std::string::npos) << html;
+    EXPECT_NE(html.find("<span class=\"said proven\">T1 passes with: int &lt;y&gt;;</span>"),
+              std::string::npos)
+        << html;
+}
+
 TEST(SubmissionHtml, ShowsWhatAnotherHandInChanged) {
     const tests::ClassOnDisk onDisk{{"bob", "old"}};
     SubmissionResult before = tests::markedResult("bob", Verdict::needsReview);

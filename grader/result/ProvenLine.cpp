@@ -1,0 +1,59 @@
+#include <grader/result/ProvenLine.h>
+
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+namespace ticker {
+namespace {
+
+std::string trimmed(std::string_view text) {
+    constexpr std::string_view kSpace = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(kSpace);
+    if (first == std::string_view::npos) return {};
+    return std::string{text.substr(first, text.find_last_not_of(kSpace) - first + 1)};
+}
+
+}  // namespace
+
+std::vector<ProvenLine> provenLines(const SubmissionResult& result) {
+    std::vector<ProvenLine> lines;
+    std::set<std::string> done;
+    for (const Repair& repair : result.repairs.value_or(std::vector<Repair>{})) {
+        if (!repair.proven || !repair.next.empty() || !done.insert(repair.task).second) continue;
+        for (const RepairEdit& edit : repair.edits)
+            lines.push_back(
+                {repair.task, repair.file, edit.line, trimmed(edit.from), trimmed(edit.to)});
+    }
+    return lines;
+}
+
+std::string provenText(const std::vector<ProvenLine>& lines) {
+    if (lines.empty()) return {};
+    nlohmann::json list = nlohmann::json::array();
+    for (const ProvenLine& one : lines)
+        list.push_back({{"task", one.task},
+                        {"file", one.file},
+                        {"line", one.line},
+                        {"from", one.from},
+                        {"to", one.to}});
+    return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::vector<ProvenLine> readProven(std::string_view text) {
+    const nlohmann::json list = nlohmann::json::parse(text, nullptr, false);
+    std::vector<ProvenLine> lines;
+    if (!list.is_array()) return lines;
+    for (const nlohmann::json& one : list) {
+        if (!one.is_object()) continue;
+        const auto textIn = [&](const char* name) {
+            return one.contains(name) && one[name].is_string() ? one[name].get<std::string>() : "";
+        };
+        const bool hasLine = one.contains("line") && one["line"].is_number_integer();
+        lines.push_back({textIn("task"), textIn("file"), hasLine ? one["line"].get<int>() : 0,
+                         textIn("from"), textIn("to")});
+    }
+    return lines;
+}
+
+}  // namespace ticker
