@@ -17,6 +17,7 @@ Run addElsewhere(CLI::App& app, const GlobalOptions& /*global*/) {
 constexpr const char* kSelftest = "selftest";
 constexpr const char* kCalibrate = "calibrate";
 constexpr const char* kRepairs = "repairs";
+constexpr const char* kSimilarity = "similarity";
 
 }  // namespace
 }  // namespace ticker::cli
@@ -27,7 +28,7 @@ int main(int argc, char** argv) {
     return runProgram(
         {"ticker", "Grades a ray-tracing exercise: bump mapping, soft shadows, depth of field."},
         {addGrade, addCheck, addExplain, addRender, addReport, addDoctor, addCompare, addRefs,
-         addPackage, addCollect, addSession, addAppeal, addElsewhere<kSelftest>,
-         addElsewhere<kCalibrate>, addElsewhere<kRepairs>},
+         addPackage, addCollect, addSession, addAppeal, addSimilar, addElsewhere<kSelftest>,
+         addElsewhere<kCalibrate>, addElsewhere<kRepairs>, addElsewhere<kSimilarity>},
         argc, argv);
 }

@@ -9,6 +9,7 @@ namespace ticker::cli {
 Run addSelftest(CLI::App& app, const GlobalOptions& global);
 Run addCalibrate(CLI::App& app, const GlobalOptions& global);
 Run addRepairsLab(CLI::App& app, const GlobalOptions& global);
+Run addSimilarity(CLI::App& app, const GlobalOptions& global);
 #ifdef TICKER_HAS_COVERAGE  // where the public tests are built
 Run addCoverage(CLI::App& app, const GlobalOptions& global);
 #endif

@@ -7,7 +7,7 @@
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
     using namespace ticker::cli;
-    std::vector<AddVerb> verbs{addSelftest, addCalibrate, addRepairsLab};
+    std::vector<AddVerb> verbs{addSelftest, addCalibrate, addRepairsLab, addSimilarity};
 #ifdef TICKER_HAS_COVERAGE
     verbs.push_back(addCoverage);
 #endif

@@ -34,6 +34,7 @@ Run addRefs(CLI::App& app, const GlobalOptions& global);
 Run addCollect(CLI::App& app, const GlobalOptions& global);
 Run addAppeal(CLI::App& app, const GlobalOptions& global);
 Run addSession(CLI::App& app, const GlobalOptions& global);
+Run addSimilar(CLI::App& app, const GlobalOptions& global);
 Run addReport(CLI::App& app, const GlobalOptions& global);
 Run addDoctor(CLI::App& app, const GlobalOptions& global);
 Run addPackage(CLI::App& app, const GlobalOptions& global);

@@ -1,0 +1,95 @@
+#include <grader/base/WholeFile.h>
+#include <grader/build/Kit.h>
+#include <grader/cli/Home.h>
+#include <grader/cli/verbs/Verb.h>
+#include <grader/report/Escape.h>
+#include <grader/report/Words.h>
+#include <grader/sandbox/Sandbox.h>
+#include <grader/similar/SimilarPage.h>
+#include <grader/store/ClassFolder.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+
+namespace ticker::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SimilarOptions {
+    std::string out;
+    int leastPercent = similar::kLeastPercent;
+};
+
+// A longer file is no work on this exercise, and takes the matcher minutes.
+constexpr std::size_t kLargestFile = 200'000;
+
+std::vector<similar::StudentFile> filesOf(const fs::path& out, const std::string& file,
+                                          const std::vector<store::ClassEntry>& entries) {
+    std::vector<similar::StudentFile> files;
+    for (const store::ClassEntry& entry : entries) {
+        const std::string& name = entry.result.submission;
+        const fs::path path = out / name / "code" / file;
+        std::error_code error;
+        if (!fs::is_regular_file(fs::symlink_status(path, error))) continue;
+        std::string text = readIfThere(path).value_or("");
+        if (text.size() <= kLargestFile) files.push_back({name, std::move(text)});
+    }
+    return files;
+}
+
+similar::ComparedFile compared(const fs::path& out, const std::string& file,
+                               const std::vector<store::ClassEntry>& entries,
+                               const Exercise& exercise, int leastPercent) {
+    const std::vector<std::string> known{build::Kit::besideProgram(exercise).templateSource(file),
+                                         readWhole(Home::find().data / exercise.reference / file)};
+    similar::ComparedFile result{file, filesOf(out, file, entries), {}};
+    result.comparison =
+        similar::compareFiles(result.files, known, sandbox::Sandbox::best(), leastPercent);
+    return result;
+}
+
+void print(const similar::ComparedFile& file) {
+    for (const similar::SimilarPair& pair : file.comparison.pairs)
+        fmt::print("{:>3} %  {}  {} and {}\n", pair.percent, file.name,
+                   report::escapeLine(file.files[pair.left].submission),
+                   report::escapeLine(file.files[pair.right].submission));
+}
+
+raytracer::ExitCode findSimilar(const SimilarOptions& options, const GlobalOptions& global) {
+    const fs::path out = options.out;
+    const std::vector<store::ClassEntry> entries = store::readClass(out);
+    const Exercise& exercise =
+        entries.empty() ? defaultExercise() : exerciseOf(entries.front().result);
+    std::vector<similar::ComparedFile> all;
+    for (const std::string& file : exercise.files())
+        all.push_back(compared(out, file, entries, exercise, options.leastPercent));
+    for (const similar::ComparedFile& file : all)
+        print(file);
+    writeAtomically(similar::similarPage(all), out / "similar.html");
+    writeAtomically(similar::similarJson(all), out / "similar.json");
+    if (!global.quiet) fmt::print(stderr, "open {}\n", (out / "similar.html").string());
+    return raytracer::ExitCode::success;
+}
+
+}  // namespace
+
+Run addSimilar(CLI::App& app, const GlobalOptions& global) {
+    auto options = std::make_shared<SimilarOptions>();
+    CLI::App* verb = app.add_subcommand(
+        "similar", "Pairs of submissions that share more than the template and the exercise");
+    verb->add_option("out", options->out, "Folder that ticker grade wrote")->required();
+    verb->add_option("--least", options->leastPercent,
+                     "Least percentage of shared code of their own")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
+    return [options, &global] { return findSimilar(*options, global); };
+}
+
+}  // namespace ticker::cli

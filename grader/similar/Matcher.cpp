@@ -1,0 +1,140 @@
+#include <grader/similar/Matcher.h>
+
+#include <grader/sandbox/SandboxPolicy.h>
+
+#include <raytracer/base/Error.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <system_error>
+
+namespace ticker::similar {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The shortest run of tokens that counts. Measured: 12 tokens are shared by chance too often.
+constexpr const char* kShortestRun = "16";
+constexpr std::size_t kMostOutput = 64U << 20U;
+
+/// A folder of texts that commands in the sandbox can read. Removed with this object.
+class TextFolder {
+public:
+    TextFolder() : path_(sandbox::Sandbox::makeStagingFolder()) {}
+    ~TextFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    TextFolder(const TextFolder&) = delete;
+    TextFolder& operator=(const TextFolder&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream{path_ / name, std::ios::binary} << text;
+        fs::permissions(path_ / name, fs::perms{0644});
+    }
+
+private:
+    fs::path path_;
+};
+
+int number(const std::ssub_match& match) {
+    return std::stoi(match.str());
+}
+
+/// Calls `use` with each line of `text` that the pattern matches.
+template <class Use>
+void forEachMatch(const std::string& text, const char* pattern, Use use) {
+    const std::regex wanted{pattern};
+    std::istringstream stream{text};
+    std::smatch match;
+    for (std::string line; std::getline(stream, line);)
+        if (std::regex_search(line, match, wanted)) use(match);
+}
+
+std::vector<Match> matchesIn(const std::string& output) {
+    std::vector<Match> matches;
+    forEachMatch(output, R"(^(\d+)\.cpp: line (\d+)-(\d+) *\|(\d+)\.cpp: line (\d+)-(\d+) *\[)",
+                 [&](const std::smatch& match) {
+                     matches.push_back({static_cast<std::size_t>(number(match[1])),
+                                        static_cast<std::size_t>(number(match[4])),
+                                        {{number(match[2]), number(match[3])},
+                                         {number(match[5]), number(match[6])}}});
+                 });
+    return matches;
+}
+
+}  // namespace
+
+fs::path findMatcher() {
+    std::error_code error;
+    const fs::path program = "/usr/bin/sim_c++";
+    return fs::exists(program, error) ? program : fs::path{};
+}
+
+Matcher::Matcher(const sandbox::Sandbox& sandbox) : sandbox_(sandbox) {
+    if (findMatcher().empty())
+        throw raytracer::InputError("sim_c++", 0,
+                                    "is not installed; please run: sudo apt-get install "
+                                    "similarity-tester");
+}
+
+std::string Matcher::run(const std::vector<std::string>& options,
+                         const std::vector<std::string>& texts,
+                         const std::vector<std::string>& known) const {
+    const TextFolder folder;
+    sandbox::Command command;
+    command.arguments = {findMatcher().string(), "-T", "-w", "200", "-r", kShortestRun};
+    std::ranges::copy(options, std::back_inserter(command.arguments));
+    for (std::size_t i = 0; i < texts.size() + known.size(); ++i) {
+        const std::string name = fmt::format("{:05}.cpp", i);
+        folder.write(name, i < texts.size() ? texts[i] : known[i - texts.size()]);
+        if (i == texts.size()) command.arguments.emplace_back("/");
+        command.arguments.push_back(name);
+    }
+    command.folder = "/texts";
+    command.readOnly = {{"/usr", "/usr"}, {folder.path(), "/texts"}};
+    command.policy = sandbox::Policy::compile;
+    command.limits = sandbox::defaultPolicy().compile;
+    command.limits.outputBytes = kMostOutput;
+    sandbox::Outcome outcome = sandbox_.run(command);
+    if (!outcome.succeeded())
+        throw raytracer::Error("sim_c++ failed on these files: " + outcome.output.substr(0, 400));
+    return std::move(outcome.output);
+}
+
+std::vector<Match> Matcher::against(const std::vector<std::string>& texts,
+                                    const std::vector<std::string>& known) const {
+    std::vector<Match> matches = matchesIn(run({"-n", "-S"}, texts, known));
+    for (Match& match : matches)
+        match.right -= texts.size();
+    return matches;
+}
+
+std::vector<Passage> Matcher::between(const std::string& left, const std::string& right) const {
+    std::vector<Passage> passages;
+    for (Match& match : matchesIn(run({"-n", "-s"}, {left, right}))) {
+        if (match.left > match.right) std::swap(match.passage.left, match.passage.right);
+        passages.push_back(match.passage);
+    }
+    std::ranges::sort(passages, {}, [](const Passage& one) { return one.left.first; });
+    return passages;
+}
+
+std::vector<Share> Matcher::shares(const std::vector<std::string>& texts) const {
+    std::vector<Share> shares;
+    forEachMatch(
+        run({"-p", "-a", "-e"}, texts),
+        R"(^(\d+)\.cpp consists for (\d+) % of (\d+)\.cpp material)",
+        [&](const std::smatch& match) {
+            shares.push_back({static_cast<std::size_t>(number(match[1])),
+                              static_cast<std::size_t>(number(match[3])), number(match[2])});
+        });
+    return shares;
+}
+
+}  // namespace ticker::similar

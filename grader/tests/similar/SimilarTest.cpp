@@ -1,0 +1,80 @@
+#include <grader/similar/SimilarPage.h>
+
+#include <gtest/gtest.h>
+
+#include <fmt/core.h>
+
+#include <string>
+
+namespace ticker::similar {
+namespace {
+
+/// A function that is long enough to be compared. Texts of different `kind` share no long run.
+std::string solution(int kind, const std::string& name) {
+    std::string text = "double solve() {\n";
+    for (int i = 0; i < 20; ++i)
+        text +=
+            kind == 0
+                ? fmt::format("    const double {0}{1} = f({1}) * ({0} + {1}) - g[{1}];\n", name, i)
+                : fmt::format("    if ({0}[{1}] > {0}.at({1})) {{ ++{0}[{1}]; return {1}; }}\n",
+                              name, i);
+    return text + "}\n";
+}
+
+class SimilarFiles : public ::testing::Test {
+protected:
+    void SetUp() override {
+        if (findMatcher().empty()) GTEST_SKIP() << "similarity-tester is not installed";
+    }
+    sandbox::Sandbox sandbox_ = sandbox::Sandbox::best();
+};
+
+TEST_F(SimilarFiles, ACopyWithOtherNamesIsAPairAndAnotherSolutionIsNone) {
+    const std::vector<StudentFile> files{{"ann", solution(0, "slope")},
+                                         {"bob", "\n\n" + solution(0, "x")},
+                                         {"eve", solution(1, "y")}};
+    const Comparison comparison = compareFiles(files, {"int stub;\n"}, sandbox_);
+    EXPECT_EQ(comparison.compared, 3U);
+    ASSERT_EQ(comparison.pairs.size(), 1U);
+    const SimilarPair& pair = comparison.pairs.front();
+    EXPECT_EQ(pair.left, 0U);
+    EXPECT_EQ(pair.right, 1U);
+    EXPECT_EQ(pair.percent, 100);
+    ASSERT_FALSE(pair.passages.empty());
+    EXPECT_EQ(pair.passages.front().left.first, 1);
+    EXPECT_EQ(pair.passages.front().right.first, 3) << "two lines further down";
+}
+
+TEST_F(SimilarFiles, WhatTheTemplateOrTheReferenceHasDoesNotCount) {
+    const std::vector<StudentFile> files{{"ann", solution(0, "slope")}, {"bob", solution(0, "x")}};
+    const Comparison comparison = compareFiles(files, {solution(0, "reference")}, sandbox_);
+    EXPECT_EQ(comparison.compared, 0U);
+    EXPECT_TRUE(comparison.pairs.empty());
+    EXPECT_FALSE(comparison.common.at(0).empty());
+}
+
+TEST_F(SimilarFiles, AnyBytesAreCompared) {
+    const std::string odd = std::string("\0\x01\xff\"/*\n", 7) + solution(0, "slope");
+    const Comparison comparison =
+        compareFiles({{"ann", odd}, {"bob", odd}, {"eve", ""}}, {"int stub;\n"}, sandbox_);
+    EXPECT_LE(comparison.compared, 2U);
+    EXPECT_TRUE(compareFiles({}, {}, sandbox_).pairs.empty());
+}
+
+TEST(SimilarPage, ShowsBothFilesAndEscapesThem) {
+    ComparedFile file{"Own.cpp", {{"<b>ann", "a <script>\nb\nc\n"}, {"bob", "b\n"}}, {}};
+    file.comparison.pairs = {{0, 1, 62, {{{2, 2}, {1, 1}}}}};
+    file.comparison.common = {{{3, 3}}, {}};
+    file.comparison.compared = 2;
+    const std::string html = similarPage({file});
+    EXPECT_EQ(html.find("<script>\n"), std::string::npos);
+    EXPECT_EQ(html.find("<b>ann"), std::string::npos);
+    EXPECT_NE(html.find("62 %: &lt;b&gt;ann and bob, Own.cpp, 1 passage"), std::string::npos);
+    EXPECT_NE(html.find("<span class=\"shared\"> 1    2 b</span>"), std::string::npos) << html;
+    EXPECT_NE(html.find("<span class=\"common\">      3 c</span>"), std::string::npos) << html;
+    EXPECT_NE(html.find("no proof of copying"), std::string::npos);
+    EXPECT_NE(similarJson({file}).find("\"percent\": 62"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ticker::similar
