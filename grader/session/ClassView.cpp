@@ -31,7 +31,7 @@ bool isRegular(const fs::path& file) {
     return fs::is_regular_file(fs::symlink_status(file, error));
 }
 
-/// Adds the lines that notes are about; removes notes that are on no line of the student's files.
+/// Adds to each note the text of its line; removes notes whose line does not exist.
 void quoteLines(Decision& decision, const fs::path& code) {
     std::erase_if(decision.notes, [&](LineNote& note) {
         const bool isPlain = note.file.find('/') == std::string::npos;
@@ -44,11 +44,29 @@ void quoteLines(Decision& decision, const fs::path& code) {
     });
 }
 
-// The answer to a stored decision was lost, and the page sends it again.
+// True if this decision is stored already: its answer was lost, and the page sent it again.
 bool isSentAgain(const Decision& sent, const Decision& current) {
     return current.version == sent.version + 1 && current.ruling == sent.ruling &&
            current.comment == sent.comment && current.who == sent.who &&
            current.notes == sent.notes && current.bulk == sent.bulk;
+}
+
+/// The pairs of OUT/similar.json, which ticker similar writes: [{"name", "percent"}] by submission.
+json similarOnes(const fs::path& out) {
+    json similar = json::object();
+    const json pairs = json::parse(readIfThere(out / "similar.json").value_or(""), nullptr, false);
+    if (!pairs.is_array()) return similar;
+    const auto isText = [](const json& pair, const char* member) {
+        return pair.contains(member) && pair[member].is_string();
+    };
+    for (const json& pair : pairs) {
+        if (!pair.is_object() || !isText(pair, "left") || !isText(pair, "right")) continue;
+        const json percent = pair.value("percent", json(0));
+        for (const auto& [one, other] : {std::pair{"left", "right"}, std::pair{"right", "left"}})
+            similar[pair[one].get<std::string>()].push_back(
+                {{"name", pair[other]}, {"percent", percent}});
+    }
+    return similar;
 }
 
 }  // namespace
@@ -60,8 +78,10 @@ Reply ClassView::list(const std::string& known) const {
     for (Decision& decision : store_.decisions())
         decisions[decision.submission] = std::move(decision);
     json all = json::array();
+    const json similar = similarOnes(out_);
     for (const store::ResultRow& row : store_.results()) {
         json entry = jsonOf(row);
+        entry["similar"] = similar.value(row.submission, json::array());
         if (const auto found = decisions.find(row.submission); found != decisions.end())
             entry["decision"] = jsonOf(found->second);
         all.push_back(std::move(entry));
@@ -102,6 +122,12 @@ Reply ClassView::reportPage(const std::string& name) const {
     const fs::path path = out_ / name / "report.html";
     if (!store_.find(name) || !isRegular(path)) return failure(404, "there is no such report");
     return {200, "text/html; charset=utf-8", readIfThere(path).value_or("")};
+}
+
+Reply ClassView::similarPage() const {
+    if (!isRegular(out_ / "similar.html"))
+        return failure(404, "nothing was compared yet: ticker similar OUT");
+    return {200, "text/html; charset=utf-8", readIfThere(out_ / "similar.html").value_or("")};
 }
 
 Reply ClassView::pictures(const std::string& name) const {

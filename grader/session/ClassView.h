@@ -11,27 +11,28 @@
 
 namespace ticker::session {
 
-/// What a request gets back.
+/// The answer to a request.
 struct Reply {
-    int status = 200;  ///< as HTTP has it
+    int status = 200;  ///< HTTP status code
     std::string type = "application/json";
     std::string body;
 };
 
-/// A class as the ticking session shows it, and the one way to decide in it. May be shared by
-/// threads. Knows nothing of HTTP but the statuses.
+/// The class behind the session's page. All decisions of the session are stored through it.
+/// Threads may share it. It uses the status codes of HTTP, and nothing else of it.
 class ClassView {
 public:
-    /// @throws raytracer::InputError where `out` is no OUT of ticker grade.
+    /// @throws raytracer::InputError if ticker grade did not write `out`.
     explicit ClassView(std::filesystem::path out);
 
-    /// All submissions with verdict, findings and decision, by name, the saved comments, and a
-    /// state. Every page asks for it each second, and mostly nothing has changed.
-    /// @param known  The state that the page has; where it still holds, the answer is that alone.
+    /// All submissions by name, with verdict, findings and decision; the saved comments; and
+    /// `state`, a digest of all of it. Every open page sends this request each second.
+    /// @param known  The digest that the page has. If it is still valid, the answer contains only
+    ///               the digest.
     [[nodiscard]] Reply list(const std::string& known = {}) const;
 
-    /// One submission as HTML, and all decisions about it. 404: nobody of this name; 503: it is
-    /// being graded at this moment.
+    /// One submission as HTML, and all decisions about it. 404: no submission has this name; 503:
+    /// it is being graded at this moment.
     [[nodiscard]] Reply submission(const std::string& name) const;
 
     /// A file of a submission's images/. 404 for anything else.
@@ -40,26 +41,29 @@ public:
     /// The submission's report.html.
     [[nodiscard]] Reply reportPage(const std::string& name) const;
 
-    /// For a contact sheet: the renders of a submission beside what was expected, and what was
-    /// found.
+    /// The class's similar.html, which ticker similar writes.
+    [[nodiscard]] Reply similarPage() const;
+
+    /// For a contact sheet: the submitted and the expected pictures of a submission, and its
+    /// findings.
     [[nodiscard]] Reply pictures(const std::string& name) const;
 
-    /// Keeps decisions, all at once (see `readDecisions`), each with the version that the page saw.
-    /// 200 once they are on disk, with {"answers": [{"isKept", "decision"}]}: the decision that
-    /// stands now, which is another one's where one was made meanwhile. 400 where one is none. Sent
-    /// again after a lost answer, each is kept once.
+    /// Stores decisions in one transaction (see `readDecisions`). Each has the version that the
+    /// page saw. 200 once they are on disk, with {"answers": [{"isKept", "decision"}]}: `decision`
+    /// is the valid one, which is another ticker's if that was stored first. 400 if one is
+    /// malformed. A request that is sent again, because its answer was lost, is stored once.
     [[nodiscard]] Reply decide(const std::string& body);
 
-    /// Words for students that all tickers of the class are offered (see `readSavedComment`).
+    /// Stores a comment that all tickers of the class can insert (see `readSavedComment`).
     [[nodiscard]] Reply saveComment(const std::string& body);
     [[nodiscard]] Reply dropComment(const std::string& body);
 
-    /// {"text"} as the student will see it: {"html"}.
+    /// Converts {"text"}, Markdown, to {"html"}, as reports show it.
     [[nodiscard]] Reply preview(const std::string& body) const;
 
-    /// What a notice should tell the user of the store; may be empty.
+    /// The store's message for the user; may be empty.
     [[nodiscard]] const std::string& notice() const { return store_.notice(); }
-    /// Grows with each request that stored decisions.
+    /// Number of requests that stored decisions.
     [[nodiscard]] std::uint64_t changes() const { return changes_; }
     [[nodiscard]] std::size_t size() const { return store_.results().size(); }
 

@@ -22,7 +22,7 @@ constexpr std::size_t kThreads = 32 + kMostNewcomers;
 constexpr std::size_t kLargestBody = 256U << 10U;
 constexpr std::size_t kLargestRequest = kLargestBody + (64U << 10U);
 
-// A report is a page by itself: its script runs, but may ask this server for nothing.
+// A report runs its own script, which may not send requests to this server.
 constexpr const char* kReportPolicy =
     "sandbox allow-scripts; default-src 'none'; "
     "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'";
@@ -36,7 +36,7 @@ void answerText(httplib::Response& response, std::string_view text, const char* 
     response.set_content(text.data(), text.size(), type);
 }
 
-/// Of a file that the page loads; null for the page.
+/// Content type of a style sheet or script; null for other files.
 const char* typeOf(std::string_view name) {
     if (name.ends_with(".css")) return "text/css; charset=utf-8";
     return name.ends_with(".js") ? "text/javascript; charset=utf-8" : nullptr;
@@ -47,8 +47,8 @@ void refuse(httplib::Response& response) {
     response.set_content("not here\n", "text/plain");
 }
 
-// Refused only after its body was read: what is left of one in the connection would be taken for
-// the next request.
+// Such a request is refused only after its body was read; otherwise the body would be read as the
+// next request.
 bool mayCarryBody(const httplib::Request& request) {
     return request.method == "POST" || request.method == "PUT" || request.method == "PATCH" ||
            request.method == "DELETE";
@@ -64,7 +64,7 @@ public:
         http_.set_keep_alive_timeout(kLongestIdle.count());
         http_.set_keep_alive_max_count(kMostRequests);
         http_.set_tcp_nodelay(true);
-        // The library's own choice would let two sessions share a port.
+        // The library's default, SO_REUSEPORT, would let two sessions share a port.
         http_.set_socket_options([](int socket) {
             const int yes = 1;
             setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
@@ -149,6 +149,10 @@ private:
         get("report", [this](const httplib::Request& request, httplib::Response& response) {
             response.set_header("Content-Security-Policy", kReportPolicy);
             answer(response, view_.reportPage(request.get_param_value("name")));
+        });
+        get("similar", [this](const httplib::Request& /*request*/, httplib::Response& response) {
+            response.set_header("Content-Security-Policy", kReportPolicy);
+            answer(response, view_.similarPage());
         });
         get("of/([^/]+)/images/([^/]+)",
             [this](const httplib::Request& request, httplib::Response& response) {

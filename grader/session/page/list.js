@@ -1,4 +1,4 @@
-// The list of submissions: search, filters, order, and the address that says them.
+// The list of submissions: search, filters and order, which are also in the page's address.
 import { $, button, counted, make, words } from "./dom.js";
 import { entries, isOpen, isOverruled, isPending, isStale, model, standing, watch } from "./model.js";
 import { here, open, writeAddress } from "./views.js";
@@ -15,21 +15,24 @@ const shows = {
   bulk: ({ name }) => !isOpen(name) && standing(name).bulk !== "",
   commented: ({ name }) => standing(name).comment !== "" || standing(name).notes.length > 0,
   changed: isStale,
+  similar: ({ similar }) => similar.length > 0,
 };
 
 const byText = (one, other) => one.localeCompare(other, undefined, { numeric: true });
+const mostSimilar = ({ similar }) => Math.max(0, ...similar.map(({ percent }) => percent));
 const sorts = {
   name: () => 0,
   verdict: (a, b) => byText(a.verdict, b.verdict),
   finding: (a, b) => byText(a.findings.join(" ") || "~", b.findings.join(" ") || "~"),
   when: (a, b) => byText(standing(b.name).when ?? "", standing(a.name).when ?? ""),
+  similar: (a, b) => mostSimilar(b) - mostSimilar(a),
   graded: (a, b) => byText(b.gradedAt, a.gradedAt),
 };
 
-/// What proven edits change, for the eye.
+/// What proven edits change: "before → after".
 export const changesOf = ({ proven = [] }) => proven.map(({ from, to }) => `${from} → ${to}`);
 
-/// Those that are alike in what the tool says of them: the findings, and what a proven edit changes.
+/// The key of an entry's group: verdict, option and findings, and what proven edits change.
 export const groupOf = (entry) => [[entry.verdict, entry.option, ...[...new Set(entry.findings)].sort()].join(" "),
   ...changesOf(entry)].join("\n");
 export const findingsOfGroup = (group) => group.split("\n")[0].split(" ").slice(2);
@@ -51,7 +54,7 @@ function fits(entry) {
 /// The names that the list shows, in its order.
 export const listed = () => order.filter((name) => !entries.get(name).row.hidden);
 
-/// The next one of the list that is not decided, from the current one on and round the list's end.
+/// The next undecided name of the list after the current one; continues at the list's beginning.
 export function nextUndecided() {
   const from = order.indexOf(model.current);
   const isNext = (name) => name !== model.current && !entries.get(name).row.hidden && isOpen(name);
@@ -146,7 +149,7 @@ export function setFilter(values) {
 
 export const showWholeList = () => setFilter(whole);
 
-/// What of an address is about the list.
+/// The filters in an address.
 export const filterFrom = (address) =>
   Object.fromEntries(Object.keys(whole).map((key) => [key, address.get(key) ?? whole[key]]));
 export const filterForAddress = () =>

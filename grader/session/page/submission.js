@@ -1,4 +1,4 @@
-// One submission: it fills the page, and the footer says what stands for it.
+// The view of one submission, and the footer with its decision.
 import { $, clock, make, soft, table, words } from "./dom.js";
 import { dressCode } from "./code.js";
 import { entries, isOverruled, isPending, isSame, isStale, model, saidOf, standing, watch } from "./model.js";
@@ -8,7 +8,7 @@ import { undone } from "./undo.js";
 import { Viewer, drawRays } from "./viewer.js";
 import { onOpen, open, register } from "./views.js";
 
-export let viewers = []; // of the submission that fills the page
+export let viewers = []; // of the submission that is shown
 const cache = new Map(); // grading, decision and name -> promise of {html, history}
 
 function fetched(name) {
@@ -20,16 +20,24 @@ function fetched(name) {
   return cache.get(key);
 }
 
-/// True where the submission that may be decided about was seen.
+/// True if the current submission is loaded and shown.
 export const isOnPage = () => model.current !== null && $("main").dataset.name === model.current;
 
-/// Who decided what before, and about which files; empty where that says no more than the footer.
+/// A table of all decisions so far; empty if the footer shows as much.
 function decisionsSoFar(history, files) {
   const isOld = (one) => Boolean(one.files) && one.files !== files;
   if (history.length < 2 && !history.some(isOld)) return [];
   const [all] = table("Decisions so far", ["When", "Ticker", "Decision", "Comment"],
     history.map((one) => [clock(one.when), one.who, words[one.ruling] + (one.bulk ? ", in bulk" : "") + (isOld(one) ? ", about an earlier hand-in" : ""), one.comment]));
   return [make("details", { class: "card" }, make("summary", {}, `${history.length} decisions so far`), all)];
+}
+
+/// A link to the two files beside each other, for each one that is similar.
+function similarOnes({ similar }) {
+  if (similar.length === 0) return [];
+  const names = similar.map(({ name, percent }) => `${entries.get(name)?.shown ?? name} (${percent} %)`).join(", ");
+  return [make("p", { class: "soft" }, `Shares code with ${names}. `,
+    make("a", { href: "similar", target: "_blank", rel: "noopener" }, "Compare the files"))];
 }
 
 async function show({ name }) {
@@ -40,7 +48,8 @@ async function show({ name }) {
   if (model.current !== name) return;
   main.classList.remove("loading");
   if (error) main.replaceChildren(make("p", { class: "soft" }, error));
-  else main.innerHTML = html; // written by the session itself, everything of the student's escaped
+  else main.innerHTML = html; // made by the session, which escapes all text of students
+  if (!error) $("h1", main).after(...similarOnes(entries.get(name)));
   if (!error) main.append(...decisionsSoFar(history, entries.get(name).files));
   for (const time of main.querySelectorAll("#earlier time")) time.replaceWith(clock(time.dateTime));
   viewers = [...main.querySelectorAll(".viewer")].map((section) => new Viewer(section));
@@ -66,7 +75,7 @@ function ruled(now) {
   return parts;
 }
 
-/// What stands for a submission, in words.
+/// Proposal, decision and comment of a submission, in words.
 function standingOf(entry) {
   const now = standing(entry.name);
   const parts = [soft("proposed: "), make("span", { class: `badge ${entry.verdict}` }, words[entry.verdict])];
@@ -83,7 +92,7 @@ function standingOf(entry) {
   return parts;
 }
 
-/// Says something in the footer of a view that is no submission.
+/// Shows a message in the footer of views other than a submission.
 export const tell = (...parts) => { if (model.current === null) $(".standing").replaceChildren(...parts); };
 
 export function showStanding() {

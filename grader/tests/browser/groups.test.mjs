@@ -1,7 +1,7 @@
 // Many at once: groups, contact sheets, words shared by tickers, filters with an address, and how long it
 // all takes. TICKER is the program, TICKER_CLASS a graded class (see session.mjs).
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { join } from "node:path";
 import { accessibilityFaults, launchBrowser, overflow } from "./harness.mjs";
@@ -127,7 +127,7 @@ test("saved words are offered to the other ticker, with the student's name", asy
 
 test("who is mended by the same edit is a group, and its line fills saved words", async () => {
   const repair = { task: "T1", finding: "bump.inverted-u", file: "BumpySphere.cpp", proven: true, next: "",
-    edits: [{ line: 20, from: "    return normal + Bu;", to: "    return normal - Bu;" }] };
+    line: 20, edit: { from: "    return normal + Bu;", to: "    return normal - Bu;" } };
   const session = await startSession(makeClass(20, [repair]));
   const { page, problems } = await openAs(session, "ann", "#view=groups");
   const cards = page.locator(".group", { hasText: "bump.inverted-u" });
@@ -151,6 +151,32 @@ test("who is mended by the same edit is a group, and its line fills saved words"
   assert.equal(decision.comment, "Write return normal - Bu; for return normal + Bu;.");
   assert.deepEqual(await accessibilityFaults(page), []);
   assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("who shares code is a filter, and leads to the two files", async () => {
+  const out = makeClass(10);
+  const names = readdirSync(out).filter((name) => existsSync(join(out, name, "result.json")));
+  const [left, right] = names;
+  writeFileSync(join(out, "similar.json"), JSON.stringify([{ left, right, file: "BumpySphere.cpp", percent: 62 }]));
+  writeFileSync(join(out, "similar.html"), "<!doctype html><title>Similar submissions</title>");
+  const session = await startSession(out);
+  const { page, problems } = await openAs(session, "ann", "#show=similar");
+  assert.deepEqual((await listed(page)).sort(), [left, right].sort());
+  const name = await shown(page);
+  const other = name === left ? right : left;
+  assert.match(await page.locator("main").textContent(), new RegExp("Shares code with .* \\(62 %\\)"));
+  assert.ok((await page.locator("main").textContent()).includes(other));
+  const [opened] = await Promise.all([page.context().waitForEvent("page"), page.getByRole("link", { name: "Compare the files" }).click()]);
+  await opened.waitForLoadState();
+  assert.equal(await opened.title(), "Similar submissions");
+  for (const file of ["report", "student"])
+    for (const each of names) {
+      const html = existsSync(join(out, each, `${file}.html`)) ? readFileSync(join(out, each, `${file}.html`), "utf8") : "";
+      assert.ok(!html.includes("Shares code"), "in no report");
+    }
+  assert.deepEqual(problems, []);
+  await opened.close();
   await page.close();
 });
 
