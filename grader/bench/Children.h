@@ -12,7 +12,7 @@ namespace ticker::bench {
 /// CPU time of all child processes that have ended, and of their descendants.
 [[nodiscard]] double childSeconds();
 
-/// Starts a program; what it says goes to `output`. @throws raytracer::Error if it cannot be run.
+/// Starts a program; its output goes to `output`. @throws raytracer::Error if it cannot be run.
 [[nodiscard]] pid_t start(std::vector<std::string> words, const std::filesystem::path& output);
 
 /// @throws raytracer::Error if the program failed.

@@ -159,7 +159,7 @@ private:
         return words;
     }
 
-    /// A class with all samples, under names that break careless programs.
+    /// A class with all samples, under names with quotes, spaces and other unusual characters.
     [[nodiscard]] std::vector<Figure> wholeClass() const {
         const fs::path folder = folder_.path() / "whole";
         const std::vector<std::string> samples = mixedSamples();
@@ -182,7 +182,7 @@ private:
                  megabytesIn(said), "MB"}};
     }
 
-    // All samples except the endless loop, which would measure nothing but the CPU limit.
+    // All samples except the endless loop, which would only measure the CPU limit.
     [[nodiscard]] std::vector<std::string> mixedSamples() const {
         std::vector<std::string> samples;
         for (const char* verdict : {"awarded", "notAwarded", "needsReview"})

@@ -9,25 +9,25 @@
 
 namespace ticker::bench {
 
-/// One line of a suite's page, and one object in its JSON.
+/// One measured value: a line of the printed table, an object in the JSON.
 struct Figure {
     std::string name;
     double value = 0.0;
     std::string unit;
 };
 
-/// Cost of some work in milliseconds: wall clock, and CPU (user and system) of this process and of
-/// its child processes that have ended.
+/// Cost of a function call in milliseconds: wall-clock time, and CPU time (user and system) of this
+/// process and of its child processes that have ended.
 struct Cost {
     double wall = 0.0;
     double cpu = 0.0;
 };
 [[nodiscard]] Cost costOf(const std::function<void()>& work);
 
-/// Milliseconds of CPU, as in `Cost`.
+/// CPU time in milliseconds, as in `Cost`.
 [[nodiscard]] double cpuOf(const std::function<void()>& work);
 
-/// Medians of two pieces of work that were run alternately, after one warm-up round.
+/// Medians of the costs of two functions that are called alternately, after one warm-up round.
 struct Pair {
     Cost first;
     Cost second;

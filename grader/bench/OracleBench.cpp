@@ -23,7 +23,7 @@ using raytracer::SceneDescription;
 
 struct Options {
     std::string scene;
-    std::string limit;  ///< a program to compare with; empty: none
+    std::string limit;  ///< a program for comparison; empty: none
     int rounds = 7;
 };
 
@@ -92,7 +92,7 @@ double rootMeanSquare(const Moments& a, const Moments& b) {
     return std::sqrt(sum / (3.0 * static_cast<double>(a.mean.size())));
 }
 
-/// CPU time to a mean of a given error, against plain random sampling by the same oracle.
+/// CPU time until the mean has a given error, relative to plain random sampling by the same oracle.
 std::vector<Figure> equalError(const SceneDescription& scene) {
     constexpr double kGoal = 0.0005;
     RenderSettings settings;

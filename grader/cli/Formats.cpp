@@ -87,8 +87,9 @@ void tell(const report::MoodleGrades& grades, const std::vector<store::ClassEntr
         grades.graded, [&](const auto& graded) { return !isDecided(entries.at(graded.view)); });
     if (proposals > 0)
         fmt::print(stderr,
-                   "ticker: {} of the {} marks are proposals of ticker, about which nobody has "
-                   "decided; --decided-only leaves them out\n",
+                   "ticker: {} of the {} marks are proposals of ticker, without a person's "
+                   "decision; "
+                   "--decided-only leaves them out\n",
                    proposals, grades.graded.size());
     fmt::print(stderr,
                "{} graded. Upload the worksheet first, then the zip; before any later upload "

@@ -17,14 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The shared libraries of this process, including the dynamic loader: everything that the program
-/// needs on another machine.
+/// The shared libraries of this process, including the dynamic loader: all that the program needs
+/// on another machine.
 std::vector<fs::path> sharedLibraries() {
     std::vector<fs::path> files;
     dl_iterate_phdr(
         [](dl_phdr_info* object, std::size_t /*size*/, void* list) {
             const fs::path file{object->dlpi_name};
-            // The program itself has an empty name, and the kernel's vDSO has no file.
+            // Left out: the program itself, which has an empty name, and the vDSO, which has no
+            // file.
             if (file.is_absolute()) static_cast<std::vector<fs::path>*>(list)->push_back(file);
             return 0;
         },
@@ -43,8 +44,8 @@ bool isLoader(const fs::path& library) {
     return library.filename().string().starts_with("ld-linux");
 }
 
-// The loader lies beside the program, so that ticker finds its kit and data from that folder,
-// whichever of the two files the kernel reports as the running program.
+// The kernel may report the loader as the running program instead of ticker. Both are in the same
+// folder, so that ticker finds its kit and data in either case.
 void addProgram(zip::ZipWriter& zip, const Parts& parts) {
     zip.add("ticker/bin/ticker", integration(parts, "bundle/ticker"), true);
     zip.addFile("ticker/bin/ticker.program", parts.program);
@@ -57,7 +58,7 @@ void addProgram(zip::ZipWriter& zip, const Parts& parts) {
     zip.addFile("ticker/libexec/ticker/ticker-decode", parts.decoder);
 }
 
-// Without the precompiled header: only the exact compiler that made it can read it.
+// The precompiled header is left out: only the compiler version that made it can read it.
 void addKit(zip::ZipWriter& zip, const Parts& parts) {
     const std::string kit = "ticker/lib/ticker/kit/" + parts.exercise.name + "/";
     for (const char* folder : {"include", "lib", "template"})

@@ -10,9 +10,8 @@ namespace ticker::package {
 /// a compiler; and ticker/prepare.sh, which installs that compiler and adapts the kit to it.
 void addBundle(zip::ZipWriter& zip, const Parts& parts);
 
-/// The contents of a file of grader/integrations, with what it says about the exercise: three words
-/// between at signs are replaced: EXERCISE by its name, FILES by its files (HTML), PARTS by the
-/// parts of a submission.
+/// The contents of a file of grader/integrations. Three words between at signs are replaced:
+/// EXERCISE by the exercise's name, FILES by its files (HTML), PARTS by the parts of a submission.
 [[nodiscard]] std::string integration(const Parts& parts, const std::string& name);
 
 }  // namespace ticker::package

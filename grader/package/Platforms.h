@@ -9,7 +9,7 @@
 
 namespace ticker::package {
 
-/// Paths of this ticker's parts, in a build tree or an installation.
+/// Paths of the installed parts, in a build tree or an installation.
 struct Parts {
     const Exercise& exercise;       ///< what the platform grades
     std::filesystem::path program;  ///< ticker
@@ -30,7 +30,8 @@ struct Parts {
 void writeGradescope(const Parts& parts, const std::filesystem::path& file);
 
 /// Writes a zip for PrairieLearn: the Dockerfile of an external grader's image, its entry point,
-/// ticker, and a question that uses it. It contains nothing secret either.
+/// ticker, and a question that uses it. It contains no solution, no
+/// reference picture and no seed.
 /// @throws raytracer::InputError likewise.
 void writePrairieLearn(const Parts& parts, const std::filesystem::path& file);
 

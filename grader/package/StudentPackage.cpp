@@ -14,17 +14,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Listed one by one, so that other things in the folder, such as a build, are left out.
+// The parts are listed one by one, so that build folders and the like are left out.
 constexpr std::array kFolders{"cmake", "framework"};
 constexpr std::array kFiles{".clangd", "CMakePresets.json"};
-// Those of which an exercise with an overlay has its own.
+// Parts that an exercise with an overlay replaces by its own.
 constexpr std::array kOwnFolders{".devcontainer", ".vscode", "tests"};
 constexpr std::array kOwnFiles{"CMakeLists.txt", "README.md",  "check",
                                "check.cmd",      "check.json", "vcpkg.json"};
-// How an overlay is built beside the framework instead of over it.
+// CMake file that builds an overlay beside the framework in this project; packages leave it out.
 constexpr std::string_view kWholeKit = "WholeKit.cmake";
 
-/// A student's package on its way.
+/// Collects the files of a student's package.
 class Package {
 public:
     Package(const fs::path& data, const Exercise& exercise, const fs::path& file)
@@ -41,7 +41,7 @@ public:
                              data_ / "scenes" / (scene.name + ".xml"));
         }
         addHandout();
-        // An installation keeps its licence elsewhere.
+        // An installation may have its licence in another folder.
         if (fs::is_regular_file(data_ / "LICENSE"))
             zip_.addFile(root_ + "LICENSE", data_ / "LICENSE");
         zip_.finish();
@@ -70,7 +70,8 @@ private:
             if (!name.ends_with(kWholeKit)) zip_.addFile(root_ + name, file);
     }
 
-    /// The files below `folder`, by their path in `top`; those that come later replace others.
+    /// Adds the files below `folder`, under their paths in `top`; a later file replaces an earlier
+    /// one.
     static void collect(const fs::path& top, const fs::path& folder,
                         std::map<std::string, fs::path>& files) {
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder})

@@ -160,9 +160,9 @@ std::string picturesSection(const SubmissionResult& result, const Album& album, 
     html += ofScreenshot(result, album, keys, exerciseOf(result));
     if (html.empty()) return "";
     const std::string intro =
-        "<p class=\"soft\">They explain; they fail nobody: accepted readings of the handout "
-        "differ "
-        "in many pixels, and a mistake may differ in few. <span class=\"screen-only\"><kbd>B</kbd> "
+        "<p class=\"soft\">They explain and decide nothing: accepted readings of the "
+        "handout differ in many pixels, and a mistake may differ in few. <span "
+        "class=\"screen-only\"><kbd>B</kbd> "
         "blinks between expected and submitted, <kbd>O</kbd> lays one over the other with a "
         "slider, <kbd>S</kbd> puts them side by side; <kbd>+</kbd> <kbd>&minus;</kbd> or a double "
         "click zoom all pictures of a scene, dragging or the arrow keys move them.</span></p>";

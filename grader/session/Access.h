@@ -6,8 +6,8 @@
 
 namespace ticker::session {
 
-/// Access data of the session's page. Stored in OUT, readable by its owner only, so that an open
-/// page keeps working when the session is restarted.
+/// Token and port of the session's page. They are stored in OUT, readable by its owner only, so
+/// that an open page works again after the session is restarted.
 struct Access {
     std::string token;  ///< 32 hexadecimal digits from the system's generator
     int port = 0;       ///< port of the last session; 0 before the first one

@@ -17,7 +17,7 @@ using report::escapeHtml;
 constexpr std::string_view kLineStart = "<span class=\"line\">";
 constexpr std::string_view kLineEnd = "</span>";
 
-/// One line of `highlightCpp` with its number, and what is said about it.
+/// One line of `highlightCpp` with its number and its remarks.
 std::string numbered(std::string_view line, int number, const std::string& file,
                      const std::vector<MarkedLine>& marked) {
     std::string kinds;

@@ -8,20 +8,20 @@
 
 namespace ticker::session {
 
-/// A line of a student's file that something is to be said about.
+/// A line of a student's file with a remark.
 struct MarkedLine {
     std::string file;
     int line = 0;       ///< counted from 1
     std::string kind;   ///< its class in the style sheet: error, warning, proven
-    std::string words;  ///< what is said, as plain text; shown below the line
+    std::string words;  ///< the remark, plain text; shown below the line
 };
 
 /// The lines that the compiler's errors and warnings point at, and those whose edit is proven to
 /// mend a task.
 [[nodiscard]] std::vector<MarkedLine> markedLines(const SubmissionResult& result);
 
-/// The student's files as HTML, each line with a button that stands for it, the marked lines with
-/// what is said about them.
+/// The student's files as HTML. Each line has a button that opens a comment on it; marked lines are
+/// coloured and followed by their remarks.
 [[nodiscard]] std::string codeHtml(const std::vector<SourceText>& sources,
                                    const std::vector<MarkedLine>& marked);
 

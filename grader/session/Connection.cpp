@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kLongestRequest{5000};
 
-/// True where the socket is ready, or has failed, before the deadline.
+/// True if the socket is ready, or has failed, before the deadline.
 bool waitFor(int socket, short event, Clock::time_point deadline) {
     for (;;) {
         const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
@@ -61,13 +61,13 @@ public:
         }
     }
 
-    // The session listens on this machine alone, and asks nothing about the other side.
+    // The session accepts connections of this machine only, so the address is not needed.
     void get_remote_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
     void get_local_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
     [[nodiscard]] socket_t socket() const override { return socket_; }
 
 private:
-    // Later bytes must not be read as another request.
+    // The rest of a failed request must not be read as the next request.
     [[nodiscard]] ssize_t giveUp() const {
         shutdown(socket_, SHUT_RDWR);
         return -1;

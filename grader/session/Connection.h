@@ -13,16 +13,16 @@ class Stream;
 
 namespace ticker::session {
 
-/// The connections that have not shown the token yet. Each takes a thread, so only the newest few
-/// stay. May be shared by threads.
+/// The connections that have not sent the token yet. Each occupies a thread, so only the newest
+/// few are kept open. Threads may share it.
 class Newcomers {
 public:
     explicit Newcomers(std::size_t most) : most_(most) {}
 
-    /// Adds a connection. With more than `most` connections the oldest one is closed; a read that
-    /// waits for its data ends.
+    /// Adds a connection. If there are more than `most`, the oldest one is closed, which ends a
+    /// read that waits for its data.
     void add(int socket);
-    /// Removes a connection that has shown the token, or is about to be closed.
+    /// Removes a connection that has sent the token, or is about to be closed.
     void remove(int socket);
 
 private:
@@ -37,9 +37,9 @@ inline constexpr std::chrono::seconds kLongestIdle{2};
 /// Waits for the first byte of a request; false if it does not come in time.
 [[nodiscard]] bool isRequestComing(int socket);
 
-/// One request of a connection. The connection ends where all of the request, its head and its
-/// body, takes longer than five seconds or is larger than any that the page sends; writing ends
-/// with an error where nothing can be written for five seconds. Does not own the socket.
+/// A stream for one request of a connection. Reading fails if the request, head and body, takes
+/// longer than five seconds or has more than `mostBytes`; writing fails if nothing can be written
+/// for five seconds. It does not own the socket.
 [[nodiscard]] std::unique_ptr<httplib::Stream> requestStream(int socket, std::size_t mostBytes);
 
 }  // namespace ticker::session

@@ -9,9 +9,9 @@
 
 namespace ticker::session {
 
-/// The earlier results of a submission as HTML, each beside what replaced it: verdict, findings
-/// that went and came, and a diff of the code. Empty if there are none.
-/// @param code  Folder of the newest sources.
+/// The earlier results of a submission as HTML, each compared with the next one: verdict, removed
+/// and new findings, and a diff of the code. Empty without earlier results.
+/// @param code  Folder of the current sources.
 [[nodiscard]] std::string earlierHtml(const SubmissionResult& now,
                                       const std::filesystem::path& code,
                                       const std::vector<store::Earlier>& earlier);

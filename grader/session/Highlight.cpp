@@ -38,7 +38,7 @@ struct Token {
     char kind = ' ';  ///< class in HTML; ' ' for none
 };
 
-/// Splits a source into tokens. Knows only as much of C++ as highlighting needs.
+/// Splits a source into the tokens that highlighting distinguishes.
 class Scanner {
 public:
     explicit Scanner(std::string_view source) : rest_(source) {}

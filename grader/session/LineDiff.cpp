@@ -12,7 +12,7 @@ using Lines = std::vector<std::string_view>;
 
 constexpr std::size_t kMostLines = 2000;
 
-/// Length of the longest common subsequence of what follows line i of one and line j of the other.
+/// Length of the longest common subsequence of the lines from i on and the lines from j on.
 class Table {
 public:
     Table(const Lines& one, const Lines& other)

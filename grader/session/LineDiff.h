@@ -14,8 +14,8 @@ struct DiffLine {
     bool operator==(const DiffLine&) const = default;
 };
 
-/// The fewest lines to take out of one text and to put into the other, in order. Texts that differ
-/// in more than 2000 lines are replaced as a whole.
+/// The shortest list of removed and added lines that turns one text into the other, in order. If
+/// more than 2000 lines differ, all lines are removed and added.
 [[nodiscard]] std::vector<DiffLine> lineDiff(std::string_view before, std::string_view after);
 
 }  // namespace ticker::session

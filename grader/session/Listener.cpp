@@ -31,7 +31,8 @@ bool Listener::answerOne(socket_t socket, bool isLast, bool& isClosing) {
     const auto stream = requestStream(socket, largestRequest_);
     return process_request(*stream, isLast, isClosing, [&](httplib::Request& request) {
         if (isAllowed_(request)) newcomers_.remove(socket);
-        // On one machine compressing takes longer than sending: a second for a class of 500.
+        // Compression would take longer than sending within one machine: a second for a class of
+        // 500.
         request.headers.erase("Accept-Encoding");
     });
 }

@@ -10,22 +10,22 @@
 
 namespace ticker::session {
 
-/// How many connections may be open that have not shown the token yet.
+/// Largest number of open connections that have not sent the token yet.
 inline constexpr std::size_t kMostNewcomers = 16;
-/// How many requests a connection may have.
+/// Largest number of requests of one connection.
 inline constexpr std::size_t kMostRequests = 1000;
 
-/// The library's server, which alone would wait as long as a byte comes now and then, for as many
-/// connections as there are threads: then the page's own wait for ever.
+/// The library's server with limits on slow connections. Without them, clients that send a byte now
+/// and then could occupy all threads, and the page's own requests would wait for ever.
 class Listener : public httplib::Server {
 public:
     using IsAllowed = std::function<bool(const httplib::Request&)>;
 
-    /// @param isAllowed  True for a request that has shown the token.
+    /// @param isAllowed  True for a request with the token.
     Listener(IsAllowed isAllowed, std::size_t largestRequest);
 
-    /// Lets more than the library's five connections wait to be accepted: one that finds no place
-    /// tries again only after a second.
+    /// Makes the queue of connections that wait to be accepted longer than the library's five: a
+    /// connection that does not fit is tried again only after a second.
     void queueMany() const;
 
 private:

@@ -7,8 +7,9 @@
 
 namespace ticker::session {
 
-/// The files of grader/session/page by name, carried in the program. session.css begins with the
-/// styles of the report's pages, whose parts the session shows; viewer.js is their viewer.
+/// The files of grader/session/page by name, compiled into the program. session.css begins with the
+/// style sheets of the reports, and viewer.js is the reports' script, since the session shows parts
+/// of reports.
 [[nodiscard]] const std::map<std::string, std::string, std::less<>>& pageFiles();
 
 }  // namespace ticker::session

@@ -11,7 +11,7 @@
 
 namespace ticker::session {
 
-// What the page and the session say to each other, as JSON.
+// The JSON of requests and answers.
 
 [[nodiscard]] nlohmann::json jsonOf(const Decision& decision);
 [[nodiscard]] nlohmann::json jsonOf(const ProvenLine& line);
@@ -22,13 +22,13 @@ namespace ticker::session {
 [[nodiscard]] std::string textOf(const nlohmann::json& value);
 
 /// {"decisions": [{"submission", "version", "ruling", "comment", "who", "notes", "bulk"}]}, the
-/// last two optional. Nothing where one of them is no decision.
+/// last two optional. Empty if one of them is malformed.
 [[nodiscard]] std::optional<std::vector<Decision>> readDecisions(const std::string& body);
 
 /// {"finding", "text", "who"}
 [[nodiscard]] std::optional<store::SavedComment> readSavedComment(const std::string& body);
 
-/// A member of a request; nothing where it is no string or too long.
+/// A member of a request; empty if it is no string, or too long.
 [[nodiscard]] std::optional<std::string> readText(const std::string& body, const char* member);
 
 }  // namespace ticker::session

@@ -13,14 +13,14 @@ namespace ticker::session {
 /// carry a header that no other site's page can send.
 class Server {
 public:
-    /// Takes a port; requests wait until `serve`. @param port  0: the last session's, or any.
-    /// @throws raytracer::InputError where the port that was asked for is taken.
+    /// Binds to a port; requests wait until `serve`. @param port  0: the last session's, or any.
+    /// @throws raytracer::InputError if this port is in use.
     Server(ClassView& view, Access access, int port);
     ~Server();
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;
 
-    /// With the port that it got: to be kept for the next session.
+    /// Token and the actual port, to be stored for the next session.
     [[nodiscard]] const Access& access() const;
     /// "http://127.0.0.1:8123/<token>/"
     [[nodiscard]] std::string address() const;

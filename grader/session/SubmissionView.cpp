@@ -100,7 +100,7 @@ std::string submissionHtml(SubmissionResult result, const fs::path& codeFolder,
     const std::string work = "<div class=\"work\"><div class=\"findings\">" + findings +
                              notices(result) + "</div>" +
                              codeHtml(result.sources, markedLines(result)) + "</div>";
-    // What does not compile has no picture of its own: the code says more.
+    // A submission that does not compile has no rendered picture, so its code comes first.
     return head(result) + (result.diagnostics.empty() ? pictures + work : work + pictures) +
            earlierHtml(result, codeFolder, earlier);
 }

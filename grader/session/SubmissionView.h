@@ -10,13 +10,12 @@
 
 namespace ticker::session {
 
-/// What was found, in a line each and once, as HTML; empty where nothing was.
+/// The findings as an HTML list, without repetitions; empty without findings.
 [[nodiscard]] std::string toldHtml(const SubmissionResult& result);
 
-/// One submission for the session's page, as HTML: verdict, pictures, and beside each other what
-/// was found (the compiler's words, tasks with their findings) and the code, in which the lines
-/// that something points at are marked; earlier results of it. Pictures have addresses relative to
-/// the page.
+/// One submission for the session's page, as HTML: verdict; pictures; the compiler's messages and
+/// the findings of each task beside the code, with marked lines (`markedLines`); earlier results.
+/// Addresses of pictures are relative to the page.
 /// @param code  `OUT/<submission>/code`
 [[nodiscard]] std::string submissionHtml(SubmissionResult result, const std::filesystem::path& code,
                                          const std::vector<store::Earlier>& earlier = {});

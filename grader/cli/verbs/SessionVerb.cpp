@@ -54,8 +54,8 @@ raytracer::ExitCode run(const SessionOptions& options, const GlobalOptions& glob
     std::fflush(stdout);
     if (!global.quiet)
         fmt::print(stderr,
-                   "{}. Open the address in a browser on this machine; it lets in "
-                   "whoever has it. Ctrl-C ends the session.\n",
+                   "{}. Open the address in a browser on this machine. It contains the key: "
+                   "everyone who has it can decide. Ctrl-C ends the session.\n",
                    report::counted(view.size(), "submission"));
     const std::jthread serving{[&] { server.serve(); }};
     waitForEnd(ending, [&, seen = view.changes()]() mutable {

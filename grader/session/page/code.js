@@ -1,4 +1,4 @@
-// The student's code: lines that something points at, comments on lines, and walking among them by keys.
+// The student's code: marked lines, comments on lines, and keys that move between them.
 import { $, make } from "./dom.js";
 import { model, standing, watch } from "./model.js";
 import { editNote, showMarkdown } from "./comment.js";
@@ -9,7 +9,7 @@ const lines = () => [...document.querySelectorAll("main .code .line")];
 const wordsOf = (line) => [...line.childNodes].filter((node) => !(node.classList?.contains("at") || node.classList?.contains("said")))
   .map((node) => node.textContent).join("").replace(/\n$/, "");
 
-/// Shows the comments that stand beside their lines.
+/// Shows the comments on lines below their lines.
 export function codeChanged() {
   for (const old of document.querySelectorAll("main .said.note")) old.remove();
   for (const line of document.querySelectorAll("main .line.noted")) line.classList.remove("noted");
@@ -24,7 +24,7 @@ export function codeChanged() {
   }
 }
 
-/// Moves to a line: its button has the focus, so that Enter comments on it.
+/// Moves the focus to a line's button, so that Enter comments on the line.
 function visit(line) {
   for (const other of document.querySelectorAll("main .code .at[tabindex='0']")) other.tabIndex = -1;
   const at = $(".at", line);
@@ -35,7 +35,7 @@ function visit(line) {
   line.scrollIntoView({ block: "nearest", inline: "nearest" });
 }
 
-/// Goes to the next line that something points at; where there is none, to the first of the task.
+/// Moves to the next marked line; without marked lines, to the first line of the task.
 export function nextMarkedLine() {
   const all = lines();
   if (all.length === 0) return;
@@ -46,7 +46,7 @@ export function nextMarkedLine() {
   visit(following.find(isMarked) ?? all[Math.max(from, task, 0)]);
 }
 
-/// After a submission was put on the page: the first marked line is in view inside its file.
+/// After a submission was loaded: scrolls each file to its first marked line.
 export function dressCode() {
   codeChanged();
   for (const pre of document.querySelectorAll("main .code")) {
@@ -59,7 +59,7 @@ function comment(line) {
   editNote({ file: fileOf(line), line: Number(line.dataset.line), code: wordsOf(line) });
 }
 
-/// Arrows walk from line to line. Gives true for a key that was one of these.
+/// Arrow keys move from line to line. Returns true if the key was one of these.
 export function codeKey(event) {
   const line = lineOf(event.target) ?? (event.target.matches?.(".code") ? $(".line", event.target) : null);
   const step = { ArrowDown: 1, ArrowUp: -1, PageDown: 12, PageUp: -12 }[event.key];

@@ -1,4 +1,4 @@
-// The comment for the student, about the whole or about a line, with a look at what the student will see.
+// The editor of comments for the student, on the submission or on a line, with a preview.
 import { $, make } from "./dom.js";
 import { entries, model, saidOf, standing } from "./model.js";
 import { askFor, who } from "./decide.js";
@@ -10,12 +10,12 @@ import { codeChanged } from "./code.js";
 
 const previewMs = 120;
 
-/// Markdown as the student will see it, into an element.
+/// Shows Markdown in an element as the student will see it.
 export async function showMarkdown(place, text) {
   place.dataset.text = text;
   if (!text.trim()) return place.replaceChildren();
   const { answer: { html } } = await post("preview", { text });
-  if (place.dataset.text === text) place.innerHTML = html; // made by the session, markup escaped
+  if (place.dataset.text === text) place.innerHTML = html; // made by the session, which escapes HTML in it
 }
 
 let timer = 0;
@@ -26,7 +26,7 @@ function previewSoon(dialog) {
 
 const isMissing = (text, one) => !text.includes(one);
 
-/// Opens the editor: words that stand, offers, a preview. `keep` gets what is to stand.
+/// Opens the editor with the present text, offers and a preview. `keep` is called with the new text.
 function edit({ title, draft, text, offers, at, keep }) {
   const entry = entries.get(model.current);
   const dialog = $("#comment");
@@ -74,7 +74,7 @@ export function editComment() {
   });
 }
 
-/// Says something about a line: {file, line, code}. Nothing said takes the comment away.
+/// Edits the comment on a line: {file, line, code}. An empty text removes the comment.
 export function editNote(at) {
   if (!isOnPage()) return;
   if (!who()) return askFor("Who comments?", null, () => editNote(at));

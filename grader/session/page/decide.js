@@ -1,4 +1,4 @@
-// Deciding: about the submission that fills the page, or about all of a contact sheet.
+// Decisions on the submission that is shown, or on all that are ticked on a contact sheet.
 import { $, counted, words } from "./dom.js";
 import { entries, model, overrules, saidOf, standing, whenOvertaken } from "./model.js";
 import { offersFor, showOffers } from "./saved.js";
@@ -14,7 +14,7 @@ function setWho(name) {
   memory.set("who", name);
 }
 
-/// Asks for what is missing in a dialog, and goes on with the comment once it is there.
+/// Asks in a dialog for the name or the reason, then calls the continuation with the comment.
 ///
 /// why: {isRequired, comment, offers}; null where no comment is asked for.
 export function askFor(title, why, then) {
@@ -31,7 +31,7 @@ export function askFor(title, why, then) {
   showOffers($(".offers", dialog), why?.offers ?? [], (text) => { reason.value = text; reason.focus(); });
   $("form", dialog).onsubmit = (event) => {
     if (event.submitter?.value === "cancel") return;
-    if (reason.required && !reason.value.trim()) return event.preventDefault(); // blanks are no reason
+    if (reason.required && !reason.value.trim()) return event.preventDefault(); // a reason of blanks is refused
     if (!name.disabled) setWho(name.value.trim());
     then(reason.value.trim());
   };
@@ -39,10 +39,10 @@ export function askFor(title, why, then) {
   (name.disabled ? reason : name).focus();
 }
 
-/// Decides about what fills the page, and goes on. Asks for a name once, for a reason against the
-/// proposal, and whether a comment still fits a decision that is turned round.
+/// Decides on the submission that is shown, and opens the next one. Asks once for a name; for a reason if
+/// the decision contradicts the proposal; and, if a decision is reversed, whether its comment still fits.
 function decideOne(ruling) {
-  if (!isOnPage()) return; // it was not seen yet
+  if (!isOnPage()) return; // the submission is not shown yet
   const name = model.current;
   const entry = entries.get(name);
   const before = saidOf(standing(name));
@@ -59,7 +59,7 @@ function decideOne(ruling) {
   else keep(before.comment);
 }
 
-/// Decides about many at once: the same ruling, and the same words for all who have none yet.
+/// Decides on many submissions: the same ruling for all, the same comment for those without one.
 export function decideMany(names, ruling) {
   if (names.length === 0) return;
   const all = names.map((name) => entries.get(name));
@@ -77,7 +77,7 @@ export function decideMany(names, ruling) {
 }
 
 let bulkNames = () => [];
-/// Tells what a decision is about where no single submission fills the page.
+/// Sets the function that returns the names to decide on where no single submission is shown.
 export const decidesAbout = (names) => { bulkNames = names; };
 
 export function decide(ruling) {

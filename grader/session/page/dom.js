@@ -1,4 +1,4 @@
-// Small things that every module of the page uses.
+// Small functions that all modules of the page use.
 
 export const $ = (selector, root = document) => root.querySelector(selector);
 export const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -18,14 +18,14 @@ export function make(name, attributes = {}, ...children) {
 
 export const soft = (...children) => make("span", { class: "soft" }, ...children);
 
-/// A button with its work.
+/// A button with its click handler.
 export function button(text, work, attributes = {}) {
   const element = make("button", { type: "button", ...attributes }, ...[text].flat());
   element.addEventListener("click", work);
   return element;
 }
 
-/// On this machine's clock: the time today, the date and the time before.
+/// A UTC time in local time: without the date if it is today.
 export function clock(when) {
   const at = new Date(when);
   const isToday = at.toDateString() === new Date().toDateString();
@@ -33,7 +33,7 @@ export function clock(when) {
   return make("time", { datetime: when }, text);
 }
 
-/// In a list; no table where there are no rows.
+/// A table in a list; an empty list without rows.
 export function table(caption, head, rows) {
   if (rows.length === 0) return [];
   return [make("table", {}, make("caption", {}, caption),
@@ -41,7 +41,7 @@ export function table(caption, head, rows) {
     make("tbody", {}, ...rows.map((cells) => make("tr", {}, ...cells.map((cell) => make("td", {}, cell))))))];
 }
 
-/// How often each key occurs, the most frequent first. `keyOf` gives one or several.
+/// How often each key occurs, the most frequent first. `keyOf` returns one key or several.
 export function countBy(list, keyOf) {
   const counts = new Map();
   for (const one of list) for (const key of [keyOf(one)].flat()) counts.set(key, (counts.get(key) || 0) + 1);

@@ -1,4 +1,4 @@
-// Submissions that are alike, and the contact sheet on which all that the list shows are decided at once.
+// Groups of similar submissions, and the contact sheet, on which many are decided at once.
 import { $, button, counted, make, soft, words } from "./dom.js";
 import { decidesAbout } from "./decide.js";
 import { entries, isOpen, standing, watch } from "./model.js";
@@ -53,10 +53,10 @@ async function addPictures(place, entry) {
   place.replaceChildren(...(render
     ? [...(render.reference ? [picture(render.reference, "expected", entry.shown)] : []), picture(render.image, "submitted", entry.shown)]
     : [make("div", { class: "soft" }, "No picture.")]));
-  if (!render) place.insertAdjacentHTML("beforeend", told); // written by the session, escaped
+  if (!render) place.insertAdjacentHTML("beforeend", told); // made by the session, which escapes it
 }
 
-/// Notes who was on the screen: nobody is decided about unseen.
+/// Records which submissions were visible: a bulk decision needs all of them.
 const sight = new IntersectionObserver((seen) => {
   for (const { isIntersecting, target } of seen) {
     if (!isIntersecting) continue;
@@ -109,7 +109,7 @@ function pick(isPicked) {
   showPicked();
 }
 
-/// Those to be decided about; none before each of them was on the screen.
+/// The ticked names; none until each of them was visible.
 function ready() {
   const names = picked();
   const unseen = names.find((name) => !cards.get(name).isSeen);

@@ -1,4 +1,4 @@
-// The page of a ticking session: buttons, keys, and its beginning.
+// The page of a ticking session: buttons, keys and start.
 import { $, wait } from "./dom.js";
 import { codeKey, nextMarkedLine, watchCode } from "./code.js";
 import { editComment } from "./comment.js";
@@ -37,7 +37,7 @@ function showCounts() {
   showState();
 }
 
-/// A button that would do nothing cannot be pressed.
+/// Disables buttons that would do nothing.
 function showButtons() {
   const isOne = model.current !== null;
   const can = {
@@ -78,14 +78,14 @@ const keys = {
 
 document.addEventListener("keydown", (event) => {
   if (event.target.matches("dialog textarea")) {
-    // A comment has lines, a reason has one.
+    // Enter makes a new line in a comment, and submits a reason, which has one line.
     const isEnd = event.key === "Enter" && (event.target.id === "ask-why" || event.ctrlKey || event.metaKey);
     if (isEnd) event.preventDefault();
     if (isEnd) $("button[value=save]", event.target.form).click();
     return;
   }
   if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
-  // A letter means the same on the filter's list and on a slider.
+  // Letter keys also work while a filter or a slider has the focus.
   if (event.target.matches("input:not([type=range], [type=checkbox])")) return;
   const look = { b: "blink", "+": "in", "=": "in", "-": "out" }[event.key];
   if (look && model.current !== null && viewers.length > 0) viewerInSight(viewers).act(look);
@@ -100,7 +100,7 @@ document.addEventListener("click", (event) => {
   if (act && acts[act]) acts[act]();
 });
 
-// --- beginning -----------------------------------------------------------------------------------
+// --- start ---------------------------------------------------------------------------------------
 
 function openFromAddress() {
   const address = new URLSearchParams(location.hash.slice(1));

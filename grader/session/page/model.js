@@ -1,12 +1,12 @@
-// The class as this page knows it. What is decided goes into a queue that outlives the page; the queue is
-// sent in order, again and again until the session says that it is on disk.
+// The page's copy of the class. Decisions go into a queue in the browser's storage. The queue is sent in
+// order, and again until the session confirms that it is on disk.
 import { ask, memory, post, token } from "./server.js";
 
-export const entries = new Map(); // name -> what the session says of it, and its row of the list
-export const model = { names: [], comments: [], current: null }; // current: the name that fills the page
+export const entries = new Map(); // name -> the session's data about it, and its row of the list
+export const model = { names: [], comments: [], current: null }; // current: name of the submission that is shown
 const watchers = [];
 export const watch = (work) => watchers.push(work);
-/// Tells the page that decisions changed; with `names`, about these alone.
+/// Calls the watchers after decisions changed; `names`: which ones, if known.
 export const changed = (names = null) => { for (const work of watchers) work(names); };
 
 // --- what is sent --------------------------------------------------------------------------------
@@ -14,9 +14,9 @@ export const changed = (names = null) => { for (const work of watchers) work(nam
 const queueKey = `queue.${Math.random().toString(36).slice(2)}`; // each tab has its own
 const mostBytes = 150_000; // of one request
 let queue = adoptQueues(); // {submission, version, ruling, comment, notes, bulk, who}
-let latest = null; // name -> its last one of the queue
+let latest = null; // name -> its last decision in the queue
 
-/// What tabs that are gone had not sent. A tab that still lives sends its own again, which does no harm.
+/// Decisions that closed tabs had not sent. A tab that is still open sends them too; each is stored once.
 function adoptQueues() {
   const prefix = `ticker.${token}.`;
   const found = Object.keys(localStorage).filter((key) => key.startsWith(`${prefix}queue.`));
@@ -32,7 +32,7 @@ function setQueue(items, kept = items) {
   memory.set(queueKey, kept);
 }
 
-let disputed = 0; // what another ticker was faster with, and nobody has said yet whose holds
+let disputed = 0; // 1 while a conflict with another ticker's decision is not resolved
 export const waiting = () => queue.length + disputed;
 
 function pendingOf(name) {
@@ -43,24 +43,24 @@ export const isPending = (name) => pendingOf(name) !== undefined;
 
 const nothing = { ruling: "undecided", comment: "", notes: [], bulk: "" };
 
-/// What stands for a submission, on disk or on its way there.
+/// The valid decision on a submission, stored or still in the queue.
 export const standing = (name) => ({ ...nothing, ...(pendingOf(name) || entries.get(name)?.decision) });
 
-/// What of it a person says.
+/// The parts of a decision that a person enters.
 export const saidOf = ({ ruling, comment, notes, bulk }) => ({ ruling, comment, notes, bulk });
 export const isSame = (one, other) => one.ruling === other.ruling && one.comment === other.comment &&
   JSON.stringify(one.notes) === JSON.stringify(other.notes);
 
-// Where the tool proposes no verdict ("needs a look"), none is overruled.
+// A decision on "needs a look" overrules nothing, since the tool proposes no verdict there.
 export const overrules = (ruling, entry) =>
   (ruling === "awarded" && entry.verdict === "notAwarded") || (ruling === "notYet" && entry.verdict === "awarded");
 export const isOverruled = (entry) => overrules(standing(entry.name).ruling, entry);
 export const isOpen = (name) => standing(name).ruling === "undecided";
-/// True where the files that were decided about are no longer those that were handed in last.
+/// True if other files were handed in after the decision.
 export const isStale = ({ decision, files }) =>
   Boolean(decision && decision.ruling !== "undecided" && decision.files && decision.files !== files);
 
-/// Keeps decisions: [{submission, ruling, comment, notes, bulk}].
+/// Adds decisions to the queue: [{submission, ruling, comment, notes, bulk}].
 export function enqueue(items, who) {
   const next = new Map();
   const versioned = items.map((item) => {
@@ -74,7 +74,7 @@ export function enqueue(items, who) {
   flush();
 }
 
-/// The oldest of the queue, each submission once: what follows a decision needs its version.
+/// The oldest decisions of the queue, one for each submission: the next one needs the version of this one.
 function batch() {
   const items = [];
   const seen = new Set();
@@ -90,10 +90,10 @@ function batch() {
 
 let isFlushing = false;
 const conflicts = { resolve: () => "theirs" };
-/// Says who asks whose decision holds: `resolve(mine, theirs)` gives "mine" or "theirs".
+/// Sets the function that resolves a conflict: `resolve(mine, theirs)` returns "mine" or "theirs".
 export const whenOvertaken = (resolve) => { conflicts.resolve = resolve; };
 
-/// Sends what waits, oldest first.
+/// Sends the queue, oldest first.
 export async function flush() {
   if (isFlushing) return;
   isFlushing = true;
@@ -115,12 +115,12 @@ export async function flush() {
   changed([]);
 }
 
-/// Two decided about one submission: the later one says whose holds. Both stay in the history.
+/// Two tickers decided on one submission: the later one chooses which is valid. Both stay in the history.
 async function settle(mine, theirs) {
-  // What was meant to follow a decision that did not come to be.
+  // Later decisions on this submission were based on one that was not stored.
   setQueue(queue.filter((item) => item.submission !== mine.submission));
   if (isSame({ ...nothing, ...theirs }, { ...nothing, ...mine })) return;
-  memory.set(queueKey, [mine, ...queue]); // not lost, should the page be closed now
+  memory.set(queueKey, [mine, ...queue]); // kept in case the page is closed now
   disputed = 1;
   changed([]);
   const holds = await conflicts.resolve(mine, theirs);
@@ -130,16 +130,16 @@ async function settle(mine, theirs) {
 
 // --- what comes ----------------------------------------------------------------------------------
 
-let known = ""; // what the session calls the state that this page has seen
+let known = ""; // digest of the state that this page has
 
-/// Asks what the class is now. Gives false where nothing has changed.
+/// Loads the class. Returns false if nothing has changed.
 export async function loadClass() {
   const { state, submissions, comments } = await ask(`class?known=${known}`);
   if (state === known) return false;
   known = state;
   for (const one of submissions) {
     const known = entries.get(one.name) || {};
-    const isOlder = (one.decision?.version ?? 0) < (known.decision?.version ?? 0); // it was overtaken
+    const isOlder = (one.decision?.version ?? 0) < (known.decision?.version ?? 0); // the page has a newer one
     entries.set(one.name, Object.assign(known, one, isOlder ? { decision: known.decision } : {}));
   }
   const isSameClass = submissions.length === model.names.length && submissions.every(({ name }, i) => name === model.names[i]);

@@ -1,13 +1,13 @@
-// Words for students that are offered: the tool's own first, then those that tickers of the class saved.
+// Texts that the editor offers: the tool's messages first, then comments that tickers of the class saved.
 import { button, make } from "./dom.js";
 import { model } from "./model.js";
 import { post } from "./server.js";
 
-/// "Ann Lee" of "Ann Lee_1001": Moodle puts a number behind the name.
+/// "Ann Lee" of "Ann Lee_1001": Moodle appends a number to the name.
 const personOf = (entry) => entry.shown.replace(/_\d+$/, "");
 
-/// Puts the student's own names into saved words: {name}, {file}, {line}, {code}, {from}, {to}. What is
-/// not known here stays as it is, to be seen.
+/// Replaces {name}, {file}, {line}, {code}, {from} and {to} in a saved comment. A name without a value
+/// stays as it is, so that the ticker sees it.
 export function filled(text, entry, at = {}) {
   const proven = entry.proven ?? [];
   const isHere = ({ file, line }) => at.line === undefined || (file === at.file && line === at.line);
@@ -15,16 +15,16 @@ export function filled(text, entry, at = {}) {
   return text.replace(/\{(\w+)\}/g, (whole, key) => (known[key] === undefined ? whole : String(known[key])));
 }
 
-/// What was found about the submission on the page, each once: [{text, isHint}].
+/// Messages and hints of the submission that is shown, without repetitions: [{text, isHint}].
 function toolWords() {
   const found = [...document.querySelectorAll("main .findings .card:is(.fail, .warn) > :is(.message, .hint)")].map((one) =>
     ({ text: one.textContent.trim().replace(/^Hint\. /, ""), isHint: one.matches(".hint") }));
   return found.filter((one, i) => found.findIndex(({ text }) => text === one.text) === i);
 }
 
-/// [{text, isSaved, isHint, id, who}] for a submission.
+/// The texts to offer for a submission: [{text, isSaved, isHint, id, who}].
 ///
-/// at: what is known of a line of the code.
+/// at: {file, line, code} for a comment on a line.
 export function offersFor(entry, at = {}) {
   const own = toolWords().map((one) => ({ ...one, isSaved: false }));
   const isFitting = ({ finding }) => !finding || entry.findings.includes(finding);
@@ -34,7 +34,7 @@ export function offersFor(entry, at = {}) {
   return [...own, ...saved];
 }
 
-/// Shows offers as buttons; `take` gets the words of the one that is chosen.
+/// Shows offers as buttons; `take` is called with the chosen text.
 export function showOffers(list, offers, take) {
   list.hidden = offers.length === 0;
   list.replaceChildren(...offers.map((offer) => {

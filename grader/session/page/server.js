@@ -1,10 +1,10 @@
-// Questions to the session, asked as often as it takes, and what this browser remembers.
+// Requests to the session, repeated until it answers, and the browser's storage.
 import { wait } from "./dom.js";
 
 export const token = location.pathname.split("/")[1];
 const retryMs = 700;
 
-/// Something that this browser remembers for this class.
+/// Values in the browser's storage, for this class only.
 export const memory = {
   get: (key, otherwise) => {
     try {
@@ -25,7 +25,7 @@ function setOnline(now) {
   connection.whenChanged();
 }
 
-/// Gives {status, answer}, once the session has answered whole: a killed one may do so by half.
+/// Returns {status, answer} of a complete answer: a session that is killed may send half of one.
 async function request(path, options) {
   for (;;) {
     try {
@@ -44,7 +44,7 @@ async function request(path, options) {
 
 export const ask = async (path) => (await request(path)).answer;
 
-/// Sends something that changes the class, or is too long for an address. Gives {status, answer}.
+/// Sends a request that changes the class or is too long for an address. Returns {status, answer}.
 export const post = (path, body) => request(path, {
   method: "POST", headers: { "Content-Type": "application/json", "X-Ticker": token }, body: JSON.stringify(body),
 });

@@ -1,4 +1,4 @@
-// How far the class is.
+// The summary: counts of decisions, by ruling and by ticker.
 import { button, clock, countBy, make, table, words } from "./dom.js";
 import { entries, isOverruled, model, standing } from "./model.js";
 import { setFilter, showWholeList } from "./list.js";

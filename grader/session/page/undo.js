@@ -1,12 +1,12 @@
-// What this page can take back: single decisions, comments, and bulk decisions as one.
+// Undo of this page's decisions and comments; a bulk decision is one step.
 import { counted, words } from "./dom.js";
 import { enqueue, isSame, saidOf, standing } from "./model.js";
 
 const steps = []; // each a list of {submission, before, made}
-export const undone = new Map(); // name -> {text, said}: what the last undo did, and what stands since
+export const undone = new Map(); // name -> {text, said}: a message about the last undo, and the decision after it
 export const canUndo = () => steps.length > 0;
 
-/// Keeps what is said about submissions, [{submission, made}], so that one undo takes it back.
+/// Stores decisions, [{submission, made}], as one step of undo.
 export function record(items, who) {
   steps.push(items.map(({ submission, made }) => ({ submission, made, before: saidOf(standing(submission)) })));
   for (const { submission } of items) undone.delete(submission);
@@ -18,8 +18,8 @@ function wordsFor({ before, made }) {
   return made.comment === before.comment ? "line comment taken back" : "comment taken back";
 }
 
-/// Takes the last step back where it still stands. Gives {submission} for a single one, {text} for a
-/// bulk; nothing where there is none.
+/// Undoes the last step, except decisions that another ticker has changed. Returns {submission} for a
+/// single decision, {text} for a bulk one; undefined without a step.
 export function undoLast(who) {
   const step = steps.pop();
   if (!step) return null;

@@ -1,4 +1,4 @@
-// What can fill the page, and where the ticker was.
+// The views of the page, and the history of those that were shown.
 import { $ } from "./dom.js";
 import { model } from "./model.js";
 
@@ -8,7 +8,7 @@ const trail = [];
 const whenOpened = [];
 let partsOfAddress = () => ({});
 
-/// Takes in a view: `show(options)` fills the page; `listChanged()` is told when the list shows others.
+/// Registers a view: `show(options)` draws it; `listChanged()` is called when the list's contents change.
 export const register = (name, view) => { views[name] = view; };
 export const onOpen = (work) => whenOpened.push(work);
 export const here = () => views[place.view];
@@ -26,7 +26,7 @@ export function goBack() {
   if (before) enter(before.view, before.options);
 }
 
-/// Fills the page anew with what fills it.
+/// Draws the present view again.
 export const again = () => enter(place.view, place.options);
 
 function enter(view, options) {
@@ -42,7 +42,7 @@ function enter(view, options) {
   writeAddress();
 }
 
-/// Fills the page with elements, from its top.
+/// Replaces the contents of the view, and scrolls to its top.
 export function fill(...elements) {
   $("main").replaceChildren(...elements);
   window.scrollTo(0, 0);
@@ -50,7 +50,7 @@ export function fill(...elements) {
 
 export const describeAddress = (parts) => { partsOfAddress = parts; };
 
-/// The address says what the page shows, so that it can be shared with other tickers of this session.
+/// Writes view and filters into the address, so that tickers of this session can share it.
 export function writeAddress() {
   const address = new URLSearchParams(partsOfAddress());
   if (place.view === "submission") address.set("at", place.options.name);
