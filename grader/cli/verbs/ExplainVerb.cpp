@@ -57,7 +57,7 @@ void print(const TaskReport& task, const SubmissionResult& result) {
         fmt::print("  no small edit of the code was found that mends this\n");
 }
 
-void print(const SubmissionResult& result) {
+void printRepairs(const SubmissionResult& result) {
     bool anyFailed = false;
     for (const TaskReport& task : result.tasks) {
         if (!repair::isExplainable(task)) continue;
@@ -74,7 +74,7 @@ void printClass(const std::filesystem::path& out) {
     for (const store::ClassEntry& entry : store::readClass(out)) {
         if (!entry.result.repairs) continue;
         fmt::print("{}\n", report::escapeLine(entry.result.submission));
-        print(entry.result);
+        printRepairs(entry.result);
     }
 }
 
@@ -95,7 +95,7 @@ raytracer::ExitCode explain(const ExplainOptions& options) {
         intake::readSubmission(found.front(), {.exercise = grader.exercise});
     SubmissionResult result = pipeline::gradeSubmission(submission, grader, seedOf(options.grade));
     addRepairs(submission, grader, result);
-    print(result);
+    printRepairs(result);
     return result.verdict == Verdict::notGraded ? raytracer::ExitCode::notGradable
                                                 : raytracer::ExitCode::success;
 }

@@ -57,7 +57,7 @@ Stage pictureStage(probe::Examinee& examinee, std::uint64_t seed) {
 }
 
 /// All stages of one kind.
-struct Tally {
+struct StageTally {
     std::size_t stages = 0;
     std::size_t failed = 0;
     std::map<int, std::size_t> statistics;
@@ -155,8 +155,8 @@ bool StageCampaign::agrees(const std::string& before, const std::string& now) co
 }
 
 Summary StageCampaign::summarise(const std::vector<std::string>& records) const {
-    std::map<std::string, Tally> kinds;
-    Tally all;
+    std::map<std::string, StageTally> kinds;
+    StageTally all;
     for (const std::string& text : records) {
         const json record = json::parse(text);
         kinds[record.at("kind")].add(record);

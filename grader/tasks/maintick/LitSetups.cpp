@@ -29,7 +29,7 @@ void addLightAt(Draw& draw, LitSetup& setup, double facing, double distance, dou
     setup.scene.pointLights.emplace_back(setup.P + L * distance, draw.colour(0.3, 0.9), intensity);
 }
 
-Material& materialOf(LitSetup& setup) {
+Material& ownMaterial(LitSetup& setup) {
     return setup.scene.spheres[0].material;
 }
 
@@ -38,15 +38,15 @@ LitQuestion lit(Draw& draw, LitKind kind, double distance) {
     addLight(draw, question.setup, distance, 60.0 * distance);
     if (kind == LitKind::diffuse || kind == LitKind::specular)
         question.setup.scene.ambientLighting = ColourRGB{0.0};
-    if (kind == LitKind::diffuse) materialOf(question.setup).phongKS = 0.0;
-    if (kind == LitKind::specular) materialOf(question.setup).phongKD = 0.0;
+    if (kind == LitKind::diffuse) ownMaterial(question.setup).phongKS = 0.0;
+    if (kind == LitKind::specular) ownMaterial(question.setup).phongKD = 0.0;
     return question;
 }
 
 /// R.V is negative and the power even; with `isBelow` N.L is, too.
 LitQuestion behind(Draw& draw, bool isBelow) {
     LitQuestion question{LitKind::behind, drawPoint(draw)};
-    materialOf(question.setup).phongAlpha = 2.0 * draw.whole(1, 3);
+    ownMaterial(question.setup).phongAlpha = 2.0 * draw.whole(1, 3);
     const double facing = draw.between(0.3, 0.8) * (isBelow ? -1.0 : 1.0);
     addLightAt(draw, question.setup, facing, draw.between(1.5, 3.0), 200.0);
     viewAt(draw, question.setup, draw.between(-0.9, -0.6));
