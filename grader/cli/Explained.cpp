@@ -18,8 +18,13 @@ void addRepairs(const intake::Submission& submission, const pipeline::Grader& gr
     // Other questions than those of the verdict.
     constexpr std::uint64_t kOtherSeed = 0x9E3779B97F4A7C15U;
     try {
-        result.repairs =
-            repair::explain(submission, grader, result, result.seed ^ kOtherSeed).repairs;
+        repair::Explanation found =
+            repair::explain(submission, grader, result, result.seed ^ kOtherSeed);
+        result.repairs = std::move(found.repairs);
+        for (const std::string& task : found.cutOff)
+            result.notices.push_back(task +
+                                     ": the time for the search ended before all edits of the "
+                                     "code were tried.");
     } catch (const std::exception& error) {
         result.notices.push_back("Edits were not looked for: " + std::string{error.what()});
     }

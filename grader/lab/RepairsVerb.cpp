@@ -1,60 +1,115 @@
-#include <grader/base/Workers.h>
 #include <grader/build/Kit.h>
 #include <grader/cli/Home.h>
-#include <grader/cli/Progress.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/corpus/Entry.h>
 #include <grader/lab/LabVerbs.h>
-#include <grader/lab/repairs/RepairTables.h>
+#include <grader/lab/calibrate/Record.h>
+#include <grader/lab/repairs/RepairCampaign.h>
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
+
+#include <chrono>
+#include <cstdio>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace ticker::cli {
 namespace {
 
 struct RepairsOptions {
-    std::string task;
-    double fraction = 1.0;
+    lab::RepairChoice choice;
+    bool report = false;
+    std::string record = "build/repairs";
     std::string write;
     GradeOptions grade;
 };
 
-raytracer::ExitCode repairs(const RepairsOptions& options, const GlobalOptions& global) {
-    const Home home = Home::find();
-    pipeline::Grader grader = makeGrader(options.grade);
-    const Countdown counter{"repairs", 0, mayDraw(global.quiet)};
-    lab::RepairRun run;
-    run.fraction = options.fraction;
-    run.seed = seedOf(options.grade);
-    run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
-    const auto rows =
-        lab::runRepairs(corpus::readEntries(home.data, {"mistakes", "unseen", "samples"}),
-                        options.task, grader, run);
-    fmt::print("{}\n{}", lab::listOf(rows), lab::tableOf(rows));
-    if (!options.write.empty()) std::ofstream{options.write} << lab::documentOf(rows);
+/// Minutes and seconds that are left if the rest takes as long as what was done.
+std::string timeLeft(std::chrono::steady_clock::duration spent, std::size_t done,
+                     std::size_t rest) {
+    const double seconds = std::chrono::duration<double>(spent).count() *
+                           static_cast<double>(rest) / static_cast<double>(done);
+    const auto whole = static_cast<int>(seconds + 0.5);
+    return fmt::format("{}:{:02} left", whole / 60, whole % 60);
+}
+
+/// Runs what is not in the record, and prints each row when it is there.
+void runMissing(lab::RepairCampaign& campaign, calibrate::Record& record) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::size_t already = record.size();
+    for (std::size_t unit = 0; unit < campaign.units(); ++unit) {
+        if (record.has(unit)) continue;
+        const std::string row = campaign.run(unit);
+        record.add(unit, row);
+        const std::string left =
+            timeLeft(std::chrono::steady_clock::now() - begin, record.size() - already,
+                     campaign.units() - record.size());
+        fmt::print("{}/{}, {}: {}\n", record.size(), campaign.units(), left,
+                   lab::lineOf(lab::rowOf(row)));
+        std::fflush(stdout);
+    }
+}
+
+std::vector<lab::RepairRow> rowsOf(const Exercise& exercise, const RepairsOptions& options) {
+    GradeOptions grade = options.grade;
+    grade.exercise = exercise.name;
+    const pipeline::Grader grader = makeGrader(grade);
+    const auto entries =
+        corpus::readEntries(Home::find().data, {"mistakes", "unseen", "samples"}, exercise);
+    lab::RepairCampaign campaign{grader, entries, options.choice, seedOf(options.grade)};
+    calibrate::Record record{options.record, campaign};
+    if (!options.report) runMissing(campaign, record);
+    std::vector<lab::RepairRow> rows;
+    for (const std::string& row : record.all())
+        rows.push_back(lab::rowOf(row));
+    return rows;
+}
+
+raytracer::ExitCode repairs(const RepairsOptions& options) {
+    if (!options.grade.exercise.empty()) static_cast<void>(exerciseNamed(options.grade.exercise));
+    std::vector<lab::RepairRow> rows;
+    for (const Exercise& exercise : knownExercises()) {
+        if (!options.grade.exercise.empty() && options.grade.exercise != exercise.name) continue;
+        const auto some = rowsOf(exercise, options);
+        rows.insert(rows.end(), some.begin(), some.end());
+    }
+    fmt::print("\n{}\n{}", lab::tableOf(rows), lab::missesOf(rows));
+    if (options.write.empty()) return raytracer::ExitCode::success;
+    std::ofstream stream{options.write, std::ios::binary};
+    stream << lab::documentOf(rows) << std::flush;
+    if (!stream) throw raytracer::InputError(options.write, 0, "cannot be written");
     return raytracer::ExitCode::success;
 }
 
 }  // namespace
 
-Run addRepairsLab(CLI::App& app, const GlobalOptions& global) {
+Run addRepairsLab(CLI::App& app, const GlobalOptions& /*global*/) {
     auto options = std::make_shared<RepairsOptions>();
     constexpr std::uint64_t kUsualSeed = 1;
     options->grade.seed = kUsualSeed;
     CLI::App* verb = app.add_subcommand(
         "repairs", "How many mistakes of the corpus are explained by a proven edit, and where");
-    verb->add_option("--task", options->task, "Only mistakes of this task");
-    verb->add_option("--fraction", options->fraction, "Share of the entries to run")
+    verb->add_option("--task", options->choice.task, "Only mistakes of this task");
+    verb->add_option("--case", options->choice.cases, "Only entries of these names")
+        ->delimiter(',');
+    verb->add_flag("--one-edit", options->choice.ofOneEdit, "Only mistakes of one edit");
+    verb->add_option("--fraction", options->choice.fraction, "Share of the entries to run")
         ->check(CLI::Range(0.0, 1.0));
+    verb->add_option("--record", options->record,
+                     "Folder that keeps every finished row, to go on after a stop");
+    verb->add_flag("--report", options->report, "Run nothing: the tables of the record so far");
     verb->add_option("--write", options->write, "Writes the tables as a document");
-    addGradeOptions(*verb, options->grade);
-    return [options, &global] { return repairs(*options, global); };
+    verb->add_option("--exercise", options->grade.exercise, "Only this exercise; otherwise all");
+    verb->add_option("--sandbox", options->grade.sandbox, "Level A, B or C; auto: the best")
+        ->check(CLI::IsMember({"auto", "A", "B", "C"}));
+    verb->add_option("--seed", options->grade.seed,
+                     "Whole number that the hidden questions are drawn from; 1 unless told");
+    return [options] { return repairs(*options); };
 }
 
 }  // namespace ticker::cli

@@ -132,7 +132,8 @@ fs::path parsedHeader(const build::Kit& kit, const sandbox::Sandbox& sandbox,
 
 std::optional<Candidates> findCandidates(const build::Kit& kit, const sandbox::Sandbox& sandbox,
                                          const sandbox::Limits& limits, const std::string& file,
-                                         std::string_view source) {
+                                         std::string_view source, Reach reach,
+                                         const std::string& leftAlone) {
     const build::JobFolder sources;
     std::ofstream{sources.path() / file, std::ios::binary} << source;
     fs::permissions(sources.path() / file, fs::perms{0644});
@@ -145,7 +146,8 @@ std::optional<Candidates> findCandidates(const build::Kit& kit, const sandbox::S
     command.readOnly.push_back(headerPath);
     for (const std::string& word :
          {(sandbox.pathFor(sourcePath) / file).string(),
-          (kit.folder() / "template" / file).string(), std::string{kProduct}, std::string{"-xc++"},
+          (kit.folder() / "template" / file).string(), std::string{kProduct},
+          std::string{reach == Reach::wide ? "wide" : "simple"}, leftAlone, std::string{"-xc++"},
           std::string{"-std=c++20"}, "-I" + (kit.folder() / "include").string(),
           std::string{"-include-pch"}, sandbox.pathFor(headerPath).string(),
           std::string{"-ferror-limit=0"}})

@@ -31,6 +31,12 @@ struct Atom {
     bool isApart = false;  ///< has no switch in `Candidates::program`
 };
 
+/// Which edits are looked for.
+enum class Reach {
+    simple,  ///< of tokens, and with what stands near
+    wide     ///< with everything that the function could name
+};
+
 /// The edits that were found for a file.
 struct Candidates {
     std::string program;  ///< the file with a switch for each edit: that of atoms[i] has number i
@@ -40,13 +46,12 @@ struct Candidates {
 };
 
 /// Parses a file in the sandbox and finds small edits of it.
+/// @param leftAlone  Functions that are not edited, with commas between them.
 /// @return  Empty where it cannot be parsed within the limits.
 /// @throws raytracer::Error (notGradable) where this ticker was built without libclang.
-[[nodiscard]] std::optional<Candidates> findCandidates(const build::Kit& kit,
-                                                       const sandbox::Sandbox& sandbox,
-                                                       const sandbox::Limits& limits,
-                                                       const std::string& file,
-                                                       std::string_view source);
+[[nodiscard]] std::optional<Candidates> findCandidates(
+    const build::Kit& kit, const sandbox::Sandbox& sandbox, const sandbox::Limits& limits,
+    const std::string& file, std::string_view source, Reach reach, const std::string& leftAlone);
 
 /// The file with edits made in it; empty where two of them change the same text.
 [[nodiscard]] std::optional<std::string> withEdits(std::string_view source,

@@ -208,4 +208,20 @@ std::vector<EditSet> pairs(std::string_view source, const Candidates& candidates
     return simplestFirst(source, candidates, std::move(sets));
 }
 
+std::vector<EditSet> together(const Candidates& candidates, const EditSet& set,
+                              std::span<const EditSet> others) {
+    std::vector<EditSet> sets;
+    for (const EditSet& other : others) {
+        const bool doTouch = std::ranges::any_of(set, [&](std::uint16_t one) {
+            return std::ranges::any_of(other, [&](std::uint16_t two) {
+                return touch(candidates.atoms[one], candidates.atoms[two]);
+            });
+        });
+        if (doTouch) continue;
+        sets.push_back(set);
+        sets.back().insert(sets.back().end(), other.begin(), other.end());
+    }
+    return sets;
+}
+
 }  // namespace ticker::repair

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +39,10 @@ using Choice = std::function<bool(const Atom&)>;
 /// Two small edits of one statement.
 [[nodiscard]] std::vector<EditSet> pairs(std::string_view source, const Candidates& candidates,
                                          const Choice& isChosen);
+
+/// A set with each of others that changes other text.
+[[nodiscard]] std::vector<EditSet> together(const Candidates& candidates, const EditSet& set,
+                                            std::span<const EditSet> others);
 
 }  // namespace ticker::repair
 

@@ -3,11 +3,15 @@
 
 #include <grader/intake/Submission.h>
 #include <grader/pipeline/Grade.h>
+#include <grader/repair/Clock.h>
+#include <grader/repair/SearchLimits.h>
 #include <grader/result/Repair.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace ticker::repair {
@@ -15,8 +19,11 @@ namespace ticker::repair {
 /// What was found for one submission, and what it took.
 struct Explanation {
     std::vector<Repair> repairs;  ///< proven; the simplest of each task first
-    double cpuMs = 0.0;
-    std::size_t tried = 0;  ///< sets of edits that were asked
+    double cpuMs = 0.0;           ///< of all; of it in processes:
+    std::map<Work, double> workMs;
+    std::size_t tried = 0;            ///< sets of edits that were asked
+    std::vector<std::string> cutOff;  ///< tasks without a repair whose time ended before all edits
+                                      ///< were tried
 };
 
 /// Whether a task failed in a way that an edit of its file could mend.
@@ -28,7 +35,8 @@ struct Explanation {
 /// @param seed    The questions are drawn from it: others than those of the result.
 [[nodiscard]] Explanation explain(const intake::Submission& submission,
                                   const pipeline::Grader& grader, const SubmissionResult& result,
-                                  std::uint64_t seed);
+                                  std::uint64_t seed,
+                                  const SearchLimits& limits = defaultSearchLimits());
 
 }  // namespace ticker::repair
 

@@ -14,8 +14,12 @@ constexpr int kSeeds = 3;
 /// One edited program, judged.
 class Trial {
 public:
-    Trial(const build::Program& program, const pipeline::Grader& grader, std::uint64_t seed)
-        : examinee_(program, grader.sandbox, grader.policy.run), grader_(grader), seed_(seed) {}
+    Trial(const build::Program& program, const pipeline::Grader& grader, std::uint64_t seed,
+          const sandbox::TimeLimits& time)
+        : budget_(time),
+          examinee_(program, grader.sandbox, grader.policy.run, &budget_),
+          grader_(grader),
+          seed_(seed) {}
 
     std::optional<Proof> judge(const std::string& task) {
         Proof proof;
@@ -64,6 +68,7 @@ public:
     [[nodiscard]] double cpuMs() const { return examinee_.cpuMs(); }
 
 private:
+    build::TimeBudget budget_;
     build::SandboxedExaminee examinee_;
     const pipeline::Grader& grader_;
     std::uint64_t seed_;
@@ -74,19 +79,17 @@ private:
 
 std::optional<Proof> prove(const std::string& edited, const std::string& file,
                            const std::string& task, const std::vector<TaskReport>& before,
-                           const pipeline::Grader& grader, std::uint64_t seed, double& cpuMs) {
-    const build::BuildResult built =
-        build::buildProgram(grader.kit, grader.sandbox, grader.policy.compile, file, edited);
-    std::optional<Proof> proof;
-    if (built.program) {
-        Trial trial{*built.program, grader, seed};
-        proof = trial.judge(task);
-        if (proof && proof->next.empty() &&
-            !(trial.keepsOthers(file, task, before) && trial.rendersAlike(file, task, before)))
-            proof.reset();
-        cpuMs += trial.cpuMs();
-    }
-    cpuMs += built.cpuMs;
+                           const pipeline::Grader& grader, std::uint64_t seed, Clock& clock) {
+    const build::BuildResult built = build::buildProgram(
+        grader.kit, grader.sandbox, clock.cut(grader.policy.compile), file, edited);
+    clock.add(Work::prove, built.cpuMs);
+    if (!built.program) return std::nullopt;
+    Trial trial{*built.program, grader, seed, clock.left()};
+    std::optional<Proof> proof = trial.judge(task);
+    if (proof && proof->next.empty() &&
+        !(trial.keepsOthers(file, task, before) && trial.rendersAlike(file, task, before)))
+        proof.reset();
+    clock.add(Work::prove, trial.cpuMs());
     return proof;
 }
 

@@ -2,6 +2,7 @@
 #define TICKER_REPAIR_PROOF_H
 
 #include <grader/pipeline/Grade.h>
+#include <grader/repair/Clock.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <cstdint>
@@ -22,13 +23,13 @@ struct Proof {
 /// fresh seeds. Where it passes, the renders of its scenes are looked at as well, and the file's
 /// other tasks that passed before must still pass.
 /// @param before  What the submission got without the edit.
-/// @param cpuMs   The CPU time of the compiler and of the program is added.
+/// @param clock   The CPU time of the compiler and of the program is added.
 /// @return  Empty where the seeds do not agree, or where anything else speaks against the edit.
 [[nodiscard]] std::optional<Proof> prove(const std::string& edited, const std::string& file,
                                          const std::string& task,
                                          const std::vector<TaskReport>& before,
                                          const pipeline::Grader& grader, std::uint64_t seed,
-                                         double& cpuMs);
+                                         Clock& clock);
 
 }  // namespace ticker::repair
 

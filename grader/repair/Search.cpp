@@ -1,6 +1,5 @@
 #include <grader/repair/Search.h>
 
-#include <grader/base/CpuTime.h>
 #include <grader/repair/TaskLookup.h>
 
 #include <algorithm>
@@ -67,30 +66,27 @@ bool isFinished(const Run& run) {
 
 }  // namespace
 
-Search::Search(const Task& task, const SwitchedProgram& program, std::uint64_t seed)
-    : task_(task), program_(program), seed_(seed), startMs_(threadCpuMs() + program.cpuMs()) {
+Search::Search(const Task& task, const SwitchedProgram& program, std::uint64_t seed,
+               const Clock& clock)
+    : task_(task), program_(program), seed_(seed), clock_(clock) {
     FirstQuestions recorder;
     static_cast<void>(task.judge(recorder, seed));
     first_ = std::move(recorder.asked);
     if (task.screen != nullptr) screening_ = task.screen(seed);
-    const EditSet none[] = {{}};
-    asHandedIn_ = program.ask(first_, none).front();
-    if (screening_.mayPass) screenedAsHandedIn_ = program.ask(screening_.questions, none).front();
+    asHandedIn_ = EditedExaminee{program, {}}.ask(first_);
+    if (screening_.mayPass)
+        screenedAsHandedIn_ = EditedExaminee{program, {}}.ask(screening_.questions);
 }
 
-double Search::spentMs() const {
-    return threadCpuMs() + program_.cpuMs() - startMs_;
-}
-
-std::vector<EditSet> Search::screened(std::span<const EditSet> sets, double deadlineMs) {
+std::vector<EditSet> Search::screened(std::span<const EditSet> sets) {
     if (!screening_.mayPass) return {sets.begin(), sets.end()};
     const bool isSeen = !screening_.mayPass(screenedAsHandedIn_);
     std::vector<EditSet> kept;
-    for (std::size_t at = 0; at < sets.size() && spentMs() < deadlineMs; at += kTogether) {
+    for (std::size_t at = 0; at < sets.size() && !clock_.isOver(); at += kTogether) {
         const auto some = sets.subspan(at, std::min(kTogether, sets.size() - at));
         const std::vector<Run> runs = program_.ask(screening_.questions, some);
-        asked_ += some.size();
-        for (std::size_t i = 0; i < some.size(); ++i) {
+        asked_ += runs.size();
+        for (std::size_t i = 0; i < runs.size(); ++i) {
             if (!isFinished(runs[i])) continue;
             if (isSeen && sameAnswers(runs[i], screenedAsHandedIn_)) continue;
             if (screening_.mayPass(runs[i])) kept.push_back(some[i]);
@@ -99,23 +95,43 @@ std::vector<EditSet> Search::screened(std::span<const EditSet> sets, double dead
     return kept;
 }
 
-bool Search::judge(const EditSet& set, Run first) const {
+TaskJudgement Search::judge(const EditSet& set, Run first) const {
     EditedExaminee examinee{program_, set};
     examinee.expect(std::move(first));
-    return passes(task_.judge(examinee, seed_));
+    return task_.judge(examinee, seed_);
 }
 
-std::vector<EditSet> Search::passing(std::span<const EditSet> sets, double deadlineMs) {
-    const std::vector<EditSet> kept = screened(sets, deadlineMs);
-    std::vector<EditSet> found;
-    for (std::size_t at = 0; at < kept.size() && spentMs() < deadlineMs; at += kJudgedTogether) {
-        const auto some = std::span{kept}.subspan(at, std::min(kJudgedTogether, kept.size() - at));
+template <class Use>
+void Search::judgeEach(std::span<const EditSet> sets, Use use) {
+    for (std::size_t at = 0; at < sets.size() && !clock_.isOver(); at += kJudgedTogether) {
+        const auto some = sets.subspan(at, std::min(kJudgedTogether, sets.size() - at));
         std::vector<Run> runs = program_.ask(first_, some);
-        for (std::size_t i = 0; i < some.size() && spentMs() < deadlineMs; ++i)
-            if (isFinished(runs[i]) && !sameAnswers(runs[i], asHandedIn_) &&
-                judge(some[i], std::move(runs[i])))
-                found.push_back(some[i]);
+        for (std::size_t i = 0; i < runs.size() && !clock_.isOver(); ++i) {
+            if (!isFinished(runs[i]) || sameAnswers(runs[i], asHandedIn_)) continue;
+            if (!use(some[i], judge(some[i], std::move(runs[i])))) return;
+        }
     }
+}
+
+std::vector<EditSet> Search::passing(std::span<const EditSet> sets, std::size_t most) {
+    std::vector<EditSet> found;
+    judgeEach(screened(sets), [&](const EditSet& set, const TaskJudgement& judgement) {
+        if (passes(judgement)) found.push_back(set);
+        return found.size() < most;
+    });
+    return found;
+}
+
+std::vector<Partial> Search::changing(std::span<const EditSet> sets, const std::string& finding,
+                                      std::size_t most) {
+    std::vector<Partial> found;
+    judgeEach(sets, [&](const EditSet& set, const TaskJudgement& judgement) {
+        const std::string next = firstFailure(judgement);
+        const bool isOfTheRun = next.starts_with("run.");
+        if (!next.empty() && next != finding && !isOfTheRun)
+            found.push_back({set, next, failuresOf(judgement)});
+        return found.size() < most;
+    });
     return found;
 }
 

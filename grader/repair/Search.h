@@ -3,40 +3,57 @@
 
 #include <grader/exercise/Task.h>
 #include <grader/repair/Candidates.h>
+#include <grader/repair/Clock.h>
 #include <grader/repair/EditSets.h>
 #include <grader/repair/SwitchedProgram.h>
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ticker::repair {
+
+/// A set of edits that leaves another finding.
+struct Partial {
+    EditSet set;
+    std::string next;                   ///< the first failing finding that is left
+    std::vector<std::string> failures;  ///< all that are left, sorted
+};
 
 /// Looks for sets of edits with which a submission passes a task: cheap questions first, then the
 /// task's own judge under one seed. What it finds is a suspicion until it is proven.
 class Search {
 public:
     /// All of them must outlive this object.
-    Search(const Task& task, const SwitchedProgram& program, std::uint64_t seed);
+    Search(const Task& task, const SwitchedProgram& program, std::uint64_t seed,
+           const Clock& clock);
 
-    /// Those of the sets with which the judge passes the submission, in their order, until the time
-    /// is up.
-    /// @param deadlineMs  Of `spentMs`.
-    [[nodiscard]] std::vector<EditSet> passing(std::span<const EditSet> sets, double deadlineMs);
+    /// Those of the sets with which the judge passes the submission, in their order, until the
+    /// clock's time is up.
+    /// @param most  It stops after so many.
+    [[nodiscard]] std::vector<EditSet> passing(std::span<const EditSet> sets, std::size_t most);
 
-    /// CPU time so far, of this thread and of the submission's processes.
-    [[nodiscard]] double spentMs() const;
+    /// Those of the sets with which the judge's first failing finding is another one than
+    /// `finding`.
+    [[nodiscard]] std::vector<Partial> changing(std::span<const EditSet> sets,
+                                                const std::string& finding, std::size_t most);
+
     /// Sets that were asked so far.
     [[nodiscard]] std::size_t asked() const { return asked_; }
 
 private:
-    [[nodiscard]] std::vector<EditSet> screened(std::span<const EditSet> sets, double deadlineMs);
-    [[nodiscard]] bool judge(const EditSet& set, probe::Run first) const;
+    [[nodiscard]] std::vector<EditSet> screened(std::span<const EditSet> sets);
+    [[nodiscard]] TaskJudgement judge(const EditSet& set, probe::Run first) const;
+    /// Judges each set whose answers differ from those without edits.
+    /// @param use  Takes a set and its judgement; false: no more are judged.
+    template <class Use>
+    void judgeEach(std::span<const EditSet> sets, Use use);
 
     const Task& task_;
     const SwitchedProgram& program_;
     std::uint64_t seed_;
-    double startMs_;  ///< of this thread and of the program, before the search
+    const Clock& clock_;
     Screening screening_;
     std::vector<probe::Question> first_;  ///< what the judge asks first
     probe::Run asHandedIn_;               ///< the answers to them without edits

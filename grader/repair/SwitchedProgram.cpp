@@ -50,9 +50,9 @@ std::vector<probe::Run> SwitchedProgram::askTogether(const std::vector<probe::Qu
                            {memory.descriptor(), kSwitchedAnswers},
                            {edits.get(), kSwitchedEdits}};
     command.policy = sandbox::Policy::run;
-    command.limits = limits_;
+    command.limits = clock_.cut(limits_);
     const sandbox::Outcome outcome = sandbox_.run(command);
-    cpuMs_ += outcome.cpuMs;
+    clock_.add(Work::ask, outcome.cpuMs);
     if (outcome.end == sandbox::Outcome::End::failed) throw raytracer::Error(outcome.output);
 
     std::vector<probe::Run> runs;
@@ -76,7 +76,7 @@ std::vector<probe::Run> SwitchedProgram::ask(const std::vector<probe::Question>&
     const std::size_t bytesEach = std::max<std::size_t>(1, probe::layoutFor(questions).totalBytes);
     const std::size_t most = keepsState_ ? 1 : std::max<std::size_t>(1, kMostBytes / bytesEach);
     std::vector<probe::Run> all;
-    while (all.size() < sets.size()) {
+    while (all.size() < sets.size() && !clock_.isOver()) {
         const std::size_t count = std::min(most, sets.size() - all.size());
         std::vector<probe::Run> some = askTogether(questions, sets.subspan(all.size(), count));
         std::move(some.begin(), some.end(), std::back_inserter(all));
@@ -87,7 +87,9 @@ std::vector<probe::Run> SwitchedProgram::ask(const std::vector<probe::Question>&
 probe::Run EditedExaminee::ask(const std::vector<probe::Question>& questions) {
     if (first_) return *std::exchange(first_, std::nullopt);
     const EditSet sets[] = {set_};
-    return program_.ask(questions, sets).front();
+    std::vector<probe::Run> runs = program_.ask(questions, sets);
+    if (runs.empty()) return {{}, {probe::ProcessEnd::Kind::timedOut, "the search is over"}};
+    return std::move(runs.front());
 }
 
 }  // namespace ticker::repair

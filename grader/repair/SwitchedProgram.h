@@ -4,6 +4,7 @@
 #include <grader/build/Build.h>
 #include <grader/probe/Examinee.h>
 #include <grader/repair/Candidates.h>
+#include <grader/repair/Clock.h>
 #include <grader/sandbox/Sandbox.h>
 
 #include <cstddef>
@@ -22,19 +23,18 @@ class SwitchedProgram {
 public:
     /// All of them must outlive this object.
     SwitchedProgram(build::Program program, const sandbox::Sandbox& sandbox,
-                    const sandbox::Limits& limits, bool keepsState)
+                    const sandbox::Limits& limits, bool keepsState, Clock& clock)
         : program_(std::move(program)),
           sandbox_(sandbox),
           limits_(limits),
-          keepsState_(keepsState) {}
+          keepsState_(keepsState),
+          clock_(clock) {}
 
     /// Puts the questions to the submission once for each set. What ends a process costs only the
     /// set that was being asked.
+    /// @return  In the order of the sets; those that the time does not suffice for are left out.
     [[nodiscard]] std::vector<probe::Run> ask(const std::vector<probe::Question>& questions,
                                               std::span<const EditSet> sets) const;
-
-    /// CPU time of all runs so far, milliseconds.
-    [[nodiscard]] double cpuMs() const { return cpuMs_; }
 
 private:
     [[nodiscard]] std::vector<probe::Run> askTogether(const std::vector<probe::Question>& questions,
@@ -44,7 +44,7 @@ private:
     const sandbox::Sandbox& sandbox_;
     const sandbox::Limits& limits_;
     bool keepsState_;
-    mutable double cpuMs_ = 0.0;
+    Clock& clock_;
 };
 
 /// A submission with a set of edits, as judges ask it.

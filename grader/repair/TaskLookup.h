@@ -6,12 +6,19 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace ticker::repair {
 
 /// The code of a task that the exercise has.
 [[nodiscard]] inline const Task& codeOf(const pipeline::Grader& grader, const std::string& id) {
     return *std::ranges::find(grader.tasks, id, &Task::id);
+}
+
+/// The name of the function that a task is solved in, without its class.
+[[nodiscard]] inline std::string functionOf(const TaskEntry& task) {
+    const std::size_t colons = task.function.rfind("::");
+    return colons == std::string::npos ? task.function : task.function.substr(colons + 2);
 }
 
 [[nodiscard]] inline bool passes(const TaskJudgement& judgement) {
@@ -23,6 +30,15 @@ namespace ticker::repair {
     for (const Finding& finding : judgement.findings)
         if (finding.severity == Severity::fail) return finding.id;
     return {};
+}
+
+/// All failing findings, sorted.
+[[nodiscard]] inline std::vector<std::string> failuresOf(const TaskJudgement& judgement) {
+    std::vector<std::string> ids;
+    for (const Finding& finding : judgement.findings)
+        if (finding.severity == Severity::fail) ids.push_back(finding.id);
+    std::ranges::sort(ids);
+    return ids;
 }
 
 }  // namespace ticker::repair

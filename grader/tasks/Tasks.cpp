@@ -4,6 +4,7 @@
 #include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tasks/bump/ScreenBump.h>
 #include <grader/tasks/lens/JudgeLens.h>
+#include <grader/tasks/lens/ScreenLens.h>
 #include <grader/tasks/lens/checks/PictureDoubt.h>
 #include <grader/tasks/maintick/JudgeMainTick.h>
 #include <grader/tasks/shadows/JudgeShadows.h>
@@ -33,7 +34,7 @@ void doubtT22(std::vector<TaskReport>& tasks, const RenderEvidence& renders) {
 
 constexpr std::array kTick1star{Task{"T1", judgeBump, hasRelief, doubtT1, screenBump},
                                 Task{"T2.1", judgeShadows, isAnyScene, nullptr, screenShadows},
-                                Task{"T2.2", judgeLens, isAnyScene, doubtT22}};
+                                Task{"T2.2", judgeLens, isAnyScene, doubtT22, screenLens}};
 
 constexpr std::array kTick1{Task{"M1", judgeSpheres, isAnyScene, nullptr},
                             Task{"M2", judgePhong, isAnyScene, nullptr},

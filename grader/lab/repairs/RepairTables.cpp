@@ -1,10 +1,9 @@
 #include <grader/lab/repairs/RepairTables.h>
 
-#include <grader/exercise/Exercise.h>
-#include <grader/repair/Explain.h>
-#include <grader/repair/candidates/Tokens.h>
+#include <grader/base/JsonValue.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
@@ -12,90 +11,6 @@
 
 namespace ticker::lab {
 namespace {
-
-/// The only task that an entry is expected to fail; empty: none, or several.
-std::string failingTask(const corpus::Entry& entry) {
-    std::string failing;
-    for (const auto& [task, expected] : entry.tasks) {
-        const bool fails = std::ranges::find(expected.states, "failed") != expected.states.end() ||
-                           expected.finding().starts_with("run.");
-        if (!fails || task == kScreenshotTask) continue;
-        if (!failing.empty()) return "";
-        failing = task;
-    }
-    return failing;
-}
-
-std::size_t tokensIn(std::string_view text) {
-    return candidates::tokensOf(text).size();
-}
-
-/// Where two texts differ: from the first differing byte to the last, as a range of the second.
-candidates::Range difference(std::string_view a, std::string_view b) {
-    std::size_t front = 0;
-    while (front < a.size() && front < b.size() && a[front] == b[front])
-        ++front;
-    std::size_t back = 0;
-    while (back + front < a.size() && back + front < b.size() &&
-           a[a.size() - 1 - back] == b[b.size() - 1 - back])
-        ++back;
-    return {front, b.size() - back};
-}
-
-/// One replacement, in one line of the mistake, of at most eight tokens on either side.
-bool isOneEdit(const corpus::Entry& entry, const std::string& right, const std::string& wrong) {
-    constexpr std::size_t kMostTokens = 8;
-    if (entry.collection != "mistakes" || entry.edits.size() != 1 ||
-        entry.edits.begin()->second.size() != 1)
-        return false;
-    const candidates::Range place = difference(right, wrong);
-    const candidates::Range was = difference(wrong, right);
-    const std::string_view put = std::string_view{wrong}.substr(place.begin, place.size());
-    const std::string_view taken = std::string_view{right}.substr(was.begin, was.size());
-    return put.find('\n') == std::string_view::npos && tokensIn(put) <= kMostTokens &&
-           tokensIn(taken) <= kMostTokens;
-}
-
-int lineAt(std::string_view text, std::size_t offset) {
-    return 1 + static_cast<int>(std::ranges::count(text.substr(0, offset), '\n'));
-}
-
-bool isInside(const Repair& repair, std::string_view right, std::string_view wrong) {
-    const candidates::Range place = difference(right, wrong);
-    const int first = lineAt(wrong, place.begin);
-    const int last = lineAt(wrong, place.end);
-    return std::ranges::all_of(repair.edits, [&](const RepairEdit& edit) {
-        return edit.line >= first && edit.line <= last;
-    });
-}
-
-std::string rightText(const corpus::Entry& entry, const std::string& file) {
-    corpus::Entry plain = entry;
-    plain.edits = {{file, {}}};
-    return corpus::textsOf(plain).at(file);
-}
-
-RepairRow tryEntry(const corpus::Entry& entry, const std::string& task,
-                   const pipeline::Grader& grader, std::uint64_t seed) {
-    intake::Submission submission;
-    submission.name = entry.name;
-    const auto texts = corpus::textsOf(entry);
-    for (const auto& [file, text] : texts)
-        submission.parts[file] = text;
-    const SubmissionResult result = pipeline::gradeSubmission(submission, grader, seed);
-    const repair::Explanation found = repair::explain(submission, grader, result, seed + 1);
-
-    RepairRow row{entry.collection, task, entry.name, false, false, false, found.cpuMs};
-    const auto first = std::ranges::find(found.repairs, task, &Repair::task);
-    row.isRepaired = first != found.repairs.end();
-    if (entry.edits.size() == 1) {
-        const std::string file = entry.edits.begin()->first;
-        const std::string right = rightText(entry, file);
-        row.isOneEdit = isOneEdit(entry, right, texts.at(file));
-        row.isRightLine = row.isRepaired && isInside(*first, right, texts.at(file));
-    }
-    return row;
-}
 
 /// Figures of the rows that a line of the table stands for.
 struct Sum {
@@ -125,52 +40,82 @@ std::string percent(std::size_t part, std::size_t whole) {
 
 }  // namespace
 
-std::vector<RepairRow> runRepairs(const std::vector<corpus::Entry>& entries,
-                                  const std::string& task, const pipeline::Grader& grader,
-                                  const RepairRun& run) {
-    std::vector<std::pair<const corpus::Entry*, std::string>> picked;
-    double owed = 0.0;
-    for (const corpus::Entry& entry : entries) {
-        const std::string failing = failingTask(entry);
-        if (failing.empty() || (!task.empty() && failing != task)) continue;
-        owed += run.fraction;
-        if (owed < 1.0) continue;
-        owed -= 1.0;
-        picked.emplace_back(&entry, failing);
-    }
-    std::vector<RepairRow> rows;
-    for (const auto& [entry, failing] : picked) {
-        rows.push_back(tryEntry(*entry, failing, grader, run.seed));
-        if (run.progress) run.progress(rows.size(), picked.size());
-    }
-    return rows;
+std::string jsonOf(const RepairRow& row) {
+    return nlohmann::json{{"collection", row.collection},
+                          {"task", row.task},
+                          {"name", row.name},
+                          {"isOneEdit", row.isOneEdit},
+                          {"isRepaired", row.isRepaired},
+                          {"isRightLine", row.isRightLine},
+                          {"wasCutOff", row.wasCutOff},
+                          {"cpuMs", row.cpuMs},
+                          {"parseMs", row.parseMs},
+                          {"compileMs", row.compileMs},
+                          {"askMs", row.askMs},
+                          {"proveMs", row.proveMs},
+                          {"tried", row.tried},
+                          {"edit", row.edit}}
+        .dump();
 }
 
-std::string listOf(const std::vector<RepairRow>& rows) {
-    std::string text;
-    for (const RepairRow& row : rows)
-        text += fmt::format("{:9} {:5} {:40} {:9} {:8} {:10} {:5.1f} s\n", row.collection, row.task,
-                            row.name, row.isOneEdit ? "one edit" : "",
-                            row.isRepaired ? "repaired" : "-", row.isRightLine ? "right line" : "",
-                            row.cpuMs / 1000.0);
-    return text;
+RepairRow rowOf(const std::string& json) {
+    const JsonValue value = JsonValue::parse(json, "a row of repairs");
+    RepairRow row;
+    row.collection = value.at("collection").text();
+    row.task = value.at("task").text();
+    row.name = value.at("name").text();
+    row.isOneEdit = value.at("isOneEdit").flag();
+    row.isRepaired = value.at("isRepaired").flag();
+    row.isRightLine = value.at("isRightLine").flag();
+    row.wasCutOff = value.at("wasCutOff").flag();
+    row.cpuMs = value.at("cpuMs").number();
+    row.parseMs = value.at("parseMs").number();
+    row.compileMs = value.at("compileMs").number();
+    row.askMs = value.at("askMs").number();
+    row.proveMs = value.at("proveMs").number();
+    row.tried = static_cast<std::size_t>(value.at("tried").number());
+    row.edit = value.at("edit").text();
+    return row;
+}
+
+std::string lineOf(const RepairRow& row) {
+    const char* repaired = row.isRepaired ? "repaired" : row.wasCutOff ? "cut off" : "-";
+    return fmt::format(
+        "{:9} {:5} {:36} {:8} {:8} {:10} {:5} tried {:5.1f} s (parse {:.1f}, "
+        "compile {:.1f}, ask {:.1f}, prove {:.1f})  {}",
+        row.collection, row.task, row.name, row.isOneEdit ? "one edit" : "", repaired,
+        row.isRightLine ? "right line" : "", row.tried, row.cpuMs / 1000.0, row.parseMs / 1000.0,
+        row.compileMs / 1000.0, row.askMs / 1000.0, row.proveMs / 1000.0, row.edit);
 }
 
 std::string tableOf(const std::vector<RepairRow>& rows) {
     std::map<std::pair<std::string, std::string>, Sum> sums;
     for (const RepairRow& row : rows) {
         sums[{row.collection, row.task}].add(row);
-        if (row.isOneEdit) sums[{"mistakes of one edit", row.task}].add(row);
+        if (!row.isOneEdit) continue;
+        sums[{"mistakes of one edit", row.task}].add(row);
+        sums[{"mistakes of one edit", "all"}].add(row);
     }
     std::string text =
         "| submissions | task | tried | repaired | in the edited line | CPU, median | CPU, 90 % |\n"
         "|---|---|---|---|---|---|---|\n";
     for (const auto& [key, sum] : sums) {
-        const bool knowsLine = key.first.starts_with("mistakes");
+        const bool knowsLine = key.first.find("mistakes") != std::string::npos;
         text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} s | {:.1f} s |\n", key.first,
                             key.second, sum.tried, percent(sum.repaired, sum.tried),
                             knowsLine ? percent(sum.rightLine, sum.repaired) : "not known",
                             sum.quantile(0.5) / 1000.0, sum.quantile(0.9) / 1000.0);
+    }
+    return text;
+}
+
+std::string missesOf(const std::vector<RepairRow>& rows) {
+    std::string text = "| task | mistake | what came | CPU |\n|---|---|---|---|\n";
+    for (const RepairRow& row : rows) {
+        if (!row.isOneEdit || row.isRightLine) continue;
+        const char* came = row.isRepaired ? "another line" : row.wasCutOff ? "cut off" : "nothing";
+        text += fmt::format("| {} | {} | {} | {:.1f} s |\n", row.task, row.name, came,
+                            row.cpuMs / 1000.0);
     }
     return text;
 }
@@ -182,7 +127,8 @@ std::string documentOf(const std::vector<RepairRow>& rows) {
            "most eight tokens in one line of the reference.\nA repair counts only if it is proven; "
            "the line is that of the simplest one. CPU is all of the explanation:\nparsing, "
            "compiling, asking, judging, proving.\n\n" +
-           tableOf(rows);
+           tableOf(rows) + "\n## Mistakes of one edit that are not explained in their line\n" +
+           missesOf(rows);
 }
 
 }  // namespace ticker::lab

@@ -1,46 +1,41 @@
 #ifndef TICKER_LAB_REPAIRS_REPAIRTABLES_H
 #define TICKER_LAB_REPAIRS_REPAIRTABLES_H
 
-#include <grader/corpus/Entry.h>
-#include <grader/pipeline/Grade.h>
-
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace ticker::lab {
 
-/// How much of the corpus is tried.
-struct RepairRun {
-    double fraction = 1.0;  ///< every so many entries
-    std::uint64_t seed = 1;
-    std::function<void(std::size_t done, std::size_t of)> progress;
-};
-
 /// What came of one wrong submission.
 struct RepairRow {
-    std::string collection;  ///< "mistakes", "unseen" or "samples"
+    std::string collection;  ///< "mistakes", "unseen", "samples"; "tick1/mistakes" and so on
     std::string task;
     std::string name;
     bool isOneEdit = false;    ///< a mistake of the catalogue: one replacement of a few tokens
-    bool isRepaired = false;   ///< at least one edit was proven
+    bool isRepaired = false;   ///< at least one edit was proven to mend it
     bool isRightLine = false;  ///< the first one is in a line that the mistake's own edit changed
+    bool wasCutOff = false;    ///< nothing was proven before the time was up
     double cpuMs = 0.0;
+    double parseMs = 0.0;    ///< of it
+    double compileMs = 0.0;  ///< edits, all in one program
+    double askMs = 0.0;      ///< that program
+    double proveMs = 0.0;    ///< edited submissions: compiling and asking
+    std::size_t tried = 0;   ///< sets of edits
+    std::string edit;        ///< the first edit in words: "line 40: a + b -> a - b"
 };
 
-/// Grades each entry that is expected to fail one task, and looks for edits.
-/// @param task  Only this one's; empty: all.
-[[nodiscard]] std::vector<RepairRow> runRepairs(const std::vector<corpus::Entry>& entries,
-                                                const std::string& task,
-                                                const pipeline::Grader& grader,
-                                                const RepairRun& run);
+/// A row as a line of the record, and back.
+[[nodiscard]] std::string jsonOf(const RepairRow& row);
+/// @throws raytracer::InputError if it is none.
+[[nodiscard]] RepairRow rowOf(const std::string& json);
 
-/// A line for each row.
-[[nodiscard]] std::string listOf(const std::vector<RepairRow>& rows);
+/// A row for people.
+[[nodiscard]] std::string lineOf(const RepairRow& row);
 /// Rates and cost for each collection and task, in Markdown.
 [[nodiscard]] std::string tableOf(const std::vector<RepairRow>& rows);
+/// The one-edit mistakes without a proven edit, or with one elsewhere first, in Markdown.
+[[nodiscard]] std::string missesOf(const std::vector<RepairRow>& rows);
 /// The whole document docs/repairs.md.
 [[nodiscard]] std::string documentOf(const std::vector<RepairRow>& rows);
 

@@ -30,6 +30,26 @@ bool isEnclosed(const Tree& tree, int node) {
            around.kind == NodeKind::cast;
 }
 
+/// The expression that changes what a node stands for, such as `a = b` for its a: a switch cannot
+/// stand at a itself. A node that is only read stands for itself.
+int assignedAt(const Tree& tree, int node) {
+    static const std::set<std::string> kAssigning{"=", "+=", "-=", "*=", "/=", "%="};
+    int site = node;
+    for (int at = node; tree.at(at).parent >= 0 && tree.at(tree.at(at).parent).isExpression;
+         at = tree.at(at).parent) {
+        const Node& around = tree.at(tree.at(at).parent);
+        const bool isLeft = around.kind == NodeKind::binary && kAssigning.contains(around.name) &&
+                            around.children.front() == at;
+        const bool isCounted = around.kind == NodeKind::unary && around.name != "-" &&
+                               around.name != "!" && around.name != "*";
+        if (isLeft || isCounted) site = tree.at(at).parent;
+        if (around.kind != NodeKind::member && around.kind != NodeKind::parentheses && !isLeft &&
+            !isCounted)
+            break;
+    }
+    return site;
+}
+
 }  // namespace
 
 std::string Edits::bareText(int node) const {
@@ -47,6 +67,7 @@ bool Edits::isVector(int node) const {
 }
 
 void Edits::insert(Atom atom) {
+    if (tree_.at(atom.site).isExpression) atom.site = assignedAt(tree_, atom.site);
     if (!std::ranges::all_of(atom.edits, [&](const Replacement& edit) {
             return tree_.at(atom.site).range.holds(edit.range);
         }))
@@ -62,11 +83,16 @@ void Edits::insert(Atom atom) {
 }
 
 void Edits::add(std::string kind, int site, std::vector<Replacement> edits) {
-    insert({std::move(kind), std::move(edits), site, false});
+    insert({std::move(kind), std::move(edits), site, false, false});
 }
 
 void Edits::addApart(std::string kind, int site, std::vector<Replacement> edits) {
-    insert({std::move(kind), std::move(edits), site, true});
+    insert({std::move(kind), std::move(edits), site, true, false});
+}
+
+void Edits::addBefore(std::string kind, int statement, const Range& place,
+                      const std::string& text) {
+    insert({std::move(kind), {{place, text}}, statement, false, true});
 }
 
 void Edits::replace(const std::string& kind, int node, const std::string& text, bool isPrimary) {

@@ -22,8 +22,9 @@ struct Replacement {
 struct Atom {
     std::string kind;
     std::vector<Replacement> edits;
-    int site = -1;         ///< an expression or a statement; its text holds all that is replaced
-    bool isApart = false;  ///< cannot be switched: has to be compiled by itself
+    int site = -1;          ///< an expression or a statement; its text holds all that is replaced
+    bool isApart = false;   ///< cannot be switched: has to be compiled by itself
+    bool isBefore = false;  ///< a statement that is put in before the site
 };
 
 /// A file with the edits that were found for it.
@@ -58,6 +59,8 @@ public:
     /// Replaces a node by another one's text.
     void replaceBy(const std::string& kind, int node, int other);
     void addApart(std::string kind, int site, std::vector<Replacement> edits);
+    /// Puts a statement in before another one.
+    void addBefore(std::string kind, int statement, const Range& place, const std::string& text);
 
 private:
     void insert(Atom atom);
@@ -82,6 +85,9 @@ void addWrapEdits(Edits& edits, int node);
 void addTermEdits(Edits& edits, int node);
 void addSiblingEdits(Edits& edits, int node);
 void addStatementEdits(Edits& edits, int node);
+// With what the function could name and does not.
+void addWideEdits(Edits& edits, int node);
+void addGuards(Edits& edits, int node);
 
 }  // namespace ticker::candidates
 

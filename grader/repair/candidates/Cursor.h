@@ -26,6 +26,15 @@ namespace ticker::candidates {
 /// type.
 [[nodiscard]] std::vector<std::string> siblingsOf(CXCursor member);
 
+/// What members of a variable of this type give: `.colour()` of an object, `->distance` of an
+/// optional hit. Numbers, points and colours alone.
+[[nodiscard]] std::vector<Quantity> partsOf(CXType type);
+/// What a method's own class gives: `radius()`, `settings().rays`.
+[[nodiscard]] std::vector<Quantity> ownPartsOf(CXCursor method);
+/// Constants of a namespace of the kit.
+[[nodiscard]] std::vector<Quantity> constantsOf(CXCursor kitNamespace);
+[[nodiscard]] bool isOptional(CXType type);
+
 }  // namespace ticker::candidates
 
 #endif

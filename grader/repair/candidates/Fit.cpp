@@ -33,6 +33,13 @@ bool isConverted(const Tree& tree, int site) {
     return around.kind == NodeKind::statement;
 }
 
+/// Whether edits of a kind may have another type than what they replace.
+bool isRisky(const std::string& kind) {
+    static const std::set<std::string> kKinds{"cast",  "function", "clamp", "bound",    "unwrap",
+                                              "limit", "word",     "guard", "normalise"};
+    return kKinds.contains(kind);
+}
+
 class Fitting {
 public:
     Fitting(const Tree& tree, std::vector<Atom>& atoms) : tree_(tree), atoms_(atoms) {}
@@ -60,13 +67,20 @@ public:
     }
 
 private:
-    /// An error outside of all switches: those of the same line cause it.
-    static void blame(const Schema& schema, std::size_t offset, std::set<std::size_t>& wrong) {
+    /// An error outside of all switches: those of the same line cause it, kinds that change a type
+    /// before others.
+    void blame(const Schema& schema, std::size_t offset, std::set<std::size_t>& wrong) const {
         const std::size_t begin = schema.text.rfind('\n', offset);
         const std::size_t end = schema.text.find('\n', offset);
-        for (const Schema::Place& place : schema.places)
-            if ((begin == std::string::npos || place.range.end > begin) && place.range.begin < end)
-                wrong.insert(place.atom);
+        std::set<std::size_t> risky;
+        std::set<std::size_t> any;
+        for (const Schema::Place& place : schema.places) {
+            if (begin != std::string::npos && place.range.end <= begin) continue;
+            if (place.range.begin >= end) continue;
+            any.insert(place.atom);
+            if (isRisky(atoms_[place.atom].kind)) risky.insert(place.atom);
+        }
+        wrong.merge(risky.empty() ? any : risky);
     }
 
     void compareTypes(const Schema& schema, const Tree& parsed, std::set<std::size_t>& other) {
@@ -105,14 +119,15 @@ private:
 
 Schema fitSchema(const Parser& parser, const std::string& file, const Tree& tree,
                  const Source& source, std::vector<Atom>& atoms) {
-    constexpr int kMostRounds = 4;
+    constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds; ++round) {
         const Schema schema = makeSchema(tree, source, atoms);
         const Tree parsed = parser.parse(file, schema.text);
         if (!Fitting{tree, atoms}.judge(schema, parsed)) return schema;
         std::erase_if(atoms, [](const Atom& atom) { return atom.edits.empty(); });
     }
-    return makeSchema(tree, source, {});
+    atoms.clear();
+    return makeSchema(tree, source, atoms);
 }
 
 }  // namespace ticker::candidates

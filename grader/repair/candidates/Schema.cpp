@@ -14,7 +14,8 @@ public:
     Writer(const Tree& tree, const Source& source, const std::vector<Atom>& atoms)
         : tree_(tree), source_(source), atoms_(atoms) {
         for (std::size_t i = 0; i < atoms.size(); ++i)
-            if (!atoms[i].isApart) atSite_[atoms[i].site].push_back(i);
+            if (!atoms[i].isApart)
+                (atoms[i].isBefore ? before_ : atSite_)[atoms[i].site].push_back(i);
     }
 
     Schema write() {
@@ -37,6 +38,13 @@ private:
     }
 
     void writeNode(int index) {
+        if (const auto before = before_.find(index); before != before_.end())
+            for (const std::size_t atom : before->second) {
+                const std::size_t begin = schema_.text.size();
+                schema_.text += "if (ticker_edit[" + std::to_string(atom) + "]) {" +
+                                atoms_[atom].edits.front().text + "}\n";
+                schema_.places.push_back({atom, {begin, schema_.text.size()}});
+            }
         const auto found = atSite_.find(index);
         if (found == atSite_.end()) return writeInner(index);
         schema_.text += "(";
@@ -76,6 +84,7 @@ private:
     const Source& source_;
     const std::vector<Atom>& atoms_;
     std::map<int, std::vector<std::size_t>> atSite_;
+    std::map<int, std::vector<std::size_t>> before_;
     Schema schema_;
 };
 

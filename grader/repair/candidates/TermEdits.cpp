@@ -1,4 +1,5 @@
 #include <grader/repair/candidates/Atom.h>
+#include <grader/repair/candidates/Scope.h>
 
 #include <algorithm>
 #include <set>
@@ -53,6 +54,7 @@ void addBounds(Edits& edits, int index) {
     const auto sizes = expressionsLike(
         edits, index, 6, [&](int i) { return edits.isInteger(i) && isQuantity(edits, i); });
     for (const int size : sizes) {
+        if (!isUsableAt(edits.tree(), size, index)) continue;
         const std::string bound = edits.text(size);
         edits.replace("bound", index, edits.operand(index) + " % " + bound, false);
         edits.replace("bound", index, "std::min(" + edits.text(index) + ", " + bound + " - 1)",
@@ -95,6 +97,7 @@ void addTermEdits(Edits& edits, int index) {
         for (const int variable : usedBefore(edits, index, "double", kMost))
             factors.push_back(variable);
     for (const int factor : factors) {
+        if (!isUsableAt(tree, factor, index)) continue;
         edits.replace("factor", index, edits.operand(index) + " * " + edits.text(factor), false);
         edits.replace("factor", index, edits.operand(index) + " / " + edits.text(factor), false);
     }
@@ -120,7 +123,7 @@ void addSiblingEdits(Edits& edits, int index) {
                (other.kind == NodeKind::call || other.kind == NodeKind::binary);
     });
     for (const int other : others)
-        edits.replaceBy("sibling", index, other);
+        if (isUsableAt(tree, other, index)) edits.replaceBy("sibling", index, other);
 }
 
 void addStatementEdits(Edits& edits, int index) {

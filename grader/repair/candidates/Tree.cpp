@@ -1,6 +1,8 @@
 #include <grader/repair/candidates/Cursor.h>
 #include <grader/repair/candidates/Tree.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -81,8 +83,15 @@ private:
             node.type = plainType(clang_getCursorType(cursor));
         if (kind == CXCursor_DeclRefExpr) describeName(cursor, node);
         if (node.kind == NodeKind::member) node.siblings = siblingsOf(cursor);
-        if (node.kind == NodeKind::declaration || kind == CXCursor_ParmDecl)
+        if (node.kind == NodeKind::declaration || kind == CXCursor_ParmDecl) {
             node.declared = placeOf(cursor);
+            node.parts = partsOf(clang_getCursorType(cursor));
+            node.isOptional = isOptional(clang_getCursorType(cursor));
+        }
+        if (node.kind == NodeKind::function) {
+            node.parts = ownPartsOf(cursor);
+            node.returnsOptional = isOptional(clang_getCursorResultType(cursor));
+        }
         if (node.kind == NodeKind::declaration) describeStorage(cursor, node);
         return node;
     }
@@ -230,8 +239,14 @@ Tree Parser::parse(const std::string& file, const std::string& text) const {
     readDiagnostics(unit.get(), tree);
     const Source source{text};
     Copy copy{tree, source};
-    for (const CXCursor& top : childrenOf(clang_getTranslationUnitCursor(unit.get())))
-        copy.add(top, -1);
+    for (const CXCursor& top : childrenOf(clang_getTranslationUnitCursor(unit.get()))) {
+        const bool isKit = clang_getCursorKind(top) == CXCursor_Namespace && !rangeOf(top) &&
+                           textOf(clang_getCursorSpelling(top)) == "raytracer";
+        if (isKit)
+            std::ranges::move(constantsOf(top), std::back_inserter(tree.constants));
+        else
+            copy.add(top, -1);
+    }
     return tree;
 }
 

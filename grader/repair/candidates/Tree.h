@@ -29,6 +29,12 @@ enum class NodeKind {
     expression  ///< any other
 };
 
+/// Something that an expression may name.
+struct Quantity {
+    std::string text;  ///< as it is written: "settings().rays", or ".colour()" behind a name
+    std::string type;  ///< as of a node
+};
+
 /// A node of the student's own file; nodes that stand in no text, such as conversions, are left
 /// out.
 struct Node {
@@ -45,6 +51,10 @@ struct Node {
     bool isConstant = false;  ///< a declaration of constexpr, or of const outside of functions
     bool isAuto = false;      ///< a declaration whose type follows from its initialiser
     std::vector<std::string> siblings;  ///< other members of the same class and type as this one
+    std::vector<Quantity>
+        parts;                ///< what its members are, of a variable; of a method: of its class
+    bool isOptional = false;  ///< a variable of type std::optional
+    bool returnsOptional = false;  ///< a function that does
 };
 
 struct Diagnostic {
@@ -57,6 +67,7 @@ struct Diagnostic {
 struct Tree {
     std::vector<Node> nodes;
     std::vector<Diagnostic> diagnostics;
+    std::vector<Quantity> constants;  ///< of the kit
     bool wasParsed = false;
 
     [[nodiscard]] const Node& at(int index) const { return nodes[static_cast<std::size_t>(index)]; }

@@ -1,4 +1,5 @@
 #include <grader/repair/candidates/Atom.h>
+#include <grader/repair/candidates/Scope.h>
 
 #include <algorithm>
 #include <array>
@@ -6,27 +7,6 @@
 
 namespace ticker::candidates {
 namespace {
-
-/// Variables of a node's type that stand before it in its function.
-std::vector<int> variablesBefore(const Edits& edits, int index) {
-    const Tree& tree = edits.tree();
-    int outermost = index;
-    for (int around = tree.functionOf(index); around >= 0; around = tree.functionOf(around))
-        outermost = around;
-    std::vector<int> found;
-    for (int i = outermost; i < index; ++i) {
-        const Node& node = tree.at(i);
-        const bool isVariable = node.declared != 0 && !node.isExpression && !node.name.empty();
-        if (!isVariable || node.type != tree.at(index).type) continue;
-        // Visible: its block, or the function that it is a parameter of, holds the use.
-        int block = node.parent;
-        while (block >= 0 && tree.at(block).kind != NodeKind::block &&
-               tree.at(block).kind != NodeKind::function && tree.at(block).kind != NodeKind::loop)
-            block = tree.at(block).parent;
-        if (block < 0 || tree.at(block).range.holds(tree.at(index).range)) found.push_back(i);
-    }
-    return found;
-}
 
 void exchangeNames(Edits& edits, int index, const Node& node) {
     // All uses of two variables of one type, throughout a statement's expression.
@@ -86,7 +66,8 @@ void addNameEdits(Edits& edits, int index) {
     if (node.kind != NodeKind::name) return;
     if (!edits.isNumber(index) && !edits.isVector(index)) return;
     constexpr std::size_t kMost = 6;
-    const std::vector<int> others = variablesBefore(edits, index);
+    std::vector<int> others = visibleVariables(edits.tree(), index);
+    std::erase_if(others, [&](int other) { return edits.tree().at(other).type != node.type; });
     const std::size_t skipped = others.size() > kMost ? others.size() - kMost : 0;
     for (std::size_t i = skipped; i < others.size(); ++i)
         edits.replace("name", index, edits.tree().at(others[i]).name, true);

@@ -1,14 +1,16 @@
 // Finds edits of a student's file. Runs in the sandbox, since the file is untrusted.
 //   ticker-candidates --precompile HEADER TARGET CLANG-ARGUMENT...
-//   ticker-candidates SOURCE STUB PRODUCT CLANG-ARGUMENT...
+//   ticker-candidates SOURCE STUB PRODUCT simple|wide FUNCTION,... CLANG-ARGUMENT...
 // writes the edits and the program that carries them as JSON, as ../Candidates.cpp reads it. What
-// stands in the stub as well is not the student's and is left alone.
+// stands in the stub as well is not the student's and is left alone, and so are these functions.
 #include <grader/repair/candidates/Atom.h>
 #include <grader/repair/candidates/Schema.h>
 
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <set>
+#include <span>
 #include <sstream>
 
 namespace {
@@ -72,7 +74,16 @@ std::string asJson(const Tree& tree, const std::vector<Atom>& atoms, const Schem
     return out.str();
 }
 
-std::vector<Atom> findAtoms(const Tree& tree, const Source& source, const Source& stub) {
+using AddEdits = void (*)(Edits&, int);
+
+constexpr AddEdits kSimple[] = {addOperatorEdits, addNumberEdits,  addNameEdits,
+                                addMemberEdits,   addCallEdits,    addWrapEdits,
+                                addTermEdits,     addSiblingEdits, addStatementEdits};
+constexpr AddEdits kWide[] = {addGuards, addWideEdits};
+
+std::vector<Atom> findAtoms(const Tree& tree, const Source& source, const Source& stub,
+                            const std::set<std::string>& leftAlone,
+                            std::span<const AddEdits> kinds) {
     constexpr std::size_t kMost = 1500;
     const std::string given = normal(stub, {0, stub.text().size()});
     Edits edits{tree, source};
@@ -81,12 +92,19 @@ std::vector<Atom> findAtoms(const Tree& tree, const Source& source, const Source
         if (!node.isWritten || tree.functionOf(i) < 0 || edits.atoms().size() > kMost) continue;
         if (given.find(normal(source, tree.at(tree.statementOf(i)).range)) != std::string::npos)
             continue;
-        for (const auto add :
-             {addOperatorEdits, addNumberEdits, addNameEdits, addMemberEdits, addCallEdits,
-              addWrapEdits, addTermEdits, addSiblingEdits, addStatementEdits})
+        if (leftAlone.contains(functionAround(tree, i))) continue;
+        for (const AddEdits add : kinds)
             add(edits, i);
     }
     return edits.atoms();
+}
+
+std::set<std::string> namesIn(const std::string& list) {
+    std::set<std::string> names;
+    std::istringstream stream{list};
+    for (std::string name; std::getline(stream, name, ',');)
+        names.insert(name);
+    return names;
 }
 
 std::string contentsOf(const std::string& file) {
@@ -97,11 +115,12 @@ std::string contentsOf(const std::string& file) {
 }
 
 int explain(const std::string& file, const std::string& stub, const std::string& product,
-            const Parser& parser) {
+            bool isWide, const std::set<std::string>& leftAlone, const Parser& parser) {
     const Source source{contentsOf(file)};
     const Tree tree = parser.parse(file, source.text());
     if (!tree.wasParsed) return 2;
-    std::vector<Atom> atoms = findAtoms(tree, source, Source{contentsOf(stub)});
+    std::vector<Atom> atoms = findAtoms(tree, source, Source{contentsOf(stub)}, leftAlone,
+                                        isWide ? std::span<const AddEdits>{kWide} : kSimple);
     const Schema schema = fitSchema(parser, file, tree, source, atoms);
     std::ofstream out{product, std::ios::binary};
     out << asJson(tree, atoms, schema);
@@ -114,8 +133,10 @@ int main(int argc, char** argv) {
     const std::vector<std::string> words{argv + 1, argv + argc};
     if (words.size() >= 3 && words[0] == "--precompile")
         return Parser{{words.begin() + 3, words.end()}}.precompile(words[1], words[2]) ? 0 : 1;
-    if (words.size() >= 3)
-        return explain(words[0], words[1], words[2], Parser{{words.begin() + 3, words.end()}});
-    std::cerr << "ticker-candidates: SOURCE STUB PRODUCT CLANG-ARGUMENT...\n";
+    if (words.size() >= 5)
+        return explain(words[0], words[1], words[2], words[3] == "wide", namesIn(words[4]),
+                       Parser{{words.begin() + 5, words.end()}});
+    std::cerr
+        << "ticker-candidates: SOURCE STUB PRODUCT simple|wide FUNCTION,... CLANG-ARGUMENT...\n";
     return 2;
 }

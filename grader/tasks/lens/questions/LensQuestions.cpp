@@ -144,6 +144,14 @@ NextRender drawNextRender(std::uint64_t seed) {
     return renders;
 }
 
+probe::RenderQuestion drawScreenQuestion(std::uint64_t seed) {
+    Draw draw{seed, 28};
+    raytracer::RenderSettings settings;
+    settings.width = 4;
+    settings.height = 3;
+    return drawQuestion(draw, settings, 1);
+}
+
 probe::RenderQuestion drawFineQuestion(std::uint64_t seed) {
     // A few rays for each pixel suffice; code with the handout's count as a constant still fits
     // into the log.

@@ -33,6 +33,9 @@ struct NextRender {
 /// size.
 [[nodiscard]] probe::RenderQuestion drawFineQuestion(std::uint64_t seed);
 
+/// The handout's settings on a frame that is smaller still, once.
+[[nodiscard]] probe::RenderQuestion drawScreenQuestion(std::uint64_t seed);
+
 }  // namespace ticker::tasks
 
 #endif

@@ -1,0 +1,171 @@
+#include <grader/lab/repairs/RepairCampaign.h>
+
+#include <grader/repair/Explain.h>
+#include <grader/repair/candidates/Tokens.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace ticker::lab {
+namespace {
+
+/// The only task that an entry is expected to fail; empty: none, or several.
+std::string failingTask(const corpus::Entry& entry) {
+    std::string failing;
+    for (const auto& [task, expected] : entry.tasks) {
+        const bool fails = std::ranges::find(expected.states, "failed") != expected.states.end() ||
+                           expected.finding().starts_with("run.");
+        if (!fails || task == kScreenshotTask) continue;
+        if (!failing.empty()) return "";
+        failing = task;
+    }
+    return failing;
+}
+
+std::size_t tokensIn(std::string_view text) {
+    return candidates::tokensOf(text).size();
+}
+
+/// Where two texts differ: from the first differing byte to the last, as a range of the second.
+candidates::Range difference(std::string_view a, std::string_view b) {
+    std::size_t front = 0;
+    while (front < a.size() && front < b.size() && a[front] == b[front])
+        ++front;
+    std::size_t back = 0;
+    while (back + front < a.size() && back + front < b.size() &&
+           a[a.size() - 1 - back] == b[b.size() - 1 - back])
+        ++back;
+    return {front, b.size() - back};
+}
+
+std::string rightText(const corpus::Entry& entry, const std::string& file) {
+    corpus::Entry plain = entry;
+    plain.edits = {{file, {}}};
+    return corpus::textsOf(plain).at(file);
+}
+
+/// One replacement, in one line of the mistake, of at most eight tokens on either side.
+bool isOneEdit(const corpus::Entry& entry) {
+    constexpr std::size_t kMostTokens = 8;
+    if (!entry.collection.ends_with("mistakes") || entry.edits.size() != 1 ||
+        entry.edits.begin()->second.size() != 1)
+        return false;
+    const std::string& file = entry.edits.begin()->first;
+    const std::string right = rightText(entry, file);
+    const std::string wrong = corpus::textsOf(entry).at(file);
+    const candidates::Range place = difference(right, wrong);
+    const candidates::Range was = difference(wrong, right);
+    const std::string_view put = std::string_view{wrong}.substr(place.begin, place.size());
+    const std::string_view taken = std::string_view{right}.substr(was.begin, was.size());
+    return put.find('\n') == std::string_view::npos && tokensIn(put) <= kMostTokens &&
+           tokensIn(taken) <= kMostTokens;
+}
+
+int lineAt(std::string_view text, std::size_t offset) {
+    return 1 + static_cast<int>(std::ranges::count(text.substr(0, offset), '\n'));
+}
+
+bool isInside(const Repair& repair, std::string_view right, std::string_view wrong) {
+    const candidates::Range place = difference(right, wrong);
+    const int first = lineAt(wrong, place.begin);
+    const int last = lineAt(wrong, place.end);
+    return std::ranges::all_of(repair.edits, [&](const RepairEdit& edit) {
+        return edit.line >= first && edit.line <= last;
+    });
+}
+
+std::string blankless(std::string_view text) {
+    std::string words;
+    for (const candidates::Range& token : candidates::tokensOf(text))
+        words += std::string{words.empty() ? "" : " "} +
+                 std::string{text.substr(token.begin, token.size())};
+    return words;
+}
+
+double cpuOf(const repair::Explanation& found, repair::Work work) {
+    const auto ms = found.workMs.find(work);
+    return ms == found.workMs.end() ? 0.0 : ms->second;
+}
+
+/// What an edit changes, without the ends that stay.
+std::string inWords(const Repair& repair) {
+    std::string words;
+    for (const RepairEdit& edit : repair.edits)
+        words += fmt::format("{}line {}: {} -> {}", words.empty() ? "" : "; ", edit.line,
+                             blankless(edit.from), blankless(edit.to));
+    return repair.next.empty() ? words : words + " (next: " + repair.next + ")";
+}
+
+}  // namespace
+
+RepairCampaign::RepairCampaign(const pipeline::Grader& grader,
+                               const std::vector<corpus::Entry>& entries,
+                               const RepairChoice& choice, std::uint64_t seed)
+    : grader_(grader), judge_(grader), seed_(seed) {
+    judge_.scenes.clear();
+    double owed = 0.0;
+    for (const corpus::Entry& entry : entries) {
+        const std::string failing = failingTask(entry);
+        if (failing.empty() || (!choice.task.empty() && failing != choice.task)) continue;
+        const bool isNamed = std::ranges::find(choice.cases, entry.name) != choice.cases.end();
+        if (!choice.cases.empty() && !isNamed) continue;
+        if (choice.ofOneEdit && !isOneEdit(entry)) continue;
+        owed += choice.fraction;
+        if (owed < 1.0) continue;
+        owed -= 1.0;
+        units_.push_back({entry, failing});
+    }
+}
+
+std::string RepairCampaign::name() const {
+    return "repairs-" + grader_.exercise->name;
+}
+
+std::string RepairCampaign::unitName(std::size_t unit) const {
+    const corpus::Entry& entry = units_.at(unit).entry;
+    return fmt::format("{}/{}/{}", entry.collection, entry.group, entry.name);
+}
+
+std::string RepairCampaign::run(std::size_t unit) {
+    const auto& [entry, task] = units_.at(unit);
+    intake::Submission submission;
+    submission.name = entry.name;
+    const auto texts = corpus::textsOf(entry);
+    for (const auto& [file, text] : texts)
+        submission.parts[file] = text;
+    const SubmissionResult result = pipeline::gradeSubmission(submission, judge_, seed_);
+    const repair::Explanation found = repair::explain(submission, grader_, result, seed_ + 1);
+
+    RepairRow row;
+    row.collection = entry.collection;
+    row.task = task;
+    row.name = entry.name;
+    row.cpuMs = found.cpuMs;
+    row.parseMs = cpuOf(found, repair::Work::parse);
+    row.compileMs = cpuOf(found, repair::Work::compile);
+    row.askMs = cpuOf(found, repair::Work::ask);
+    row.proveMs = cpuOf(found, repair::Work::prove);
+    row.tried = found.tried;
+    row.wasCutOff = !found.cutOff.empty();
+    const auto first = std::ranges::find(found.repairs, task, &Repair::task);
+    row.isRepaired = first != found.repairs.end() && first->next.empty();
+    if (first != found.repairs.end()) row.edit = inWords(*first);
+    if (entry.edits.size() == 1) {
+        const std::string file = entry.edits.begin()->first;
+        const std::string right = rightText(entry, file);
+        row.isOneEdit = isOneEdit(entry);
+        row.isRightLine = row.isRepaired && isInside(*first, right, texts.at(file));
+    }
+    return jsonOf(row);
+}
+
+calibrate::Summary RepairCampaign::summarise(const std::vector<std::string>& records) const {
+    std::vector<RepairRow> rows;
+    for (const std::string& record : records)
+        rows.push_back(rowOf(record));
+    return {tableOf(rows), true};
+}
+
+}  // namespace ticker::lab

@@ -1,0 +1,70 @@
+#ifndef TICKER_REPAIR_CLOCK_H
+#define TICKER_REPAIR_CLOCK_H
+
+#include <grader/base/CpuTime.h>
+#include <grader/sandbox/Sandbox.h>
+#include <grader/sandbox/SandboxPolicy.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <numeric>
+
+namespace ticker::repair {
+
+/// What the processes of an explanation do.
+enum class Work { parse, compile, ask, prove };
+
+/// Time that one explanation has taken: of this thread and of the processes it ran. Belongs to one
+/// thread.
+class Clock {
+public:
+    explicit Clock(const sandbox::TimeLimits& all) : all_(all), endMs_(1000.0 * all.cpuSeconds) {}
+
+    /// Adds the CPU time of a process.
+    void add(Work work, double cpuMs) { processesMs_.at(static_cast<std::size_t>(work)) += cpuMs; }
+    /// CPU time so far.
+    [[nodiscard]] double cpuMs() const {
+        return std::accumulate(processesMs_.begin(), processesMs_.end(), threadMs());
+    }
+    /// CPU time of the processes that did this.
+    [[nodiscard]] double cpuMs(Work work) const {
+        return processesMs_.at(static_cast<std::size_t>(work));
+    }
+
+    /// Until `end` of CPU time, or until all is used up, whichever comes first.
+    void runUntil(double endMs) { endMs_ = std::min(endMs, 1000.0 * all_.cpuSeconds); }
+    [[nodiscard]] bool isOver() const {
+        return cpuMs() >= endMs_ || wallSeconds() >= all_.wallSeconds;
+    }
+    [[nodiscard]] double endMs() const { return endMs_; }
+
+    /// What is left, at least a second each: the kernel counts whole ones.
+    [[nodiscard]] sandbox::TimeLimits left() const {
+        return {std::max(1.0, all_.cpuSeconds - cpuMs() / 1000.0),
+                std::max(1.0, all_.wallSeconds - wallSeconds())};
+    }
+    /// The limits of a process, reduced to what is left.
+    [[nodiscard]] sandbox::Limits cut(sandbox::Limits limits) const {
+        limits.cpuSeconds = std::min(limits.cpuSeconds, left().cpuSeconds);
+        limits.wallSeconds = std::min(limits.wallSeconds, left().wallSeconds);
+        return limits;
+    }
+
+private:
+    [[nodiscard]] double threadMs() const { return threadCpuMs() - threadMs_; }
+    [[nodiscard]] double wallSeconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+    sandbox::TimeLimits all_;
+    double endMs_;
+    double threadMs_ = threadCpuMs();
+    std::array<double, 4> processesMs_{};
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace ticker::repair
+
+#endif

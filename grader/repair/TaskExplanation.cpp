@@ -1,0 +1,147 @@
+#include <grader/repair/TaskExplanation.h>
+
+#include <grader/repair/LineEdits.h>
+#include <grader/repair/Proof.h>
+#include <grader/repair/TaskLookup.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <utility>
+
+namespace ticker::repair {
+namespace {
+
+// The first repair, and others that students and tickers may compare it with.
+constexpr std::size_t kMostRepairs = 3;
+// First edits of two mistakes that are followed up.
+constexpr std::size_t kMostPartials = 8;
+
+}  // namespace
+
+TaskExplanation::TaskExplanation(Workbench& workbench, const TaskReport& task,
+                                 const Setting& setting)
+    : workbench_(workbench), task_(task), setting_(setting), finding_(firstFailure(task)) {}
+
+std::vector<Repair> TaskExplanation::run(double endMs) {
+    const SearchLimits& limits = setting_.limits;
+    const double beginMs = setting_.clock.cpuMs();
+    const std::pair<double, std::function<Repairs()>> steps[] = {
+        {1.0, [this] { return noLongerStatic(); }},
+        {limits.singles, [this] { return anyOf(Reach::simple, singles); }},
+        {limits.twins, [this] { return anyOf(Reach::simple, twins); }},
+        {limits.wide, [this] { return anyOf(Reach::wide, singles); }},
+        {limits.wide, [this] { return anyOf(Reach::wide, twins); }},
+        {limits.pairs, [this] { return anyOf(Reach::simple, pairs); }},
+        {limits.twoMistakes, [this] { return twoMistakes(); }},
+        {1.0, [this] { return compiledApart(); }}};
+    for (const auto& [share, step] : steps) {
+        setting_.clock.runUntil(beginMs + share * (endMs - beginMs));
+        Repairs repairs = step();
+        if (!repairs.empty()) return repairs;
+        wasCutOff_ = wasCutOff_ || setting_.clock.isOver();
+    }
+    return {};
+}
+
+std::size_t TaskExplanation::asked() const {
+    std::size_t asked = 0;
+    for (const auto& [reach, search] : searches_)
+        asked += search.asked();
+    return asked;
+}
+
+TaskExplanation::Repairs TaskExplanation::noLongerStatic() {
+    const Bench* bench = workbench_.bench(Reach::simple);
+    if (bench == nullptr) return {};
+    return proven(*bench, withoutSwitch(bench->candidates, [this](const Atom& atom) {
+        return atom.kind == "static" && !isOfAnotherTask(atom.function);
+    }));
+}
+
+TaskExplanation::Repairs TaskExplanation::compiledApart() {
+    const Bench* bench = workbench_.bench(Reach::simple);
+    if (bench == nullptr) return {};
+    return proven(*bench, withoutSwitch(bench->candidates, [this](const Atom& atom) {
+        return atom.kind != "static" && !isOfAnotherTask(atom.function);
+    }));
+}
+
+TaskExplanation::Repairs TaskExplanation::anyOf(Reach reach, MakeSets make) {
+    const Bench* bench = workbench_.bench(reach);
+    if (bench == nullptr) return {};
+    const auto sets = make(workbench_.source(), bench->candidates, choice());
+    return proven(*bench, searchOf(reach, *bench).passing(sets, 2 * kMostRepairs));
+}
+
+TaskExplanation::Repairs TaskExplanation::twoMistakes() {
+    const Bench* bench = workbench_.bench(Reach::simple);
+    if (bench == nullptr) return {};
+    Search& search = searchOf(Reach::simple, *bench);
+    const auto ones = singles(workbench_.source(), bench->candidates, choice());
+    const std::vector<Partial> partials = search.changing(ones, finding_, kMostPartials);
+    for (const Partial& partial : partials) {
+        const auto both = together(bench->candidates, partial.set, ones);
+        Repairs repairs = proven(*bench, search.passing(both, 1));
+        if (!repairs.empty()) return repairs;
+    }
+    for (const Partial& partial : partials)
+        if (mendsSome(partial))
+            if (auto repair = provenOne(*bench, partial.set, partial.next))
+                return {*std::move(repair)};
+    return {};
+}
+
+bool TaskExplanation::mendsSome(const Partial& partial) const {
+    const std::vector<std::string> before = failuresOf(task_);
+    return partial.failures.size() < before.size() &&
+           std::ranges::includes(before, partial.failures);
+}
+
+TaskExplanation::Repairs TaskExplanation::proven(const Bench& bench,
+                                                 const std::vector<EditSet>& sets) {
+    Repairs repairs;
+    std::set<std::string> known;
+    for (const EditSet& set : sets) {
+        const auto edited = withEdits(workbench_.source(), textEdits(bench.candidates, set));
+        if (repairs.size() == kMostRepairs || setting_.clock.isOver()) break;
+        if (!edited || !known.insert(*edited).second) continue;
+        if (auto repair = provenOne(bench, set, "")) repairs.push_back(*std::move(repair));
+    }
+    return repairs;
+}
+
+std::optional<Repair> TaskExplanation::provenOne(const Bench& bench, const EditSet& set,
+                                                 const std::string& next) {
+    const auto edits = textEdits(bench.candidates, set);
+    const auto edited = withEdits(workbench_.source(), edits);
+    if (!edited) return std::nullopt;
+    const auto proof = prove(*edited, workbench_.file(), task_.id, setting_.result.tasks,
+                             setting_.grader, setting_.seed + 1, setting_.clock);
+    if (!proof || proof->next != next) return std::nullopt;
+    return Repair{task_.id, finding_, workbench_.file(), lineEdits(workbench_.source(), edits),
+                  true,     next};
+}
+
+Search& TaskExplanation::searchOf(Reach reach, const Bench& bench) {
+    const auto known = searches_.find(reach);
+    if (known != searches_.end()) return known->second;
+    return searches_
+        .emplace(reach, Search{codeOf(setting_.grader, task_.id), bench.program, setting_.seed,
+                               setting_.clock})
+        .first->second;
+}
+
+Choice TaskExplanation::choice() const {
+    return [this](const Atom& atom) { return !isOfAnotherTask(atom.function); };
+}
+
+bool TaskExplanation::isOfAnotherTask(const std::string& function) const {
+    const Exercise& exercise = *setting_.grader.exercise;
+    return std::ranges::any_of(exercise.tasks, [&](const TaskEntry& entry) {
+        return entry.file == workbench_.file() && functionOf(entry) == function &&
+               functionOf(*exercise.task(task_.id)) != function;
+    });
+}
+
+}  // namespace ticker::repair

@@ -1,0 +1,73 @@
+#ifndef TICKER_REPAIR_TASKEXPLANATION_H
+#define TICKER_REPAIR_TASKEXPLANATION_H
+
+#include <grader/pipeline/Grade.h>
+#include <grader/repair/Clock.h>
+#include <grader/repair/EditSets.h>
+#include <grader/repair/Search.h>
+#include <grader/repair/SearchLimits.h>
+#include <grader/repair/Workbench.h>
+#include <grader/result/Repair.h>
+#include <grader/result/SubmissionResult.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ticker::repair {
+
+/// What the explanations of a submission's tasks share.
+struct Setting {
+    const SubmissionResult& result;
+    const pipeline::Grader& grader;
+    const SearchLimits& limits;
+    std::uint64_t seed;
+    Clock& clock;
+};
+
+/// The search for edits that mend one failed task.
+class TaskExplanation {
+public:
+    /// All of them must outlive this object.
+    TaskExplanation(Workbench& workbench, const TaskReport& task, const Setting& setting);
+
+    /// Kinds of edits one after the other, the simplest first, until one of them is proven.
+    /// @param endMs  The clock's CPU time at which it ends.
+    [[nodiscard]] std::vector<Repair> run(double endMs);
+
+    /// Sets of edits that were asked.
+    [[nodiscard]] std::size_t asked() const;
+    /// Whether the time ended before all edits were tried.
+    [[nodiscard]] bool wasCutOff() const { return wasCutOff_; }
+
+private:
+    using Repairs = std::vector<Repair>;
+    using MakeSets = std::vector<EditSet> (*)(std::string_view, const Candidates&, const Choice&);
+
+    [[nodiscard]] Repairs noLongerStatic();
+    [[nodiscard]] Repairs anyOf(Reach reach, MakeSets make);
+    [[nodiscard]] Repairs twoMistakes();
+    [[nodiscard]] Repairs compiledApart();
+
+    [[nodiscard]] Repairs proven(const Bench& bench, const std::vector<EditSet>& sets);
+    [[nodiscard]] std::optional<Repair> provenOne(const Bench& bench, const EditSet& set,
+                                                  const std::string& next);
+    [[nodiscard]] bool mendsSome(const Partial& partial) const;
+    [[nodiscard]] Search& searchOf(Reach reach, const Bench& bench);
+    [[nodiscard]] Choice choice() const;
+    [[nodiscard]] bool isOfAnotherTask(const std::string& function) const;
+
+    Workbench& workbench_;
+    const TaskReport& task_;
+    Setting setting_;
+    std::string finding_;
+    std::map<Reach, Search> searches_;
+    bool wasCutOff_ = false;
+};
+
+}  // namespace ticker::repair
+
+#endif

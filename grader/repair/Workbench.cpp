@@ -1,0 +1,35 @@
+#include <grader/repair/Workbench.h>
+
+#include <grader/build/Build.h>
+
+#include <utility>
+
+namespace ticker::repair {
+
+const Bench* Workbench::bench(Reach reach) {
+    Place& place = reach == Reach::simple ? simple_ : wide_;
+    if (!place.wasTried && !clock_.isOver()) {
+        place.wasTried = true;
+        if (auto bench = made(reach)) place.bench.emplace(*std::move(bench));
+    }
+    return place.bench ? &*place.bench : nullptr;
+}
+
+std::optional<Bench> Workbench::made(Reach reach) const {
+    const sandbox::Limits limits = clock_.cut(grader_.policy.compile);
+    auto candidates =
+        findCandidates(grader_.kit, grader_.sandbox, limits, file_, source_, reach, leftAlone_);
+    if (!candidates) return std::nullopt;
+    clock_.add(Work::parse, candidates->cpuMs);
+    build::BuildResult built =
+        build::buildProgram(grader_.kit, grader_.sandbox, clock_.cut(grader_.policy.compile), file_,
+                            candidates->program, build::Purpose::switched);
+    clock_.add(Work::compile, built.cpuMs);
+    if (!built.program) return std::nullopt;
+    const bool keepsState = candidates->keepsState;
+    return Bench{
+        *std::move(candidates),
+        {*std::move(built.program), grader_.sandbox, grader_.policy.run, keepsState, clock_}};
+}
+
+}  // namespace ticker::repair
