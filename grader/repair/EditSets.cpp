@@ -22,6 +22,14 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
     return words;
 }
 
+/// The same without what belongs to a word beside it: `.normalised()` is one.
+std::vector<std::string_view> weighedWordsOf(std::string_view text) {
+    static const std::set<std::string_view> kLight{"(", ")", "{", "}", ".", "->", "::", ",", "std"};
+    std::vector<std::string_view> words = wordsOf(text);
+    std::erase_if(words, [](std::string_view word) { return kLight.contains(word); });
+    return words;
+}
+
 /// Words that two lists do not share at their beginnings and ends: those of the longer one.
 std::size_t differing(const std::vector<std::string_view>& a,
                       const std::vector<std::string_view>& b) {
@@ -106,10 +114,21 @@ void addGroup(const Candidates& candidates, const EditSet& group, std::set<EditS
 /// The more a kind of edit puts in beside what was there, the later it comes among equals.
 std::size_t rankOf(const Atom& atom) {
     static const std::map<std::string, std::size_t> kRanks{
-        {"operator", 0}, {"number", 0}, {"function", 0}, {"member", 0}, {"name", 1},
-        {"drop", 1},     {"unwrap", 1}, {"exchange", 1}, {"sign", 2}};
+        {"operator", 0}, {"function", 0}, {"member", 0}, {"drop", 0},      {"unwrap", 0},
+        {"number", 1},   {"exchange", 1}, {"sign", 1},   {"normalise", 1}, {"name", 2}};
     const auto found = kRanks.find(atom.kind);
     return found == kRanks.end() ? 3 : found->second;
+}
+
+/// Whether an edit makes the text longer.
+bool putsIn(std::string_view source, const Atom& atom) {
+    std::size_t before = 0;
+    std::size_t after = 0;
+    for (const TextEdit& edit : atom.edits) {
+        before += weighedWordsOf(source.substr(edit.begin, edit.end - edit.begin)).size();
+        after += weighedWordsOf(edit.text).size();
+    }
+    return after > before;
 }
 
 EditSet switched(const Candidates& candidates, const Choice& isChosen) {
@@ -123,12 +142,12 @@ EditSet switched(const Candidates& candidates, const Choice& isChosen) {
 /// @param isOne  The edits of a set are one edit at several places.
 std::vector<EditSet> simplestFirst(std::string_view source, const Candidates& candidates,
                                    std::vector<EditSet> sets, bool isOne = false) {
-    constexpr std::size_t kRanks = 4;
+    constexpr std::size_t kRanks = 8;
     std::vector<std::size_t> costOf;
     for (std::size_t i = 0; i < candidates.atoms.size(); ++i)
-        costOf.push_back(kRanks *
-                             tokensChanged(source, candidates, {static_cast<std::uint16_t>(i)}) +
-                         rankOf(candidates.atoms[i]));
+        costOf.push_back(
+            kRanks * tokensChanged(source, candidates, {static_cast<std::uint16_t>(i)}) +
+            2 * rankOf(candidates.atoms[i]) + (putsIn(source, candidates.atoms[i]) ? 1 : 0));
     std::vector<std::pair<std::size_t, EditSet>> ranked;
     for (EditSet& set : sets) {
         std::size_t tokens = 0;
@@ -159,8 +178,8 @@ std::size_t tokensChanged(std::string_view source, const Candidates& candidates,
                           const EditSet& set) {
     std::size_t count = 0;
     for (const TextEdit& edit : textEdits(candidates, set))
-        count += differing(wordsOf(source.substr(edit.begin, edit.end - edit.begin)),
-                           wordsOf(edit.text));
+        count += differing(weighedWordsOf(source.substr(edit.begin, edit.end - edit.begin)),
+                           weighedWordsOf(edit.text));
     return count;
 }
 

@@ -12,7 +12,8 @@
 
 namespace ticker::repair {
 
-/// Tokens that a set of edits takes away and puts in: the fewer, the simpler the repair.
+/// Words and operators that a set of edits takes away and puts in: the fewer, the simpler the
+/// repair.
 [[nodiscard]] std::size_t tokensChanged(std::string_view source, const Candidates& candidates,
                                         const EditSet& set);
 

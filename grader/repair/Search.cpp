@@ -66,14 +66,15 @@ bool isFinished(const Run& run) {
 
 }  // namespace
 
-Search::Search(const Task& task, const SwitchedProgram& program, std::uint64_t seed,
-               const Clock& clock)
-    : task_(task), program_(program), seed_(seed), clock_(clock) {
+Search::Search(const Task& task, std::vector<const Task*> others, SwitchedProgram& program,
+               std::uint64_t seed, const Clock& clock)
+    : task_(task), others_(std::move(others)), program_(program), seed_(seed), clock_(clock) {
     FirstQuestions recorder;
     static_cast<void>(task.judge(recorder, seed));
     first_ = std::move(recorder.asked);
     if (task.screen != nullptr) screening_ = task.screen(seed);
     asHandedIn_ = EditedExaminee{program, {}}.ask(first_);
+    program.answersUnedited(isFinished(asHandedIn_));
     if (screening_.mayPass)
         screenedAsHandedIn_ = EditedExaminee{program, {}}.ask(screening_.questions);
 }
@@ -101,6 +102,13 @@ TaskJudgement Search::judge(const EditSet& set, Run first) const {
     return task_.judge(examinee, seed_);
 }
 
+bool Search::passesOthers(const EditSet& set) const {
+    return std::ranges::all_of(others_, [&](const Task* other) {
+        EditedExaminee examinee{program_, set};
+        return passes(other->judge(examinee, seed_));
+    });
+}
+
 template <class Use>
 void Search::judgeEach(std::span<const EditSet> sets, Use use) {
     for (std::size_t at = 0; at < sets.size() && !clock_.isOver(); at += kJudgedTogether) {
@@ -116,7 +124,7 @@ void Search::judgeEach(std::span<const EditSet> sets, Use use) {
 std::vector<EditSet> Search::passing(std::span<const EditSet> sets, std::size_t most) {
     std::vector<EditSet> found;
     judgeEach(screened(sets), [&](const EditSet& set, const TaskJudgement& judgement) {
-        if (passes(judgement)) found.push_back(set);
+        if (passes(judgement) && passesOthers(set)) found.push_back(set);
         return found.size() < most;
     });
     return found;

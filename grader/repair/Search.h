@@ -26,8 +26,9 @@ struct Partial {
 class Search {
 public:
     /// All of them must outlive this object.
-    Search(const Task& task, const SwitchedProgram& program, std::uint64_t seed,
-           const Clock& clock);
+    /// @param others  Tasks that the submission passes: it has to pass them with an edit, too.
+    Search(const Task& task, std::vector<const Task*> others, SwitchedProgram& program,
+           std::uint64_t seed, const Clock& clock);
 
     /// Those of the sets with which the judge passes the submission, in their order, until the
     /// clock's time is up.
@@ -45,12 +46,14 @@ public:
 private:
     [[nodiscard]] std::vector<EditSet> screened(std::span<const EditSet> sets);
     [[nodiscard]] TaskJudgement judge(const EditSet& set, probe::Run first) const;
+    [[nodiscard]] bool passesOthers(const EditSet& set) const;
     /// Judges each set whose answers differ from those without edits.
     /// @param use  Takes a set and its judgement; false: no more are judged.
     template <class Use>
     void judgeEach(std::span<const EditSet> sets, Use use);
 
     const Task& task_;
+    std::vector<const Task*> others_;
     const SwitchedProgram& program_;
     std::uint64_t seed_;
     const Clock& clock_;

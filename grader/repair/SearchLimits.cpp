@@ -2,8 +2,6 @@
 
 #include <grader/base/JsonValue.h>
 
-#include <fmt/format.h>
-
 namespace ticker::repair {
 
 // Made from limits.json by CMake.
@@ -11,12 +9,21 @@ extern const char* const kDefaultLimitsText;
 
 namespace {
 
-double numberIn(const JsonValue& object, const char* field, double least, double most) {
-    const JsonValue value = object.at(field);
-    const auto number = value.asNumber();
-    if (!number || !(*number >= least && *number <= most))
-        value.expect(fmt::format("a number from {} to {}", least, most));
-    return *number;
+double secondsIn(const JsonValue& object, const char* field, double least) {
+    const double seconds = object.at(field).number();
+    constexpr double kMost = 3600.0;
+    if (!(seconds >= least && seconds <= kMost))
+        object.at(field).expect(
+            "a number from 1 to 3600, for the wall no smaller than for the CPU");
+    return seconds;
+}
+
+/// @param before  The share of the kind before it.
+double shareIn(const JsonValue& object, const char* field, double before) {
+    const double share = object.at(field).number();
+    if (!(share >= before && share <= 1.0))
+        object.at(field).expect("a number from 0 to 1, no smaller than the one before");
+    return share;
 }
 
 }  // namespace
@@ -25,15 +32,15 @@ SearchLimits parseSearchLimits(const std::string& text, const std::string& name)
     const JsonValue top = JsonValue::parse(text, name);
     top.allowOnly({"cpuSeconds", "wallSeconds", "untilShare"});
     SearchLimits limits;
-    limits.all.cpuSeconds = numberIn(top, "cpuSeconds", 1, 3600);
-    limits.all.wallSeconds = numberIn(top, "wallSeconds", limits.all.cpuSeconds, 10'800);
+    limits.all.cpuSeconds = secondsIn(top, "cpuSeconds", 1.0);
+    limits.all.wallSeconds = secondsIn(top, "wallSeconds", limits.all.cpuSeconds);
     const JsonValue shares = top.at("untilShare");
-    shares.allowOnly({"singles", "twins", "wide", "pairs", "twoMistakes"});
-    limits.singles = numberIn(shares, "singles", 0, 1);
-    limits.twins = numberIn(shares, "twins", limits.singles, 1);
-    limits.wide = numberIn(shares, "wide", limits.twins, 1);
-    limits.pairs = numberIn(shares, "pairs", limits.wide, 1);
-    limits.twoMistakes = numberIn(shares, "twoMistakes", limits.pairs, 1);
+    shares.allowOnly({"singles", "wide", "twins", "pairs", "twoMistakes"});
+    limits.singles = shareIn(shares, "singles", 0);
+    limits.wide = shareIn(shares, "wide", limits.singles);
+    limits.twins = shareIn(shares, "twins", limits.wide);
+    limits.pairs = shareIn(shares, "pairs", limits.twins);
+    limits.twoMistakes = shareIn(shares, "twoMistakes", limits.pairs);
     return limits;
 }
 

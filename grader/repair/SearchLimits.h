@@ -13,8 +13,8 @@ struct SearchLimits {
     sandbox::TimeLimits all;
     // The share of a task's CPU time after which the next kind of edits has its turn, 0 to 1.
     double singles = 0.0;      ///< one edit
+    double wide = 0.0;         ///< one edit that puts in what stands nowhere near
     double twins = 0.0;        ///< the same edit at several places
-    double wide = 0.0;         ///< edits that put in what the code has nowhere near
     double pairs = 0.0;        ///< two edits of one statement
     double twoMistakes = 0.0;  ///< edits of two mistakes
 };

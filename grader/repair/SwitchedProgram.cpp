@@ -16,15 +16,20 @@ namespace {
 // Of the answers of one process.
 constexpr std::size_t kMostBytes = 256U << 20U;
 
-std::vector<EditRound> roundsOf(std::span<const EditSet> sets) {
+EditRound roundOf(const EditSet& set) {
+    if (set.size() > EditRound::kMost) throw raytracer::Error("too many edits at once");
+    EditRound round{};
+    std::ranges::fill(round.edits, EditRound::kNoEdit);
+    std::ranges::copy(set, std::begin(round.edits));
+    return round;
+}
+
+/// @param isMeasured  A round without edits comes first.
+std::vector<EditRound> roundsOf(std::span<const EditSet> sets, bool isMeasured) {
     std::vector<EditRound> rounds;
-    for (const EditSet& set : sets) {
-        EditRound round{};
-        std::ranges::fill(round.edits, EditRound::kNoEdit);
-        if (set.size() > EditRound::kMost) throw raytracer::Error("too many edits at once");
-        std::ranges::copy(set, std::begin(round.edits));
-        rounds.push_back(round);
-    }
+    if (isMeasured) rounds.push_back(roundOf({EditRound::kMeasure}));
+    for (const EditSet& set : sets)
+        rounds.push_back(roundOf(set));
     return rounds;
 }
 
@@ -33,7 +38,7 @@ std::vector<EditRound> roundsOf(std::span<const EditSet> sets) {
 std::vector<probe::Run> SwitchedProgram::askTogether(const std::vector<probe::Question>& questions,
                                                      std::span<const EditSet> sets) const {
     const probe::AnswerLayout layout = probe::layoutFor(questions);
-    const std::vector<EditRound> rounds = roundsOf(sets);
+    const std::vector<EditRound> rounds = roundsOf(sets, isMeasured_ && sets.size() > 1);
     const FileDescriptor message = sandbox::sealedCopy(probe::encodeQuestions(questions));
     const FileDescriptor edits = sandbox::sealedCopy(std::as_bytes(std::span{rounds}));
     const sandbox::SharedMemory memory{layout.totalBytes * sets.size()};

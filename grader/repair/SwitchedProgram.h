@@ -30,6 +30,10 @@ public:
           keepsState_(keepsState),
           clock_(clock) {}
 
+    /// Whether the submission answers without edits: then loops that an edit makes endless are
+    /// recognised sooner.
+    void answersUnedited(bool does) { isMeasured_ = does; }
+
     /// Puts the questions to the submission once for each set. What ends a process costs only the
     /// set that was being asked.
     /// @return  In the order of the sets; those that the time does not suffice for are left out.
@@ -44,6 +48,7 @@ private:
     const sandbox::Sandbox& sandbox_;
     const sandbox::Limits& limits_;
     bool keepsState_;
+    bool isMeasured_ = false;
     Clock& clock_;
 };
 

@@ -13,7 +13,7 @@ namespace ticker::repair {
 namespace {
 
 // The first repair, and others that students and tickers may compare it with.
-constexpr std::size_t kMostRepairs = 3;
+constexpr std::size_t kMostRepairs = 2;
 // First edits of two mistakes that are followed up.
 constexpr std::size_t kMostPartials = 8;
 
@@ -29,9 +29,9 @@ std::vector<Repair> TaskExplanation::run(double endMs) {
     const std::pair<double, std::function<Repairs()>> steps[] = {
         {1.0, [this] { return noLongerStatic(); }},
         {limits.singles, [this] { return anyOf(Reach::simple, singles); }},
-        {limits.twins, [this] { return anyOf(Reach::simple, twins); }},
         {limits.wide, [this] { return anyOf(Reach::wide, singles); }},
-        {limits.wide, [this] { return anyOf(Reach::wide, twins); }},
+        {limits.twins, [this] { return anyOf(Reach::simple, twins); }},
+        {limits.twins, [this] { return anyOf(Reach::wide, twins); }},
         {limits.pairs, [this] { return anyOf(Reach::simple, pairs); }},
         {limits.twoMistakes, [this] { return twoMistakes(); }},
         {1.0, [this] { return compiledApart(); }}};
@@ -52,7 +52,7 @@ std::size_t TaskExplanation::asked() const {
 }
 
 TaskExplanation::Repairs TaskExplanation::noLongerStatic() {
-    const Bench* bench = workbench_.bench(Reach::simple);
+    Bench* bench = workbench_.bench(Reach::simple);
     if (bench == nullptr) return {};
     return proven(*bench, withoutSwitch(bench->candidates, [this](const Atom& atom) {
         return atom.kind == "static" && !isOfAnotherTask(atom.function);
@@ -60,7 +60,7 @@ TaskExplanation::Repairs TaskExplanation::noLongerStatic() {
 }
 
 TaskExplanation::Repairs TaskExplanation::compiledApart() {
-    const Bench* bench = workbench_.bench(Reach::simple);
+    Bench* bench = workbench_.bench(Reach::simple);
     if (bench == nullptr) return {};
     return proven(*bench, withoutSwitch(bench->candidates, [this](const Atom& atom) {
         return atom.kind != "static" && !isOfAnotherTask(atom.function);
@@ -68,14 +68,14 @@ TaskExplanation::Repairs TaskExplanation::compiledApart() {
 }
 
 TaskExplanation::Repairs TaskExplanation::anyOf(Reach reach, MakeSets make) {
-    const Bench* bench = workbench_.bench(reach);
+    Bench* bench = workbench_.bench(reach);
     if (bench == nullptr) return {};
     const auto sets = make(workbench_.source(), bench->candidates, choice());
-    return proven(*bench, searchOf(reach, *bench).passing(sets, 2 * kMostRepairs));
+    return proven(*bench, searchOf(reach, *bench).passing(sets, 2 * kMostRepairs - 1));
 }
 
 TaskExplanation::Repairs TaskExplanation::twoMistakes() {
-    const Bench* bench = workbench_.bench(Reach::simple);
+    Bench* bench = workbench_.bench(Reach::simple);
     if (bench == nullptr) return {};
     Search& search = searchOf(Reach::simple, *bench);
     const auto ones = singles(workbench_.source(), bench->candidates, choice());
@@ -123,13 +123,27 @@ std::optional<Repair> TaskExplanation::provenOne(const Bench& bench, const EditS
                   true,     next};
 }
 
-Search& TaskExplanation::searchOf(Reach reach, const Bench& bench) {
+Search& TaskExplanation::searchOf(Reach reach, Bench& bench) {
     const auto known = searches_.find(reach);
     if (known != searches_.end()) return known->second;
     return searches_
-        .emplace(reach, Search{codeOf(setting_.grader, task_.id), bench.program, setting_.seed,
-                               setting_.clock})
+        .emplace(reach, Search{codeOf(setting_.grader, task_.id), othersOfTheFunction(),
+                               bench.program, setting_.seed, setting_.clock})
         .first->second;
+}
+
+std::vector<const Task*> TaskExplanation::othersOfTheFunction() const {
+    const Exercise& exercise = *setting_.grader.exercise;
+    const TaskEntry& own = *exercise.task(task_.id);
+    std::vector<const Task*> others;
+    for (const TaskReport& report : setting_.result.tasks) {
+        const TaskEntry* entry = exercise.task(report.id);
+        const bool isOther = entry != nullptr && entry->id != own.id && entry->file == own.file &&
+                             functionOf(*entry) == functionOf(own);
+        if (isOther && report.state == TaskState::passed)
+            others.push_back(&codeOf(setting_.grader, report.id));
+    }
+    return others;
 }
 
 Choice TaskExplanation::choice() const {

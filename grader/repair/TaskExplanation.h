@@ -56,7 +56,8 @@ private:
     [[nodiscard]] std::optional<Repair> provenOne(const Bench& bench, const EditSet& set,
                                                   const std::string& next);
     [[nodiscard]] bool mendsSome(const Partial& partial) const;
-    [[nodiscard]] Search& searchOf(Reach reach, const Bench& bench);
+    [[nodiscard]] Search& searchOf(Reach reach, Bench& bench);
+    [[nodiscard]] std::vector<const Task*> othersOfTheFunction() const;
     [[nodiscard]] Choice choice() const;
     [[nodiscard]] bool isOfAnotherTask(const std::string& function) const;
 

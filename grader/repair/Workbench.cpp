@@ -6,7 +6,7 @@
 
 namespace ticker::repair {
 
-const Bench* Workbench::bench(Reach reach) {
+Bench* Workbench::bench(Reach reach) {
     Place& place = reach == Reach::simple ? simple_ : wide_;
     if (!place.wasTried && !clock_.isOver()) {
         place.wasTried = true;

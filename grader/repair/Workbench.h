@@ -35,7 +35,7 @@ public:
     [[nodiscard]] const std::string& source() const { return source_; }
     /// @return  Null where the file cannot be parsed, or its edits cannot be compiled in the time
     ///          that is left.
-    [[nodiscard]] const Bench* bench(Reach reach);
+    [[nodiscard]] Bench* bench(Reach reach);
 
 private:
     struct Place {

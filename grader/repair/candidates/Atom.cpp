@@ -5,6 +5,8 @@
 namespace ticker::candidates {
 namespace {
 
+const std::set<std::string> kAssigning{"=", "+=", "-=", "*=", "/=", "%="};
+
 bool holdsTogether(const Node& node) {
     switch (node.kind) {
         case NodeKind::name:
@@ -26,14 +28,15 @@ bool isEnclosed(const Tree& tree, int node) {
     if (parent < 0 || !tree.at(parent).isExpression) return true;
     const Node& around = tree.at(parent);
     const bool isArgument = around.kind == NodeKind::call && around.children.front() != node;
-    return isArgument || around.kind == NodeKind::parentheses || around.kind == NodeKind::list ||
-           around.kind == NodeKind::cast;
+    const bool isAssigned = around.kind == NodeKind::binary && around.children.back() == node &&
+                            kAssigning.contains(around.name);
+    return isArgument || isAssigned || around.kind == NodeKind::parentheses ||
+           around.kind == NodeKind::list || around.kind == NodeKind::cast;
 }
 
 /// The expression that changes what a node stands for, such as `a = b` for its a: a switch cannot
 /// stand at a itself. A node that is only read stands for itself.
 int assignedAt(const Tree& tree, int node) {
-    static const std::set<std::string> kAssigning{"=", "+=", "-=", "*=", "/=", "%="};
     int site = node;
     for (int at = node; tree.at(at).parent >= 0 && tree.at(tree.at(at).parent).isExpression;
          at = tree.at(at).parent) {

@@ -78,6 +78,8 @@ void addCallEdits(Edits& edits, int index) {
         return;
     }
     const Node& callee = tree.at(node.children.front());
+    if (node.name == "dot" && edits.isType(index, "double"))
+        edits.replace("clamp", index, "std::max(0.0, " + edits.text(index) + ")", true);
     std::vector<int> arguments{node.children.begin() + 1, node.children.end()};
     exchangeArguments(edits, index, arguments);
     negateNeighbour(edits, arguments);
@@ -115,7 +117,6 @@ void addWrapEdits(Edits& edits, int index) {
         }
         if (isArgument && (around.name == "acos" || around.name == "asin") && node.name != "clamp")
             edits.replace("clamp", index, "std::clamp(" + text + ", -1.0, 1.0)", true);
-        if (node.name == "dot") edits.replace("clamp", index, "std::max(0.0, " + text + ")", true);
     }
     if (edits.isInteger(index)) {
         edits.replace("term", index, text + " + 1", false);

@@ -104,4 +104,46 @@ std::vector<std::string> siblingsOf(CXCursor member) {
     return names;
 }
 
+NodeKind kindOf(CXCursorKind kind) {
+    switch (kind) {
+        case CXCursor_CompoundStmt:
+            return NodeKind::block;
+        case CXCursor_ForStmt:
+        case CXCursor_WhileStmt:
+        case CXCursor_DoStmt:
+        case CXCursor_CXXForRangeStmt:
+            return NodeKind::loop;
+        case CXCursor_VarDecl:
+            return NodeKind::declaration;
+        case CXCursor_FunctionDecl:
+        case CXCursor_CXXMethod:
+        case CXCursor_LambdaExpr:
+            return NodeKind::function;
+        case CXCursor_MemberRefExpr:
+            return NodeKind::member;
+        case CXCursor_CallExpr:
+            return NodeKind::call;
+        case CXCursor_BinaryOperator:
+        case CXCursor_CompoundAssignOperator:
+            return NodeKind::binary;
+        case CXCursor_UnaryOperator:
+            return NodeKind::unary;
+        case CXCursor_ParenExpr:
+            return NodeKind::parentheses;
+        case CXCursor_InitListExpr:
+            return NodeKind::list;
+        case CXCursor_IntegerLiteral:
+        case CXCursor_FloatingLiteral:
+            return NodeKind::number;
+        case CXCursor_CXXStaticCastExpr:
+        case CXCursor_CStyleCastExpr:
+        case CXCursor_CXXFunctionalCastExpr:
+            return NodeKind::cast;
+        default:
+            break;
+    }
+    if (clang_isExpression(kind) != 0) return NodeKind::expression;
+    return clang_isStatement(kind) != 0 ? NodeKind::statement : NodeKind::other;
+}
+
 }  // namespace ticker::candidates

@@ -11,6 +11,7 @@
 
 namespace ticker::candidates {
 
+[[nodiscard]] NodeKind kindOf(CXCursorKind kind);
 /// libclang's text as one of the C++ library.
 [[nodiscard]] std::string textOf(CXString text);
 /// Where a cursor stands in the student's file; empty if it stands elsewhere.

@@ -133,8 +133,12 @@ void addStatementEdits(Edits& edits, int index) {
         for (const Range& token : edits.source().tokensIn(node.range)) {
             if (token.begin >= node.declared) break;
             const std::string_view word = edits.source().in(token);
-            if (word == "static" || word == "thread_local")
-                edits.addApart("static", index, {{{token.begin, token.end + 1}, ""}});
+            if (word != "static" && word != "thread_local") continue;
+            const Replacement drop{{token.begin, token.end + 1}, ""};
+            // A copy for every call may cost more time than there is.
+            if (node.type.starts_with("raytracer::") && !edits.isVector(index))
+                edits.addApart("static", index, {drop, {{node.declared, node.declared}, "&"}});
+            edits.addApart("static", index, {drop});
         }
     }
 }

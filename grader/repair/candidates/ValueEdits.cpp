@@ -42,20 +42,31 @@ void addNumberEdits(Edits& edits, int index) {
     const Node& node = edits.tree().at(index);
     if (node.kind != NodeKind::number || !edits.isNumber(index)) return;
     const std::string text = edits.text(index);
+    const Node& around = edits.tree().at(std::max(0, node.parent));
+    const bool isTerm =
+        around.kind == NodeKind::binary && (around.name == "+" || around.name == "-");
+    const bool isFactor =
+        around.kind == NodeKind::binary && (around.name == "*" || around.name == "/");
+    // As good as dropped, which is an edit of its own.
+    const auto isIdle = [&](std::string_view other) {
+        return (isTerm && (other == "0" || other == "0.0")) ||
+               (isFactor && (other == "1" || other == "1.0"));
+    };
     static constexpr std::array kReals{"0.0", "0.5", "1.0", "2.0"};
     static constexpr std::array kWhole{"0", "1", "2"};
     if (edits.isInteger(index)) {
         for (const char* other : kWhole)
-            edits.replace("number", index, other, true);
+            if (!isIdle(other)) edits.replace("number", index, other, true);
         int value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error == std::errc{} && end == text.data() + text.size() && value < 100'000) {
             edits.replace("number", index, std::to_string(value + 1), true);
-            if (value > 0) edits.replace("number", index, std::to_string(value - 1), true);
+            if (value > 0 && !isIdle(std::to_string(value - 1)))
+                edits.replace("number", index, std::to_string(value - 1), true);
         }
     } else {
         for (const char* other : kReals)
-            edits.replace("number", index, other, true);
+            if (!isIdle(other)) edits.replace("number", index, other, true);
         edits.replace("number", index, "std::numbers::pi", true);
     }
     edits.replace("sign", index, negated(text), false);

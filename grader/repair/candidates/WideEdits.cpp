@@ -91,7 +91,11 @@ void addReplacements(Edits& edits, int index, const Vocabulary& words) {
 }
 
 void addFactors(Edits& edits, int index, const Vocabulary& words) {
-    const std::string operand = edits.operand(index);
+    const Node& node = edits.tree().at(index);
+    const bool isProduct = node.kind == NodeKind::binary && (node.name == "*" || node.name == "/");
+    const std::string operand = isProduct ? edits.text(index) : edits.operand(index);
+    const Node& around = edits.tree().at(node.parent);
+    const bool holds = around.kind == NodeKind::binary && around.name != "*" && around.name != "/";
     const bool isPoint = edits.isType(index, "raytracer::Vector3");
     std::vector<std::string> factors = isPoint ? words.unused("double") : words.all("double");
     if (edits.isType(index, "raytracer::ColourRGB"))
@@ -99,19 +103,33 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
     if (edits.isType(index, "double")) factors.emplace_back("4.0");
     for (const std::string& factor : factors)
         if (factor != edits.text(index))
-            edits.replace("factor", index, operand + " * " + factor, false);
+            edits.replace("factor", index, operand + " * " + factor, holds);
     if (isPoint || !standsAlone(edits.tree(), index)) return;
+    if (edits.isType(index, "double"))
+        for (const std::string& point : words.all("raytracer::Vector3"))
+            for (const char* axis : {".x", ".y", ".z"})
+                edits.replace("factor", index, operand + " / " + point + axis, false);
     for (const char* type : {"double", "int"})
         for (const std::string& factor : words.all(type))
             if (factor != edits.text(index))
-                edits.replace("factor", index, operand + " / " + factor, false);
+                edits.replace("factor", index, operand + " / " + factor, holds);
+}
+
+/// A point that is moved a little along a direction.
+void addSteps(Edits& edits, int index, const Vocabulary& words) {
+    if (edits.tree().at(index).kind != NodeKind::name || !standsAlone(edits.tree(), index)) return;
+    for (const std::string& along : words.variables("raytracer::Vector3"))
+        for (const std::string& length : words.unused("double"))
+            if (along != edits.text(index))
+                edits.replace("step", index, edits.text(index) + " + " + along + " * " + length,
+                              false);
 }
 
 void addTerms(Edits& edits, int index, const Vocabulary& words) {
     const Node& node = edits.tree().at(index);
     constexpr std::size_t kMostTokens = 6;
     if (edits.source().tokensIn(node.range).size() > kMostTokens) return;
-    for (const std::string& word : words.variables(node.type)) {
+    for (const std::string& word : words.all(node.type)) {
         if (word == edits.text(index)) continue;
         if (node.kind == NodeKind::unary && node.name == "-") {
             edits.replace("term", index, word + " " + edits.text(index), false);
@@ -128,8 +146,14 @@ void addLimits(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
     const bool isNegated = node.kind == NodeKind::unary && node.name == "!";
-    if (!isNegated && node.kind != NodeKind::name) return;
-    const Node& asked = isNegated && !node.children.empty() ? tree.at(node.children.front()) : node;
+    int at = index;
+    if (isNegated && !node.children.empty()) at = node.children.front();
+    // hit.has_value()
+    while ((tree.at(at).kind == NodeKind::call || tree.at(at).kind == NodeKind::member) &&
+           tree.at(at).name == "has_value" && !tree.at(at).children.empty())
+        at = tree.at(at).children.front();
+    const Node& asked = tree.at(at);
+    if (asked.kind != NodeKind::name) return;
     if (!asked.type.starts_with("std::optional<")) return;
     const std::vector<int> variables = visibleVariables(tree, index);
     std::vector<std::string> limits;
@@ -164,7 +188,9 @@ void addWideEdits(Edits& edits, int index) {
     addReplacements(edits, index, words);
     if (edits.isInteger(index) || node.parent < 0 || !isTerm(edits.tree(), index)) return;
     if (node.kind != NodeKind::number) addFactors(edits, index, words);
-    if (edits.isType(index, "raytracer::Vector3")) addTerms(edits, index, words);
+    if (!edits.isType(index, "raytracer::Vector3")) return;
+    addTerms(edits, index, words);
+    addSteps(edits, index, words);
 }
 
 void addGuards(Edits& edits, int index) {

@@ -59,17 +59,21 @@ void answerRounds() {
         mapped(kSwitchedAnswers, PROT_READ | PROT_WRITE, MAP_SHARED);
     const std::size_t bytesEach = ticker::probe::layoutFor(questions).totalBytes;
     const std::size_t count = rounds.size() / sizeof(EditRound);
-    if (count > 1) {
+    std::size_t answered = 0;
+    const auto measure = [&] {
         std::vector<std::byte> unread(bytesEach);
         ticker::probe::fillUnanswered(unread, ticker::probe::layoutFor(questions));
         ticker::probe::respond(questions, unread);
         mostSteps = kTimesAsOften * steps + kSomeMore;
-    }
+    };
     for (std::size_t i = 0; i < count; ++i) {
         EditRound round{};
         std::memcpy(&round, rounds.data() + i * sizeof round, sizeof round);
         setSwitches(round);
-        ticker::probe::respond(questions, memory.subspan(i * bytesEach, bytesEach));
+        if (round.edits[0] == EditRound::kMeasure)
+            measure();
+        else
+            ticker::probe::respond(questions, memory.subspan(bytesEach * answered++, bytesEach));
     }
 }
 

@@ -51,9 +51,9 @@ std::vector<TaskReport> failedBefore(const std::string& task) {
 }
 
 std::optional<Proof> proofOf(const std::string& edited) {
-    double cpuMs = 0.0;
+    Clock clock{defaultSearchLimits().all};
     return prove(edited, "BumpySphere.cpp", "T1", failedBefore("T1"), tests::testGrader(), kSeed,
-                 cpuMs);
+                 clock);
 }
 
 TEST(Explain, FindsTheLineOfAWrongSignAndProvesTheEdit) {
