@@ -24,6 +24,7 @@ TaskExplanation::TaskExplanation(Workbench& workbench, const TaskReport& task,
     : workbench_(workbench), task_(task), setting_(setting), finding_(firstFailure(task)) {}
 
 std::vector<Repair> TaskExplanation::run(double endMs) {
+    endMs_ = endMs;
     const SearchLimits& limits = setting_.limits;
     const double beginMs = setting_.clock.cpuMs();
     const std::pair<double, std::function<Repairs()>> steps[] = {
@@ -39,7 +40,7 @@ std::vector<Repair> TaskExplanation::run(double endMs) {
         setting_.clock.runUntil(beginMs + share * (endMs - beginMs));
         Repairs repairs = step();
         if (!repairs.empty()) return repairs;
-        wasCutOff_ = wasCutOff_ || setting_.clock.isOver();
+        wasCutOff_ = wasCutOff_ || setting_.clock.cpuMs() > beginMs + share * (endMs - beginMs);
     }
     return {};
 }
@@ -54,9 +55,11 @@ std::size_t TaskExplanation::asked() const {
 TaskExplanation::Repairs TaskExplanation::noLongerStatic() {
     Bench* bench = workbench_.bench(Reach::simple);
     if (bench == nullptr) return {};
-    return proven(*bench, withoutSwitch(bench->candidates, [this](const Atom& atom) {
-        return atom.kind == "static" && !isOfAnotherTask(atom.function);
-    }));
+    for (const EditSet& set : withoutSwitch(bench->candidates, [this](const Atom& atom) {
+             return atom.kind == "static" && !isOfAnotherTask(atom.function);
+         }))
+        if (Repairs repairs = proven(*bench, {set}); !repairs.empty()) return repairs;
+    return {};
 }
 
 TaskExplanation::Repairs TaskExplanation::compiledApart() {
@@ -70,7 +73,12 @@ TaskExplanation::Repairs TaskExplanation::compiledApart() {
 TaskExplanation::Repairs TaskExplanation::anyOf(Reach reach, MakeSets make) {
     Bench* bench = workbench_.bench(reach);
     if (bench == nullptr) return {};
-    const auto sets = make(workbench_.source(), bench->candidates, choice());
+    std::vector<EditSet> sets = make(workbench_.source(), bench->candidates, choice());
+    // Code that crashes mostly lacks a bound.
+    if (finding_.starts_with("run."))
+        std::ranges::stable_partition(sets, [&](const EditSet& set) {
+            return bench->candidates.atoms[set.front()].kind == "bound";
+        });
     return proven(*bench, searchOf(reach, *bench).passing(sets, 2 * kMostRepairs - 1));
 }
 
@@ -102,6 +110,8 @@ TaskExplanation::Repairs TaskExplanation::proven(const Bench& bench,
                                                  const std::vector<EditSet>& sets) {
     Repairs repairs;
     std::set<std::string> known;
+    // What was found is proven even where the time for finding more has ended.
+    setting_.clock.runUntil(endMs_);
     for (const EditSet& set : sets) {
         const auto edited = withEdits(workbench_.source(), textEdits(bench.candidates, set));
         if (repairs.size() == kMostRepairs || setting_.clock.isOver()) break;

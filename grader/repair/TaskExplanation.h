@@ -66,6 +66,7 @@ private:
     Setting setting_;
     std::string finding_;
     std::map<Reach, Search> searches_;
+    double endMs_ = 0.0;
     bool wasCutOff_ = false;
 };
 

@@ -106,7 +106,7 @@ void addTermEdits(Edits& edits, int index) {
 void addSiblingEdits(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
-    if (!node.isExpression || node.kind == NodeKind::parentheses) return;
+    if (!node.isExpression || node.kind == NodeKind::parentheses || isCounting(node)) return;
     if (!edits.isNumber(index) && !edits.isVector(index)) return;
     constexpr std::size_t kMostTokens = 14;
     constexpr std::size_t kMost = 8;

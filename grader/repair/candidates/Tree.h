@@ -57,6 +57,11 @@ struct Node {
     bool returnsOptional = false;  ///< a function that does
 };
 
+/// ++ or --.
+[[nodiscard]] inline bool isCounting(const Node& node) {
+    return node.kind == NodeKind::unary && (node.name == "++" || node.name == "--");
+}
+
 struct Diagnostic {
     std::size_t offset = 0;
     bool isError = false;

@@ -74,7 +74,8 @@ void addNumberEdits(Edits& edits, int index) {
 
 void addNameEdits(Edits& edits, int index) {
     const Node& node = edits.tree().at(index);
-    if (node.kind != NodeKind::name) return;
+    const bool isCounted = node.parent >= 0 && isCounting(edits.tree().at(node.parent));
+    if (node.kind != NodeKind::name || isCounted) return;
     if (!edits.isNumber(index) && !edits.isVector(index)) return;
     constexpr std::size_t kMost = 6;
     std::vector<int> others = visibleVariables(edits.tree(), index);

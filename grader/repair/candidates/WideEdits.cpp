@@ -44,6 +44,12 @@ public:
             if (quantity.type == type) texts.push_back(quantity.text);
         return texts;
     }
+    /// Points and directions, used or not.
+    [[nodiscard]] std::vector<std::string> points() const {
+        std::vector<std::string> texts = variables("raytracer::Vector3");
+        texts.insert(texts.end(), points_.begin(), points_.end());
+        return texts;
+    }
     [[nodiscard]] std::vector<std::string> all(std::string_view type) const {
         std::vector<std::string> texts = variables(type);
         std::ranges::move(unused(type), std::back_inserter(texts));
@@ -52,12 +58,14 @@ public:
 
 private:
     void addUnused(const Quantity& quantity, std::string_view used) {
+        if (quantity.type == "raytracer::Vector3") points_.push_back(quantity.text);
         if (used.find(quantity.text) == std::string_view::npos) unused_.push_back(quantity);
     }
 
     const Edits& edits_;
     std::vector<Quantity> variables_;
     std::vector<Quantity> unused_;
+    std::vector<std::string> points_;
 };
 
 /// Whether a node is a whole initialiser, value or argument.
@@ -106,7 +114,7 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
             edits.replace("factor", index, operand + " * " + factor, holds);
     if (isPoint || !standsAlone(edits.tree(), index)) return;
     if (edits.isType(index, "double"))
-        for (const std::string& point : words.all("raytracer::Vector3"))
+        for (const std::string& point : words.points())
             for (const char* axis : {".x", ".y", ".z"})
                 edits.replace("factor", index, operand + " / " + point + axis, false);
     for (const char* type : {"double", "int"})
@@ -129,7 +137,7 @@ void addTerms(Edits& edits, int index, const Vocabulary& words) {
     const Node& node = edits.tree().at(index);
     constexpr std::size_t kMostTokens = 6;
     if (edits.source().tokensIn(node.range).size() > kMostTokens) return;
-    for (const std::string& word : words.all(node.type)) {
+    for (const std::string& word : words.points()) {
         if (word == edits.text(index)) continue;
         if (node.kind == NodeKind::unary && node.name == "-") {
             edits.replace("term", index, word + " " + edits.text(index), false);
@@ -182,7 +190,8 @@ void addLimits(Edits& edits, int index) {
 void addWideEdits(Edits& edits, int index) {
     const Node& node = edits.tree().at(index);
     addLimits(edits, index);
-    if (!node.isExpression || node.kind == NodeKind::parentheses) return;
+    if (!node.isExpression || node.kind == NodeKind::parentheses || isCounting(node)) return;
+    if (node.parent >= 0 && isCounting(edits.tree().at(node.parent))) return;
     if (!edits.isNumber(index) && !edits.isVector(index)) return;
     const Vocabulary words{edits, index};
     addReplacements(edits, index, words);

@@ -3,7 +3,7 @@
 #include <grader/tasks/lens/JudgeDepthOfField.h>
 #include <grader/tasks/lens/answers/LensLog.h>
 #include <grader/tasks/lens/questions/LensQuestions.h>
-#include <grader/tasks/support/Checks.h>
+#include <grader/tasks/support/FindingText.h>
 #include <grader/tasks/support/Stages.h>
 
 #include <memory>
@@ -16,10 +16,11 @@ Screening screenLens(std::uint64_t seed) {
                 const auto* answer = answeredBy<probe::RenderAnswer>(run);
                 if (answer == nullptr || answer->wrongSize) return false;
                 const LensLog log = readLensLog(*asked, *answer);
-                // Pictures without rays take a second to judge: edits that hide the rays, and those
-                // of code whose rays are hidden, are left out.
-                if (log.cut || log.rayCount() == 0) return false;
-                return !hasFailure(judgeDepthOfField(log, log).findings);
+                const LensOutcome outcome = judgeDepthOfField(log, log);
+                // Pictures without rays take seconds to judge: edits that hide rays, and those of
+                // code whose rays are hidden, are left out.
+                const bool isHidden = outcome.rayless || outcome.valueless || outcome.cut;
+                return !isHidden && !hasFailure(outcome.findings);
             }};
 }
 
