@@ -15,8 +15,9 @@ constexpr std::array kOperators{
     Exchange{"+", "-"},   Exchange{"-", "+"},   Exchange{"*", "/"},   Exchange{"/", "*"},
     Exchange{"<", "<="},  Exchange{"<", ">"},   Exchange{">", ">="},  Exchange{">", "<"},
     Exchange{"<=", "<"},  Exchange{"<=", ">="}, Exchange{">=", ">"},  Exchange{">=", "<="},
-    Exchange{"==", "!="}, Exchange{"!=", "=="}, Exchange{"&&", "||"}, Exchange{"||", "&&"},
-    Exchange{"+=", "-="}, Exchange{"-=", "+="}, Exchange{"=", "+="},  Exchange{"+=", "="}};
+    Exchange{"<=", "=="}, Exchange{">=", "=="}, Exchange{"==", "!="}, Exchange{"!=", "=="},
+    Exchange{"&&", "||"}, Exchange{"||", "&&"}, Exchange{"+=", "-="}, Exchange{"-=", "+="},
+    Exchange{"=", "+="},  Exchange{"+=", "="}};
 
 bool isOneOf(std::string_view name, std::initializer_list<std::string_view> names) {
     for (const std::string_view one : names)
@@ -38,9 +39,9 @@ Range operatorOf(const Edits& edits, const Node& node) {
 void dropOneSide(Edits& edits, int index, const Node& node) {
     const int left = node.children[0];
     const int right = node.children[1];
-    if (!isOneOf(node.name, {"+", "-", "*", "/", "%", "&&", "||"})) return;
+    if (!isOneOf(node.name, {"+", "-", "*", "/", "%", "&&", "||", "&", "|", "<<", ">>"})) return;
     edits.replaceBy("drop", index, left);
-    if (isOneOf(node.name, {"/", "%"})) return;
+    if (isOneOf(node.name, {"/", "%", "<<", ">>"})) return;
     edits.replaceBy("drop", index, right);
     if (node.name == "-") edits.replace("drop", index, "-" + edits.operand(right), false);
 }

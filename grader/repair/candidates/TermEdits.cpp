@@ -137,7 +137,7 @@ void addStatementEdits(Edits& edits, int index) {
             const Replacement drop{{token.begin, token.end + 1}, ""};
             // A copy for every call may cost more time than there is.
             if (node.type.starts_with("raytracer::") && !edits.isVector(index))
-                edits.addApart("static", index, {drop, {{node.declared, node.declared}, "&"}});
+                edits.addApart("static", index, {drop, {{node.declared - 1, node.declared}, "& "}});
             edits.addApart("static", index, {drop});
         }
     }

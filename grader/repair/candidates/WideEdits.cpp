@@ -76,11 +76,20 @@ bool standsAlone(const Tree& tree, int index) {
            (around.kind == NodeKind::call && around.children.front() != index);
 }
 
-/// Whether a node is whole, a term of a sum, or what a method is called for.
-bool isTerm(const Tree& tree, int index) {
-    const Node& around = tree.at(tree.at(index).parent);
-    if (around.kind == NodeKind::binary)
-        return around.name != "*" && around.name != "/" && around.name != "=";
+/// Whether a line ends between two places.
+bool goesOn(const Edits& edits, std::size_t begin, std::size_t end) {
+    return edits.source().in({begin, end}).find('\n') != std::string_view::npos;
+}
+
+/// Whether a node is whole, a term of a sum, what a method is called for, or the first line of a
+/// product.
+bool isTerm(const Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    const Node& around = tree.at(node.parent);
+    if (around.kind == NodeKind::binary && (around.name == "*" || around.name == "/"))
+        return around.children.front() == index && goesOn(edits, node.range.end, around.range.end);
+    if (around.kind == NodeKind::binary) return around.name != "=";
     return around.kind == NodeKind::member || standsAlone(tree, index);
 }
 
@@ -91,7 +100,8 @@ void addReplacements(Edits& edits, int index, const Vocabulary& words) {
                          node.kind == NodeKind::member || node.kind == NodeKind::call ||
                          node.kind == NodeKind::unary;
     if (!isSmall || edits.source().tokensIn(node.range).size() > kMostTokens) return;
-    for (const std::string& word : words.all(node.type))
+    const bool isPoint = edits.isType(index, "raytracer::Vector3");
+    for (const std::string& word : isPoint ? words.points() : words.all(node.type))
         edits.replace("word", index, word, true);
     if (edits.isType(index, "double") && node.kind == NodeKind::number)
         for (const std::string& word : words.unused("int"))
@@ -190,12 +200,14 @@ void addLimits(Edits& edits, int index) {
 void addWideEdits(Edits& edits, int index) {
     const Node& node = edits.tree().at(index);
     addLimits(edits, index);
+    if (node.isExpression && edits.text(index) == "nullptr")
+        edits.add("word", edits.tree().topOf(index), {{node.range, "this"}});
     if (!node.isExpression || node.kind == NodeKind::parentheses || isCounting(node)) return;
     if (node.parent >= 0 && isCounting(edits.tree().at(node.parent))) return;
     if (!edits.isNumber(index) && !edits.isVector(index)) return;
     const Vocabulary words{edits, index};
     addReplacements(edits, index, words);
-    if (edits.isInteger(index) || node.parent < 0 || !isTerm(edits.tree(), index)) return;
+    if (edits.isInteger(index) || node.parent < 0 || !isTerm(edits, index)) return;
     if (node.kind != NodeKind::number) addFactors(edits, index, words);
     if (!edits.isType(index, "raytracer::Vector3")) return;
     addTerms(edits, index, words);

@@ -91,6 +91,52 @@ TEST(Explain, EveryEditThatItShowsMakesTheTaskPass) {
     }
 }
 
+TEST(Explain, MendsTheSameMistakeAtBothOfItsPlaces) {
+    const corpus::Entry entry = mistake("T2.2", "off-centre-quarter");
+    const std::string text = corpus::textsOf(entry).at("Renderer.cpp");
+    const auto [result, explanation] = explained(handedIn("Renderer.cpp", text));
+
+    ASSERT_FALSE(explanation.repairs.empty());
+    ASSERT_EQ(explanation.repairs.front().edits.size(), 1U);
+    const std::string& to = explanation.repairs.front().edits.front().to;
+    const std::string bound = "randomBetween(-settings().dofAmount, settings().dofAmount)";
+    EXPECT_NE(to.find(bound + ", " + bound), std::string::npos) << to;
+}
+
+TEST(Explain, PutsInWhatTheFunctionCouldName) {
+    const corpus::Entry entry = mistake("T2.2", "focal-distance");
+    const std::string text = corpus::textsOf(entry).at("Renderer.cpp");
+    const auto [result, explanation] = explained(handedIn("Renderer.cpp", text));
+
+    ASSERT_FALSE(explanation.repairs.empty());
+    EXPECT_NE(explanation.repairs.front().edits.front().to.find("/ pinholeRay.direction.z"),
+              std::string::npos);
+}
+
+TEST(Explain, KeepsAReferenceToWhatWasRemembered) {
+    const corpus::Entry entry = mistake("T1", "map-remembered");
+    const std::string text = corpus::textsOf(entry).at("BumpySphere.cpp");
+    const auto [result, explanation] = explained(handedIn("BumpySphere.cpp", text));
+
+    ASSERT_FALSE(explanation.repairs.empty());
+    EXPECT_NE(explanation.repairs.front().edits.front().to.find("const HeightMap& map"),
+              std::string::npos);
+}
+
+TEST(Explain, SaysThatItsTimeEnded) {
+    const corpus::Entry entry = mistake("T1", "tangents-of-another-axis");
+    const std::string text = corpus::textsOf(entry).at("BumpySphere.cpp");
+    const intake::Submission submission = handedIn("BumpySphere.cpp", text);
+    const pipeline::Grader& grader = tests::testGrader();
+    const SubmissionResult result = pipeline::gradeSubmission(submission, grader, kSeed);
+    SearchLimits limits = defaultSearchLimits();
+    limits.all.cpuSeconds = 1.0;
+    const Explanation explanation = explain(submission, grader, result, kSeed + 1, limits);
+
+    EXPECT_TRUE(explanation.repairs.empty());
+    EXPECT_EQ(explanation.cutOff, std::vector<std::string>{"T1"});
+}
+
 TEST(Explain, RunsNothingForARightSubmission) {
     const auto [result, explanation] =
         explained(handedIn("BumpySphere.cpp", reference("BumpySphere.cpp")));
