@@ -4,8 +4,8 @@
 #include <grader/cli/verbs/Verb.h>
 #include <grader/corpus/Entry.h>
 #include <grader/lab/LabVerbs.h>
-#include <grader/lab/calibrate/Record.h>
 #include <grader/lab/repairs/RepairCampaign.h>
+#include <grader/lab/repairs/RepairRecord.h>
 
 #include <CLI/CLI.hpp>
 
@@ -24,7 +24,7 @@ namespace {
 struct RepairsOptions {
     lab::RepairChoice choice;
     bool report = false;
-    std::string record = "build/repairs";
+    std::string record = "build/repairs.jsonl";
     std::string write;
     GradeOptions grade;
 };
@@ -38,21 +38,27 @@ std::string timeLeft(std::chrono::steady_clock::duration spent, std::size_t done
     return fmt::format("{}:{:02} left", whole / 60, whole % 60);
 }
 
-/// Runs what is not in the record, and prints each row when it is there.
-void runMissing(lab::RepairCampaign& campaign, calibrate::Record& record) {
+/// The rows of all units. Those that are not in the record are run, unless only a report is asked
+/// for, and printed when they are there.
+std::vector<lab::RepairRow> rowsOf(const lab::RepairCampaign& campaign, lab::RepairRecord& record,
+                                   bool isReport) {
     const auto begin = std::chrono::steady_clock::now();
-    const std::size_t already = record.size();
-    for (std::size_t unit = 0; unit < campaign.units(); ++unit) {
-        if (record.has(unit)) continue;
-        const std::string row = campaign.run(unit);
-        record.add(unit, row);
+    std::vector<lab::RepairRow> rows;
+    std::size_t run = 0;
+    for (std::size_t unit = 0; unit < campaign.size(); ++unit) {
+        if (const lab::RepairRow* known = record.find(campaign.nameOf(unit))) {
+            rows.push_back(*known);
+            continue;
+        }
+        if (isReport) continue;
+        rows.push_back(campaign.run(unit));
+        record.add(rows.back());
         const std::string left =
-            timeLeft(std::chrono::steady_clock::now() - begin, record.size() - already,
-                     campaign.units() - record.size());
-        fmt::print("{}/{}, {}: {}\n", record.size(), campaign.units(), left,
-                   lab::lineOf(lab::rowOf(row)));
+            timeLeft(std::chrono::steady_clock::now() - begin, ++run, campaign.size() - unit - 1);
+        fmt::print("{}/{}, {}: {}\n", unit + 1, campaign.size(), left, lab::lineOf(rows.back()));
         std::fflush(stdout);
     }
+    return rows;
 }
 
 std::vector<lab::RepairRow> rowsOf(const Exercise& exercise, const RepairsOptions& options) {
@@ -61,13 +67,9 @@ std::vector<lab::RepairRow> rowsOf(const Exercise& exercise, const RepairsOption
     const pipeline::Grader grader = makeGrader(grade);
     const auto entries =
         corpus::readEntries(Home::find().data, {"mistakes", "unseen", "samples"}, exercise);
-    lab::RepairCampaign campaign{grader, entries, options.choice, seedOf(options.grade)};
-    calibrate::Record record{options.record, campaign};
-    if (!options.report) runMissing(campaign, record);
-    std::vector<lab::RepairRow> rows;
-    for (const std::string& row : record.all())
-        rows.push_back(lab::rowOf(row));
-    return rows;
+    const lab::RepairCampaign campaign{grader, entries, options.choice, seedOf(options.grade)};
+    lab::RepairRecord record{options.record};
+    return rowsOf(campaign, record, options.report);
 }
 
 raytracer::ExitCode repairs(const RepairsOptions& options) {
@@ -101,7 +103,7 @@ Run addRepairsLab(CLI::App& app, const GlobalOptions& /*global*/) {
     verb->add_option("--fraction", options->choice.fraction, "Share of the entries to run")
         ->check(CLI::Range(0.0, 1.0));
     verb->add_option("--record", options->record,
-                     "Folder that keeps every finished row, to go on after a stop");
+                     "File that keeps every finished row, to go on after a stop");
     verb->add_flag("--report", options->report, "Run nothing: the tables of the record so far");
     verb->add_option("--write", options->write, "Writes the tables as a document");
     verb->add_option("--exercise", options->grade.exercise, "Only this exercise; otherwise all");

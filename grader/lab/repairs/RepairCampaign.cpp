@@ -119,16 +119,16 @@ RepairCampaign::RepairCampaign(const pipeline::Grader& grader,
     }
 }
 
-std::string RepairCampaign::name() const {
-    return "repairs-" + grader_.exercise->name;
+std::string RepairCampaign::nameOf(std::size_t unit) const {
+    const Unit& one = units_.at(unit);
+    RepairRow row;
+    row.collection = one.entry.collection;
+    row.task = one.task;
+    row.name = one.entry.name;
+    return lab::nameOf(row);
 }
 
-std::string RepairCampaign::unitName(std::size_t unit) const {
-    const corpus::Entry& entry = units_.at(unit).entry;
-    return fmt::format("{}/{}/{}", entry.collection, entry.group, entry.name);
-}
-
-std::string RepairCampaign::run(std::size_t unit) {
+RepairRow RepairCampaign::run(std::size_t unit) const {
     const auto& [entry, task] = units_.at(unit);
     intake::Submission submission;
     submission.name = entry.name;
@@ -158,14 +158,7 @@ std::string RepairCampaign::run(std::size_t unit) {
         row.isOneEdit = isOneEdit(entry);
         row.isRightLine = row.isRepaired && isInside(*first, right, texts.at(file));
     }
-    return jsonOf(row);
-}
-
-calibrate::Summary RepairCampaign::summarise(const std::vector<std::string>& records) const {
-    std::vector<RepairRow> rows;
-    for (const std::string& record : records)
-        rows.push_back(rowOf(record));
-    return {tableOf(rows), true};
+    return row;
 }
 
 }  // namespace ticker::lab

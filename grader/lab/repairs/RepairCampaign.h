@@ -2,10 +2,10 @@
 #define TICKER_LAB_REPAIRS_REPAIRCAMPAIGN_H
 
 #include <grader/corpus/Entry.h>
-#include <grader/lab/calibrate/Campaign.h>
 #include <grader/lab/repairs/RepairTables.h>
 #include <grader/pipeline/Grade.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,20 +20,18 @@ struct RepairChoice {
     double fraction = 1.0;           ///< every so many of them
 };
 
-/// A unit grades one wrong submission of an exercise's corpus and looks for edits that mend it.
-class RepairCampaign final : public calibrate::Campaign {
+/// The wrong submissions of an exercise's corpus that fail one task.
+class RepairCampaign {
 public:
     /// @param grader  Must outlive this object.
     RepairCampaign(const pipeline::Grader& grader, const std::vector<corpus::Entry>& entries,
                    const RepairChoice& choice, std::uint64_t seed);
 
-    [[nodiscard]] std::string name() const override;
-    [[nodiscard]] std::size_t units() const override { return units_.size(); }
-    [[nodiscard]] std::string unitName(std::size_t unit) const override;
-    [[nodiscard]] std::vector<std::size_t> checkUnits() const override { return {}; }
-    [[nodiscard]] std::string run(std::size_t unit) override;
-    [[nodiscard]] calibrate::Summary summarise(
-        const std::vector<std::string>& records) const override;
+    [[nodiscard]] std::size_t size() const { return units_.size(); }
+    /// Its name among those of all exercises: the same as that of its row.
+    [[nodiscard]] std::string nameOf(std::size_t unit) const;
+    /// Grades one and looks for edits that mend it.
+    [[nodiscard]] RepairRow run(std::size_t unit) const;
 
 private:
     struct Unit {

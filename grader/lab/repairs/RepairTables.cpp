@@ -40,6 +40,10 @@ std::string percent(std::size_t part, std::size_t whole) {
 
 }  // namespace
 
+std::string nameOf(const RepairRow& row) {
+    return row.collection + "/" + row.task + "/" + row.name;
+}
+
 std::string jsonOf(const RepairRow& row) {
     return nlohmann::json{{"collection", row.collection},
                           {"task", row.task},

@@ -25,6 +25,8 @@ struct RepairRow {
     std::string edit;        ///< the first edit in words: "line 40: a + b -> a - b"
 };
 
+/// The name of its submission among those of all exercises.
+[[nodiscard]] std::string nameOf(const RepairRow& row);
 /// A row as a line of the record, and back.
 [[nodiscard]] std::string jsonOf(const RepairRow& row);
 /// @throws raytracer::InputError if it is none.
