@@ -96,7 +96,7 @@ function showSheet() {
   cards = new Map();
   const ids = findingsOfGroup(filter.group).join(", ");
   fill(make("h1", {}, `Contact sheet: ${filter.group ? ids || "nothing was found" : "all that the list shows"}`),
-    make("p", {}, "What is ticked is decided by ", make("kbd", {}, "a"), " or ", make("kbd", {}, "n"), ". ",
+    make("p", {}, "Award and Not yet decide about all that are ticked, once each of them was on the screen. ",
       button("Tick all undecided", () => pick(isOpen)), " ", button("Tick none", () => pick(() => false)), " ",
       button("Groups", () => open("groups"))),
     make("ul", { class: "sheet" }, ...listed().map(sheetCard)));

@@ -1,7 +1,7 @@
 // The summary: counts of decisions, by ruling and by ticker.
 import { button, clock, countBy, make, table, words } from "./dom.js";
 import { entries, isOverruled, model, standing } from "./model.js";
-import { setFilter, showWholeList } from "./list.js";
+import { listed, setFilter, showWholeList } from "./list.js";
 import { goOn } from "./submission.js";
 import { fill, open, register } from "./views.js";
 
@@ -28,7 +28,7 @@ function show() {
   const undecided = all.filter((entry) => ruling(entry) === "undecided");
   const isListDone = undecided.length > 0 && undecided.every((entry) => entry.row.hidden);
   fill(make("h1", {}, undecided.length === 0 ? "All are decided"
-    : isListDone ? "All that the list shows are decided" : "How far you are"),
+    : listed().length === 0 ? "The list shows no submission" : isListDone ? "All that the list shows are decided" : "How far you are"),
     make("p", { class: "counts" }, ["awarded", "notYet", "undecided"]
       .map((word) => `${all.filter((entry) => ruling(entry) === word).length} ${words[word]}`).join(", "),
       ` of ${all.length}.`),

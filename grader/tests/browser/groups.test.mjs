@@ -305,7 +305,7 @@ test("killed twenty times while it decides, the session loses nothing", async ()
 });
 
 test("every view fits a phone, and its footer leaves room", async () => {
-  const session = await startSession(makeClass(10));
+  const session = await startSession(makeClass(25));
   const { page } = await openSession(browser, session, { width: 420, height: 850 });
   await shown(page);
   assert.ok(await page.evaluate(() => document.querySelector(".decide").offsetHeight) <= 90);
@@ -315,6 +315,10 @@ test("every view fits a phone, and its footer leaves room", async () => {
     assert.equal(await overflow(page), 0, view);
     assert.deepEqual(await accessibilityFaults(page), [], view);
   }
+  await page.evaluate(() => { location.hash = "find=no-such-name&view=summary"; });
+  await page.getByRole("heading", { name: "The list shows no submission" }).waitFor();
+  await page.locator("[data-act=wholeList]").last().click();
+  await shown(page);
   await page.locator("[data-act=list]").click();
   assert.ok(await page.locator(".list li:visible").count() >= 10);
   await page.locator(".list button").nth(2).click();

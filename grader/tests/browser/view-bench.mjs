@@ -1,5 +1,5 @@
-// The viewer's figures, of a built package of a student with the model answer (view-kit.sh):
-//   TICKER_VIEW_KIT=KIT node view-bench.mjs
+// The viewer's figures, `./tick bench view [--json FILE]`, of a built package of a student with the model
+// answer (view-kit.sh): TICKER_VIEW_KIT.
 // Times of the clock; the cost of rendering is processor time, which other programs do not change much.
 import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
@@ -9,7 +9,11 @@ import { launchBrowser } from "./harness.mjs";
 import { clickPixel, exerciseFile, finished, kit, openViewer, startViewer } from "./viewer.mjs";
 
 const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
-const say = (what, value, wanted) => console.log(`${what.padEnd(58)} ${value.padStart(12)}   (${wanted})`);
+const figures = [];
+function say(name, value, unit, wanted) {
+  figures.push({ name, value, unit });
+  console.log(`${name.padEnd(58)} ${`${value.toFixed(0)} ${unit}`.padStart(12)}   (${wanted})`);
+}
 const scene = ["scenes/distributed.xml", "--seed", "1"];
 
 /// Seconds of the processor that the process which renders has had.
@@ -44,7 +48,7 @@ function compileSeconds() {
 const browser = await launchBrowser();
 const firsts = [];
 for (let i = 0; i < 5; ++i) firsts.push(await firstPicture());
-say("start of the program to the first picture", `${median(firsts).toFixed(0)} ms`, "200 ms");
+say("start of the program to the first picture", median(firsts), "ms", "at most 200");
 
 const viewer = await startViewer(...scene);
 const { page } = await openViewer(browser, viewer);
@@ -53,7 +57,7 @@ const withView = workerSeconds();
 const plain = spawnSync("bash", ["-c",
   `TIMEFORMAT=%U; time build/tick1star -i scenes/distributed.xml -o ${join(kit, "build/bench.png")} --seed 1 -q`], { cwd: kit });
 const without = Number(plain.stderr.toString().trim());
-say("rendering, speed with the viewer", `${(100 * without / withView).toFixed(0)} %`, "at least 90 %");
+say("rendering, speed with the viewer", 100 * without / withView, "%", "at least 90");
 
 await clickPixel(page, 0.5, 0.6);
 const clicks = await page.evaluate(async () => {
@@ -66,7 +70,7 @@ const clicks = await page.evaluate(async () => {
   }
   return { times, count: rays.drawing.data.rays.length };
 });
-say(`click to drawn rays (${clicks.count} rays)`, `${median(clicks.times).toFixed(0)} ms`, "100 ms for 1,000");
+say(`click to ${clicks.count} drawn rays`, median(clicks.times), "ms", "at most 100 for 1,000");
 
 const frames = await page.evaluate(async () => {
   const { data } = rays.drawing;
@@ -82,7 +86,7 @@ const frames = await page.evaluate(async () => {
   }
   return count / ((performance.now() - start) / 1000);
 });
-say("turning 5,000 rays", `${frames.toFixed(0)} frames/s`, "30 frames/s");
+say("turning 5,000 rays", frames, "frames/s", "at least 30");
 
 const source = await readFile(exerciseFile, "utf8");
 const beyond = [];
@@ -102,5 +106,7 @@ for (let i = 1; i <= 3; ++i) {
   compiles.push(compileSeconds());
 }
 await writeFile(exerciseFile, source);
-say("save to new picture, beyond the compiler", `${(median(beyond) - median(compiles)).toFixed(0)} ms`, "500 ms");
+say("save to new picture, beyond the compiler", median(beyond) - median(compiles), "ms", "at most 500");
 await browser.close();
+const [option, file] = process.argv.slice(2);
+if (option === "--json") await writeFile(file, `${JSON.stringify(figures, null, 1)}\n`);
