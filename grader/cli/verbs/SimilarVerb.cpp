@@ -55,7 +55,7 @@ similar::ComparedFile compared(const fs::path& out, const std::string& file,
     return result;
 }
 
-void print(const similar::ComparedFile& file) {
+void printPairs(const similar::ComparedFile& file) {
     for (const similar::SimilarPair& pair : file.comparison.pairs)
         fmt::print("{:>3} %  {}  {} and {}\n", pair.percent, file.name,
                    report::escapeLine(file.files[pair.left].submission),
@@ -71,7 +71,7 @@ raytracer::ExitCode findSimilar(const SimilarOptions& options, const GlobalOptio
     for (const std::string& file : exercise.files())
         all.push_back(compared(out, file, entries, exercise, options.leastPercent));
     for (const similar::ComparedFile& file : all)
-        print(file);
+        printPairs(file);
     writeAtomically(similar::similarPage(all), out / "similar.html");
     writeAtomically(similar::similarJson(all), out / "similar.json");
     if (!global.quiet) fmt::print(stderr, "open {}\n", (out / "similar.html").string());
