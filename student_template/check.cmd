@@ -9,8 +9,8 @@ if errorlevel 1 (
   exit /b 2
 )
 if "%~1"=="--view" (
-  if not exist build\tick1star.exe cmake -P cmake/check.cmake -- --build
-  build\tick1star.exe --view %2
+  if not exist build\release\program cmake -P cmake/check.cmake -- --build
+  for /f %%p in (build\release\program) do build\%%p.exe --view %2
   exit /b
 )
 if not exist build mkdir build

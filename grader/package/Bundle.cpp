@@ -1,5 +1,6 @@
 #include <grader/package/Bundle.h>
 
+#include <grader/base/Digest.h>
 #include <grader/base/WholeFile.h>
 
 #include <raytracer/base/Error.h>
@@ -101,15 +102,33 @@ std::string prepareScript(const Parts& parts) {
     return replaced(std::move(text), "@LINK@", quoted(parts.linkFlags));
 }
 
+/// One option's files are enough.
+std::string handInWords(const Exercise& exercise) {
+    std::vector<std::string> files;
+    for (const std::string& file : exercise.files())
+        files.push_back("<code>" + file + "</code>");
+    std::string text = "Hand in " + enumerated(files, exercise.options.size() > 1 ? "or" : "and");
+    if (exercise.hasScreenshot())
+        text += ", and <code>screenshot.png</code> from the scene that the handout names";
+    return text + ".";
+}
+
+/// A course may have a question for each exercise, and PrairieLearn tells them apart by this.
+std::string questionId(const Exercise& exercise) {
+    std::string id = Digest{}.add("question").add(exercise.name).text();
+    for (const std::size_t at : {20, 16, 12, 8})
+        id.insert(at, "-");
+    return id;
+}
+
 }  // namespace
 
 std::string integration(const Parts& parts, const std::string& name) {
-    std::vector<std::string> files;
-    for (const std::string& file : parts.exercise.files())
-        files.push_back("<code>" + file + "</code>");
     std::string text = readWhole(parts.data / "grader" / "integrations" / name);
     text = replaced(std::move(text), "@EXERCISE@", parts.exercise.name);
-    text = replaced(std::move(text), "@FILES@", enumerated(files, "or"));
+    text = replaced(std::move(text), "@TITLE@", parts.exercise.title);
+    text = replaced(std::move(text), "@UUID@", questionId(parts.exercise));
+    text = replaced(std::move(text), "@HANDIN@", handInWords(parts.exercise));
     return replaced(std::move(text), "@PARTS@",
                     fmt::format("{}", fmt::join(parts.exercise.parts(), ", ")));
 }

@@ -15,12 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // The parts are listed one by one, so that build folders and the like are left out.
-constexpr std::array kFolders{"cmake", "framework"};
-constexpr std::array kFiles{".clangd", "CMakePresets.json"};
-// Parts that an exercise with an overlay replaces by its own.
-constexpr std::array kOwnFolders{".devcontainer", ".vscode", "tests"};
-constexpr std::array kOwnFiles{"CMakeLists.txt", "README.md",  "check",
-                               "check.cmd",      "check.json", "vcpkg.json"};
+constexpr std::array kFolders{".devcontainer", ".vscode", "cmake", "framework", "tests"};
+constexpr std::array kFiles{".clangd", "CMakeLists.txt", "CMakePresets.json", "README.md",
+                            "check",   "check.cmd",      "check.json",        "vcpkg.json"};
 // CMake file that builds an overlay beside the framework in this project; packages leave it out.
 constexpr std::string_view kWholeKit = "WholeKit.cmake";
 
@@ -51,23 +48,23 @@ private:
     void addTemplate() {
         const fs::path folder = data_ / "student_template";
         std::map<std::string, fs::path> files;
-        const auto add = [&](const auto& folders, const auto& names) {
-            for (const char* name : folders)
-                collect(folder, folder / name, files);
-            for (const char* name : names)
-                files[name] = folder / name;
-        };
-        add(kFolders, kFiles);
-        if (exercise_.overlay.empty()) {
-            add(kOwnFolders, kOwnFiles);
-        } else {
-            const std::string leftOut = "framework/src/" + exercise_.leftOut + "/";
-            std::erase_if(files, [&](const auto& one) { return one.first.starts_with(leftOut); });
+        for (const char* name : kFolders)
+            collect(folder, folder / name, files);
+        for (const char* name : kFiles)
+            files[name] = folder / name;
+        if (!exercise_.overlay.empty()) {
+            std::erase_if(files, [&](const auto& one) { return isLeftOut(one.first); });
             collect(data_ / exercise_.overlay, data_ / exercise_.overlay, files);
         }
         collect((data_ / exercise_.stubs).parent_path(), data_ / exercise_.stubs, files);
         for (const auto& [name, file] : files)
             if (!name.ends_with(kWholeKit)) zip_.addFile(root_ + name, file);
+    }
+
+    /// True for what students write themselves, and for the public tests of another exercise.
+    [[nodiscard]] bool isLeftOut(const std::string& name) const {
+        return name.starts_with("framework/src/" + exercise_.leftOut + "/") ||
+               (name.starts_with("tests/") && !name.starts_with("tests/support/"));
     }
 
     /// Adds the files below `folder`, under their paths in `top`; a later file replaces an earlier

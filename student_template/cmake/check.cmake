@@ -13,6 +13,7 @@ if(NOT EXISTS "${here}/scenes")
   set(scenes "../scenes")
 endif()
 file(READ "${here}/check.json" description)
+json(program program)
 
 set(quick OFF)
 set(only_build OFF)

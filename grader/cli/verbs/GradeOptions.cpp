@@ -32,13 +32,6 @@ std::string chosenOption(const std::string& option, const Exercise& exercise) {
                                             option, exercise.name, enumerated(names, "or")));
 }
 
-std::vector<std::string> exerciseNames() {
-    std::vector<std::string> names;
-    for (const Exercise& exercise : knownExercises())
-        names.push_back(exercise.name);
-    return names;
-}
-
 }  // namespace
 
 sandbox::Sandbox openSandbox(const std::string& level) {
@@ -46,6 +39,13 @@ sandbox::Sandbox openSandbox(const std::string& level) {
                                        sandbox::Level::sameUser, sandbox::Level::none})
         if (sandbox::toString(known) == level) return sandbox::Sandbox::at(known);
     return sandbox::Sandbox::best();
+}
+
+std::vector<std::string> exerciseNames() {
+    std::vector<std::string> names;
+    for (const Exercise& exercise : knownExercises())
+        names.push_back(exercise.name);
+    return names;
 }
 
 void addExerciseOption(CLI::App& verb, std::string& name) {

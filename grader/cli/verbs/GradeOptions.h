@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -21,6 +22,9 @@ struct GradeOptions {
     std::string sandbox = "auto";
     std::string rubric = {};  ///< empty: the exercise's own
 };
+
+/// Of the known exercises, the default one first.
+[[nodiscard]] std::vector<std::string> exerciseNames();
 
 /// Adds --exercise to a verb: a known exercise's name; the environment's TICKER_EXERCISE or the
 /// default one where it is not given.

@@ -1,6 +1,8 @@
 #include <grader/cli/Home.h>
 #include <grader/cli/Progress.h>
+#include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/oracle/references/ReferenceList.h>
 
 #include <raytracer/base/RenderObserver.h>
@@ -25,6 +27,7 @@ struct RefsOptions {
     bool check = false;
     std::string folder;
     std::string scenes;
+    std::string exercise;
 };
 
 std::atomic<bool> refsStopAsked{false};
@@ -51,6 +54,10 @@ std::vector<oracle::ReferenceScene> readScenes(const std::filesystem::path& fold
         fmt::print(stderr, "{}.xml has no reference: {} does not list it\n", name,
                    (folder / "references.json").string());
     return scenes;
+}
+
+bool isNamedBy(const Exercise& exercise, const std::string& scene) {
+    return std::ranges::find(exercise.scenes, scene, &SceneEntry::name) != exercise.scenes.end();
 }
 
 oracle::ReferenceListener listener(bool quiet) {
@@ -86,9 +93,13 @@ raytracer::ExitCode refs(const RefsOptions& options, const GlobalOptions& global
     const std::filesystem::path folder = options.folder.empty()
                                              ? home.assets() / "references"
                                              : std::filesystem::path{options.folder};
-    const auto scenes =
+    auto scenes =
         readScenes(options.scenes.empty() ? home.scenes() : std::filesystem::path{options.scenes},
                    home.assets(), monitor);
+    if (!options.exercise.empty())
+        std::erase_if(scenes, [&](const auto& one) {
+            return !isNamedBy(exerciseNamed(options.exercise), one.name);
+        });
     oracle::ReferenceOptions how;
     how.seed = std::random_device{}();
     how.toolVersion = TICKER_VERSION;
@@ -109,6 +120,9 @@ Run addRefs(CLI::App& app, const GlobalOptions& global) {
     verb->add_flag("--check", options->check, "Render again and compare; exit 1 on a drift");
     verb->add_option("--folder", options->folder, "Instead of assets/references");
     verb->add_option("--scenes", options->scenes, "Instead of scenes/");
+    verb->add_option("--exercise", options->exercise,
+                     "Only the scenes that this exercise names; else all that are listed")
+        ->check(CLI::IsMember(exerciseNames()));
     return [options, &global] { return refs(*options, global); };
 }
 

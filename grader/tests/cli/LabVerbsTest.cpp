@@ -149,19 +149,24 @@ TEST_F(LabVerbs, RefsNamesTheEntryThatCannotBeRead) {
     }
 }
 
-// `refs` makes the references of the default exercise.
-bool isOfAnotherExercise(const std::string& scene) {
-    return std::ranges::any_of(knownExercises(), [&](const Exercise& exercise) {
-        return exercise.name != defaultExercise().name &&
-               std::ranges::count(exercise.scenes, scene, &SceneEntry::name) > 0;
-    });
+TEST_F(LabVerbs, RefsTakesTheScenesOfOneExercise) {
+    folder_.write("home/scenes/references.json", R"({"references": [
+        {"scene": "main-basic", "pinhole": true, "width": 32, "height": 24},
+        {"scene": "bump-mapping", "pinhole": true, "width": 32, "height": 24}]})");
+    const std::string out = (folder_.path() / "references").string();
+    EXPECT_EQ(run("refs --exercise tick1star --folder '" + out + "'").status, 0);
+    EXPECT_FALSE(fs::exists(out + "/main-basic.png"));
+    EXPECT_TRUE(fs::exists(out + "/bump-mapping.png"));
+    EXPECT_EQ(run("refs --exercise tick1 --folder '" + out + "'").status, 0);
+    EXPECT_TRUE(fs::exists(out + "/main-basic.png"));
+    EXPECT_EQ(run("refs --check --exercise tick1 --folder '" + out + "'").status, 0);
 }
 
-TEST_F(LabVerbs, RefsListsEverySceneOfItsExercise) {
+TEST_F(LabVerbs, RefsListsEveryScene) {
     const std::string listed = tests::readFile("scenes/references.json");
     for (const fs::directory_entry& scene : fs::directory_iterator{home() / "scenes"}) {
         const std::string name = scene.path().stem();
-        if (scene.path().extension() != ".xml" || isOfAnotherExercise(name)) continue;
+        if (scene.path().extension() != ".xml") continue;
         EXPECT_NE(listed.find("{\"scene\": \"" + name + "\""), std::string::npos) << name;
         EXPECT_TRUE(fs::exists(home() / "assets/references" / (name + "-mean.tiff"))) << name;
     }

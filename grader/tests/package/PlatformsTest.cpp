@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -141,6 +142,26 @@ TEST_F(Platforms, PrairieLearnGetsAResultOrIsToldThatThereIsNone) {
     EXPECT_EQ(ran.status, 0) << "anything else throws the results away";
     EXPECT_TRUE(tests::fitsSchema(results(), "prairielearn")) << results();
     EXPECT_EQ(json::parse(results()).at("gradable"), false);
+}
+
+TEST(PrairieLearn, AsksForTheFilesOfEachExercise) {
+    tests::TemporaryFolder folder;
+    std::set<std::string> ids;
+    for (const std::string exercise : {"tick1star", "tick1"}) {
+        const RootRun made = tests::runHere("cd " + folder.path().string() + " && " + kTicker +
+                                            " package prairielearn --exercise " + exercise +
+                                            " -o " + exercise + ".zip && unzip -q -d " + exercise +
+                                            " " + exercise + ".zip 'question/*'");
+        ASSERT_EQ(made.status, 0) << made.output << made.errors;
+        const fs::path question = folder.path() / exercise / "question";
+        const json info = json::parse(tests::textOf(question / "info.json"));
+        EXPECT_TRUE(ids.insert(info.at("uuid")).second) << info;
+        EXPECT_EQ(info.at("externalGradingOptions").at("image"), "course/" + exercise);
+        const std::string page = tests::textOf(question / "question.html");
+        EXPECT_EQ(page.find('@'), std::string::npos) << page;
+        EXPECT_EQ(page.find("screenshot.png") != std::string::npos, exercise == "tick1star")
+            << page;
+    }
 }
 
 TEST_F(Platforms, ClassroomsStepHandsTheResultOverAndPrintsNothing) {

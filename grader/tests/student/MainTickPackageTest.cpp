@@ -51,7 +51,9 @@ TEST_F(MainTickPackage, SaysWhatIsToDoAndPassesTheModelAnswer) {
     put("reference_solution/tick1/exercise");
     const std::string passed = checked(0);
     EXPECT_EQ(passed.find("NOT YET"), std::string::npos) << passed;
-    EXPECT_NE(passed.find("hand in Sphere.cpp, Plane.cpp and Renderer.cpp"), std::string::npos);
+    EXPECT_NE(
+        passed.find("Hand in exercise/Sphere.cpp, exercise/Plane.cpp and exercise/Renderer.cpp."),
+        std::string::npos);
 }
 
 TEST_F(MainTickPackage, SaysWhereANaturalMistakeIs) {

@@ -8,6 +8,14 @@
 namespace raytracer::view {
 namespace {
 
+TEST(TestOutcomeIn, KnowsTheTasksOfTheMainTick) {
+    const TestOutcome outcome = testOutcomeIn(
+        "NOT YET: M3.2 A ball before the light shades\n  got:      1\n\nM1   spheres: 4 of 4\n",
+        {});
+    EXPECT_EQ(outcome.title, "M3.2 A ball before the light shades");
+    EXPECT_EQ(outcome.summary, "M1   spheres: 4 of 4\n");
+}
+
 TEST(BuildOutput, FindsTheFirstErrorOfEveryCompiler) {
     for (const std::string text :
          {"[1/2] Building\n/a/exercise/Renderer.cpp:44:18: error: expected ';'\nx.h:1: error: no\n",

@@ -23,7 +23,7 @@ constexpr std::uint64_t kMostThreads = 1024;
 constexpr double kLargestLength = 1e6;
 
 [[noreturn]] void fail(const std::string& message) {
-    throw InputError("", 0, message + " (see tick1star --help)");
+    throw InputError("", 0, message + " (see " TICK1STAR_PROGRAM " --help)");
 }
 
 /// The value of an option; `fail` includes the option's name in its error.
@@ -231,7 +231,7 @@ std::string usage() {
     constexpr std::size_t kColumn = 28;
     std::string text =
         "Renders a scene to a picture.\n\n"
-        "  tick1star -i SCENE -o IMAGE [options]\n\n";
+        "  " TICK1STAR_PROGRAM " -i SCENE -o IMAGE [options]\n\n";
     for (const Option& option : kOptions) {
         std::string line = "  ";
         if (!option.shortName.empty()) line += std::string(option.shortName) + ", ";

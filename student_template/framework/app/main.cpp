@@ -22,7 +22,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
         return ExitCode::success;
     }
     if (options.showVersion) {
-        std::cout << "tick1star " << TICK1STAR_VERSION << '\n';
+        std::cout << TICK1STAR_PROGRAM " " << TICK1STAR_VERSION << '\n';
         return ExitCode::success;
     }
     if (options.view) return view::run(options);
@@ -37,10 +37,10 @@ int main(int argc, char* argv[]) {
     try {
         return toInt(run({argv + std::min(argc, 1), argv + argc}));
     } catch (const Error& error) {
-        std::cerr << "tick1star: " << error.what() << '\n';
+        std::cerr << TICK1STAR_PROGRAM ": " << error.what() << '\n';
         return toInt(error.exitCode());
     } catch (const std::exception& error) {
-        std::cerr << "tick1star: " << error.what() << '\n';
+        std::cerr << TICK1STAR_PROGRAM ": " << error.what() << '\n';
         return toInt(ExitCode::notGradable);
     }
 }

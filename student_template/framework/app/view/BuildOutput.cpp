@@ -23,7 +23,7 @@ std::string withoutReturn(std::string line) {
 /// The tag that a line of the public tests begins with: letters and digits up to a space.
 std::string tagOf(std::string_view line) {
     const std::string tag{line.substr(0, line.find(' '))};
-    static const std::regex kTag{R"(T\d+(\.\d+)?)"};
+    static const std::regex kTag{R"([TM]\d+(\.\d+)?)"};
     return std::regex_match(tag, kTag) ? tag : std::string{};
 }
 

@@ -71,8 +71,9 @@ public:
 
     void addLoose(const SeenRay& seen) {
         const Vector3 to = seen.hit ? seen.hit->location : endOf(seen.ray, kReach);
-        addRay("other", seen.ray.origin, to, "ray cast outside of trace and illuminate", kNone,
-               kNone, !seen.hit);
+        const std::string met = seen.hit ? nameOf(scene_, seen.hit->object) : "nothing";
+        addRay("other", seen.ray.origin, to,
+               "ray " + std::to_string(++looseCount_) + " meets " + met, kNone, kNone, !seen.hit);
     }
 
     void addNormal(const RaycastHit& hit) {
@@ -182,6 +183,7 @@ private:
     Items normals_;
     int rayCount_ = 0;
     std::size_t normalCount_ = 0;
+    std::size_t looseCount_ = 0;
     bool told_ = false;
 };
 
@@ -209,11 +211,15 @@ std::string drawingOfPixel(const PixelLog& log, const Scene& scene, const Render
                                   hexOf(*log.pixel()) + "."
                             : name + " was never set.");
     const std::vector<TracedRay>& rays = log.traced();
-    drawing.say(rays.empty() ? "trace was never called."
-                             : countedText(rays.size(), "camera ray") +
-                                   (rays.size() > 1 ? "; " + startsOf(rays) : "") + ".");
+    drawing.say(rays.empty()
+                    ? "No camera ray of trace was seen; rays are numbered as they were cast."
+                    : countedText(rays.size(), "camera ray") +
+                          (rays.size() > 1 ? "; " + startsOf(rays) : "") + ".");
     for (std::size_t i = 0; i < rays.size(); ++i)
         drawing.addTraced(rays[i], "camera", "camera ray " + std::to_string(i + 1), kNone);
+    if (!rays.empty() && !log.loose().empty())
+        drawing.say(countedText(log.loose().size(), "ray") +
+                    " cast outside of trace and illuminate.");
     for (const SeenRay& seen : log.loose())
         drawing.addLoose(seen);
     return drawing.whole(name + " of " + std::to_string(settings.width) + " x " +

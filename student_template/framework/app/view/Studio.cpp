@@ -93,6 +93,8 @@ Studio::Studio(const ViewHome& home, const Options& options)
     for (const std::string& name : scenesIn(scenes_))
         scenes.add(json(name));
     board_.set("scenes", scenes.array());
+    if (!home_.hasLens) settings_["aperture"] = "0";
+    board_.set("hasLens", home_.hasLens ? "true" : "false");
     render();
 }
 

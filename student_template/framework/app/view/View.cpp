@@ -57,7 +57,7 @@ fs::path sceneOf(const Options& options) {
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator{viewHome().scenes, error})
         if (entry.path().extension() == ".xml") scenes.insert(entry.path());
-    if (scenes.empty()) throw InputError("", 0, "no scene found; name one: tick1star --view SCENE");
+    if (scenes.empty()) throw InputError("", 0, "no scene found; name one: --view SCENE");
     return *std::max_element(
         scenes.begin(), scenes.end(),
         [](const fs::path& first, const fs::path& second) { return fitOf(first) < fitOf(second); });

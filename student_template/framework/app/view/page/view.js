@@ -40,7 +40,9 @@ function addControls() {
       input.dataset.setting = name;
       input.addEventListener("input", () => change({ [name]: input.value }));
     }
-    byId("settings").append(element("span", { textContent: words }), range, number);
+    const parts = [element("span", { textContent: words }), range, number];
+    if (name !== "bounces") for (const part of parts) part.dataset.of = "lens";
+    byId("settings").append(...parts);
   }
   const seed = element("input", { type: "number", min: 0, step: 1, className: "wide" });
   seed.setAttribute("aria-label", "Seed");
@@ -186,6 +188,7 @@ function showPiece(piece) {
 }
 
 function show(news) {
+  if (news.hasLens === false) for (const part of document.querySelectorAll("[data-of=lens]")) part.hidden = true;
   if (news.scenes)
     byId("scene").replaceChildren(...news.scenes.map((name) => element("option", { value: name, textContent: name })));
   if (news.picture) showPicture(news.picture);
