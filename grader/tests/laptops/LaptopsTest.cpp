@@ -132,6 +132,12 @@ TEST(Laptops, WindowsHandsItsCheckTheArgumentsAndTheStatusOfTheOneScript) {
     EXPECT_EQ(ran.status, 1) << ran.output;
     EXPECT_NE(ran.output.find("<-P><cmake/check.cmake><--><--quick>"), std::string::npos)
         << ran.output;
+    // The program that is built has the exercise's name, which the build leaves in a file.
+    fs::create_directories(laptop.folder() / "build/release");
+    std::ofstream{laptop.folder() / "build/release/program"} << "stand-in\n";
+    fs::copy_file(laptop.folder() / "cmake.exe", laptop.folder() / "build/stand-in.exe");
+    const CommandResult shown = laptop.run("wine cmd /c check.cmd --view scenes/a.xml");
+    EXPECT_NE(shown.output.find("<--view><scenes/a.xml>"), std::string::npos) << shown.output;
 }
 
 TEST(Laptops, AMacsLibraryBuildsPassesAndRendersTheSamePictures) {
