@@ -87,7 +87,7 @@ TEST_F(PhongIllumination, LightsAddUp) {
              {"a glossy point in the light of two lamps", "Add the terms of every light."});
 }
 
-/// The same code without anything in the way says what is right, so that no mistake of M2 counts
+/// The same code with nothing in the way says what is right, so that no mistake of M2 counts
 /// here.
 class Shadows : public Room {
 protected:
@@ -134,7 +134,7 @@ protected:
 };
 
 TEST_F(Reflections, WithoutBouncesTheDirectLightStays) {
-    // Not before M3.1 does a ray meet the floor, so the ball alone reaches M4's stub.
+    // Without M3.1 no ray meets the floor: a ball makes sure that the stub of M4 is called.
     SceneDescription ball;
     ball.spheres.push_back({{0.0, 0.0, 5.0}, 1.0, {}, nullptr});
     static_cast<void>(Renderer{RenderSettings{}}.trace(Scene{ball}, {{}, {0.0, 0.0, 1.0}}, 1));

@@ -17,7 +17,7 @@ struct ViewHome {
     std::string testTarget;         ///< empty: there are no tests
     std::filesystem::path tests;
     std::string cmake;
-    bool hasLens = true;  ///< the exercise has lights with a size and a lens
+    bool hasLens = true;  ///< the exercise has lights with a size, and a lens
 };
 
 [[nodiscard]] const ViewHome& viewHome();
