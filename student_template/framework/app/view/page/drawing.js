@@ -19,6 +19,9 @@ const kNormalKinds = {
   given: { name: "normals given", light: "#0064a8", dark: "#6cc0f5", dash: [] },
 };
 const kRayOrder = Object.keys(kRayKinds);
+/// While a drawing turns it shows about so many of its rays, so that it follows the mouse; all of them
+/// once it stands still.
+const kMostMoving = 500;
 
 /// The points that a first view should have in it: what belongs to the first hits. Reflected rays
 /// may end far away.
@@ -182,9 +185,11 @@ class RayDrawing {
 
   drawRays(isMoving) {
     const alpha = Math.min(0.9, Math.max(0.25, 12 / Math.sqrt(this.data.rays.length)));
+    const step = isMoving ? Math.ceil(this.data.rays.length / kMostMoving) : 1;
     for (const name of kRayOrder) {
       if (this.hidden.has(name)) continue;
-      const lines = this.data.rays.filter((ray) => ray.k === name).map((ray) => [ray.a, ray.b]);
+      const lines = this.data.rays.filter((ray) => ray.k === name).filter((_, i) => i % step === 0)
+        .map((ray) => [ray.a, ray.b]);
       const kind = kRayKinds[name];
       // Dashes cost more than all the rest: a drawing that turns does without where there are many.
       const dash = isMoving && lines.length > 300 ? [] : kind.dash;
