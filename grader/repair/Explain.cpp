@@ -43,7 +43,7 @@ std::string solvedFunctions(const pipeline::Grader& grader,
 
 bool isExplainable(const TaskReport& task) {
     const std::string finding = firstFailure(task);
-    if (finding.empty()) return false;
+    if (finding.empty() || task.id == kScreenshotTask) return false;
     return task.state == TaskState::failed ||
            (task.state == TaskState::blocked && finding.starts_with("run."));
 }

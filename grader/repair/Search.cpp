@@ -135,8 +135,9 @@ std::vector<Partial> Search::changing(std::span<const EditSet> sets, const std::
     std::vector<Partial> found;
     judgeEach(sets, [&](const EditSet& set, const TaskJudgement& judgement) {
         const std::string next = firstFailure(judgement);
-        const bool isOfTheRun = next.starts_with("run.");
-        if (!next.empty() && next != finding && !isOfTheRun)
+        // A mistake's own name says that it explains all answers: the edit mended another one.
+        const bool isNamed = !next.starts_with("run.") && !next.ends_with(".wrong");
+        if (!next.empty() && next != finding && isNamed)
             found.push_back({set, next, failuresOf(judgement)});
         return found.size() < most;
     });

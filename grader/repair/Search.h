@@ -35,8 +35,8 @@ public:
     /// @param most  It stops after so many.
     [[nodiscard]] std::vector<EditSet> passing(std::span<const EditSet> sets, std::size_t most);
 
-    /// Those of the sets with which the judge's first failing finding is another one than
-    /// `finding`.
+    /// Those of the sets with which the judge's first failing finding is the name of another
+    /// mistake than `finding`.
     [[nodiscard]] std::vector<Partial> changing(std::span<const EditSet> sets,
                                                 const std::string& finding, std::size_t most);
 

@@ -15,7 +15,7 @@ namespace {
 // The first repair, and others that students and tickers may compare it with.
 constexpr std::size_t kMostRepairs = 2;
 // First edits of two mistakes that are followed up.
-constexpr std::size_t kMostPartials = 8;
+constexpr std::size_t kMostPartials = 12;
 
 }  // namespace
 
