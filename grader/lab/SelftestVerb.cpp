@@ -1,4 +1,5 @@
 #include <grader/base/WholeFile.h>
+#include <grader/cli/Explained.h>
 #include <grader/cli/Home.h>
 #include <grader/cli/Progress.h>
 #include <grader/cli/verbs/GradeOptions.h>
@@ -26,6 +27,7 @@ namespace {
 struct SelftestOptions {
     std::string task;
     bool hostile = false;
+    bool explain = false;
     bool screenshots = false;
     double fraction = 1.0;
     int rounds = 1;
@@ -114,6 +116,10 @@ bool testHostile(const SelftestOptions& options, pipeline::Grader grader, bool d
     run.fraction = options.fraction;
     run.rounds = options.rounds;
     run.seed = seedOf(options.grade);
+    if (options.explain)
+        run.complete = [&](const intake::Submission& submission, SubmissionResult& result) {
+            addRepairs(submission, grader, result);
+        };
     run.progress = [&](std::size_t done, std::size_t of) { counter.show(done, of); };
     const selftest::HostileTables tables =
         selftest::runHostileTables(hostileCases(*grader.exercise, options.cases), grader, run);
@@ -193,6 +199,9 @@ Run addSelftest(CLI::App& app, const GlobalOptions& global) {
     addExerciseOption(*verb, options->grade.exercise);
     verb->add_option("--task", options->task, "Only the tables of this option of the exercise");
     verb->add_flag("--hostile", options->hostile, "Only the hostile submissions");
+    verb->add_flag(
+        "--explain", options->explain,
+        "Also looks for edits that mend the hostile submissions, as grade --explain does");
     verb->add_flag("--screenshots", options->screenshots, "Only the screenshots");
     verb->add_option("--fraction", options->fraction, "Share of each table to run")
         ->check(CLI::Range(0.0, 1.0));

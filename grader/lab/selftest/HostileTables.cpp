@@ -170,8 +170,9 @@ private:
             return row;
         }
         try {
-            const SubmissionResult result = pipeline::gradeSubmission(
-                intake::readSubmission(located->second), grader_, run_.seed);
+            const intake::Submission submission = intake::readSubmission(located->second);
+            SubmissionResult result = pipeline::gradeSubmission(submission, grader_, run_.seed);
+            if (run_.complete) run_.complete(submission, result);
             compare(hostileCase, result, row);
             if (tells(result, traces_.secret())) row.faults.emplace_back("the secret is out");
         } catch (const raytracer::Error& error) {

@@ -2,6 +2,7 @@
 #define TICKER_SELFTEST_HOSTILETABLES_H
 
 #include <grader/corpus/Entry.h>
+#include <grader/intake/Submission.h>
 #include <grader/lab/selftest/Traces.h>
 #include <grader/pipeline/Grade.h>
 
@@ -19,6 +20,8 @@ struct HostileRun {
     std::uint64_t seed = 1;  ///< seed of the decisions
     int jobs = 2;            ///< submissions graded in parallel
     int rounds = 1;          ///< repetitions of the whole run
+    /// What else is done with each before its traces are looked for; or null. Threads call it.
+    std::function<void(const intake::Submission&, SubmissionResult&)> complete;
     std::function<void(std::size_t done, std::size_t of)>
         progress;  ///< one call at a time; or null
 };
