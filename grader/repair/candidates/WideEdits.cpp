@@ -50,6 +50,11 @@ public:
         texts.insert(texts.end(), points_.begin(), points_.end());
         return texts;
     }
+    [[nodiscard]] std::vector<std::string> colours() const {
+        std::vector<std::string> texts = variables("raytracer::ColourRGB");
+        texts.insert(texts.end(), colours_.begin(), colours_.end());
+        return texts;
+    }
     [[nodiscard]] std::vector<std::string> all(std::string_view type) const {
         std::vector<std::string> texts = variables(type);
         std::ranges::move(unused(type), std::back_inserter(texts));
@@ -59,6 +64,7 @@ public:
 private:
     void addUnused(const Quantity& quantity, std::string_view used) {
         if (quantity.type == "raytracer::Vector3") points_.push_back(quantity.text);
+        if (quantity.type == "raytracer::ColourRGB") colours_.push_back(quantity.text);
         if (used.find(quantity.text) == std::string_view::npos) unused_.push_back(quantity);
     }
 
@@ -66,6 +72,7 @@ private:
     std::vector<Quantity> variables_;
     std::vector<Quantity> unused_;
     std::vector<std::string> points_;
+    std::vector<std::string> colours_;
 };
 
 /// Whether a node is a whole initialiser, value or argument.
@@ -117,7 +124,7 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
     const bool isPoint = edits.isType(index, "raytracer::Vector3");
     std::vector<std::string> factors = isPoint ? words.unused("double") : words.all("double");
     if (edits.isType(index, "raytracer::ColourRGB"))
-        std::ranges::move(words.all("raytracer::ColourRGB"), std::back_inserter(factors));
+        std::ranges::move(words.colours(), std::back_inserter(factors));
     if (edits.isType(index, "double")) factors.emplace_back("4.0");
     for (const std::string& factor : factors)
         if (factor != edits.text(index))
