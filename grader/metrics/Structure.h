@@ -5,9 +5,9 @@
 
 namespace ticker::metrics {
 
-// Metrics of each pixel with its neighbourhood, by the papers' formulas with OpenCV's filters. Their
-// results are those of OpenCV's quality module, bit for bit. Both throw raytracer::InputError as
-// `requireSameSize`.
+// Metrics of each pixel with its neighbourhood, by the papers' formulas with OpenCV's filters.
+// Their results are those of OpenCV's quality module, bit for bit. Both throw raytracer::InputError
+// as `requireSameSize`.
 
 /// Structural similarity, mean over pixels and channels: 1 for equal pictures. Border pixels count,
 /// too.

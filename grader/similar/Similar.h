@@ -9,8 +9,8 @@
 
 namespace ticker::similar {
 
-/// The percentage of shared code from which a pair is listed. docs/similarity.md says how many pairs
-/// of the corpus it lists by mistake, and how many copies it misses.
+/// The percentage of shared code from which a pair is listed. docs/similarity.md says how many
+/// pairs of the corpus it lists by mistake, and how many copies it misses.
 inline constexpr int kLeastPercent = 40;
 
 /// A file with less code of its own, in characters without spaces and comments, is not compared:

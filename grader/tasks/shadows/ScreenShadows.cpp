@@ -38,8 +38,8 @@ bool mayPass(const std::vector<ShadowQuestion>& asked, const probe::Run& run) {
     }
     const ShadowLogs logs{all};
     if (checkFinite(logs)) return false;
-    // Values without rays take long to judge: edits that hide the rays, and those of code whose rays
-    // are hidden, are left out.
+    // Values without rays take long to judge: edits that hide the rays, and those of code whose
+    // rays are hidden, are left out.
     if (!castsRays(logs.oneLight)) return false;
     return !checkBackwards(logs) && !checkRayCounts(logs, false) && !checkStarts(logs) &&
            fitsAReading(logs.oneLight) && fitsAReading(logs.severalLights) &&
