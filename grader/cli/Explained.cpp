@@ -25,6 +25,10 @@ void addRepairs(const intake::Submission& submission, const pipeline::Grader& gr
             result.notices.push_back(task +
                                      ": the time for the search ended before all edits of the "
                                      "code were tried.");
+        for (const std::string& task : found.notSearched)
+            result.notices.push_back(task +
+                                     ": no edits were tried, since the code could not be parsed or "
+                                     "not be compiled with them.");
     } catch (const std::exception& error) {
         result.notices.push_back("Edits were not looked for: " + std::string{error.what()});
     }

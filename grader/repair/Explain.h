@@ -24,6 +24,8 @@ struct Explanation {
     std::size_t tried = 0;            ///< sets of edits that were asked
     std::vector<std::string> cutOff;  ///< tasks without a repair whose time ended before all edits
                                       ///< were tried
+    /// Tasks whose file could not be parsed, or not compiled with its edits.
+    std::vector<std::string> notSearched;
 };
 
 /// Whether a task failed in a way that an edit of its file could mend.

@@ -37,6 +37,10 @@ bool showsInside(const Command& command, const fs::path& inside) {
 }
 
 void addMounts(std::vector<std::string>& words, const Command& command) {
+    // First: what is shown may lie below it, such as the kit of a checkout in /tmp.
+    if (command.wantsScratch)
+        append(words, {"--size", std::to_string(command.limits.fileSizeBytes * kScratchFiles),
+                       "--tmpfs", kScratchFolder});
     for (const ReadOnlyPath& path : command.readOnly)
         append(words, {"--ro-bind", path.host.string(), path.inside.string()});
     if (showsInside(command, "/usr")) {
@@ -46,9 +50,6 @@ void addMounts(std::vector<std::string>& words, const Command& command) {
     }
     if (command.policy == Policy::compile)
         append(words, {"--dir", "/dev", "--dev-bind", "/dev/null", "/dev/null"});
-    if (command.wantsScratch)
-        append(words, {"--size", std::to_string(command.limits.fileSizeBytes * kScratchFiles),
-                       "--tmpfs", kScratchFolder});
 }
 
 std::vector<std::string> bubblewrap(const Command& command, const JailPlace& place) {

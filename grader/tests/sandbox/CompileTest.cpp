@@ -120,6 +120,21 @@ TEST_P(Compile, HandsOverNoProductThatIsALink) {
     EXPECT_EQ(lseek(product.get(), 0, SEEK_END), 0);
 }
 
+// A checkout may lie in /tmp, where jobs have their own files.
+TEST_P(Compile, ShowsWhatLiesBelowTheScratchFolder) {
+    const fs::path host = "/usr/include";
+    const fs::path inside = fs::path{kScratchFolder} / "checkout" / "include";
+    Command command;
+    command.readOnly = {{"/usr", "/usr"}, {host, inside}};
+    command.arguments = {fs::canonical("/usr/bin/ls").string(),
+                         (GetParam() == Level::namespaces ? inside : host) / "stdio.h"};
+    command.folder = kScratchFolder;
+    command.wantsScratch = true;
+    command.policy = Policy::compile;
+    const Outcome outcome = run(command);
+    EXPECT_EQ(describe(outcome), "exit 0") << outcome.output;
+}
+
 TEST_P(Compile, LetsTheCompilerWriteNowhereElse) {
     const fs::path elsewhere = fs::path{"/var/tmp"} / marker();
     const Outcome outcome = compile("int main() {}\n", {"-o", elsewhere.string()});
