@@ -103,8 +103,8 @@ void EventLog::rayCast(const raytracer::Ray& ray, const raytracer::RaycastHit* h
     }
     record(event);
     if (std::exchange(turnIsDue(), false)) giveWay();
-    // A short sleep, since a yield returns at once while there are processors to spare, and may
-    // cost a time slice of another program while there are none.
+    // A yield does nothing while a processor is idle, and costs a whole time slice while all are
+    // busy. A short sleep lets the other thread run in both cases.
     if (!takesTurns_ || seesTraces_) return;
     constexpr int kMostWaits = 200;
     awaitSecondThread(kMostWaits);

@@ -71,10 +71,10 @@ Explanation explain(const intake::Submission& submission, const pipeline::Grader
             std::vector<Repair> repairs =
                 one.run(nowMs + (1000.0 * limits.all.cpuSeconds - nowMs) / waiting);
             waiting -= 1.0;
-            if (workbench.bench(Reach::simple) == nullptr)
-                explanation.notSearched.push_back(task->id);
-            else if (repairs.empty() && one.wasCutOff())
+            if (repairs.empty() && one.wasCutOff())
                 explanation.cutOff.push_back(task->id);
+            else if (workbench.bench(Reach::simple) == nullptr)
+                explanation.notSearched.push_back(task->id);
             std::move(repairs.begin(), repairs.end(), std::back_inserter(explanation.repairs));
             explanation.tried += one.asked();
         }

@@ -95,7 +95,7 @@ std::string pairHtml(const ComparedFile& file, const SimilarPair& pair, bool isO
         side(file, pair.right, right));
 }
 
-/// The pairs of a file, or why there are none.
+/// The pairs of a file, and how many files were compared.
 std::string fileHtml(const ComparedFile& file) {
     const Comparison& comparison = file.comparison;
     std::string html = fmt::format(

@@ -29,7 +29,7 @@ struct RepairRow {
 [[nodiscard]] std::string nameOf(const RepairRow& row);
 /// A row as a line of the record, and back.
 [[nodiscard]] std::string jsonOf(const RepairRow& row);
-/// @throws raytracer::InputError if it is none.
+/// @throws raytracer::InputError if the text is not such a row.
 [[nodiscard]] RepairRow rowOf(const std::string& json);
 
 /// A row for people.

@@ -91,6 +91,19 @@ TEST(Explain, EveryEditThatItShowsMakesTheTaskPass) {
     }
 }
 
+// The program with all edits is compiled without optimisation.
+TEST(Explain, NamesTasksWhoseCodeCannotBeCompiledWithItsEdits) {
+    const corpus::Entry entry = mistake("T1", "equation-with-slopes-as-printed");
+    const std::string text =
+        "#ifndef __OPTIMIZE__\n#error\n#endif\n" + corpus::textsOf(entry).at("BumpySphere.cpp");
+    const auto [result, explanation] = explained(handedIn("BumpySphere.cpp", text));
+
+    EXPECT_EQ(tests::taskOf(result, "T1").state, TaskState::failed);
+    EXPECT_TRUE(explanation.repairs.empty());
+    EXPECT_EQ(explanation.notSearched, std::vector<std::string>{"T1"});
+    EXPECT_TRUE(explanation.cutOff.empty());
+}
+
 TEST(Explain, MendsTheSameMistakeAtBothOfItsPlaces) {
     const corpus::Entry entry = mistake("T2.2", "off-centre-quarter");
     const std::string text = corpus::textsOf(entry).at("Renderer.cpp");
