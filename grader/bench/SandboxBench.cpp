@@ -63,7 +63,7 @@ std::vector<Figure> compiling(const sandbox::Sandbox& jail, const Options& optio
     const build::Kit kit = build::Kit::besideProgram();
     const fs::path source = options.project / defaultExercise().reference / kit.files().front();
     const std::string text = readWhole(source);
-    const build::JobFolder folder;
+    const sandbox::JobFolder folder;
     const auto command = compileCommand(kit, source, folder.path() / "probe");
     const sandbox::Limits limits = sandbox::defaultPolicy().compile;
     const Pair pair = measurePair(

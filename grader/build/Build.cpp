@@ -52,7 +52,7 @@ public:
     }
 
     [[nodiscard]] Attempt compileAndLink(bool precompiled) const {
-        JobFolder folder;
+        sandbox::JobFolder folder;
         const fs::path target = folder.path() / "probe";
         // Must be closed before the program is run: the kernel does not execute a file that is open
         // for writing.
@@ -152,7 +152,7 @@ private:
     const sandbox::Limits& limits_;
     std::string file_;
     bool isSwitched_;
-    JobFolder sources_;
+    sandbox::JobFolder sources_;
     sandbox::ReadOnlyPath kitPath_;
     sandbox::ReadOnlyPath sourcePath_;
 };

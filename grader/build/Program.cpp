@@ -1,28 +1,10 @@
 #include <grader/build/Program.h>
 
-#include <grader/sandbox/Sandbox.h>
-
 #include <elf.h>
 
 #include <fstream>
-#include <system_error>
-#include <utility>
 
 namespace ticker::build {
-
-JobFolder::JobFolder() : path_(sandbox::Sandbox::makeStagingFolder()) {}
-
-JobFolder::~JobFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-}
-
-JobFolder::JobFolder(JobFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
-
-JobFolder& JobFolder::operator=(JobFolder&& other) noexcept {
-    std::swap(path_, other.path_);
-    return *this;
-}
 
 std::uint64_t Program::staticBytes() const {
     std::ifstream stream{file(), std::ios::binary};

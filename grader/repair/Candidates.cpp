@@ -75,7 +75,7 @@ Candidates readReply(std::string text, std::size_t size) {
 
 /// A file that a command makes, in a folder that every user can read.
 struct Product {
-    build::JobFolder folder;
+    sandbox::JobFolder folder;
     fs::path file;
     FileDescriptor descriptor;
 
@@ -134,7 +134,7 @@ std::optional<Candidates> findCandidates(const build::Kit& kit, const sandbox::S
                                          const sandbox::Limits& limits, const std::string& file,
                                          std::string_view source, Reach reach,
                                          const std::string& leftAlone) {
-    const build::JobFolder sources;
+    const sandbox::JobFolder sources;
     std::ofstream{sources.path() / file, std::ios::binary} << source;
     fs::permissions(sources.path() / file, fs::perms{0644});
     const fs::path header = parsedHeader(kit, sandbox, limits);

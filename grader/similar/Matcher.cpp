@@ -1,5 +1,6 @@
 #include <grader/similar/Matcher.h>
 
+#include <grader/sandbox/JobFolder.h>
 #include <grader/sandbox/SandboxPolicy.h>
 
 #include <raytracer/base/Error.h>
@@ -21,26 +22,10 @@ namespace fs = std::filesystem;
 constexpr const char* kShortestRun = "16";
 constexpr std::size_t kMostOutput = 64U << 20U;
 
-/// A folder of texts that commands in the sandbox can read. Removed with this object.
-class TextFolder {
-public:
-    TextFolder() : path_(sandbox::Sandbox::makeStagingFolder()) {}
-    ~TextFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TextFolder(const TextFolder&) = delete;
-    TextFolder& operator=(const TextFolder&) = delete;
-
-    [[nodiscard]] const fs::path& path() const { return path_; }
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream{path_ / name, std::ios::binary} << text;
-        fs::permissions(path_ / name, fs::perms{0644});
-    }
-
-private:
-    fs::path path_;
-};
+void write(const fs::path& file, const std::string& text) {
+    std::ofstream{file, std::ios::binary} << text;
+    fs::permissions(file, fs::perms{0644});
+}
 
 int number(const std::ssub_match& match) {
     return std::stoi(match.str());
@@ -86,13 +71,13 @@ Matcher::Matcher(const sandbox::Sandbox& sandbox) : sandbox_(sandbox) {
 std::string Matcher::run(const std::vector<std::string>& options,
                          const std::vector<std::string>& texts,
                          const std::vector<std::string>& known) const {
-    const TextFolder folder;
+    const sandbox::JobFolder folder;
     sandbox::Command command;
     command.arguments = {findMatcher().string(), "-T", "-w", "200", "-r", kShortestRun};
     std::ranges::copy(options, std::back_inserter(command.arguments));
     for (std::size_t i = 0; i < texts.size() + known.size(); ++i) {
         const std::string name = fmt::format("{:05}.cpp", i);
-        folder.write(name, i < texts.size() ? texts[i] : known[i - texts.size()]);
+        write(folder.path() / name, i < texts.size() ? texts[i] : known[i - texts.size()]);
         if (i == texts.size()) command.arguments.emplace_back("/");
         command.arguments.push_back(name);
     }
