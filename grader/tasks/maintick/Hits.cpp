@@ -52,7 +52,7 @@ const FindingText& nameOf(const AskedHit& asked, const probe::Hit& hit, const Hi
 
 /// Of the distances: the first that is wrong, under the name of the mistake that explains all.
 std::optional<Finding> checkDistances(const raytracer::SceneDescription& scene, const Asked& asked,
-                                      const Hits& hits, std::span<const HitSlip> slips,
+                                      const Hits& hits, std::span<const HitMistake> mistakes,
                                       const HitTexts& texts) {
     const auto wrongAt = [&](std::size_t i) {
         return asked[i].place != Place::longDirection && !isRight(hits[i], distanceOf(asked[i]));
@@ -63,12 +63,13 @@ std::optional<Finding> checkDistances(const raytracer::SceneDescription& scene, 
     if (first == asked.size()) return std::nullopt;
     const std::string seen = fmt::format("{}: expected {}, got {}.", askedOf(asked[first]),
                                          expectedOf(asked[first]), gotOf(hits[first]));
-    for (const HitSlip& slip : slips) {
+    for (const HitMistake& mistake : mistakes) {
         bool explains = true;
         for (std::size_t i = 0; i < asked.size() && explains; ++i)
-            explains = asked[i].place == Place::longDirection ||
-                       isRight(hits[i], slip.distance(scene, asked[i].ray.object, asked[i].line()));
-        if (explains) return failure(*slip.finding, seen, slip.hint);
+            explains =
+                asked[i].place == Place::longDirection ||
+                isRight(hits[i], mistake.distance(scene, asked[i].ray.object, asked[i].line()));
+        if (explains) return failure(*mistake.finding, seen, mistake.hint);
     }
     return failure(nameOf(asked[first], hits[first], texts), seen);
 }
@@ -155,7 +156,7 @@ std::optional<Finding> checkLongDirections(const Asked& asked, const Hits& hits,
 }  // namespace
 
 TaskJudgement judgeHits(probe::Examinee& examinee, const raytracer::SceneDescription& scene,
-                        const std::vector<AskedHit>& asked, std::span<const HitSlip> slips,
+                        const std::vector<AskedHit>& asked, std::span<const HitMistake> mistakes,
                         const HitTexts& texts, const std::string& function) {
     probe::HitQuestion question{scene, {}};
     for (const AskedHit& one : asked)
@@ -164,7 +165,7 @@ TaskJudgement judgeHits(probe::Examinee& examinee, const raytracer::SceneDescrip
     if (auto blocked = judgeUnanswered(run, function)) return *std::move(blocked);
     const Hits& hits = std::get<probe::HitAnswer>(run.answers.at(0)).hits;
     std::vector<Finding> findings;
-    if (auto wrong = checkDistances(scene, asked, hits, slips, texts))
+    if (auto wrong = checkDistances(scene, asked, hits, mistakes, texts))
         findings.push_back(*std::move(wrong));
     else if (auto field = checkFields(asked, hits, texts))
         findings.push_back(*std::move(field));

@@ -25,7 +25,7 @@ struct AskedHit {
 };
 
 /// A known mistake in the distance: what it answers, and what mends it.
-struct HitSlip {
+struct HitMistake {
     const FindingText* finding;
     const char* hint;
     /// Nothing: no hit.
@@ -54,7 +54,7 @@ struct HitTexts {
 [[nodiscard]] TaskJudgement judgeHits(probe::Examinee& examinee,
                                       const raytracer::SceneDescription& scene,
                                       const std::vector<AskedHit>& asked,
-                                      std::span<const HitSlip> slips, const HitTexts& texts,
+                                      std::span<const HitMistake> mistakes, const HitTexts& texts,
                                       const std::string& function);
 
 }  // namespace ticker::tasks::maintick

@@ -15,72 +15,78 @@ namespace {
 
 using maintick::isNear;
 using maintick::MirrorQuestion;
-using maintick::TraceSlip;
+using maintick::TraceMistake;
 using maintick::words;
 
-struct NamedTraceSlip {
-    TraceSlip slip;
+struct NamedTraceMistake {
+    TraceMistake mistake;
     const FindingText* finding;
     const char* hint = "";
 };
 
-constexpr std::array kTraceSlips{
-    NamedTraceSlip{TraceSlip::black, &kMirrorBackground},
-    NamedTraceSlip{TraceSlip::blackMirrored, &kMirrorBackground},
-    NamedTraceSlip{
-        TraceSlip::directWhereMirroredMisses, &kMirrorBackground,
+constexpr std::array kTraceMistakes{
+    NamedTraceMistake{TraceMistake::black, &kMirrorBackground},
+    NamedTraceMistake{TraceMistake::blackMirrored, &kMirrorBackground},
+    NamedTraceMistake{
+        TraceMistake::directWhereMirroredMisses, &kMirrorBackground,
         "A mirrored ray that meets nothing shows the background: blend with it as well."},
-    NamedTraceSlip{TraceSlip::notNegated, &kMirrorDirection,
-                   "The minus is missing: reflectIn mirrors what points away from the surface, and "
-                   "ray.direction points at it: (-ray.direction).reflectIn(N)."},
-    NamedTraceSlip{TraceSlip::straightOn, &kMirrorDirection,
-                   "The ray goes straight on through the surface: mirror it, "
-                   "(-ray.direction).reflectIn(N)."},
-    NamedTraceSlip{TraceSlip::straightBack, &kMirrorDirection,
-                   "The ray goes back the way it came: mirror it, (-ray.direction).reflectIn(N)."},
-    NamedTraceSlip{TraceSlip::alongNormal, &kMirrorDirection,
-                   "The ray leaves along the normal: mirror the direction in it, "
-                   "(-ray.direction).reflectIn(N)."},
-    NamedTraceSlip{
-        TraceSlip::startAtOrigin, &kMirrorStart,
+    NamedTraceMistake{
+        TraceMistake::notNegated, &kMirrorDirection,
+        "The minus is missing: reflectIn mirrors what points away from the surface, and "
+        "ray.direction points at it: (-ray.direction).reflectIn(N)."},
+    NamedTraceMistake{TraceMistake::straightOn, &kMirrorDirection,
+                      "The ray goes straight on through the surface: mirror it, "
+                      "(-ray.direction).reflectIn(N)."},
+    NamedTraceMistake{
+        TraceMistake::straightBack, &kMirrorDirection,
+        "The ray goes back the way it came: mirror it, (-ray.direction).reflectIn(N)."},
+    NamedTraceMistake{TraceMistake::alongNormal, &kMirrorDirection,
+                      "The ray leaves along the normal: mirror the direction in it, "
+                      "(-ray.direction).reflectIn(N)."},
+    NamedTraceMistake{
+        TraceMistake::startAtOrigin, &kMirrorStart,
         "The mirrored ray starts where the first one did: start it at P + N * kShadowBias."},
-    NamedTraceSlip{TraceSlip::startBelow, &kMirrorStart,
-                   "The mirrored ray starts below the surface: P + N * kShadowBias, not minus."},
-    NamedTraceSlip{TraceSlip::notLowered, &kMirrorEndless},
-    NamedTraceSlip{
-        TraceSlip::oneLess, &kMirrorBounces,
+    NamedTraceMistake{TraceMistake::startBelow, &kMirrorStart,
+                      "The mirrored ray starts below the surface: P + N * kShadowBias, not minus."},
+    NamedTraceMistake{TraceMistake::notLowered, &kMirrorEndless},
+    NamedTraceMistake{
+        TraceMistake::oneLess, &kMirrorBounces,
         "One bounce too few is followed: the recursion ends at bouncesLeft == 0, not at 1, "
         "and each call hands on bouncesLeft - 1."},
-    NamedTraceSlip{TraceSlip::oneMore, &kMirrorBounces,
-                   "One bounce too many is followed: the recursion ends at bouncesLeft == 0."},
-    NamedTraceSlip{
-        TraceSlip::once, &kMirrorBounces,
+    NamedTraceMistake{TraceMistake::oneMore, &kMirrorBounces,
+                      "One bounce too many is followed: the recursion ends at bouncesLeft == 0."},
+    NamedTraceMistake{
+        TraceMistake::once, &kMirrorBounces,
         "Mirrors in mirrors show nothing: follow the mirrored ray with trace itself, with "
         "bouncesLeft - 1."},
-    NamedTraceSlip{TraceSlip::plusWhole, &kMirrorBlend,
-                   "Both colours are added whole: direct * (1 - rho) + reflected * rho, with rho = "
-                   "object.reflectivity()."},
-    NamedTraceSlip{TraceSlip::sharesExchanged, &kMirrorBlend,
-                   "The shares are exchanged: rho belongs to the reflected colour, 1 - rho to the "
-                   "direct one."},
-    NamedTraceSlip{TraceSlip::wholeDirect, &kMirrorBlend,
-                   "The direct colour counts whole: multiply it by 1 - rho."},
-    NamedTraceSlip{TraceSlip::wholeMirrored, &kMirrorBlend,
-                   "The reflected colour counts whole: multiply it by rho."},
-    NamedTraceSlip{TraceSlip::directLost, &kMirrorBlend,
-                   "The direct colour is lost: add direct * (1 - rho)."},
-    NamedTraceSlip{TraceSlip::mirroredAlone, &kMirrorBlend},
-    NamedTraceSlip{TraceSlip::evenShares, &kMirrorBlend},
-    NamedTraceSlip{TraceSlip::timesColour, &kMirrorBlend,
-                   "A mirror does not tint what it shows: leave object.colour() out."},
-    NamedTraceSlip{TraceSlip::baseReduced, &kMirrorBase,
-                   "Where no bounce is left the direct colour counts whole: return it before it is "
-                   "multiplied by 1 - rho."},
-    NamedTraceSlip{TraceSlip::weakIgnored, &kMirrorNone,
-                   "Weak mirrors are left out: return the direct light alone only where rho is 0."},
-    NamedTraceSlip{TraceSlip::weightReplaced, &kMirrorBlend,
-                   "From the second mirror on the shares of those before it are lost. In a loop "
-                   "the weight is multiplied: weight *= rho."},
+    NamedTraceMistake{
+        TraceMistake::plusWhole, &kMirrorBlend,
+        "Both colours are added whole: direct * (1 - rho) + reflected * rho, with rho = "
+        "object.reflectivity()."},
+    NamedTraceMistake{
+        TraceMistake::sharesExchanged, &kMirrorBlend,
+        "The shares are exchanged: rho belongs to the reflected colour, 1 - rho to the "
+        "direct one."},
+    NamedTraceMistake{TraceMistake::wholeDirect, &kMirrorBlend,
+                      "The direct colour counts whole: multiply it by 1 - rho."},
+    NamedTraceMistake{TraceMistake::wholeMirrored, &kMirrorBlend,
+                      "The reflected colour counts whole: multiply it by rho."},
+    NamedTraceMistake{TraceMistake::directLost, &kMirrorBlend,
+                      "The direct colour is lost: add direct * (1 - rho)."},
+    NamedTraceMistake{TraceMistake::mirroredAlone, &kMirrorBlend},
+    NamedTraceMistake{TraceMistake::evenShares, &kMirrorBlend},
+    NamedTraceMistake{TraceMistake::timesColour, &kMirrorBlend,
+                      "A mirror does not tint what it shows: leave object.colour() out."},
+    NamedTraceMistake{
+        TraceMistake::baseReduced, &kMirrorBase,
+        "Where no bounce is left the direct colour counts whole: return it before it is "
+        "multiplied by 1 - rho."},
+    NamedTraceMistake{
+        TraceMistake::weakIgnored, &kMirrorNone,
+        "Weak mirrors are left out: return the direct light alone only where rho is 0."},
+    NamedTraceMistake{TraceMistake::weightReplaced, &kMirrorBlend,
+                      "From the second mirror on the shares of those before it are lost. In a loop "
+                      "the weight is multiplied: weight *= rho."},
 };
 
 std::string askedOf(const MirrorQuestion& asked, std::size_t ray) {
@@ -91,9 +97,9 @@ std::string askedOf(const MirrorQuestion& asked, std::size_t ray) {
 }
 
 ColourRGB expected(const MirrorQuestion& asked, const std::vector<ColourRGB>& direct,
-                   std::size_t ray, TraceSlip slip) {
+                   std::size_t ray, TraceMistake mistake) {
     const probe::CastRay& cast = asked.question.rays[ray];
-    return maintick::TraceModel{asked.question.scene, direct, slip}.along(
+    return maintick::TraceModel{asked.question.scene, direct, mistake}.along(
         {cast.origin, cast.direction}, cast.bounces);
 }
 
@@ -158,24 +164,24 @@ std::optional<Finding> checkColours(const MirrorQuestion& asked,
                                     const std::vector<ColourRGB>& direct,
                                     const probe::IlluminateAnswer& answer) {
     const std::vector<ColourRGB>& given = answer.colours;
-    const auto explains = [&](TraceSlip slip) {
+    const auto explains = [&](TraceMistake mistake) {
         for (std::size_t i = 0; i < given.size(); ++i)
-            if (!isNear(given[i], expected(asked, direct, i, slip))) return false;
+            if (!isNear(given[i], expected(asked, direct, i, mistake))) return false;
         return true;
     };
-    if (explains(TraceSlip::none)) return checkStarts(asked, answer, false);
+    if (explains(TraceMistake::none)) return checkStarts(asked, answer, false);
     std::size_t first = 0;
-    while (isNear(given[first], expected(asked, direct, first, TraceSlip::none)))
+    while (isNear(given[first], expected(asked, direct, first, TraceMistake::none)))
         ++first;
     const std::string seen =
         fmt::format("{}: expected {}, got {}.", askedOf(asked, first),
-                    words(expected(asked, direct, first, TraceSlip::none)), words(given[first]));
-    if (explains(TraceSlip::noMirror)) {
+                    words(expected(asked, direct, first, TraceMistake::none)), words(given[first]));
+    if (explains(TraceMistake::noMirror)) {
         const auto [text, hint] = whyOnlyItself(asked, answer);
         return maintick::failure(*text, seen, hint);
     }
-    for (const NamedTraceSlip& named : kTraceSlips)
-        if (explains(named.slip)) return maintick::failure(*named.finding, seen, named.hint);
+    for (const NamedTraceMistake& named : kTraceMistakes)
+        if (explains(named.mistake)) return maintick::failure(*named.finding, seen, named.hint);
     if (auto start = checkStarts(asked, answer, true)) return start;
     const bool isBase = asked.question.rays[first].bounces == 0;
     return maintick::failure(isBase ? kMirrorBase : kMirrorWrong, seen);

@@ -1,7 +1,7 @@
 #include <grader/tasks/maintick/Hits.h>
 #include <grader/tasks/maintick/JudgeMainTick.h>
 #include <grader/tasks/maintick/MainTickFindings.h>
-#include <grader/tasks/maintick/SphereSlips.h>
+#include <grader/tasks/maintick/SphereMistakes.h>
 #include <grader/tasks/support/Draw.h>
 
 #include <fmt/core.h>
@@ -96,7 +96,7 @@ TaskJudgement judgeSpheres(probe::Examinee& examinee, std::uint64_t seed) {
         const int object = static_cast<int>(scene.spheres.size()) - 1;
         asked.push_back(drawHit(draw, scene, object, alone.start));
     }
-    return maintick::judgeHits(examinee, scene, asked, maintick::sphereSlips(), kSphereTexts,
+    return maintick::judgeHits(examinee, scene, asked, maintick::sphereMistakes(), kSphereTexts,
                                "Sphere::intersectionWith");
 }
 

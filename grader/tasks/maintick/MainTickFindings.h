@@ -54,7 +54,7 @@ inline constexpr FindingText kSphereInside{
 inline constexpr FindingText kSphereDistance{
     .id = "sphere.distance",
     .words = "got distances to spheres wrong",
-    .meaning = "another distance, by a slip in the quadratic formula or by none that is known",
+    .meaning = "another distance, by a mistake in the quadratic formula or by none that is known",
     .hint =
         "Write a = D.D, b = 2 D.(O - C) and c = (O - C).(O - C) - r * r out for the ray above "
         "and compare each with what your code has.",

@@ -16,7 +16,7 @@ struct LitSetup {
 };
 
 /// Known mistakes in Phong's model; `none` is the right one.
-enum class PhongSlip : std::uint8_t {
+enum class PhongMistake : std::uint8_t {
     none,
     ambientMissing,
     ambientPerLight,
@@ -71,7 +71,7 @@ enum class PhongSlip : std::uint8_t {
 };
 
 /// The colour that code with this mistake gives.
-[[nodiscard]] ColourRGB phongWith(PhongSlip slip, const LitSetup& setup);
+[[nodiscard]] ColourRGB phongWith(PhongMistake mistake, const LitSetup& setup);
 
 }  // namespace ticker::tasks::maintick
 

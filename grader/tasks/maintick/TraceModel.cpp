@@ -8,22 +8,22 @@ namespace {
 constexpr ColourRGB kBackground{0.001};
 constexpr int kDeepest = 40;
 
-Ray mirrored(TraceSlip slip, const Ray& ray, const Meeting& at) {
+Ray mirrored(TraceMistake mistake, const Ray& ray, const Meeting& at) {
     const Vector3 D = ray.direction;
     Vector3 R = (-D).reflectIn(at.normal);
-    if (slip == TraceSlip::notNegated) R = D.reflectIn(at.normal);
-    if (slip == TraceSlip::straightOn) R = D;
-    if (slip == TraceSlip::straightBack) R = -D;
-    if (slip == TraceSlip::alongNormal) R = at.normal;
+    if (mistake == TraceMistake::notNegated) R = D.reflectIn(at.normal);
+    if (mistake == TraceMistake::straightOn) R = D;
+    if (mistake == TraceMistake::straightBack) R = -D;
+    if (mistake == TraceMistake::alongNormal) R = at.normal;
     Vector3 start = at.location + at.normal * 1e-4;
-    if (slip == TraceSlip::startAtOrigin) start = ray.origin;
-    if (slip == TraceSlip::startBelow) start = at.location - at.normal * 1e-4;
+    if (mistake == TraceMistake::startAtOrigin) start = ray.origin;
+    if (mistake == TraceMistake::startBelow) start = at.location - at.normal * 1e-4;
     return {start, R};
 }
 
-int nextBounces(TraceSlip slip, int bounces) {
-    if (slip == TraceSlip::once) return 0;
-    return slip == TraceSlip::notLowered ? bounces : bounces - 1;
+int nextBounces(TraceMistake mistake, int bounces) {
+    if (mistake == TraceMistake::once) return 0;
+    return mistake == TraceMistake::notLowered ? bounces : bounces - 1;
 }
 
 }  // namespace
@@ -47,22 +47,22 @@ ColourRGB TraceModel::blend(int object, const ColourRGB& mirrored) const {
     const raytracer::Material& material = materialOf(scene, object);
     const ColourRGB own = direct[static_cast<std::size_t>(object)];
     const double share = material.reflectivity;
-    switch (slip) {
-        case TraceSlip::plusWhole:
+    switch (mistake) {
+        case TraceMistake::plusWhole:
             return own + mirrored;
-        case TraceSlip::sharesExchanged:
+        case TraceMistake::sharesExchanged:
             return own * share + mirrored * (1.0 - share);
-        case TraceSlip::wholeDirect:
+        case TraceMistake::wholeDirect:
             return own + mirrored * share;
-        case TraceSlip::wholeMirrored:
+        case TraceMistake::wholeMirrored:
             return own * (1.0 - share) + mirrored;
-        case TraceSlip::directLost:
+        case TraceMistake::directLost:
             return mirrored * share;
-        case TraceSlip::mirroredAlone:
+        case TraceMistake::mirroredAlone:
             return mirrored;
-        case TraceSlip::evenShares:
+        case TraceMistake::evenShares:
             return (own + mirrored) * 0.5;
-        case TraceSlip::timesColour:
+        case TraceMistake::timesColour:
             return own * (1.0 - share) + mirrored * material.colour * share;
         default:
             return own * (1.0 - share) + mirrored * share;
@@ -78,28 +78,30 @@ ColourRGB TraceModel::withReplacedWeight(Ray ray, int bounces) const {
         if (bounces-- == 0 || share == 0.0) return sum + own * weight;
         sum += own * ((1.0 - share) * weight);
         weight = share;
-        ray = mirrored(slip, ray, nearest->meeting);
+        ray = mirrored(mistake, ray, nearest->meeting);
     }
     return sum + kBackground * weight;
 }
 
 ColourRGB TraceModel::along(const Ray& ray, int bounces, int depth) const {
-    if (slip == TraceSlip::weightReplaced) return withReplacedWeight(ray, bounces);
+    if (mistake == TraceMistake::weightReplaced) return withReplacedWeight(ray, bounces);
     const auto nearest = nearestOn(scene, ray);
     const bool isBlack =
-        slip == TraceSlip::black || (slip == TraceSlip::blackMirrored && depth > 0);
+        mistake == TraceMistake::black || (mistake == TraceMistake::blackMirrored && depth > 0);
     if (!nearest) return isBlack ? ColourRGB{0.0} : kBackground;
     const double share = materialOf(scene, nearest->object).reflectivity;
     const ColourRGB own = direct[static_cast<std::size_t>(nearest->object)];
-    const int last = slip == TraceSlip::oneLess ? 1 : slip == TraceSlip::oneMore ? -1 : 0;
+    const int last = mistake == TraceMistake::oneLess   ? 1
+                     : mistake == TraceMistake::oneMore ? -1
+                                                        : 0;
     constexpr double kWeak = 0.1;
-    const bool isIgnored = slip == TraceSlip::weakIgnored && share < kWeak;
+    const bool isIgnored = mistake == TraceMistake::weakIgnored && share < kWeak;
     if (bounces <= last || share == 0.0 || isIgnored || depth > kDeepest ||
-        slip == TraceSlip::noMirror)
-        return slip == TraceSlip::baseReduced ? own * (1.0 - share) : own;
-    const Ray next = mirrored(slip, ray, nearest->meeting);
-    if (slip == TraceSlip::directWhereMirroredMisses && !nearestOn(scene, next)) return own;
-    return blend(nearest->object, along(next, nextBounces(slip, bounces), depth + 1));
+        mistake == TraceMistake::noMirror)
+        return mistake == TraceMistake::baseReduced ? own * (1.0 - share) : own;
+    const Ray next = mirrored(mistake, ray, nearest->meeting);
+    if (mistake == TraceMistake::directWhereMirroredMisses && !nearestOn(scene, next)) return own;
+    return blend(nearest->object, along(next, nextBounces(mistake, bounces), depth + 1));
 }
 
 std::vector<int> chainOf(const raytracer::SceneDescription& scene, Ray ray, int most,

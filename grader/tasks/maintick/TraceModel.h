@@ -10,7 +10,7 @@
 namespace ticker::tasks::maintick {
 
 /// Known mistakes in trace; `none` is the right one.
-enum class TraceSlip : std::uint8_t {
+enum class TraceMistake : std::uint8_t {
     none,
     noMirror,
     black,
@@ -58,7 +58,7 @@ struct MirrorStart {
 struct TraceModel {
     const raytracer::SceneDescription& scene;
     const std::vector<ColourRGB>& direct;  ///< of each object
-    TraceSlip slip = TraceSlip::none;
+    TraceMistake mistake = TraceMistake::none;
 
     [[nodiscard]] ColourRGB along(const Ray& ray, int bounces, int depth = 0) const;
 

@@ -45,12 +45,12 @@ TEST(MainTickAnswer, TracesTheChainOfTheHandout) {
 TEST(MainTickQuestions, SetEveryKnownMistakeOfPhongFarApart) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const auto asked = drawLitQuestions(seed);
-        for (int i = 1; i < static_cast<int>(PhongSlip::kCount); ++i) {
+        for (int i = 1; i < static_cast<int>(PhongMistake::kCount); ++i) {
             bool shows = false;
             for (const LitQuestion& one : asked)
-                shows = shows || !isNear(phongWith(static_cast<PhongSlip>(i), one.setup),
-                                         phongWith(PhongSlip::none, one.setup), kFarApart);
-            EXPECT_TRUE(shows) << "slip " << i << ", seed " << seed;
+                shows = shows || !isNear(phongWith(static_cast<PhongMistake>(i), one.setup),
+                                         phongWith(PhongMistake::none, one.setup), kFarApart);
+            EXPECT_TRUE(shows) << "mistake " << i << ", seed " << seed;
         }
     }
 }
@@ -63,15 +63,15 @@ TEST(MainTickQuestions, SetEveryKnownMistakeOfMirrorsFarApart) {
             direct.push_back(asked.question.scene.ambientLighting *
                              materialOf(asked.question.scene, point.object).colour);
         EXPECT_GE(asked.question.rays.size(), 40U) << seed;
-        for (int i = 1; i < static_cast<int>(TraceSlip::kCount); ++i) {
+        for (int i = 1; i < static_cast<int>(TraceMistake::kCount); ++i) {
             const TraceModel right{asked.question.scene, direct};
-            const TraceModel wrong{asked.question.scene, direct, static_cast<TraceSlip>(i)};
+            const TraceModel wrong{asked.question.scene, direct, static_cast<TraceMistake>(i)};
             bool shows = false;
             for (const probe::CastRay& ray : asked.question.rays)
                 shows = shows ||
                         !isNear(wrong.along({ray.origin, ray.direction}, ray.bounces),
                                 right.along({ray.origin, ray.direction}, ray.bounces), kFarApart);
-            EXPECT_TRUE(shows) << "slip " << i << ", seed " << seed;
+            EXPECT_TRUE(shows) << "mistake " << i << ", seed " << seed;
         }
     }
 }

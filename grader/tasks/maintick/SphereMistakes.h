@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_MAINTICK_SPHERESLIPS_H
-#define TICKER_TASKS_MAINTICK_SPHERESLIPS_H
+#ifndef TICKER_TASKS_MAINTICK_SPHEREMISTAKES_H
+#define TICKER_TASKS_MAINTICK_SPHEREMISTAKES_H
 
 #include <grader/tasks/maintick/Hits.h>
 
@@ -9,7 +9,7 @@ namespace ticker::tasks::maintick {
 
 /// The known mistakes in the distance to a sphere, in the order in which the first that explains
 /// everything is named.
-[[nodiscard]] std::span<const HitSlip> sphereSlips();
+[[nodiscard]] std::span<const HitMistake> sphereMistakes();
 
 }  // namespace ticker::tasks::maintick
 
