@@ -1,7 +1,7 @@
 #include <grader/lab/similar/Tokens.h>
+#include <grader/repair/candidates/Tokens.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 namespace ticker::similar {
@@ -9,73 +9,52 @@ namespace {
 
 using Kind = Token::Kind;
 
-bool isLetter(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-bool isDigit(char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-bool isSpace(char c) {
-    return std::isspace(static_cast<unsigned char>(c)) != 0;
-}
-
-std::size_t endOfLine(std::string_view text) {
-    return std::min(text.find('\n'), text.size());
-}
-
-std::size_t endOfString(std::string_view text) {
-    std::size_t at = 1;
-    while (at < text.size() && text[at] != text[0])
-        at += text[at] == '\\' ? 2 : 1;
-    return std::min(at + 1, text.size());
-}
+constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
 std::size_t endOfComment(std::string_view text) {
-    const std::size_t end = text.find("*/", 2);
-    return end == std::string_view::npos ? text.size() : end + 2;
+    const std::string_view end = text.starts_with("//") ? "\n" : "*/";
+    const std::size_t found = text.find(end, 2);
+    if (found == std::string_view::npos) return text.size();
+    return end == "\n" ? found : found + end.size();
 }
 
-template <class IsIn>
-std::size_t lengthOf(std::string_view text, IsIn isIn) {
-    return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), isIn) -
-                                    text.begin());
-}
-
-std::size_t lengthOfMark(std::string_view text) {
-    constexpr std::array<std::string_view, 17> kLong{"+=", "-=", "*=", "/=", "++", "--",
-                                                     "==", "!=", "<=", ">=", "->", "::",
-                                                     "&&", "||", "<<", ">>", "%="};
-    return std::ranges::find(kLong, text.substr(0, 2)) != kLong.end() ? 2 : 1;
-}
-
-Token firstOf(std::string_view text) {
-    const char c = text.front();
-    const auto piece = [&](Kind kind, std::size_t length) {
-        return Token{kind, std::string{text.substr(0, length)}};
-    };
-    if (isSpace(c)) return piece(Kind::space, lengthOf(text, isSpace));
-    if (text.starts_with("//")) return piece(Kind::comment, endOfLine(text));
-    if (text.starts_with("/*")) return piece(Kind::comment, endOfComment(text));
-    if (c == '#') return piece(Kind::directive, endOfLine(text));
-    if (c == '"' || c == '\'') return piece(Kind::text, endOfString(text));
-    if (isDigit(c) || (c == '.' && text.size() > 1 && isDigit(text[1]))) {
-        const auto isInNumber = [](char each) {
-            return isLetter(each) || each == '.' || each == '\'';
-        };
-        return piece(Kind::number, lengthOf(text, isInNumber));
+/// What stands between two tokens: white space and comments.
+void addGap(std::vector<Token>& tokens, std::string_view gap) {
+    while (!gap.empty()) {
+        const bool isSpace = kBlanks.find(gap.front()) != std::string_view::npos;
+        const std::size_t size =
+            isSpace ? std::min(gap.find_first_not_of(kBlanks), gap.size()) : endOfComment(gap);
+        tokens.push_back({isSpace ? Kind::space : Kind::comment, std::string{gap.substr(0, size)}});
+        gap.remove_prefix(size);
     }
-    if (isLetter(c)) return piece(Kind::word, lengthOf(text, isLetter));
-    return piece(Kind::mark, lengthOfMark(text));
+}
+
+Kind kindOf(std::string_view token) {
+    const auto first = static_cast<unsigned char>(token.front());
+    if (first == '"' || first == '\'') return Kind::text;
+    if (std::isdigit(first) != 0 || (first == '.' && token.size() > 1 && token[1] != '.'))
+        return Kind::number;
+    return std::isalpha(first) != 0 || first == '_' ? Kind::word : Kind::mark;
 }
 
 }  // namespace
 
 std::vector<Token> tokensOf(std::string_view source) {
     std::vector<Token> tokens;
-    while (!source.empty()) {
-        tokens.push_back(firstOf(source));
-        source.remove_prefix(tokens.back().text.size());
+    std::size_t at = 0;
+    for (const candidates::Range& range : candidates::tokensOf(source)) {
+        if (range.begin < at) continue;  // a part of a directive
+        addGap(tokens, source.substr(at, range.begin - at));
+        std::string_view text = source.substr(range.begin, range.size());
+        const bool isDirective = text == "#";
+        if (isDirective) {
+            text = source.substr(range.begin);
+            text = text.substr(0, text.find('\n'));
+        }
+        tokens.push_back({isDirective ? Kind::directive : kindOf(text), std::string{text}});
+        at = range.begin + text.size();
     }
+    addGap(tokens, source.substr(at));
     return tokens;
 }
 
