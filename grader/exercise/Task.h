@@ -46,6 +46,9 @@ struct Task {
     void (*doubt)(std::vector<TaskReport>& tasks, const RenderEvidence& renders) = nullptr;
     /// For hundreds of edits of one submission; may be null.
     Screening (*screen)(std::uint64_t seed) = nullptr;
+    /// Adds drawings for people to a judgement, from questions of its own, and changes nothing
+    /// else; may be null.
+    void (*draw)(probe::Examinee& examinee, TaskJudgement& judgement) = nullptr;
 };
 
 }  // namespace ticker

@@ -31,6 +31,10 @@ std::uint64_t valueCountOf(const TraceQuestion& question) {
     return question.rays.size();
 }
 
+std::uint64_t valueCountOf(const CallQuestion& question) {
+    return question.width == 0 ? 0 : question.arguments.size() / question.width;
+}
+
 std::uint64_t askCountOf(const HitQuestion& question) {
     return question.rays.size();
 }
@@ -46,6 +50,9 @@ std::uint32_t eventCapacityOf(const NormalQuestion& /*question*/) {
     return 0;
 }
 std::uint32_t eventCapacityOf(const HitQuestion& /*question*/) {
+    return 0;
+}
+std::uint32_t eventCapacityOf(const CallQuestion& /*question*/) {
     return 0;
 }
 template <typename AnyQuestion>
@@ -144,6 +151,15 @@ struct Read {
                                    known ? static_cast<int>(object) : -1, values[i + 1],
                                    values[i + 2]});
         }
+        return answer;
+    }
+
+    Answer operator()(const CallQuestion& /*question*/) const {
+        CallAnswer answer;
+        answer.state = stateOf(header);
+        answer.message = messageOf(header);
+        answer.exceptions = exceptions();
+        answer.values = loadAll<Vector3>(memory, place.values, place.valueCount);
         return answer;
     }
 

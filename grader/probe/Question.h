@@ -90,8 +90,18 @@ struct TraceQuestion {
     std::uint32_t eventCapacity = 0;  ///< most logged rays; 0: no log
 };
 
-using Question =
-    std::variant<NormalQuestion, IlluminateQuestion, RenderQuestion, HitQuestion, TraceQuestion>;
+/// Asks a function that the exercise has named (Calls.h), once for each row of arguments, each call
+/// after seedRandom(seed + i).
+struct CallQuestion {
+    std::string function;  ///< name of the `Call`
+    raytracer::SceneDescription scene;
+    std::uint64_t seed = 0;
+    std::uint32_t width = 1;        ///< arguments of each call
+    std::vector<double> arguments;  ///< row after row
+};
+
+using Question = std::variant<NormalQuestion, IlluminateQuestion, RenderQuestion, HitQuestion,
+                              TraceQuestion, CallQuestion>;
 
 /// A hit fills three values: (is a hit, distance, object), location, normal.
 inline constexpr std::size_t kValuesOfHit = 3;
@@ -164,6 +174,13 @@ struct HitAnswer {
     std::vector<Hit> hits;         ///< one for each ray
 };
 
+struct CallAnswer {
+    AnswerState state = AnswerState::missing;
+    std::string message;
+    std::uint32_t exceptions = 0;  ///< number of calls in which an exception was thrown
+    std::vector<Vector3> values;   ///< one for each row of arguments
+};
+
 struct RenderAnswer {
     AnswerState state = AnswerState::missing;
     std::string message;
@@ -176,7 +193,7 @@ struct RenderAnswer {
     std::uint32_t exceptions = 0;  ///< number of repetitions in which an exception was thrown
 };
 
-using Answer = std::variant<NormalAnswer, IlluminateAnswer, RenderAnswer, HitAnswer>;
+using Answer = std::variant<NormalAnswer, IlluminateAnswer, RenderAnswer, HitAnswer, CallAnswer>;
 
 }  // namespace ticker::probe
 

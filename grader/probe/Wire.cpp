@@ -15,7 +15,7 @@ using raytracer::RenderSettings;
 using raytracer::SceneDescription;
 
 constexpr std::uint32_t kMagic = 0x544B5051;  // "TKPQ"
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 constexpr int kLargestFrame = 4096;
 constexpr int kMostRepetitions = 4096;
 
@@ -61,6 +61,11 @@ void check(const HitQuestion& question) {
 
 void check(const TraceQuestion& question) {
     check(question.settings);
+}
+
+void check(const CallQuestion& question) {
+    if (question.width == 0 || question.arguments.size() % question.width != 0)
+        refuse("the arguments of a call are no whole rows");
 }
 
 void check(const RenderQuestion& question) {
@@ -124,6 +129,14 @@ struct Put {
         writer.putAll(question.rays);
         writer.put(question.eventCapacity);
     }
+    void operator()(const CallQuestion& question) const {
+        check(question);
+        writer.putAll(std::vector<char>{question.function.begin(), question.function.end()});
+        putScene(writer, question.scene);
+        writer.put(question.seed);
+        writer.put(question.width);
+        writer.putAll(question.arguments);
+    }
 };
 
 NormalQuestion getNormalQuestion(ByteReader& reader) {
@@ -180,6 +193,18 @@ TraceQuestion getTraceQuestion(ByteReader& reader) {
     return question;
 }
 
+CallQuestion getCallQuestion(ByteReader& reader) {
+    CallQuestion question;
+    const auto name = reader.getAll<char>();
+    question.function.assign(name.begin(), name.end());
+    question.scene = getScene(reader);
+    question.seed = reader.get<std::uint64_t>();
+    question.width = reader.get<std::uint32_t>();
+    question.arguments = reader.getAll<double>();
+    check(question);
+    return question;
+}
+
 Question getQuestion(ByteReader& reader) {
     switch (reader.get<std::uint32_t>()) {
         case 0:
@@ -192,6 +217,8 @@ Question getQuestion(ByteReader& reader) {
             return getHitQuestion(reader);
         case 4:
             return getTraceQuestion(reader);
+        case 5:
+            return getCallQuestion(reader);
         default:
             refuse("a question of no known kind");
     }

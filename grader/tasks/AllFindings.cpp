@@ -9,27 +9,35 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace ticker::tasks {
+namespace {
+
+constexpr std::array kTables{FindingTable{"T1", kBumpFindings},
+                             FindingTable{"T2.1", kShadowFindings},
+                             FindingTable{"T2.2", kLensFindings},
+                             FindingTable{"M1", kSphereFindings},
+                             FindingTable{"M2", kPhongFindings},
+                             FindingTable{"M3.1", kPlaneFindings},
+                             FindingTable{"M3.2", kShadeFindings},
+                             FindingTable{"M4", kMirrorFindings},
+                             FindingTable{"Screenshot", kScreenshotFindings},
+                             FindingTable{"Any task", kGeneralFindings}};
+
+}  // namespace
+
+std::span<const FindingTable> findingTables() {
+    return kTables;
+}
 
 std::span<const FindingText* const> allFindings() {
     static const std::vector<const FindingText*> kAll = [] {
         std::vector<const FindingText*> all;
-        const auto add = [&](const auto& some) {
-            for (const FindingText* text : some)
+        for (const FindingTable& table : kTables)
+            for (const FindingText* text : table.findings)
                 if (std::ranges::find(all, text) == all.end()) all.push_back(text);
-        };
-        add(kBumpFindings);
-        add(kShadowFindings);
-        add(kLensFindings);
-        add(kSphereFindings);
-        add(kPhongFindings);
-        add(kPlaneFindings);
-        add(kShadeFindings);
-        add(kMirrorFindings);
-        add(kScreenshotFindings);
-        add(kGeneralFindings);
         return all;
     }();
     return kAll;

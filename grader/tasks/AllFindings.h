@@ -8,6 +8,15 @@
 
 namespace ticker::tasks {
 
+/// The findings of one task, in the order in which they are reported.
+struct FindingTable {
+    std::string_view heading;  ///< of its table in docs/findings.md: the task's id
+    std::span<const FindingText* const> findings;
+};
+
+/// The tables of all tasks; the last one has the general findings.
+[[nodiscard]] std::span<const FindingTable> findingTables();
+
 /// Every finding once: the findings of each task in the order in which they are reported, then the
 /// general ones. docs/findings.md is generated from this list.
 [[nodiscard]] std::span<const FindingText* const> allFindings();

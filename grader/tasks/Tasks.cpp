@@ -3,6 +3,7 @@
 #include <grader/tasks/bump/BumpPicture.h>
 #include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tasks/bump/ScreenBump.h>
+#include <grader/tasks/drawings/DrawBumps.h>
 #include <grader/tasks/lens/JudgeLens.h>
 #include <grader/tasks/lens/ScreenLens.h>
 #include <grader/tasks/lens/checks/PictureDoubt.h>
@@ -32,7 +33,7 @@ void doubtT22(std::vector<TaskReport>& tasks, const RenderEvidence& renders) {
     doubtPicture(tasks, renders.misfits, aperture);
 }
 
-constexpr std::array kTick1star{Task{"T1", judgeBump, hasRelief, doubtT1, screenBump},
+constexpr std::array kTick1star{Task{"T1", judgeBump, hasRelief, doubtT1, screenBump, drawBumps},
                                 Task{"T2.1", judgeShadows, isAnyScene, nullptr, screenShadows},
                                 Task{"T2.2", judgeLens, isAnyScene, doubtT22, screenLens}};
 

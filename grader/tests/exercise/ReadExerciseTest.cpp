@@ -61,9 +61,22 @@ TEST(ReadExercise, EachFileFitsItsSchemaAndNamesWhatIsThere) {
 
 TEST(ReadExercise, EveryTaskHasOneRowAndEveryRowATask) {
     for (const Exercise& exercise : knownExercises()) {
-        EXPECT_EQ(tasks::tasksOf(exercise.name).size(), exercise.tasks.size());
+        EXPECT_EQ(tasks::tasksOf(exercise.name).size(), exercise.tasks.size())
+            << "the rows of " << exercise.name << " in grader/tasks/Tasks.cpp";
         for (const Task& task : tasks::tasksOf(exercise.name))
             EXPECT_NE(exercise.task(task.id), nullptr) << task.id;
+    }
+}
+
+// The students' ./check goes through these: it never tests a task that is missing there.
+TEST(ReadExercise, EveryTaskIsInTheCheckJsonOfTheStudentsPackage) {
+    for (const Exercise& exercise : knownExercises()) {
+        const std::string file =
+            (exercise.overlay.empty() ? "student_template" : exercise.overlay) + "/check.json";
+        const std::string text = tests::readFile(file);
+        for (const TaskEntry& task : exercise.tasks)
+            EXPECT_NE(text.find(R"({"id": ")" + task.id + R"(",)"), std::string::npos)
+                << file << " has no " << task.id;
     }
 }
 

@@ -2,20 +2,27 @@
 #include <grader/report/ClassPage.h>
 #include <grader/report/SummaryCsv.h>
 #include <grader/report/student/StudentView.h>
+#include <grader/tasks/support/Draw.h>
+#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/support/RunEnd.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>
-#include <grader/tests/support/SampleQuestions.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
-// A third task in a third file passes through all stages of a submission. This folder has
-// everything that it needs: an entry in exercise.json, a row, a judge, a stub and a solution.
+// A further task in a third file passes through all stages of a submission. This folder has an
+// entry in exercise.json, the call of its function, a stub and a solution; its row, its judge and
+// its finding are below. Its id and its file are such as no real task has.
 namespace ticker {
 namespace {
 
@@ -29,12 +36,25 @@ const Exercise& toyExercise() {
     return kExercise;
 }
 
-// The probe has no question about fog: the toy's judge accepts every program that answers.
-TaskJudgement judgeFog(probe::Examinee& examinee, std::uint64_t /*seed*/) {
-    const probe::Run run = examinee.ask({tests::normalQuestion()});
-    TaskJudgement judgement;
-    judgement.state = run.answers.size() == 1 ? TaskState::passed : TaskState::failed;
-    return judgement;
+constexpr FindingText kFogWrong{.id = "fog.wrong",
+                                .words = "let another share of the light through",
+                                .meaning = "the share is another one than exp(-distance)"};
+constexpr std::array<const FindingText*, 1> kFogFindings{&kFogWrong};
+
+TaskJudgement judgeFog(probe::Examinee& examinee, std::uint64_t seed) {
+    tasks::Draw draw{seed, 9};
+    probe::CallQuestion question{"transmittance", {}, seed, 1, {}};
+    for (int i = 0; i < 8; ++i)
+        question.arguments.push_back(draw.between(0.1, 4.0));
+    const probe::Run run = examinee.ask({question});
+    if (auto blocked = tasks::judgeUnanswered(run, "transmittance")) return *std::move(blocked);
+    const auto& values = std::get<probe::CallAnswer>(run.answers.at(0)).values;
+    std::vector<Finding> findings;
+    for (std::size_t i = 0; i < values.size() && findings.empty(); ++i)
+        if (!(std::abs(values[i].x - std::exp(-question.arguments[i])) < 1e-9))
+            findings.push_back(
+                tasks::distributedFinding(kFogWrong, Severity::fail, "another share"));
+    return tasks::judgementOf(std::move(findings), kFogFindings);
 }
 
 bool isFoggy(const raytracer::SceneDescription& /*scene*/) {
@@ -45,7 +65,7 @@ const std::vector<Task>& toyTasks() {
     static const std::vector<Task> kTasks = [] {
         const auto known = tasks::tasksOf(defaultExercise().name);
         std::vector<Task> tasks{known.begin(), known.end()};
-        tasks.push_back({"T3", judgeFog, isFoggy, nullptr});
+        tasks.push_back({"T9", judgeFog, isFoggy, nullptr});
         return tasks;
     }();
     return kTasks;
@@ -67,12 +87,19 @@ private:
         const fs::path kit = folder_.path() / "kit";
         fs::copy(real.folder(), kit, fs::copy_options::recursive);
         std::string json = tests::readFile(fs::relative(kit / "kit.json", TICKER_SOURCE_DIR));
-        json.replace(json.find("\"Renderer.cpp\""), 14, R"("Renderer.cpp", "Fog.cpp")");
+        json.replace(json.find("\"Renderer.cpp\""), 14, R"("Renderer.cpp", "Toy.cpp")");
         std::ofstream{kit / "kit.json"} << json;
-        fs::copy(kToy / "stub/Fog.cpp", kit / "template/Fog.cpp");
-        run(real.compiler() + " -O2 -std=c++20 -c " + (kit / "template/Fog.cpp").string() + " -o " +
-            (kit / "template/Fog.o").string());
+        fs::copy(kToy / "stub/Toy.cpp", kit / "template/Toy.cpp");
+        compile(real, kit / "template/Toy.cpp", kit / "template/Toy.o");
+        compile(real, kToy / "Calls.cpp", kit / "lib/calls.o");
+        run("ar r " + (kit / "lib/libkit.a").string() + " " + (kit / "lib/calls.o").string() +
+            " 2>/dev/null");
         fs::permissions(folder_.path(), fs::perms{0755});
+    }
+
+    static void compile(const build::Kit& kit, const fs::path& source, const fs::path& object) {
+        run(kit.compiler() + " -O2 -std=c++20 -I" + (kit.folder() / "include").string() +
+            " -I" TICKER_SOURCE_DIR " -c " + source.string() + " -o " + object.string());
     }
 
     tests::TemporaryFolder folder_;
@@ -96,43 +123,51 @@ SubmissionResult graded(const std::string& file, const std::string& source) {
 }
 
 std::string fog(const std::string& folder) {
-    return tests::readFile("grader/tests/exercise/toy/" + folder + "/Fog.cpp");
+    return tests::readFile("grader/tests/exercise/toy/" + folder + "/Toy.cpp");
 }
 
 TEST(ToyTask, ThatIsSolvedEarnsTheTickAndStandsInEveryReport) {
-    const SubmissionResult result = graded("Fog.cpp", fog("solved"));
-    EXPECT_EQ(tests::taskOf(result, "T3").state, TaskState::passed);
-    EXPECT_EQ(tests::taskOf(result, "T3").title, "Fog");
+    const SubmissionResult result = graded("Toy.cpp", fog("solved"));
+    EXPECT_EQ(tests::taskOf(result, "T9").state, TaskState::passed);
+    EXPECT_EQ(tests::taskOf(result, "T9").title, "Fog");
     EXPECT_EQ(tests::taskOf(result, "T1").state, TaskState::notAttempted);
     EXPECT_EQ(result.verdict, Verdict::awarded);
     EXPECT_EQ(result.option, "fog");
-    EXPECT_EQ(result.sources.at(0).file, "Fog.cpp");
+    EXPECT_EQ(result.sources.at(0).file, "Toy.cpp");
 
-    EXPECT_NE(report::summaryCsv({result}, {}, toyExercise()).find(",T2.2,T3,screenshot,"),
+    EXPECT_NE(report::summaryCsv({result}, {}, toyExercise()).find(",T2.2,T9,screenshot,"),
               std::string::npos);
-    EXPECT_NE(report::classPage({result}, toyExercise()).find(">T3<"), std::string::npos);
+    EXPECT_NE(report::classPage({result}, toyExercise()).find(">T9<"), std::string::npos);
     const report::StudentView view{result, {}, "", {}, toyExercise()};
-    EXPECT_NE(report::wholeText(view).find("T3 Fog, passed"), std::string::npos);
+    EXPECT_NE(report::wholeText(view).find("T9 Fog, passed"), std::string::npos);
+}
+
+TEST(ToyTask, ThatIsWrongFailsWithItsFinding) {
+    std::string grows = fog("solved");
+    grows.replace(grows.find("exp(-"), 5, "exp(");
+    const SubmissionResult result = graded("Toy.cpp", grows);
+    EXPECT_EQ(tests::taskOf(result, "T9").state, TaskState::failed);
+    EXPECT_EQ(tests::findingIds(tests::taskOf(result, "T9")).at(0), "fog.wrong");
 }
 
 TEST(ToyTask, ThatIsTheStubIsNotAttempted) {
-    const SubmissionResult result = graded("Fog.cpp", fog("stub"));
-    EXPECT_EQ(tests::taskOf(result, "T3").state, TaskState::notAttempted);
+    const SubmissionResult result = graded("Toy.cpp", fog("stub"));
+    EXPECT_EQ(tests::taskOf(result, "T9").state, TaskState::notAttempted);
     const report::StudentView view{result, {}, "", {}, toyExercise()};
-    EXPECT_NE(report::wholeText(view).find("Edit Fog.cpp (T3)."), std::string::npos);
+    EXPECT_NE(report::wholeText(view).find("Edit Toy.cpp (T9)."), std::string::npos);
 }
 
 TEST(ToyTask, ThatDoesNotCompileIsBlockedWithTheCompilersWords) {
-    const SubmissionResult broken = graded("Fog.cpp", "int x = nonsense;\n");
-    EXPECT_EQ(tests::findingIds(tests::taskOf(broken, "T3")).at(0), "build.failed");
-    EXPECT_EQ(broken.diagnostics.at(0).file, "Fog.cpp");
+    const SubmissionResult broken = graded("Toy.cpp", "int x = nonsense;\n");
+    EXPECT_EQ(tests::findingIds(tests::taskOf(broken, "T9")).at(0), "build.failed");
+    EXPECT_EQ(broken.diagnostics.at(0).file, "Toy.cpp");
 }
 
 TEST(ToyTask, LeavesTheOtherTasksAsTheyAre) {
     const SubmissionResult result =
         graded("BumpySphere.cpp", tests::readFile("reference_solution/exercise/BumpySphere.cpp"));
     EXPECT_EQ(tests::taskOf(result, "T1").state, TaskState::passed);
-    EXPECT_EQ(tests::taskOf(result, "T3").state, TaskState::notAttempted);
+    EXPECT_EQ(tests::taskOf(result, "T9").state, TaskState::notAttempted);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
+#include <grader/probe/AnswerMemory.h>
+#include <grader/probe/Calls.h>
 #include <grader/tests/support/LocalExaminee.h>
 #include <grader/tests/support/SampleQuestions.h>
 
+#include <raytracer/base/Error.h>
 #include <raytracer/geometry/BumpySphere.h>
 #include <raytracer/math/Random.h>
 #include <raytracer/render/Renderer.h>
@@ -8,9 +11,26 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace ticker::probe {
+namespace {
+
+// A sum and the number of objects; it refuses negative arguments.
+Vector3 addUp(const raytracer::Scene& scene, std::span<const double> arguments) {
+    if (arguments[0] < 0.0) throw std::runtime_error("negative");
+    return {arguments[0] + arguments[1], static_cast<double>(scene.objects().size()), 0.0};
+}
+
+constexpr std::array kCalls{Call{"sum", addUp}};
+
+}  // namespace
+
+std::span<const Call> calls() {
+    return kCalls;
+}
+
 namespace {
 
 template <typename AnyAnswer>
@@ -35,6 +55,26 @@ TEST(Respond, GivesTheNormalsOfTheLinkedSolution) {
         std::make_shared<const raytracer::HeightMap>(question.map.build())};
     for (std::size_t i = 0; i < question.positions.size(); ++i)
         EXPECT_EQ(answer.normals[i], sphere.getNormalAt(question.positions[i])) << i;
+}
+
+TEST(Respond, CallsANamedFunctionOnceForEachRow) {
+    const auto answer = askFor<CallAnswer>(
+        CallQuestion{"sum", tests::smallScene(), 0, 2, {1.0, 2.0, -1.0, 0.0, 3.0, 4.0}});
+
+    ASSERT_EQ(answer.values.size(), 3U);
+    const auto objects =
+        static_cast<double>(tests::smallScene().spheres.size() + tests::smallScene().planes.size());
+    EXPECT_EQ(answer.values[0], (Vector3{3.0, objects, 0.0}));
+    EXPECT_TRUE(isUnanswered(answer.values[1]));
+    EXPECT_EQ(answer.values[2], (Vector3{7.0, objects, 0.0}));
+    EXPECT_EQ(answer.state, AnswerState::threw);
+    EXPECT_EQ(answer.exceptions, 1U);
+    EXPECT_EQ(answer.message, "negative");
+}
+
+// A fault of the exercise, not of the submission.
+TEST(Respond, RefusesACallThatTheExerciseDoesNotName) {
+    EXPECT_THROW(askFor<CallAnswer>(CallQuestion{"product", {}, 0, 1, {1.0}}), raytracer::Error);
 }
 
 TEST(Respond, SeedsEachPointByItself) {

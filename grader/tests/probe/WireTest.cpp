@@ -51,6 +51,25 @@ TEST(Wire, CarriesASceneWithItsSettingsButNoPointers) {
     EXPECT_EQ(got.scene.pointLights.at(0).intensity(), 100.0);
 }
 
+TEST(Wire, CarriesEveryFieldOfACallQuestion) {
+    const CallQuestion asked{"fog", tests::smallScene(), 9, 2, {1.0, 2.0, 3.0, 4.0}};
+
+    const auto questions = decodeQuestions(encodeQuestions({asked}));
+
+    const auto& got = std::get<CallQuestion>(questions.at(0));
+    EXPECT_EQ(got.function, "fog");
+    EXPECT_EQ(got.scene.spheres.size(), asked.scene.spheres.size());
+    EXPECT_EQ(got.seed, 9U);
+    EXPECT_EQ(got.width, 2U);
+    EXPECT_EQ(got.arguments, asked.arguments);
+}
+
+TEST(Wire, RefusesArgumentsThatAreNoWholeRows) {
+    EXPECT_THROW(encodeQuestions({CallQuestion{"fog", {}, 0, 2, {1.0, 2.0, 3.0}}}),
+                 raytracer::Error);
+    EXPECT_THROW(encodeQuestions({CallQuestion{"fog", {}, 0, 0, {}}}), raytracer::Error);
+}
+
 TEST(Wire, SendsHeightsThatAreNoBytesInFull) {
     RenderQuestion asked = tests::renderQuestion();
     asked.scene.spheres[0].heightMap =
