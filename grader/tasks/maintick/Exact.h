@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace ticker::tasks::maintick {
@@ -62,6 +63,29 @@ struct Meeting {
 /// A finding that fails.
 /// @param hint  Empty: that of `text`.
 [[nodiscard]] Finding failure(const FindingText& text, std::string seen, std::string hint = {});
+
+/// The first of these questions that code with this mistake would answer otherwise; all are right:
+/// nothing.
+/// @param isRight  Whether the answer to a question (by index) is that of a mistake (a pointer).
+template <class Mistake, class IsRight>
+[[nodiscard]] std::optional<std::size_t> firstWrong(std::size_t questions, const Mistake& mistake,
+                                                    const IsRight& isRight) {
+    for (std::size_t i = 0; i < questions; ++i)
+        if (!isRight(i, mistake)) return i;
+    return std::nullopt;
+}
+
+/// Known mistakes are rows: the finding, what code with the mistake answers, and the hint.
+/// @return  A failure by the name of the first row that explains all answers.
+template <class Mistake, class IsRight>
+[[nodiscard]] std::optional<Finding> nameMistake(std::span<const Mistake> mistakes,
+                                                 std::size_t questions, const IsRight& isRight,
+                                                 const std::string& seen) {
+    for (const Mistake& mistake : mistakes)
+        if (!firstWrong(questions, &mistake, isRight))
+            return failure(*mistake.finding, seen, mistake.hint);
+    return std::nullopt;
+}
 
 }  // namespace ticker::tasks::maintick
 

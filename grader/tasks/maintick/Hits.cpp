@@ -54,24 +54,19 @@ const FindingText& nameOf(const AskedHit& asked, const probe::Hit& hit, const Hi
 std::optional<Finding> checkDistances(const raytracer::SceneDescription& scene, const Asked& asked,
                                       const Hits& hits, std::span<const HitMistake> mistakes,
                                       const HitTexts& texts) {
-    const auto wrongAt = [&](std::size_t i) {
-        return asked[i].place != Place::longDirection && !isRight(hits[i], distanceOf(asked[i]));
+    const auto isAsMistaken = [&](std::size_t i, const HitMistake* mistake) {
+        if (asked[i].place == Place::longDirection) return true;
+        return isRight(hits[i], mistake == nullptr ? distanceOf(asked[i])
+                                                   : mistake->distance(scene, asked[i].ray.object,
+                                                                       asked[i].line()));
     };
-    std::size_t first = 0;
-    while (first < asked.size() && !wrongAt(first))
-        ++first;
-    if (first == asked.size()) return std::nullopt;
-    const std::string seen = fmt::format("{}: expected {}, got {}.", askedOf(asked[first]),
-                                         expectedOf(asked[first]), gotOf(hits[first]));
-    for (const HitMistake& mistake : mistakes) {
-        bool explains = true;
-        for (std::size_t i = 0; i < asked.size() && explains; ++i)
-            explains =
-                asked[i].place == Place::longDirection ||
-                isRight(hits[i], mistake.distance(scene, asked[i].ray.object, asked[i].line()));
-        if (explains) return failure(*mistake.finding, seen, mistake.hint);
-    }
-    return failure(nameOf(asked[first], hits[first], texts), seen);
+    const auto first = firstWrong(asked.size(), nullptr, isAsMistaken);
+    if (!first) return std::nullopt;
+    const AskedHit& wrong = asked[*first];
+    const std::string seen = fmt::format("{}: expected {}, got {}.", askedOf(wrong),
+                                         expectedOf(wrong), gotOf(hits[*first]));
+    if (auto known = nameMistake(mistakes, asked.size(), isAsMistaken, seen)) return known;
+    return failure(nameOf(wrong, hits[*first], texts), seen);
 }
 
 std::optional<Finding> checkLocation(const AskedHit& asked, const probe::Hit& hit,

@@ -24,14 +24,22 @@ struct AskedHit {
     [[nodiscard]] Ray line() const { return {ray.origin, ray.direction}; }
 };
 
-/// A known mistake in the distance: what it answers, and what mends it.
+/// Nothing: no hit.
+using Distance = std::optional<double>;
+[[nodiscard]] inline Distance ifAhead(double distance) {
+    return distance > 0.0 ? Distance{distance} : Distance{};
+}
+
+/// A known mistake in the distance: its name, what it answers, and what mends it.
 struct HitMistake {
     const FindingText* finding;
-    const char* hint;
-    /// Nothing: no hit.
-    std::optional<double> (*distance)(const raytracer::SceneDescription& scene, int object,
-                                      const Ray& ray);
+    Distance (*distance)(const raytracer::SceneDescription& scene, int object, const Ray& ray);
+    const char* hint = "";  ///< empty: that of `finding`
 };
+
+/// The known mistakes of M1 and of M3.1.
+[[nodiscard]] std::span<const HitMistake> sphereMistakes();
+[[nodiscard]] std::span<const HitMistake> planeMistakes();
 
 /// What is said where no known mistake fits, and of the fields of a hit.
 struct HitTexts {

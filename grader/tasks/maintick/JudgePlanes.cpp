@@ -5,112 +5,12 @@
 
 #include <fmt/core.h>
 
-#include <array>
-
 namespace ticker::tasks {
 namespace {
 
 using maintick::AskedHit;
-using maintick::HitMistake;
 using maintick::Place;
-using raytracer::Ray;
 using raytracer::SceneDescription;
-using Distance = std::optional<double>;
-
-/// s = height / slope.
-struct Fraction {
-    double height = 0.0;    ///< (Q - O).N
-    double slope = 0.0;     ///< D.N
-    double ofPoint = 0.0;   ///< Q.N
-    double ofOrigin = 0.0;  ///< O.N
-    double ofFirst = 0.0;   ///< Q.N of the first plane
-};
-
-template <auto Solve>
-Distance solved(const SceneDescription& scene, int object, const Ray& ray) {
-    const auto& plane = scene.planes[static_cast<std::size_t>(object)];
-    const Vector3 normal = plane.normal.normalised();
-    const auto& first = scene.planes[0];
-    return Solve(Fraction{(plane.point - ray.origin).dot(normal), ray.direction.dot(normal),
-                          plane.point.dot(normal), ray.origin.dot(normal),
-                          first.point.dot(first.normal.normalised())});
-}
-
-Distance inFront(double distance) {
-    return distance > 0.0 ? Distance{distance} : Distance{};
-}
-
-const std::array kPlaneMistakes{
-    HitMistake{&kPlaneDistance,
-               "The sign is wrong: s = (Q - O).N / D.N, from the origin of the ray to the plane.",
-               solved<[](const Fraction& f) { return inFront(-f.height / f.slope); }>},
-    HitMistake{&kPlaneDistance, "The origin of the ray is left out: s = (Q - O).N / D.N.",
-               solved<[](const Fraction& f) { return inFront(f.ofPoint / f.slope); }>},
-    HitMistake{
-        &kPlaneDistance, "O is added instead of subtracted: s = (Q - O).N / D.N.",
-        solved<[](const Fraction& f) { return inFront((f.ofPoint + f.ofOrigin) / f.slope); }>},
-    HitMistake{&kPlaneDistance, "The point of the plane is left out: s = (Q - O).N / D.N.",
-               solved<[](const Fraction& f) { return inFront(-f.ofOrigin / f.slope); }>},
-    HitMistake{&kPlaneDistance, "The division by D.N is missing: s = (Q - O).N / D.N.",
-               solved<[](const Fraction& f) { return inFront(f.height); }>},
-    HitMistake{&kPlaneDistance, "The fraction is upside down: s = (Q - O).N / D.N.",
-               solved<[](const Fraction& f) { return inFront(f.slope / f.height); }>},
-    HitMistake{&kPlaneDistance, "It is multiplied where it should be divided: s = (Q - O).N / D.N.",
-               solved<[](const Fraction& f) { return inFront(f.slope * f.height); }>},
-    HitMistake{&kPlaneBehind, "",
-               solved<[](const Fraction& f) { return Distance{f.height / f.slope}; }>},
-    HitMistake{
-        &kPlaneBehind,
-        "The absolute value brings what lies behind the ray before it: leave it out, and return "
-        "std::nullopt where s is negative.",
-        solved<[](const Fraction& f) { return Distance{std::abs(f.height / f.slope)}; }>},
-    HitMistake{&kPlaneBehind, "The test is the wrong way round: a positive s is a hit.",
-               solved<[](const Fraction& f) {
-                   return f.height / f.slope < 0.0 ? Distance{f.height / f.slope} : Distance{};
-               }>},
-    HitMistake{&kPlaneOneSided, "", solved<[](const Fraction& f) {
-                   return f.slope < 0.0 ? inFront(f.height / f.slope) : Distance{};
-               }>},
-    HitMistake{&kPlaneOneSided, "", solved<[](const Fraction& f) {
-                   return 0.0 < f.slope ? inFront(f.height / f.slope) : Distance{};
-               }>},
-    HitMistake{&kPlaneOneSided, "", solved<[](const Fraction& f) {
-                   return f.slope < 0.0 ? Distance{f.height / f.slope} : Distance{};
-               }>},
-    HitMistake{&kPlaneOneSided,
-               "The absolute value of D.N loses the side that the ray comes from: leave it out.",
-               solved<[](const Fraction& f) { return inFront(f.height / std::abs(f.slope)); }>},
-    HitMistake{&kPlaneDistance,
-               "That is how far the origin is from the plane. The distance is s, along the ray: "
-               "s = (Q - O).N / D.N.",
-               solved<[](const Fraction& f) {
-                   return 0.0 < f.height / f.slope ? Distance{std::abs(f.height)} : Distance{};
-               }>},
-    HitMistake{
-        &kPlaneDistance,
-        "The point of another plane is used here: a static or global variable keeps the first. "
-        "Work everything out in each call.",
-        solved<[](const Fraction& f) { return inFront((f.ofFirst - f.ofOrigin) / f.slope); }>},
-    HitMistake{&kPlaneMissed,
-               "A limit cuts far hits off: every positive s is a hit, however large it is.",
-               solved<[](const Fraction& f) {
-                   const double s = f.height / f.slope;
-                   return 1000.0 < s ? Distance{} : inFront(s);
-               }>},
-    HitMistake{
-        &kPlaneMissed,
-        "A tolerance of D.N cuts floors off before the horizon: leave rays out only where D.N "
-        "is 0, or below 1e-6.",
-        solved<[](const Fraction& f) {
-            return std::abs(f.slope) < 0.01 ? Distance{} : inFront(f.height / f.slope);
-        }>},
-    HitMistake{&kPlaneMissed,
-               "A limit cuts near hits off: every positive s is a hit, however small it is.",
-               solved<[](const Fraction& f) {
-                   const double s = f.height / f.slope;
-                   return s < 0.05 ? Distance{} : inFront(s);
-               }>},
-};
 
 constexpr maintick::HitTexts kPlaneTexts{&kPlaneMissed,
                                          &kPlaneDistance,
@@ -184,7 +84,7 @@ TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
             asked.push_back(drawHit(draw, scene, object, place, side));
         }
     addExtremes(draw, scene, asked);
-    return maintick::judgeHits(examinee, scene, asked, kPlaneMistakes, kPlaneTexts,
+    return maintick::judgeHits(examinee, scene, asked, maintick::planeMistakes(), kPlaneTexts,
                                "Plane::intersectionWith");
 }
 

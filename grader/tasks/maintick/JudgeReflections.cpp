@@ -6,7 +6,6 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <utility>
 #include <variant>
 
@@ -18,89 +17,11 @@ using maintick::MirrorQuestion;
 using maintick::TraceMistake;
 using maintick::words;
 
-struct NamedTraceMistake {
-    TraceMistake mistake;
-    const FindingText* finding;
-    const char* hint = "";
-};
-
-constexpr std::array kTraceMistakes{
-    NamedTraceMistake{TraceMistake::black, &kMirrorBackground},
-    NamedTraceMistake{TraceMistake::blackMirrored, &kMirrorBackground},
-    NamedTraceMistake{
-        TraceMistake::directWhereMirroredMisses, &kMirrorBackground,
-        "A mirrored ray that meets nothing shows the background: blend with it as well."},
-    NamedTraceMistake{
-        TraceMistake::notNegated, &kMirrorDirection,
-        "The minus is missing: reflectIn mirrors what points away from the surface, and "
-        "ray.direction points at it: (-ray.direction).reflectIn(N)."},
-    NamedTraceMistake{TraceMistake::straightOn, &kMirrorDirection,
-                      "The ray goes straight on through the surface: mirror it, "
-                      "(-ray.direction).reflectIn(N)."},
-    NamedTraceMistake{
-        TraceMistake::straightBack, &kMirrorDirection,
-        "The ray goes back the way it came: mirror it, (-ray.direction).reflectIn(N)."},
-    NamedTraceMistake{TraceMistake::alongNormal, &kMirrorDirection,
-                      "The ray leaves along the normal: mirror the direction in it, "
-                      "(-ray.direction).reflectIn(N)."},
-    NamedTraceMistake{
-        TraceMistake::startAtOrigin, &kMirrorStart,
-        "The mirrored ray starts where the first one did: start it at P + N * kShadowBias."},
-    NamedTraceMistake{TraceMistake::startBelow, &kMirrorStart,
-                      "The mirrored ray starts below the surface: P + N * kShadowBias, not minus."},
-    NamedTraceMistake{TraceMistake::notLowered, &kMirrorEndless},
-    NamedTraceMistake{
-        TraceMistake::oneLess, &kMirrorBounces,
-        "One bounce too few is followed: the recursion ends at bouncesLeft == 0, not at 1, "
-        "and each call hands on bouncesLeft - 1."},
-    NamedTraceMistake{TraceMistake::oneMore, &kMirrorBounces,
-                      "One bounce too many is followed: the recursion ends at bouncesLeft == 0."},
-    NamedTraceMistake{
-        TraceMistake::once, &kMirrorBounces,
-        "Mirrors in mirrors show nothing: follow the mirrored ray with trace itself, with "
-        "bouncesLeft - 1."},
-    NamedTraceMistake{
-        TraceMistake::plusWhole, &kMirrorBlend,
-        "Both colours are added whole: direct * (1 - rho) + reflected * rho, with rho = "
-        "object.reflectivity()."},
-    NamedTraceMistake{
-        TraceMistake::sharesExchanged, &kMirrorBlend,
-        "The shares are exchanged: rho belongs to the reflected colour, 1 - rho to the "
-        "direct one."},
-    NamedTraceMistake{TraceMistake::wholeDirect, &kMirrorBlend,
-                      "The direct colour counts whole: multiply it by 1 - rho."},
-    NamedTraceMistake{TraceMistake::wholeMirrored, &kMirrorBlend,
-                      "The reflected colour counts whole: multiply it by rho."},
-    NamedTraceMistake{TraceMistake::directLost, &kMirrorBlend,
-                      "The direct colour is lost: add direct * (1 - rho)."},
-    NamedTraceMistake{TraceMistake::mirroredAlone, &kMirrorBlend},
-    NamedTraceMistake{TraceMistake::evenShares, &kMirrorBlend},
-    NamedTraceMistake{TraceMistake::timesColour, &kMirrorBlend,
-                      "A mirror does not tint what it shows: leave object.colour() out."},
-    NamedTraceMistake{
-        TraceMistake::baseReduced, &kMirrorBase,
-        "Where no bounce is left the direct colour counts whole: return it before it is "
-        "multiplied by 1 - rho."},
-    NamedTraceMistake{
-        TraceMistake::weakIgnored, &kMirrorNone,
-        "Weak mirrors are left out: return the direct light alone only where rho is 0."},
-    NamedTraceMistake{TraceMistake::weightReplaced, &kMirrorBlend,
-                      "From the second mirror on the shares of those before it are lost. In a loop "
-                      "the weight is multiplied: weight *= rho."},
-};
-
 std::string askedOf(const MirrorQuestion& asked, std::size_t ray) {
     const probe::CastRay& cast = asked.question.rays[ray];
     return fmt::format(
         "trace was asked along the ray from {} in direction {} with {} bounce{} left",
         words(cast.origin), words(cast.direction), cast.bounces, cast.bounces == 1 ? "" : "s");
-}
-
-ColourRGB expected(const MirrorQuestion& asked, const std::vector<ColourRGB>& direct,
-                   std::size_t ray, TraceMistake mistake) {
-    const probe::CastRay& cast = asked.question.rays[ray];
-    return maintick::TraceModel{asked.question.scene, direct, mistake}.along(
-        {cast.origin, cast.direction}, cast.bounces);
 }
 
 /// How far the ray that follows the first one starts from the first hit; the direction is right.
@@ -164,26 +85,27 @@ std::optional<Finding> checkColours(const MirrorQuestion& asked,
                                     const std::vector<ColourRGB>& direct,
                                     const probe::IlluminateAnswer& answer) {
     const std::vector<ColourRGB>& given = answer.colours;
-    const auto explains = [&](TraceMistake mistake) {
-        for (std::size_t i = 0; i < given.size(); ++i)
-            if (!isNear(given[i], expected(asked, direct, i, mistake))) return false;
-        return true;
+    const auto expected = [&](std::size_t i, const TraceMistake* mistake) {
+        const probe::CastRay& cast = asked.question.rays[i];
+        return maintick::TraceModel{asked.question.scene, direct,
+                                    mistake == nullptr ? maintick::TraceWay{} : mistake->way}
+            .along({cast.origin, cast.direction}, cast.bounces);
     };
-    if (explains(TraceMistake::none)) return checkStarts(asked, answer, false);
-    std::size_t first = 0;
-    while (isNear(given[first], expected(asked, direct, first, TraceMistake::none)))
-        ++first;
-    const std::string seen =
-        fmt::format("{}: expected {}, got {}.", askedOf(asked, first),
-                    words(expected(asked, direct, first, TraceMistake::none)), words(given[first]));
-    if (explains(TraceMistake::noMirror)) {
+    const auto isRight = [&](std::size_t i, const TraceMistake* mistake) {
+        return isNear(given[i], expected(i, mistake));
+    };
+    const auto first = maintick::firstWrong(given.size(), nullptr, isRight);
+    if (!first) return checkStarts(asked, answer, false);
+    const std::string seen = fmt::format("{}: expected {}, got {}.", askedOf(asked, *first),
+                                         words(expected(*first, nullptr)), words(given[*first]));
+    if (!maintick::firstWrong(given.size(), &maintick::noMirrors(), isRight)) {
         const auto [text, hint] = whyOnlyItself(asked, answer);
         return maintick::failure(*text, seen, hint);
     }
-    for (const NamedTraceMistake& named : kTraceMistakes)
-        if (explains(named.mistake)) return maintick::failure(*named.finding, seen, named.hint);
+    if (auto known = maintick::nameMistake(maintick::traceMistakes(), given.size(), isRight, seen))
+        return known;
     if (auto start = checkStarts(asked, answer, true)) return start;
-    const bool isBase = asked.question.rays[first].bounces == 0;
+    const bool isBase = asked.question.rays[*first].bounces == 0;
     return maintick::failure(isBase ? kMirrorBase : kMirrorWrong, seen);
 }
 
@@ -200,9 +122,8 @@ std::optional<Finding> checkLit(const MirrorQuestion& asked, const probe::Run& r
                         "asked before.",
                         askedOf(asked, i), words(wanted), words(given[i])),
             "Colours above 1 are not cut off. The light of each surface is illuminate(scene, "
-            "object, P, N, ray.origin): the viewer "
-            "is "
-            "where this ray starts, behind a mirror, too.");
+            "object, P, N, ray.origin): the viewer is where this ray starts, behind a mirror, "
+            "too.");
     }
     return std::nullopt;
 }

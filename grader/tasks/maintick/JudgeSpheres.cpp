@@ -1,7 +1,6 @@
 #include <grader/tasks/maintick/Hits.h>
 #include <grader/tasks/maintick/JudgeMainTick.h>
 #include <grader/tasks/maintick/MainTickFindings.h>
-#include <grader/tasks/maintick/SphereMistakes.h>
 #include <grader/tasks/support/Draw.h>
 
 #include <fmt/core.h>

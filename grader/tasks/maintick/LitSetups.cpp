@@ -21,6 +21,11 @@ void viewAt(Draw& draw, LitSetup& setup, double cosine) {
     setup.O = setup.P + V * draw.between(1.7, 4.0);
 }
 
+/// N.V
+double viewerFacing(const LitSetup& setup) {
+    return (setup.O - setup.P).normalised().dot(setup.N);
+}
+
 void addLightAt(Draw& draw, LitSetup& setup, double facing, double distance, double intensity) {
     const Perpendiculars sides = perpendicularsOf(setup.N);
     const double around = draw.between(0.0, 2.0 * std::numbers::pi);
@@ -43,13 +48,17 @@ LitQuestion lit(Draw& draw, LitKind kind, double distance) {
     return question;
 }
 
-/// R.V is negative and the power even; with `isBelow` N.L is, too.
+/// R.V is negative and the power even. With `isBelow` N.L is negative, too; otherwise the viewer is
+/// behind a surface that is lit in front.
 LitQuestion behind(Draw& draw, bool isBelow) {
     LitQuestion question{LitKind::behind, drawPoint(draw)};
     ownMaterial(question.setup).phongAlpha = 2.0 * draw.whole(1, 3);
     const double facing = draw.between(0.3, 0.8) * (isBelow ? -1.0 : 1.0);
     addLightAt(draw, question.setup, facing, draw.between(1.5, 3.0), 200.0);
-    viewAt(draw, question.setup, draw.between(-0.9, -0.6));
+    const double cosine = draw.between(-0.9, -0.6);
+    do
+        viewAt(draw, question.setup, cosine);
+    while (!isBelow && viewerFacing(question.setup) > -0.2);
     return question;
 }
 

@@ -14,142 +14,97 @@ inline constexpr std::string_view kSphereSection = "Spheres (M1)";
 inline constexpr std::string_view kPlaneSection = "Planes (M3.1)";
 
 inline constexpr FindingText kSphereMissed{
-    .id = "sphere.missed",
-    .words = "saw no sphere where there is one",
-    .meaning = "no hit where the ray meets the sphere",
-    .hint =
-        "Check a = D.D, b = 2 D.(O - C), c = (O - C).(O - C) - r * r and the discriminant "
-        "b * b - 4 a c one by one: only where it is negative there is no hit.",
-    .section = kSphereSection};
-inline constexpr FindingText kSpherePhantom{
-    .id = "sphere.phantom",
-    .words = "hit spheres that the ray passes by",
-    .meaning = "a hit where the discriminant is negative",
-    .hint =
-        "Where b * b - 4 a c is negative the ray passes by: return std::nullopt before the "
-        "square root is taken.",
-    .section = kSphereSection};
+    "sphere.missed", "saw no sphere where there is one", "no hit where the ray meets the sphere",
+    "Check a = D.D, b = 2 D.(O - C), c = (O - C).(O - C) - r * r and the discriminant b * b - 4 a "
+    "c one by one: only where it is negative there is no hit.",
+    kSphereSection};
+inline constexpr FindingText kSpherePhantom{"sphere.phantom", "hit spheres that the ray passes by",
+                                            "a hit where the discriminant is negative",
+                                            "Where b * b - 4 a c is negative the ray passes by: "
+                                            "return std::nullopt before the square root is taken.",
+                                            kSphereSection};
 inline constexpr FindingText kSphereBehind{
-    .id = "sphere.behind",
-    .words = "hit spheres behind the ray",
-    .meaning = "a hit where both roots are negative",
-    .hint =
-        "A negative distance lies behind the origin: where no root is positive, return "
-        "std::nullopt.",
-    .section = kSphereSection};
+    "sphere.behind", "hit spheres behind the ray", "a hit where both roots are negative",
+    "A negative distance lies behind the origin: where no root is positive, return std::nullopt.",
+    kSphereSection};
 inline constexpr FindingText kSphereFarRoot{
-    .id = "sphere.far-root",
-    .words = "took the far side of spheres",
-    .meaning = "the larger root where the smaller one is positive",
-    .hint = "Of two positive roots the smaller one, (-b - root) / (2 a), is the side that is seen.",
-    .section = kSphereSection};
+    "sphere.far-root", "took the far side of spheres",
+    "the larger root where the smaller one is positive",
+    "Of two positive roots the smaller one, (-b - root) / (2 a), is the side that is seen.",
+    kSphereSection};
 inline constexpr FindingText kSphereInside{
-    .id = "sphere.inside",
-    .words = "went wrong inside of spheres",
-    .meaning = "a ray that starts inside does not meet the surface ahead of it",
-    .hint =
-        "From inside one root is negative: it lies behind the ray. The positive one, "
-        "(-b + root) / (2 a), is the hit.",
-    .section = kSphereSection};
+    "sphere.inside", "went wrong inside of spheres",
+    "a ray that starts inside does not meet the surface ahead of it",
+    "From inside one root is negative: it lies behind the ray. The positive one, (-b + root) / (2 "
+    "a), is the hit.",
+    kSphereSection};
 inline constexpr FindingText kSphereDistance{
-    .id = "sphere.distance",
-    .words = "got distances to spheres wrong",
-    .meaning = "another distance, by a mistake in the quadratic formula or by none that is known",
-    .hint =
-        "Write a = D.D, b = 2 D.(O - C) and c = (O - C).(O - C) - r * r out for the ray above "
-        "and compare each with what your code has.",
-    .section = kSphereSection};
+    "sphere.distance", "got distances to spheres wrong",
+    "another distance, by a mistake in the quadratic formula or by none that is known",
+    "Write a = D.D, b = 2 D.(O - C) and c = (O - C).(O - C) - r * r out for the ray above and "
+    "compare each with what your code has.",
+    kSphereSection};
 inline constexpr FindingText kSphereLocation{
-    .id = "sphere.location",
-    .words = "put hits of spheres in a wrong place",
-    .meaning = "the distance is right and the location is not",
-    .hint = "The location is the point of the ray at that distance: ray.evaluateAt(distance).",
-    .section = kSphereSection};
+    "sphere.location", "put hits of spheres in a wrong place",
+    "the distance is right and the location is not",
+    "The location is the point of the ray at that distance: ray.evaluateAt(distance).",
+    kSphereSection};
 inline constexpr FindingText kSphereNormal{
-    .id = "sphere.normal",
-    .words = "got normals of spheres wrong",
-    .meaning = "not of unit length, inwards, or another direction",
-    .hint = "The normal is (location - centre()).normalised(): getNormalAt(location).",
-    .section = kSphereSection};
-inline constexpr FindingText kSphereObject{.id = "sphere.object",
-                                           .words = "left the sphere out of its hits",
-                                           .meaning = "the hit names another object or none",
-                                           .hint = "The hit's first member is `this`.",
-                                           .section = kSphereSection};
-inline constexpr FindingText kSphereTurned{
-    .id = "sphere.turned-normal",
-    .words = "turned the normals of spheres to the ray",
-    .meaning = "note: accepted, the text does not ask it",
-    .hint =
-        "The exercise takes the outward normal everywhere; only what is seen from inside looks "
-        "different.",
-    .section = kSphereSection};
+    "sphere.normal", "got normals of spheres wrong",
+    "not of unit length, inwards, or another direction",
+    "The normal is (location - centre()).normalised(): getNormalAt(location).", kSphereSection};
+inline constexpr FindingText kSphereObject{"sphere.object", "left the sphere out of its hits",
+                                           "the hit names another object or none",
+                                           "The hit's first member is `this`.", kSphereSection};
+inline constexpr FindingText kSphereTurned{"sphere.turned-normal",
+                                           "turned the normals of spheres to the ray",
+                                           "note: accepted, the text does not ask it",
+                                           "The exercise takes the outward normal everywhere; only "
+                                           "what is seen from inside looks different.",
+                                           kSphereSection};
 inline constexpr FindingText kSphereLength{
-    .id = "sphere.direction-length",
-    .words = "met spheres elsewhere when directions are long",
-    .meaning = "note: right for directions of length 1 alone, as all of the exercise are",
-    .hint =
-        "Your code relies on |D| = 1, which the handout grants; with a = D.D it is right for any "
-        "direction.",
-    .section = kSphereSection};
+    "sphere.direction-length", "met spheres elsewhere when directions are long",
+    "note: right for directions of length 1 alone, as all of the exercise are",
+    "Your code relies on |D| = 1, which the handout grants; with a = D.D it is right for any "
+    "direction.",
+    kSphereSection};
 
 inline constexpr FindingText kPlaneMissed{
-    .id = "plane.missed",
-    .words = "saw no plane where there is one",
-    .meaning = "no hit where the ray meets the plane",
-    .hint = "s = (Q - O).N / D.N; there is a hit wherever s is positive.",
-    .section = kPlaneSection};
+    "plane.missed", "saw no plane where there is one", "no hit where the ray meets the plane",
+    "s = (Q - O).N / D.N; there is a hit wherever s is positive.", kPlaneSection};
 inline constexpr FindingText kPlaneOneSided{
-    .id = "plane.one-sided",
-    .words = "saw planes from one side alone",
-    .meaning = "no hit, or a wrong one, from one of the two sides",
-    .hint =
-        "The sign of D.N says from which side the ray comes; both are hits. Only the sign of "
-        "s = (Q - O).N / D.N matters.",
-    .section = kPlaneSection};
+    "plane.one-sided", "saw planes from one side alone",
+    "no hit, or a wrong one, from one of the two sides",
+    "The sign of D.N says from which side the ray comes; both are hits. Only the sign of s = (Q - "
+    "O).N / D.N matters.",
+    kPlaneSection};
 inline constexpr FindingText kPlaneBehind{
-    .id = "plane.behind",
-    .words = "hit planes behind the ray",
-    .meaning = "a hit where s is negative",
-    .hint = "A negative s lies behind the origin of the ray: return std::nullopt.",
-    .section = kPlaneSection};
+    "plane.behind", "hit planes behind the ray", "a hit where s is negative",
+    "A negative s lies behind the origin of the ray: return std::nullopt.", kPlaneSection};
 inline constexpr FindingText kPlaneDistance{
-    .id = "plane.distance",
-    .words = "got distances to planes wrong",
-    .meaning = "another distance",
-    .hint = "s = (Q - O).N / D.N: Q is a point of the plane, O the origin of the ray.",
-    .section = kPlaneSection};
+    "plane.distance", "got distances to planes wrong", "another distance",
+    "s = (Q - O).N / D.N: Q is a point of the plane, O the origin of the ray.", kPlaneSection};
 inline constexpr FindingText kPlaneLocation{
-    .id = "plane.location",
-    .words = "put hits of planes in a wrong place",
-    .meaning = "the distance is right and the location is not",
-    .hint = "The location is the point of the ray at that distance: ray.evaluateAt(distance).",
-    .section = kPlaneSection};
+    "plane.location", "put hits of planes in a wrong place",
+    "the distance is right and the location is not",
+    "The location is the point of the ray at that distance: ray.evaluateAt(distance).",
+    kPlaneSection};
 inline constexpr FindingText kPlaneNormal{
-    .id = "plane.normal",
-    .words = "got normals of planes wrong",
-    .meaning = "another normal than the plane's own",
-    .hint = "A plane has the same normal everywhere: normal().",
-    .section = kPlaneSection};
-inline constexpr FindingText kPlaneObject{.id = "plane.object",
-                                          .words = "left the plane out of its hits",
-                                          .meaning = "the hit names another object or none",
-                                          .hint = "The hit's first member is `this`.",
-                                          .section = kPlaneSection};
-inline constexpr FindingText kPlaneTurned{
-    .id = "plane.turned-normal",
-    .words = "turned the normals of planes to the ray",
-    .meaning = "note: accepted, the text does not ask it",
-    .hint =
-        "The exercise takes the normal as it is stored: from wherever a plane is seen, lights "
-        "behind it add nothing.",
-    .section = kPlaneSection};
+    "plane.normal", "got normals of planes wrong", "another normal than the plane's own",
+    "A plane has the same normal everywhere: normal().", kPlaneSection};
+inline constexpr FindingText kPlaneObject{"plane.object", "left the plane out of its hits",
+                                          "the hit names another object or none",
+                                          "The hit's first member is `this`.", kPlaneSection};
+inline constexpr FindingText kPlaneTurned{"plane.turned-normal",
+                                          "turned the normals of planes to the ray",
+                                          "note: accepted, the text does not ask it",
+                                          "The exercise takes the normal as it is stored: from "
+                                          "wherever a plane is seen, lights behind it add nothing.",
+                                          kPlaneSection};
 inline constexpr FindingText kPlaneLength{
-    .id = "plane.direction-length",
-    .words = "met planes elsewhere when directions are long",
-    .meaning = "note: right for directions of length 1 alone, as all of the exercise are",
-    .hint = "s D with s = (Q - O).N / D.N is right for every length of D.",
-    .section = kPlaneSection};
+    "plane.direction-length", "met planes elsewhere when directions are long",
+    "note: right for directions of length 1 alone, as all of the exercise are",
+    "s D with s = (Q - O).N / D.N is right for every length of D.", kPlaneSection};
 
 inline constexpr std::array kSphereFindings{&kSphereMissed,   &kSpherePhantom, &kSphereBehind,
                                             &kSphereFarRoot,  &kSphereInside,  &kSphereDistance,

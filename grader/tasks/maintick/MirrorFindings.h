@@ -12,76 +12,54 @@ namespace ticker::tasks {
 inline constexpr std::string_view kMirrorSection = "Reflections (M4)";
 
 inline constexpr FindingText kMirrorEndless{
-    .id = "mirror.endless",
-    .words = "followed reflections without end",
-    .meaning = "two mirrors that face each other end the program",
-    .hint = "Hand bouncesLeft - 1 on to trace, and return the direct light where bouncesLeft is 0.",
-    .section = kMirrorSection};
+    "mirror.endless", "followed reflections without end",
+    "two mirrors that face each other end the program",
+    "Hand bouncesLeft - 1 on to trace, and return the direct light where bouncesLeft is 0.",
+    kMirrorSection};
 inline constexpr FindingText kMirrorBackground{
-    .id = "mirror.background",
-    .words = "changed the background",
-    .meaning = "a ray that meets nothing has another colour than kBackgroundColour",
-    .hint = "Return kBackgroundColour where nothing is hit, for mirrored rays, too.",
-    .section = kMirrorSection};
+    "mirror.background", "changed the background",
+    "a ray that meets nothing has another colour than kBackgroundColour",
+    "Return kBackgroundColour where nothing is hit, for mirrored rays, too.", kMirrorSection};
 inline constexpr FindingText kMirrorBase{
-    .id = "mirror.base",
-    .words = "changed the direct light where no mirror counts",
-    .meaning = "without bounces, or on a dull surface, the colour is not the direct light",
-    .hint =
-        "Where bouncesLeft is 0, or object.reflectivity() is 0, return the direct light as it "
-        "is.",
-    .section = kMirrorSection};
+    "mirror.base", "changed the direct light where no mirror counts",
+    "without bounces, or on a dull surface, the colour is not the direct light",
+    "Where bouncesLeft is 0, or object.reflectivity() is 0, return the direct light as it is.",
+    kMirrorSection};
 inline constexpr FindingText kMirrorNone{
-    .id = "mirror.none",
-    .words = "showed nothing in mirrors",
-    .meaning = "the colour is the direct light however many bounces are left",
-    .hint =
-        "Where bounces are left, trace the mirrored ray and blend: direct * (1 - rho) + "
-        "reflected * rho.",
-    .section = kMirrorSection};
+    "mirror.none", "showed nothing in mirrors",
+    "the colour is the direct light however many bounces are left",
+    "Where bounces are left, trace the mirrored ray and blend: direct * (1 - rho) + reflected * "
+    "rho.",
+    kMirrorSection};
 inline constexpr FindingText kMirrorDirection{
-    .id = "mirror.direction",
-    .words = "mirrored rays into a wrong direction",
-    .meaning = "the reflected ray leaves elsewhere",
-    .hint =
-        "R is (-ray.direction).reflectIn(N): reflectIn mirrors what points away from the "
-        "surface.",
-    .section = kMirrorSection};
-inline constexpr FindingText kMirrorStart{
-    .id = "mirror.start",
-    .words = "started mirrored rays in a wrong place",
-    .meaning = "the reflected ray does not start just above the point",
-    .hint = "Start at P + N * kShadowBias, as shadow rays do.",
-    .section = kMirrorSection};
+    "mirror.direction", "mirrored rays into a wrong direction",
+    "the reflected ray leaves elsewhere",
+    "R is (-ray.direction).reflectIn(N): reflectIn mirrors what points away from the surface.",
+    kMirrorSection};
+inline constexpr FindingText kMirrorStart{"mirror.start", "started mirrored rays in a wrong place",
+                                          "the reflected ray does not start just above the point",
+                                          "Start at P + N * kShadowBias, as shadow rays do.",
+                                          kMirrorSection};
 inline constexpr FindingText kMirrorBlend{
-    .id = "mirror.blend",
-    .words = "blended mirrored light wrongly",
-    .meaning = "the two shares are not 1 - rho and rho",
-    .hint = "The colour is direct * (1 - rho) + reflected * rho, with rho = object.reflectivity().",
-    .section = kMirrorSection};
+    "mirror.blend", "blended mirrored light wrongly", "the two shares are not 1 - rho and rho",
+    "The colour is direct * (1 - rho) + reflected * rho, with rho = object.reflectivity().",
+    kMirrorSection};
 inline constexpr FindingText kMirrorBounces{
-    .id = "mirror.bounces",
-    .words = "followed too few or too many bounces",
-    .meaning = "right for one bounce, wrong for another number",
-    .hint = "Call trace with bouncesLeft - 1; it ends where bouncesLeft is 0.",
-    .section = kMirrorSection};
+    "mirror.bounces", "followed too few or too many bounces",
+    "right for one bounce, wrong for another number",
+    "Call trace with bouncesLeft - 1; it ends where bouncesLeft is 0.", kMirrorSection};
 inline constexpr FindingText kMirrorWrong{
-    .id = "mirror.wrong",
-    .words = "got reflections wrong",
-    .meaning = "no known mistake gives these colours",
-    .hint =
-        "R = (-ray.direction).reflectIn(N), start P + N * kShadowBias, colour direct * (1 - "
-        "rho) + trace(...) * rho, where rho is object.reflectivity() as it is, read in each call.",
-    .section = kMirrorSection};
+    "mirror.wrong", "got reflections wrong", "no known mistake gives these colours",
+    "R = (-ray.direction).reflectIn(N), start P + N * kShadowBias, colour direct * (1 - rho) + "
+    "trace(...) * rho, where rho is object.reflectivity() as it is, read in each call.",
+    kMirrorSection};
 
 inline constexpr FindingText kMirrorThreadsMixed{
-    .id = "mirror.threads-mixed",
-    .words = "let threads share their mirrored rays",
-    .meaning = "right with one thread, another picture with two",
-    .hint =
-        "forEachPixel calls your code from several threads at once: a static or global variable "
-        "belongs to all of them. Declare it inside of the function, without static.",
-    .section = kMirrorSection};
+    "mirror.threads-mixed", "let threads share their mirrored rays",
+    "right with one thread, another picture with two",
+    "forEachPixel calls your code from several threads at once: a static or global variable "
+    "belongs to all of them. Declare it inside of the function, without static.",
+    kMirrorSection};
 
 inline constexpr std::array kMirrorFindings{
     &kMirrorEndless, &kMirrorBackground, &kMirrorBase,    &kMirrorNone,         &kMirrorDirection,

@@ -3,7 +3,9 @@
 
 #include <grader/tasks/maintick/Exact.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace ticker::tasks::maintick {
 
@@ -15,63 +17,47 @@ struct LitSetup {
     Vector3 O;
 };
 
-/// Known mistakes in Phong's model; `none` is the right one.
-enum class PhongMistake : std::uint8_t {
-    none,
-    ambientMissing,
-    ambientPerLight,
-    ambientTimesKd,
-    ambientColourless,
-    diffuseMissing,
-    diffuseColourless,
-    diffuseWithoutI,
-    diffuseWithoutKd,
-    diffuseLightTwice,
-    specularMissing,
-    specularObjectColour,
-    specularLightOnce,
-    specularWithoutI,
-    specularWithoutKs,
-    specularAlphaMissing,
-    specularPowerOfAll,
-    coefficientsExchanged,
-    halfVector,
-    viewFromCamera,
-    viewReversed,
-    viewNotUnit,
-    viewIsO,
-    mirrorOfView,
-    cosineOfNandV,
-    cosineOfLandV,
-    lightNotUnit,
-    lightReversed,
-    lightFromWorldOrigin,
-    facingUnclamped,
-    facingAbsolute,
-    mirroredUnclamped,
-    mirroredAbsolute,
-    bothUnclamped,
-    normalTurned,         ///< to the viewer
-    defaultCoefficients,  ///< those of a scene element without any
-    farLightsMissing,
-    lastHighlightOnly,
-    falloffMissing,
-    falloffLinear,
-    falloffSquaredAgain,
-    falloffFromViewer,
-    falloffFromOrigin,
-    fourPiMissing,
-    firstLightOnly,
-    lastLightOnly,
-    averaged,
-    clamped,
-    lightsMissing,
-    flat,
-    kCount
+/// What illuminate works out, in the order of `PhongStep`.
+struct PhongTerms {
+    const LitSetup& setup;
+    raytracer::Material material;
+    ColourRGB ambient{};
+    ColourRGB diffuse{};   ///< of all lights so far
+    ColourRGB specular{};  ///< of all lights so far
+    std::size_t light = 0;
+    Vector3 L{};
+    Vector3 V{};
+    double distance = 0.0;   ///< of the light
+    double facing = 0.0;     ///< N.L
+    double mirrored = 0.0;   ///< R.V
+    ColourRGB arriving{};    ///< I
+    double share = 0.0;      ///< ks (R.V)^alpha
+    ColourRGB ownDiffuse{};  ///< of this light
+    ColourRGB ownSpecular{};
+    ColourRGB colour{};  ///< the answer
+
+    [[nodiscard]] const raytracer::PointLight& lamp() const {
+        return setup.scene.pointLights[light];
+    }
+    [[nodiscard]] Vector3 path() const { return lamp().position() - setup.P; }
 };
 
-/// The colour that code with this mistake gives.
-[[nodiscard]] ColourRGB phongWith(PhongMistake mistake, const LitSetup& setup);
+/// After which step a mistake changes the terms. All but the first and the last are of each light.
+enum class PhongStep : std::uint8_t { material, ways, cosines, clamped, light, colour };
+
+/// A known mistake: its name, what code with it works out instead, and what mends it.
+struct PhongMistake {
+    const FindingText* finding;
+    PhongStep step;
+    void (*change)(PhongTerms&);
+    const char* hint = "";  ///< empty: that of `finding`
+};
+
+/// The known mistakes of M2. The first one that explains all answers is named.
+[[nodiscard]] std::span<const PhongMistake> phongMistakes();
+
+/// The right colour, or the one that code with this mistake gives.
+[[nodiscard]] ColourRGB phong(const LitSetup& setup, const PhongMistake* mistake = nullptr);
 
 }  // namespace ticker::tasks::maintick
 

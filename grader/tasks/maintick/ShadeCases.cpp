@@ -1,6 +1,7 @@
 #include <grader/tasks/maintick/ShadeCases.h>
 
-#include <utility>
+#include <array>
+#include <cstddef>
 
 namespace ticker::tasks::maintick {
 namespace {
@@ -94,45 +95,25 @@ ShadeCase ofItself(Draw& draw, bool isPlane) {
 }  // namespace
 
 bool ShadeCase::isShaded() const {
-    switch (place) {
-        case Occluder::beyond:
-        case Occluder::farBeyond:
-        case Occluder::backwards:
-        case Occluder::itself:
-            return false;
-        default:
-            return true;
-    }
+    return place != Occluder::beyond && place != Occluder::farBeyond &&
+           place != Occluder::backwards && place != Occluder::itself;
 }
 
 std::string_view wordsOf(Occluder place) {
-    switch (place) {
-        case Occluder::before:
-            return "something stands half-way to the light";
-        case Occluder::near:
-            return "something stands between, 0.03 from the point";
-        case Occluder::beyond:
-            return "something stands behind the light";
-        case Occluder::farBeyond:
-            return "the light is 3 away, and something stands behind it, 5 away";
-        case Occluder::close:
-            return "the light is 0.5 away, and something stands before it, 0.4 away";
-        case Occluder::between:
-            return "the light is 3 away, and something stands before it, 2 away";
-        case Occluder::backwards:
-            return "something stands on the side that looks away from the light";
-        case Occluder::ofFirstLight:
-            return "of two lights the first is hidden";
-        case Occluder::ofSecondLight:
-            return "of two lights the second is hidden";
-        case Occluder::wall:
-            return "a plane stands half-way to the light";
-        case Occluder::beforeAndBeyond:
-            return "something stands half-way to the light, and something else behind the light";
-        case Occluder::itself:
-            return "there is nothing but the surface that the point lies on";
-    }
-    return {};
+    static constexpr std::array<std::string_view, 12> kWords{
+        "something stands half-way to the light",
+        "something stands between, 0.03 from the point",
+        "something stands behind the light",
+        "the light is 3 away, and something stands behind it, 5 away",
+        "the light is 0.5 away, and something stands before it, 0.4 away",
+        "the light is 3 away, and something stands before it, 2 away",
+        "something stands on the side that looks away from the light",
+        "of two lights the first is hidden",
+        "of two lights the second is hidden",
+        "a plane stands half-way to the light",
+        "something stands half-way to the light, and something else behind the light",
+        "there is nothing but the surface that the point lies on"};
+    return kWords.at(static_cast<std::size_t>(place));
 }
 
 std::vector<ShadeCase> drawShadeCases(std::uint64_t seed) {

@@ -3,42 +3,11 @@
 
 #include <grader/tasks/maintick/Exact.h>
 
-#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ticker::tasks::maintick {
-
-/// Known mistakes in trace; `none` is the right one.
-enum class TraceMistake : std::uint8_t {
-    none,
-    noMirror,
-    black,
-    blackMirrored,
-    directWhereMirroredMisses,
-    notNegated,
-    straightOn,
-    straightBack,
-    alongNormal,
-    startAtOrigin,
-    startBelow,
-    notLowered,
-    oneLess,
-    oneMore,
-    once,
-    plusWhole,
-    sharesExchanged,
-    wholeDirect,
-    wholeMirrored,
-    directLost,
-    mirroredAlone,
-    evenShares,
-    timesColour,
-    baseReduced,
-    weakIgnored,     ///< mirrors below 0.1
-    weightReplaced,  ///< a loop that forgets the shares of all mirrors but the last
-    kCount
-};
 
 /// The nearest object on a ray.
 struct NearestObject {
@@ -54,22 +23,62 @@ struct MirrorStart {
     bool isAlongRay = false;
 };
 
+/// The objects that a ray meets one after the other, at most `most`.
+[[nodiscard]] std::vector<int> chainOf(const raytracer::SceneDescription& scene, Ray ray, int most,
+                                       const MirrorStart& start);
+
+/// What is blended at a mirror.
+struct MirrorColours {
+    ColourRGB own;  ///< direct light
+    ColourRGB seen;
+    double share = 0.0;   ///< of `seen`
+    double before = 1.0;  ///< the share of the mirror before it
+    ColourRGB tint;       ///< the colour of the mirror's material
+};
+
+inline constexpr ColourRGB kBackground{0.001};
+
+/// How trace goes about it: as it is here it is right, and a known mistake changes a part.
+struct TraceWay {
+    ColourRGB background = kBackground;
+    ColourRGB mirroredBackground = kBackground;
+    bool isDirectWhereNothingIsSeen = false;  ///< a mirror without anything to show
+    Vector3 (*mirrored)(const Vector3& D, const Vector3& N) =
+        [](const Vector3& D, const Vector3& N) { return (-D).reflectIn(N); };
+    double bias = 1e-4;
+    bool startsAtOrigin = false;
+    int last = 0;           ///< bounces left at which no mirror counts any more
+    int spent = 1;          ///< bounces for each mirror
+    int most = 1000;        ///< bounces left behind a mirror
+    double weakest = 0.0;   ///< share below which no mirror counts
+    bool endsDark = false;  ///< direct light times 1 - share where no mirror counts
+    ColourRGB (*blend)(const MirrorColours&) = [](const MirrorColours& at) {
+        return at.own * (1.0 - at.share) + at.seen * at.share;
+    };
+};
+
+/// A known mistake: its name, how code with it goes about it, and what mends it.
+struct TraceMistake {
+    const FindingText* finding;
+    TraceWay way;
+    const char* hint = "";  ///< empty: that of `finding`
+};
+
+/// Surfaces that show nothing but their direct light.
+[[nodiscard]] const TraceMistake& noMirrors();
+/// The other known mistakes of M4. The first one that explains all answers is named.
+[[nodiscard]] std::span<const TraceMistake> traceMistakes();
+
 /// What trace gives in a scene in which each object has one colour, wherever it is seen.
 struct TraceModel {
     const raytracer::SceneDescription& scene;
     const std::vector<ColourRGB>& direct;  ///< of each object
-    TraceMistake mistake = TraceMistake::none;
+    TraceWay way = {};
 
-    [[nodiscard]] ColourRGB along(const Ray& ray, int bounces, int depth = 0) const;
-
-private:
-    [[nodiscard]] ColourRGB blend(int object, const ColourRGB& mirrored) const;
-    [[nodiscard]] ColourRGB withReplacedWeight(Ray ray, int bounces) const;
+    /// @param before  The share of the mirror that the ray comes from; 1: of none.
+    [[nodiscard]] ColourRGB along(const Ray& ray, int bounces, int depth = 0,
+                                  double before = 1.0) const;
 };
-
-/// The objects that a ray meets one after the other, at most `most`.
-[[nodiscard]] std::vector<int> chainOf(const raytracer::SceneDescription& scene, Ray ray, int most,
-                                       const MirrorStart& start);
 
 }  // namespace ticker::tasks::maintick
 

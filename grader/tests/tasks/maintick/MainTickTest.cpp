@@ -8,7 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
+#include <algorithm>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -45,13 +46,26 @@ TEST(MainTickAnswer, TracesTheChainOfTheHandout) {
 TEST(MainTickQuestions, SetEveryKnownMistakeOfPhongFarApart) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const auto asked = drawLitQuestions(seed);
-        for (int i = 1; i < static_cast<int>(PhongMistake::kCount); ++i) {
-            bool shows = false;
-            for (const LitQuestion& one : asked)
-                shows = shows || !isNear(phongWith(static_cast<PhongMistake>(i), one.setup),
-                                         phongWith(PhongMistake::none, one.setup), kFarApart);
-            EXPECT_TRUE(shows) << "mistake " << i << ", seed " << seed;
+        for (const PhongMistake& mistake : phongMistakes()) {
+            const bool shows = std::any_of(asked.begin(), asked.end(), [&](const LitQuestion& one) {
+                return !isNear(phong(one.setup, &mistake), phong(one.setup), kFarApart);
+            });
+            EXPECT_TRUE(shows) << mistake.finding->id << ": " << mistake.hint << " seed " << seed;
         }
+    }
+}
+
+TEST(MainTickQuestions, LightTheFrontOfASurfaceThatIsSeenFromBehind) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        int count = 0;
+        for (const LitQuestion& one : drawLitQuestions(seed)) {
+            const auto& [scene, P, N, O] = one.setup;
+            if (one.kind != LitKind::behind) continue;
+            const Vector3 L = (scene.pointLights.at(0).position() - P).normalised();
+            const Vector3 V = (O - P).normalised();
+            if (L.dot(N) > 0.2 && V.dot(N) < -0.2 && L.reflectIn(N).dot(V) < -0.2) ++count;
+        }
+        EXPECT_EQ(count, 2) << seed;
     }
 }
 
@@ -63,15 +77,18 @@ TEST(MainTickQuestions, SetEveryKnownMistakeOfMirrorsFarApart) {
             direct.push_back(asked.question.scene.ambientLighting *
                              materialOf(asked.question.scene, point.object).colour);
         EXPECT_GE(asked.question.rays.size(), 40U) << seed;
-        for (int i = 1; i < static_cast<int>(TraceMistake::kCount); ++i) {
-            const TraceModel right{asked.question.scene, direct};
-            const TraceModel wrong{asked.question.scene, direct, static_cast<TraceMistake>(i)};
-            bool shows = false;
-            for (const probe::CastRay& ray : asked.question.rays)
-                shows = shows ||
-                        !isNear(wrong.along({ray.origin, ray.direction}, ray.bounces),
-                                right.along({ray.origin, ray.direction}, ray.bounces), kFarApart);
-            EXPECT_TRUE(shows) << "mistake " << i << ", seed " << seed;
+        const auto traced = [&](const TraceWay& way, const probe::CastRay& ray) {
+            return TraceModel{asked.question.scene, direct, way}.along({ray.origin, ray.direction},
+                                                                       ray.bounces);
+        };
+        std::vector<TraceMistake> mistakes{traceMistakes().begin(), traceMistakes().end()};
+        mistakes.push_back(noMirrors());
+        for (const TraceMistake& mistake : mistakes) {
+            const auto& rays = asked.question.rays;
+            const bool shows = std::any_of(rays.begin(), rays.end(), [&](const auto& ray) {
+                return !isNear(traced(mistake.way, ray), traced({}, ray), kFarApart);
+            });
+            EXPECT_TRUE(shows) << mistake.finding->id << ": " << mistake.hint << " seed " << seed;
         }
     }
 }

@@ -1,0 +1,79 @@
+#include <grader/tasks/maintick/Hits.h>
+#include <grader/tasks/maintick/MainTickFindings.h>
+
+namespace ticker::tasks::maintick {
+namespace {
+
+/// s = height / slope.
+struct Fraction {
+    double height = 0.0;    ///< (Q - O).N
+    double slope = 0.0;     ///< D.N
+    double ofPoint = 0.0;   ///< Q.N
+    double ofOrigin = 0.0;  ///< O.N
+    double ofFirst = 0.0;   ///< Q.N of the first plane
+
+    [[nodiscard]] double s() const { return height / slope; }
+    /// The right distance where this holds.
+    [[nodiscard]] Distance hitIf(bool holds) const { return holds ? ifAhead(s()) : Distance{}; }
+};
+using F = Fraction;
+
+template <auto Solve>
+Distance met(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
+    const auto& plane = scene.planes[static_cast<std::size_t>(object)];
+    const Vector3 normal = plane.normal.normalised();
+    const auto& first = scene.planes[0];
+    return Solve(Fraction{(plane.point - ray.origin).dot(normal), ray.direction.dot(normal),
+                          plane.point.dot(normal), ray.origin.dot(normal),
+                          first.point.dot(first.normal.normalised())});
+}
+
+constexpr HitMistake kPlaneMistakes[] = {
+    {&kPlaneDistance, met<[](const F& f) { return ifAhead(-f.s()); }>,
+     "The sign is wrong: s = (Q - O).N / D.N, from the origin of the ray to the plane."},
+    {&kPlaneDistance, met<[](const F& f) { return ifAhead(f.ofPoint / f.slope); }>,
+     "The origin of the ray is left out: s = (Q - O).N / D.N."},
+    {&kPlaneDistance, met<[](const F& f) { return ifAhead((f.ofPoint + f.ofOrigin) / f.slope); }>,
+     "O is added instead of subtracted: s = (Q - O).N / D.N."},
+    {&kPlaneDistance, met<[](const F& f) { return ifAhead(-f.ofOrigin / f.slope); }>,
+     "The point of the plane is left out: s = (Q - O).N / D.N."},
+    {&kPlaneDistance, met<[](const F& f) { return ifAhead(f.height); }>,
+     "The division by D.N is missing: s = (Q - O).N / D.N."},
+    {&kPlaneDistance, met<[](const F& f) { return ifAhead(f.slope / f.height); }>,
+     "The fraction is upside down: s = (Q - O).N / D.N."},
+    {&kPlaneDistance, met<[](const F& f) { return ifAhead(f.slope * f.height); }>,
+     "It is multiplied where it should be divided: s = (Q - O).N / D.N."},
+    {&kPlaneBehind, met<[](const F& f) { return Distance{f.s()}; }>},
+    {&kPlaneBehind, met<[](const F& f) { return Distance{std::abs(f.s())}; }>,
+     "The absolute value brings what lies behind the ray before it: leave it out, and return "
+     "std::nullopt where s is negative."},
+    {&kPlaneBehind, met<[](const F& f) { return f.s() < 0.0 ? Distance{f.s()} : Distance{}; }>,
+     "The test is the wrong way round: a positive s is a hit."},
+    {&kPlaneOneSided, met<[](const F& f) { return f.hitIf(f.slope < 0.0); }>},
+    {&kPlaneOneSided, met<[](const F& f) { return f.hitIf(0.0 < f.slope); }>},
+    {&kPlaneOneSided, met<[](const F& f) { return f.slope < 0.0 ? Distance{f.s()} : Distance{}; }>},
+    {&kPlaneOneSided, met<[](const F& f) { return ifAhead(f.height / std::abs(f.slope)); }>,
+     "The absolute value of D.N loses the side that the ray comes from: leave it out."},
+    {&kPlaneDistance,
+     met<[](const F& f) { return 0.0 < f.s() ? Distance{std::abs(f.height)} : Distance{}; }>,
+     "That is how far the origin is from the plane. The distance is s, along the ray: s = (Q - "
+     "O).N / D.N."},
+    {&kPlaneDistance, met<[](const F& f) { return ifAhead((f.ofFirst - f.ofOrigin) / f.slope); }>,
+     "The point of another plane is used here: a static or global variable keeps the first. Work "
+     "everything out in each call."},
+    {&kPlaneMissed, met<[](const F& f) { return f.hitIf(f.s() <= 1000.0); }>,
+     "A limit cuts far hits off: every positive s is a hit, however large it is."},
+    {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.01 <= std::abs(f.slope)); }>,
+     "A tolerance of D.N cuts floors off before the horizon: leave rays out only where D.N is 0, "
+     "or below 1e-6."},
+    {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.05 <= f.s()); }>,
+     "A limit cuts near hits off: every positive s is a hit, however small it is."},
+};
+
+}  // namespace
+
+std::span<const HitMistake> planeMistakes() {
+    return kPlaneMistakes;
+}
+
+}  // namespace ticker::tasks::maintick

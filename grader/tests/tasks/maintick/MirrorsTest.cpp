@@ -1,0 +1,143 @@
+#include <grader/tasks/maintick/JudgeMainTick.h>
+#include <grader/tasks/maintick/MirrorQuestions.h>
+#include <grader/tasks/support/Surfaces.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+using maintick::MirrorQuestion;
+
+constexpr std::uint64_t kMirrorSeed = 2;
+
+/// What the examinee does with mirrors.
+struct Mirrors {
+    maintick::TraceWay way = {};
+    double bias = -1.0;      ///< of one logged ray; negative: no log
+    double facing = 1.0;     ///< factor of the last colour of two mirrors that face each other
+    double direct = 1.0;     ///< factor of what trace gives of all surfaces
+    bool isEndless = false;  ///< crashes between two mirrors that face each other
+};
+
+class TracesByModel final : public probe::Examinee {
+public:
+    explicit TracesByModel(const Mirrors& mirrors) : mirrors_(mirrors) {}
+
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        if (questions.size() != 2) return {};  // pictures for threads
+        const auto& points = std::get<probe::IlluminateQuestion>(questions[0]);
+        const auto& rays = std::get<probe::TraceQuestion>(questions[1]);
+        probe::IlluminateAnswer direct;
+        direct.state = probe::AnswerState::answered;
+        const bool isLit = !points.scene.pointLights.empty();
+        for (std::size_t i = 0; i < points.points.size(); ++i)
+            direct.colours.push_back(
+                isLit ? ColourRGB{1.0 + 2.0 * static_cast<double>(i)}
+                      : points.scene.ambientLighting *
+                            materialOf(points.scene, points.points[i].object).colour);
+        probe::Run run{{direct, isLit ? facing(direct.colours) : open(rays, direct.colours)}, {}};
+        if (isLit && mirrors_.isEndless) run.end.kind = probe::ProcessEnd::Kind::crashed;
+        return run;
+    }
+
+private:
+    // By hand: the floor mirrors 0.5, the wall 0.45.
+    [[nodiscard]] probe::IlluminateAnswer facing(const std::vector<ColourRGB>& d) const {
+        probe::IlluminateAnswer answer;
+        answer.state = probe::AnswerState::answered;
+        answer.colours = {d[0], d[0] * 0.5 + d[1] * 0.5,
+                          (d[0] * 0.5 + (d[1] * 0.55 + d[2] * 0.45) * 0.5) * mirrors_.facing};
+        return answer;
+    }
+    [[nodiscard]] probe::IlluminateAnswer open(const probe::TraceQuestion& asked,
+                                               const std::vector<ColourRGB>& direct) const {
+        probe::IlluminateAnswer answer;
+        answer.state = probe::AnswerState::answered;
+        for (const probe::CastRay& cast : asked.rays)
+            answer.colours.push_back(maintick::TraceModel{asked.scene, direct, mirrors_.way}.along(
+                                         {cast.origin, cast.direction}, cast.bounces) *
+                                     mirrors_.direct);
+        if (mirrors_.bias >= 0.0) answer.events = logOfSecondRay(asked);
+        return answer;
+    }
+    [[nodiscard]] std::vector<probe::Event> logOfSecondRay(
+        const probe::TraceQuestion& asked) const {
+        const probe::CastRay& cast = asked.rays.at(1);
+        const auto met = maintick::nearestOn(asked.scene, {cast.origin, cast.direction});
+        const Vector3 N = met->meeting.normal;
+        probe::Event first;
+        first.ask = 1;
+        first.a = cast.origin;
+        first.b = cast.direction;
+        probe::Event second = first;
+        second.a = met->meeting.location + N * mirrors_.bias;
+        second.b = (-cast.direction).reflectIn(N) * 2.0;
+        return {first, second};
+    }
+
+    Mirrors mirrors_;
+};
+
+std::string mirrorIds(const Mirrors& mirrors) {
+    TracesByModel examinee{mirrors};
+    std::string ids;
+    for (const Finding& finding : judgeReflections(examinee, kMirrorSeed).findings)
+        ids += finding.id;
+    return ids;
+}
+
+TEST(JudgeMirrors, AcceptsRaysThatStartAtMostAThousandthAboveTheSurface) {
+    EXPECT_EQ(mirrorIds({}), "");
+    EXPECT_EQ(mirrorIds({.bias = 0.0}), "");
+    EXPECT_EQ(mirrorIds({.bias = 1.09e-3}), "");
+    EXPECT_EQ(mirrorIds({.bias = 1.11e-3}), "mirror.start");
+    EXPECT_EQ(mirrorIds({.bias = 0.29}), "mirror.start");
+    EXPECT_EQ(mirrorIds({.bias = 0.31}), "") << "that is no reflected ray";
+}
+
+TEST(JudgeMirrors, BlamesAStartOnTheSurfaceOnlyWhereColoursAreWrong) {
+    EXPECT_EQ(mirrorIds({.bias = 0.0, .direct = 1.1}), "mirror.start");
+    EXPECT_EQ(mirrorIds({.bias = 1e-4, .direct = 1.1}), "mirror.base");
+    EXPECT_EQ(mirrorIds({.direct = 1.1}), "mirror.base");
+}
+
+TEST(JudgeMirrors, WorksOutTwoMirrorsThatFaceEachOther) {
+    EXPECT_EQ(mirrorIds({.facing = 1.003}), "");
+    EXPECT_EQ(mirrorIds({.facing = 1.005}), "mirror.wrong");
+    EXPECT_EQ(mirrorIds({.isEndless = true}), "mirror.endless");
+    EXPECT_EQ(mirrorIds({.way = maintick::noMirrors().way, .isEndless = true}), "mirror.none");
+}
+
+TEST(JudgeMirrors, NamesTheMistakeThatExplainsAllColours) {
+    EXPECT_EQ(mirrorIds({.way = maintick::noMirrors().way}), "mirror.none");
+    for (const maintick::TraceMistake& mistake : maintick::traceMistakes()) {
+        // Rays into the surface show what no mirror shows; the log tells them apart.
+        const std::string id = mirrorIds({.way = mistake.way});
+        if (id != "mirror.none") {
+            EXPECT_EQ(id, mistake.finding->id) << mistake.hint;
+        }
+    }
+}
+
+TEST(MirrorQuestions, LookStraightDownAtTheDullBallAndUpAtTheWeakMirror) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const MirrorQuestion asked = maintick::drawOpenScene(seed);
+        const auto& rays = asked.question.rays;
+        const auto shareMet = [&](const probe::CastRay& ray) {
+            const auto met = maintick::nearestOn(asked.question.scene, {ray.origin, ray.direction});
+            return materialOf(asked.question.scene, met.value().object).reflectivity;
+        };
+        EXPECT_EQ(shareMet(rays.at(rays.size() - 5)), 0.0) << seed;
+        EXPECT_EQ(shareMet(rays.back()), 0.03) << seed;
+    }
+}
+
+}  // namespace
+}  // namespace ticker::tasks

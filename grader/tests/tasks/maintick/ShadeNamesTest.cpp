@@ -1,0 +1,185 @@
+#include <grader/tasks/maintick/JudgeMainTick.h>
+#include <grader/tasks/maintick/ShadeCases.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+using maintick::LitSetup;
+using maintick::Occluder;
+using maintick::phong;
+using maintick::ShadeCase;
+
+enum class Look { right, lit, dark, black, specular, diffuse };
+using Looks = std::map<Occluder, Look>;
+
+/// Lights points as the handout does, and answers about places with other things around them by a
+/// table; what the table leaves out is right.
+class ShadesByTable final : public probe::Examinee {
+public:
+    ShadesByTable(std::uint64_t seed, Looks looks, probe::Event event = {})
+        : cases_(maintick::drawShadeCases(seed)), looks_(std::move(looks)), event_(event) {}
+
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run;
+        if (!std::holds_alternative<probe::IlluminateQuestion>(questions.front())) return run;
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+            const auto& asked = std::get<probe::IlluminateQuestion>(questions[i]);
+            probe::IlluminateAnswer answer;
+            answer.state = probe::AnswerState::answered;
+            if (i % 6 == 0) answer.events = {castFrom(asked.points[0].position)};
+            answer.colours = {i % 6 == 0 ? shown(cases_.at(i / 6)) : litBy(asked)};
+            run.answers.emplace_back(answer);
+        }
+        return run;
+    }
+
+private:
+    static ColourRGB litBy(const probe::IlluminateQuestion& asked) {
+        const probe::LitPoint& point = asked.points[0];
+        return phong({asked.scene, point.position, point.normal, point.viewer});
+    }
+    [[nodiscard]] probe::Event castFrom(const Vector3& P) const {
+        probe::Event event = event_;
+        event.a = P + event_.a;
+        return event;
+    }
+    [[nodiscard]] ColourRGB shown(const ShadeCase& shade) const {
+        const auto row = looks_.find(shade.place);
+        const Look look = row == looks_.end() ? Look::right : row->second;
+        LitSetup setup = shade.free;
+        raytracer::Material& material = setup.scene.spheres[0].material;
+        if (look == Look::black) return ColourRGB{0.0};
+        if (look == Look::specular) material.phongKD = 0.0;
+        if (look == Look::diffuse) material.phongKS = 0.0;
+        const bool isDark = look == Look::dark || (look == Look::right && shade.isShaded());
+        return phong(isDark ? shade.without : setup);
+    }
+
+    std::vector<ShadeCase> cases_;
+    Looks looks_;
+    probe::Event event_;
+};
+
+constexpr std::uint64_t kSeed = 4;
+
+TaskJudgement judgeLooks(const Looks& looks, const probe::Event& event = {}) {
+    ShadesByTable examinee{kSeed, looks, event};
+    return judgeHardShadows(examinee, kSeed);
+}
+
+Looks hidden(Look look) {
+    Looks looks;
+    for (const ShadeCase& shade : maintick::drawShadeCases(kSeed))
+        if (shade.isShaded()) looks[shade.place] = look;
+    return looks;
+}
+
+Looks with(Looks looks, const Looks& others) {
+    for (const auto& [place, look] : others)
+        looks[place] = look;
+    return looks;
+}
+
+struct Named {
+    Looks looks;
+    const char* id;
+    const char* hint = "";  ///< words of it
+};
+
+void expectNamed(const std::vector<Named>& rows) {
+    for (const Named& row : rows) {
+        const TaskJudgement judgement = judgeLooks(row.looks);
+        ASSERT_EQ(judgement.findings.size(), 1U) << row.id;
+        EXPECT_EQ(judgement.findings[0].id, row.id) << row.hint << judgement.findings[0].message;
+        EXPECT_NE(judgement.findings[0].hint.find(row.hint), std::string::npos)
+            << judgement.findings[0].hint;
+    }
+}
+
+TEST(ShadeNames, SayNothingOfRightShadows) {
+    const TaskJudgement judgement = judgeLooks({});
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_TRUE(judgement.findings.empty());
+}
+
+TEST(ShadeNames, NameWhatIsWrongInOnePlaceAlone) {
+    using enum Look;
+    expectNamed({{{{Occluder::itself, dark}}, "shade.acne"},
+                 {{{Occluder::near, lit}}, "shade.bias"},
+                 {{{Occluder::beyond, dark}}, "shade.beyond-light"},
+                 {{{Occluder::farBeyond, dark}}, "shade.distance"},
+                 {{{Occluder::close, lit}}, "shade.distance"},
+                 {{{Occluder::between, lit}}, "shade.distance"},
+                 {{{Occluder::ofFirstLight, lit}}, "shade.lights"},
+                 {{{Occluder::ofSecondLight, lit}}, "shade.lights"},
+                 {{{Occluder::wall, lit}}, "shade.wrong", "Planes cast shadows"},
+                 {{{Occluder::beforeAndBeyond, lit}}, "shade.wrong", "What stands behind"},
+                 {{{Occluder::backwards, dark}}, "shade.wrong"}});
+}
+
+TEST(ShadeNames, LookAtSeveralPlacesAtOnce) {
+    using enum Look;
+    expectNamed(
+        {{{{Occluder::near, lit}, {Occluder::farBeyond, dark}}, "shade.distance"},
+         {{{Occluder::near, lit}, {Occluder::between, lit}}, "shade.distance"},
+         {{{Occluder::near, lit}, {Occluder::close, lit}}, "shade.bias"},
+         {{{Occluder::beyond, dark}, {Occluder::close, lit}}, "shade.distance"},
+         {{{Occluder::beyond, dark}, {Occluder::itself, dark}}, "shade.acne"},
+         {{{Occluder::before, lit}, {Occluder::itself, dark}}, "shade.acne"},
+         {{{Occluder::before, lit}, {Occluder::between, lit}}, "shade.wrong", "comes out lit"},
+         {{{Occluder::before, lit}, {Occluder::backwards, dark}}, "shade.wrong", "leaves away"},
+         {with(hidden(lit), {{Occluder::backwards, dark}, {Occluder::beyond, dark}}),
+          "shade.beyond-light"}});
+}
+
+TEST(ShadeNames, NameWhatAllHiddenPlacesShow) {
+    using enum Look;
+    const Looks allDark{{Occluder::beyond, dark},
+                        {Occluder::farBeyond, dark},
+                        {Occluder::backwards, dark},
+                        {Occluder::itself, dark}};
+    expectNamed({{hidden(lit), "shade.none"},
+                 {with(hidden(lit), {{Occluder::beyond, dark}}), "shade.beyond-light",
+                  "the wrong way round"},
+                 {with(hidden(lit), allDark), "shade.inverted"},
+                 {hidden(black), "shade.ambient"},
+                 {hidden(specular), "shade.specular"},
+                 {hidden(diffuse), "shade.diffuse"}});
+}
+
+TEST(ShadeNames, LookAtASurfaceItselfFromItsOwnSide) {
+    for (std::uint64_t seed = 0; seed < 50; ++seed)
+        for (const ShadeCase& shade : maintick::drawShadeCases(seed)) {
+            if (shade.place != Occluder::itself) continue;
+            for (const LitSetup* setup : {&shade.free, &shade.asked, &shade.without})
+                EXPECT_GT((setup->O - setup->P).normalised().dot(setup->N), 0.45) << seed;
+        }
+}
+
+TEST(ShadeNames, MeasureWhereRaysNearThePointStart) {
+    using Kind = probe::Event::Kind;
+    const auto idFrom = [](double away, Kind kind) {
+        probe::Event event;
+        event.kind = kind;
+        event.a = {0.0, away, 0.0};
+        const auto findings = judgeLooks({}, event).findings;
+        return findings.empty() ? std::string{} : findings[0].id;
+    };
+    EXPECT_EQ(idFrom(1.09e-3, Kind::rayCast), "");
+    EXPECT_EQ(idFrom(1.11e-3, Kind::rayCast), "shade.bias");
+    EXPECT_EQ(idFrom(0.29, Kind::rayCast), "shade.bias");
+    EXPECT_EQ(idFrom(0.31, Kind::rayCast), "") << "of another place, as one from the light";
+    EXPECT_EQ(idFrom(0.29, Kind::traceBegan), "");
+}
+
+}  // namespace
+}  // namespace ticker::tasks
