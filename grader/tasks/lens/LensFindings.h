@@ -33,7 +33,8 @@ inline constexpr FindingText kDofSharedSamples{
     .hint =
         "Draw the point of the aperture inside of the loop over the rays, a new one for each. If "
         "it is drawn there, look for a generator that is started again on the way (a seed set in "
-        "the loop or in illuminate, a generator made anew): then the numbers repeat.",
+        "the loop or in illuminate, a generator made anew): then the numbers repeat. forEachPixel "
+        "starts it again for each pixel, too: call that once, with the loop over the rays inside.",
     .section = "Depth of field (T2.2), step 2"};
 
 inline constexpr FindingText kDofNotAveraged{
@@ -71,7 +72,8 @@ inline constexpr FindingText kDofFocalPlane{
     .meaning = "another plane, or none",
     .hint =
         "All rays of a pixel must meet the pinhole ray at z = settings().dofFocalPlane, in every "
-        "pixel: aim each exactly at that point, with nothing random added to it.",
+        "pixel: aim each exactly at that point, with nothing random added to it. The length "
+        "along the pinhole ray is dofFocalPlane divided by direction.z, not multiplied by it.",
     .section = "Depth of field (T2.2), step 1"};
 
 inline constexpr FindingText kDofOffCentre{

@@ -2,7 +2,7 @@
 #define TICKER_TASKS_SCREENSHOT_AGREEMENT_H
 
 #include <grader/metrics/NoiseEnergy.h>
-#include <grader/tasks/screenshot/Scene.h>
+#include <grader/tasks/screenshot/ShownScene.h>
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 #define TICKER_TASKS_SCREENSHOT_EDITS_H
 
 #include <grader/metrics/Alignment.h>
-#include <grader/tasks/screenshot/Scene.h>
+#include <grader/tasks/screenshot/ShownScene.h>
 #include <grader/tasks/screenshot/Windows.h>
 
 #include <optional>

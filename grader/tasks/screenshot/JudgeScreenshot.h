@@ -2,7 +2,7 @@
 #define TICKER_TASKS_SCREENSHOT_JUDGESCREENSHOT_H
 
 #include <grader/result/SubmissionResult.h>
-#include <grader/tasks/screenshot/Scene.h>
+#include <grader/tasks/screenshot/ShownScene.h>
 
 #include <cstdint>
 #include <vector>

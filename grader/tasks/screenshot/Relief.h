@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_SCREENSHOT_RELIEF_H
 #define TICKER_TASKS_SCREENSHOT_RELIEF_H
 
-#include <grader/tasks/screenshot/Scene.h>
+#include <grader/tasks/screenshot/ShownScene.h>
 
 namespace ticker::tasks::screenshot {
 

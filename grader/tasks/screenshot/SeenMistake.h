@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_SCREENSHOT_SEENMISTAKE_H
 #define TICKER_TASKS_SCREENSHOT_SEENMISTAKE_H
 
-#include <grader/tasks/screenshot/Scene.h>
+#include <grader/tasks/screenshot/ShownScene.h>
 #include <grader/tasks/screenshot/Windows.h>
 
 #include <cstdint>

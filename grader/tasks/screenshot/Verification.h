@@ -3,7 +3,7 @@
 
 #include <grader/tasks/screenshot/Agreement.h>
 #include <grader/tasks/screenshot/Edits.h>
-#include <grader/tasks/screenshot/Scene.h>
+#include <grader/tasks/screenshot/ShownScene.h>
 
 #include <cstdint>
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include <grader/metrics/Alignment.h>
 #include <grader/probe/Question.h>
-#include <grader/tasks/screenshot/Scene.h>
+#include <grader/tasks/screenshot/ShownScene.h>
 
 #include <cstdint>
 #include <optional>

@@ -19,6 +19,7 @@ struct ShadowOutcome {
 };
 
 /// Judges T2.1 from answered questions alone: no randomness, no asking.
+/// @param logs  At least one of purpose oneLight and one of farLight, each with a point.
 [[nodiscard]] ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& logs);
 
 }  // namespace ticker::tasks

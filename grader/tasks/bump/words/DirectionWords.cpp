@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string>
 
 namespace ticker::tasks::bump {
@@ -67,6 +68,30 @@ std::string seenAlong(const AxisResponse& axis) {
     return directionInWords(axis) + commonTurn(axis) + invertedRows(axis) + twist(axis);
 }
 
+bool isMostlyRight(const Response& response) {
+    return std::min(response.u.shares.right, response.v.shares.right) > 0.7;
+}
+
+/// Where the tilt is farthest off; where the rest is right, what may be different there.
+std::string farthestHint(const Response& response, const Vector3& worst) {
+    const std::string place = placeInWords(worst);
+    if (!isMostlyRight(response))
+        return fmt::format(
+            "The farthest off is {}. Work out Pu, Pv, Bu and Bv there by hand and compare.", place);
+    constexpr double kNearPoles = 0.7;
+    if (std::abs(worst.y) < kNearPoles)
+        return fmt::format(
+            "Most points are right; the farthest off is {}. Look for a comparison that treats "
+            "points there differently, then work out Pu, Pv, Bu and Bv there by hand.",
+            place);
+    const double row = std::acos(std::min(std::abs(worst.y), 1.0)) / std::numbers::pi;
+    return fmt::format(
+        "Most points are right; the farthest off is {}, in the rows near a pole, within {} of the "
+        "map's height from its edge. Look for a comparison that builds the tangents from another "
+        "axis there: Pu is always the y axis crossed with n, or its opposite, and Pv follows.",
+        place, percent(row));
+}
+
 /// Where to look first; empty if the shares do not tell.
 std::string hintOf(const Response& response) {
     if (!invertedRows(response.u).empty() || !invertedRows(response.v).empty())
@@ -75,7 +100,8 @@ std::string hintOf(const Response& response) {
                "longitude p, Pv is (sin p cos t, -sin t, -cos p cos t) where rows grow downwards, "
                "so that its y is negative on both halves and cos t changes sign at the equator. "
                "Pu has no polar angle in it.";
-    if (response.tangentsInDegrees)
+    // With angles in degrees few tilts are right, all over the sphere.
+    if (response.tangentsInDegrees && !isMostlyRight(response))
         return "The tangents are those of angles in degrees: std::sin and std::cos take radians, "
                "so leave the factor 180 / pi out of everything that goes into them.";
     const std::string names = twist(response.u).empty()   ? "Pv turns"
@@ -120,11 +146,7 @@ Words directionWords(const Response& response) {
         std::abs(response.u.worstDirection) > std::abs(response.v.worstDirection) ? response.u
                                                                                   : response.v;
     std::string hint = hintOf(response);
-    if (hint.empty())
-        hint = fmt::format(
-            "The farthest off is {}. Work out Pu, Pv, Bu and Bv there by hand and "
-            "compare.",
-            placeInWords(farthest.worst));
+    if (hint.empty()) hint = farthestHint(response, farthest.worst);
     return {fmt::format("The tilt fits no reading of Equation (1). A slope along u tilts the "
                         "normal: {}. A slope along v: {}.",
                         seenAlong(response.u), seenAlong(response.v)),
@@ -141,14 +163,16 @@ Words patchyWords(const Response& response) {
         "Elsewhere the direction is right.",
         percent(response.u.shares.dead), percent(response.v.shares.dead),
         half.empty() ? "" : fmt::format(", all of them {}", half));
-    words.hint = half.empty()
-                     ? fmt::format(
-                           "One of them lies {}. A step in u or v that is smaller than a texel "
-                           "often reads the same texel twice; a tangent may have no length there.",
-                           placeInWords(axis.deadAt))
-                     : "Look for an if, a max or a clamp that leaves that half out: a comparison "
-                       "of an angle, "
-                       "of u or v, or of a coordinate of the normal.";
+    words.hint =
+        half.empty()
+            ? fmt::format(
+                  "One of them lies {}. A step in u or v that is smaller than a texel "
+                  "often reads the same texel twice; a tangent may have no length there; or a "
+                  "comparison leaves out points that face away from the camera.",
+                  placeInWords(axis.deadAt))
+            : "Look for an if, a max or a clamp that leaves that half out: a comparison "
+              "of an angle, "
+              "of u or v, or of a coordinate of the normal.";
     words.section = "Option 1: What to do, steps 2 and 3";
     return words;
 }

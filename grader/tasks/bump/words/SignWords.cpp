@@ -61,7 +61,7 @@ Words upsideDownWords() {
         "The map stands on its head: its top row lies at the bottom of the sphere. Bumps and "
         "hollows are right.",
         "Row 0 is the top of the picture: v must be 0 at the top of the sphere (the largest y) "
-        "and 1 at the bottom.",
+        "and 1 at the bottom. Pv points where v grows, so it turns round with v.",
         "Option 1: What to do, step 1"};
 }
 

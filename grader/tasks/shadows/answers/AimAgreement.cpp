@@ -41,16 +41,29 @@ Agreement agreementOf(const std::vector<AimLine>& lines, const Perpendiculars& s
             (cosine * cosine + sine * sine) / (squares * squares)};
 }
 
-// Sums over feet as complex numbers z: of z, z^2, z^3, z^4 and |z|^2.
-constexpr std::size_t kMoments = 5;
+// Sums over feet as complex numbers z: of z, z^2, z^3, z^4, z |z|^2 and |z|^2.
+constexpr std::size_t kPowers = 4;
+constexpr std::size_t kMoments = kPowers + 2;
 using Moments = std::array<std::complex<double>, kMoments>;
 
 void addMoments(const Vector3& foot, const Perpendiculars& sides, Moments& sums) {
     const std::complex<double> z{foot.dot(sides.first), foot.dot(sides.second)};
     std::complex<double> power = z;
-    for (std::size_t k = 0; k + 1 < kMoments; ++k, power *= z)
+    for (std::size_t k = 0; k < kPowers; ++k, power *= z)
         sums[k] += power;
+    sums[kPowers] += z * std::norm(z);
     sums.back() += std::norm(z);
+}
+
+/// Adds a line's powers to the sums, and their squares to those that independent lines would have.
+void addLine(const Vector3& foot, const Perpendiculars& sides, Moments& sums,
+             std::array<double, kMoments>& apart) {
+    Moments line{};
+    addMoments(foot, sides, line);
+    for (std::size_t k = 0; k < kMoments; ++k) {
+        sums[k] += line[k];
+        apart[k] += std::norm(line[k]);
+    }
 }
 
 Moments expectedMoments(AimShape shape, const Perpendiculars& sides) {
@@ -97,6 +110,13 @@ bool goTogether(const std::vector<const ShadowLog*>& far, const std::vector<Vect
     return sum.direction / points > 0.125 + bound || sum.line / points > 0.4 + bound;
 }
 
+// Limits of the sums below, in the order of Moments.
+constexpr std::array<double, kMoments> kMostUneven{42.0, 42.0, 42.0, 42.0, 50.0, 42.0};
+
+// Opposite lines cancel but for the perspective, which adds up over the points where a shape has
+// poles. A point counts with at least this share of what independent lines have.
+constexpr double kLeastSquare = 1e-3;
+
 // The sum of z^k over a point's lines, less what is expected, has the same chance to be turned the
 // one way as the other, however the point's own lines depend on each other. For sums over
 // independent points, exp(t |sum|^2 / sum of squares) then has a mean of at most (1 - 2 t)^-1/2
@@ -105,9 +125,12 @@ bool goTogether(const std::vector<const ShadowLog*>& far, const std::vector<Vect
 // that keeps its place in the world has 90 in the mean, or more, and so has a square or an ellipse
 // of 2 : 3 that faces the point. What has poles may look like such an ellipse but for its size,
 // which |z|^2 measures; what has none looks alike from all sides, whatever its density.
+// A shape that leans to one side where it is wide and to the other where it is narrow keeps the
+// mean of z near 0, but not that of z |z|^2. One random number for both radius and height has 67 to
+// 109 there (2000 simulated submissions), and the ball at most 15 (6000); 50 is exceeded with a
+// chance of at most (50 / 3)^1.5 e^-23.5 = 4.2e-9.
 bool turnsAs(const std::vector<const ShadowLog*>& far, const std::vector<Vector3>& directions,
              std::size_t distinct, std::optional<AimShape> shape, double size) {
-    constexpr double kMost = 42.0;
     const bool poles = shape && shape->poles != AimShape::Poles::none;
     const std::size_t moments = poles ? kMoments : kMoments - 1;
     std::array<double, kMoments> uneven{};
@@ -121,12 +144,13 @@ bool turnsAs(const std::vector<const ShadowLog*>& far, const std::vector<Vector3
         for (const PointLog& point : far[i]->points) {
             const std::vector<AimLine> samples = samplesOf(point, far[i]->settings());
             Moments here{};
+            std::array<double, kMoments> apart{};
             for (const AimLine& line : samples)
-                addMoments(line.foot / radius, sides, here);
+                addLine(line.foot / radius, sides, here, apart);
             for (std::size_t k = 0; k < moments; ++k) {
                 here[k] -= expected[k] * static_cast<double>(samples.size());
                 sums[k] += here[k];
-                squares[k] += std::norm(here[k]);
+                squares[k] += std::max(std::norm(here[k]), kLeastSquare * apart[k]);
             }
             lines += samples.size();
         }
@@ -135,7 +159,8 @@ bool turnsAs(const std::vector<const ShadowLog*>& far, const std::vector<Vector3
     }
     const double share =
         static_cast<double>(distinct) / static_cast<double>(std::max<std::size_t>(lines, 1));
-    return *std::max_element(uneven.begin(), uneven.end()) * share <= kMost;
+    return std::equal(uneven.begin(), uneven.end(), kMostUneven.begin(),
+                      [&](double sum, double most) { return sum * share <= most; });
 }
 
 }  // namespace ticker::tasks

@@ -134,7 +134,8 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
     finding.hint =
         "Both directions in the highlight have unit length: (O - P).normalised() to the viewer, "
         "and the direction to the light reflected in N. Their product, at least 0, is raised to "
-        "object.phongAlpha() and multiplied by object.phongKS().";
+        "object.phongAlpha() and multiplied by object.phongKS(). The share of the light that "
+        "arrives scales this term once, as it does the diffuse one.";
     lengths.explain(finding);
     finding.evidence.emplace_back("highlightExpected", expected);
     finding.evidence.emplace_back("highlightSeen", worst.highlight);

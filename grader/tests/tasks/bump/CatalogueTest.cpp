@@ -1,5 +1,6 @@
 #include <grader/lab/selftest/BumpTables.h>
 #include <grader/tasks/bump/JudgeBump.h>
+#include <grader/tests/support/SlowRun.h>
 #include <grader/tests/tasks/bump/StandIn.h>
 
 #include <gtest/gtest.h>
@@ -36,9 +37,10 @@ void expectThatItTellsWhatToLookAt(const Finding& finding) {
     EXPECT_FALSE(finding.evidence.empty());
 }
 
-TEST(BumpCatalogue, EveryMistakeGetsItsFindingAndAHintOnTwoSeeds) {
+TEST(BumpCatalogue, EveryMistakeGetsItsFindingAndAHint) {
+    const std::uint64_t last = isSlowRun() ? 42 : 41;
     for (const CompiledMistake& mistake : compiledCatalogue())
-        for (const std::uint64_t seed : {41U, 42U}) {
+        for (std::uint64_t seed = 41; seed <= last; ++seed) {
             SCOPED_TRACE(mistake.id);
             const TaskJudgement judgement = judgeCompiled(mistake, seed);
             EXPECT_EQ(stateName(judgement.state), mistake.state) << judgement.reason;

@@ -1,13 +1,16 @@
 // The pure functions of the judgement, one by one.
 #include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/answers/Poisson.h>
+#include <grader/tasks/bump/answers/Response.h>
 #include <grader/tasks/bump/questions/Tilt.h>
+#include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Spread.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace ticker::tasks::bump {
 namespace {
@@ -107,6 +110,39 @@ TEST(Integrate, GivesBackTheHeightsOfAnEvenField) {
     const std::vector<double> found = integrate(differences);
     for (std::size_t i = 0; i < 108; ++i)
         EXPECT_NEAR(found[i], heights[i] - mean, 1e-10);
+}
+
+/// Tilts along the tangents of other longitudes.
+template <typename OtherU>
+Response withTangentsAt(const OtherU& otherU) {
+    const Parametrisation& parametrisation = tests::kParametrisation;
+    std::vector<RampTilts> tilts;
+    for (const Vector3& n : tests::spread(800)) {
+        const double u = otherU(parametrisation.u(n));
+        const Vector3 there = parametrisation.direction(u - std::floor(u), parametrisation.v(n));
+        tilts.push_back(
+            {n, -parametrisation.alongU(there), {}, -parametrisation.alongV(there), {}});
+    }
+    return measureResponse(tilts, parametrisation);
+}
+
+TEST(TangentsInDegrees, AreThoseOfALongitudeThatGrowsFiftySevenTimesAsFast) {
+    constexpr double kDegreesInOne = 180.0 / std::numbers::pi;
+    for (const double start : {0.5, 0.0, 0.25}) {
+        const Response response =
+            withTangentsAt([=](double u) { return start + (u - start) * kDegreesInOne; });
+        EXPECT_TRUE(response.tangentsInDegrees) << start;
+        EXPECT_EQ(response.tangentTurn, 0.0) << start;
+    }
+}
+
+TEST(TangentsInDegrees, AreNoneWhereATurnExplainsThem) {
+    const Response turned = withTangentsAt([](double u) { return u + 0.25; });
+    EXPECT_NEAR(turned.tangentTurn, 90.0, 10.0);
+    EXPECT_FALSE(turned.tangentsInDegrees);
+    const Response faster = withTangentsAt([](double u) { return 31.0 * u; });
+    EXPECT_EQ(faster.tangentTurn, 0.0);
+    EXPECT_FALSE(faster.tangentsInDegrees);
 }
 
 }  // namespace

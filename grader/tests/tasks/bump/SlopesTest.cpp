@@ -179,6 +179,16 @@ TEST(ReadRegions, NamesTheRowsAndTheColumnsThatStray) {
     EXPECT_NEAR(columns.v.asOnRamps, 0.75, 0.05);
 }
 
+// Rows of a few points count, and there are few near a pole.
+TEST(ReadRegions, NamesRowsNearAPole) {
+    const RegionAgreement top = regionsOf([](const Place& at, const selftest::Point&) {
+        return std::pair(1.0, at.v < 0.14 ? -1.0 : 1.0);
+    });
+    ASSERT_TRUE(top.v.rows);
+    EXPECT_LT(top.v.rows->first, 0.07 * top.height);
+    EXPECT_NEAR(top.v.rows->last, 0.14 * top.height, top.height / 64.0);
+}
+
 TEST(ReadRegions, NamesNoneWhereAllStrayOrThoseAreSpreadOut) {
     const RegionAgreement all =
         regionsOf([](const Place&, const selftest::Point&) { return std::pair(-1.0, 1.0); });

@@ -8,20 +8,21 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace ticker::tasks {
 namespace {
 
 /// A right render of 4 x 2 pixels.
 struct RightLog : LensByHand {
-    explicit RightLog(double amount = 0.2) {
+    explicit RightLog(double amount = 0.2, int rays = 50) {
         asked.settings.width = 4;
         asked.settings.height = 2;
         Draw draw{6, 1};
         for (int i = 0; i < 8; ++i) {
             const int row = i / 4;
             LensPixel& made = pixel({0.1 * (i % 4), 0.2 * row, 1.0});
-            for (int ray = 0; ray < 50; ++ray) {
+            for (int ray = 0; ray < rays; ++ray) {
                 const double x = draw.between(-amount, amount);
                 made.rays.push_back(rayThrough({x, draw.between(-amount, amount), 0.0},
                                                focalPointOf(made, asked.settings)));
@@ -129,6 +130,21 @@ TEST(JudgeDepthOfField, WarnsOfOtherSettingsThatAreNotFollowed) {
     EXPECT_EQ(idsOf(judgeDepthOfField(right.log, other.log)), "") << "nothing can be said";
 }
 
+TEST(JudgeDepthOfField, SaysThatMoreRaysThanTheHandoutsAreAccepted) {
+    const RightLog right;
+    const auto messageWith = [&](int rays) {
+        RightLog other{0.2, rays};
+        other.asked.settings.dofRayCount = 80;
+        const LensOutcome outcome = judgeDepthOfField(right.log, other.log);
+        return outcome.findings.empty() ? std::string{} : outcome.findings[0].message;
+    };
+    EXPECT_NE(messageWith(60).find("The handout says 50 rays; more are accepted."),
+              std::string::npos);
+    EXPECT_NE(messageWith(50), "");
+    EXPECT_EQ(messageWith(50).find("more are accepted"), std::string::npos);
+    EXPECT_EQ(messageWith(80), "");
+}
+
 TEST(JudgeDepthOfField, WarnsOfPixelsThatAreLostInAPictureOfAnotherSize) {
     RightLog other;
     for (LensPixel& pixel : other.log.pixels) {
@@ -162,6 +178,7 @@ TEST(Plots, ShowWhereRaysStartAndCross) {
     EXPECT_NEAR(starts.points[0].y, -0.2, 1e-12);
     EXPECT_EQ(starts.expectedHalfWidth, 0.2);
     EXPECT_EQ(starts.otherHalfWidth, 0.1);
+    EXPECT_TRUE(starts.drawing.has_value() || plotFocus(lens.log).drawing.has_value());
     const ScatterPlot crossings = plotFocus(lens.log);
     ASSERT_EQ(crossings.points.size(), 1U) << "the other never does";
     EXPECT_NEAR(crossings.points[0].x, 0.05, 1e-9);

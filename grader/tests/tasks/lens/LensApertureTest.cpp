@@ -151,6 +151,25 @@ TEST(Aperture, IsUnevenAndNotUsedInPartWhereItsPointsCrowdInTheMiddle) {
     EXPECT_NE(finding->message.find("evenly filled"), std::string::npos) << finding->message;
 }
 
+TEST(Aperture, IsNoLineAcrossTheSquare) {
+    const auto onLine = [](double aside) {
+        LensByHand lens;
+        for (int i = 0; i < 10; ++i) {
+            LensPixel& pixel = lens.pixel();
+            for (int ray = 0; ray < 20; ++ray) {
+                const double at = 0.2 * std::cos(1.7 * (20 * i + ray));
+                const double off = ray % 2 == 0 ? aside : -aside;
+                pixel.rays.push_back(rayThrough({at + off, at - off, 0.0}, {0.0, 0.0, 3.5}));
+            }
+        }
+        const auto finding = checkAperture(lens.log).finding;
+        return finding && finding->message.find("one straight line") != std::string::npos;
+    };
+    EXPECT_TRUE(onLine(0.0));
+    EXPECT_TRUE(onLine(0.5e-4)) << "a thousandth of the half-width";
+    EXPECT_FALSE(onLine(3e-4));
+}
+
 TEST(Aperture, SaysNothingOfTwoRays) {
     LensByHand lens;
     lens.pixel().rays = {rayThrough({}, {0.0, 0.0, 1.0}),

@@ -114,6 +114,19 @@ TEST(Average, IsOneRayAloneDividedByTheirNumber) {
                      "of the first ray alone, divided by"));
 }
 
+TEST(Average, LacksOneRayThatItsNumberCounts) {
+    const auto without = [](bool first) {
+        return judgeAverageOf([=](const Values& values) {
+            ColourRGB sum;
+            for (std::size_t i = 0; i < values.size(); ++i)
+                if (i != (first ? 0 : values.size() - 1)) sum += values[i];
+            return sum / static_cast<double>(values.size());
+        });
+    };
+    EXPECT_TRUE(says(without(true), "first ray is left out of the sum"));
+    EXPECT_TRUE(says(without(false), "last ray is left out of the sum"));
+}
+
 TEST(Average, LosesWhatIsTooBrightOrWhatHitNothing) {
     EXPECT_TRUE(says(judgeAverageOf(
                          [](Values values) {
@@ -182,6 +195,26 @@ TEST(Average, WeighsItsRaysUnevenlyOrIsSomethingElse) {
             EXPECT_EQ(idOf(judgeAverageOf([&](const Values& v) { return weighed(v) + off; })),
                       "dof.wrong");
         }
+}
+
+// Rounding takes nothing out of the range: one channel differs, the two others are the same.
+TEST(Average, WeighsItsRaysUnevenlyWhereAChannelIsTheSameInAll) {
+    for (const ColourRGB& channel :
+         {ColourRGB{1.0, 0.0, 0.0}, ColourRGB{0.0, 1.0, 0.0}, ColourRGB{0.0, 0.0, 1.0}}) {
+        LensByHand lens;
+        LensPixel& pixel = lens.pixel();
+        const ColourRGB first{0.2, 0.4, 0.6};
+        for (const ColourRGB& value : {first, first + channel}) {
+            pixel.rays.push_back(rayThrough({}, {0.0, 0.0, 1.0}));
+            pixel.rays.back().value = value;
+        }
+        pixel.colour = first + channel * 0.2;
+        LensPixel other = pixel;
+        other.colour = first + channel * 0.9;
+        lens.log.pixels.push_back(other);
+        const auto finding = checkAverage(lens.log);
+        EXPECT_TRUE(says(finding, "count more")) << (finding ? finding->message : "");
+    }
 }
 
 TEST(Average, IsNotJudgedWhereTheLogIsCutOrHasNoValues) {

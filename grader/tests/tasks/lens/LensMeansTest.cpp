@@ -72,6 +72,21 @@ TEST(ChangeOfMeans, IsACurve) {
     }
 }
 
+// Means that single precision cannot tell apart may have their values in any order.
+TEST(ChangeOfMeans, IsACurveThoughEqualMeansDifferByRounding) {
+    Pixels pixels = through([](double v) { return std::sqrt(v); });
+    const auto add = [&](double step) {
+        Pixels more = pixels;
+        for (const double side : {0.0, step}) {
+            const ColourRGB mean{3.0 + side, 3.1, 3.2};
+            more.push_back({mean, ColourRGB{1.75 - 10.0 * side, 1.76, 1.79}, 50.0});
+        }
+        return seenIn(more);
+    };
+    EXPECT_TRUE(says(add(0.9e-5), "dof.wrong", "curve"));
+    EXPECT_EQ(add(1.1e-5), "");
+}
+
 TEST(ChangeOfMeans, IsNotNamedWhereLittleIsKnown) {
     Pixels few = through([](double v) { return v * v; });
     few.resize(5);

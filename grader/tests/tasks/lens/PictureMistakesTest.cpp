@@ -5,6 +5,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -59,6 +60,57 @@ TEST(TryAll, NamesTheSuspectWhosePictureItIs) {
         ASSERT_NE(bank.second, nullptr);
         EXPECT_NE(bank.second->text, own.text);
     }
+}
+
+// Brightness by a factor has the same shape whatever the factor.
+TEST(TryAll, PrefersTheAmplitudeNearestToOneAmongShapesThatAreAlike) {
+    const auto scaledBy = [](double factor) {
+        PictureMistake mistake = pictureMistakes(1.0).at(9);
+        mistake.mistake.pixelScale = factor;
+        return mistake;
+    };
+    for (const double seen : {1.1, 1.2})
+        for (const bool ownFirst : {false, true}) {
+            const double other = seen == 1.1 ? 1.2 : 1.1;
+            const std::vector<PictureMistake> mistakes{scaledBy(ownFirst ? seen : other),
+                                                       scaledBy(ownFirst ? other : seen)};
+            const PictureMistake& own = mistakes[ownFirst ? 0 : 1];
+            const Plane picture = mistakenPicture(asked(), own.reading, own.mistake, kSeed);
+            EXPECT_EQ(tryAll(mistakes, asked(), seeing(picture), expected(), kSeed).best, &own)
+                << seen << ownFirst;
+        }
+}
+
+TEST(PictureMistakes, ChangeOneThingByAsMuchAsStudentsDo) {
+    for (const double factor : {1.0, 0.5}) {
+        const std::vector<PictureMistake> all = pictureMistakes(factor);
+        const auto changed = [&](std::size_t i) { return all.at(i).mistake; };
+        EXPECT_TRUE(changed(1).focalByDistance);
+        EXPECT_EQ(changed(2).focalFactor, 0.85);
+        EXPECT_EQ(changed(3).focalFactor, 1.2);
+        for (const std::size_t i : {4U, 5U}) {
+            EXPECT_EQ(changed(i).lensOffsetX, 1.0);
+            EXPECT_EQ(changed(i).lensOffsetY, 1.0);
+        }
+        EXPECT_EQ(all[5].reading.apertureFactor, 0.5 * factor);
+        EXPECT_EQ(all[7].reading.apertureFactor, 0.7 * factor);
+        EXPECT_EQ(all[8].reading.apertureFactor, 1.4 * factor);
+        EXPECT_EQ(changed(9).pixelScale, 1.1);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            EXPECT_EQ(all[i].withoutBounces, i == 10);
+    }
+}
+
+// The error of the mean adds a 25th to the variance of the mean of all renders.
+TEST(ExpectedPicture, IsSurerThanWhatItIsComparedWith) {
+    double error = 0.0;
+    double variance = 0.0;
+    for (std::size_t i = 0; i < expected().mean.size(); ++i) {
+        error += expected().error[i];
+        variance += expected().variance[i] / asked().repetitions;
+    }
+    EXPECT_LT(error, 0.06 * variance);
+    EXPECT_GT(error, 0.0);
 }
 
 }  // namespace

@@ -88,5 +88,16 @@ TEST(SamplesOf, LeavesOutAnExtraRayToTheCentre) {
     EXPECT_EQ(samplesOf(point, made.last().settings()).size(), 10U) << "no bias allows that";
 }
 
+TEST(SamplesOf, MeasuresTheBiasFromThePointWhereverItLies) {
+    ShadowByHand made;
+    made.ask(Purpose::farLight, {{3.0, 6.0, 2.0}});
+    PointLog& point = made.point({3.0, 0.0, 2.0});
+    made.castRing(11);
+    point.lines[0][0].miss = 0.9e-4;
+    EXPECT_EQ(samplesOf(point, made.last().settings()).size(), 10U);
+    point.lines[0][0].miss = 1.2e-4;
+    EXPECT_EQ(samplesOf(point, made.last().settings()).size(), 11U) << "more than the bias of 1e-4";
+}
+
 }  // namespace
 }  // namespace ticker::tasks

@@ -99,6 +99,29 @@ TEST(CheckValues, TellsWhichQuestionIsWrongAlone) {
     EXPECT_EQ(wrongIn(Purpose::planeShadow), "shadow.wrong");
 }
 
+TEST(CheckValues, SaysThatAmbientLightIsThereForEachOfThreeLights) {
+    const auto withAmbient = [](double times) {
+        ShadowByHand made;
+        for (const Purpose purpose : {Purpose::oneLight, Purpose::severalLights}) {
+            const std::size_t lights = purpose == Purpose::oneLight ? 1 : 3;
+            ShadowQuestion& asked =
+                made.ask(purpose, std::vector<Vector3>(lights, Vector3{0.0, 16.0, 0.0}));
+            asked.question.scene.planes[0].material.colour = {0.8, 0.6, 0.4};
+            asked.question.scene.ambientLighting = ColourRGB{0.5};
+            PointLog& point = made.point();
+            const Parts parts = partsOf(point, made.last());
+            point.colour = parts.ambient * (lights == 1 ? 1.0 : times) +
+                           (parts.diffuse + parts.specular) * static_cast<double>(lights);
+        }
+        return checkValues(made.logs()).finding;
+    };
+    EXPECT_FALSE(withAmbient(1.0));
+    ASSERT_EQ(idOf(withAmbient(3.0)), "shadow.lights-mixed");
+    EXPECT_NE(withAmbient(3.0)->message.find("three times"), std::string::npos);
+    ASSERT_EQ(idOf(withAmbient(-1.0)), "shadow.lights-mixed");
+    EXPECT_EQ(withAmbient(-1.0)->message.find("three times"), std::string::npos);
+}
+
 TEST(CheckValues, SaysThatObjectsInLineAreMistaken) {
     const auto lit = judge([](const Parts& parts, Zone zone, Purpose purpose) {
         return right(parts, purpose == Purpose::inLine ? Zone::lit : zone);

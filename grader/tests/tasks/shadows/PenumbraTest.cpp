@@ -182,6 +182,24 @@ TEST(CheckPenumbra, CountsTheRaysByTheSteps) {
     EXPECT_FALSE(judge(rays(11)).finding) << "an extra ray";
 }
 
+/// The question with those of its places in the penumbra that see such a share of the light.
+PenumbraQuestion withShares(double low, double high) {
+    PenumbraQuestion some = question();
+    const Surfaces surfaces{some.question.scene};
+    for (PenumbraQuestion::Place& place : some.places) {
+        const probe::LitPoint& point = some.question.points[place.first];
+        const double open = expectedAt(some.question, surfaces, point, AimShape::ball, 1.0).open;
+        if (place.kind == Kind::penumbra && (open <= low || open >= high)) place.kind = Kind::atRim;
+    }
+    return some;
+}
+
+// One ray gives 0 or 1; only where a fraction is expected that says something.
+TEST(CheckPenumbra, CountsRaysWhereAFractionIsExpected) {
+    EXPECT_EQ(idOf(judge(rays(1), {}, withShares(0.1, 0.9)).finding), "shadow.hard");
+    EXPECT_NE(idOf(judge(rays(1), {}, withShares(-1.0, 0.1)).finding), "shadow.hard");
+}
+
 TEST(CheckPenumbra, TellsAllOrNothingFromOneRay) {
     const ShareOf ifAll = [](double open, Draw& draw) {
         return rays(10)(open, draw) == 1.0 ? 1.0 : 0.0;
@@ -201,6 +219,13 @@ TEST(CheckPenumbra, LeavesALightWithoutItsOutermostTwentiethToAPerson) {
     const PenumbraVerdict verdict = judge(rays(10), {.darkRim = true});
     EXPECT_FALSE(verdict.finding);
     EXPECT_TRUE(verdict.ambiguous);
+}
+
+TEST(CheckPenumbra, NamesNoSizeWhereNoneExplainsTheMeans) {
+    const ShareOf dimmed = [](double open, Draw& draw) { return rays(10)(0.6 * open, draw); };
+    const PenumbraVerdict verdict = judge(dimmed, {}, withShares(0.6, 0.95));
+    ASSERT_EQ(idOf(verdict.finding), "shadow.wrong");
+    EXPECT_NE(verdict.finding->message.find("wrong size or shape"), std::string::npos);
 }
 
 TEST(CheckPenumbra, WantsNumbers) {

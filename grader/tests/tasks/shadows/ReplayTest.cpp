@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -40,6 +42,54 @@ TEST(Replay, NamesEachMistakeOfArithmetic) {
     quarter.answer(aims, kAmbient);
     EXPECT_TRUE(quarter.fitsAs(ShadowArithmetic::litIfAll));
     EXPECT_FALSE(quarter.fitsAs(ShadowArithmetic::right));
+}
+
+TEST(Replay, AllowsItsToleranceInEveryChannelOnBothSides) {
+    const ColourRGB right = kAmbient + (kDiffuse + kSpecular) * 0.5;
+    const auto fitsWith = [&](const ColourRGB& change) {
+        ReplayCase made;
+        made.answer({-0.3, -0.1, 0.15, 0.3}, right + change);
+        return made.fitsAs(ShadowArithmetic::right);
+    };
+    ReplayCase made;
+    made.answer({-0.3, -0.1, 0.15, 0.3}, right);
+    const ColourRGB slack = toleranceAt(made.log.points[0], made.log.scene(), false);
+    const std::array<ColourRGB, 3> channels{
+        ColourRGB{slack.r, 0.0, 0.0}, ColourRGB{0.0, slack.g, 0.0}, ColourRGB{0.0, 0.0, slack.b}};
+    for (const ColourRGB& channel : channels)
+        for (const double side : {-1.0, 1.0}) {
+            EXPECT_TRUE(fitsWith(channel * (0.8 * side)));
+            EXPECT_FALSE(fitsWith(channel * (1.3 * side)));
+        }
+}
+
+TEST(Replay, DecidesByWhetherAnyHalfOrAllOfTheRaysArrive) {
+    const ColourRGB full = kDiffuse + kSpecular;
+    const auto fits = [](const std::vector<double>& aims, const ColourRGB& colour,
+                         ShadowArithmetic arithmetic) {
+        ReplayCase made;
+        made.answer(aims, colour);
+        return made.fitsAs(arithmetic);
+    };
+    const std::vector<std::vector<double>> byNumberOpen{{0.15, 0.2, 0.25, 0.3},
+                                                        {-0.3, 0.2, 0.25, 0.3},
+                                                        {-0.3, -0.2, 0.2, 0.3},
+                                                        {-0.3, -0.2, -0.1, 0.3},
+                                                        {-0.3, -0.2, -0.1, -0.15}};
+    for (std::size_t open = 0; open < byNumberOpen.size(); ++open) {
+        SCOPED_TRACE(open);
+        const std::vector<double>& aims = byNumberOpen[open];
+        const double share = static_cast<double>(open) / 4.0;
+        const auto onlyIf = [](bool holds) { return holds ? 1.0 : 0.0; };
+        const ColourRGB any = kAmbient + kDiffuse * share + kSpecular * onlyIf(open > 0);
+        EXPECT_TRUE(fits(aims, any, ShadowArithmetic::specularIfAny));
+        EXPECT_EQ(fits(aims, any, ShadowArithmetic::right), open == 0 || open == 4);
+        EXPECT_EQ(fits(aims, kAmbient + full, ShadowArithmetic::litIfAny), open > 0);
+        EXPECT_EQ(fits(aims, kAmbient + full, ShadowArithmetic::litIfAll), open == 4);
+        EXPECT_EQ(fits(aims, kAmbient, ShadowArithmetic::litIfAll), open < 4);
+        EXPECT_EQ(fits(aims, kAmbient + full, ShadowArithmetic::litIfHalf), open >= 2);
+        EXPECT_EQ(fits(aims, kAmbient, ShadowArithmetic::litIfHalf), open <= 2);
+    }
 }
 
 TEST(Replay, TurnsRaysRoundThatWereCastFromTheLight) {

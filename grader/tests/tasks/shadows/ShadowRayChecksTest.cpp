@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tests/tasks/shadows/ShadowByHand.h>
 
 #include <gtest/gtest.h>
@@ -117,6 +118,22 @@ TEST(CheckFixedSamples, FindsAimsThatAreTheSameAtAllPoints) {
     EXPECT_FALSE(judgeFixed(10, 10, 0.0, 0.005)) << "too close together to tell";
 }
 
+TEST(CheckFixedSamples, ComparesPointsByHowFarTheyAreApartNotByWhereTheyAre) {
+    const auto judgeAround = [](const Vector3& middle, double apart) {
+        ShadowByHand made;
+        made.ask(Purpose::oneLight);
+        for (int i = 0; i < 10; ++i) {
+            made.point(middle + Vector3{apart * (i - 5), 0.0, 0.02 * apart * i});
+            for (int ray = 0; ray < 10; ++ray)
+                made.cast({0.03 * ray, 6.0 + 0.02 * ray, 0.1});
+        }
+        return checkFixedSamples(made.logs());
+    };
+    EXPECT_TRUE(judgeAround({}, 0.3));
+    EXPECT_TRUE(judgeAround({3.0, 0.0, 2.0}, 0.3));
+    EXPECT_FALSE(judgeAround({3.0, 0.0, 2.0}, 0.004));
+}
+
 TEST(CheckFixedSamples, WantsAsManyRaysEverywhere) {
     ShadowByHand made;
     made.ask(Purpose::oneLight);
@@ -189,7 +206,9 @@ TEST(CheckAims, NamesWhatTheVerdictSays) {
 }
 
 /// Asks for 14 rays to a light of radius 0.25.
-std::optional<Finding> judgeOther(int rays, double off, double colourTimes = 1.0) {
+/// @param miss  Of one ray; negative: as it is cast.
+std::optional<Finding> judgeOther(int rays, double off, double colourTimes = 1.0,
+                                  double miss = -1.0) {
     ShadowByHand made;
     ShadowQuestion& question = made.ask(Purpose::otherSettings);
     question.question.settings.shadowRayCount = 14;
@@ -199,6 +218,7 @@ std::optional<Finding> judgeOther(int rays, double off, double colourTimes = 1.0
     point.colour = (ambientPart(point, made.last().scene()) +
                     unshadowed(point, made.last().scene(), 0, false)) *
                    colourTimes;
+    if (miss >= 0.0) point.lines[0][0].miss = miss;
     return checkOtherSettings(made.logs());
 }
 
@@ -206,6 +226,8 @@ TEST(CheckOtherSettings, WantsThemFollowed) {
     EXPECT_FALSE(judgeOther(14, 0.2));
     EXPECT_TRUE(judgeOther(13, 0.2));
     EXPECT_FALSE(judgeOther(14, 0.251)) << "the bias";
+    EXPECT_FALSE(judgeOther(14, 0.2, 1.0, 0.25 + kLargestBias + 1e-7)) << "rounding";
+    EXPECT_TRUE(judgeOther(14, 0.2, 1.0, 0.25 + kLargestBias + 4e-7));
     const auto wide = judgeOther(14, 0.26);
     ASSERT_EQ(idOf(wide), "settings.hard-coded");
     EXPECT_NEAR(numberIn(*wide, "widest"), 0.26, 1e-3);

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_SCREENSHOT_SCENE_H
-#define TICKER_TASKS_SCREENSHOT_SCENE_H
+#ifndef TICKER_TASKS_SCREENSHOT_SHOWNSCENE_H
+#define TICKER_TASKS_SCREENSHOT_SHOWNSCENE_H
 
 #include <grader/metrics/View.h>
 #include <grader/probe/Examinee.h>
