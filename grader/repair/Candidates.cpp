@@ -112,7 +112,8 @@ struct MadeHeader {
         for (const std::string& word :
              {std::string{"--precompile"}, (kit.folder() / "pch" / "Framework.h").string(),
               product.file.filename().string(), std::string{"-xc++-header"},
-              std::string{"-std=c++20"}, "-I" + (kit.folder() / "include").string()})
+              std::string{"-std=c++20"}, std::string{"-fpch-instantiate-templates"},
+              "-I" + (kit.folder() / "include").string()})
             command.arguments.push_back(word);
         const sandbox::Outcome outcome = sandbox.run(command);
         if (!outcome.succeeded() || outcome.productsMissing)

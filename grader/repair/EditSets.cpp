@@ -7,7 +7,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <tuple>
 
 namespace ticker::repair {
 namespace {
@@ -22,7 +21,7 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
     return words;
 }
 
-/// The same without what belongs to a word beside it: `.normalised()` is one.
+/// Without what belongs to a word beside it: `.normalised()` is one.
 std::vector<std::string_view> weighedWordsOf(std::string_view text) {
     static const std::set<std::string_view> kLight{"(", ")", "{", "}", ".", "->", "::", ",", "std"};
     std::vector<std::string_view> words = wordsOf(text);
@@ -54,8 +53,7 @@ bool touch(const Atom& a, const Atom& b) {
     });
 }
 
-/// A text with every name and number replaced: statements of the same shape say the same of
-/// different things.
+/// A text with names replaced: statements of the same shape say the same of different things.
 std::string shapeOf(std::string_view text) {
     std::string shape;
     for (const std::string_view word : wordsOf(text)) {
@@ -139,7 +137,7 @@ EditSet switched(const Candidates& candidates, const Choice& isChosen) {
     return numbers;
 }
 
-/// @param isOne  The edits of a set are one edit at several places.
+/// @param isOne  One edit at several places.
 std::vector<EditSet> simplestFirst(std::string_view source, const Candidates& candidates,
                                    std::vector<EditSet> sets, bool isOne = false) {
     constexpr std::size_t kRanks = 8;
@@ -189,6 +187,12 @@ std::vector<EditSet> singles(std::string_view source, const Candidates& candidat
     for (const std::uint16_t number : switched(candidates, isChosen))
         sets.push_back({number});
     return simplestFirst(source, candidates, std::move(sets));
+}
+
+std::vector<EditSet> lightSingles(std::string_view source, const Candidates& candidates,
+                                  const Choice& isChosen) {
+    return singles(source, candidates,
+                   [&](const Atom& atom) { return isLight(atom) && isChosen(atom); });
 }
 
 std::vector<EditSet> withoutSwitch(const Candidates& candidates, const Choice& isChosen) {

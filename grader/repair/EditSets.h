@@ -29,6 +29,11 @@ using Choice = std::function<bool(const Atom&)>;
 [[nodiscard]] std::vector<EditSet> singles(std::string_view source, const Candidates& candidates,
                                            const Choice& isChosen);
 
+/// The same without those that put in much: operators, signs, numbers, names.
+[[nodiscard]] std::vector<EditSet> lightSingles(std::string_view source,
+                                                const Candidates& candidates,
+                                                const Choice& isChosen);
+
 /// Each edit that has to be compiled by itself, such as a variable that is no longer static.
 [[nodiscard]] std::vector<EditSet> withoutSwitch(const Candidates& candidates,
                                                  const Choice& isChosen);

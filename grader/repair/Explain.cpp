@@ -4,6 +4,7 @@
 #include <grader/repair/TaskExplanation.h>
 #include <grader/repair/TaskLookup.h>
 #include <grader/repair/Workbench.h>
+#include <grader/result/GeneralFindings.h>
 
 #include <algorithm>
 #include <iterator>
@@ -45,7 +46,7 @@ bool isExplainable(const TaskReport& task) {
     const std::string finding = firstFailure(task);
     if (finding.empty() || task.id == kScreenshotTask) return false;
     return task.state == TaskState::failed ||
-           (task.state == TaskState::blocked && finding.starts_with("run."));
+           (task.state == TaskState::blocked && isRunEnd(finding));
 }
 
 Explanation explain(const intake::Submission& submission, const pipeline::Grader& grader,

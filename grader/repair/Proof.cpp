@@ -21,13 +21,16 @@ public:
           grader_(grader),
           seed_(seed) {}
 
-    std::optional<Proof> judge(const std::string& task) {
+    std::optional<Proof> judge(const std::string& task, const std::vector<TaskReport>& before) {
+        const auto was = std::ranges::find(before, task, &TaskReport::id);
+        if (was == before.end()) return std::nullopt;
         Proof proof;
         for (int i = 0; i < kSeeds; ++i) {
             const TaskJudgement judgement =
                 codeOf(grader_, task).judge(examinee_, seed_ + static_cast<std::uint64_t>(i));
             const std::string next = passes(judgement) ? "" : firstFailure(judgement);
             if (!passes(judgement) && next.empty()) return std::nullopt;
+            if (addsWarning(judgement, *was)) return std::nullopt;
             if (i > 0 && next != proof.next) return std::nullopt;
             proof.next = next;
             if (i == 0) aperture_ = judgement.apertureFactor;
@@ -41,7 +44,8 @@ public:
             if (report.id == task || report.state != TaskState::passed ||
                 grader_.exercise->fileOf(report.id) != file)
                 return true;
-            return passes(codeOf(grader_, report.id).judge(examinee_, seed_));
+            const TaskJudgement now = codeOf(grader_, report.id).judge(examinee_, seed_);
+            return passes(now) && !addsWarning(now, report);
         });
     }
 
@@ -85,7 +89,7 @@ std::optional<Proof> prove(const std::string& edited, const std::string& file,
     clock.add(Work::prove, built.cpuMs);
     if (!built.program) return std::nullopt;
     Trial trial{*built.program, grader, seed, clock.left()};
-    std::optional<Proof> proof = trial.judge(task);
+    std::optional<Proof> proof = trial.judge(task, before);
     if (proof && proof->next.empty() &&
         !(trial.keepsOthers(file, task, before) && trial.rendersAlike(file, task, before)))
         proof.reset();

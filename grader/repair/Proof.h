@@ -21,7 +21,7 @@ struct Proof {
 
 /// Compiles the edited file as a submission is compiled and has the task judged in full under three
 /// fresh seeds. Where it passes, the renders of its scenes are looked at as well, and the file's
-/// other tasks that passed before must still pass.
+/// other tasks that passed before must still pass. No task gets a warning that it did not have.
 /// @param before  What the submission got without the edit.
 /// @param clock   The CPU time of the compiler and of the program is added.
 /// @return  Empty where the seeds do not agree, or where anything else speaks against the edit.

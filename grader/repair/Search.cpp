@@ -1,10 +1,12 @@
 #include <grader/repair/Search.h>
 
 #include <grader/repair/TaskLookup.h>
+#include <grader/result/GeneralFindings.h>
 
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <map>
 #include <utility>
 #include <variant>
 
@@ -15,6 +17,7 @@ using probe::Run;
 
 // Sets that are asked in one process.
 constexpr std::size_t kTogether = 200;
+constexpr std::size_t kJudgedFirst = 4;
 constexpr std::size_t kJudgedTogether = 16;
 
 /// Notes what a judge asks first, and answers nothing.
@@ -66,9 +69,14 @@ bool isFinished(const Run& run) {
 
 }  // namespace
 
-Search::Search(const Task& task, std::vector<const Task*> others, SwitchedProgram& program,
-               std::uint64_t seed, const Clock& clock)
-    : task_(task), others_(std::move(others)), program_(program), seed_(seed), clock_(clock) {
+Search::Search(const Task& task, const TaskJudgement& before, std::vector<const Task*> others,
+               SwitchedProgram& program, std::uint64_t seed, const Clock& clock)
+    : task_(task),
+      before_(before),
+      others_(std::move(others)),
+      program_(program),
+      seed_(seed),
+      clock_(clock) {
     FirstQuestions recorder;
     static_cast<void>(task.judge(recorder, seed));
     first_ = std::move(recorder.asked);
@@ -83,17 +91,24 @@ std::vector<EditSet> Search::screened(std::span<const EditSet> sets) {
     if (!screening_.mayPass) return {sets.begin(), sets.end()};
     const bool isSeen = !screening_.mayPass(screenedAsHandedIn_);
     std::vector<EditSet> kept;
+    std::vector<EditSet> alike;
     for (std::size_t at = 0; at < sets.size() && !clock_.isOver(); at += kTogether) {
         const auto some = sets.subspan(at, std::min(kTogether, sets.size() - at));
         const std::vector<Run> runs = program_.ask(screening_.questions, some);
         asked_ += runs.size();
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            if (!isFinished(runs[i])) continue;
-            if (isSeen && sameAnswers(runs[i], screenedAsHandedIn_)) continue;
-            if (screening_.mayPass(runs[i])) kept.push_back(some[i]);
+            const bool isAlike = isFinished(runs[i]) && sameAnswers(runs[i], screenedAsHandedIn_);
+            if (isSeen && (isAlike || !isFinished(runs[i]))) idle_.insert(some[i]);
+            if (!isFinished(runs[i]) || (isSeen && isAlike)) continue;
+            if (isAlike)
+                alike.push_back(some[i]);
+            else if (screening_.mayPass(runs[i]))
+                kept.push_back(some[i]);
         }
     }
-    return kept;
+    // Where the cheap questions were answered well, what changes no answer comes first.
+    alike.insert(alike.end(), kept.begin(), kept.end());
+    return alike;
 }
 
 TaskJudgement Search::judge(const EditSet& set, Run first) const {
@@ -111,8 +126,12 @@ bool Search::passesOthers(const EditSet& set) const {
 
 template <class Use>
 void Search::judgeEach(std::span<const EditSet> sets, Use use) {
-    for (std::size_t at = 0; at < sets.size() && !clock_.isOver(); at += kJudgedTogether) {
-        const auto some = sets.subspan(at, std::min(kJudgedTogether, sets.size() - at));
+    // A few at first: the simplest ones pass more often than others.
+    std::size_t together = kJudgedFirst;
+    for (std::size_t at = 0; at < sets.size() && !clock_.isOver();) {
+        const auto some = sets.subspan(at, std::min(together, sets.size() - at));
+        at += some.size();
+        together = std::min(2 * together, kJudgedTogether);
         std::vector<Run> runs = program_.ask(first_, some);
         for (std::size_t i = 0; i < runs.size() && !clock_.isOver(); ++i) {
             if (!isFinished(runs[i]) || sameAnswers(runs[i], asHandedIn_)) continue;
@@ -121,26 +140,28 @@ void Search::judgeEach(std::span<const EditSet> sets, Use use) {
     }
 }
 
-std::vector<EditSet> Search::passing(std::span<const EditSet> sets, std::size_t most) {
-    std::vector<EditSet> found;
+void Search::eachPassing(std::span<const EditSet> sets,
+                         const std::function<bool(const EditSet&)>& use) {
     judgeEach(screened(sets), [&](const EditSet& set, const TaskJudgement& judgement) {
-        if (passes(judgement) && passesOthers(set)) found.push_back(set);
-        return found.size() < most;
+        const bool isClean = passes(judgement) && !addsWarning(judgement, before_);
+        return !isClean || !passesOthers(set) || use(set);
     });
-    return found;
 }
 
-std::vector<Partial> Search::changing(std::span<const EditSet> sets, const std::string& finding,
-                                      std::size_t most) {
+std::vector<Partial> Search::changing(std::span<const EditSet> sets, const std::string& finding) {
     std::vector<Partial> found;
+    std::map<std::string, int> leading;
     judgeEach(sets, [&](const EditSet& set, const TaskJudgement& judgement) {
         const std::string next = firstFailure(judgement);
         // A mistake's own name says that it explains all answers: the edit mended another one.
-        const bool isNamed = !next.starts_with("run.") && !next.ends_with(".wrong");
-        if (!next.empty() && next != finding && isNamed)
+        const bool isNamed = !isRunEnd(next) && !next.ends_with(".wrong");
+        if (!next.empty() && next != finding && isNamed) {
             found.push_back({set, next, failuresOf(judgement)});
-        return found.size() < most;
+            ++leading[next];
+        }
+        return true;
     });
+    std::ranges::stable_sort(found, {}, [&](const Partial& one) { return leading[one.next]; });
     return found;
 }
 

@@ -8,6 +8,8 @@
 #include <grader/repair/SwitchedProgram.h>
 
 #include <cstdint>
+#include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,18 +29,24 @@ class Search {
 public:
     /// All of them must outlive this object.
     /// @param others  Tasks that the submission passes: it has to pass them with an edit, too.
-    Search(const Task& task, std::vector<const Task*> others, SwitchedProgram& program,
-           std::uint64_t seed, const Clock& clock);
+    /// @param before  What the submission got without edits: an edit must not add a warning.
+    Search(const Task& task, const TaskJudgement& before, std::vector<const Task*> others,
+           SwitchedProgram& program, std::uint64_t seed, const Clock& clock);
 
     /// Those of the sets with which the judge passes the submission, in their order, until the
     /// clock's time is up.
-    /// @param most  It stops after so many.
-    [[nodiscard]] std::vector<EditSet> passing(std::span<const EditSet> sets, std::size_t most);
+    /// @param use  Takes one of them; false: no more are looked for.
+    void eachPassing(std::span<const EditSet> sets, const std::function<bool(const EditSet&)>& use);
 
     /// Those of the sets with which the judge's first failing finding is the name of another
-    /// mistake than `finding`.
+    /// mistake than `finding`, until the clock's time is up. Names that few of them lead to come
+    /// first: many edits make a surface flat, few mend one of two mistakes.
     [[nodiscard]] std::vector<Partial> changing(std::span<const EditSet> sets,
-                                                const std::string& finding, std::size_t most);
+                                                const std::string& finding);
+
+    /// Whether a set that was screened changed no answer to the cheap questions, or ended the
+    /// process.
+    [[nodiscard]] bool isIdle(const EditSet& set) const { return idle_.contains(set); }
 
     /// Sets that were asked so far.
     [[nodiscard]] std::size_t asked() const { return asked_; }
@@ -53,6 +61,7 @@ private:
     void judgeEach(std::span<const EditSet> sets, Use use);
 
     const Task& task_;
+    const TaskJudgement& before_;
     std::vector<const Task*> others_;
     const SwitchedProgram& program_;
     std::uint64_t seed_;
@@ -62,6 +71,7 @@ private:
     probe::Run asHandedIn_;               ///< the answers to them without edits
     probe::Run screenedAsHandedIn_;
     std::size_t asked_ = 0;
+    std::set<EditSet> idle_;
 };
 
 }  // namespace ticker::repair

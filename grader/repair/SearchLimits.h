@@ -11,6 +11,9 @@ namespace ticker::repair {
 struct SearchLimits {
     /// All of it: parsing, compiling, asking, judging, proving; of all failed tasks together.
     sandbox::TimeLimits all;
+    /// The share of a task's CPU time after which a task with a proven repair gets no other, 0
+    /// to 1.
+    double others = 0.0;
     // The share of a task's CPU time after which the next kind of edits has its turn, 0 to 1.
     double singles = 0.0;      ///< one edit
     double wide = 0.0;         ///< one edit that puts in what stands nowhere near

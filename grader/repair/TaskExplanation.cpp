@@ -3,6 +3,7 @@
 #include <grader/repair/LineEdits.h>
 #include <grader/repair/Proof.h>
 #include <grader/repair/TaskLookup.h>
+#include <grader/result/GeneralFindings.h>
 
 #include <algorithm>
 #include <functional>
@@ -14,8 +15,12 @@ namespace {
 
 // The first repair, and others that students and tickers may compare it with.
 constexpr std::size_t kMostRepairs = 2;
+// Sets of one kind of edits that pass the search and are put to the proof.
+constexpr std::size_t kMostProofs = 4;
 // First edits of two mistakes that are followed up.
 constexpr std::size_t kMostPartials = 12;
+// The share of the time for two mistakes in which first edits are looked for.
+constexpr double kShareOfFirst = 0.5;
 
 }  // namespace
 
@@ -27,6 +32,7 @@ std::vector<Repair> TaskExplanation::run(double endMs) {
     endMs_ = endMs;
     const SearchLimits& limits = setting_.limits;
     const double beginMs = setting_.clock.cpuMs();
+    othersEndMs_ = beginMs + limits.others * (endMs - beginMs);
     const std::pair<double, std::function<Repairs()>> steps[] = {
         {1.0, [this] { return noLongerStatic(); }},
         {limits.singles, [this] { return anyOf(Reach::simple, singles); }},
@@ -40,7 +46,7 @@ std::vector<Repair> TaskExplanation::run(double endMs) {
         setting_.clock.runUntil(beginMs + share * (endMs - beginMs));
         Repairs repairs = step();
         if (!repairs.empty()) return repairs;
-        wasCutOff_ = wasCutOff_ || setting_.clock.cpuMs() > beginMs + share * (endMs - beginMs);
+        wasCutOff_ = wasCutOff_ || setting_.clock.isOver();
     }
     return {};
 }
@@ -75,22 +81,29 @@ TaskExplanation::Repairs TaskExplanation::anyOf(Reach reach, MakeSets make) {
     if (bench == nullptr) return {};
     std::vector<EditSet> sets = make(workbench_.source(), bench->candidates, choice());
     // Code that crashes mostly lacks a bound.
-    if (finding_.starts_with("run."))
+    if (isRunEnd(finding_))
         std::ranges::stable_partition(sets, [&](const EditSet& set) {
             return bench->candidates.atoms[set.front()].kind == "bound";
         });
-    return proven(*bench, searchOf(reach, *bench).passing(sets, 2 * kMostRepairs - 1));
+    return proven(searchOf(reach, *bench), *bench, sets);
 }
 
 TaskExplanation::Repairs TaskExplanation::twoMistakes() {
     Bench* bench = workbench_.bench(Reach::simple);
     if (bench == nullptr) return {};
     Search& search = searchOf(Reach::simple, *bench);
-    const auto ones = singles(workbench_.source(), bench->candidates, choice());
-    const std::vector<Partial> partials = search.changing(ones, finding_, kMostPartials);
-    for (const Partial& partial : partials) {
-        const auto both = together(bench->candidates, partial.set, ones);
-        Repairs repairs = proven(*bench, search.passing(both, 1));
+    std::vector<EditSet> ones = lightSingles(workbench_.source(), bench->candidates, choice());
+    std::erase_if(ones, [&](const EditSet& set) { return search.isIdle(set); });
+
+    Clock& clock = setting_.clock;
+    const double beginMs = clock.cpuMs();
+    const double stepEndMs = clock.endMs();
+    clock.runUntil(beginMs + kShareOfFirst * (stepEndMs - beginMs));
+    const std::vector<Partial> partials = search.changing(ones, finding_);
+    clock.runUntil(stepEndMs);
+    for (std::size_t i = 0; i < std::min(kMostPartials, partials.size()); ++i) {
+        const auto both = together(bench->candidates, partials[i].set, ones);
+        Repairs repairs = proven(search, *bench, both);
         if (!repairs.empty()) return repairs;
     }
     for (const Partial& partial : partials)
@@ -110,7 +123,6 @@ TaskExplanation::Repairs TaskExplanation::proven(const Bench& bench,
                                                  const std::vector<EditSet>& sets) {
     Repairs repairs;
     std::set<std::string> known;
-    // What was found is proven even where the time for finding more has ended.
     setting_.clock.runUntil(endMs_);
     for (const EditSet& set : sets) {
         const auto edited = withEdits(workbench_.source(), textEdits(bench.candidates, set));
@@ -118,6 +130,20 @@ TaskExplanation::Repairs TaskExplanation::proven(const Bench& bench,
         if (!edited || !known.insert(*edited).second) continue;
         if (auto repair = provenOne(bench, set, "")) repairs.push_back(*std::move(repair));
     }
+    return repairs;
+}
+
+TaskExplanation::Repairs TaskExplanation::proven(Search& search, const Bench& bench,
+                                                 const std::vector<EditSet>& sets) {
+    Repairs repairs;
+    std::set<std::string> known;
+    search.eachPassing(sets, [&](const EditSet& set) {
+        const auto edited = withEdits(workbench_.source(), textEdits(bench.candidates, set));
+        if (!edited || !known.insert(*edited).second) return true;
+        if (auto repair = provenOne(bench, set, "")) repairs.push_back(*std::move(repair));
+        if (!repairs.empty()) setting_.clock.runUntil(othersEndMs_);
+        return repairs.size() < kMostRepairs && known.size() < kMostProofs;
+    });
     return repairs;
 }
 
@@ -137,7 +163,7 @@ Search& TaskExplanation::searchOf(Reach reach, Bench& bench) {
     const auto known = searches_.find(reach);
     if (known != searches_.end()) return known->second;
     return searches_
-        .emplace(reach, Search{codeOf(setting_.grader, task_.id), othersOfTheFunction(),
+        .emplace(reach, Search{codeOf(setting_.grader, task_.id), task_, othersOfTheFunction(),
                                bench.program, setting_.seed, setting_.clock})
         .first->second;
 }

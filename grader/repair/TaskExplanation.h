@@ -52,9 +52,14 @@ private:
     [[nodiscard]] Repairs twoMistakes();
     [[nodiscard]] Repairs compiledApart();
 
+    /// Those of the sets that are proven.
     [[nodiscard]] Repairs proven(const Bench& bench, const std::vector<EditSet>& sets);
+    /// The same of those that pass the search.
+    [[nodiscard]] Repairs proven(Search& search, const Bench& bench,
+                                 const std::vector<EditSet>& sets);
     [[nodiscard]] std::optional<Repair> provenOne(const Bench& bench, const EditSet& set,
                                                   const std::string& next);
+    /// Whether a set leaves some of the findings and adds none.
     [[nodiscard]] bool mendsSome(const Partial& partial) const;
     [[nodiscard]] Search& searchOf(Reach reach, Bench& bench);
     [[nodiscard]] std::vector<const Task*> othersOfTheFunction() const;
@@ -67,6 +72,7 @@ private:
     std::string finding_;
     std::map<Reach, Search> searches_;
     double endMs_ = 0.0;
+    double othersEndMs_ = 0.0;  ///< no second repair is looked for after this
     bool wasCutOff_ = false;
 };
 

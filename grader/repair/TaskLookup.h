@@ -25,6 +25,16 @@ namespace ticker::repair {
     return judgement.state == TaskState::passed && !judgement.needsReview;
 }
 
+/// Whether it holds a warning that was not there before, such as a quantity of another setting in
+/// place of the right one.
+[[nodiscard]] inline bool addsWarning(const TaskJudgement& judgement, const TaskJudgement& before) {
+    return std::ranges::any_of(judgement.findings, [&](const Finding& finding) {
+        return finding.severity == Severity::warn &&
+               std::ranges::find(before.findings, finding.id, &Finding::id) ==
+                   before.findings.end();
+    });
+}
+
 /// The first failing finding; empty: none.
 [[nodiscard]] inline std::string firstFailure(const TaskJudgement& judgement) {
     for (const Finding& finding : judgement.findings)

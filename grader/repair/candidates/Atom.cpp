@@ -70,8 +70,9 @@ bool Edits::isVector(int node) const {
 }
 
 void Edits::insert(Atom atom) {
-    if (tree_.at(atom.site).isExpression) atom.site = assignedAt(tree_, atom.site);
-    if (!std::ranges::all_of(atom.edits, [&](const Replacement& edit) {
+    if (tree_.at(atom.site).isExpression && !atom.isInstead)
+        atom.site = assignedAt(tree_, atom.site);
+    if (!atom.isInstead && !std::ranges::all_of(atom.edits, [&](const Replacement& edit) {
             return tree_.at(atom.site).range.holds(edit.range);
         }))
         return;
@@ -86,16 +87,21 @@ void Edits::insert(Atom atom) {
 }
 
 void Edits::add(std::string kind, int site, std::vector<Replacement> edits) {
-    insert({std::move(kind), std::move(edits), site, false, false});
+    insert({std::move(kind), std::move(edits), site, false, false, false});
 }
 
 void Edits::addApart(std::string kind, int site, std::vector<Replacement> edits) {
-    insert({std::move(kind), std::move(edits), site, true, false});
+    insert({std::move(kind), std::move(edits), site, true, false, false});
 }
 
 void Edits::addBefore(std::string kind, int statement, const Range& place,
                       const std::string& text) {
-    insert({std::move(kind), {{place, text}}, statement, false, true});
+    insert({std::move(kind), {{place, text}}, statement, false, true, false});
+}
+
+void Edits::addInstead(std::string kind, int statement, const Range& whole,
+                       const std::string& text) {
+    insert({std::move(kind), {{whole, text}}, statement, false, false, true});
 }
 
 void Edits::replace(const std::string& kind, int node, const std::string& text, bool isPrimary) {

@@ -22,9 +22,10 @@ struct Replacement {
 struct Atom {
     std::string kind;
     std::vector<Replacement> edits;
-    int site = -1;          ///< an expression or a statement; its text holds all that is replaced
-    bool isApart = false;   ///< cannot be switched: has to be compiled by itself
-    bool isBefore = false;  ///< a statement that is put in before the site
+    int site = -1;           ///< an expression or a statement; its text holds all that is replaced
+    bool isApart = false;    ///< cannot be switched: has to be compiled by itself
+    bool isBefore = false;   ///< a statement that is put in before the site
+    bool isInstead = false;  ///< a statement in place of the site, which is one, too
 };
 
 /// A file with the edits that were found for it.
@@ -61,6 +62,9 @@ public:
     void addApart(std::string kind, int site, std::vector<Replacement> edits);
     /// Puts a statement in before another one.
     void addBefore(std::string kind, int statement, const Range& place, const std::string& text);
+    /// Puts a statement, or nothing, in place of another one.
+    /// @param whole  Where that stands, with its semicolon.
+    void addInstead(std::string kind, int statement, const Range& whole, const std::string& text);
 
 private:
     void insert(Atom atom);
@@ -84,6 +88,7 @@ void addCallEdits(Edits& edits, int node);
 void addWrapEdits(Edits& edits, int node);
 void addTermEdits(Edits& edits, int node);
 void addSiblingEdits(Edits& edits, int node);
+void addStaticEdits(Edits& edits, int node);
 void addStatementEdits(Edits& edits, int node);
 // With what the function could name and does not.
 void addWideEdits(Edits& edits, int node);

@@ -47,6 +47,18 @@ void negateNeighbour(Edits& edits, const std::vector<int>& arguments) {
                 edits.replace("bound", one, "-" + edits.operand(other), false);
 }
 
+/// The angle of a quotient knows no quadrant.
+void nameQuadrant(Edits& edits, int index, const Node& call) {
+    if (call.name != "atan" || call.children.size() != 2) return;
+    const Tree& tree = edits.tree();
+    const Node& quotient = tree.at(call.children[1]);
+    if (quotient.kind != NodeKind::binary || quotient.name != "/") return;
+    edits.replace("function", index,
+                  "std::atan2(" + edits.bareText(quotient.children[0]) + ", " +
+                      edits.bareText(quotient.children[1]) + ")",
+                  true);
+}
+
 void editMethod(Edits& edits, int index, const Node& call, const Node& callee) {
     if (callee.children.empty()) return;
     const int object = callee.children.front();
@@ -83,6 +95,7 @@ void addCallEdits(Edits& edits, int index) {
     std::vector<int> arguments{node.children.begin() + 1, node.children.end()};
     exchangeArguments(edits, index, arguments);
     negateNeighbour(edits, arguments);
+    nameQuadrant(edits, index, node);
     for (const int argument : arguments)
         if (tree.at(argument).type == node.type) edits.replaceBy("unwrap", index, argument);
     if (callee.kind == NodeKind::member) editMethod(edits, index, node, callee);

@@ -113,6 +113,12 @@ NodeKind kindOf(CXCursorKind kind) {
         case CXCursor_DoStmt:
         case CXCursor_CXXForRangeStmt:
             return NodeKind::loop;
+        case CXCursor_ContinueStmt:
+        case CXCursor_BreakStmt:
+        case CXCursor_ReturnStmt:
+            return NodeKind::jump;
+        case CXCursor_IfStmt:
+            return NodeKind::branch;
         case CXCursor_VarDecl:
             return NodeKind::declaration;
         case CXCursor_FunctionDecl:

@@ -30,7 +30,8 @@ bool isConverted(const Tree& tree, int site) {
     if (parent < 0) return false;
     const Node& around = tree.at(parent);
     if (around.kind == NodeKind::declaration) return !around.isAuto;
-    return around.kind == NodeKind::statement;
+    return around.kind == NodeKind::statement || around.kind == NodeKind::jump ||
+           around.kind == NodeKind::branch;
 }
 
 /// Whether edits of a kind may have another type than what they replace.

@@ -78,8 +78,13 @@ void addOperatorEdits(Edits& edits, int index) {
         edits.replaceBy("sign", index, node.children.front());
     if (node.kind == NodeKind::expression && node.children.size() == 3 &&
         edits.text(index).find('?') != std::string::npos) {
-        edits.replaceBy("drop", index, node.children[1]);
-        edits.replaceBy("drop", index, node.children[2]);
+        const int first = node.children[1];
+        const int second = node.children[2];
+        edits.replaceBy("drop", index, first);
+        edits.replaceBy("drop", index, second);
+        edits.add("exchange", index,
+                  {{edits.tree().at(first).range, edits.text(second)},
+                   {edits.tree().at(second).range, edits.text(first)}});
     }
 }
 

@@ -60,7 +60,30 @@ void forMembers(CXCursor record, bool alsoProtected, const std::string& before, 
 void addPlain(CXCursor member, CXType type, const std::string& before,
               std::vector<Quantity>& found) {
     if (const std::string plain = plainType(type); isWanted(plain))
-        found.push_back({before + callOf(member), plain});
+        found.push_back({before + callOf(member), plain, ""});
+}
+
+/// A function of one argument that changes nothing: `.evaluateAt`.
+void addMethod(CXCursor member, const std::string& before, std::vector<Quantity>& found) {
+    if (clang_getCursorKind(member) != CXCursor_CXXMethod || !isPublic(member) ||
+        clang_Cursor_getNumArguments(member) != 1 || clang_CXXMethod_isStatic(member) != 0 ||
+        clang_CXXMethod_isConst(member) == 0)
+        return;
+    const std::string name = textOf(clang_getCursorSpelling(member));
+    const std::string type = plainType(clang_getCursorResultType(member));
+    const std::string argument =
+        plainType(clang_getCursorType(clang_Cursor_getArgument(member, 0)));
+    if (isWanted(type) && isWanted(argument) && !name.starts_with("operator"))
+        found.push_back({before + name, type, argument});
+}
+
+/// Those of a class and of its bases.
+void addMethods(CXCursor record, const std::string& before, std::vector<Quantity>& found) {
+    for (const CXCursor& child : childrenOf(record))
+        if (clang_getCursorKind(child) == CXCursor_CXXBaseSpecifier)
+            addMethods(clang_getTypeDeclaration(clang_getCursorType(child)), before, found);
+        else
+            addMethod(child, before, found);
 }
 
 /// A number, or the numbers of a class of the kit that is no vector itself.
@@ -89,7 +112,10 @@ std::vector<Quantity> partsOf(CXType type) {
     const bool isVector = isWanted(plainType(inner));
     forMembers(clang_getTypeDeclaration(inner), false, isMaybe ? "->" : ".",
                isVector ? addPlain : addDeep, found);
-    if (isVector) std::erase_if(found, [](const Quantity& part) { return part.type == "int"; });
+    if (isVector)
+        std::erase_if(found, [](const Quantity& part) { return part.type == "int"; });
+    else
+        addMethods(clang_getTypeDeclaration(inner), isMaybe ? "->" : ".", found);
     return found;
 }
 
@@ -97,6 +123,10 @@ std::vector<Quantity> ownPartsOf(CXCursor method) {
     std::vector<Quantity> found;
     if (clang_getCursorKind(method) != CXCursor_CXXMethod) return found;
     forMembers(clang_getCursorSemanticParent(method), true, "", addDeep, found);
+    addMethods(clang_getCursorSemanticParent(method), "", found);
+    // A function that calls itself may never return.
+    const std::string own = textOf(clang_getCursorSpelling(method));
+    std::erase_if(found, [&](const Quantity& part) { return part.text == own; });
     return found;
 }
 

@@ -15,7 +15,10 @@ public:
         : tree_(tree), source_(source), atoms_(atoms) {
         for (std::size_t i = 0; i < atoms.size(); ++i)
             if (!atoms[i].isApart)
-                (atoms[i].isBefore ? before_ : atSite_)[atoms[i].site].push_back(i);
+                (atoms[i].isBefore    ? before_
+                 : atoms[i].isInstead ? instead_
+                                      : atSite_)[atoms[i].site]
+                    .push_back(i);
     }
 
     Schema write() {
@@ -43,6 +46,13 @@ private:
                 const std::size_t begin = schema_.text.size();
                 schema_.text += "if (ticker_edit[" + std::to_string(atom) + "]) {" +
                                 atoms_[atom].edits.front().text + "}\n";
+                schema_.places.push_back({atom, {begin, schema_.text.size()}});
+            }
+        if (const auto instead = instead_.find(index); instead != instead_.end())
+            for (const std::size_t atom : instead->second) {
+                const std::size_t begin = schema_.text.size();
+                schema_.text += "if (ticker_edit[" + std::to_string(atom) + "]) {" +
+                                atoms_[atom].edits.front().text + "} else ";
                 schema_.places.push_back({atom, {begin, schema_.text.size()}});
             }
         const auto found = atSite_.find(index);
@@ -85,6 +95,7 @@ private:
     const std::vector<Atom>& atoms_;
     std::map<int, std::vector<std::size_t>> atSite_;
     std::map<int, std::vector<std::size_t>> before_;
+    std::map<int, std::vector<std::size_t>> instead_;
     Schema schema_;
 };
 

@@ -126,21 +126,4 @@ void addSiblingEdits(Edits& edits, int index) {
         if (isUsableAt(tree, other, index)) edits.replaceBy("sibling", index, other);
 }
 
-void addStatementEdits(Edits& edits, int index) {
-    const Tree& tree = edits.tree();
-    const Node& node = tree.at(index);
-    if (node.kind == NodeKind::declaration && node.isStatic && !node.isConstant) {
-        for (const Range& token : edits.source().tokensIn(node.range)) {
-            if (token.begin >= node.declared) break;
-            const std::string_view word = edits.source().in(token);
-            if (word != "static" && word != "thread_local") continue;
-            const Replacement drop{{token.begin, token.end + 1}, ""};
-            // A copy for every call may cost more time than there is.
-            if (node.type.starts_with("raytracer::") && !edits.isVector(index))
-                edits.addApart("static", index, {drop, {{node.declared - 1, node.declared}, "& "}});
-            edits.addApart("static", index, {drop});
-        }
-    }
-}
-
 }  // namespace ticker::candidates

@@ -14,6 +14,8 @@ enum class NodeKind {
     other,
     block,        ///< { ... }
     statement,    ///< any other
+    jump,         ///< continue, break, return
+    branch,       ///< if: the condition, what follows, and perhaps what follows else
     loop,         ///< for, while, do: its body is the last child, or the first of a do
     declaration,  ///< of a variable, with its initialiser as the last child
     function,     ///< a function or a lambda
@@ -31,8 +33,9 @@ enum class NodeKind {
 
 /// Something that an expression may name.
 struct Quantity {
-    std::string text;  ///< as it is written: "settings().rays", or ".colour()" behind a name
-    std::string type;  ///< as of a node
+    std::string text;      ///< as it is written: "settings().rays", or ".colour()" behind a name
+    std::string type;      ///< as of a node
+    std::string argument;  ///< the type of its only argument, of a function; empty: none
 };
 
 /// A node of the student's own file; nodes that stand in no text, such as conversions, are left

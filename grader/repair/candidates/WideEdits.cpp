@@ -1,79 +1,12 @@
 #include <grader/repair/candidates/Atom.h>
 #include <grader/repair/candidates/Scope.h>
+#include <grader/repair/candidates/Vocabulary.h>
 
 #include <algorithm>
 #include <iterator>
 
 namespace ticker::candidates {
 namespace {
-
-constexpr std::size_t kMostVariables = 5;
-
-/// What a node's function could name.
-class Vocabulary {
-public:
-    Vocabulary(const Edits& edits, int index) : edits_(edits) {
-        const Tree& tree = edits.tree();
-        const int function = outermostFunction(tree, index);
-        if (function < 0) return;
-        const std::string_view used = edits.source().in(tree.at(function).range);
-        for (const Quantity& own : tree.at(function).parts)
-            addUnused(own, used);
-        for (const Quantity& constant : tree.constants)
-            addUnused(constant, used);
-        for (const int variable : visibleVariables(tree, index)) {
-            const Node& node = tree.at(variable);
-            for (const Quantity& part : node.parts)
-                if (!edits.isVector(variable)) addUnused({node.name + part.text, part.type}, used);
-            variables_.push_back({node.name, node.type});
-        }
-    }
-
-    /// Variables of a type, the nearest first.
-    [[nodiscard]] std::vector<std::string> variables(std::string_view type) const {
-        std::vector<std::string> texts;
-        for (auto variable = variables_.rbegin();
-             variable != variables_.rend() && texts.size() < kMostVariables; ++variable)
-            if (variable->type == type) texts.push_back(variable->text);
-        return texts;
-    }
-    /// Quantities of a type that the function does not use yet.
-    [[nodiscard]] std::vector<std::string> unused(std::string_view type) const {
-        std::vector<std::string> texts;
-        for (const Quantity& quantity : unused_)
-            if (quantity.type == type) texts.push_back(quantity.text);
-        return texts;
-    }
-    /// Points and directions, used or not.
-    [[nodiscard]] std::vector<std::string> points() const {
-        std::vector<std::string> texts = variables("raytracer::Vector3");
-        texts.insert(texts.end(), points_.begin(), points_.end());
-        return texts;
-    }
-    [[nodiscard]] std::vector<std::string> colours() const {
-        std::vector<std::string> texts = variables("raytracer::ColourRGB");
-        texts.insert(texts.end(), colours_.begin(), colours_.end());
-        return texts;
-    }
-    [[nodiscard]] std::vector<std::string> all(std::string_view type) const {
-        std::vector<std::string> texts = variables(type);
-        std::ranges::move(unused(type), std::back_inserter(texts));
-        return texts;
-    }
-
-private:
-    void addUnused(const Quantity& quantity, std::string_view used) {
-        if (quantity.type == "raytracer::Vector3") points_.push_back(quantity.text);
-        if (quantity.type == "raytracer::ColourRGB") colours_.push_back(quantity.text);
-        if (used.find(quantity.text) == std::string_view::npos) unused_.push_back(quantity);
-    }
-
-    const Edits& edits_;
-    std::vector<Quantity> variables_;
-    std::vector<Quantity> unused_;
-    std::vector<std::string> points_;
-    std::vector<std::string> colours_;
-};
 
 /// Whether a node is a whole initialiser, value or argument.
 bool standsAlone(const Tree& tree, int index) {
@@ -106,10 +39,22 @@ void addReplacements(Edits& edits, int index, const Vocabulary& words) {
     const bool isSmall = node.kind == NodeKind::number || node.kind == NodeKind::name ||
                          node.kind == NodeKind::member || node.kind == NodeKind::call ||
                          node.kind == NodeKind::unary;
+    // A product that a function of the kit knows by name.
+    const bool isNew = edits.tree().at(node.parent).kind == NodeKind::declaration;
+    if (isNew && node.kind == NodeKind::binary && edits.isType(index, "raytracer::ColourRGB"))
+        for (const std::string& call : words.calls(node.type))
+            edits.replace("word", index, call, true);
     if (!isSmall || edits.source().tokensIn(node.range).size() > kMostTokens) return;
     const bool isPoint = edits.isType(index, "raytracer::Vector3");
     for (const std::string& word : isPoint ? words.points() : words.all(node.type))
         edits.replace("word", index, word, true);
+    if (edits.isType(index, "double"))
+        for (const std::string& length : words.lengths())
+            edits.replace("word", index, length, true);
+    if (edits.isInteger(index) && node.kind == NodeKind::number)
+        for (const std::string& word : words.variables("int"))
+            for (const char* step : {" - 1", " + 1"})
+                edits.replace("word", index, word + step, false);
     if (edits.isType(index, "double") && node.kind == NodeKind::number)
         for (const std::string& word : words.unused("int"))
             edits.replace("word", index, word, true);
@@ -126,12 +71,15 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
     if (edits.isType(index, "raytracer::ColourRGB"))
         std::ranges::move(words.colours(), std::back_inserter(factors));
     if (edits.isType(index, "double")) factors.emplace_back("4.0");
+    // The square of what tells a size.
+    if (edits.isType(index, "double") && node.kind == NodeKind::call)
+        edits.replace("factor", index, operand + " * " + operand, holds);
     for (const std::string& factor : factors)
         if (factor != edits.text(index))
             edits.replace("factor", index, operand + " * " + factor, holds);
     if (isPoint || !standsAlone(edits.tree(), index)) return;
     if (edits.isType(index, "double"))
-        for (const std::string& point : words.points())
+        for (const std::string& point : words.places())
             for (const char* axis : {".x", ".y", ".z"})
                 edits.replace("factor", index, operand + " / " + point + axis, false);
     for (const char* type : {"double", "int"})
@@ -142,12 +90,22 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
 
 /// A point that is moved a little along a direction.
 void addSteps(Edits& edits, int index, const Vocabulary& words) {
-    if (edits.tree().at(index).kind != NodeKind::name || !standsAlone(edits.tree(), index)) return;
-    for (const std::string& along : words.variables("raytracer::Vector3"))
-        for (const std::string& length : words.unused("double"))
-            if (along != edits.text(index))
-                edits.replace("step", index, edits.text(index) + " + " + along + " * " + length,
-                              false);
+    constexpr std::size_t kMostTokens = 6;
+    const Node& node = edits.tree().at(index);
+    if (!standsAlone(edits.tree(), index)) return;
+    if (edits.source().tokensIn(node.range).size() > kMostTokens) return;
+    const std::vector<std::string> variables = words.variables("raytracer::Vector3");
+    std::vector<std::string> starts = variables;
+    std::vector<std::string> lengths = words.constants();
+    if (node.kind == NodeKind::name) {
+        starts = {edits.text(index)};
+        lengths = words.unused("double");
+    }
+    for (const std::string& start : starts)
+        for (const std::string& along : variables)
+            for (const std::string& length : lengths)
+                if (along != start)
+                    edits.replace("step", index, start + " + " + along + " * " + length, false);
 }
 
 void addTerms(Edits& edits, int index, const Vocabulary& words) {
@@ -164,6 +122,47 @@ void addTerms(Edits& edits, int index, const Vocabulary& words) {
         edits.replace("term", index, edits.text(index) + " + " + word, false);
         edits.replace("term", index, word + " - " + edits.operand(index), false);
     }
+}
+
+/// What the function has computed and does not use, and angles as shares of a turn.
+void addIdle(Edits& edits, int index, const Vocabulary& words) {
+    const Node& node = edits.tree().at(index);
+    constexpr std::size_t kMostTokens = 12;
+    if (!standsAlone(edits.tree(), index)) return;
+    if (edits.source().tokensIn(node.range).size() > kMostTokens) return;
+    for (const std::string& word : words.idle(node.type))
+        edits.replace("word", index, word, true);
+    if (!edits.isType(index, "double") ||
+        edits.tree().at(node.parent).kind != NodeKind::declaration)
+        return;
+    for (const std::string& angle : words.angles()) {
+        edits.replace("word", index, angle + " / std::numbers::pi", false);
+        edits.replace("word", index, angle + " / (2.0 * std::numbers::pi) + 0.5", false);
+    }
+}
+
+/// One of two roots: the first if it is positive, the smaller, the larger.
+void addChoices(Edits& edits, int index, const Vocabulary& words) {
+    const Node& node = edits.tree().at(index);
+    constexpr std::size_t kMostTokens = 12;
+    const bool isNew = edits.tree().at(node.parent).kind == NodeKind::declaration;
+    if (!isNew || !edits.isType(index, "double")) return;
+    if (edits.source().tokensIn(node.range).size() > kMostTokens) return;
+    for (const auto& [one, other] : words.twins()) {
+        edits.replace("choice", index, one + " > 0.0 ? " + one + " : " + other, false);
+        edits.replace("choice", index, other + " > 0.0 ? " + other + " : " + one, false);
+        edits.replace("choice", index, "std::min(" + one + ", " + other + ")", true);
+        edits.replace("choice", index, "std::max(" + one + ", " + other + ")", true);
+    }
+}
+
+/// A root or a size that was not taken.
+void addFunctions(Edits& edits, int index) {
+    if (!edits.isType(index, "double") || !standsAlone(edits.tree(), index)) return;
+    const Node& node = edits.tree().at(index);
+    if (node.kind == NodeKind::number || node.name == "sqrt" || node.name == "abs") return;
+    for (const char* function : {"std::sqrt(", "std::abs("})
+        edits.replace("wrap", index, function + edits.bareText(index) + ")", true);
 }
 
 /// An optional hit that is asked for alone: whether it counts may depend on its numbers.
@@ -192,7 +191,7 @@ void addLimits(Edits& edits, int index) {
         if (hit.name != asked.name || !hit.isOptional) continue;
         for (const Quantity& part : hit.parts)
             for (const std::string& limit : limits) {
-                if (part.type != "double") continue;
+                if (part.type != "double" || !part.argument.empty()) continue;
                 const std::string number = hit.name + part.text;
                 edits.add("limit", index,
                           {{node.range,
@@ -214,6 +213,9 @@ void addWideEdits(Edits& edits, int index) {
     if (!edits.isNumber(index) && !edits.isVector(index)) return;
     const Vocabulary words{edits, index};
     addReplacements(edits, index, words);
+    addIdle(edits, index, words);
+    addChoices(edits, index, words);
+    addFunctions(edits, index);
     if (edits.isInteger(index) || node.parent < 0 || !isTerm(edits, index)) return;
     if (node.kind != NodeKind::number) addFactors(edits, index, words);
     if (!edits.isType(index, "raytracer::Vector3")) return;

@@ -76,9 +76,9 @@ std::string asJson(const Tree& tree, const std::vector<Atom>& atoms, const Schem
 
 using AddEdits = void (*)(Edits&, int);
 
-constexpr AddEdits kSimple[] = {addOperatorEdits, addNumberEdits,  addNameEdits,
-                                addMemberEdits,   addCallEdits,    addWrapEdits,
-                                addTermEdits,     addSiblingEdits, addStatementEdits};
+constexpr AddEdits kSimple[] = {addOperatorEdits, addNumberEdits,   addNameEdits, addMemberEdits,
+                                addCallEdits,     addWrapEdits,     addTermEdits, addSiblingEdits,
+                                addStaticEdits,   addStatementEdits};
 constexpr AddEdits kWide[] = {addGuards, addWideEdits};
 
 std::vector<Atom> findAtoms(const Tree& tree, const Source& source, const Source& stub,

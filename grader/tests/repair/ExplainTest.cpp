@@ -31,10 +31,17 @@ struct Explained {
     Explanation explanation;
 };
 
+/// The default ones, however much other work the machine has.
+SearchLimits longWall() {
+    SearchLimits limits = defaultSearchLimits();
+    limits.all.wallSeconds = 3600.0;
+    return limits;
+}
+
 Explained explained(const intake::Submission& submission) {
     const pipeline::Grader& grader = tests::testGrader();
     SubmissionResult result = pipeline::gradeSubmission(submission, grader, kSeed);
-    Explanation explanation = explain(submission, grader, result, kSeed + 1);
+    Explanation explanation = explain(submission, grader, result, kSeed + 1, longWall());
     return {std::move(result), std::move(explanation)};
 }
 
@@ -136,13 +143,45 @@ TEST(Explain, KeepsAReferenceToWhatWasRemembered) {
               std::string::npos);
 }
 
+pipeline::Grader mainTickGrader() {
+    const Exercise& exercise = exerciseNamed("tick1");
+    const std::filesystem::path root{TICKER_SOURCE_DIR};
+    return {.kit = build::Kit::besideProgram(exercise),
+            .sandbox = sandbox::Sandbox::best(),
+            .policy = sandbox::defaultPolicy(),
+            .rubric = rubric::readRubric(root / exercise.rubric, exercise),
+            .toolVersion = "test",
+            .exercise = &exercise};
+}
+
+TEST(Explain, MendsTwoMistakesInTwoStatements) {
+    const pipeline::Grader grader = mainTickGrader();
+    std::string text = readWhole(std::filesystem::path{TICKER_SOURCE_DIR} /
+                                 "reference_solution/tick1/exercise/Renderer.cpp");
+    text = corpus::applyEdits(text,
+                              {{"(O - P).normalised()", "(P - O).normalised()"},
+                               {"std::max(0.0, N.dot(L))", "std::max(0.0, N.dot(V))"}},
+                              "two mistakes");
+    const intake::Submission submission = handedIn("Renderer.cpp", text);
+    const SubmissionResult result = pipeline::gradeSubmission(submission, grader, kSeed);
+    ASSERT_EQ(tests::taskOf(result, "M2").state, TaskState::failed);
+    const Explanation explanation = explain(submission, grader, result, kSeed + 1, longWall());
+
+    const auto first = std::ranges::find(explanation.repairs, "M2", &Repair::task);
+    ASSERT_NE(first, explanation.repairs.end());
+    EXPECT_EQ(first->next, "");
+    ASSERT_EQ(first->edits.size(), 2U);
+    EXPECT_NE(first->edits.front().from.find("(P - O)"), std::string::npos);
+    EXPECT_NE(first->edits.back().from.find("N.dot(V)"), std::string::npos);
+}
+
 TEST(Explain, SaysThatItsTimeEnded) {
     const corpus::Entry entry = mistake("T1", "tangents-of-another-axis");
     const std::string text = corpus::textsOf(entry).at("BumpySphere.cpp");
     const intake::Submission submission = handedIn("BumpySphere.cpp", text);
     const pipeline::Grader& grader = tests::testGrader();
     const SubmissionResult result = pipeline::gradeSubmission(submission, grader, kSeed);
-    SearchLimits limits = defaultSearchLimits();
+    SearchLimits limits = longWall();
     limits.all.cpuSeconds = 1.0;
     const Explanation explanation = explain(submission, grader, result, kSeed + 1, limits);
 
@@ -180,6 +219,18 @@ TEST(Proof, NamesTheFindingThatAnEditLeaves) {
     const auto proof = proofOf(corpus::textsOf(entry).at("BumpySphere.cpp"));
     ASSERT_TRUE(proof);
     EXPECT_EQ(proof->next, "bump.inverted");
+}
+
+// Twice the lens is as large as the light, in all settings but one: the judge passes it and warns.
+TEST(Proof, FailsForAnEditThatBringsAWarning) {
+    const std::string text =
+        corpus::applyEdits(reference("Renderer.cpp"),
+                           {{"randomInsideUnitSphere() * settings().lightSize",
+                             "randomInsideUnitSphere() * (2.0 * settings().dofAmount)"}},
+                           "a quantity of the lens");
+    Clock clock{longWall().all};
+    EXPECT_FALSE(prove(text, "Renderer.cpp", "T2.1", failedBefore("T2.1"), tests::testGrader(),
+                       kSeed, clock));
 }
 
 TEST(Proof, FailsForCodeThatDoesNotCompile) {

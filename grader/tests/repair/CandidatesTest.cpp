@@ -1,0 +1,94 @@
+// Which edits are found, without asking or judging: one of them turns each of these mistakes back
+// into the reference solution.
+#include <grader/corpus/Entry.h>
+#include <grader/repair/Candidates.h>
+#include <grader/repair/candidates/Tokens.h>
+#include <grader/sandbox/SandboxPolicy.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace ticker::repair {
+namespace {
+
+struct Case {
+    const char* exercise;
+    const char* name;
+    Reach reach;
+    const char* leftAlone = "";  ///< functions that hold no mistake
+};
+
+// The name is what GoogleTest prints.
+void PrintTo(const Case& mistake, std::ostream* out) {
+    *out << mistake.name;
+}
+
+corpus::Entry mistakeOf(const Case& wanted) {
+    for (corpus::Entry& entry :
+         corpus::readEntries(TICKER_SOURCE_DIR, {"mistakes"}, exerciseNamed(wanted.exercise)))
+        if (entry.name == wanted.name) return entry;
+    throw std::runtime_error(std::string{"no mistake "} + wanted.name);
+}
+
+/// Without blanks and comments.
+std::string tokens(const std::string& text) {
+    std::string all;
+    for (const candidates::Range& token : candidates::tokensOf(text))
+        all += text.substr(token.begin, token.size()) + " ";
+    return all;
+}
+
+Candidates found(const Case& mistake, const std::string& file, const std::string& text) {
+    const auto candidates = findCandidates(
+        build::Kit::besideProgram(exerciseNamed(mistake.exercise)), sandbox::Sandbox::best(),
+        sandbox::defaultPolicy().compile, file, text, mistake.reach, mistake.leftAlone);
+    if (!candidates) throw std::runtime_error("cannot be parsed");
+    return *candidates;
+}
+
+class EditsOfMistakes : public testing::TestWithParam<Case> {};
+
+TEST_P(EditsOfMistakes, HoldTheOneThatMendsIt) {
+    corpus::Entry entry = mistakeOf(GetParam());
+    const std::string file = entry.file();
+    const std::string wrong = corpus::textsOf(entry).at(file);
+    entry.edits = {{file, {}}};
+    const std::string right = tokens(corpus::textsOf(entry).at(file));
+
+    const Candidates candidates = found(GetParam(), file, wrong);
+    EXPECT_TRUE(std::ranges::any_of(candidates.atoms, [&](const Atom& atom) {
+        const auto edited = withEdits(wrong, atom.edits);
+        return !atom.isApart && edited && tokens(*edited) == right;
+    }));
+}
+
+constexpr const char* kStarred = "tick1star";
+constexpr const char* kMain = "tick1";
+
+INSTANTIATE_TEST_SUITE_P(Jumps, EditsOfMistakes,
+                         testing::Values(Case{kMain, "returns-early", Reach::simple},
+                                         Case{kMain, "ambient-shaded", Reach::simple},
+                                         Case{kMain, "loop-ends", Reach::simple}));
+INSTANTIATE_TEST_SUITE_P(Roots, EditsOfMistakes,
+                         testing::Values(Case{kMain, "far-root", Reach::wide},
+                                         Case{kMain, "inside-no-hit", Reach::wide},
+                                         Case{kMain, "behind-absolute", Reach::wide},
+                                         Case{kMain, "root-not-taken", Reach::wide},
+                                         Case{kMain, "radius-not-squared", Reach::wide}));
+INSTANTIATE_TEST_SUITE_P(CallsOfOneArgument, EditsOfMistakes,
+                         testing::Values(Case{kMain, "location-is-point", Reach::wide},
+                                         Case{kMain, "no-falloff", Reach::wide},
+                                         Case{kMain, "intensity-alone", Reach::wide},
+                                         Case{kMain, "normal-of-ray", Reach::wide}));
+INSTANTIATE_TEST_SUITE_P(
+    Steps, EditsOfMistakes,
+    testing::Values(Case{kMain, "starts-at-origin", Reach::wide, "illuminate,isShadowed,"},
+                    Case{kMain, "one-bounce-only", Reach::wide, "illuminate,isShadowed,"}));
+INSTANTIATE_TEST_SUITE_P(Angles, EditsOfMistakes,
+                         testing::Values(Case{kStarred, "atan-without-quadrant", Reach::simple},
+                                         Case{kStarred, "rows-by-height", Reach::wide}));
+
+}  // namespace
+}  // namespace ticker::repair
