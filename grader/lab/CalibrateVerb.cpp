@@ -1,6 +1,6 @@
 #include <grader/base/WholeFile.h>
 #include <grader/cli/Home.h>
-#include <grader/cli/Progress.h>
+#include <grader/cli/ProgressLine.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/lab/LabVerbs.h>

@@ -1,7 +1,7 @@
 #include <grader/base/WholeFile.h>
 #include <grader/cli/Explained.h>
 #include <grader/cli/Home.h>
-#include <grader/cli/Progress.h>
+#include <grader/cli/ProgressLine.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/exercise/Exercise.h>
@@ -176,8 +176,9 @@ void checkTask(const SelftestOptions& options) {
     for (const OptionEntry& option : exerciseNamed(options.grade.exercise).options)
         names.push_back(option.name);
     if (!options.task.empty() && std::ranges::find(names, options.task) == names.end())
-        throw raytracer::InputError("--task " + options.task, 0,
-                                    "expected " + enumerated(names, "or"));
+        throw raytracer::InputError(
+            "--task " + options.task, 0,
+            "expected an option of the exercise: " + enumerated(names, "or"));
 }
 
 raytracer::ExitCode selftest(const SelftestOptions& options, const GlobalOptions& global) {

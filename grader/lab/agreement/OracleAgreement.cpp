@@ -2,7 +2,7 @@
 #include <grader/base/WholeFile.h>
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
-#include <grader/lab/agreement/Agreement.h>
+#include <grader/lab/agreement/MomentAgreement.h>
 #include <grader/lab/agreement/OracleAgreement.h>
 #include <grader/lab/calibrate/CodeOnly.h>
 #include <grader/lab/calibrate/Seed.h>

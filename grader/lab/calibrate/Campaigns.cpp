@@ -1,11 +1,11 @@
 #include <grader/exercise/Exercise.h>
 #include <grader/lab/agreement/OracleAgreement.h>
 #include <grader/lab/calibrate/Campaigns.h>
-#include <grader/lab/calibrate/ComparisonCampaign.h>
-#include <grader/lab/calibrate/DecisionCampaign.h>
-#include <grader/lab/calibrate/DecisionTables.h>
-#include <grader/lab/calibrate/PictureCampaign.h>
-#include <grader/lab/calibrate/StageCampaign.h>
+#include <grader/lab/calibrate/campaigns/ComparisonCampaign.h>
+#include <grader/lab/calibrate/campaigns/DecisionCampaign.h>
+#include <grader/lab/calibrate/campaigns/DecisionTables.h>
+#include <grader/lab/calibrate/campaigns/PictureCampaign.h>
+#include <grader/lab/calibrate/campaigns/StageCampaign.h>
 
 #include <raytracer/io/SceneReader.h>
 

@@ -81,7 +81,9 @@ Parts::Parts(const fs::path& root) : table_(root / "grader/lab/calibrate/parts.j
 const std::vector<std::string>& Parts::partsOf(std::string_view measured) const {
     const auto found = measured_.find(measured);
     if (found == measured_.end())
-        throw raytracer::InputError(table_.string(), 0, "/measured lacks " + std::string{measured});
+        throw raytracer::InputError(table_.string(), 0,
+                                    "\"measured\" has no \"" + std::string{measured} +
+                                        "\": list the parts that its result depends on");
     return found->second;
 }
 

@@ -1,6 +1,8 @@
 #include <grader/build/Build.h>
 #include <grader/lab/calibrate/CodeOnly.h>
 #include <grader/lab/calibrate/Subject.h>
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
 
 #include <raytracer/base/Error.h>
 
@@ -17,16 +19,18 @@ namespace ticker::calibrate {
 namespace fs = std::filesystem;
 
 bool Subject::isUnseen() const {
-    return expect.names("shadow.unseen-rays") || expect.names("dof.unseen-rays") ||
+    return expect.names(tasks::kShadowUnseenRays.id) || expect.names(tasks::kDofUnseenRays.id) ||
            name.find("/unseen-") != std::string::npos ||
            name.find("/own-code-") != std::string::npos;
 }
 
 bool Subject::isStatistical() const {
-    constexpr std::array kOfDistributions{"shadow.light-size", "shadow.not-a-ball",
-                                          "dof.aperture-size", "dof.disc", "dof.off-centre"};
-    return isUnseen() || std::any_of(kOfDistributions.begin(), kOfDistributions.end(),
-                                     [&](const char* id) { return expect.names(id); });
+    constexpr std::array kOfDistributions{&tasks::kShadowLightSize, &tasks::kShadowNotABall,
+                                          &tasks::kDofApertureSize, &tasks::kDofDisc,
+                                          &tasks::kDofOffCentre};
+    return isUnseen() ||
+           std::any_of(kOfDistributions.begin(), kOfDistributions.end(),
+                       [&](const FindingText* text) { return expect.names(text->id); });
 }
 
 std::string Subject::ownTask() const {

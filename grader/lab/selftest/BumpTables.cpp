@@ -1,5 +1,6 @@
 #include <grader/lab/selftest/BumpTables.h>
 
+#include <grader/tasks/bump/BumpFindings.h>
 #include <grader/tasks/bump/JudgeBump.h>
 
 #include <fmt/format.h>
@@ -76,7 +77,7 @@ std::string firstFailure(const TaskJudgement& judgement) {
 
 /// True for a finding that is untrue. bump.wrong is always true.
 bool isMisleading(const std::string& expected, const std::string& got) {
-    return !got.empty() && got != expected && got != "bump.wrong";
+    return !got.empty() && got != expected && got != tasks::kBumpWrong.id;
 }
 
 void judge(const Case& one, TableRow& row, std::vector<Surprise>& surprises) {

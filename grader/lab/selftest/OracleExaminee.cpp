@@ -26,9 +26,15 @@ struct Reply {
     probe::Answer operator()(const probe::HitQuestion& /*question*/) const {
         return probe::HitAnswer{};
     }
-    template <class LightQuestion>
-    probe::Answer operator()(const LightQuestion& /*question*/) const {
+    // One for each kind of question: a template would give a new kind an answer of the wrong type.
+    probe::Answer operator()(const probe::IlluminateQuestion& /*question*/) const {
         return probe::IlluminateAnswer{};
+    }
+    probe::Answer operator()(const probe::TraceQuestion& /*question*/) const {
+        return probe::IlluminateAnswer{};
+    }
+    probe::Answer operator()(const probe::CallQuestion& /*question*/) const {
+        return probe::CallAnswer{};
     }
 };
 

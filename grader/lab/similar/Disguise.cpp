@@ -1,5 +1,5 @@
 #include <grader/lab/similar/Disguise.h>
-#include <grader/lab/similar/Tokens.h>
+#include <grader/lab/similar/TokenText.h>
 
 #include <algorithm>
 #include <map>

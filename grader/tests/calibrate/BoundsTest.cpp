@@ -1,4 +1,4 @@
-#include <grader/lab/calibrate/Bounds.h>
+#include <grader/lab/calibrate/RateBounds.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #define TICKER_CALIBRATE_COMPARISONCAMPAIGN_H
 
 #include <grader/lab/calibrate/Campaign.h>
-#include <grader/lab/calibrate/PictureMethods.h>
 #include <grader/lab/calibrate/Subject.h>
+#include <grader/lab/calibrate/campaigns/PictureMethods.h>
 
 #include <memory>
 #include <mutex>

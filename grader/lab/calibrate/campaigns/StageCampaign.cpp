@@ -1,8 +1,8 @@
 #include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
-#include <grader/lab/calibrate/Bounds.h>
+#include <grader/lab/calibrate/RateBounds.h>
 #include <grader/lab/calibrate/Seed.h>
-#include <grader/lab/calibrate/StageCampaign.h>
+#include <grader/lab/calibrate/campaigns/StageCampaign.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/shadows/checks/PenumbraCheck.h>
 

@@ -1,4 +1,4 @@
-#include <grader/lab/similar/Tokens.h>
+#include <grader/lab/similar/TokenText.h>
 #include <grader/repair/candidates/Tokens.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#ifndef TICKER_LAB_SIMILAR_TOKENS_H
-#define TICKER_LAB_SIMILAR_TOKENS_H
+#ifndef TICKER_LAB_SIMILAR_TOKENTEXT_H
+#define TICKER_LAB_SIMILAR_TOKENTEXT_H
 
 #include <string>
 #include <string_view>

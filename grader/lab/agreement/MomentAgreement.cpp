@@ -1,4 +1,4 @@
-#include <grader/lab/agreement/Agreement.h>
+#include <grader/lab/agreement/MomentAgreement.h>
 
 #include <algorithm>
 #include <array>

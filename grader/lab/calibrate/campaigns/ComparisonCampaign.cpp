@@ -1,7 +1,7 @@
 #include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
-#include <grader/lab/calibrate/ComparisonCampaign.h>
-#include <grader/lab/calibrate/ComparisonTables.h>
+#include <grader/lab/calibrate/campaigns/ComparisonCampaign.h>
+#include <grader/lab/calibrate/campaigns/ComparisonTables.h>
 #include <grader/tasks/Tasks.h>
 
 #include <raytracer/base/Error.h>

@@ -1,10 +1,12 @@
 #include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
-#include <grader/lab/calibrate/Bounds.h>
-#include <grader/lab/calibrate/PictureCampaign.h>
+#include <grader/lab/calibrate/RateBounds.h>
 #include <grader/lab/calibrate/Seed.h>
+#include <grader/lab/calibrate/campaigns/PictureCampaign.h>
 #include <grader/pipeline/Fit.h>
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/checks/PictureDoubt.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
 
 #include <raytracer/base/Error.h>
 
@@ -28,9 +30,10 @@ constexpr std::uint64_t kRendersPerUnit = 10;
 // The warning explains their pictures, or their lens points are shared by all pixels, so that their
 // noise cannot be measured.
 bool isCompared(const Subject& subject) {
-    constexpr std::array<std::string_view, 4> kOthers{"shadow.view-from-eye", "dof.antialiased",
-                                                      "shadow.fixed-samples", "dof.reused-pattern"};
-    return std::ranges::find(kOthers, subject.expect.finding()) == kOthers.end();
+    constexpr std::array kOthers{&tasks::kShadowViewFromEye, &tasks::kDofAntialiased,
+                                 &tasks::kShadowFixedSamples, &tasks::kDofReusedPattern};
+    return std::ranges::none_of(
+        kOthers, [&](const FindingText* text) { return text->id == subject.expect.finding(); });
 }
 
 double smallestOf(const std::vector<Misfit>& misfits) {

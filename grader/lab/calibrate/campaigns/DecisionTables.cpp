@@ -1,6 +1,6 @@
 #include <grader/lab/calibrate/BlockRecord.h>
-#include <grader/lab/calibrate/Bounds.h>
-#include <grader/lab/calibrate/DecisionTables.h>
+#include <grader/lab/calibrate/RateBounds.h>
+#include <grader/lab/calibrate/campaigns/DecisionTables.h>
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include <grader/lab/calibrate/PictureMethods.h>
+#include <grader/lab/calibrate/campaigns/PictureMethods.h>
 #include <grader/metrics/Difference.h>
 #include <grader/metrics/Flip.h>
 #include <grader/metrics/Structure.h>

@@ -1,4 +1,4 @@
-#include <grader/lab/calibrate/ComparisonTables.h>
+#include <grader/lab/calibrate/campaigns/ComparisonTables.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

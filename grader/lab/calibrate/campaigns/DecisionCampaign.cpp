@@ -1,8 +1,8 @@
 #include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/calibrate/BlockRecord.h>
-#include <grader/lab/calibrate/DecisionCampaign.h>
 #include <grader/lab/calibrate/Seed.h>
+#include <grader/lab/calibrate/campaigns/DecisionCampaign.h>
 #include <grader/result/Names.h>
 #include <grader/tasks/Tasks.h>
 
@@ -22,9 +22,9 @@ std::string firstOf(const TaskJudgement& task) {
 
 void count(const TaskJudgement& task, const corpus::Expectation& expect, bool anyWarning,
            BlockRecord& record) {
-    const std::string wanted = expect.finding().empty() ? "nothing" : expect.finding();
+    const std::string first = task.findings.empty() ? "" : task.findings.front().id;
     const bool rightState = expect.allows(toString(task.state));
-    const bool rightName = firstOf(task) == wanted || (anyWarning && rightState);
+    const bool rightName = anyWarning || expect.isMet(toString(task.state), first);
     if (!rightState) ++record.wrongState;
     if (rightState && !rightName) ++record.wrongName;
     if (task.needsReview) ++record.reviews;
