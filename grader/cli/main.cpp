@@ -1,4 +1,4 @@
-#include <grader/cli/Program.h>
+#include <grader/cli/VerbProgram.h>
 
 #include <CLI/CLI.hpp>
 

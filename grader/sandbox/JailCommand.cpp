@@ -1,5 +1,5 @@
 #include <grader/sandbox/JailCommand.h>
-#include <grader/sandbox/jail/Options.h>
+#include <grader/sandbox/jail/JailOptions.h>
 
 #include <unistd.h>
 

@@ -5,7 +5,7 @@
 #include <grader/sandbox/SandboxPolicy.h>
 #include <grader/sandbox/UserSlots.h>
 #include <grader/sandbox/Watch.h>
-#include <grader/sandbox/jail/Options.h>
+#include <grader/sandbox/jail/JailOptions.h>
 
 #include <raytracer/base/Error.h>
 

@@ -1,4 +1,4 @@
-#include <grader/sandbox/Diagnosis.h>
+#include <grader/sandbox/LevelDiagnosis.h>
 #include <grader/sandbox/RunAt.h>
 #include <grader/sandbox/Sandbox.h>
 

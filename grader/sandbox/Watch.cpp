@@ -1,6 +1,6 @@
 #include <grader/base/FileDescriptor.h>
 #include <grader/sandbox/Watch.h>
-#include <grader/sandbox/jail/Options.h>
+#include <grader/sandbox/jail/JailOptions.h>
 #include <grader/sandbox/jail/Report.h>
 
 #include <fmt/core.h>

@@ -62,6 +62,14 @@ std::string idsWithout(const SubmissionResult& one, const SubmissionResult& othe
     return text;
 }
 
+/// What is no longer found, and what is new.
+std::string changeOf(const SubmissionResult& before, const SubmissionResult& next) {
+    const std::string gone = idsWithout(before, next);
+    const std::string come = idsWithout(next, before);
+    return (gone.empty() ? "" : " No longer found:" + gone + ".") +
+           (come.empty() ? "" : " New:" + come + ".");
+}
+
 std::string sourceIn(const fs::path& folder, const std::string& file) {
     return cleanText(readIfThere(folder / file).value_or(""));
 }
@@ -76,16 +84,13 @@ std::set<std::string> filesOf(const fs::path& code) {
 
 std::string one(const store::Earlier& before, const SubmissionResult& next, const fs::path& code,
                 bool isOpen) {
-    const std::string gone = idsWithout(before.result, next);
-    const std::string come = idsWithout(next, before.result);
     std::string html = fmt::format(
         "<details class=\"card\"{}><summary>Graded <time datetime=\"{}\">{}</time>: {}</summary>"
-        "<p>Then {}.{}{}</p>",
+        "<p>Then {}.{}</p>",
         isOpen ? " open" : "", before.gradedAt, before.gradedAt,
         report::badge(toString(before.result.verdict), report::wordsFor(before.result.verdict)),
         report::badge(toString(next.verdict), report::wordsFor(next.verdict)),
-        gone.empty() ? "" : " No longer found:" + gone + ".",
-        come.empty() ? "" : " New:" + come + ".");
+        changeOf(before.result, next));
     std::set<std::string> files = filesOf(before.code);
     files.merge(filesOf(code));
     for (const std::string& file : files)
@@ -102,7 +107,18 @@ std::string earlierHtml(const SubmissionResult& now, const fs::path& code,
         html += one(earlier[i], i == 0 ? now : earlier[i - 1].result,
                     i == 0 ? code : earlier[i - 1].code, i == 0);
     if (html.empty()) return "";
-    return "<section id=\"earlier\"><h2>Handed in before</h2>" + html + "</section>";
+    return "<section id=\"earlier\"><h2 tabindex=\"-1\">Handed in before</h2>" + html +
+           "</section>";
+}
+
+std::string earlierLine(const SubmissionResult& now, const std::vector<store::Earlier>& earlier) {
+    if (earlier.empty()) return "";
+    const SubmissionResult& before = earlier.front().result;
+    return fmt::format(
+        "<p class=\"before\">Handed in before: {}.{} <button type=\"button\" class=\"link\" "
+        "data-act=\"earlier\">What has changed</button></p>",
+        report::badge(toString(before.verdict), report::wordsFor(before.verdict)),
+        changeOf(before, now));
 }
 
 }  // namespace ticker::session

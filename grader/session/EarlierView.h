@@ -16,6 +16,11 @@ namespace ticker::session {
                                       const std::filesystem::path& code,
                                       const std::vector<store::Earlier>& earlier);
 
+/// A line for the submission's head: what was handed in before, what has changed, and a button that
+/// leads to the rest. Empty without earlier results.
+[[nodiscard]] std::string earlierLine(const SubmissionResult& now,
+                                      const std::vector<store::Earlier>& earlier);
+
 }  // namespace ticker::session
 
 #endif

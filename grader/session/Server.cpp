@@ -1,6 +1,6 @@
 #include <grader/session/Listener.h>
-#include <grader/session/PageSources.h>
 #include <grader/session/Server.h>
+#include <grader/session/SessionSources.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/serve/Door.h>

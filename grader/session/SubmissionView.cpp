@@ -37,7 +37,7 @@ std::string toldHtml(const SubmissionResult& result) {
 
 namespace {
 
-std::string head(const SubmissionResult& result) {
+std::string head(const SubmissionResult& result, const std::vector<store::Earlier>& earlier) {
     std::string html =
         fmt::format("<h1>{}</h1><p class=\"chips\">{}", escapeHtml(result.submission),
                     report::badge(toString(result.verdict), report::wordsFor(result.verdict)));
@@ -47,7 +47,7 @@ std::string head(const SubmissionResult& result) {
                                 report::badge(report::kindOf(task), report::wordsFor(task)));
     return html +
            "<button type=\"button\" data-act=\"report\">Full report <kbd>o</kbd></button></p>" +
-           toldHtml(result);
+           earlierLine(result, earlier) + toldHtml(result);
 }
 
 std::string task(const SubmissionResult& result, const TaskReport& task,
@@ -101,7 +101,8 @@ std::string submissionHtml(SubmissionResult result, const fs::path& codeFolder,
                              notices(result) + "</div>" +
                              codeHtml(result.sources, markedLines(result)) + "</div>";
     // A submission that does not compile has no rendered picture, so its code comes first.
-    return head(result) + (result.diagnostics.empty() ? pictures + work : work + pictures) +
+    return head(result, earlier) +
+           (result.diagnostics.empty() ? pictures + work : work + pictures) +
            earlierHtml(result, codeFolder, earlier);
 }
 

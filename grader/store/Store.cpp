@@ -2,7 +2,7 @@
 
 #include <grader/result/Names.h>
 #include <grader/result/Tally.h>
-#include <grader/store/Schema.h>
+#include <grader/store/StoreSchema.h>
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include <grader/build/Kit.h>
 #include <grader/cli/Home.h>
 #include <grader/cli/verbs/Verb.h>
-#include <grader/sandbox/Diagnosis.h>
+#include <grader/sandbox/LevelDiagnosis.h>
 #include <grader/sandbox/Obstacle.h>
 
 #include <CLI/CLI.hpp>

@@ -5,7 +5,7 @@
 #include <grader/cli/Formats.h>
 #include <grader/cli/Interrupt.h>
 #include <grader/cli/Output.h>
-#include <grader/cli/Progress.h>
+#include <grader/cli/ProgressLine.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/StudentPages.h>
 #include <grader/cli/verbs/Verb.h>

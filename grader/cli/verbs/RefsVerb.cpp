@@ -1,5 +1,5 @@
 #include <grader/cli/Home.h>
-#include <grader/cli/Progress.h>
+#include <grader/cli/ProgressLine.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/exercise/Exercise.h>

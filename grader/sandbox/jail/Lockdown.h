@@ -1,7 +1,7 @@
 #ifndef TICKER_SANDBOX_JAIL_LOCKDOWN_H
 #define TICKER_SANDBOX_JAIL_LOCKDOWN_H
 
-#include <grader/sandbox/jail/Options.h>
+#include <grader/sandbox/jail/JailOptions.h>
 
 namespace ticker::jail {
 

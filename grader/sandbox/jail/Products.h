@@ -1,7 +1,7 @@
 #ifndef TICKER_SANDBOX_JAIL_PRODUCTS_H
 #define TICKER_SANDBOX_JAIL_PRODUCTS_H
 
-#include <grader/sandbox/jail/Options.h>
+#include <grader/sandbox/jail/JailOptions.h>
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 #ifndef TICKER_SANDBOX_JAIL_START_H
 #define TICKER_SANDBOX_JAIL_START_H
 
-#include <grader/sandbox/jail/Options.h>
+#include <grader/sandbox/jail/JailOptions.h>
 
 #include <sys/types.h>
 

@@ -1,7 +1,7 @@
 #ifndef TICKER_SANDBOX_JAIL_SUPERVISE_H
 #define TICKER_SANDBOX_JAIL_SUPERVISE_H
 
-#include <grader/sandbox/jail/Options.h>
+#include <grader/sandbox/jail/JailOptions.h>
 #include <grader/sandbox/jail/Report.h>
 
 namespace ticker::jail {

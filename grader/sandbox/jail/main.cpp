@@ -2,7 +2,7 @@
 // rights that the options leave it, and reports how the command ended over a descriptor that the
 // command never holds. Level A runs it twice: outside of bubblewrap, to change the uid and to reap
 // bubblewrap; inside, as the first process of the pid namespace.
-#include <grader/sandbox/jail/Options.h>
+#include <grader/sandbox/jail/JailOptions.h>
 #include <grader/sandbox/jail/Supervise.h>
 
 #include <fcntl.h>

@@ -65,6 +65,7 @@ const acts = {
   groups: () => open("groups"),
   sheet: () => open("sheet"),
   line: nextMarkedLine,
+  earlier: () => $("#earlier h2").focus(),
   wholeList,
   list: () => toggleList(),
   help: () => $("#help").showModal(),

@@ -32,7 +32,8 @@ function show() {
     make("p", { class: "counts" }, ["awarded", "notYet", "undecided"]
       .map((word) => `${all.filter((entry) => ruling(entry) === word).length} ${words[word]}`).join(", "),
       ` of ${all.length}.`),
-    make("p", { class: "counts proposed" }, `Proposed: ${countBy(all, (entry) => words[entry.verdict]).map(([word, count]) => `${count} ${word}`).join(", ")}.`),
+    make("p", { class: "counts proposed" }, `Proposed: ${countBy(all, (entry) => words[entry.verdict])
+      .map(([word, count]) => `${count} ${count > 1 ? word.replace("needs", "need") : word}`).join(", ")}.`),
     ...(isListDone ? [make("button", { type: "button", "data-act": "wholeList" }, "Show the whole list")] : []),
     ...table("Who decided", ["Ticker", "Decisions", "Awarded", "Not yet", "Against the proposal", "From", "To"],
       tickers(all.filter((entry) => ruling(entry) !== "undecided"))),

@@ -38,16 +38,16 @@ TEST(ClassPaths, OfThisExerciseAreTakenAsTheyAre) {
 }
 
 TEST(ClassPaths, OfAnotherExerciseSayWhichItIs) {
-    EXPECT_EQ(complaintAbout({"Fog.cpp", "Fog.cpp"}),
+    EXPECT_EQ(complaintAbout({"Toy.cpp", "Toy.cpp"}),
               "these are submissions to toy, not to tick1star; --exercise toy grades them");
 }
 
 TEST(ClassPaths, OfOneSubmissionAreLeftToIntake) {
-    EXPECT_EQ(complaintAbout({"Fog.cpp"}), "");
+    EXPECT_EQ(complaintAbout({"Toy.cpp"}), "");
 }
 
 TEST(ClassPaths, ThatMixTwoExercisesAreRefused) {
-    EXPECT_EQ(complaintAbout({"BumpySphere.cpp", "work/Fog.cpp"}),
+    EXPECT_EQ(complaintAbout({"BumpySphere.cpp", "work/Toy.cpp"}),
               "1 of 2 submissions bring files of toy, not of tick1star: \"student-1\"; grade each "
               "exercise's submissions in a folder of their own");
 }

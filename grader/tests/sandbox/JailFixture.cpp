@@ -1,6 +1,6 @@
 #include "JailFixture.h"
 
-#include <grader/sandbox/Diagnosis.h>
+#include <grader/sandbox/LevelDiagnosis.h>
 #include <grader/sandbox/RunAt.h>
 
 #include <sys/wait.h>

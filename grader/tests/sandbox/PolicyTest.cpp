@@ -1,7 +1,7 @@
-#include <grader/sandbox/Diagnosis.h>
+#include <grader/sandbox/LevelDiagnosis.h>
 #include <grader/sandbox/RunAt.h>
 #include <grader/sandbox/SandboxPolicy.h>
-#include <grader/sandbox/jail/Options.h>
+#include <grader/sandbox/jail/JailOptions.h>
 
 #include <raytracer/base/Error.h>
 

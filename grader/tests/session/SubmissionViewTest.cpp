@@ -54,6 +54,26 @@ TEST(CodeHtml, SaysOfALineWhatPointsAtIt) {
     EXPECT_EQ(codeHtml({}, {}), "");
 }
 
+TEST(SubmissionHtml, SaysAtItsHeadThatItWasHandedInBeforeAndShowsWhatHasChanged) {
+    const tests::ClassOnDisk onDisk{{"bob"}};
+    const std::filesystem::path before = onDisk.out() / "before";
+    std::filesystem::create_directories(before);
+    std::ofstream{before / "BumpySphere.cpp"} << "int old;\n";
+    SubmissionResult now = tests::markedResult("bob", Verdict::awarded);
+    for (TaskReport& task : now.tasks)
+        task.findings.clear();
+    const std::vector<store::Earlier> earlier{
+        {tests::markedResult("bob", Verdict::notAwarded), before, "2026-11-21T16:05:36Z"}};
+    const std::string html = submissionHtml(now, onDisk.out() / "bob" / "code", earlier);
+    const std::size_t line = html.find("Handed in before: ");
+    EXPECT_LT(line, html.find("<section"));
+    EXPECT_LT(html.find("No longer found: <code>bump.inverted-u</code>"), html.find("<section"));
+    EXPECT_NE(html.find("<span class=\"diff out\">- int old;</span>"), std::string::npos) << html;
+    EXPECT_NE(html.find("<span class=\"diff in\">+ int x;"), std::string::npos) << html;
+    const std::string first = submissionHtml(now, onDisk.out() / "bob" / "code");
+    EXPECT_EQ(first.find("Handed in before"), std::string::npos);
+}
+
 TEST(SubmissionHtml, MarksTheLineOfAProvenEditInTheCode) {
     const tests::ClassOnDisk onDisk{{"bob"}};
     SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);

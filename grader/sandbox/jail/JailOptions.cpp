@@ -1,4 +1,4 @@
-#include <grader/sandbox/jail/Options.h>
+#include <grader/sandbox/jail/JailOptions.h>
 
 #include <charconv>
 #include <cstddef>

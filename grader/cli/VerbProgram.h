@@ -1,5 +1,5 @@
-#ifndef TICKER_CLI_PROGRAM_H
-#define TICKER_CLI_PROGRAM_H
+#ifndef TICKER_CLI_VERBPROGRAM_H
+#define TICKER_CLI_VERBPROGRAM_H
 
 #include <grader/cli/verbs/Verb.h>
 

@@ -1,5 +1,6 @@
 #include <grader/cli/CommandTree.h>
-#include <grader/cli/Program.h>
+#include <grader/cli/VerbProgram.h>
+#include <grader/cli/texts/Version.h>
 
 #include <CLI/CLI.hpp>
 
@@ -55,12 +56,6 @@ std::string commandLine(const GlobalOptions& global, int argc, char** argv) {
     for (int i = 1; i < argc; ++i)
         line += " " + quoted(argv[i]);
     return line;
-}
-
-/// "0.1.0 (1a2b3c4d5e)", without the commit where the source text is no checkout.
-std::string versionText() {
-    const std::string commit = TICKER_COMMIT;
-    return TICKER_VERSION + (commit.empty() ? "" : " (" + commit + ")");
 }
 
 /// Prints a text that is made from the command line's description, and ends.

@@ -1,5 +1,5 @@
-#ifndef TICKER_CLI_PROGRESS_H
-#define TICKER_CLI_PROGRESS_H
+#ifndef TICKER_CLI_PROGRESSLINE_H
+#define TICKER_CLI_PROGRESSLINE_H
 
 #include <grader/result/SubmissionResult.h>
 

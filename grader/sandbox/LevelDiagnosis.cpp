@@ -1,5 +1,5 @@
-#include <grader/sandbox/Diagnosis.h>
 #include <grader/sandbox/HelperProgram.h>
+#include <grader/sandbox/LevelDiagnosis.h>
 #include <grader/sandbox/RunAt.h>
 
 #include <raytracer/base/Error.h>

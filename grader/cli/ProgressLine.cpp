@@ -1,4 +1,4 @@
-#include <grader/cli/Progress.h>
+#include <grader/cli/ProgressLine.h>
 #include <grader/result/Names.h>
 
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-#include <grader/store/Schema.h>
+#include <grader/store/StoreSchema.h>
 
 #include <raytracer/base/Error.h>
 

@@ -1,5 +1,5 @@
-#ifndef TICKER_STORE_SCHEMA_H
-#define TICKER_STORE_SCHEMA_H
+#ifndef TICKER_STORE_STORESCHEMA_H
+#define TICKER_STORE_STORESCHEMA_H
 
 #include <grader/store/Database.h>
 #include <grader/store/Journal.h>
