@@ -1,5 +1,6 @@
 #include <grader/package/StudentPackage.h>
 #include <grader/tests/student/UnpackedPackage.h>
+#include <grader/tests/support/CompilerCache.h>
 
 #include <stdexcept>
 
@@ -32,8 +33,9 @@ CommandResult UnpackedPackage::runAlone(const std::string& command) const {
         "/tmp --ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 --symlink "
         "usr/bin /bin --ro-bind /etc/alternatives /etc/alternatives --proc /proc --dev /dev "
         "--tmpfs "
-        "/tmp --bind '" +
-        folder().string() + "' /student --chdir /student bash -c '" + command + "'");
+        "/tmp " +
+        compilerCacheFor("/ccache") + "--bind '" + folder().string() +
+        "' /student --chdir /student bash -c '" + command + "'");
 }
 
 }  // namespace ticker::tests

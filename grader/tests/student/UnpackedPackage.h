@@ -22,7 +22,8 @@ public:
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
     /// Runs a command in the folder, in a jail with only the system's programs and this folder: no
-    /// network, no home, none of our variables.
+    /// network, no home, none of our variables. Where ccache is installed, what was compiled before
+    /// is not compiled again: the jail has the user's cache.
     [[nodiscard]] CommandResult runAlone(const std::string& command) const;
 
 private:

@@ -1,5 +1,5 @@
 #include <student_template/framework/app/view/Lines.h>
-#include <student_template/framework/app/view/Process.h>
+#include <student_template/framework/app/view/process/Process.h>
 
 #include <gtest/gtest.h>
 

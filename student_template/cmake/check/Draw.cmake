@@ -122,7 +122,8 @@ function(print_what_to_mend)
   if(details MATCHES "NOT YET")
     set(what "the first test above")
   endif()
-  say("Not yet: mend ${what}, then call ./check again.")
+  say("Not yet: mend ${what}, then call ./check again. ./check --view shows in the browser what your
+rays do, and builds and tests again whenever you save.")
 endfunction()
 
 macro(print_end)

@@ -1,6 +1,6 @@
 #include <bump/AxisAnswers.h>
 #include <questions/BumpQuestions.h>
-#include <support/Draws.h>
+#include <support/TestDraws.h>
 
 #include <cmath>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #include <raytracer/base/Unfinished.h>
 #include <raytracer/geometry/BumpySphere.h>
 #include <support/Complaint.h>
-#include <support/Draws.h>
+#include <support/TestDraws.h>
 
 #include <cstdint>
 #include <exception>

@@ -2,7 +2,7 @@
 #include <bump/BumpSurvey.h>
 #include <questions/BumpQuestions.h>
 #include <raytracer/geometry/BumpySphere.h>
-#include <support/Draws.h>
+#include <support/TestDraws.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #ifndef RAYTRACER_APP_VIEW_SOLUTIONRUNNER_H
 #define RAYTRACER_APP_VIEW_SOLUTIONRUNNER_H
 
-#include "Process.h"
+#include "process/Process.h"
 
 #include <chrono>
 #include <condition_variable>

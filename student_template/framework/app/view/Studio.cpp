@@ -73,15 +73,7 @@ Studio::Studio(const ViewHome& home, const Options& options)
       runner_(home.program,
               {[this](int number, const std::string& payload) { hearPart(number, payload); },
                [this](const std::string& words) { board_.set("trouble", json(words)); }}),
-      workshop_(home, board_,
-                [this] {
-                    runner_.restart();
-                    {
-                        const std::lock_guard lock{mutex_};
-                        ++builds_;
-                    }
-                    render();
-                }),
+      workshop_(home, board_, {[this] { pause(); }, [this] { takeProgram(); }, [this] { goOn(); }}),
       clock_([this] {
           while (!isEnding_) {
               workshop_.look();
@@ -140,6 +132,7 @@ void Studio::render() {
     {
         const std::lock_guard lock{mutex_};
         number = ++pictures_;
+        isWhole_ = isPaused_ = false;
         const RenderSettings settings = parseOptions(asked).settings;
         board_.set("trouble", json(""));
         board_.beginPicture(number, Members{}
@@ -151,6 +144,32 @@ void Studio::render() {
                                         .object());
     }
     runner_.render(number, asked);
+}
+
+void Studio::pause() {
+    {
+        const std::lock_guard lock{mutex_};
+        if (isWhole_) return;
+        isPaused_ = true;
+    }
+    runner_.restart();
+}
+
+void Studio::takeProgram() {
+    runner_.restart();
+    {
+        const std::lock_guard lock{mutex_};
+        ++builds_;
+    }
+    render();
+}
+
+void Studio::goOn() {
+    {
+        const std::lock_guard lock{mutex_};
+        if (!isPaused_) return;
+    }
+    render();
 }
 
 void Studio::hearPart(int number, const std::string& payload) {
@@ -166,6 +185,11 @@ void Studio::hearPart(int number, const std::string& payload) {
     for (std::size_t i = kNames.size(); i < words.size(); ++i)
         stage += (stage.empty() ? "" : " ") + words[i];
     head.add("stage", json(stage));
+    constexpr std::size_t kLast = 6;
+    if (words[kLast] == "1") {
+        const std::lock_guard lock{mutex_};
+        if (number == pictures_) isWhole_ = true;
+    }
     board_.addPiece(number, {head.object(), payload.substr(end + 1), !stage.empty()});
 }
 

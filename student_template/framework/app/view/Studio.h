@@ -41,6 +41,11 @@ public:
 
 private:
     void render();
+    /// Gives up a picture that is not whole yet: the compiler needs the processor.
+    void pause();
+    void takeProgram();
+    /// Renders what `pause` gave up.
+    void goOn();
     void hearPart(int number, const std::string& payload);
     [[nodiscard]] std::vector<std::string> arguments();
     [[nodiscard]] std::string settingsJson() const;
@@ -52,6 +57,8 @@ private:
     std::map<std::string, std::string> settings_;
     int pictures_ = 0;
     int builds_ = 0;
+    bool isWhole_ = false;   // all of the newest picture is there
+    bool isPaused_ = false;  // it was given up
     SolutionRunner runner_;
     Workshop workshop_;
     std::atomic<bool> isEnding_{false};

@@ -1,9 +1,9 @@
 #include "View.h"
 
-#include "Process.h"
 #include "Studio.h"
 #include "ViewHome.h"
 #include "ViewServer.h"
+#include "process/Process.h"
 
 #include <raytracer/io/SceneReader.h>
 
@@ -20,6 +20,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 namespace raytracer::view {
 namespace {
@@ -40,14 +41,16 @@ std::string contentsOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
-/// How much a scene suits where none was named: most where its picture is handed in and
-/// its option is worked on.
-int fitOf(const fs::path& scene) {
+/// How much a scene suits where none was named: most where its picture is handed in and its option
+/// is worked on, and of two such options that whose file was saved last.
+std::pair<int, fs::file_time_type> fitOf(const fs::path& scene) {
     const std::string text = contentsOf(scene);
-    if (text.find("screenshot.png") == std::string::npos) return 0;
+    if (text.find("screenshot.png") == std::string::npos) return {0, {}};
     const bool isBumpy = text.find("<bumpy-sphere") != std::string::npos;
     const fs::path file = viewHome().exercise / (isBumpy ? "BumpySphere.cpp" : "Renderer.cpp");
-    return contentsOf(file).find("unfinished(\"") == std::string::npos ? 2 : 1;
+    std::error_code error;
+    const fs::file_time_type saved = fs::last_write_time(file, error);
+    return {contentsOf(file).find("unfinished(\"") == std::string::npos ? 2 : 1, saved};
 }
 
 /// The scene that the options name, else the one that suits best.

@@ -5,8 +5,8 @@
 #include "../PixelLog.h"
 #include "DrawingJson.h"
 #include "Lines.h"
-#include "Process.h"
 #include "Stages.h"
+#include "process/Process.h"
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>
@@ -123,6 +123,7 @@ private:
     }
 
     void renderPictures() {
+        yieldToOthers();
         for (;;) {
             const Command command = nextPicture();
             guarded(command, [&] {

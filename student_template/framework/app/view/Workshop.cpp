@@ -36,8 +36,8 @@ Members state(std::string_view name) {
 
 }  // namespace
 
-Workshop::Workshop(const ViewHome& home, Board& board, std::function<void()> onBuilt)
-    : home_(home), board_(board), onBuilt_(std::move(onBuilt)), seen_(stamps()) {
+Workshop::Workshop(const ViewHome& home, Board& board, Listener listener)
+    : home_(home), board_(board), listener_(std::move(listener)), seen_(stamps()) {
     thread_ = std::thread{[this] { work(); }};
 }
 
@@ -82,7 +82,7 @@ bool Workshop::isOver() {
 }
 
 void Workshop::work() {
-    for (;;) {
+    for (bool isFirst = true;; isFirst = false) {
         std::set<std::string> tasks;
         {
             std::unique_lock lock{mutex_};
@@ -91,6 +91,7 @@ void Workshop::work() {
             isAsked_ = false;
             tasks = tasks_;
         }
+        if (!isFirst) listener_.onSaved();
         buildAndTest(tasks);
     }
 }
@@ -101,9 +102,15 @@ void Workshop::buildAndTest(const std::set<std::string>& tasks) {
     board_.set("build", state("building").object());
     const Outcome built = build(home_.target);
     if (isOver()) return;
-    if (built.status != 0) return tellOfErrors(built.output);
+    if (built.status != 0) {
+        tellOfErrors(built.output);
+        return listener_.onUnchanged();
+    }
     board_.set("build", state("built").object());
-    if (fs::last_write_time(home_.program, error) != before) onBuilt_();
+    if (fs::last_write_time(home_.program, error) != before)
+        listener_.onBuilt();
+    else
+        listener_.onUnchanged();
     test(tasks);
     // Saves during a build that was given up count for the next one, too.
     const std::lock_guard lock{mutex_};

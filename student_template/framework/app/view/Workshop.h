@@ -2,8 +2,8 @@
 #define RAYTRACER_APP_VIEW_WORKSHOP_H
 
 #include "Board.h"
-#include "Process.h"
 #include "ViewHome.h"
+#include "process/Process.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -24,8 +24,14 @@ namespace raytracer::view {
 /// of that file's tasks; a save meanwhile begins again.
 class Workshop {
 public:
-    /// @param onBuilt  Called when there is a new program.
-    Workshop(const ViewHome& home, Board& board, std::function<void()> onBuilt);
+    /// Called on the workshop's thread.
+    struct Listener {
+        std::function<void()> onSaved;      ///< a build is about to begin
+        std::function<void()> onBuilt;      ///< there is a new program
+        std::function<void()> onUnchanged;  ///< the program is that of before
+    };
+
+    Workshop(const ViewHome& home, Board& board, Listener listener);
     ~Workshop();
     Workshop(const Workshop&) = delete;
     Workshop& operator=(const Workshop&) = delete;
@@ -54,7 +60,7 @@ private:
 
     const ViewHome& home_;
     Board& board_;
-    std::function<void()> onBuilt_;
+    Listener listener_;
     std::map<std::filesystem::path, Stamp> seen_;
     std::mutex mutex_;
     std::condition_variable asked_;

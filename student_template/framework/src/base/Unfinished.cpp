@@ -22,7 +22,7 @@ Stub& stubOf(std::string_view task) {
         {{"M1"}, {"M2"}, {"M3.1"}, {"M3.2"}, {"M4"}, {"T1"}, {"T2.1"}, {"T2.2"}}};
     for (Stub& stub : stubs)
         if (stub.task == task) return stub;
-    throw Error("there is no task " + std::string(task) + ", only M1 to M4 and T1 to T2.2");
+    throw Error("there is no task " + std::string(task) + ": Unfinished.cpp lists the tasks");
 }
 
 }  // namespace

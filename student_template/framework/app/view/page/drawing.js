@@ -3,7 +3,7 @@
 //   spheres   [{name, centre, radius, colour, bumpy}]    planes [{name, point, normal, colour}]
 //   lights    [{name, centre, radius, colour}]           lens   {halfWidth}    focalPlane  z
 //   rays      [{k, a, b, t, p, l}]: kind, from, to, its words, the index of the ray before it, the light
-//   normals   [{at, smooth, given, expected, t}]
+//   normals   [{at, smooth, given, expected}]             outlines   [[point, point, ...]]: lines on a surface
 //   words     lines that tell the whole
 const kRayKinds = {
   camera: { name: "camera rays", light: "#0064a8", dark: "#6cc0f5", dash: [] },
@@ -18,10 +18,10 @@ const kNormalKinds = {
   expected: { name: "expected normals", light: "#00735a", dark: "#35c9a0", dash: [7, 3] },
   given: { name: "normals given", light: "#0064a8", dark: "#6cc0f5", dash: [] },
 };
-const kRayOrder = Object.keys(kRayKinds);
-/// While a drawing turns it shows about so many of its rays, so that it follows the mouse; all of them
-/// once it stands still.
+/// About so many rays are shown while a drawing turns, so that it follows the mouse.
 const kMostMoving = 500;
+/// More lines than these are drawn one pixel wide, which takes a seventh of the time of 1.3.
+const kMany = 100;
 
 /// The points that a first view should have in it: what belongs to the first hits. Reflected rays
 /// may end far away.
@@ -37,6 +37,9 @@ function pointsOf(data) {
   return points.length > 1 ? points : [...points, [0, 0, 0], [0, 0, 4]];
 }
 
+/// The direction on the whole, unit length; zero for none.
+const courseOf = (directions) => unit(directions.reduce((all, one) => plus(all, unit(one)), [0, 0, 0]));
+
 class RayDrawing {
   constructor(canvas) {
     this.canvas = canvas;
@@ -48,17 +51,26 @@ class RayDrawing {
     this.data = { spheres: [], planes: [], lights: [], rays: [] };
   }
 
+  /// Takes another drawing; `draw` then shows it.
   show(data, keepsView) {
     this.data = data;
     this.chosen = -1;
+    this.orbit.isOfNormals = data.rays.length === 0 && (data.normals || []).length > 0;
+    this.orbit.course = courseOf(this.orbit.isOfNormals ? data.normals.map(({ smooth, given }) => smooth || given)
+      : data.rays.map(({ a, b }) => minus(b, a)));
+    this.frame(keepsView);
+  }
+
+  /// Looks at all of it, from where the first view does unless it keeps the view.
+  frame(keepsView = false) {
+    this.orbit.frame(pointsOf(this.data));
     if (!keepsView) this.orbit.home();
-    this.orbit.frame(pointsOf(data));
-    this.draw();
   }
 
   resize(width, height, dots) {
-    this.canvas.width = Math.round(width * dots);
-    this.canvas.height = Math.round(height * dots);
+    const [across, down] = [Math.round(width * dots), Math.round(height * dots)];
+    if (this.canvas.width === across && this.canvas.height === down) return;
+    Object.assign(this.canvas, { width: across, height: down });
     this.pen.setTransform(dots, 0, 0, dots, 0, 0);
     this.orbit.resize(width, height);
   }
@@ -76,26 +88,30 @@ class RayDrawing {
     for (const sphere of [...this.data.spheres].sort((a, b) => far(b.centre) - far(a.centre)))
       this.drawSphere(sphere);
     for (const light of this.data.lights) this.drawLight(light);
+    this.drawOutlines();
     this.drawRays(isMoving);
     this.drawNormals();
     if (this.data.lens) this.drawLens();
     this.drawChosen();
   }
 
-  /// One stroke for all these lines, [[from, to], ...].
+  /// Strokes all these lines, [[from, to], ...]: plain ones at once, dashed ones one by one, because
+  /// many dashes in one path take twenty times as long.
   strokeAll(lines, colour, width, dash = [], alpha = 1) {
-    this.pen.beginPath();
-    for (const [from, to] of lines) {
-      const ends = this.orbit.segment(from, to);
-      if (!ends) continue;
-      this.pen.moveTo(ends[0], ends[1]);
-      this.pen.lineTo(ends[2], ends[3]);
-    }
     this.pen.globalAlpha = alpha;
     this.pen.setLineDash(dash);
     this.pen.strokeStyle = colour;
     this.pen.lineWidth = width;
-    this.pen.stroke();
+    this.pen.beginPath();
+    for (const [from, to] of lines) {
+      const ends = this.orbit.segment(from, to);
+      if (!ends) continue;
+      if (dash.length) this.pen.beginPath();
+      this.pen.moveTo(ends[0], ends[1]);
+      this.pen.lineTo(ends[2], ends[3]);
+      if (dash.length) this.pen.stroke();
+    }
+    if (!dash.length) this.pen.stroke();
     this.pen.setLineDash([]);
     this.pen.globalAlpha = 1;
   }
@@ -184,21 +200,22 @@ class RayDrawing {
   }
 
   drawRays(isMoving) {
-    const alpha = Math.min(0.9, Math.max(0.25, 12 / Math.sqrt(this.data.rays.length)));
     const step = isMoving ? Math.ceil(this.data.rays.length / kMostMoving) : 1;
-    for (const name of kRayOrder) {
+    for (const [name, kind] of Object.entries(kRayKinds)) {
       if (this.hidden.has(name)) continue;
       const lines = this.data.rays.filter((ray) => ray.k === name).filter((_, i) => i % step === 0)
         .map((ray) => [ray.a, ray.b]);
-      const kind = kRayKinds[name];
       // Dashes cost more than all the rest: a drawing that turns does without where there are many.
-      const dash = isMoving && lines.length > 300 ? [] : kind.dash;
-      if (lines.length) this.strokeAll(lines, this.colour(kind), 1.3, dash, alpha);
+      const dash = isMoving && lines.length > kMany ? [] : kind.dash;
+      // Many rays are pale, so that the others are seen through them.
+      const alpha = Math.min(0.9, Math.max(0.1, 40 / lines.length));
+      if (lines.length) this.strokeAll(lines, this.colour(kind), lines.length > kMany ? 1 : 1.3, dash, alpha);
     }
   }
 
   arrow(at, direction, kind) {
-    const tip = plus(at, unit(direction), 0.09 * this.orbit.size + 0.05);
+    const length = this.orbit.isOfNormals ? 0.27 * this.orbit.size : 0.09 * this.orbit.size + 0.05;
+    const tip = plus(at, unit(direction), length);
     const ends = this.orbit.segment(at, tip);
     this.strokeAll([[at, tip]], this.colour(kind), 2, kind.dash);
     if (!ends) return;
@@ -209,6 +226,11 @@ class RayDrawing {
       this.pen.lineTo(ends[2] - 8 * Math.cos(angle + side), ends[3] - 8 * Math.sin(angle + side));
     }
     this.pen.stroke();
+  }
+
+  drawOutlines() {
+    for (const line of this.data.outlines || [])
+      this.strokeAll(line.slice(1).map((point, i) => [line[i], point]), this.ink(), 2);
   }
 
   drawNormals() {

@@ -14,10 +14,19 @@ function besides(direction) {
 }
 
 class Orbit {
-  constructor() { this.target = [0, 0, 4]; this.home(); }
+  constructor() { this.target = [0, 0, 4]; this.course = [0, 0, 0]; this.home(); }
 
-  /// The view that a drawing begins with: from behind the eye, above it and to its right.
-  home() { this.yaw = -0.6; this.pitch = 0.35; this.zoom = 1; this.update(); }
+  /// The view that a drawing begins with: from behind the eye, above it and to its right; from the side
+  /// of rays that would come straight towards it. `course`: the direction of all rays, unit length; of
+  /// normals where there are no rays, which are seen from before the surface.
+  home() {
+    const kAlong = 0.85; // cosine
+    const [x, y, z] = this.course;
+    Object.assign(this, this.isOfNormals ? { yaw: Math.atan2(-x, -z) - 0.4, pitch: Math.asin(y) + 0.3 } : { yaw: -0.6, pitch: 0.35 });
+    this.zoom = 1;
+    this.update();
+    if (!this.isOfNormals && Math.abs(dot(this.ahead, this.course)) > kAlong) this.turn(-Math.PI / 2, 0);
+  }
 
   /// Looks at all of these points, from far enough away.
   frame(points) {
@@ -33,6 +42,9 @@ class Orbit {
     this.pitch = Math.min(1.55, Math.max(-1.55, this.pitch + pitch));
     this.update();
   }
+
+  /// Moves half of the way towards looking at a point.
+  approach(point) { this.target = plus(this.target, minus(point, this.target), 0.5); }
 
   zoomBy(factor) { this.zoom = Math.min(60, Math.max(0.3, this.zoom * factor)); this.update(); }
 

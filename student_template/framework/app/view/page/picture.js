@@ -23,7 +23,7 @@ class Picture {
   }
 
   add({ at, rgb }) {
-    const small = this.imageOf(Uint8Array.from(atob(rgb), (c) => c.charCodeAt(0)), at.across, at.down);
+    const small = this.imageOf(atob(rgb), at.across, at.down, (letters, i) => letters.charCodeAt(i));
     this.pen.imageSmoothingEnabled = false;
     this.pen.drawImage(small, at.x, at.y, at.width, at.height);
     if (!at.stage) this.area += at.width * at.height;
@@ -31,13 +31,15 @@ class Picture {
 
   share() { return this.area / (this.canvas.width * this.canvas.height); }
 
-  imageOf(rgb, width, height) {
+  /// byteAt: how a byte is read from `rgb`.
+  imageOf(rgb, width, height, byteAt = (bytes, i) => bytes[i]) {
     const image = new ImageData(width, height);
-    for (let from = 0, to = 0; from < rgb.length; to += 4) {
-      image.data[to] = rgb[from++];
-      image.data[to + 1] = rgb[from++];
-      image.data[to + 2] = rgb[from++];
-      image.data[to + 3] = 255;
+    const { data } = image;
+    for (let from = 0, to = 0; from < rgb.length; from += 3, to += 4) {
+      data[to] = byteAt(rgb, from);
+      data[to + 1] = byteAt(rgb, from + 1);
+      data[to + 2] = byteAt(rgb, from + 2);
+      data[to + 3] = 255;
     }
     const canvas = document.createElement("canvas");
     Object.assign(canvas, { width, height });

@@ -1,5 +1,5 @@
-// A drawing of rays with its words: what turns, picks and highlights. Needs orbit.js, drawing.js and
-// picking.js before it, and an element to fill.
+// A drawing of rays with its words: what turns, picks and highlights. Needs orbit.js, drawing.js,
+// picking.js and raylist.js before it, and an element to fill.
 class RayView {
   /// onPoint: what happens with a point of a surface that is picked, as a function of it; none: points
   /// cannot be picked.
@@ -12,8 +12,9 @@ class RayView {
       <div class="ray-faces"></div>
       <div class="ray-story"></div>
       <ol class="ray-list" role="listbox" tabindex="0" aria-label="Rays"></ol>`;
-    for (const name of ["stage", "tools", "legend", "faces", "story", "list"])
-      this[name] = root.querySelector(`.ray-${name}`);
+    for (const name of ["stage", "tools", "legend", "faces", "story"]) this[name] = root.querySelector(`.ray-${name}`);
+    this.listBox = root.querySelector(".ray-list");
+    this.list = new RayList(this.listBox);
     this.canvas = root.querySelector("canvas");
     this.drawing = new RayDrawing(this.canvas);
     this.addTools();
@@ -25,7 +26,8 @@ class RayView {
     this.drawing.data = data;
     this.fillLegend();
     this.fillWords();
-    this.canvas.setAttribute("aria-label", `${data.about}. ${data.rays.length} rays in 3-D: ` +
+    const shown = data.rays.length ? `${data.rays.length} rays` : `${(data.normals || []).length} points`;
+    this.canvas.setAttribute("aria-label", `${data.about}. ${shown} in 3-D: ` +
       "arrow keys turn the drawing, plus and minus come nearer and go away, 0 goes back");
     this.fit();
     this.drawing.show(data, keepsView);
@@ -56,9 +58,16 @@ class RayView {
     const step = 0.12;
     const ray = this.drawing.data.rays[this.drawing.chosen];
     ({ left: () => orbit.turn(step, 0), right: () => orbit.turn(-step, 0), up: () => orbit.turn(0, step),
-      down: () => orbit.turn(0, -step), in: () => orbit.zoomBy(1.25), out: () => orbit.zoomBy(0.8),
-      home: () => orbit.home(), point: () => ray && this.onPoint(ray.b) })[act]();
+      down: () => orbit.turn(0, -step), in: () => this.comeNearer(1.25), out: () => orbit.zoomBy(0.8),
+      home: () => this.drawing.frame(), point: () => ray && this.onPoint(ray.b) })[act]();
     this.redraw();
+  }
+
+  /// Comes nearer, to the end of the chosen ray where there is one.
+  comeNearer(factor) {
+    const { orbit, data, chosen } = this.drawing;
+    if (data.rays[chosen]) orbit.approach(data.rays[chosen].b);
+    orbit.zoomBy(factor);
   }
 
   redraw(isMoving = false) {
@@ -84,14 +93,15 @@ class RayView {
     this.canvas.addEventListener("wheel", (event) => {
       if (!event.ctrlKey && document.activeElement !== this.canvas) return; // the page scrolls
       event.preventDefault();
-      this.drawing.orbit.zoomBy(event.deltaY < 0 ? 1.1 : 1 / 1.1);
+      if (event.deltaY < 0) this.comeNearer(1.1);
+      else this.drawing.orbit.zoomBy(1 / 1.1);
       this.redraw(true);
     }, { passive: false });
-    this.list.addEventListener("click", (event) => {
+    this.listBox.addEventListener("click", (event) => {
       const line = event.target.closest("li");
       if (line) this.choose(Number(line.dataset.ray));
     });
-    this.list.addEventListener("keydown", (event) => this.walk(event));
+    this.listBox.addEventListener("keydown", (event) => this.walk(event));
     this.legend.addEventListener("change", ({ target }) => {
       this.drawing.hidden[target.checked ? "delete" : "add"](target.value);
       this.redraw();
@@ -127,26 +137,20 @@ class RayView {
   }
 
   walk(event) {
-    const last = this.list.children.length - 1;
-    const at = [...this.list.children].findIndex((line) => line.getAttribute("aria-selected") === "true");
-    const to = { ArrowDown: Math.min(last, at + 1), ArrowUp: Math.max(0, at - 1), Home: 0, End: last }[event.key];
-    if (to === undefined || last < 0) return;
+    const to = this.list.after(event.key);
+    if (to === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    this.choose(Number(this.list.children[to].dataset.ray));
+    this.choose(to);
   }
 
   /// Highlights a ray and its line together; -1: none.
   choose(index) {
     this.drawing.chosen = index;
-    this.list.querySelector("[aria-selected=true]")?.setAttribute("aria-selected", "false");
-    const line = this.lines[index];
-    this.list.setAttribute("aria-activedescendant", line ? line.id : "");
-    if (!line) this.list.removeAttribute("aria-activedescendant");
-    line?.setAttribute("aria-selected", "true");
-    if (line) this.list.scrollTop = line.offsetTop - this.list.clientHeight / 2;
+    this.list.choose(index);
+    const ray = this.drawing.data.rays[index];
     const point = this.tools.querySelector("[data-act=point]");
-    if (point) point.disabled = !line || Boolean(this.drawing.data.rays[index].m);
+    if (point) point.disabled = !ray || Boolean(ray.m);
     this.fillFaces(index);
     this.redraw();
   }
@@ -177,22 +181,7 @@ class RayView {
       line.textContent = words;
       return line;
     }));
-    const id = RayView.count = (RayView.count || 0) + 1;
-    const depths = [];
-    this.lines = data.rays.map((ray, index) => {
-      depths[index] = ray.p >= 0 ? depths[ray.p] + 1 : 0;
-      const line = document.createElement("li");
-      line.id = `ray-${id}-${index}`;
-      line.dataset.ray = index;
-      line.className = `ray-${ray.k}`;
-      line.setAttribute("role", "option");
-      line.setAttribute("aria-selected", "false");
-      line.style.paddingLeft = `${0.5 + depths[index]}rem`;
-      line.textContent = ray.t;
-      return line;
-    });
-    this.list.replaceChildren(...this.lines);
-    this.list.hidden = this.lines.length === 0;
+    this.list.show(data.rays);
   }
 
   /// The lens, and the lights as the hit of the chosen ray sees them (else the first hit).
@@ -206,12 +195,18 @@ class RayView {
     const starts = data.rays.filter((ray) => ray.k === "camera" && ray.p < 0);
     if (data.lens && starts.length > 1)
       this.addFace("The lens, and where rays start on it", { radius: data.lens.halfWidth, isSquare: true,
-        points: starts.map(({ a, k }) => ({ x: a[0], y: a[1], k })) }, `${starts.length} rays`);
+        points: starts.map(({ a, k }) => ({ x: a[0], y: a[1], k })) }, this.lensWords(starts));
     for (const { light, points } of lightFaces(data, parent)) {
       const arrive = points.filter(({ k }) => k === "arrives").length;
       this.addFace(`${light.name} as ${parent >= 0 ? "this hit" : "the point"} sees it`,
         { radius: light.radius, points }, `${arrive} of ${points.length} rays arrive`);
     }
+  }
+
+  lensWords(starts) {
+    const most = 1.0001 * this.drawing.data.lens.halfWidth;
+    const outside = starts.filter(({ a }) => Math.max(Math.abs(a[0]), Math.abs(a[1])) > most).length;
+    return `${starts.length} rays${outside ? `, ${outside} of them outside the lens` : ""}`;
   }
 
   addFace(title, face, words) {
@@ -234,12 +229,11 @@ class RayView {
     const paper = matchMedia("print");
     const adapt = () => {
       this.drawing.isDark = colours.matches && !paper.matches;
-      if (this.lines) this.fillFaces(this.drawing.chosen);
+      this.fillFaces(this.drawing.chosen);
       this.drawing.draw();
     };
     for (const media of [colours, paper]) media.addEventListener("change", adapt);
     new ResizeObserver(() => { this.fit(); this.drawing.draw(); }).observe(this.canvas);
-    this.lines = [];
     this.drawing.isDark = colours.matches && !paper.matches;
   }
 }

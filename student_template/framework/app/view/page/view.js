@@ -7,6 +7,7 @@ let settings = null;
 let firstSettings = null;
 let question = null; // the last one, to be asked again when the code or a setting changes
 let isAsking = false;
+let areRaysOld = false; // the last question was about an earlier picture
 
 const controls = [
   ["lightSize", "Light size", 0, 2, 0.05], ["shadowRays", "Shadow rays", 1, 100, 1],
@@ -87,8 +88,10 @@ async function ask(kind, at, isAgain = false) {
   try {
     const asked = question;
     const drawing = await (await request(`${kind}?${new URLSearchParams(at)}`)).json();
+    const isFirst = byId("rays").hidden;
     byId("rays").hidden = false;
     rays.show(drawing, isAgain || kind === "point");
+    if (isFirst) byId("rays").scrollIntoView({ block: "nearest" }); // who clicks once more knows where they are
     tell(drawing.about);
     if (question !== asked) { isAsking = false; await ask(question.kind, question.at, true); }
   } catch (error) { tell(error.message); }
@@ -176,12 +179,13 @@ function showPicture(head) {
   showSettings(head.settings);
   byId("done").value = 0;
   byId("stage").textContent = "";
-  if (question && !isNewScene) ask(question.kind, question.at, true);
+  areRaysOld = question !== null && !isNewScene;
   showCompare();
 }
 
 function showPiece(piece) {
   picture.add(piece);
+  if (areRaysOld) { areRaysOld = false; ask(question.kind, question.at, true); } // the picture comes first
   const { at } = piece;
   byId("done").value = picture.share();
   byId("stage").textContent = at.stage || (at.last ? "done" : `${Math.max(1, Math.round(at.left))} s left`);

@@ -1,5 +1,5 @@
-#ifndef SUPPORT_DRAWS_H
-#define SUPPORT_DRAWS_H
+#ifndef SUPPORT_TESTDRAWS_H
+#define SUPPORT_TESTDRAWS_H
 
 #include <raytracer/math/Vector3.h>
 

@@ -162,6 +162,10 @@ bool Parent::write(std::string_view bytes) {
     return true;
 }
 
+void yieldToOthers() {
+    SetPriorityClass(GetCurrentProcess(), BELOW_NORMAL_PRIORITY_CLASS);
+}
+
 void moveAside(const fs::path& program) {
     std::error_code error;
     for (int i = 0; i < 100; ++i) {

@@ -55,6 +55,10 @@ private:
     int out_;
 };
 
+/// Lets browser, compiler and the answers to questions go first: lowers the priority of this thread
+/// and of those that it starts; of the whole program where the system has no priority of threads.
+void yieldToOthers();
+
 /// Makes room for a linker where the system lets no running program be replaced.
 void moveAside(const std::filesystem::path& program);
 

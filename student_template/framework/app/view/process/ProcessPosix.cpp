@@ -1,5 +1,5 @@
 #ifndef _WIN32
-#include "Guard.h"
+#include "../Guard.h"
 #include "Process.h"
 
 #include <raytracer/base/Error.h>
@@ -138,6 +138,11 @@ std::size_t Parent::read(char* bytes, std::size_t size) {
 
 bool Parent::write(std::string_view bytes) {
     return writeAll(out_, bytes);
+}
+
+void yieldToOthers() {
+    constexpr int kSteps = 5;  // a third of the processor where others want all of it
+    static_cast<void>(nice(kSteps));
 }
 
 void moveAside(const fs::path& /*program*/) {}
