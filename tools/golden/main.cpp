@@ -1,6 +1,7 @@
 // golden_class ROOT CLASS [EVERY]: writes samples, unseen solutions, and a third of the catalogue
 // and of the hostile cases into CLASS, one folder each. EVERY 30 keeps one entry of thirty.
 #include <grader/corpus/Entry.h>
+#include <grader/result/GeneralFindings.h>
 
 #include <raytracer/base/Error.h>
 
@@ -54,11 +55,11 @@ private:
 /// the machine.
 bool endsByItself(const corpus::Entry& entry) {
     const corpus::Expectation& expect = entry.expected();
-    return !expect.names("run.timed-out") && !expect.names("build.limit") &&
-           !expect.names("run.memory");
+    return !expect.names(kRunTimedOut.id) && !expect.names(kBuildLimit.id) &&
+           !expect.names(kRunMemory.id);
 }
 
-/// "mistake-T1-inverted-u", "sample-awarded-bump-z-up", "hostile-abort".
+/// "sample-awarded-bump-z-up", "hostile-abort"; of a mistake its task and name.
 std::string nameOf(const std::string& kind, const corpus::Entry& entry) {
     std::string name = kind + "-" + (kind == "hostile" ? "" : entry.group + "-") + entry.name;
     std::ranges::replace(name, '/', '-');

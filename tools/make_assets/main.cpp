@@ -1,5 +1,5 @@
 // Generates the bump maps in assets/, or checks that the committed ones equal the generated ones.
-#include "LetterMap.h"
+#include "LetterAsset.h"
 #include "SkinMap.h"
 
 #include <raytracer/base/Error.h>

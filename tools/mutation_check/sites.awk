@@ -1,4 +1,5 @@
-# Of each source: NUMBER, FILE, LINE, COLUMN, OLD and NEW text of every flip. Left out, because they
+# Of each source: NUMBER, FILE, LINE, COLUMN, OLD and NEW text, NTH and CODE of every flip: it is the
+# NTH of its file with this OLD text in this line's CODE, however lines are numbered. Left out, because they
 # have no visible effect or no value at run time: comments, and lines with texts, includes, templates,
 # infinities (1e9 and above, where a minimum begins) or a seed that is added to.
 BEGIN { count = 0 }
@@ -10,10 +11,12 @@ function site(old, new,   from, at, end) {
     from += at + length(old) - 1
   }
 }
-function add(column, old, new,   text) {
+function add(column, old, new,   text, line) {
   text = new
   gsub(/NUMBER/, count, text)
-  print count++ "\t" FILENAME "\t" FNR "\t" column "\t" old "\t" text
+  line = code
+  gsub(/^[ \t]+|[ \t]+$/, "", line)
+  print count++ "\t" FILENAME "\t" FNR "\t" column "\t" old "\t" text "\t" ++times[FILENAME, line, old] "\t" line
 }
 function constant(from, to, before) {
   add(from, substr(code, from, to - from), before "flips::constant(NUMBER, " value ");")

@@ -1,4 +1,4 @@
-#include "LetterMap.h"
+#include "LetterAsset.h"
 
 #include <algorithm>
 #include <array>
