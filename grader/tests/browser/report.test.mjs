@@ -6,7 +6,7 @@ import { pathToFileURL } from "node:url";
 import { join } from "node:path";
 import { accessibilityFaults, launchBrowser, openPage, overflow } from "./harness.mjs";
 
-const graded = (name) => pathToFileURL(join(process.env.TICKER_CLASS, name, "report.html")).href;
+const graded = (name, page = "report.html") => pathToFileURL(join(process.env.TICKER_CLASS, name, page)).href;
 const example = (name) => pathToFileURL(join(process.env.TICKER_EXAMPLES, name, "report.html")).href;
 
 let browser;
@@ -60,6 +60,22 @@ test("a report draws the rays of one pixel, with a line for each", () =>
     assert.equal(await drawing.locator("[aria-selected=true]").count(), 1);
     assert.ok((await page.content()).length < 3_000_000);
   }));
+
+test("a report draws the normals of a failed T1 beside what was expected; the student's has none of these", async () => {
+  await withReport(graded("bump-inverted-u"), async (page) => {
+    const drawing = page.locator(".ray-figure").first();
+    assert.match(await drawing.locator(".ray-legend").textContent(), /smooth normals: 23.*expected normals: 23.*normals given: 23/s);
+    assert.match(await drawing.locator("canvas").first().getAttribute("aria-label"), /23 points in 3-D/);
+  });
+  await withReport(graded("bump-inverted-u", "student.html"), async (page) => {
+    const legend = await page.locator(".ray-figure .ray-legend").first().textContent();
+    assert.match(legend, /normals given: 23/);
+    assert.doesNotMatch(legend, /expected/);
+    const [canvas, card] = await Promise.all([page.locator(".ray-figure canvas").first().boundingBox(),
+      page.locator(".ray-figure").first().boundingBox()]);
+    assert.ok(canvas.width > card.width / 2, `a lone drawing has ${canvas.width} of ${card.width} pixels`);
+  });
+});
 
 test("a report of the class leads back to it, one by itself has no such link", () =>
   withReport(graded("does-not-compile"), async (page) => {

@@ -7,6 +7,8 @@ import { createInterface } from "node:readline";
 import { openPage } from "./harness.mjs";
 
 export const ticker = process.env.TICKER;
+/// Whether `./tick guard slow` runs the tests, which then try more cases.
+export const isSlowRun = "TICKER_SLOW_TESTS" in process.env;
 const sessions = [];
 const folders = [];
 const samples = ["bump-inverted-u", "distributed-off-centre", "does-not-compile", "reference-bump", "two-versions"];

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { accessibilityFaults, launchBrowser } from "./harness.mjs";
-import { killSessions, makeClass, openSession, saved, shown, startSession } from "./session.mjs";
+import { isSlowRun, killSessions, makeClass, openSession, saved, shown, startSession } from "./session.mjs";
 
 let browser;
 before(async () => { browser = await launchBrowser(); });
@@ -47,24 +47,26 @@ test("the page is quiet, accessible and shows pictures, findings and code", asyn
   await page.close();
 });
 
-test("100 decisions by keyboard, the session killed in between, none lost", async (t) => {
-  const out = makeClass(100);
+test("many decisions by keyboard, the session killed in between, none lost", async (t) => {
+  const count = isSlowRun ? 100 : 40;
+  const [first, second] = [0.3 * count, 0.7 * count]; // when it is killed
+  const out = makeClass(count);
   let session = await startSession(out);
   let { page } = await openSession(browser, session);
   await page.getByLabel("You are").fill("ann");
   await page.locator("main").focus();
   const meant = {};
   let name;
-  for (let i = 0; i < 100; ++i) {
+  for (let i = 0; i < count; ++i) {
     name = await shown(page, name);
     const key = i % 3 === 0 ? "n" : "a";
     meant[name] = key === "a" ? "awarded" : "notYet";
-    if (i === 30 || i === 70) await session.kill();
+    if (i === first || i === second) await session.kill();
     await decide(page, key); // this one waits in the browser
-    if (i === 70) await page.close(); // nothing but what the browser has stored is left
-    if (i === 30 || i === 70) session = await startSession(out);
-    if (i === 70) ({ page } = await openSession(browser, session));
-    if (i === 70) name = undefined;
+    if (i === second) await page.close(); // nothing but what the browser has stored is left
+    if (i === first || i === second) session = await startSession(out);
+    if (i === second) ({ page } = await openSession(browser, session));
+    if (i === second) name = undefined;
   }
   await page.getByRole("heading", { name: "All are decided" }).waitFor();
   await saved(page);

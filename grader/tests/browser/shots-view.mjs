@@ -9,30 +9,33 @@ const images = process.argv[2];
 const bumpFile = exerciseFile.replace("Renderer", "BumpySphere");
 const lens = [exerciseFile, /randomBetween\(-settings\(\)\.dofAmount, /g, "randomBetween(0.0, 2.0 * "];
 
-// name, scene, pixel as shares of width and height, colours, edit
+// name, scene, pixel as shares of width and height, colours, the highlighted line, how often the drawing comes
+// nearer to its end, edit
 const shots = [
-  ["view-shadow-edge", "distributed", 0.93, 0.855, "light"],
-  ["view-out-of-focus", "distributed", 0.42, 0.55, "dark"],
-  ["view-off-centre", "distributed", 0.5, 0.6, "light", lens],
-  ["view-inverted-bump", "bumpmap-test", 0.46, 0.42, "light", [bumpFile, "- Bv", "+ Bv"]],
-  ["view-blocked-reflection", "distributed", 0.45, 0.72, "light"],
+  ["view-shadow-edge", "distributed", 0.93, 0.855, "light", ".ray-camera", 0],
+  ["view-out-of-focus", "distributed", 0.42, 0.55, "dark", ".ray-camera", 0],
+  ["view-off-centre", "distributed", 0.5, 0.6, "light", ".ray-camera", 0, lens],
+  ["view-inverted-bump", "bumpmap-test", 0.4297, 0.4396, "light", ".ray-camera", 9, [bumpFile, "- Bv", "+ Bv"]],
+  ["view-blocked-reflection", "distributed", 0.45, 0.72, "light", ".ray-reflected", 5],
 ];
 
 const browser = await launchBrowser();
-for (const [name, scene, x, y, colorScheme, edit] of shots) {
+for (const [name, scene, x, y, colorScheme, line, nearer, edit] of shots) {
   const source = edit && await readFile(edit[0], "utf8");
   if (edit) await writeFile(edit[0], source.replace(edit[1], edit[2]));
   const viewer = await startViewer(`scenes/${scene}.xml`, "-r", "320x240", "--seed", "1", ...(scene === "distributed" ? [] : ["--pinhole"]));
   try {
-    const { page } = await openViewer(browser, viewer, { width: 1180, height: 900, colorScheme });
+    const { page } = await openViewer(browser, viewer, { width: 1000, height: 900, colorScheme });
     await page.waitForFunction(() => ["Built.", "It does"].some((words) => document.getElementById("build").textContent.startsWith(words)));
     await page.waitForFunction(() => document.getElementById("tests").textContent && !document.getElementById("tests").textContent.includes("run ..."));
     await finished(page);
     await clickPixel(page, x, y);
-    await page.locator(".ray-list li").first().click();
+    await page.locator(`.ray-list ${line}`).first().click();
+    for (let i = 0; i < nearer; ++i) await page.getByRole("button", { name: "Nearer" }).click();
     await page.waitForTimeout(300);
     const path = join(images, `${name}.png`);
-    if (edit) await page.screenshot({ path, fullPage: true });
+    await page.mouse.move(0, 0);
+    if (name === "view-off-centre") await page.screenshot({ path, fullPage: true });
     else await page.locator("#rays").screenshot({ path }); // nothing of interest is above it
     await page.close();
   } finally {

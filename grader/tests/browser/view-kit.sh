@@ -12,5 +12,9 @@ for file in "$source"/reference_solution/exercise/*.cpp; do
   cmp -s "$file" "$kit/exercise/${file##*/}" || cp "$file" "$kit/exercise"
 done
 cd "$kit"
-[[ -f build/release/CMakeCache.txt ]] || cmake --preset release -G Ninja
+# ccache takes the kit's paths relative to it, so that a kit elsewhere compiles nothing anew.
+export CCACHE_BASEDIR="$PWD"
+launcher="$(command -v ccache || true)"
+[[ -f build/release/CMakeCache.txt ]] ||
+  cmake --preset release -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"
 cmake --build --preset release --parallel 2

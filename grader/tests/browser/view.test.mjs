@@ -145,6 +145,18 @@ test("an error of the compiler shows with its line, a right edit with its pictur
     await showing(page, "tests", "passed");
   }));
 
+test("a render that a save gave up goes on where the new code does not compile", async () => {
+  viewer = await startViewer("scenes/distributed.xml", "-r", "320x240", "--seed", "1");
+  const { page } = await openViewer(browser, viewer);
+  await page.waitForFunction(() => document.getElementById("stage").textContent.endsWith("s left"));
+  const build = await page.evaluate(() => picture.build);
+  await writeFile(exerciseFile, source.replace("return colour;", "return colour"));
+  await showing(page, "build", "Renderer.cpp, line ");
+  await finished(page);
+  assert.equal(await page.evaluate(() => picture.build), build);
+  await page.close();
+});
+
 test("code that crashes says so and takes nothing with it", () =>
   withPage(async (page) => {
     await finished(page);

@@ -32,6 +32,7 @@ export function processesOfTheKit() {
 
 /// Clicks a pixel, as a share of the picture's width and height, and waits for its rays.
 export async function clickPixel(page, x, y) {
+  await page.locator("#picture").scrollIntoViewIfNeeded();
   const box = await page.locator("#picture").boundingBox();
   const before = await page.evaluate(() => rays.drawing.data);
   await page.mouse.click(box.x + x * box.width, box.y + y * box.height);

@@ -380,6 +380,20 @@ test("pictures blink, lie side by side or one over the other, and zoom", async (
   assert.equal(await heading(), "How far you are");
 });
 
+test("the normals of a failed T1 are drawn, and the drawing turns", async () => {
+  await open(bo);
+  const drawing = page.locator(".ray-figure").first();
+  assert.match(await drawing.locator(".ray-story").textContent(), /along u.*, 0 of 13 normals lean away from the brighter side/);
+  const canvas = drawing.locator(".ray-stage canvas");
+  await canvas.scrollIntoViewIfNeeded();
+  const seen = () => canvas.evaluate((one) => one.toDataURL());
+  for (const act of ["left", "up", "in", "home", "right", "down", "out"]) {
+    const earlier = await seen();
+    await click(`.ray-tools [data-act=${act}]`);
+    await page.waitForFunction((last) => document.querySelector(".ray-figure .ray-stage canvas").toDataURL() !== last, earlier);
+  }
+});
+
 test("of two who decide, the second says whose holds", async () => {
   await open(jon);
   await page.route(/\/class\?/, () => {}); // never hears of the other by itself

@@ -18,8 +18,9 @@ using probe::ProcessEnd;
 using EndKind = ProcessEnd::Kind;
 
 /// Builds a submission and asks it, under limits that keep the test short.
+/// @param cpuSeconds  The default is enough to fill the memory on a slow machine.
 probe::Run ask(const std::string& file, const std::string& source,
-               const std::vector<probe::Question>& questions) {
+               const std::vector<probe::Question>& questions, double cpuSeconds = 4.0) {
     static const sandbox::Sandbox theSandbox = sandbox::Sandbox::best();
     static const Kit kit = Kit::besideProgram();
     const BuildResult built =
@@ -27,7 +28,7 @@ probe::Run ask(const std::string& file, const std::string& source,
     EXPECT_EQ(built.kind, BuildResult::Kind::built) << built.diagnostics;
     if (!built.program) return {};
     sandbox::Limits limits = sandbox::defaultPolicy().run;
-    limits.cpuSeconds = 4.0;  // enough to fill its memory on a slow machine
+    limits.cpuSeconds = cpuSeconds;
     limits.wallSeconds = 20.0;
     limits.addressSpaceBytes = 400'000'000;
     SandboxedExaminee examinee{*built.program, theSandbox, limits};
@@ -44,8 +45,9 @@ std::string bumpySphere(const std::string& body, const std::string& before = {})
            body + "\n}\n}\n";
 }
 
-probe::Run askBumpySphere(const std::string& body, const std::string& before = {}) {
-    return ask("BumpySphere.cpp", bumpySphere(body, before), {tests::normalQuestion()});
+probe::Run askBumpySphere(const std::string& body, const std::string& before = {},
+                          double cpuSeconds = 4.0) {
+    return ask("BumpySphere.cpp", bumpySphere(body, before), {tests::normalQuestion()}, cpuSeconds);
 }
 
 TEST(SandboxedExaminee, AnswersAsTheSolutionDoes) {
@@ -137,7 +139,7 @@ TEST(SandboxedExaminee, SharesOneBudgetAmongItsRuns) {
         buildProgram(kit, theSandbox, sandbox::defaultPolicy().compile, "BumpySphere.cpp",
                      bumpySphere("for (volatile int i = 0;; i = i + 1) {}"));
     ASSERT_TRUE(built.program) << built.diagnostics;
-    TimeBudget budget{{2.0, 600.0}};
+    TimeBudget budget{{1.0, 600.0}};
     SandboxedExaminee examinee{*built.program, theSandbox, sandbox::defaultPolicy().run, &budget};
 
     EXPECT_EQ(examinee.ask({tests::normalQuestion()}).end.kind, EndKind::timedOut);
@@ -182,7 +184,8 @@ void PrintTo(const Ending& ending, std::ostream* out) {
 class SandboxedExamineeEnds : public testing::TestWithParam<Ending> {};
 
 TEST_P(SandboxedExamineeEnds, AsTheKernelSaysAndWithNothingAnswered) {
-    const probe::Run run = askBumpySphere(GetParam().body, GetParam().before);
+    const double cpuSeconds = GetParam().expected == EndKind::timedOut ? 1.0 : 4.0;
+    const probe::Run run = askBumpySphere(GetParam().body, GetParam().before, cpuSeconds);
     EXPECT_EQ(run.end.kind, GetParam().expected) << run.end.detail;
     ASSERT_EQ(run.answers.size(), 1U);
     EXPECT_TRUE(probe::isUnanswered(std::get<NormalAnswer>(run.answers[0]).normals[2]));

@@ -1,5 +1,6 @@
 // Runs every command of a document as written, from top to bottom, in a checkout of its own: links
-// to this one, with its own out/ and home.
+// to this one, with its own out/ and home. It has fewer samples and fewer reference pictures: all
+// samples are graded by test_pipeline, all references are compared by `./tick guard slow`.
 #include <grader/tests/support/Files.h>
 #include <grader/tests/support/MoodleExport.h>
 #include <grader/tests/support/RunCommand.h>
@@ -29,15 +30,30 @@ const std::set<std::string> kInThePackage{"student_template/README.md", "docs/ha
                                           "docs/for-students.md", "docs/handout-tick1.md",
                                           "student_template/tick1/README.md"};
 
+// Samples for each verdict; documents name some of them.
+const std::vector<std::string> kSamples{
+    "awarded/bump-bilinear",         "awarded/reference-bump",
+    "awarded/reference-distributed", "notAwarded/bump-inverted-u",
+    "notAwarded/does-not-compile",   "notAwarded/distributed-off-centre",
+    "notAwarded/template-untouched", "needsReview/two-versions"};
+const std::string kReferences = R"({"references": [
+    {"scene": "bumpmap-test", "pinhole": true, "width": 320, "height": 240},
+    {"scene": "lens-grid", "pinhole": false, "width": 96, "height": 72}]})";
+
 /// A folder in which a document's commands may write.
 class Checkout {
 public:
     Checkout() {
-        for (const fs::directory_entry& entry : fs::directory_iterator{kRoot}) {
-            const std::string name = entry.path().filename();
-            if (name != "build" && name != "out" && !name.starts_with(".git"))
-                fs::create_symlink(entry.path(), path() / name);
+        link("", {"build", "out", "grader", "scenes"});
+        link("grader", {"corpus"});
+        link("grader/corpus", {"samples"});
+        for (const std::string& sample : kSamples) {
+            const fs::path folder = fs::path{"grader/corpus/samples"} / sample;
+            fs::create_directories(path() / folder);
+            fs::copy(kRoot / folder, path() / folder, fs::copy_options::recursive);
         }
+        link("scenes", {"references.json"});
+        work_.write("scenes/references.json", kReferences);
         fs::create_directories(path() / "out");
         fs::create_directories(path() / "build");
         fs::create_directory_symlink(TICKER_BINARY_DIR, path() / "build/release");
@@ -48,11 +64,22 @@ public:
 
     [[nodiscard]] tests::CommandResult run(const std::string& script) const {
         work_.write("commands.sh", script);
-        return tests::runCommand("cd '" + path().string() + "' && HOME='" + path().string() +
-                                 "' bash commands.sh </dev/null");
+        const std::string here = "'" + path().string() + "'";
+        return tests::runCommand("cd " + here + " && HOME=" + here + " TICKER_HOME=" + here +
+                                 " bash commands.sh </dev/null");
     }
 
 private:
+    /// Links to what a folder of the project has, without some names and Git's own.
+    void link(const fs::path& folder, const std::set<std::string>& without) const {
+        fs::create_directories(path() / folder);
+        for (const fs::directory_entry& entry : fs::directory_iterator{kRoot / folder}) {
+            const std::string name = entry.path().filename();
+            if (!without.contains(name) && !name.starts_with(".git"))
+                fs::create_symlink(entry.path(), path() / folder / name);
+        }
+    }
+
     /// The class that a ticker downloads from Moodle.
     void putClass() const {
         std::vector<tests::MoodleStudent> students;

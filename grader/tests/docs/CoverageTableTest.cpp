@@ -24,7 +24,7 @@ TEST(CoverageTable, HasARowForNearlyEveryKnownMistake) {
         missing += " " + mistake.name;
     }
     EXPECT_LT(missed * 20, mistakes)
-        << "ticker-lab coverage --write docs/for-instructors.md adds" << missing;
+        << "./tick coverage --write docs/for-instructors.md adds" << missing;
     EXPECT_GT(mistakes, 150);
 }
 

@@ -1,10 +1,12 @@
+#include <grader/exercise/Exercise.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace ticker {
@@ -20,54 +22,64 @@ std::string readFile(const std::string& path) {
     return text.str();
 }
 
-/// The text with everything between the marks of a task left out; `parts` counts them.
-std::pair<std::string, int> outsideMarks(const std::string& text) {
-    std::istringstream lines{text};
-    std::ostringstream outside;
-    int parts = 0;
+/// A solution's file: the text outside the marks of its tasks, and the tasks that are marked.
+struct Marked {
+    std::string outside;
+    std::vector<std::string> tasks;
+};
+
+Marked readMarked(const std::string& path) {
+    static const std::regex kMark{"// TASK ([^ ]+) (begin|end)$"};
+    std::istringstream lines{readFile(path)};
+    Marked marked;
     bool inside = false;
     for (std::string line; std::getline(lines, line);) {
-        const bool begins = line.find("// TASK ") != std::string::npos && line.ends_with(" begin");
-        const bool ends = line.find("// TASK ") != std::string::npos && line.ends_with(" end");
-        EXPECT_FALSE(begins && inside) << line;
-        if (ends) inside = false;
-        if (!inside) outside << line << '\n';
-        if (begins) inside = true;
-        parts += static_cast<int>(begins);
+        std::smatch mark;
+        const bool isMark = std::regex_search(line, mark, kMark);
+        const bool begins = isMark && mark[2] == "begin";
+        EXPECT_FALSE(begins && inside) << path << ": " << line;
+        if (isMark && !begins) inside = false;
+        if (!inside) marked.outside += line + '\n';
+        if (!begins) continue;
+        inside = true;
+        marked.tasks.push_back(mark[1]);
     }
-    EXPECT_FALSE(inside);
-    return {outside.str(), parts};
+    EXPECT_FALSE(inside) << path;
+    std::ranges::sort(marked.tasks);
+    return marked;
 }
 
-void expectEqualOutsideMarks(const std::string& file, int tasks,
-                             const std::string& exercise = "/exercise/") {
-    const auto [stub, stubParts] =
-        outsideMarks(readFile(kRoot + "/student_template" + exercise + file));
-    const auto [reference, referenceParts] =
-        outsideMarks(readFile(kRoot + "/reference_solution" + exercise + file));
-    EXPECT_EQ(reference, stub);
-    EXPECT_EQ(stubParts, tasks);
-    EXPECT_EQ(referenceParts, tasks);
+std::vector<std::string> tasksIn(const Exercise& exercise, const std::string& file) {
+    std::vector<std::string> tasks;
+    for (const TaskEntry& task : exercise.tasks)
+        if (task.file == file) tasks.push_back(task.id);
+    std::ranges::sort(tasks);
+    return tasks;
 }
 
 TEST(ReferenceSolution, EqualsTheTemplateOutsideTheTaskMarks) {
-    expectEqualOutsideMarks("BumpySphere.cpp", 1);
-    expectEqualOutsideMarks("Renderer.cpp", 2);
-    expectEqualOutsideMarks("Sphere.cpp", 1, "/tick1/exercise/");
-    expectEqualOutsideMarks("Plane.cpp", 1, "/tick1/exercise/");
-    expectEqualOutsideMarks("Renderer.cpp", 3, "/tick1/exercise/");
+    for (const Exercise& exercise : knownExercises())
+        for (const std::string& file : exercise.files()) {
+            const std::string stubPath = kRoot + "/" + exercise.stubs + "/" + file;
+            const Marked stub = readMarked(stubPath);
+            const Marked reference = readMarked(kRoot + "/" + exercise.reference + "/" + file);
+            EXPECT_EQ(reference.outside, stub.outside) << stubPath;
+            EXPECT_EQ(stub.tasks, tasksIn(exercise, file)) << stubPath;
+            EXPECT_EQ(reference.tasks, stub.tasks) << stubPath;
+        }
 }
 
 TEST(ReferenceSolution, HasNoStubLeftAndTheTemplateHasEachOnce) {
-    for (const std::string file : {"BumpySphere.cpp", "Renderer.cpp"}) {
-        const std::string reference = readFile(kRoot + "/reference_solution/exercise/" + file);
-        EXPECT_EQ(reference.find("unfinished("), std::string::npos) << file;
-    }
-    const std::string bumpy = readFile(kRoot + "/student_template/exercise/BumpySphere.cpp");
-    const std::string renderer = readFile(kRoot + "/student_template/exercise/Renderer.cpp");
-    EXPECT_NE(bumpy.find("unfinished(\"T1\""), std::string::npos);
-    EXPECT_NE(renderer.find("unfinished(\"T2.1\""), std::string::npos);
-    EXPECT_NE(renderer.find("unfinished(\"T2.2\""), std::string::npos);
+    for (const Exercise& exercise : knownExercises())
+        for (const TaskEntry& task : exercise.tasks) {
+            const std::string stub = readFile(kRoot + "/" + exercise.stubs + "/" + task.file);
+            const std::string call = "unfinished(\"" + task.id + "\"";
+            const std::size_t found = stub.find(call);
+            EXPECT_NE(found, std::string::npos) << task.file << " has no " << call;
+            EXPECT_EQ(stub.find(call, found + 1), std::string::npos) << call;
+            const std::string solved = readFile(kRoot + "/" + exercise.reference + "/" + task.file);
+            EXPECT_EQ(solved.find("unfinished("), std::string::npos) << task.file;
+        }
 }
 
 }  // namespace

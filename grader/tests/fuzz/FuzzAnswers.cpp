@@ -3,10 +3,29 @@
 #include "Fuzz.h"
 
 #include <grader/probe/AnswerMemory.h>
+#include <grader/probe/Calls.h>
 #include <grader/probe/Respond.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+
+namespace ticker {
+namespace {
+
+probe::Vector3 noPlace(const raytracer::Scene& /*scene*/, std::span<const double> /*arguments*/) {
+    return {};
+}
+
+constexpr std::array kCalls{probe::Call{"any", noPlace}};
+
+}  // namespace
+
+std::span<const probe::Call> probe::calls() {
+    return kCalls;
+}
+
+}  // namespace ticker
 
 namespace ticker::fuzz {
 namespace {
@@ -18,7 +37,8 @@ constexpr std::uint32_t kMostEvents = 20;
 const std::vector<probe::Question>& questions() {
     static const std::vector<probe::Question> asked{
         tests::normalQuestion(), tests::illuminateQuestion(kMostEvents),
-        tests::renderQuestion(kMostEvents), probe::HitQuestion{tests::smallScene(), {{}, {}}}};
+        tests::renderQuestion(kMostEvents), probe::HitQuestion{tests::smallScene(), {{}, {}}},
+        probe::CallQuestion{"any", tests::smallScene(), 0, 2, {0.0, 1.0}}};
     return asked;
 }
 
@@ -46,6 +66,9 @@ void check(const probe::IlluminateAnswer& answer) {
 }
 void check(const probe::HitAnswer& answer) {
     require(answer.hits.size() == 2 && answer.exceptions <= 2, "one hit for each ray");
+}
+void check(const probe::CallAnswer& answer) {
+    require(answer.values.size() == 1 && answer.exceptions <= 1, "one value for each row");
 }
 void check(const probe::RenderAnswer& answer) {
     require(answer.images.size() == 2 && answer.images[1].size() == 48 && answer.exceptions <= 2,

@@ -1,6 +1,6 @@
 #include <grader/metrics/Alignment.h>
 
-#include "Pictures.h"
+#include "MadePictures.h"
 
 #include <raytracer/base/Error.h>
 

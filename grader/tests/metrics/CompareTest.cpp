@@ -2,7 +2,7 @@
 #include <grader/metrics/Compare.h>
 #include <grader/metrics/Flip.h>
 
-#include "Pictures.h"
+#include "MadePictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <grader/metrics/Difference.h>
 #include <grader/metrics/Structure.h>
 
-#include "Pictures.h"
+#include "MadePictures.h"
 
 #include <raytracer/base/Error.h>
 

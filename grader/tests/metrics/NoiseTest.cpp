@@ -1,7 +1,7 @@
 #include <grader/metrics/Noise.h>
 #include <grader/metrics/StudentT.h>
 
-#include "Pictures.h"
+#include "MadePictures.h"
 
 #include <raytracer/base/Error.h>
 

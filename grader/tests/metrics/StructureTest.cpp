@@ -1,6 +1,6 @@
 #include <grader/metrics/Structure.h>
 
-#include "Pictures.h"
+#include "MadePictures.h"
 
 #include <gtest/gtest.h>
 

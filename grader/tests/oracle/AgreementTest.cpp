@@ -1,4 +1,4 @@
-#include <grader/lab/agreement/Agreement.h>
+#include <grader/lab/agreement/MomentAgreement.h>
 #include <grader/oracle/Oracle.h>
 #include <grader/tests/oracle/PlainRenderer.h>
 #include <grader/tests/oracle/TestScenes.h>

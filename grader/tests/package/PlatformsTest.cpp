@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <string>
@@ -26,6 +28,30 @@ const std::string kTicker = TICKER_BINARY_DIR "/bin/ticker";
 fs::path sample(const std::string& name) {
     return fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples" / name;
 }
+
+/// PrairieLearn's package of an exercise, made once for all tests: most of the time is compression.
+class PrairieLearnPackage {
+public:
+    static const PrairieLearnPackage& of(const std::string& exercise) {
+        static std::map<std::string, std::unique_ptr<const PrairieLearnPackage>> packages;
+        auto& package = packages[exercise];
+        if (!package)
+            package = std::unique_ptr<const PrairieLearnPackage>{new PrairieLearnPackage{exercise}};
+        return *package;
+    }
+    [[nodiscard]] fs::path zip() const { return folder_.path() / "pl.zip"; }
+    [[nodiscard]] const std::string& problem() const { return problem_; }
+
+private:
+    explicit PrairieLearnPackage(const std::string& exercise) {
+        const RootRun made = tests::runHere(kTicker + " package prairielearn --exercise " +
+                                            exercise + " -o " + zip().string());
+        if (made.status != 0) problem_ = made.output + made.errors;
+    }
+
+    tests::TemporaryFolder folder_;
+    std::string problem_;
+};
 
 /// An unpacked package for which the platform has built its image; shared by all tests.
 class Image {
@@ -115,11 +141,14 @@ TEST_F(Gradescope, LeavesNoScoreWhereWeFailed) {
 
 TEST_F(Platforms, PrairieLearnGetsAResultOrIsToldThatThereIsNone) {
     // The parts that differ; the others are in the other package, already prepared.
+    const PrairieLearnPackage& package = PrairieLearnPackage::of("tick1star");
+    ASSERT_EQ(package.problem(), "");
+    const std::string zip = package.zip().string();
     const RootRun made = tests::runHere(
-        "mkdir -p " + at("image/ticker").string() + " && cd " + at("image").string() + " && " +
-        kTicker + " package prairielearn -o pl.zip && unzip -q pl.zip entrypoint.sh Dockerfile " +
-        "'question/*' && unzip -Z1 pl.zip 'ticker/*' | sort >pl.txt && unzip -Z1 " +
-        image("gradescope.zip").string() + " 'ticker/*' | sort | cmp - pl.txt");
+        "mkdir -p " + at("image/ticker").string() + " && cd " + at("image").string() +
+        " && unzip -q " + zip + " entrypoint.sh Dockerfile 'question/*' && unzip -Z1 " + zip +
+        " 'ticker/*' | sort >pl.txt && unzip -Z1 " + image("gradescope.zip").string() +
+        " 'ticker/*' | sort | cmp - pl.txt");
     ASSERT_EQ(made.status, 0) << made.output << made.errors;
     const json info = json::parse(tests::textOf(at("image/question/info.json")));
     EXPECT_EQ(info.at("gradingMethod"), "External");
@@ -148,10 +177,10 @@ TEST(PrairieLearn, AsksForTheFilesOfEachExercise) {
     tests::TemporaryFolder folder;
     std::set<std::string> ids;
     for (const std::string exercise : {"tick1star", "tick1"}) {
-        const RootRun made = tests::runHere("cd " + folder.path().string() + " && " + kTicker +
-                                            " package prairielearn --exercise " + exercise +
-                                            " -o " + exercise + ".zip && unzip -q -d " + exercise +
-                                            " " + exercise + ".zip 'question/*'");
+        const PrairieLearnPackage& package = PrairieLearnPackage::of(exercise);
+        ASSERT_EQ(package.problem(), "");
+        const RootRun made = tests::runHere("unzip -q -d " + (folder.path() / exercise).string() +
+                                            " " + package.zip().string() + " 'question/*'");
         ASSERT_EQ(made.status, 0) << made.output << made.errors;
         const fs::path question = folder.path() / exercise / "question";
         const json info = json::parse(tests::textOf(question / "info.json"));

@@ -1,7 +1,7 @@
 #include "../io/PngBuilder.h"
 
 #include <grader/picture/DecodePicture.h>
-#include <grader/sandbox/Diagnosis.h>
+#include <grader/sandbox/LevelDiagnosis.h>
 #include <grader/sandbox/SandboxPolicy.h>
 
 #include <raytracer/base/Error.h>

@@ -54,6 +54,9 @@ SubmissionResult example() {
     drawing.focalPlane = 3.5;
     drawing.rays = {{RayDrawing::Kind::blocked, {0.0, -1.0, 4.0}, {0.0, 1.0 / 3.0, 4.0}, "x", 0},
                     {RayDrawing::Kind::expected, {}, {std::nan(""), 0.0, 3.5}, "y", -1}};
+    const RayDrawing::Point x{1.0, 0.0, 0.0};
+    drawing.normals = {{{0.0, 0.0, 1.0 / 3.0}, x, x, x}, {x, x, std::nullopt, x}};
+    drawing.outlines = {{x, {0.0, 1.0, 0.0}}};
     finding.rasters.resize(1);
     finding.rasters[0].title = "relief";
     finding.rasters[0].image = "images/T1-1.png";
@@ -149,6 +152,12 @@ TEST(ResultJson, KeepsAllThatAPageShows) {
     EXPECT_EQ(drawing.rays[0].to[1], 0.3333);
     EXPECT_EQ(drawing.rays[0].light, 0);
     EXPECT_EQ(drawing.rays[1].to[0], 0.0) << "a drawing has finite ends alone";
+    ASSERT_EQ(drawing.normals.size(), 2U);
+    EXPECT_EQ(drawing.normals[0].at[2], 0.3333);
+    ASSERT_TRUE(drawing.normals[0].expected);
+    EXPECT_EQ((*drawing.normals[0].expected)[0], 1.0);
+    EXPECT_FALSE(drawing.normals[1].expected);
+    EXPECT_EQ(drawing.outlines.at(0).at(1)[1], 1.0);
     EXPECT_EQ(finding.rasters.at(0).image, "images/T1-1.png");
     EXPECT_TRUE(back.tasks.at(1).needsReview);
     EXPECT_EQ(back.pictures.at(0).caption, "relief");

@@ -236,6 +236,21 @@ TEST(StudentView, ShowsTheStudentsOwnRaysAndNoOther) {
     EXPECT_FALSE(holds(studentPage(StudentView{result, policy}), "a camera ray"));
 }
 
+TEST(StudentView, ShowsTheStudentsOwnNormalsAndNoneThatWasExpected) {
+    SubmissionResult result = failedBumpExample();
+    RayDrawing drawing;
+    drawing.about = "normals of one row";
+    drawing.normals = {
+        {{0.0, 0.0, 2.8}, {0.0, 0.0, -1.0}, {{0.1234, 0.0, -0.9}}, {0.4321, 0.0, -0.9}}};
+    ScatterPlot plot;
+    plot.drawing = drawing;
+    result.tasks[0].findings[0].plots = {plot};
+    const std::string shown = studentPage(StudentView{result, readStudentPolicy(kPolicy)});
+    EXPECT_TRUE(holds(shown, "0.4321")) << "the test must look at something";
+    EXPECT_FALSE(holds(shown, "0.1234"));
+    EXPECT_TRUE(holds(reportPage(result), "0.1234")) << "a ticker sees it";
+}
+
 Repair repairIn(int line, bool proven) {
     return {"T1",
             "bump.inverted-u",

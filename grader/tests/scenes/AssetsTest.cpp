@@ -1,4 +1,4 @@
-#include <tools/make_assets/LetterMap.h>
+#include <tools/make_assets/LetterAsset.h>
 #include <tools/make_assets/SkinMap.h>
 
 #include <raytracer/io/ImageReader.h>

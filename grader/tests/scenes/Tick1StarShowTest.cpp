@@ -1,5 +1,5 @@
 // Output of tick1star besides its picture: preview, trace, normals, comparison.
-#include "Program.h"
+#include "StudentProgram.h"
 
 #include <raytracer/io/ImageReader.h>
 

@@ -1,4 +1,4 @@
-#include "Program.h"
+#include "StudentProgram.h"
 
 #include <raytracer/image/ToneCurve.h>
 #include <raytracer/io/ImageReader.h>

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
 #include <string>
 
 namespace ticker {
@@ -13,10 +15,9 @@ class Flips : public testing::Test {
 protected:
     [[nodiscard]] std::string outputsOf(const std::string& source, int flips) const {
         folder_.write("a.cpp", source);
-        const std::string tool = TICKER_SOURCE_DIR "/tools/mutation_check/";
         const tests::CommandResult ran = tests::runCommand(
-            "cd '" + folder_.path().string() + "' && awk -f " + tool +
-            "sites.awk a.cpp > sites && awk -f " + tool +
+            "cd '" + folder_.path().string() + "' && awk -f " + kTool +
+            "sites.awk a.cpp > sites && awk -f " + kTool +
             "insert.awk sites /dev/null a.cpp > b.cpp && g++ -std=c++20 -I '" TICKER_SOURCE_DIR
             "' b.cpp -o b && for n in $(seq -1 " +
             std::to_string(flips - 1) + "); do FLIP=$n ./b; done");
@@ -24,6 +25,20 @@ protected:
         return ran.output;
     }
 
+    /// The code of the flips in the order in which a seed tries them.
+    [[nodiscard]] std::string orderOf(const std::string& source, int seed) const {
+        folder_.write("a.cpp", source);
+        return inFolder("awk -f " + kTool +
+                        "sites.awk a.cpp | awk -F'\\t' -v OFS='\\t' "
+                        "'{ print $1, $2, $3, $4, $5, $7, $8, 0 }' | awk -f " +
+                        kTool + "order.awk -v seed=" + std::to_string(seed) +
+                        " | LC_ALL=C sort -n | cut -f8");
+    }
+    [[nodiscard]] std::string inFolder(const std::string& command) const {
+        return tests::runCommand("cd '" + folder_.path().string() + "' && " + command).output;
+    }
+
+    inline static const std::string kTool{TICKER_SOURCE_DIR "/tools/mutation_check/"};
     tests::TemporaryFolder folder_;
 };
 
@@ -65,6 +80,50 @@ TEST_F(Flips, ChangeConstants) {
                                               "double g(double, double) { return kBound; }\n",
                         1),
               "111 0.5\n111 5\n");
+}
+
+// What is tried stays the same when other code changes.
+TEST_F(Flips, KeepTheirOrderWhereOtherLinesComeOrGo) {
+    const std::string lines =
+        "bool f(int a) { return a < 1; }\nbool g(int a) { return a > 2; }\n"
+        "bool h(int a) { return a == 3; }\nbool k(int a) { return a <= 4; }\n";
+    const std::string order = orderOf(lines, 1);
+    EXPECT_EQ(std::ranges::count(order, '\n'), 4);
+    std::string with = orderOf("bool more(int a) { return a >= 5; }\n" + lines, 1);
+    const std::string added = "bool more(int a) { return a >= 5; }\n";
+    ASSERT_NE(with.find(added), std::string::npos);
+    with.erase(with.find(added), added.size());
+    EXPECT_EQ(with, order);
+    std::set<std::string> orders;
+    for (int seed = 1; seed <= 8; ++seed)
+        orders.insert(orderOf(lines, seed));
+    EXPECT_GT(orders.size(), 3U);
+}
+
+TEST_F(Flips, DoNotCountWhereTheyAreEquivalent) {
+    folder_.write("equivalent",
+                  "FILE\tOLD\tNTH\tCODE\tREASON\n"
+                  "grader/tasks/bump/a.cpp\t < \t1\tif (a < b)\tthe same\n");
+    folder_.write("sample",
+                  "0\tgrader/tasks/bump/a.cpp\t3\t9\t < \t1\tif (a < b)\tx\n"
+                  "1\tgrader/tasks/bump/a.cpp\t4\t9\t > \t1\tif (a > b)\tx\n"
+                  "2\tgrader/rubric/b.cpp\t5\t9\t == \t1\tif (a == b)\tx\n"
+                  "3\tgrader/rubric/b.cpp\t6\t9\t == \t1\tif (c == b)\tx\n");
+    folder_.write("results",
+                  "grader/tasks/bump/a.cpp\t3\t9\t < \t1\tif (a < b)\tx\ty\tsurvived\t\n"
+                  "grader/tasks/bump/a.cpp\t4\t9\t > \t1\tif (a > b)\tx\ty\tcaught\tt\n"
+                  "grader/rubric/b.cpp\t5\t9\t == \t1\tif (a == b)\tx\ty\tnever-run\t\n");
+    const std::string command = "awk -f " + kTool + "table.awk -v seed=1 -v least=90";
+    const std::string said = inFolder(command + " equivalent sample results; echo $?");
+    EXPECT_NE(said.find("1 of 2 noticed: 50.0 %, without 1 that are equivalent\n1\n"),
+              std::string::npos)
+        << said;
+    EXPECT_NE(said.find("b.cpp:5` `==` in `if (a == b)`: no test comes here"), std::string::npos);
+    const std::string table = inFolder(command + " -v markdown=yes equivalent sample results");
+    EXPECT_NE(table.find("| `rubric` | 1 | 0 | 0 | 1 |\n| `tasks/bump` | 2 | 1 | 1 | 0 |"),
+              std::string::npos)
+        << table;
+    EXPECT_NE(table.find("in `if (a < b)`: the same"), std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "Program.h"
+#include "StudentProgram.h"
 
 #include <grader/tests/io/TemporaryFolder.h>
 

@@ -1,0 +1,168 @@
+// Steps of the pipeline alone, with made-up scenes, pictures and files: nothing is compiled.
+#include <grader/picture/EncodePicture.h>
+#include <grader/pipeline/DrawRasters.h>
+#include <grader/pipeline/FileWork.h>
+#include <grader/pipeline/Fit.h>
+#include <grader/tests/pipeline/TestGrader.h>
+#include <grader/tests/support/Files.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <future>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ticker::pipeline {
+namespace {
+
+/// A look of one brightness, and the reading that it belongs to.
+struct Look {
+    double brightness;
+    double apertureFactor;
+};
+
+constexpr int kSide = 6;
+
+std::shared_future<Expectation> lookOf(double brightness) {
+    Expectation expected;
+    expected.brightness.renders = 1e12;
+    expected.brightness.mean = {kSide, kSide, std::vector<float>(kSide * kSide)};
+    expected.brightness.variance = {kSide, kSide, std::vector<float>(kSide * kSide, 1.0F)};
+    for (float& value : expected.brightness.mean.values)
+        value = static_cast<float>(brightness);
+    std::promise<Expectation> promise;
+    promise.set_value(std::move(expected));
+    return promise.get_future().share();
+}
+
+/// Which of the looks fits a picture of brightness 0 best, and how many were tried. With a
+/// variance of 1 a look's misfit is the square of its brightness.
+struct Chosen {
+    std::size_t look;
+    std::size_t tried;
+    bool isClear;
+
+    bool operator==(const Chosen&) const = default;
+};
+
+Chosen choose(const std::vector<Look>& looks, Rays rays = Rays::handout) {
+    SpecScene scene;
+    scene.isRandom = true;
+    // As many rays as a picture of few has: the noise is the same.
+    scene.settings.dofRayCount = kFewRays;
+    for (const Look& look : looks) {
+        scene.expectations.push_back(lookOf(look.brightness));
+        scene.readings.emplace_back();
+        scene.readings.back().apertureFactor = look.apertureFactor;
+    }
+    probe::RenderAnswer answer;
+    answer.width = answer.height = kSide;
+    answer.images = {std::vector<probe::ColourRGB>(kSide * kSide)};
+    const Fit fit = bestFit(scene, answer, rays);
+    std::size_t look = 0;
+    while (scene.expectations.at(look).get().brightness.mean.values !=
+           fit.expected->brightness.mean.values)
+        ++look;
+    return {look, fit.misfits.size(), fit.isClear};
+}
+
+TEST(BestFit, StopsAtTheFirstLookThatFits) {
+    EXPECT_EQ(choose({{1.04, 1.0}, {0.0, 0.5}, {0.0, 1.0}}), (Chosen{0, 1, true}));
+    EXPECT_EQ(choose({{1.06, 1.0}, {0.5, 0.5}, {0.0, 1.0}}), (Chosen{1, 2, true}));
+}
+
+TEST(BestFit, KeepsTheBetterOfTwoApertures) {
+    EXPECT_EQ(choose({{2.0, 1.0}, {3.0, 0.5}}), (Chosen{0, 2, true}));
+    EXPECT_EQ(choose({{3.0, 1.0}, {2.0, 0.5}}), (Chosen{1, 2, true}));
+}
+
+TEST(BestFit, TriesOtherLightsOfTheBetterApertureThatNearlyFits) {
+    EXPECT_EQ(choose({{1.4, 1.0}, {3.0, 0.5}, {0.0, 0.5}, {0.1, 1.0}}), (Chosen{3, 3, true}));
+    EXPECT_EQ(choose({{1.42, 1.0}, {3.0, 0.5}, {0.0, 0.5}, {0.1, 1.0}}), (Chosen{0, 2, true}))
+        << "a misfit of more than 2 is no reading of the light";
+}
+
+// A tile of 3 x 3 pixels adds up to three times the brightness.
+TEST(BestFit, AddsTilesUpWhereThereAreFewRays) {
+    EXPECT_EQ(choose({{0.32, 1.0}, {0.0, 0.5}}, Rays::few), (Chosen{0, 1, true}));
+    EXPECT_EQ(choose({{0.33, 1.0}, {0.0, 0.5}, {0.4, 1.0}}, Rays::few), (Chosen{0, 2, false}))
+        << "another aperture is not tried where this one nearly fits";
+    EXPECT_EQ(choose({{0.5, 1.0}, {0.1, 0.5}}, Rays::few), (Chosen{1, 2, true}));
+}
+
+TEST(BrightnessOf, WeighsGreenTwice) {
+    const metrics::Map map =
+        brightnessOf(3, 1, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}});
+    EXPECT_EQ(map.values, (std::vector<float>{0.25F, 0.5F, 0.25F}));
+    EXPECT_EQ(map.width, 3);
+}
+
+TEST(DrawRasters, ShowsGreysFromBlackToWhiteAndNaNAsBlack) {
+    SubmissionResult result;
+    result.tasks.resize(1);
+    result.tasks[0].id = "T1";
+    Raster raster;
+    raster.title = "relief";
+    raster.width = 5;
+    raster.height = 1;
+    raster.values = {-0.5F, 0.5F, 1.0F, 2.0F, std::numeric_limits<float>::quiet_NaN()};
+    raster.colours = Raster::Colours::grey;
+    result.tasks[0].rasters = {raster, raster};
+    result.tasks[0].findings.resize(1);
+    result.tasks[0].findings[0].rasters = {raster};
+    drawRasters(result);
+    ASSERT_EQ(result.pictures.size(), 3U);
+    raytracer::ByteImage wanted{5, 1, {}};
+    for (const int grey : {0, 127, 255, 255, 0})
+        wanted.rgb.insert(wanted.rgb.end(), 3, static_cast<std::uint8_t>(grey));
+    for (const ResultPicture& picture : result.pictures)
+        EXPECT_EQ(picture.png, picture::encodePicture(wanted));
+    EXPECT_EQ(result.tasks[0].findings[0].rasters[0].image, "images/T1-1.png");
+    EXPECT_EQ(result.tasks[0].rasters[1].image, "images/T1-3.png");
+}
+
+TEST(IsOpen, IsAReportWithoutAReasonThatNobodyJudgedYet) {
+    TaskReport task;
+    task.state = TaskState::notGraded;
+    EXPECT_TRUE(isOpen(task));
+    task.reason = "the program could not be run";
+    EXPECT_FALSE(isOpen(task));
+    task.reason = "";
+    task.state = TaskState::passed;
+    EXPECT_FALSE(isOpen(task));
+}
+
+/// The state and the reason of the file's first task.
+std::pair<TaskState, std::string> preparedAs(const std::string& option, const std::string& file,
+                                             const std::string& source) {
+    intake::Submission work;
+    if (!source.empty()) work.parts[file] = source;
+    Grader grader = tests::testGrader();
+    grader.option = option;
+    const FileWork prepared = prepareFile(work, file, grader);
+    EXPECT_FALSE(prepared.program);
+    return {prepared.tasks.at(0).state, prepared.tasks.at(0).reason};
+}
+
+TEST(PrepareFile, LooksOnlyAtFilesOfTheChosenOption) {
+    const std::string file = "BumpySphere.cpp";
+    const std::string stub = tests::testGrader().kit.templateSource(file);
+    const Exercise& exercise = *tests::testGrader().exercise;
+    int chosen = 0;
+    for (const auto& option : exercise.options) {
+        const auto [state, reason] = preparedAs(option.name, file, stub);
+        EXPECT_EQ(state, TaskState::notAttempted);
+        EXPECT_EQ(reason, exercise.isIn(option.name, file) ? "the stub still stands"
+                                                           : "another option was to be judged");
+        if (exercise.isIn(option.name, file)) ++chosen;
+    }
+    EXPECT_EQ(chosen, 1);
+    EXPECT_EQ(preparedAs("", file, stub).second, "the stub still stands");
+    EXPECT_EQ(preparedAs("", file, "").second, "there is no BumpySphere.cpp");
+}
+
+}  // namespace
+}  // namespace ticker::pipeline
