@@ -30,16 +30,27 @@ function(ticker_no_instruments target)
   target_link_options(${target} PRIVATE -static -fno-sanitize=all)
 endfunction()
 
+# What takes longer than tests should is run by `./tick guard slow` alone.
+#   ticker_slow_test(NAME bump COMMAND test_bump --gtest_filter=BumpSelfTest.*)
+# Programs of tests try more cases there: see grader/tests/support/SlowRun.h.
+function(ticker_slow_test)
+  cmake_parse_arguments(ARG "ALONE" "NAME" "COMMAND" ${ARGN})
+  add_test(NAME slow.${ARG_NAME} CONFIGURATIONS Slow COMMAND ${ARG_COMMAND})
+  set_tests_properties(slow.${ARG_NAME} PROPERTIES
+    LABELS guard TIMEOUT 1200 RUN_SERIAL ${ARG_ALONE} ENVIRONMENT TICKER_SLOW_TESTS=1)
+endfunction()
+
 # One test program for each folder: ticker_test(NAME metrics SOURCES aTest.cpp LIBRARIES lib...
-# [LABELS unit] [FILTER "-*/C"] [TOGETHER] [ALONE]). Labels: unit, render, grader, slow. FILTER: the
-# tests that ctest lists, in GoogleTest's notation. TOGETHER: one entry in ctest, so that all tests
-# share expensive set-up. ALONE: no other test runs at the same time, since these inspect the whole
-# machine.
+# [LABELS unit] [FILTER "-*/C"] [PARTS a=Suite.*...] [ALONE] [COST 30]). Labels: unit, render, grader,
+# slow. FILTER: the tests that ctest lists, in GoogleTest's notation. PARTS: one entry in ctest for each
+# of these filters, so that its tests share expensive set-up; else each test has an entry. ALONE: no
+# other test runs at the same time, since these inspect the whole machine. COST: those of a high cost
+# start first, so that no long one is left at the end. Programs of all labels but unit get the kits.
 function(ticker_test)
   if(NOT TICKER_BUILD_TESTS)
     return()
   endif()
-  cmake_parse_arguments(ARG "TOGETHER;ALONE" "NAME;TIMEOUT;FILTER" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "ALONE" "NAME;TIMEOUT;FILTER;COST" "SOURCES;LIBRARIES;LABELS;PARTS" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()
@@ -53,14 +64,26 @@ function(ticker_test)
   target_link_libraries(test_${ARG_NAME}
     PRIVATE ${ARG_LIBRARIES} raytracer::warnings GTest::gtest GTest::gtest_main)
   ticker_compile_quickly(test_${ARG_NAME})
+  if(NOT ARG_LABELS STREQUAL unit)
+    add_dependencies(test_${ARG_NAME} ticker_kit)
+  endif()
   target_compile_definitions(test_${ARG_NAME} PRIVATE
     TICKER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" TICKER_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  if(ARG_TOGETHER)
-    add_test(NAME ${ARG_NAME} COMMAND test_${ARG_NAME})
-    set_tests_properties(${ARG_NAME} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+  if(NOT ARG_COST)
+    set(ARG_COST 0)
+  endif()
+  set(properties LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} RUN_SERIAL ${ARG_ALONE} COST ${ARG_COST})
+  foreach(part IN LISTS ARG_PARTS)
+    string(REGEX MATCH "^([^=]+)=(.+)$" part "${part}")
+    set(filter "${CMAKE_MATCH_2}")
+    set(name "${ARG_NAME}.${CMAKE_MATCH_1}")
+    add_test(NAME ${name} COMMAND test_${ARG_NAME} "--gtest_filter=${filter}")
+    set_tests_properties(${name} PROPERTIES ${properties})
+  endforeach()
+  if(ARG_PARTS)
     return()
   endif()
   gtest_discover_tests(test_${ARG_NAME} TEST_PREFIX "${ARG_NAME}." TEST_FILTER "${ARG_FILTER}"
     DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} RUN_SERIAL ${ARG_ALONE})
+    PROPERTIES ${properties})
 endfunction()
