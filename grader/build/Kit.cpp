@@ -1,12 +1,12 @@
 #include <grader/build/Kit.h>
 
+#include <grader/base/JsonValue.h>
 #include <grader/base/WholeFile.h>
 #include <grader/sandbox/Sandbox.h>
 
 #include <raytracer/base/Error.h>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -38,6 +38,13 @@ fs::path copyForEverybody(const fs::path& folder) {
     return copy;
 }
 
+std::vector<std::string> textsOf(const JsonValue& list) {
+    std::vector<std::string> texts;
+    for (const JsonValue& item : list.items())
+        texts.push_back(item.text());
+    return texts;
+}
+
 }  // namespace
 
 Kit Kit::besideProgram(const Exercise& exercise) {
@@ -50,19 +57,15 @@ Kit Kit::at(const fs::path& folder) {
     const fs::path file = folder / "kit.json";
     const std::string text = readPart(file);
     Kit kit;
-    try {
-        const auto json = nlohmann::json::parse(text);
-        if (json.at("version") != 1)
-            throw raytracer::Error(fmt::format("{}: not a kit of version 1", file.string()));
-        kit.madeAt_ = json.at("madeAt").get<std::string>();
-        kit.compiler_ = json.at("compiler");
-        kit.compileFlags_ = json.at("compile").get<std::vector<std::string>>();
-        kit.quickFlags_ = json.at("quick").get<std::vector<std::string>>();
-        kit.linkFlags_ = json.at("link").get<std::vector<std::string>>();
-        kit.files_ = json.at("files").get<std::vector<std::string>>();
-    } catch (const nlohmann::json::exception& error) {
-        throw raytracer::Error(fmt::format("{}: {}", file.string(), error.what()));
-    }
+    const JsonValue json = JsonValue::parse(text, file.string());
+    if (json.at("version").number() != 1)
+        throw raytracer::Error(fmt::format("{}: not a kit of version 1", file.string()));
+    kit.madeAt_ = json.at("madeAt").text();
+    kit.compiler_ = json.at("compiler").text();
+    kit.compileFlags_ = textsOf(json.at("compile"));
+    kit.quickFlags_ = textsOf(json.at("quick"));
+    kit.linkFlags_ = textsOf(json.at("link"));
+    kit.files_ = textsOf(json.at("files"));
     std::vector<std::string> parts{"lib/libkit.a", "lib/probe.o", "pch/Framework.h.gch"};
     for (const std::string& name : kit.files_)
         parts.push_back(templateObject(name));

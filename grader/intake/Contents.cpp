@@ -1,4 +1,5 @@
 #include <grader/intake/Contents.h>
+#include <grader/result/GeneralFindings.h>
 
 #include <raytracer/base/Text.h>
 
@@ -87,9 +88,9 @@ bool isLitter(std::string_view path) {
     return false;
 }
 
-Finding refusal(std::string id, std::string message, std::string hint) {
+Finding refusal(const FindingText& text, std::string message, std::string hint) {
     Finding finding;
-    finding.id = std::move(id);
+    finding.id = text.id;
     finding.severity = Severity::fail;
     finding.message = std::move(message);
     finding.hint = std::move(hint);
@@ -103,7 +104,7 @@ std::uint64_t byteLimitOf(std::string_view part, const IntakeLimits& limits) {
 
 Finding tooLarge(std::string_view path, std::uint64_t limit) {
     return refusal(
-        "intake.too-large",
+        kIntakeTooLarge,
         fmt::format("{} is larger than {} KiB.", raytracer::inQuotes(path), limit >> 10U),
         "Hand in the file that you wrote, and the picture as tick1star writes it.");
 }

@@ -3,6 +3,7 @@
 
 #include <grader/exercise/Exercise.h>
 #include <grader/intake/Submission.h>
+#include <grader/result/FindingText.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -60,7 +61,7 @@ struct Contents {
 [[nodiscard]] bool isLitter(std::string_view path);
 
 /// A finding of severity fail.
-[[nodiscard]] Finding refusal(std::string id, std::string message, std::string hint);
+[[nodiscard]] Finding refusal(const FindingText& text, std::string message, std::string hint);
 
 /// Largest accepted size of a part.
 [[nodiscard]] std::uint64_t byteLimitOf(std::string_view part, const IntakeLimits& limits);

@@ -48,8 +48,7 @@ const Exercise* otherExercise(const Contents& contents, const Exercise& wanted,
 
 Finding belongsElsewhere(const Exercise& other, const Exercise& wanted) {
     return refusal(
-        std::string{kIntakeMissingFile.id},
-        fmt::format("These are files of another exercise, {}.", other.title),
+        kIntakeMissingFile, fmt::format("These are files of another exercise, {}.", other.title),
         fmt::format("Hand in {} of {}.", enumerated(wanted.files(), "or"), wanted.title));
 }
 

@@ -1,6 +1,7 @@
 #include <grader/base/Utf8.h>
 #include <grader/intake/ClassExport.h>
 #include <grader/intake/Contents.h>
+#include <grader/result/GeneralFindings.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>
@@ -97,7 +98,7 @@ public:
         const Utf8Names utf8;
         if (!isOpen_) return broken();
         if (packed_ > limits_.archiveBytes && owner_.empty()) {
-            refuse("intake.too-large", "The archive is too large.");
+            refuse(kIntakeTooLarge, "The archive is too large.");
             return std::move(contents_);
         }
         archive_entry* entry = nullptr;
@@ -112,18 +113,18 @@ public:
 
 private:
     Contents broken() {
-        refuse("intake.unsafe-archive", "The file is no zip or tar archive, or it is damaged.");
+        refuse(kIntakeUnsafeArchive, "The file is no zip or tar archive, or it is damaged.");
         return std::move(contents_);
     }
 
-    void refuse(const char* id, std::string message) {
+    void refuse(const FindingText& text, std::string message) {
         contents_.refusals.push_back(
-            refusal(id, std::move(message),
+            refusal(text, std::move(message),
                     "Make a fresh zip of the files that the exercise names, nothing else."));
     }
 
     void refuseMember(std::string_view path, const char* why) {
-        refuse("intake.unsafe-archive",
+        refuse(kIntakeUnsafeArchive,
                fmt::format("The archive's member {} {}.", raytracer::inQuotes(path), why));
     }
 
@@ -134,7 +135,7 @@ private:
         path = std::move(*his);
         const auto type = archive_entry_filetype(entry);
         if (++members_ > limits_.members)
-            return refuse("intake.too-large",
+            return refuse(kIntakeTooLarge,
                           fmt::format("The archive has more than {} members, from {} on.",
                                       limits_.members, raytracer::inQuotes(path)));
         if (escapes(path)) return refuseMember(path, "would be unpacked outside its folder");

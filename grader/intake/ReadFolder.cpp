@@ -1,6 +1,7 @@
 #include <grader/base/Utf8.h>
 #include <grader/intake/ClassExport.h>
 #include <grader/intake/Contents.h>
+#include <grader/result/GeneralFindings.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>
@@ -86,7 +87,7 @@ private:
 
     void refuseCount() {
         contents_.refusals.push_back(
-            refusal("intake.too-large", fmt::format("More than {} files.", limits_.members),
+            refusal(kIntakeTooLarge, fmt::format("More than {} files.", limits_.members),
                     "Hand in the two or three files that the exercise names."));
     }
 
@@ -142,7 +143,7 @@ private:
         auto bytes = bytesAt(parent, name, limit);
         if (!bytes)
             result.refusal = refusal(
-                "intake.unsafe-archive",
+                kIntakeUnsafeArchive,
                 fmt::format("{} is no ordinary file that can be read: a link, a pipe or a device.",
                             raytracer::inQuotes(path)),
                 "Hand in the file itself.");

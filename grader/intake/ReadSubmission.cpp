@@ -1,6 +1,7 @@
 #include <grader/base/Utf8.h>
 #include <grader/intake/Intake.h>
 #include <grader/intake/OtherExercise.h>
+#include <grader/result/GeneralFindings.h>
 
 #include <raytracer/base/Text.h>
 
@@ -23,7 +24,7 @@ bool isText(std::string_view bytes) {
 }
 
 Finding notText(std::string_view path) {
-    return refusal("intake.not-text",
+    return refusal(kIntakeNotText,
                    fmt::format("{} is no plain text: it is binary, or saved as UTF-16.",
                                raytracer::inQuotes(path)),
                    "Save the file as UTF-8 and hand it in again.");
@@ -33,7 +34,7 @@ Finding ambiguous(const std::string& part, const std::vector<const Candidate*>& 
     std::string paths;
     for (const Candidate* candidate : candidates)
         paths += (paths.empty() ? "" : ", ") + raytracer::inQuotes(candidate->path);
-    return refusal("intake.ambiguous",
+    return refusal(kIntakeAmbiguous,
                    fmt::format("More than one file may be {}, and they differ: {}.", part, paths),
                    "Hand in one of them only; the tool never chooses.");
 }
@@ -144,14 +145,14 @@ private:
             if (!near) continue;
             hinted = hinted || part != kScreenshotPart;
             Finding finding = refusal(
-                "intake.missing-file", fmt::format("There is no {}.", part),
+                kIntakeMissingFile, fmt::format("There is no {}.", part),
                 fmt::format("Did you mean {}? Rename it to {}.", raytracer::inQuotes(*near), part));
             submission_.findings.push_back({part, std::move(finding)});
         }
         if (noSource && !hinted)
             submission_.findings.push_back(
                 {std::nullopt,
-                 refusal("intake.missing-file",
+                 refusal(kIntakeMissingFile,
                          (files.size() > 1 ? "There is neither " : "There is no ") +
                              enumerated(files, "nor") + ".",
                          "Hand in the file of the option that you chose, and screenshot.png.")});

@@ -76,7 +76,7 @@ const TaskEntry* missingFunction(std::string_view diagnostics, const Exercise& e
 
 Finding emptyFinding(const std::string& source, const std::string& name) {
     Finding finding;
-    finding.id = "build.failed";
+    finding.id = kBuildFailed.id;
     finding.severity = Severity::fail;
     finding.message =
         source.empty()
@@ -117,19 +117,19 @@ Finding buildFinding(const BuildResult& result, const std::string& name, const E
     finding.severity = Severity::fail;
     switch (result.kind) {
         case BuildResult::Kind::limit:
-            finding.id = "build.limit";
+            finding.id = kBuildLimit.id;
             finding.message = fmt::format(
                 "{} takes the compiler more time, memory or output than it may use.", name);
             finding.hint = "Look for templates or macros that expand without end.";
             break;
         case BuildResult::Kind::forbidden:
-            finding.id = "build.forbidden";
+            finding.id = kBuildForbidden.id;
             finding.message = fmt::format(
                 "{} defines something that belongs to the framework, such as main.", name);
             finding.hint = "Keep your own functions in an unnamed namespace, and leave out main.";
             break;
         default:
-            finding.id = "build.failed";
+            finding.id = kBuildFailed.id;
             explainErrors(result.diagnostics, name, exercise, finding);
     }
     return finding;

@@ -35,9 +35,11 @@ void judge(FileWork& work, const Grader& grader, Questioning& questioning, std::
     std::vector<std::pair<TaskReport*, std::future<TaskJudgement>>> begun;
     for (TaskReport& report : work.tasks) {
         if (!isOpen(report)) continue;
-        const auto ask = codeOf(grader, report.id).judge;
-        begun.emplace_back(&report, questioning.begin([ask, seed](probe::Examinee& examinee) {
-            return ask(examinee, seed);
+        const Task& task = codeOf(grader, report.id);
+        begun.emplace_back(&report, questioning.begin([task, seed](probe::Examinee& examinee) {
+            TaskJudgement judgement = task.judge(examinee, seed);
+            if (task.draw) task.draw(examinee, judgement);
+            return judgement;
         }));
     }
     // Without parallel runs the last task is asked first. The order matters once the time budget is

@@ -5,6 +5,8 @@
 #include <grader/picture/DecodePicture.h>
 #include <grader/picture/EncodePicture.h>
 #include <grader/tasks/screenshot/JudgeScreenshot.h>
+#include <grader/tasks/screenshot/ScreenshotFindings.h>
+#include <grader/tasks/screenshot/UnlikeItself.h>
 
 #include <raytracer/io/ImageReader.h>
 
@@ -12,9 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <memory>
-#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -24,9 +24,9 @@ namespace {
 using raytracer::ByteImage;
 using tasks::screenshot::Scene;
 
-Finding finding(const char* id, std::string message, std::string hint) {
+Finding finding(const FindingText& text, std::string message, std::string hint) {
     Finding result;
-    result.id = id;
+    result.id = text.id;
     result.severity = Severity::fail;
     result.message = std::move(message);
     result.hint = std::move(hint);
@@ -39,7 +39,7 @@ void fail(TaskReport& report, Finding finding) {
 }
 
 Finding unreadable(const picture::DecodeFailure& failure) {
-    return finding("screenshot.unreadable",
+    return finding(tasks::kScreenshotUnreadable,
                    fmt::format("screenshot.png cannot be read: {}.", failure.message),
                    "Hand in the file that tick1star -o screenshot.png writes.");
 }
@@ -56,23 +56,6 @@ void show(const ByteImage& image, SubmissionResult& result) {
     }
     result.pictures.push_back(
         {"images/screenshot.png", "screenshot.png as handed in", picture::encodePicture(shown)});
-}
-
-// Findings of option 2 that make two pictures by the same code differ by more than noise.
-std::string whyUnlikeItself(const std::vector<TaskReport>& tasks) {
-    const auto has = [&](std::initializer_list<std::string_view> ids) {
-        return std::ranges::any_of(tasks, [&](const TaskReport& task) {
-            return std::ranges::any_of(task.findings, [&](const Finding& finding) {
-                return std::ranges::find(ids, finding.id) != ids.end();
-            });
-        });
-    };
-    if (has({"shadow.threads-mixed", "dof.threads-mixed"}))
-        return "what this code draws depends on how its threads meet";
-    if (has({"shadow.fixed-samples", "dof.shared-samples", "dof.reused-pattern"}))
-        return "this code uses the same random points all over a picture, and other ones in the "
-               "next";
-    return {};
 }
 
 /// The scenes that a picture may show, with the renders by the submission's files.
@@ -94,7 +77,7 @@ public:
             scene.description = &spec.scene;
             scene.expected = [&spec] { return metrics::viewOf(spec.expected().picture); };
             if (file != files.end()) addOwn(*file, grader, budget, scene);
-            if (spec.isRandom) scene.whyUnlikeItself = whyUnlikeItself(tasks);
+            if (spec.isRandom) scene.whyUnlikeItself = tasks::whyUnlikeItself(tasks);
             scenes_.push_back(std::move(scene));
         }
     }
@@ -135,7 +118,7 @@ TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
                                SubmissionResult& result) {
     TaskReport report = blankReport(std::string{kScreenshotTask}, *grader.exercise);
     if (!bytes) {
-        fail(report, finding("screenshot.missing", "There is no screenshot.png.",
+        fail(report, finding(tasks::kScreenshotMissing, "There is no screenshot.png.",
                              "Render your option's scene with tick1star and hand the picture in."));
         return report;
     }

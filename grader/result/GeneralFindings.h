@@ -90,6 +90,11 @@ inline constexpr std::array kGeneralFindings{
     &kRunNoAnswer,     &kRunExitedEarly,      &kSettingsHardCoded, &kIntakeMissingFile,
     &kIntakeAmbiguous, &kIntakeUnsafeArchive, &kIntakeNotText,     &kIntakeTooLarge};
 
+/// Whether an id says how the program ended, and nothing about its answers.
+[[nodiscard]] inline bool isRunEnd(std::string_view id) {
+    return id.starts_with("run.");
+}
+
 }  // namespace ticker
 
 #endif

@@ -5,7 +5,7 @@
 namespace ticker {
 namespace {
 
-std::string textIn(const nlohmann::json& note, const char* key) {
+std::string textIn(const nlohmann::ordered_json& note, const char* key) {
     const auto found = note.find(key);
     return found != note.end() && found->is_string() ? found->get<std::string>() : "";
 }
@@ -13,18 +13,18 @@ std::string textIn(const nlohmann::json& note, const char* key) {
 }  // namespace
 
 std::string notesText(const std::vector<LineNote>& notes) {
-    nlohmann::json all = nlohmann::json::array();
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const LineNote& note : notes)
         all.push_back(
-            {{"file", note.file}, {"line", note.line}, {"code", note.code}, {"text", note.text}});
-    return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+            {{"code", note.code}, {"file", note.file}, {"line", note.line}, {"text", note.text}});
+    return all.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::vector<LineNote> readNotes(std::string_view text) {
-    const nlohmann::json all = nlohmann::json::parse(text, nullptr, false);
+    const nlohmann::ordered_json all = nlohmann::ordered_json::parse(text, nullptr, false);
     std::vector<LineNote> notes;
     if (!all.is_array()) return notes;
-    for (const nlohmann::json& one : all) {
+    for (const nlohmann::ordered_json& one : all) {
         if (!one.is_object() || !one.contains("line") || !one["line"].is_number_integer()) continue;
         LineNote note{textIn(one, "file"), one["line"].get<int>(), textIn(one, "code"),
                       textIn(one, "text")};

@@ -30,21 +30,21 @@ std::vector<ProvenLine> provenLines(const SubmissionResult& result) {
 
 std::string provenText(const std::vector<ProvenLine>& lines) {
     if (lines.empty()) return {};
-    nlohmann::json list = nlohmann::json::array();
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const ProvenLine& one : lines)
-        list.push_back({{"task", one.task},
-                        {"file", one.file},
-                        {"line", one.line},
+        list.push_back({{"file", one.file},
                         {"from", one.from},
+                        {"line", one.line},
+                        {"task", one.task},
                         {"to", one.to}});
-    return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::vector<ProvenLine> readProven(std::string_view text) {
-    const nlohmann::json list = nlohmann::json::parse(text, nullptr, false);
+    const nlohmann::ordered_json list = nlohmann::ordered_json::parse(text, nullptr, false);
     std::vector<ProvenLine> lines;
     if (!list.is_array()) return lines;
-    for (const nlohmann::json& one : list) {
+    for (const nlohmann::ordered_json& one : list) {
         if (!one.is_object()) continue;
         const auto textIn = [&](const char* name) {
             return one.contains(name) && one[name].is_string() ? one[name].get<std::string>() : "";

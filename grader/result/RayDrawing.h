@@ -2,13 +2,15 @@
 #define TICKER_RESULT_RAYDRAWING_H
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace ticker {
 
-/// Observed rays of one pixel or point, to be drawn in 3-D. The page's script draws the same format
-/// as the students' viewer (student_template/framework/app/view/page/drawing.js).
+/// Observed rays of one pixel or point, or normals of a sphere, to be drawn in 3-D. The page's
+/// script draws the same format as the students' viewer
+/// (student_template/framework/app/view/page/drawing.js).
 struct RayDrawing {
     using Point = std::array<double, 3>;  ///< world space: x, y, z
 
@@ -31,6 +33,13 @@ struct RayDrawing {
         int light = -1;  ///< index of the light that a shadow ray aims at
     };
 
+    struct Normal {
+        Point at{};
+        Point smooth{};  ///< of the sphere; directions have unit length
+        std::optional<Point> expected = {};
+        Point given{};
+    };
+
     std::string about;  ///< one line
     std::vector<std::string> words;
     std::vector<Ball> spheres;
@@ -39,6 +48,8 @@ struct RayDrawing {
     double lensHalfWidth = -1.0;  ///< negative: no lens is drawn
     double focalPlane = 0.0;      ///< its z; 0: not drawn
     std::vector<Ray> rays;
+    std::vector<Normal> normals;
+    std::vector<std::vector<Point>> outlines;  ///< lines on a surface, each from point to point
 };
 
 }  // namespace ticker

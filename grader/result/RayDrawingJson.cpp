@@ -45,6 +45,14 @@ ordered_json rayJson(const RayDrawing::Ray& ray) {
             {"l", ray.light}};
 }
 
+ordered_json normalJson(const RayDrawing::Normal& normal) {
+    ordered_json json{{"at", pointJson(normal.at)},
+                      {"smooth", pointJson(normal.smooth)},
+                      {"given", pointJson(normal.given)}};
+    if (normal.expected) json["expected"] = pointJson(*normal.expected);
+    return json;
+}
+
 template <typename Item, typename Convert>
 ordered_json arrayOf(const std::vector<Item>& items, const Convert& convert) {
     ordered_json array = ordered_json::array();
@@ -72,6 +80,20 @@ RayDrawing::Ray readRay(const JsonValue& place) {
             static_cast<int>(light)};
 }
 
+RayDrawing::Normal readNormal(const JsonValue& place) {
+    RayDrawing::Normal normal{
+        readPoint(place.at("at")), readPoint(place.at("smooth")), {}, readPoint(place.at("given"))};
+    if (place.has("expected")) normal.expected = readPoint(place.at("expected"));
+    return normal;
+}
+
+std::vector<RayDrawing::Point> readLine(const JsonValue& place) {
+    std::vector<RayDrawing::Point> line;
+    for (const JsonValue& point : place.items())
+        line.push_back(readPoint(point));
+    return line;
+}
+
 }  // namespace
 
 std::string rayDrawingJson(const RayDrawing& drawing) {
@@ -89,6 +111,11 @@ std::string rayDrawingJson(const RayDrawing& drawing) {
         json["lens"] = {{"halfWidth", roundedLength(drawing.lensHalfWidth)}};
     if (drawing.focalPlane > 0.0) json["focalPlane"] = roundedLength(drawing.focalPlane);
     json["rays"] = arrayOf(drawing.rays, rayJson);
+    if (!drawing.normals.empty()) json["normals"] = arrayOf(drawing.normals, normalJson);
+    if (!drawing.outlines.empty())
+        json["outlines"] = arrayOf(
+            drawing.outlines,
+            [](const std::vector<RayDrawing::Point>& line) { return arrayOf(line, pointJson); });
     std::string text = json.dump(-1, ' ', true);
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
         text.replace(at, 1, "\\u003c");
@@ -111,6 +138,12 @@ RayDrawing readRayDrawing(const JsonValue& place) {
     if (place.has("focalPlane")) drawing.focalPlane = place.at("focalPlane").number();
     for (const JsonValue& ray : place.at("rays").items())
         drawing.rays.push_back(readRay(ray));
+    if (place.has("normals"))
+        for (const JsonValue& normal : place.at("normals").items())
+            drawing.normals.push_back(readNormal(normal));
+    if (place.has("outlines"))
+        for (const JsonValue& line : place.at("outlines").items())
+            drawing.outlines.push_back(readLine(line));
     return drawing;
 }
 

@@ -14,7 +14,8 @@ namespace ticker::oracle {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+// The type that the manifest has: one instantiation less.
+using json = nlohmann::ordered_json;
 
 // Larger references would be too big for the repository: more than four floats for each pixel.
 constexpr int kLargestPicture = 640;

@@ -27,13 +27,15 @@ bool isShown(const Finding& finding, const StudentPolicy& policy) {
 }
 
 /// What the student's own code did at one question that was asked, at most: no other point of it,
-/// and no ray that it should have cast.
+/// no ray that it should have cast, and no normal that it should have given.
 void withhold(std::vector<ScatterPlot>& plots, const StudentPolicy& policy) {
     std::erase_if(plots, [&](const ScatterPlot& plot) { return !policy.rays || !plot.drawing; });
     for (ScatterPlot& plot : plots) {
         std::erase_if(plot.drawing->rays, [](const RayDrawing::Ray& ray) {
             return ray.kind == RayDrawing::Kind::expected;
         });
+        for (RayDrawing::Normal& normal : plot.drawing->normals)
+            normal.expected.reset();
         plot.points.clear();
         plot.expectedHalfWidth = plot.otherHalfWidth = 0.0;
     }
