@@ -96,7 +96,8 @@ constexpr HitMistake kSphereMistakes[] = {
      solved<[](const Q& q) { return q.hitWith(q.b, q.c + q.radius * q.radius - q.radius); }>,
      "The radius is squared in c: c = (O - C).(O - C) - radius() * radius()."},
     {&kSphereDistance, solved<[](const Q& q) { return q.hitWith(q.b, q.c + q.radius * q.radius); }>,
-     "c lacks the radius: c = (O - C).(O - C) - radius() * radius()."},
+     "No ray hits, as if c lacked the radius: c = (O - C).(O - C) - radius() * radius(). If "
+     "the radius is there, the discriminant is wrong, or no hit is returned."},
     {&kSphereDistance,
      solved<[](const Q& q) { return q.hitWith(q.b, q.c + 2.0 * q.radius * q.radius); }>,
      "The squared radius is subtracted in c, not added."},
