@@ -1,7 +1,7 @@
 #include <grader/cli/Batch.h>
 
 #include <grader/base/Workers.h>
-#include <grader/pipeline/Inputs.h>
+#include <grader/pipeline/InputDigests.h>
 
 #include <exception>
 #include <mutex>

@@ -1,7 +1,7 @@
 #ifndef TICKER_METRICS_ALIGNMENT_H
 #define TICKER_METRICS_ALIGNMENT_H
 
-#include <grader/metrics/View.h>
+#include <grader/metrics/PictureView.h>
 
 #include <span>
 

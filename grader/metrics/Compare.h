@@ -2,7 +2,7 @@
 #define TICKER_METRICS_COMPARE_H
 
 #include <grader/metrics/Noise.h>
-#include <grader/metrics/View.h>
+#include <grader/metrics/PictureView.h>
 #include <grader/metrics/Whereabouts.h>
 
 #include <optional>

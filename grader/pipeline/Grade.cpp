@@ -2,7 +2,7 @@
 
 #include <grader/pipeline/DrawRasters.h>
 #include <grader/pipeline/FileWork.h>
-#include <grader/pipeline/Inputs.h>
+#include <grader/pipeline/InputDigests.h>
 #include <grader/pipeline/Questioning.h>
 #include <grader/pipeline/Screenshot.h>
 

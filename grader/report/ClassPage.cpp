@@ -2,7 +2,7 @@
 #include <grader/report/Escape.h>
 #include <grader/report/PageParts.h>
 #include <grader/report/PageSources.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/result/Names.h>
 #include <grader/result/Tally.h>
 

@@ -1,7 +1,7 @@
 #include <grader/report/Escape.h>
 #include <grader/report/Graphics.h>
 #include <grader/report/PageParts.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/result/RayDrawingJson.h>
 
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 #include <grader/report/Escape.h>
 #include <grader/report/PageParts.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/result/Names.h>
 
 #include <fmt/core.h>

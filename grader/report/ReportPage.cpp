@@ -3,7 +3,7 @@
 #include <grader/report/PageSources.h>
 #include <grader/report/RepairSection.h>
 #include <grader/report/ReportPage.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/result/AppealNumber.h>
 #include <grader/result/Names.h>
 

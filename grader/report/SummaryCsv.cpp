@@ -1,6 +1,6 @@
 #include <grader/report/Escape.h>
+#include <grader/report/ReportWords.h>
 #include <grader/report/SummaryCsv.h>
-#include <grader/report/Words.h>
 #include <grader/result/Names.h>
 #include <grader/result/Tally.h>
 

@@ -2,8 +2,8 @@
 #define TICKER_RESULT_SUBMISSIONRESULT_H
 
 #include <grader/result/Finding.h>
-#include <grader/result/Inputs.h>
 #include <grader/result/Repair.h>
+#include <grader/result/ResultInputs.h>
 
 #include <cstdint>
 #include <optional>

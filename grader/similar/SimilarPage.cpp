@@ -2,8 +2,8 @@
 
 #include <grader/report/Escape.h>
 #include <grader/report/PageParts.h>
+#include <grader/report/ReportWords.h>
 #include <grader/report/SourceLines.h>
-#include <grader/report/Words.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

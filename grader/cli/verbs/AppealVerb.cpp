@@ -3,7 +3,7 @@
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/intake/Intake.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/result/AppealNumber.h>
 #include <grader/store/ClassFolder.h>
 

@@ -3,7 +3,7 @@
 #include <grader/cli/verbs/Verb.h>
 #include <grader/intake/Intake.h>
 #include <grader/report/Escape.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/report/student/StudentView.h>
 #include <grader/result/Names.h>
 

@@ -4,7 +4,7 @@
 #include <grader/intake/Intake.h>
 #include <grader/repair/Explain.h>
 #include <grader/report/Escape.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/store/ClassFolder.h>
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,7 @@
 #include <grader/cli/Home.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/exercise/Exercise.h>
-#include <grader/pipeline/Inputs.h>
+#include <grader/pipeline/InputDigests.h>
 
 #include <raytracer/base/Error.h>
 

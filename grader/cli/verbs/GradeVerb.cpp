@@ -9,7 +9,7 @@
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/StudentPages.h>
 #include <grader/cli/verbs/Verb.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/result/Names.h>
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #include <grader/cli/Output.h>
 #include <grader/cli/verbs/StudentPages.h>
 #include <grader/cli/verbs/Verb.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/session/Server.h>
 #include <grader/store/ClassFolder.h>
 

@@ -3,7 +3,7 @@
 #include <grader/cli/Home.h>
 #include <grader/cli/verbs/Verb.h>
 #include <grader/report/Escape.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/sandbox/Sandbox.h>
 #include <grader/similar/SimilarPage.h>
 #include <grader/store/ClassFolder.h>

@@ -1,7 +1,7 @@
 #ifndef TICKER_SELFTEST_PICTURETRICKS_H
 #define TICKER_SELFTEST_PICTURETRICKS_H
 
-#include <grader/metrics/View.h>
+#include <grader/metrics/PictureView.h>
 
 #include <cstdint>
 #include <functional>

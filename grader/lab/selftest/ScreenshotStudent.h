@@ -1,7 +1,7 @@
 #ifndef TICKER_SELFTEST_SCREENSHOTSTUDENT_H
 #define TICKER_SELFTEST_SCREENSHOTSTUDENT_H
 
-#include <grader/metrics/View.h>
+#include <grader/metrics/PictureView.h>
 #include <grader/pipeline/SpecScenes.h>
 #include <grader/probe/Examinee.h>
 #include <grader/result/SubmissionResult.h>

@@ -1,6 +1,6 @@
 #include <grader/report/platforms/PlatformFormats.h>
 
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include <grader/report/Markdown.h>
 #include <grader/report/PageParts.h>
 #include <grader/report/PageSources.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/result/Names.h>
 
 #include <fmt/core.h>

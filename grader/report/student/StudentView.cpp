@@ -2,7 +2,7 @@
 
 #include <grader/report/Escape.h>
 #include <grader/report/RepairSection.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 #include <grader/result/AppealNumber.h>
 
 #include <fmt/core.h>

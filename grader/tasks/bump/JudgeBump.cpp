@@ -2,8 +2,8 @@
 #include <grader/tasks/bump/JudgeBump.h>
 
 #include <grader/tasks/bump/Examination.h>
+#include <grader/tasks/bump/words/BumpWords.h>
 #include <grader/tasks/bump/words/Diagnosis.h>
-#include <grader/tasks/bump/words/Words.h>
 
 #include <fmt/core.h>
 

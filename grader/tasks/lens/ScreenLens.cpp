@@ -3,8 +3,8 @@
 #include <grader/tasks/lens/JudgeDepthOfField.h>
 #include <grader/tasks/lens/answers/LensLog.h>
 #include <grader/tasks/lens/questions/LensQuestions.h>
-#include <grader/tasks/support/FindingText.h>
-#include <grader/tasks/support/Stages.h>
+#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/Stage.h>
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_SCREENSHOT_DIFFERENCERASTER_H
 #define TICKER_TASKS_SCREENSHOT_DIFFERENCERASTER_H
 
-#include <grader/tasks/screenshot/Words.h>
+#include <grader/tasks/screenshot/ScreenshotWords.h>
 
 namespace ticker::tasks::screenshot {
 

@@ -3,11 +3,11 @@
 #include <grader/tasks/screenshot/Edits.h>
 #include <grader/tasks/screenshot/Relief.h>
 #include <grader/tasks/screenshot/Repetition.h>
+#include <grader/tasks/screenshot/ScreenshotWords.h>
 #include <grader/tasks/screenshot/SeenMistake.h>
 #include <grader/tasks/screenshot/Verification.h>
 #include <grader/tasks/screenshot/Whole.h>
 #include <grader/tasks/screenshot/Windows.h>
-#include <grader/tasks/screenshot/Words.h>
 
 #include <algorithm>
 #include <optional>

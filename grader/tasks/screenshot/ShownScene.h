@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_SCREENSHOT_SHOWNSCENE_H
 #define TICKER_TASKS_SCREENSHOT_SHOWNSCENE_H
 
-#include <grader/metrics/View.h>
+#include <grader/metrics/PictureView.h>
 #include <grader/probe/Examinee.h>
 
 #include <raytracer/scene/SceneDescription.h>

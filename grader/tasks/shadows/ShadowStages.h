@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_SHADOWS_SHADOWSTAGES_H
 #define TICKER_TASKS_SHADOWS_SHADOWSTAGES_H
 
-#include <grader/tasks/support/Stages.h>
+#include <grader/tasks/support/Stage.h>
 
 namespace ticker::tasks {
 

@@ -1,4 +1,5 @@
-#include "TemporaryFolder.h"
+
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/io/SceneReader.h>
@@ -12,7 +13,7 @@
 namespace raytracer {
 namespace {
 
-using ticker::testing::TemporaryFolder;
+using ticker::tests::TemporaryFolder;
 
 struct BadScene {
     std::string name;

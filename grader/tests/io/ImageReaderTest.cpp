@@ -1,5 +1,6 @@
 #include "PngBuilder.h"
-#include "TemporaryFolder.h"
+
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/io/ImageReader.h>
@@ -17,7 +18,7 @@ using ticker::testing::makePng;
 using ticker::testing::makePngAround;
 using ticker::testing::PngColour;
 using ticker::testing::PngHeader;
-using ticker::testing::TemporaryFolder;
+using ticker::tests::TemporaryFolder;
 
 ByteImage decodeRow(const PngHeader& header, const std::string& row) {
     return decodeImage(makePng(header, equalRows(header, row)), "test.png");

@@ -1,4 +1,6 @@
-#include "TemporaryFolder.h"
+#include "BytesOf.h"
+
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/image/ToneCurve.h>
@@ -16,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ticker::testing::bytesOf;
-using ticker::testing::TemporaryFolder;
+using ticker::tests::TemporaryFolder;
 
 Image gradient() {
     Image image(3, 2);

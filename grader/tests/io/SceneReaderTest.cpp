@@ -1,5 +1,6 @@
 #include "PngBuilder.h"
-#include "TemporaryFolder.h"
+
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <raytracer/base/Error.h>
 #include <raytracer/io/SceneReader.h>
@@ -15,7 +16,7 @@ namespace {
 using ticker::testing::equalRows;
 using ticker::testing::makePng;
 using ticker::testing::PngHeader;
-using ticker::testing::TemporaryFolder;
+using ticker::tests::TemporaryFolder;
 
 std::string greyMap(char byte) {
     const PngHeader header{8, 4, 8, ticker::testing::PngColour::grey};

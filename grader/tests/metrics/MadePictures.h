@@ -1,7 +1,7 @@
 #ifndef TICKER_TESTS_METRICS_MADEPICTURES_H
 #define TICKER_TESTS_METRICS_MADEPICTURES_H
 
-#include <grader/metrics/View.h>
+#include <grader/metrics/PictureView.h>
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <grader/pipeline/Inputs.h>
+#include <grader/pipeline/InputDigests.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <grader/report/ClassPage.h>
 #include <grader/report/ReportPage.h>
+#include <grader/report/ReportWords.h>
 #include <grader/report/SummaryCsv.h>
-#include <grader/report/Words.h>
 
 #include "ExampleResults.h"
 

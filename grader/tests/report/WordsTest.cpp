@@ -1,5 +1,5 @@
 #include <grader/report/ClassPage.h>
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 
 #include "ExampleResults.h"
 

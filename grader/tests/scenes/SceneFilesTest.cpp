@@ -3,7 +3,7 @@
 #include <raytracer/io/SceneReader.h>
 #include <raytracer/render/Renderer.h>
 
-#include <grader/tests/io/TemporaryFolder.h>
+#include <grader/tests/io/BytesOf.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "StudentProgram.h"
 
-#include <grader/tests/io/TemporaryFolder.h>
+#include <grader/tests/io/BytesOf.h>
 
 #include <fcntl.h>
 #include <pty.h>

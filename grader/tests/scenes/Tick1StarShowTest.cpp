@@ -3,7 +3,8 @@
 
 #include <raytracer/io/ImageReader.h>
 
-#include <grader/tests/io/TemporaryFolder.h>
+#include <grader/tests/io/BytesOf.h>
+#include <grader/tests/support/TemporaryFolder.h>
 #include <tools/terminal_picture/TerminalPicture.h>
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ using raytracer::ByteImage;
 using raytracer::readImage;
 using testing::bytesOf;
 using testing::ProgramResult;
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 const std::string kScenes = std::string(TICKER_SOURCE_DIR) + "/scenes/";
 

@@ -3,7 +3,8 @@
 #include <raytracer/image/ToneCurve.h>
 #include <raytracer/io/ImageReader.h>
 
-#include <grader/tests/io/TemporaryFolder.h>
+#include <grader/tests/io/BytesOf.h>
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ using raytracer::ByteImage;
 using raytracer::readImage;
 using testing::bytesOf;
 using testing::ProgramResult;
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 const std::string kSceneFiles = std::string(TICKER_SOURCE_DIR) + "/scenes/";
 

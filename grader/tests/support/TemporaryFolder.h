@@ -27,11 +27,12 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    /// Writes a file in it, and creates its folders.
-    void write(const std::string& name, std::string_view bytes) const {
+    /// Writes a file in it, creates its folders, and gives its path.
+    std::filesystem::path write(const std::string& name, std::string_view bytes) const {
         const std::filesystem::path file = path_ / name;
         std::filesystem::create_directories(file.parent_path());
         std::ofstream{file, std::ios::binary} << bytes;
+        return file;
     }
 
 private:

@@ -1,6 +1,6 @@
 #include <grader/tasks/screenshot/DifferenceRaster.h>
 #include <grader/tasks/screenshot/ScreenshotFindings.h>
-#include <grader/tasks/screenshot/Words.h>
+#include <grader/tasks/screenshot/ScreenshotWords.h>
 
 #include <fmt/format.h>
 

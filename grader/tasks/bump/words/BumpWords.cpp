@@ -1,6 +1,6 @@
 #include <grader/result/GeneralFindings.h>
 #include <grader/tasks/bump/BumpFindings.h>
-#include <grader/tasks/bump/words/Words.h>
+#include <grader/tasks/bump/words/BumpWords.h>
 
 #include <grader/tasks/bump/words/BumpEvidence.h>
 #include <grader/tasks/bump/words/GrowthWords.h>

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_SUPPORT_STAGES_H
-#define TICKER_TASKS_SUPPORT_STAGES_H
+#ifndef TICKER_TASKS_SUPPORT_STAGE_H
+#define TICKER_TASKS_SUPPORT_STAGE_H
 
 #include <grader/probe/Examinee.h>
 #include <grader/result/FindingText.h>

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_SCREENSHOT_WORDS_H
-#define TICKER_TASKS_SCREENSHOT_WORDS_H
+#ifndef TICKER_TASKS_SCREENSHOT_SCREENSHOTWORDS_H
+#define TICKER_TASKS_SCREENSHOT_SCREENSHOTWORDS_H
 
 #include <grader/result/Finding.h>
 #include <grader/tasks/screenshot/Agreement.h>

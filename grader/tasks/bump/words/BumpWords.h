@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_BUMP_WORDS_H
-#define TICKER_TASKS_BUMP_WORDS_H
+#ifndef TICKER_TASKS_BUMP_WORDS_BUMPWORDS_H
+#define TICKER_TASKS_BUMP_WORDS_BUMPWORDS_H
 
 #include <grader/result/Finding.h>
 #include <grader/tasks/bump/Examination.h>

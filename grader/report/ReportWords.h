@@ -1,5 +1,5 @@
-#ifndef TICKER_REPORT_WORDS_H
-#define TICKER_REPORT_WORDS_H
+#ifndef TICKER_REPORT_REPORTWORDS_H
+#define TICKER_REPORT_REPORTWORDS_H
 
 #include <grader/result/SubmissionResult.h>
 

@@ -1,4 +1,4 @@
-#include <grader/report/Words.h>
+#include <grader/report/ReportWords.h>
 
 #include <grader/result/Names.h>
 #include <grader/tasks/AllFindings.h>

@@ -1,9 +1,9 @@
-#ifndef TICKER_PIPELINE_INPUTS_H
-#define TICKER_PIPELINE_INPUTS_H
+#ifndef TICKER_PIPELINE_INPUTDIGESTS_H
+#define TICKER_PIPELINE_INPUTDIGESTS_H
 
 #include <grader/intake/Submission.h>
 #include <grader/pipeline/Grade.h>
-#include <grader/result/Inputs.h>
+#include <grader/result/ResultInputs.h>
 
 #include <cstdint>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include <grader/metrics/View.h>
+#include <grader/metrics/PictureView.h>
 
 #include <raytracer/base/Error.h>
 

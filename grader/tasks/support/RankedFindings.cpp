@@ -1,4 +1,4 @@
-#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/support/RankedFindings.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #include <grader/result/GeneralFindings.h>
-#include <grader/tasks/support/FindingText.h>
+#include <grader/tasks/support/RankedFindings.h>
 #include <grader/tasks/support/RunEnd.h>
-#include <grader/tasks/support/Stages.h>
+#include <grader/tasks/support/Stage.h>
 
 #include <utility>
 

@@ -1,5 +1,5 @@
-#ifndef TICKER_METRICS_VIEW_H
-#define TICKER_METRICS_VIEW_H
+#ifndef TICKER_METRICS_PICTUREVIEW_H
+#define TICKER_METRICS_PICTUREVIEW_H
 
 #include <cstddef>
 #include <cstdint>
