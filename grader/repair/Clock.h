@@ -39,6 +39,12 @@ public:
         return cpuMs() >= endMs_ || wallSeconds() >= all_.wallSeconds;
     }
     [[nodiscard]] double endMs() const { return endMs_; }
+    /// Whether all is used up, whatever the end of the step that runs.
+    [[nodiscard]] bool isUsedUp() const {
+        return cpuMs() >= 1000.0 * all_.cpuSeconds || wallSeconds() >= all_.wallSeconds;
+    }
+    /// CPU time until all is used up.
+    [[nodiscard]] double leftMs() const { return 1000.0 * all_.cpuSeconds - cpuMs(); }
 
     /// What is left, at least a second each: the kernel counts whole ones.
     [[nodiscard]] sandbox::TimeLimits left() const {

@@ -3,6 +3,7 @@
 #include <grader/build/Build.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/repair/TaskLookup.h>
+#include <grader/repair/TimedExaminee.h>
 
 #include <algorithm>
 
@@ -15,19 +16,27 @@ constexpr int kSeeds = 3;
 class Trial {
 public:
     Trial(const build::Program& program, const pipeline::Grader& grader, std::uint64_t seed,
-          const sandbox::TimeLimits& time)
-        : budget_(time),
-          examinee_(program, grader.sandbox, grader.policy.run, &budget_),
+          Clock& clock)
+        : budget_(clock.left()),
+          program_(program, grader.sandbox, grader.policy.run, &budget_),
+          examinee_(program_, [this] { return program_.cpuMs(); }, clock),
           grader_(grader),
-          seed_(seed) {}
+          seed_(seed),
+          clock_(clock) {}
 
     std::optional<Proof> judge(const std::string& task, const std::vector<TaskReport>& before) {
         const auto was = std::ranges::find(before, task, &TaskReport::id);
         if (was == before.end()) return std::nullopt;
         Proof proof;
+        double longestMs = 0.0;
         for (int i = 0; i < kSeeds; ++i) {
+            // Each seed takes about as long as the others.
+            if (clock_.leftMs() < longestMs) return std::nullopt;
+            const double beginMs = clock_.cpuMs();
             const TaskJudgement judgement =
                 codeOf(grader_, task).judge(examinee_, seed_ + static_cast<std::uint64_t>(i));
+            if (clock_.isUsedUp()) return std::nullopt;
+            longestMs = std::max(longestMs, clock_.cpuMs() - beginMs);
             const std::string next = passes(judgement) ? "" : firstFailure(judgement);
             if (!passes(judgement) && next.empty()) return std::nullopt;
             if (addsWarning(judgement, *was)) return std::nullopt;
@@ -45,7 +54,7 @@ public:
                 grader_.exercise->fileOf(report.id) != file)
                 return true;
             const TaskJudgement now = codeOf(grader_, report.id).judge(examinee_, seed_);
-            return passes(now) && !addsWarning(now, report);
+            return passes(now) && !addsWarning(now, report) && !clock_.isUsedUp();
         });
     }
 
@@ -63,19 +72,22 @@ public:
         own->needsReview = false;
         own->findings.clear();
         own->apertureFactor = aperture_;
+        if (clock_.isUsedUp()) return false;
+        const double beginMs = program_.cpuMs();
         const pipeline::Gallery gallery =
-            pipeline::renderSpecScenes(grader_.scenes, file, examinee_);
+            pipeline::renderSpecScenes(grader_.scenes, file, program_);
+        clock_.add(Work::prove, program_.cpuMs() - beginMs);
         doubt(reports, {gallery.misfits, gallery.bumpMisfit});
         return passes(*own);
     }
 
-    [[nodiscard]] double cpuMs() const { return examinee_.cpuMs(); }
-
 private:
     build::TimeBudget budget_;
-    build::SandboxedExaminee examinee_;
+    build::SandboxedExaminee program_;
+    TimedExaminee examinee_;
     const pipeline::Grader& grader_;
     std::uint64_t seed_;
+    Clock& clock_;
     std::optional<double> aperture_;
 };
 
@@ -84,16 +96,16 @@ private:
 std::optional<Proof> prove(const std::string& edited, const std::string& file,
                            const std::string& task, const std::vector<TaskReport>& before,
                            const pipeline::Grader& grader, std::uint64_t seed, Clock& clock) {
+    if (clock.isUsedUp()) return std::nullopt;
     const build::BuildResult built = build::buildProgram(
         grader.kit, grader.sandbox, clock.cut(grader.policy.compile), file, edited);
     clock.add(Work::prove, built.cpuMs);
     if (!built.program) return std::nullopt;
-    Trial trial{*built.program, grader, seed, clock.left()};
+    Trial trial{*built.program, grader, seed, clock};
     std::optional<Proof> proof = trial.judge(task, before);
     if (proof && proof->next.empty() &&
         !(trial.keepsOthers(file, task, before) && trial.rendersAlike(file, task, before)))
         proof.reset();
-    clock.add(Work::prove, trial.cpuMs());
     return proof;
 }
 

@@ -24,7 +24,8 @@ struct Proof {
 /// other tasks that passed before must still pass. No task gets a warning that it did not have.
 /// @param before  What the submission got without the edit.
 /// @param clock   The CPU time of the compiler and of the program is added.
-/// @return  Empty where the seeds do not agree, or where anything else speaks against the edit.
+/// @return  Empty where the seeds do not agree, where anything else speaks against the edit, or
+///          where the clock's time is used up before all of this is known.
 [[nodiscard]] std::optional<Proof> prove(const std::string& edited, const std::string& file,
                                          const std::string& task,
                                          const std::vector<TaskReport>& before,

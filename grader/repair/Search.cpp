@@ -1,14 +1,13 @@
 #include <grader/repair/Search.h>
 
+#include <grader/repair/SameAnswers.h>
 #include <grader/repair/TaskLookup.h>
 #include <grader/result/GeneralFindings.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <map>
 #include <utility>
-#include <variant>
 
 namespace ticker::repair {
 namespace {
@@ -29,39 +28,6 @@ public:
     }
     std::vector<probe::Question> asked;
 };
-
-template <class Value>
-bool sameBytes(const std::vector<Value>& a, const std::vector<Value>& b) {
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
-}
-
-struct Same {
-    bool operator()(const probe::NormalAnswer& a, const probe::NormalAnswer& b) const {
-        return a.exceptions == b.exceptions && sameBytes(a.normals, b.normals);
-    }
-    bool operator()(const probe::IlluminateAnswer& a, const probe::IlluminateAnswer& b) const {
-        return a.exceptions == b.exceptions && sameBytes(a.colours, b.colours) &&
-               sameBytes(a.events, b.events);
-    }
-    bool operator()(const probe::RenderAnswer& a, const probe::RenderAnswer& b) const {
-        return a.exceptions == b.exceptions && a.wrongSize == b.wrongSize &&
-               std::ranges::equal(a.images, b.images, sameBytes<probe::ColourRGB>) &&
-               sameBytes(a.events, b.events);
-    }
-    template <class A, class B>
-    bool operator()(const A& /*a*/, const B& /*b*/) const {
-        return false;
-    }
-};
-
-/// Whether an edit changes no bit of what was answered.
-bool sameAnswers(const Run& a, const Run& b) {
-    return a.end.kind == b.end.kind &&
-           std::ranges::equal(a.answers, b.answers, [](const auto& one, const auto& other) {
-               return std::visit(Same{}, one, other);
-           });
-}
 
 bool isFinished(const Run& run) {
     return run.end.kind == probe::ProcessEnd::Kind::finished;

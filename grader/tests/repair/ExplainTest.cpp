@@ -233,6 +233,14 @@ TEST(Proof, FailsForAnEditThatBringsAWarning) {
                        kSeed, clock));
 }
 
+TEST(Proof, RunsNothingWhenTheTimeIsUsedUp) {
+    Clock clock{defaultSearchLimits().all};
+    clock.add(Work::ask, 1000.0 * defaultSearchLimits().all.cpuSeconds);
+    EXPECT_FALSE(prove(reference("BumpySphere.cpp"), "BumpySphere.cpp", "T1", failedBefore("T1"),
+                       tests::testGrader(), kSeed, clock));
+    EXPECT_EQ(clock.cpuMs(Work::prove), 0.0);
+}
+
 TEST(Proof, FailsForCodeThatDoesNotCompile) {
     EXPECT_FALSE(proofOf("int x = nonsense;\n"));
 }
