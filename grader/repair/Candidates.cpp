@@ -151,7 +151,9 @@ std::optional<Candidates> findCandidates(const build::Kit& kit, const sandbox::S
           std::string{reach == Reach::wide ? "wide" : "simple"}, leftAlone, std::string{"-xc++"},
           std::string{"-std=c++20"}, "-I" + (kit.folder() / "include").string(),
           std::string{"-include-pch"}, sandbox.pathFor(headerPath).string(),
-          std::string{"-ferror-limit=0"}})
+          // A switch between literals is none itself; wrong edits need no proposals.
+          std::string{"-ferror-limit=0"}, std::string{"-Wno-c++11-narrowing"},
+          std::string{"-fno-spell-checking"}, std::string{"-fshow-overloads=best"}})
         command.arguments.push_back(word);
     const sandbox::Outcome outcome = sandbox.run(command);
     if (outcome.end == sandbox::Outcome::End::failed) throw raytracer::Error(outcome.output);

@@ -29,7 +29,7 @@ std::vector<std::string_view> weighedWordsOf(std::string_view text) {
     return words;
 }
 
-/// Words that two lists do not share at their beginnings and ends: those of the longer one.
+/// Words of the longer list between what both share at their beginnings and ends.
 std::size_t differing(const std::vector<std::string_view>& a,
                       const std::vector<std::string_view>& b) {
     std::size_t front = 0;
@@ -71,13 +71,11 @@ bool isLight(const Atom& atom) {
     return !atom.isApart && kKinds.contains(atom.kind);
 }
 
-std::string_view statementOf(std::string_view source, const Atom& atom) {
-    return source.substr(atom.statementBegin, atom.statementEnd - atom.statementBegin);
-}
-
 /// Where in its statement an edit begins, in tokens, and what it does there without names.
 std::string placeOf(std::string_view source, const Atom& atom) {
-    std::string place = atom.kind + "|" + shapeOf(statementOf(source, atom)) + "|";
+    const std::string_view statement =
+        source.substr(atom.statementBegin, atom.statementEnd - atom.statementBegin);
+    std::string place = atom.kind + "|" + shapeOf(statement) + "|";
     for (const TextEdit& edit : atom.edits) {
         const std::string_view before =
             source.substr(atom.statementBegin, edit.begin - atom.statementBegin);
@@ -205,10 +203,14 @@ std::vector<EditSet> withoutSwitch(const Candidates& candidates, const Choice& i
 
 std::vector<EditSet> twins(std::string_view source, const Candidates& candidates,
                            const Choice& isChosen) {
+    // Few places have these: they belong together whatever stands there.
+    static const std::set<std::string> kAlike{"clamp", "draw", "regroup"};
     std::map<std::string, EditSet> groups;
     for (const std::uint16_t number : switched(candidates, isChosen)) {
         groups[replacementOf(source, candidates.atoms[number])].push_back(number);
         groups[placeOf(source, candidates.atoms[number])].push_back(number);
+        if (const std::string& kind = candidates.atoms[number].kind; kAlike.contains(kind))
+            groups[kind].push_back(number);
     }
     std::set<EditSet> sets;
     for (const auto& [key, group] : groups)

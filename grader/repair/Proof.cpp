@@ -19,7 +19,8 @@ public:
           Clock& clock)
         : budget_(clock.left()),
           program_(program, grader.sandbox, grader.policy.run, &budget_),
-          examinee_(program_, [this] { return program_.cpuMs(); }, clock),
+          examinee_(
+              program_, [this] { return program_.cpuMs(); }, clock),
           grader_(grader),
           seed_(seed),
           clock_(clock) {}

@@ -37,6 +37,7 @@ std::vector<Repair> TaskExplanation::run(double endMs) {
         {1.0, [this] { return noLongerStatic(); }},
         {limits.singles, [this] { return anyOf(Reach::simple, singles); }},
         {limits.wide, [this] { return anyOf(Reach::wide, singles); }},
+        {limits.twins, [this] { return notCutOff(); }},
         {limits.twins, [this] { return anyOf(Reach::simple, twins); }},
         {limits.twins, [this] { return anyOf(Reach::wide, twins); }},
         {limits.pairs, [this] { return anyOf(Reach::simple, pairs); }},
@@ -68,11 +69,22 @@ TaskExplanation::Repairs TaskExplanation::noLongerStatic() {
     return {};
 }
 
+TaskExplanation::Repairs TaskExplanation::notCutOff() {
+    constexpr std::size_t kMostTried = 2;
+    Bench* bench = workbench_.bench(Reach::simple);
+    if (bench == nullptr) return {};
+    auto sets = withoutSwitch(bench->candidates, [this](const Atom& atom) {
+        return atom.kind == "type" && !isOfAnotherTask(atom.function);
+    });
+    sets.resize(std::min(sets.size(), kMostTried));
+    return proven(*bench, sets);
+}
+
 TaskExplanation::Repairs TaskExplanation::compiledApart() {
     Bench* bench = workbench_.bench(Reach::simple);
     if (bench == nullptr) return {};
     return proven(*bench, withoutSwitch(bench->candidates, [this](const Atom& atom) {
-        return atom.kind != "static" && !isOfAnotherTask(atom.function);
+        return atom.kind != "static" && atom.kind != "type" && !isOfAnotherTask(atom.function);
     }));
 }
 

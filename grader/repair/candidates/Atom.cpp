@@ -72,6 +72,12 @@ bool Edits::isVector(int node) const {
 void Edits::insert(Atom atom) {
     if (tree_.at(atom.site).isExpression && !atom.isInstead)
         atom.site = assignedAt(tree_, atom.site);
+    // A list in braces is no value by itself.
+    while (!atom.isInstead && text(atom.site).starts_with('{') &&
+           tree_.at(atom.site).isExpression) {
+        atom.site = tree_.at(atom.site).parent;
+        if (atom.site < 0 || !tree_.at(atom.site).isExpression) return;
+    }
     if (!atom.isInstead && !std::ranges::all_of(atom.edits, [&](const Replacement& edit) {
             return tree_.at(atom.site).range.holds(edit.range);
         }))

@@ -75,6 +75,11 @@ private:
     std::set<std::string> known_;
 };
 
+/// A statement with the semicolon behind it, which libclang leaves out.
+[[nodiscard]] Range wholeOf(const Edits& edits, int statement);
+/// The loop of the same function that a statement stands in; -1: none.
+[[nodiscard]] int loopAround(const Tree& tree, int statement);
+
 /// A text with replacements made in it. @param begin  Where the text begins in the file.
 [[nodiscard]] std::string applied(std::string text, std::size_t begin,
                                   std::vector<Replacement> edits);
@@ -90,6 +95,9 @@ void addTermEdits(Edits& edits, int node);
 void addSiblingEdits(Edits& edits, int node);
 void addStaticEdits(Edits& edits, int node);
 void addStatementEdits(Edits& edits, int node);
+void addConditionEdits(Edits& edits, int node);
+void addDrawEdits(Edits& edits, int node);
+void addGroupingEdits(Edits& edits, int node);
 // With what the function could name and does not.
 void addWideEdits(Edits& edits, int node);
 void addGuards(Edits& edits, int node);

@@ -83,7 +83,8 @@ void addCallEdits(Edits& edits, int index) {
         return;
     }
     if (node.kind == NodeKind::cast && !node.children.empty() && node.isExpression &&
-        tree.at(node.children.back()).isExpression)
+        tree.at(node.children.back()).isExpression &&
+        tree.at(node.children.back()).kind != NodeKind::list)
         edits.replaceBy("cast", index, node.children.back());
     if (node.kind != NodeKind::call || node.children.empty()) return;
     if (!node.isExpression) {  // arguments of a constructor

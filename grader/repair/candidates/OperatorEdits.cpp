@@ -54,6 +54,9 @@ void editBinary(Edits& edits, int index, const Node& node) {
     for (const Exchange& exchange : kOperators)
         if (node.name == exchange.from)
             edits.add("operator", index, {{sign, std::string{exchange.to}}});
+    // One of both, not both.
+    if (node.name == "||" && edits.isType(left, "bool") && edits.isType(right, "bool"))
+        edits.add("operator", index, {{sign, "!="}});
     dropOneSide(edits, index, node);
     if (isOneOf(node.name, {"-", "/"}))
         edits.add("exchange", index,

@@ -63,7 +63,11 @@ void addPlain(CXCursor member, CXType type, const std::string& before,
         found.push_back({before + callOf(member), plain, ""});
 }
 
-/// A function of one argument that changes nothing: `.evaluateAt`.
+bool isHit(const std::string& type) {
+    return type.starts_with("std::optional<raytracer::");
+}
+
+/// A function of one argument that changes nothing: `.evaluateAt`, `.findClosestIntersection`.
 void addMethod(CXCursor member, const std::string& before, std::vector<Quantity>& found) {
     if (clang_getCursorKind(member) != CXCursor_CXXMethod || !isPublic(member) ||
         clang_Cursor_getNumArguments(member) != 1 || clang_CXXMethod_isStatic(member) != 0 ||
@@ -73,7 +77,8 @@ void addMethod(CXCursor member, const std::string& before, std::vector<Quantity>
     const std::string type = plainType(clang_getCursorResultType(member));
     const std::string argument =
         plainType(clang_getCursorType(clang_Cursor_getArgument(member, 0)));
-    if (isWanted(type) && isWanted(argument) && !name.starts_with("operator"))
+    const bool isAsked = isHit(type) && argument.starts_with("raytracer::");
+    if ((isAsked || (isWanted(type) && isWanted(argument))) && !name.starts_with("operator"))
         found.push_back({before + name, type, argument});
 }
 

@@ -5,24 +5,6 @@
 namespace ticker::candidates {
 namespace {
 
-/// A statement with the semicolon behind it, which libclang leaves out.
-Range wholeOf(const Edits& edits, int statement) {
-    Range range = edits.tree().at(statement).range;
-    const std::string& text = edits.source().text();
-    const std::size_t next = text.find_first_not_of(" \t\r\n", range.end);
-    if (next != std::string::npos && text[next] == ';') range.end = next + 1;
-    return range;
-}
-
-/// The loop of the same function that a statement stands in; -1: none.
-int loopAround(const Tree& tree, int statement) {
-    for (int at = tree.at(statement).parent; at >= 0; at = tree.at(at).parent) {
-        if (tree.at(at).kind == NodeKind::loop) return at;
-        if (tree.at(at).kind == NodeKind::function) return -1;
-    }
-    return -1;
-}
-
 /// continue, break and return in each other's place.
 void exchangeJumps(Edits& edits, int index) {
     if (loopAround(edits.tree(), index) < 0) return;
@@ -34,11 +16,34 @@ void exchangeJumps(Edits& edits, int index) {
 bool mayBeLeftOut(const Tree& tree, int index) {
     const Node& node = tree.at(index);
     if (node.parent < 0 || tree.at(node.parent).kind != NodeKind::block) return false;
-    if (node.kind == NodeKind::branch) return node.children.size() == 2;
+    if (node.kind == NodeKind::branch) return true;
     return node.isExpression;
 }
 
+/// Whether a value is a double by itself, not by a cast to int that somebody wrote.
+bool isCutOff(const Edits& edits, const Node& declaration) {
+    if (declaration.isAuto || declaration.type != "int" || declaration.children.empty())
+        return false;
+    return edits.isType(declaration.children.back(), "double");
+}
+
 }  // namespace
+
+Range wholeOf(const Edits& edits, int statement) {
+    Range range = edits.tree().at(statement).range;
+    const std::string& text = edits.source().text();
+    const std::size_t next = text.find_first_not_of(" \t\r\n", range.end);
+    if (next != std::string::npos && text[next] == ';') range.end = next + 1;
+    return range;
+}
+
+int loopAround(const Tree& tree, int statement) {
+    for (int at = tree.at(statement).parent; at >= 0; at = tree.at(at).parent) {
+        if (tree.at(at).kind == NodeKind::loop) return at;
+        if (tree.at(at).kind == NodeKind::function) return -1;
+    }
+    return -1;
+}
 
 void addStaticEdits(Edits& edits, int index) {
     const Node& node = edits.tree().at(index);
@@ -56,7 +61,12 @@ void addStaticEdits(Edits& edits, int index) {
 }
 
 void addStatementEdits(Edits& edits, int index) {
-    if (edits.tree().at(index).kind == NodeKind::jump) exchangeJumps(edits, index);
+    const Node& node = edits.tree().at(index);
+    if (node.kind == NodeKind::declaration && isCutOff(edits, node))
+        for (const Range& token : edits.source().tokensIn(node.range))
+            if (edits.source().in(token) == "int" && token.begin < node.declared)
+                edits.addApart("type", index, {{token, "double"}});
+    if (node.kind == NodeKind::jump) exchangeJumps(edits, index);
     if (mayBeLeftOut(edits.tree(), index))
         edits.addInstead("left-out", index, wholeOf(edits, index), "");
 }

@@ -136,6 +136,13 @@ std::vector<std::string> Vocabulary::calls(std::string_view type) const {
     return texts;
 }
 
+std::vector<std::string> Vocabulary::functions(std::string_view type) const {
+    std::vector<std::string> texts;
+    for (const Quantity& method : methods_)
+        if (method.type == type) texts.push_back(method.text);
+    return texts;
+}
+
 std::vector<std::string> Vocabulary::all(std::string_view type) const {
     std::vector<std::string> texts = variables(type);
     std::ranges::move(unused(type), std::back_inserter(texts));

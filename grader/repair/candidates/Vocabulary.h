@@ -42,6 +42,9 @@ public:
     /// Calls of the functions of one argument that give this type.
     [[nodiscard]] std::vector<std::string> calls(std::string_view type) const;
 
+    /// Functions of one argument that give this type, as they are called.
+    [[nodiscard]] std::vector<std::string> functions(std::string_view type) const;
+
 private:
     void addPart(const Quantity& part, std::string_view used);
 

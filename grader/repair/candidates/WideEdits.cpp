@@ -1,20 +1,12 @@
 #include <grader/repair/candidates/Atom.h>
-#include <grader/repair/candidates/Scope.h>
 #include <grader/repair/candidates/Vocabulary.h>
+#include <grader/repair/candidates/WideTerms.h>
 
 #include <algorithm>
 #include <iterator>
 
 namespace ticker::candidates {
 namespace {
-
-/// Whether a node is a whole initialiser, value or argument.
-bool standsAlone(const Tree& tree, int index) {
-    const Node& around = tree.at(tree.at(index).parent);
-    return !around.isExpression || around.kind == NodeKind::list ||
-           around.kind == NodeKind::parentheses ||
-           (around.kind == NodeKind::call && around.children.front() != index);
-}
 
 /// Whether a line ends between two places.
 bool goesOn(const Edits& edits, std::size_t begin, std::size_t end) {
@@ -38,7 +30,8 @@ void addReplacements(Edits& edits, int index, const Vocabulary& words) {
     constexpr std::size_t kMostTokens = 6;
     const bool isSmall = node.kind == NodeKind::number || node.kind == NodeKind::name ||
                          node.kind == NodeKind::member || node.kind == NodeKind::call ||
-                         node.kind == NodeKind::unary;
+                         node.kind == NodeKind::unary ||
+                         (node.kind == NodeKind::cast && edits.isVector(index));
     // A product that a function of the kit knows by name.
     const bool isNew = edits.tree().at(node.parent).kind == NodeKind::declaration;
     if (isNew && node.kind == NodeKind::binary && edits.isType(index, "raytracer::ColourRGB"))
@@ -70,6 +63,11 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
     std::vector<std::string> factors = isPoint ? words.unused("double") : words.all("double");
     if (edits.isType(index, "raytracer::ColourRGB"))
         std::ranges::move(words.colours(), std::back_inserter(factors));
+    // The share that is left.
+    if (edits.isType(index, "raytracer::ColourRGB"))
+        for (const std::string& share : words.variables("double"))
+            factors.push_back("(1.0 - " + share + ")");
+    if (isPoint) factors.emplace_back("2.0");
     if (edits.isType(index, "double")) factors.emplace_back("4.0");
     // The square of what tells a size.
     if (edits.isType(index, "double") && node.kind == NodeKind::call)
@@ -156,56 +154,20 @@ void addChoices(Edits& edits, int index, const Vocabulary& words) {
     }
 }
 
-/// A root or a size that was not taken.
+/// A root, a size or an angle that was not taken.
 void addFunctions(Edits& edits, int index) {
     if (!edits.isType(index, "double") || !standsAlone(edits.tree(), index)) return;
     const Node& node = edits.tree().at(index);
     if (node.kind == NodeKind::number || node.name == "sqrt" || node.name == "abs") return;
-    for (const char* function : {"std::sqrt(", "std::abs("})
+    for (const char* function : {"std::sqrt(", "std::abs(", "std::atan("})
         edits.replace("wrap", index, function + edits.bareText(index) + ")", true);
-}
-
-/// An optional hit that is asked for alone: whether it counts may depend on its numbers.
-void addLimits(Edits& edits, int index) {
-    const Tree& tree = edits.tree();
-    const Node& node = tree.at(index);
-    const bool isNegated = node.kind == NodeKind::unary && node.name == "!";
-    int at = index;
-    if (isNegated && !node.children.empty()) at = node.children.front();
-    // hit.has_value()
-    while ((tree.at(at).kind == NodeKind::call || tree.at(at).kind == NodeKind::member) &&
-           tree.at(at).name == "has_value" && !tree.at(at).children.empty())
-        at = tree.at(at).children.front();
-    const Node& asked = tree.at(at);
-    if (asked.kind != NodeKind::name) return;
-    if (!asked.type.starts_with("std::optional<")) return;
-    const std::vector<int> variables = visibleVariables(tree, index);
-    std::vector<std::string> limits;
-    for (const int variable : variables) {
-        const Node& one = tree.at(variable);
-        if (one.type == "double") limits.push_back(one.name);
-        if (one.type == "raytracer::Vector3") limits.push_back(one.name + ".magnitude()");
-    }
-    for (const int variable : variables) {
-        const Node& hit = tree.at(variable);
-        if (hit.name != asked.name || !hit.isOptional) continue;
-        for (const Quantity& part : hit.parts)
-            for (const std::string& limit : limits) {
-                if (part.type != "double" || !part.argument.empty()) continue;
-                const std::string number = hit.name + part.text;
-                edits.add("limit", index,
-                          {{node.range,
-                            isNegated ? "(!" + hit.name + " || " + number + " > " + limit + ")"
-                                      : "(" + hit.name + " && " + number + " < " + limit + ")"}});
-            }
-    }
 }
 
 }  // namespace
 
 void addWideEdits(Edits& edits, int index) {
     const Node& node = edits.tree().at(index);
-    addLimits(edits, index);
+    addHitEdits(edits, index);
     if (node.isExpression && edits.text(index) == "nullptr")
         edits.add("word", edits.tree().topOf(index), {{node.range, "this"}});
     if (!node.isExpression || node.kind == NodeKind::parentheses || isCounting(node)) return;
@@ -216,6 +178,7 @@ void addWideEdits(Edits& edits, int index) {
     addIdle(edits, index, words);
     addChoices(edits, index, words);
     addFunctions(edits, index);
+    addWideTerms(edits, index, words);
     if (edits.isInteger(index) || node.parent < 0 || !isTerm(edits, index)) return;
     if (node.kind != NodeKind::number) addFactors(edits, index, words);
     if (!edits.isType(index, "raytracer::Vector3")) return;

@@ -76,15 +76,16 @@ std::string asJson(const Tree& tree, const std::vector<Atom>& atoms, const Schem
 
 using AddEdits = void (*)(Edits&, int);
 
-constexpr AddEdits kSimple[] = {addOperatorEdits, addNumberEdits,   addNameEdits, addMemberEdits,
-                                addCallEdits,     addWrapEdits,     addTermEdits, addSiblingEdits,
-                                addStaticEdits,   addStatementEdits};
+constexpr AddEdits kSimple[] = {
+    addOperatorEdits,  addNumberEdits, addNameEdits,    addMemberEdits, addCallEdits,
+    addWrapEdits,      addTermEdits,   addSiblingEdits, addStaticEdits, addStatementEdits,
+    addConditionEdits, addDrawEdits,   addGroupingEdits};
 constexpr AddEdits kWide[] = {addGuards, addWideEdits};
 
 std::vector<Atom> findAtoms(const Tree& tree, const Source& source, const Source& stub,
                             const std::set<std::string>& leftAlone,
                             std::span<const AddEdits> kinds) {
-    constexpr std::size_t kMost = 1500;
+    constexpr std::size_t kMost = 2400;
     const std::string given = normal(stub, {0, stub.text().size()});
     Edits edits{tree, source};
     for (int i = 0; i < static_cast<int>(tree.nodes.size()); ++i) {

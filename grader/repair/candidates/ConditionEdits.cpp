@@ -1,0 +1,92 @@
+#include <grader/repair/candidates/Atom.h>
+
+#include <set>
+
+namespace ticker::candidates {
+namespace {
+
+/// What an if guards, whatever its condition says.
+void decideBranch(Edits& edits, int index) {
+    const Node& node = edits.tree().at(index);
+    if (node.children.size() < 2 || !edits.tree().at(node.children.front()).isExpression) return;
+    for (std::size_t i = 1; i < node.children.size(); ++i) {
+        const Range guarded = wholeOf(edits, node.children[i]);
+        edits.addInstead("always", index, wholeOf(edits, index),
+                         std::string{edits.source().in(guarded)});
+    }
+}
+
+/// A loop that returns what it knows of its first round: only one of both answers is certain.
+void returnWhenCertain(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (loopAround(tree, index) < 0 || node.children.size() != 1) return;
+    const int value = node.children.front();
+    const std::string text = edits.text(value);
+    const Range whole = wholeOf(edits, index);
+    if (edits.isType(value, "bool")) {
+        edits.addInstead("jump", index, whole, "if (" + text + ") return true;");
+        edits.addInstead("jump", index, whole, "if (!(" + text + ")) return false;");
+    }
+    if (tree.at(value).type.starts_with("std::optional<") && tree.at(value).kind == NodeKind::name)
+        edits.addInstead("jump", index, whole, "if (" + text + ") return " + text + ";");
+}
+
+/// A condition's own statement after which a loop has to end, such as a ray that counts once.
+void leaveLoop(Edits& edits, int index) {
+    static const std::set<std::string> kChanging{"=", "+=", "-="};
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (node.parent < 0 || loopAround(tree, index) < 0) return;
+    const bool isBraced = tree.at(node.parent).kind == NodeKind::block;
+    const int branch = isBraced ? tree.at(node.parent).parent : node.parent;
+    const bool isGuarded = branch >= 0 && tree.at(branch).kind == NodeKind::branch &&
+                           tree.at(branch).children.front() != index;
+    const bool changes =
+        isCounting(node) || (node.kind == NodeKind::binary && kChanging.contains(node.name));
+    if (!isGuarded || !changes) return;
+    const std::string both = edits.text(index) + "; break;";
+    edits.addInstead("jump", index, wholeOf(edits, index), isBraced ? both : "{ " + both + " }");
+}
+
+/// `return {f(c.r), f(c.g), f(c.b)}` where c itself would do.
+void returnWhole(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (node.children.size() != 1 || !edits.text(node.children.front()).starts_with('{')) return;
+    const Node& list = tree.at(node.children.front());
+    std::set<std::string> objects;
+    std::size_t members = 0;
+    for (int i = node.children.front(); i < static_cast<int>(tree.nodes.size()); ++i) {
+        const Node& one = tree.at(i);
+        if (!list.range.holds(one.range)) break;
+        if (one.kind != NodeKind::member || one.children.size() != 1) continue;
+        if (!edits.isVector(one.children.front())) continue;
+        objects.insert(edits.text(one.children.front()));
+        ++members;
+    }
+    if (objects.size() == 1 && members == list.children.size())
+        edits.addInstead("unwrap", index, wholeOf(edits, index),
+                         "return " + *objects.begin() + ";");
+}
+
+}  // namespace
+
+void addConditionEdits(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (node.kind == NodeKind::branch) decideBranch(edits, index);
+    if (node.kind == NodeKind::jump) {
+        returnWhenCertain(edits, index);
+        returnWhole(edits, index);
+    }
+    if (!node.isExpression) return;
+    leaveLoop(edits, index);
+    const bool isFlag = edits.isType(index, "bool") && node.parent >= 0 &&
+                        tree.at(node.parent).kind == NodeKind::declaration;
+    if (!isFlag) return;
+    edits.replace("always", index, "true", true);
+    edits.replace("always", index, "false", true);
+}
+
+}  // namespace ticker::candidates

@@ -1,0 +1,73 @@
+#include <grader/repair/candidates/Atom.h>
+#include <grader/repair/candidates/Scope.h>
+
+namespace ticker::candidates {
+namespace {
+
+/// Whether an expression asks for a random number: every use of it gets another one.
+bool draws(const Tree& tree, int expression) {
+    for (int i = expression; i < static_cast<int>(tree.nodes.size()); ++i) {
+        const Node& node = tree.at(i);
+        if (!tree.at(expression).range.holds(node.range)) break;
+        const bool isNamed = node.kind == NodeKind::call && node.name.starts_with("rand");
+        if (isNamed || node.name == "operator()") return true;
+    }
+    return false;
+}
+
+/// The value that a variable was given where it was declared; -1: none.
+int initialiserOf(const Tree& tree, const Node& name) {
+    for (const Node& node : tree.nodes)
+        if (node.kind == NodeKind::declaration && node.declared == name.declared &&
+            !node.children.empty())
+            return node.children.back();
+    return -1;
+}
+
+bool isSumOfTwo(const Node& node) {
+    return node.kind == NodeKind::binary && (node.name == "+" || node.name == "-");
+}
+
+bool isProductOfTwo(const Node& node) {
+    return node.kind == NodeKind::binary && (node.name == "*" || node.name == "/");
+}
+
+}  // namespace
+
+void addDrawEdits(Edits& edits, int index) {
+    // A number of its own, where several places share one, or all rounds of a loop.
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (node.kind != NodeKind::name || node.declared == 0) return;
+    const bool isRead = node.parent >= 0 && !isCounting(tree.at(node.parent));
+    if (!isRead || (!edits.isNumber(index) && !edits.isVector(index))) return;
+    const int value = initialiserOf(tree, node);
+    if (value < 0 || !tree.at(value).isExpression || !draws(tree, value)) return;
+    if (isUsableAt(tree, value, index)) edits.replaceBy("draw", index, value);
+}
+
+void addGroupingEdits(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (node.kind != NodeKind::binary || !edits.isType(index, "double")) return;
+    const Node& left = tree.at(node.children[0]);
+    const Node& right = tree.at(node.children[1]);
+    const auto text = [&](int child) { return edits.text(child); };
+    if (isSumOfTwo(node) && isProductOfTwo(right))
+        edits.replace("regroup", index,
+                      "(" + text(node.children[0]) + " " + node.name + " " +
+                          text(right.children[0]) + ") " + right.name + " " +
+                          text(right.children[1]),
+                      false);
+    if (!isProductOfTwo(node) || left.kind != NodeKind::parentheses || left.children.size() != 1)
+        return;
+    const Node& sum = tree.at(left.children.front());
+    if (isSumOfTwo(sum))
+        edits.replace("regroup", index,
+                      text(sum.children[0]) + " " + sum.name + " " +
+                          edits.operand(sum.children[1]) + " " + node.name + " " +
+                          text(node.children[1]),
+                      false);
+}
+
+}  // namespace ticker::candidates
