@@ -4,8 +4,8 @@
 #include <grader/tasks/lens/answers/LensPlots.h>
 #include <grader/tasks/lens/checks/LensChecks.h>
 #include <grader/tasks/support/Checks.h>
+#include <grader/tasks/support/FindingOrder.h>
 #include <grader/tasks/support/Plots.h>
-#include <grader/tasks/support/RankedFindings.h>
 
 #include <fmt/core.h>
 

@@ -5,7 +5,7 @@
 #include <grader/tasks/lens/checks/FocusMistakes.h>
 #include <grader/tasks/lens/checks/LensChecks.h>
 #include <grader/tasks/lens/questions/LensQuestions.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 #include <grader/tasks/support/RunEnd.h>
 
 #include <optional>

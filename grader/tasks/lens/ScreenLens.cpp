@@ -3,7 +3,7 @@
 #include <grader/tasks/lens/JudgeDepthOfField.h>
 #include <grader/tasks/lens/answers/LensLog.h>
 #include <grader/tasks/lens/questions/LensQuestions.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 #include <grader/tasks/support/Stage.h>
 
 #include <memory>

@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_MAINTICK_EXACT_H
 #define TICKER_TASKS_MAINTICK_EXACT_H
 
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <raytracer/image/ColourRGB.h>
 #include <raytracer/math/Ray.h>

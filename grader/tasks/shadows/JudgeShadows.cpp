@@ -2,7 +2,7 @@
 #include <grader/tasks/shadows/JudgeSoftShadows.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/ShadowStages.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 #include <grader/tasks/support/RunEnd.h>
 
 #include <algorithm>

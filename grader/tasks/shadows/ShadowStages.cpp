@@ -2,7 +2,7 @@
 #include <grader/tasks/shadows/ShadowStages.h>
 #include <grader/tasks/shadows/checks/LitRender.h>
 #include <grader/tasks/shadows/checks/PenumbraCheck.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <array>
 #include <utility>

@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_SUPPORT_CHECKS_H
 #define TICKER_TASKS_SUPPORT_CHECKS_H
 
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>
 #include <optional>

@@ -1,5 +1,5 @@
 #include <grader/result/GeneralFindings.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 #include <grader/tasks/support/RunEnd.h>
 #include <grader/tasks/support/Stage.h>
 

@@ -3,7 +3,7 @@
 #include <grader/report/SummaryCsv.h>
 #include <grader/report/student/StudentView.h>
 #include <grader/tasks/support/Draw.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 #include <grader/tasks/support/RunEnd.h>
 #include <grader/tests/pipeline/TestGrader.h>
 #include <grader/tests/support/Files.h>

@@ -1,7 +1,7 @@
 #include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/answers/LensMeans.h>
 #include <grader/tasks/lens/answers/RayColours.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
 

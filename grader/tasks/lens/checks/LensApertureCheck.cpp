@@ -3,7 +3,7 @@
 #include <grader/tasks/lens/answers/LensShape.h>
 #include <grader/tasks/lens/checks/LensChecks.h>
 #include <grader/tasks/support/Bounds.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 #include <grader/tasks/lens/answers/LensPlots.h>
 #include <grader/tasks/lens/checks/FocusMistakes.h>
 #include <grader/tasks/lens/checks/LensChecks.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
 

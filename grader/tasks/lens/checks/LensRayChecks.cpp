@@ -1,6 +1,6 @@
 #include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/checks/LensChecks.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
 

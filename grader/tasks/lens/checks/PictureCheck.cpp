@@ -3,7 +3,7 @@
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/checks/PictureMistakes.h>
 #include <grader/tasks/support/Draw.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>
 #include <cmath>

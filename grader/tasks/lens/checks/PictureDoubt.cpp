@@ -2,7 +2,7 @@
 #include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/checks/PictureDoubt.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
 #include <grader/tasks/shadows/checks/HighlightCheck.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>
 #include <cmath>

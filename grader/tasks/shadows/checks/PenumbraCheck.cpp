@@ -3,7 +3,7 @@
 #include <grader/tasks/shadows/answers/PenumbraHits.h>
 #include <grader/tasks/shadows/answers/PenumbraShares.h>
 #include <grader/tasks/shadows/checks/PenumbraCheck.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
 

@@ -3,7 +3,7 @@
 #include <grader/tasks/shadows/checks/HighlightCheck.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/UnexplainedShadows.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>
 #include <cstddef>

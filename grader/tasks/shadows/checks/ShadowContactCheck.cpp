@@ -1,7 +1,7 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/support/Draw.h>
-#include <grader/tasks/support/RankedFindings.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
 

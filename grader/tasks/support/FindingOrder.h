@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_SUPPORT_RANKEDFINDINGS_H
-#define TICKER_TASKS_SUPPORT_RANKEDFINDINGS_H
+#ifndef TICKER_TASKS_SUPPORT_FINDINGORDER_H
+#define TICKER_TASKS_SUPPORT_FINDINGORDER_H
 
 #include <grader/result/FindingText.h>
 #include <grader/result/SubmissionResult.h>
