@@ -23,7 +23,7 @@ bool castsRays(const std::vector<const ShadowLog*>& logs) {
 bool fitsAReading(const std::vector<const ShadowLog*>& logs) {
     return std::ranges::any_of(acceptedShadowReadings(), [&](const ShadowReading& reading) {
         return std::ranges::all_of(logs, [&](const ShadowLog* log) {
-            return countFits(*log, reading, ShadowArithmetic::right).all();
+            return allFit(*log, reading, ShadowArithmetic::right);
         });
     });
 }

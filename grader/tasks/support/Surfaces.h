@@ -16,6 +16,17 @@ using raytracer::Vector3;
 /// submission.
 enum class Sight { open, blocked, unsure };
 
+/// What a ray meets first, as rounding may have it. Infinite if it meets nothing; distances within
+/// rounding of the start are 0.
+struct NearestHits {
+    double plain = 0.0;  ///< of the scene
+    double small = 0.0;  ///< if its spheres were smaller by more than rounding
+    double large = 0.0;  ///< if they were larger
+
+    /// Whether a surface lies on the ray before `reach`.
+    [[nodiscard]] Sight sightUpTo(double reach) const;
+};
+
 /// The surfaces of a scene for the replay: our own intersections, in double precision. The
 /// framework's are not used, because the submission could have changed their results.
 class Surfaces {
@@ -26,7 +37,13 @@ public:
     /// @param direction  Unit length.
     /// @param reach      World units; infinity: the whole ray.
     [[nodiscard]] Sight sightAlong(const Vector3& origin, const Vector3& direction,
-                                   double reach) const;
+                                   double reach) const {
+        return hitsAlong(origin, direction).sightUpTo(reach);
+    }
+
+    /// For several reaches of one ray.
+    /// @param direction  Unit length.
+    [[nodiscard]] NearestHits hitsAlong(const Vector3& origin, const Vector3& direction) const;
 
     /// Distance from a point to the nearest surface, world units.
     [[nodiscard]] double distanceToNearest(const Vector3& point) const;
@@ -35,14 +52,14 @@ private:
     struct Ball {
         Vector3 centre;
         double radius;
+        double square;  ///< of the radius
+        double smallSquare;
+        double largeSquare;
     };
     struct Sheet {
         Vector3 point;
         Vector3 normal;
     };
-    [[nodiscard]] double nearestHit(const Vector3& origin, const Vector3& direction,
-                                    double scale) const;
-
     std::vector<Ball> balls_;
     std::vector<Sheet> sheets_;
 };

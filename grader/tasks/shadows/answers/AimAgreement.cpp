@@ -69,8 +69,8 @@ void addLine(const Vector3& foot, const Perpendiculars& sides, Moments& sums,
 Moments expectedMoments(AimShape shape, const Perpendiculars& sides) {
     constexpr int kLattice = 4096;
     Moments means{};
-    for (int i = 0; i < kLattice; ++i)
-        addMoments(aimOf(shape, i), sides, means);
+    for (const Vector3& aim : aimsOf(shape, kLattice))
+        addMoments(aim, sides, means);
     for (std::complex<double>& mean : means)
         mean /= kLattice;
     return means;

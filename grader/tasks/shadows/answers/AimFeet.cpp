@@ -2,6 +2,7 @@
 #include <grader/tasks/support/Bounds.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 
@@ -22,9 +23,13 @@ void Feet::add(const Vector3& foot, const Perpendiculars& sides) {
         values_[i].push_back(numbers[i]);
 }
 
-void Feet::add(const Feet& other) {
-    for (std::size_t i = 0; i < values_.size(); ++i)
-        values_[i].insert(values_[i].end(), other.values_[i].begin(), other.values_[i].end());
+void Feet::merge(const Feet& sorted) {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+        std::vector<double>& list = values_[i];
+        const auto middle = static_cast<std::ptrdiff_t>(list.size());
+        list.insert(list.end(), sorted.values_[i].begin(), sorted.values_[i].end());
+        std::inplace_merge(list.begin(), list.begin() + middle, list.end());
+    }
 }
 
 void Feet::sort() {
@@ -49,10 +54,9 @@ Feet::Gaps Feet::gapsFrom(const Feet& expected, double size) const {
 
 void Views::finish() {
     for (Feet& feet : each) {
-        all.add(feet);
         feet.sort();
+        all.merge(feet);
     }
-    all.sort();
 }
 
 Views expectedViews(AimShape shape, const std::vector<Vector3>& directions) {
@@ -60,10 +64,8 @@ Views expectedViews(AimShape shape, const std::vector<Vector3>& directions) {
     for (const Vector3& direction : directions) {
         const Perpendiculars sides = perpendicularsOf(direction);
         Feet feet;
-        for (int i = 0; i < kLattice; ++i) {
-            const Vector3 aim = aimOf(shape, i);
+        for (const Vector3& aim : aimsOf(shape, kLattice))
             feet.add(aim - direction * aim.dot(direction), sides);
-        }
         views.each.push_back(std::move(feet));
     }
     views.finish();
@@ -73,10 +75,8 @@ Views expectedViews(AimShape shape, const std::vector<Vector3>& directions) {
 double expectedMeanLength(AimShape shape, const std::vector<Vector3>& directions) {
     double sum = 0.0;
     for (const Vector3& direction : directions)
-        for (int i = 0; i < kLattice; ++i) {
-            const Vector3 aim = aimOf(shape, i);
+        for (const Vector3& aim : aimsOf(shape, kLattice))
             sum += (aim - direction * aim.dot(direction)).magnitude();
-        }
     return sum / (kLattice * static_cast<double>(directions.size()));
 }
 

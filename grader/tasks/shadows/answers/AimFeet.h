@@ -20,9 +20,10 @@ inline constexpr double kLatticeError = 0.01;
 class Feet {
 public:
     void add(const Vector3& foot, const Perpendiculars& sides);
-    void add(const Feet& other);
     /// Must be called before any comparison.
     void sort();
+    /// Adds feet; both must be sorted, and the result is.
+    void merge(const Feet& sorted);
 
     [[nodiscard]] std::size_t count() const { return values_[0].size(); }
     [[nodiscard]] const std::vector<double>& lengths() const { return values_[0]; }

@@ -12,7 +12,6 @@ using Phong = ShadowReading::Phong;
 
 // The sample lies anywhere on the chord of the line in the light.
 SampleTerms termsOf(const Setting& at, const AimLine& line) {
-    if (at.reading.phong == Phong::central) return centralTerms(at);
     const double centre = (at.light.position() - at.point.point.position).magnitude();
     if (at.reading.phong == Phong::perSampleDirection) {
         const PhongTerms terms = at.terms(line.direction, centre);
@@ -29,8 +28,7 @@ SampleTerms termsOf(const Setting& at, const AimLine& line) {
     return {{far.diffuse, near.diffuse}, {far.specular, near.specular}};
 }
 
-std::vector<AimLine> countedLines(const Setting& at, const std::vector<AimLine>& lines) {
-    if (!at.reading.withoutCentral) return lines;
+std::vector<AimLine> withoutCentral(const Setting& at, const std::vector<AimLine>& lines) {
     std::vector<AimLine> counted;
     const double exact = 1e-9 + 1.01 * biasOf(at.point);
     std::copy_if(lines.begin(), lines.end(), std::back_inserter(counted),
@@ -55,9 +53,11 @@ LightParts partsWithoutRays(const Setting& at) {
 
 LightParts partsOf(const Setting& at, std::span<const AimLine> lines) {
     const double weight = 1.0 / static_cast<double>(lines.size());
+    const bool sameForAll = at.reading.phong == Phong::central;
+    SampleTerms terms = sameForAll ? centralTerms(at) : SampleTerms{};
     LightParts parts;
     for (const AimLine& line : lines) {
-        const SampleTerms terms = termsOf(at, line);
+        if (!sameForAll) terms = termsOf(at, line);
         parts.fullDiffuse += terms.diffuse * weight;
         parts.fullSpecular += terms.specular * weight;
         const Sight sight = at.endless ? line.endlessly : line.toLight;
@@ -91,9 +91,10 @@ SampleTerms centralTerms(const Setting& at) {
 }
 
 LightParts partsOf(const Setting& at, const std::vector<AimLine>& logged) {
-    const std::vector<AimLine> counted = countedLines(at, logged);
-    if (counted.empty()) return partsWithoutRays(at);
-    const std::span<const AimLine> lines{counted};
+    std::vector<AimLine> some;
+    std::span<const AimLine> lines{logged};
+    if (at.reading.withoutCentral) lines = some = withoutCentral(at, logged);
+    if (lines.empty()) return partsWithoutRays(at);
     const auto asked = static_cast<std::size_t>(at.settings.shadowRayCount);
     if (!at.reading.termsApart || lines.size() < 2 * asked) return partsOf(at, lines);
     LightParts parts = partsOf(at, lines.first(lines.size() / 2));

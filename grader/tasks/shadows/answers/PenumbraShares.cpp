@@ -77,8 +77,8 @@ ExpectedShares expectedAt(const probe::IlluminateQuestion& asked, const Surfaces
     const double centre = (light.position() - point.position).magnitude();
     const Vector3 start = point.position + point.normal * 1e-4;
     ExpectedShares expected;
-    for (int i = 0; i < kAims; ++i) {
-        const Vector3 aim = light.position() + aimOf(shape, i) * (size * asked.settings.lightSize);
+    for (const Vector3& place : aimsOf(shape, kAims)) {
+        const Vector3 aim = light.position() + place * (size * asked.settings.lightSize);
         const Vector3 towards = aim - start;
         const double distance = towards.magnitude();
         if (surfaces.sightAlong(start, towards / distance, distance) == Sight::blocked) continue;

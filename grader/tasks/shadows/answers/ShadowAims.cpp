@@ -3,6 +3,7 @@
 #include <grader/tasks/shadows/answers/AimFeet.h>
 #include <grader/tasks/shadows/answers/ShadowAims.h>
 #include <grader/tasks/support/Bounds.h>
+#include <grader/tasks/support/Distinct.h>
 #include <grader/tasks/support/Draw.h>
 
 #include <algorithm>
@@ -10,8 +11,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <numbers>
-#include <set>
+#include <tuple>
 #include <utility>
 
 namespace ticker::tasks {
@@ -93,16 +96,16 @@ std::size_t independentLines(const std::vector<const ShadowLog*>& far, std::size
     std::size_t most = 0;
     bool repeated = false;
     for (const ShadowLog* log : far) {
-        std::set<std::array<std::int64_t, 3>> feet;
-        std::size_t count = 0;
+        std::vector<std::array<std::int64_t, 3>> feet;
         for (const PointLog& point : log->points)
             for (const AimLine& line : samplesOf(point, log->settings())) {
                 const auto cell = [](double value) { return std::llround(value * 1e5); };
-                feet.insert({cell(line.foot.x), cell(line.foot.y), cell(line.foot.z)});
-                ++count;
+                feet.push_back({cell(line.foot.x), cell(line.foot.y), cell(line.foot.z)});
             }
-        most = std::max(most, feet.size());
-        repeated = repeated || static_cast<double>(feet.size()) < 0.9 * static_cast<double>(count);
+        const auto count = static_cast<double>(feet.size());
+        const std::size_t distinct = numberOfDifferent(std::move(feet));
+        most = std::max(most, distinct);
+        repeated = repeated || static_cast<double>(distinct) < 0.9 * count;
     }
     return repeated ? most : lines;
 }
@@ -212,6 +215,18 @@ Vector3 aimOf(AimShape shape, int i) {
     const double n = i + 1.0;
     return shaped(shape, std::modf(0.5 + n / g, &whole), std::modf(0.5 + n / (g * g), &whole),
                   std::modf(0.5 + n / (g * g * g), &whole));
+}
+
+const std::vector<Vector3>& aimsOf(AimShape shape, int count) {
+    static std::mutex mutex;
+    static std::map<std::tuple<AimShape::Radius, AimShape::Poles, int>, std::vector<Vector3>> known;
+    const std::lock_guard lock{mutex};
+    const auto [found, isNew] = known.try_emplace({shape.radius, shape.poles, count});
+    std::vector<Vector3>& aims = found->second;
+    if (isNew)
+        for (int i = 0; i < count; ++i)
+            aims.push_back(aimOf(shape, i));
+    return aims;
 }
 
 }  // namespace ticker::tasks

@@ -97,6 +97,10 @@ struct AimVerdict {
 /// Point `i` of an even lattice of aims, for a light of radius 1 at the origin.
 [[nodiscard]] Vector3 aimOf(AimShape shape, int i);
 
+/// The first `count` points of this lattice. They are computed once and kept: every decision uses
+/// the same.
+[[nodiscard]] const std::vector<Vector3>& aimsOf(AimShape shape, int count);
+
 }  // namespace ticker::tasks
 
 #endif

@@ -20,11 +20,11 @@ AimLine readLine(const Surfaces& surfaces, const Vector3& centre, const Vector3&
     line.direction = direction;
     line.foot = questions::footFrom(centre, {origin, direction});
     line.miss = line.foot.magnitude();
-    line.endlessly =
-        surfaces.sightAlong(origin, direction, std::numeric_limits<double>::infinity());
+    const NearestHits hits = surfaces.hitsAlong(origin, direction);
+    line.endlessly = hits.sightUpTo(std::numeric_limits<double>::infinity());
     // No question has objects in or near a light, so that the distance to the centre and the
     // distance to the sample give the same result.
-    line.toLight = surfaces.sightAlong(origin, direction, (centre - origin).magnitude());
+    line.toLight = hits.sightUpTo((centre - origin).magnitude());
     return line;
 }
 

@@ -124,6 +124,12 @@ FitCount countFits(const ShadowLog& log, const ShadowReading& reading,
     return count;
 }
 
+bool allFit(const ShadowLog& log, const ShadowReading& reading, ShadowArithmetic arithmetic) {
+    return std::ranges::all_of(log.points, [&](const PointLog& point) {
+        return fits(point, log.scene(), log.settings(), reading, arithmetic);
+    });
+}
+
 std::vector<ShadowReading> acceptedShadowReadings() {
     std::vector<ShadowReading> readings;
     // The last two allow the widest intervals, so they are tried last.
@@ -136,6 +142,12 @@ std::vector<ShadowReading> acceptedShadowReadings() {
         for (const bool viewerIsEye : {false, true})
             readings.push_back({phong, viewerIsEye, false, true});
     return readings;
+}
+
+bool fitsAnyReading(const ShadowLog& log) {
+    return std::ranges::any_of(acceptedShadowReadings(), [&](const ShadowReading& reading) {
+        return allFit(log, reading, ShadowArithmetic::right);
+    });
 }
 
 }  // namespace ticker::tasks

@@ -50,13 +50,19 @@ enum class ShadowArithmetic {
 struct FitCount {
     std::size_t fitting = 0;
     std::size_t points = 0;
-    [[nodiscard]] bool all() const { return fitting == points; }
 };
 [[nodiscard]] FitCount countFits(const ShadowLog& log, const ShadowReading& reading,
                                  ShadowArithmetic arithmetic);
 
+/// Whether all points fit: faster than counting, because it ends at the first that does not.
+[[nodiscard]] bool allFit(const ShadowLog& log, const ShadowReading& reading,
+                          ShadowArithmetic arithmetic);
+
 /// All accepted readings, the reference solution's first.
 [[nodiscard]] std::vector<ShadowReading> acceptedShadowReadings();
+
+/// Whether all points fit one of them.
+[[nodiscard]] bool fitsAnyReading(const ShadowLog& log);
 
 /// Light of one lamp at a point without shadow, in the central reading.
 [[nodiscard]] ColourRGB unshadowed(const PointLog& point, const raytracer::SceneDescription& scene,

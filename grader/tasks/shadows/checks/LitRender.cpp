@@ -1,6 +1,7 @@
 #include <grader/tasks/shadows/checks/LitRender.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 
+#include <grader/tasks/support/Distinct.h>
 #include <grader/tasks/support/Finite.h>
 
 #include <questions/RayGeometry.h>
@@ -11,7 +12,7 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
+#include <utility>
 #include <vector>
 
 namespace ticker::tasks {
@@ -60,7 +61,7 @@ public:
         }
     }
     [[nodiscard]] LitRender take() && {
-        lit_.lensRays = lensRays_.size();
+        lit_.lensRays = numberOfDifferent(std::move(lensRays_));
         return std::move(lit_);
     }
 
@@ -81,8 +82,8 @@ private:
             open->second.rays.push_back(event);
         } else if (surfaces_.distanceToNearest(event.a) > kOnSurface) {
             const auto cell = [](double value) { return std::llround(value * 1e9); };
-            lensRays_.insert({cell(event.a.x), cell(event.a.y), cell(event.a.z), cell(event.b.x),
-                              cell(event.b.y), cell(event.b.z)});
+            lensRays_.push_back({cell(event.a.x), cell(event.a.y), cell(event.a.z), cell(event.b.x),
+                                 cell(event.b.y), cell(event.b.z)});
         } else if (aimsAtALight(lit_.asked.question.scene, lit_.asked.question.settings.lightSize,
                                 event)) {
             ++lit_.looseRays;
@@ -107,7 +108,7 @@ private:
     int wall_;
     LitRender lit_;
     std::map<std::uint32_t, Open> open_;  // by thread
-    std::set<std::array<long long, 6>> lensRays_;
+    std::vector<std::array<long long, 6>> lensRays_;
 };
 
 // Whether rays start elsewhere or miss their light.
@@ -125,7 +126,6 @@ FitCount bestFit(const ShadowLog& log) {
     FitCount best;
     for (const ShadowReading& reading : acceptedShadowReadings()) {
         const FitCount fits = countFits(log, reading, ShadowArithmetic::right);
-        if (fits.all()) return fits;
         if (best.points == 0 || fits.fitting > best.fitting) best = fits;
     }
     return best;
@@ -170,8 +170,8 @@ std::optional<std::string> litDifference(const LitRender& lit) {
     if (const RayCounts counts = countRays({&log}); counts.fewest < asked)
         return fmt::format("some points get {} of {} shadow rays to a light", counts.fewest, asked);
     if (goAstray(log)) return "some shadow rays start at another point, or pass the light";
+    if (fitsAnyReading(log)) return std::nullopt;
     const FitCount best = bestFit(log);
-    if (best.all()) return std::nullopt;
     return fmt::format("{} of {} points have another colour than their own shadow rays give",
                        best.points - best.fitting, best.points);
 }

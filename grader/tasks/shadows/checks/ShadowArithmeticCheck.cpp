@@ -14,9 +14,8 @@ namespace {
 using Logs = std::vector<const ShadowLog*>;
 
 bool allFit(const Logs& logs, const ShadowReading& reading, ShadowArithmetic arithmetic) {
-    return std::all_of(logs.begin(), logs.end(), [&](const ShadowLog* log) {
-        return countFits(*log, reading, arithmetic).all();
-    });
+    return std::all_of(logs.begin(), logs.end(),
+                       [&](const ShadowLog* log) { return allFit(*log, reading, arithmetic); });
 }
 
 std::optional<ShadowReading> readingThatFits(const Logs& logs, ShadowArithmetic arithmetic) {

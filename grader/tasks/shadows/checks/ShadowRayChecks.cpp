@@ -202,19 +202,6 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
     return finding;
 }
 
-namespace {
-
-// Readings with wide intervals fit whenever the code's own reading does; with a smaller light only
-// that one does.
-bool anyReadingFits(const ShadowLog& log) {
-    const std::vector<ShadowReading> readings = acceptedShadowReadings();
-    return std::any_of(readings.begin(), readings.end(), [&](const ShadowReading& reading) {
-        return countFits(log, reading, ShadowArithmetic::right).all();
-    });
-}
-
-}  // namespace
-
 std::optional<Finding> checkOtherSettings(const ShadowLogs& logs) {
     for (const ShadowLog* log : logs.otherSettings) {
         const RayCounts counts = countRays({log});
@@ -222,7 +209,9 @@ std::optional<Finding> checkOtherSettings(const ShadowLogs& logs) {
         const double widest = widestMiss({log});
         const bool tooFew = counts.fewest < asked;
         const bool tooWide = widest > log->settings().lightSize * (1.0 + 1e-6) + kLargestBias;
-        const bool wrongValue = !anyReadingFits(*log);
+        // Readings with wide intervals fit whenever the code's own reading does; with a smaller
+        // light only that one does.
+        const bool wrongValue = !fitsAnyReading(*log);
         if (!tooFew && !tooWide && !wrongValue) continue;
         Finding finding = distributedFinding(
             kSettingsHardCoded, Severity::warn,

@@ -2,6 +2,7 @@
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
+#include <grader/tasks/support/Distinct.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
@@ -10,7 +11,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <set>
+#include <utility>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -28,12 +30,13 @@ double biasOf(const AimLine& line, const PointLog& point) {
 }
 
 std::size_t distinctRays(const std::vector<AimLine>& lines) {
-    std::set<std::array<std::int64_t, 6>> seen;
+    std::vector<std::array<std::int64_t, 6>> seen;
+    seen.reserve(lines.size());
     const auto cell = [](double value) { return std::llround(value * 1e12); };
     for (const AimLine& line : lines)
-        seen.insert({cell(line.direction.x), cell(line.direction.y), cell(line.direction.z),
-                     cell(line.origin.x), cell(line.origin.y), cell(line.origin.z)});
-    return seen.size();
+        seen.push_back({cell(line.direction.x), cell(line.direction.y), cell(line.direction.z),
+                        cell(line.origin.x), cell(line.origin.y), cell(line.origin.z)});
+    return numberOfDifferent(std::move(seen));
 }
 
 RayCounts countRays(const std::vector<const ShadowLog*>& logs, bool lightsWithoutRays) {

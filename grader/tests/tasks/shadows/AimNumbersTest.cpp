@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -31,6 +33,17 @@ AimVerdict judge(const std::function<Vector3(int ray, Draw&)>& aim) {
 
 Vector3 inBall(int, Draw& draw) {
     return draw.direction() * std::cbrt(draw.between(0.0, 1.0));
+}
+
+TEST(AimsOf, AreTheLatticesPointsInOrder) {
+    for (const AimShape shape : kAcceptedAimShapes)
+        for (const int count : {3, 700}) {
+            const std::vector<Vector3>& aims = aimsOf(shape, count);
+            ASSERT_EQ(aims.size(), static_cast<std::size_t>(count));
+            for (int i = 0; i < count; ++i)
+                ASSERT_EQ(aims[static_cast<std::size_t>(i)], aimOf(shape, i));
+            EXPECT_EQ(&aimsOf(shape, count), &aims);
+        }
 }
 
 // Bounds are those of a chance below 1e-11 each.

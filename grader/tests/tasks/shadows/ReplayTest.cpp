@@ -28,6 +28,18 @@ TEST(Replay, FitsHalfOfTheLightAndNothingElse) {
     EXPECT_FALSE(half.fitsAs(ShadowArithmetic::right));
 }
 
+TEST(Replay, FitsAsAWholeWhereEveryPointDoes) {
+    ReplayCase made;
+    made.answer({-0.3, -0.2, 0.2, 0.3}, kAmbient + (kDiffuse + kSpecular) * 0.5);
+    EXPECT_TRUE(allFit(made.log, {}, ShadowArithmetic::right));
+    EXPECT_TRUE(fitsAnyReading(made.log));
+    made.log.points.push_back(made.log.points[0]);
+    made.log.points[1].colour = kAmbient;
+    EXPECT_FALSE(allFit(made.log, {}, ShadowArithmetic::right));
+    EXPECT_FALSE(fitsAnyReading(made.log));
+    EXPECT_EQ(countFits(made.log, {}, ShadowArithmetic::right).fitting, 1U);
+}
+
 TEST(Replay, NamesEachMistakeOfArithmetic) {
     ReplayCase quarter;
     const std::vector<double> aims{-0.3, 0.2, 0.25, 0.3};

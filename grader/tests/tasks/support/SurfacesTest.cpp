@@ -1,8 +1,11 @@
+#include <grader/tasks/support/Distinct.h>
 #include <grader/tasks/support/Surfaces.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -56,6 +59,22 @@ TEST(SightAlong, IsUnsureWhereRoundingDecides) {
     EXPECT_EQ(sight({0.0, 1.0 + 1e-5, 0.0}, kRight, 8.0), Sight::open);
     EXPECT_EQ(sight({}, kRight, 4.0 + 1e-6), Sight::unsure) << "ends before or behind it";
     EXPECT_EQ(sight({}, kRight, 4.0 - 1e-6), Sight::unsure);
+}
+
+TEST(HitsAlong, ServeEveryReachOfOneRay) {
+    const NearestHits hits = Surfaces{ballAndWall()}.hitsAlong({}, kRight);
+    EXPECT_EQ(hits.plain, 4.0);
+    EXPECT_NEAR(hits.small - hits.plain, 2e-6, 1e-12);
+    EXPECT_NEAR(hits.plain - hits.large, 2e-6, 1e-12);
+    EXPECT_EQ(hits.sightUpTo(3.9), Sight::open);
+    EXPECT_EQ(hits.sightUpTo(4.1), Sight::blocked);
+    EXPECT_EQ(hits.sightUpTo(4.0), Sight::unsure);
+}
+
+TEST(NumberOfDifferent, CountsEqualValuesOnce) {
+    using Pairs = std::vector<std::array<int, 2>>;
+    EXPECT_EQ(numberOfDifferent(Pairs{}), 0U);
+    EXPECT_EQ(numberOfDifferent(Pairs{{1, 2}, {2, 1}, {1, 2}, {1, 3}}), 3U);
 }
 
 TEST(DistanceToNearest, IsThatOfBallsFromBothSidesAndOfPlanes) {
