@@ -143,20 +143,21 @@ HWY_INLINE VF visibleShare(const Setup& setup, const Waiting& waiting) {
     return visibleBesidePlanes(setup, waiting, radius, visible);
 }
 
-/// Computes the shares of all queued points with one occluder.
+/// Adds the light of all queued points with one occluder.
 HWY_INLINE void settleClosed(const Setup& setup, std::size_t light, Workspace& work) {
-    LightWork& lamp = work.lights[light];
-    fillIdleLanes(lamp.singles);
-    for (std::size_t at = 0; at < lamp.singles.size; at += width()) {
-        const Waiting waiting = waitingAt(setup, setup.scene.lights[light], lamp.singles, at);
+    ShadowQueue& singles = work.lights[light].singles;
+    fillIdleLanes(singles);
+    const VF perRay = all(1.0F / static_cast<float>(setup.settings.shadowRayCount));
+    for (std::size_t at = 0; at < singles.size; at += width()) {
+        const Waiting waiting = waitingAt(setup, setup.scene.lights[light], singles, at);
         const VF share = visibleShare(setup, waiting);
-        scatter(share, lamp.share, waiting.slot);
-        scatter(share, lamp.pairedShare, waiting.slot);
-        const VF noise = hn::Mul(hn::Mul(share, hn::Sub(all(1.0F), share)),
-                                 all(1.0F / static_cast<float>(setup.settings.shadowRayCount)));
-        scatter(noise, lamp.shareNoise, waiting.slot);
+        const Vec3 visible = waiting.contribution * share;
+        addColour(work.colour, waiting.slot, visible);
+        addColour(work.pairedColour, waiting.slot, visible);
+        const VF noise = hn::Mul(hn::Mul(share, hn::Sub(all(1.0F), share)), perRay);
+        addNoise(work, waiting.slot, waiting.contribution, noise);
     }
-    lamp.singles.size = 0;
+    singles.size = 0;
 }
 
 }  // namespace ticker::oracle::HWY_NAMESPACE

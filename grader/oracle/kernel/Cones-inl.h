@@ -47,6 +47,7 @@ class SphereTest {
 public:
     explicit SphereTest(const Aim& aim)
         : aim_(aim),
+          axis_(aim.centre * aim.inverseDistance),
           sine_(hn::Min(hn::Mul(aim.bound, aim.inverseDistance), all(1.0F))),
           sine2_(squared(sine_)),
           cosine2_(hn::Sub(all(1.0F), sine2_)) {}
@@ -57,9 +58,13 @@ public:
         const VF radius = all(scene.spheres.radius[sphere]);
         const VF wider = all(scene.spheres.radius[sphere] * (1.0F + kSlack) + kSlack);
         const Vec3 toCentre = centreOf(scene, sphere) - start.point;
+        const VF along = dot(toCentre, axis_);
+        const MF inTube = hn::Le(hn::NegMulAdd(along, along, squared(toCentre)),
+                                 squared(hn::Add(aim_.bound, wider)));
+        if (hn::AllFalse(F(), hn::And(inTube, hn::Ge(hn::Add(along, wider), zero)))) return;
+
         const VF power = powerOf(scene, sphere, toCentre, start);
         const VF distance2 = hn::MulAdd(radius, radius, power);
-        const VF along = hn::Mul(dot(toCentre, aim_.centre), aim_.inverseDistance);
         const VF along2 = squared(along);
         const VF across2 = hn::Max(hn::Sub(distance2, along2), zero);
         const VF aside2 = hn::Mul(across2, cosine2_);
@@ -69,7 +74,7 @@ public:
             hn::Or(hn::Ge(along, zero),
                    hn::Le(along2, hn::MulAdd(spread2, all(1.0F + kSlack), all(kSlack))));
         const MF beside = hn::Le(aside2, squared(hn::MulAdd(along, sine_, wider)));
-        const MF within = hn::Lt(hn::Sqrt(distance2), hn::Add(aim_.reach, wider));
+        const MF within = hn::Lt(distance2, squared(hn::Add(aim_.reach, wider)));
         const MF inside = hn::Le(power, zero);
         const MF may = hn::Or(inside, hn::And(hn::And(ahead, beside), within));
         if (hn::AllFalse(F(), may)) return;
@@ -93,6 +98,7 @@ private:
     static constexpr float kSlack = 1e-4F;
 
     const Aim& aim_;
+    Vec3 axis_;
     VF sine_, sine2_, cosine2_;
 };
 

@@ -75,7 +75,7 @@ HWY_INLINE Closest closest(const SceneSoA& scene, const Start& start, const Vec3
     for (std::size_t i = 0; i < scene.planes.size(); ++i) {
         const Vec3 normal = all3(scene.planes.x[i], scene.planes.y[i], scene.planes.z[i]);
         const VF height = heightAbove(scene, i, start);
-        const VF distance = hn::Div(hn::Neg(height), dot(normal, direction));
+        const VF distance = hn::Mul(hn::Neg(height), inverse(dot(normal, direction)));
         const MF nearer = hn::And(hn::Gt(distance, zero), hn::Lt(distance, result.distance));
         result.distance = hn::IfThenElse(nearer, distance, result.distance);
         const auto number = static_cast<std::int32_t>(scene.spheres.size() + i);
@@ -85,13 +85,24 @@ HWY_INLINE Closest closest(const SceneSoA& scene, const Start& start, const Vec3
     return result;
 }
 
-/// One property of each lane's object; an arbitrary value in lanes without an object.
-HWY_INLINE VF ofObject(const SceneSoA& scene, const std::vector<float>& table, VI object) {
-    const VI known = hn::Max(object, hn::Zero(I()));
-    if (scene.heightMaps.size() <= width())
-        return hn::TableLookupLanes(hn::LoadU(F(), table.data()), hn::IndicesFromVec(F(), known));
-    return hn::GatherIndex(F(), table.data(), known);
-}
+/// Reads properties of each lane's object; arbitrary values in lanes without an object.
+class OfObject {
+public:
+    OfObject(const SceneSoA& scene, VI object)
+        : fitsRegister_(scene.heightMaps.size() <= width()),
+          object_(hn::Max(object, hn::Zero(I()))) {}
+
+    HWY_INLINE VF operator()(const std::vector<float>& table) const {
+        if (fitsRegister_)
+            return hn::TableLookupLanes(hn::LoadU(F(), table.data()),
+                                        hn::IndicesFromVec(F(), object_));
+        return hn::GatherIndex(F(), table.data(), object_);
+    }
+
+private:
+    bool fitsRegister_;
+    VI object_;
+};
 
 }  // namespace ticker::oracle::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

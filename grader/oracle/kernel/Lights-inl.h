@@ -50,15 +50,19 @@ HWY_INLINE Start shadowStart(const Setup& setup, const Surface& surface, const V
             hn::Mul(bias, dot(surface.geometric, along))};
 }
 
+/// Compresses in a register: some processors take a hundred times as long to compress into memory.
 template <typename T>
 HWY_INLINE void append(T value, MF mask, Lanes<hn::TFromV<T>>& to, std::size_t at) {
-    hn::CompressStore(value, hn::RebindMask(hn::DFromV<T>(), mask), hn::DFromV<T>(),
-                      to.data() + at);
+    const hn::DFromV<T> tag;
+    hn::StoreU(hn::Compress(value, hn::RebindMask(tag, mask)), tag, to.data() + at);
 }
 
 HWY_INLINE void enqueue(ShadowQueue& queue, MF mask, const Start& start, const Occluders& occluders,
-                        std::size_t firstSlot) {
+                        const Vec3& contribution, std::size_t firstSlot) {
     const std::size_t at = queue.size;
+    append(contribution.x, mask, queue.contribution.x, at);
+    append(contribution.y, mask, queue.contribution.y, at);
+    append(contribution.z, mask, queue.contribution.z, at);
     append(start.point.x, mask, queue.start.x, at);
     append(start.point.y, mask, queue.start.y, at);
     append(start.point.z, mask, queue.start.z, at);
@@ -88,8 +92,8 @@ HWY_INLINE MF onlyOne(const Setup& setup, const Occluders& occluders) {
     return hn::RebindMask(F(), hn::AndNot(both, few));
 }
 
-/// Handles one light at one vector of hits: stores its contribution, and its visible share where
-/// cone tests decide it; queues all other hits.
+/// Handles one light at one vector of hits: adds its contribution to `colour` where cone tests
+/// decide its visible share; queues all other hits.
 HWY_INLINE void lookAtLight(const Setup& setup, std::size_t number, const Surface& surface,
                             VF weight, const Vec3& ambient, std::size_t at, bool paired,
                             Workspace& work, Vec3& colour) {
@@ -103,29 +107,28 @@ HWY_INLINE void lookAtLight(const Setup& setup, std::size_t number, const Surfac
     colour = colour + parts.unshaded * weight;
     const Vec3 contribution = parts.shaded * weight;
 
-    LightWork& lamp = work.lights[number];
-    store(contribution, lamp.contribution, at);
     const VF size = hn::Abs(hn::Add(contribution.x, hn::Add(contribution.y, contribution.z)));
     const MF matters = hn::Gt(size, hn::Zero(F()));
     if (hn::AllFalse(F(), matters)) return;
 
     const Start start = shadowStart(setup, surface, toLight);
     const Occluders occluders = lookForOccluders(setup, start, aimAt(setup, light, start.point));
-    const VF share = hn::IfThenZeroElse(occluders.shaded, all(1.0F));
-    store(share, lamp.share, at);
-    store(share, lamp.pairedShare, at);
-    store(hn::Zero(F()), lamp.shareNoise, at);
-
     const VU marks =
         hn::Or(occluders.nearSpheres, hn::Or(occluders.otherSpheres, occluders.planes));
-    const MF open = hn::AndNot(occluders.shaded, hn::RebindMask(F(), hn::Ne(marks, hn::Zero(U()))));
-    MF unknown = hn::And(matters, open);
+    const MF doubtful = hn::RebindMask(F(), hn::Ne(marks, hn::Zero(U())));
+    const MF dimmed = hn::Or(occluders.shaded, doubtful);
+    colour = moved(colour, contribution, hn::IfThenZeroElse(dimmed, all(1.0F)));
+    MF unknown = hn::And(matters, hn::AndNot(occluders.shaded, doubtful));
+    if (hn::AllFalse(F(), unknown)) return;
+    LightWork& lamp = work.lights[number];
     if (paired && setup.closedFormsHold) {
         const MF single = hn::And(unknown, onlyOne(setup, occluders));
-        if (!hn::AllFalse(F(), single)) enqueue(lamp.singles, single, start, occluders, at);
+        if (!hn::AllFalse(F(), single))
+            enqueue(lamp.singles, single, start, occluders, contribution, at);
         unknown = hn::AndNot(single, unknown);
     }
-    if (!hn::AllFalse(F(), unknown)) enqueue(lamp.queue, unknown, start, occluders, at);
+    if (!hn::AllFalse(F(), unknown))
+        enqueue(lamp.queue, unknown, start, occluders, contribution, at);
 }
 
 }  // namespace ticker::oracle::HWY_NAMESPACE

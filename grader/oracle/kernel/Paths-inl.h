@@ -41,12 +41,6 @@ HWY_INLINE bool stepVector(const Setup& setup, int depth, std::size_t at, Aims& 
                            Workspace& work) {
     const VF zero = hn::Zero(F());
     const VF weight = load(work.weight, at);
-    for (LightWork& lamp : work.lights) {
-        store(all3(0.0F, 0.0F, 0.0F), lamp.contribution, at);
-        store(zero, lamp.share, at);
-        store(zero, lamp.pairedShare, at);
-        store(zero, lamp.shareNoise, at);
-    }
     if (hn::AllFalse(F(), hn::Gt(weight, zero))) return false;
 
     const Start start{load(work.origin, at), load(work.object, at), load(work.clearance, at)};
@@ -76,21 +70,9 @@ HWY_INLINE bool stepVector(const Setup& setup, int depth, std::size_t at, Aims& 
     }
     addColour(work.colour, at, colour);
     if (paired) addColour(work.pairedColour, at, colour);
-    reflect(surface, direction, hn::Mul(weight, mirrored), at, work);
+    if (depth < setup.settings.bounces)
+        reflect(surface, direction, hn::Mul(weight, mirrored), at, work);
     return true;
-}
-
-/// Adds every light's contribution once its visible share is known.
-HWY_INLINE void addLights(Workspace& work, bool paired) {
-    for (const LightWork& lamp : work.lights) {
-        for (std::size_t at = 0; at < work.paths; at += width()) {
-            const Vec3 all = load(lamp.contribution, at);
-            addColour(work.colour, at, all * load(lamp.share, at));
-            if (!paired) continue;
-            addColour(work.pairedColour, at, all * load(lamp.pairedShare, at));
-            addNoise(work, at, all, load(lamp.shareNoise, at));
-        }
-    }
 }
 
 template <typename Lens, typename Aims>
@@ -109,7 +91,6 @@ HWY_INLINE void traceAll(const Setup& setup, Drawing drawing, Lens& lens, Aims& 
             settleClosed(setup, light, work);
             settle(setup, light, static_cast<std::size_t>(depth), paired, aims, work);
         }
-        addLights(work, paired);
     }
 }
 

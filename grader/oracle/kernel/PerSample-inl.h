@@ -12,15 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {
 
-/// Adds the covariance of `size` * X, where X is a random number of variance `variance`.
-HWY_INLINE void addNoise(Workspace& work, std::size_t at, const Vec3& size, VF variance) {
-    const VF products[6] = {squared(size.x),         squared(size.y),
-                            squared(size.z),         hn::Mul(size.x, size.y),
-                            hn::Mul(size.x, size.z), hn::Mul(size.y, size.z)};
-    for (std::size_t i = 0; i < 6; ++i)
-        store(hn::MulAdd(products[i], variance, load(work.noise[i], at)), work.noise[i], at);
-}
-
 /// Phong's terms for one aim point.
 HWY_INLINE Phong phongTowards(const Setup& setup, const SceneSoA::Light& light,
                               const Surface& surface, const Vec3& towards, VF centreFalloff) {
@@ -73,7 +64,7 @@ HWY_INLINE void sampleLight(const Setup& setup, std::size_t number, std::size_t 
     }
     addColour(work.colour, at, colours[0]);
     addColour(work.pairedColour, at, colours[1]);
-    addNoise(work, at, colours[0] - colours[1],
+    addNoise(work, waiting.slot, colours[0] - colours[1],
              all(0.5F / static_cast<float>(setup.settings.shadowRayCount)));
 }
 

@@ -61,24 +61,21 @@ HWY_INLINE Surface surfaceAt(const Setup& setup, const Vec3& point, const Vec3& 
     Surface surface;
     surface.point = point;
     surface.object = object;
-    const VF scale = ofObject(scene, scene.normals.scale, object);
-    const Vec3 shift{ofObject(scene, scene.normals.shiftX, object),
-                     ofObject(scene, scene.normals.shiftY, object),
-                     ofObject(scene, scene.normals.shiftZ, object)};
+    const OfObject of{scene, object};
+    const Vec3 shift{of(scene.normals.shiftX), of(scene.normals.shiftY), of(scene.normals.shiftZ)};
     // A miss has weight zero, but 0 * infinity is NaN: nothing that a miss computes may overflow.
     const MF known = hn::RebindMask(F(), hn::Gt(object, hn::Set(I(), -1)));
     const Vec3 none = all3(0.0F, 0.0F, 0.0F);
-    surface.geometric = select(known, point * scale - shift, none);
+    surface.geometric = select(known, point * of(scene.normals.scale) - shift, none);
     surface.normal = surface.geometric;
     if (scene.anyBumpy) addBumps(setup, surface);
     surface.toViewer = setup.reading.viewerIsEye ? normalised(none - point) : none - direction;
-    surface.colour = {ofObject(scene, scene.materials.red, object),
-                      ofObject(scene, scene.materials.green, object),
-                      ofObject(scene, scene.materials.blue, object)};
-    surface.kD = ofObject(scene, scene.materials.kD, object);
-    surface.kS = ofObject(scene, scene.materials.kS, object);
-    surface.alpha = ofObject(scene, scene.materials.alpha, object);
-    surface.reflectivity = ofObject(scene, scene.materials.reflectivity, object);
+    const SceneSoA::Materials& materials = scene.materials;
+    surface.colour = {of(materials.red), of(materials.green), of(materials.blue)};
+    surface.kD = of(materials.kD);
+    surface.kS = of(materials.kS);
+    surface.alpha = of(materials.alpha);
+    surface.reflectivity = of(materials.reflectivity);
     return surface;
 }
 

@@ -14,6 +14,7 @@ namespace ticker::oracle::HWY_NAMESPACE {
 
 /// One vector of queued points, and one light.
 struct Waiting {
+    Vec3 contribution;  ///< of the unshadowed light
     Start start;
     VU slot;
     VU nearSpheres, otherSpheres, planes;
@@ -24,6 +25,7 @@ struct Waiting {
 HWY_INLINE Waiting waitingAt(const Setup& setup, const SceneSoA::Light& light,
                              const ShadowQueue& queue, std::size_t at) {
     Waiting waiting;
+    waiting.contribution = load(queue.contribution, at);
     waiting.start = {load(queue.start, at), load(queue.object, at), load(queue.clearance, at)};
     waiting.slot = load(queue.slot, at);
     waiting.nearSpheres = load(queue.nearSpheres, at);
@@ -69,32 +71,48 @@ HWY_INLINE VF countedShare(const Setup& setup, const Waiting& waiting, Occluding
     return hn::Mul(arrived, all(1.0F / static_cast<float>(setup.shadowRays)));
 }
 
-HWY_INLINE void scatter(VF value, Lanes<float>& to, VU slot) {
-    hn::ScatterIndex(value, F(), to.data(), hn::BitCast(I(), slot));
+/// Adds to the values of the paths `slot`; no path occurs twice in a vector.
+HWY_INLINE void addAt(VF value, Lanes<float>& to, VU slot) {
+    const VI where = hn::BitCast(I(), slot);
+    const VF sum = hn::Add(hn::GatherIndex(F(), to.data(), where), value);
+    hn::ScatterIndex(sum, F(), to.data(), where);
+}
+
+HWY_INLINE void addColour(std::array<Lanes<float>, 3>& to, VU slot, const Vec3& colour) {
+    addAt(colour.x, to[0], slot);
+    addAt(colour.y, to[1], slot);
+    addAt(colour.z, to[2], slot);
+}
+
+/// Adds the covariance of `size` * X, where X is a random number of variance `variance`.
+HWY_INLINE void addNoise(Workspace& work, VU slot, const Vec3& size, VF variance) {
+    const VF products[6] = {squared(size.x),         squared(size.y),
+                            squared(size.z),         hn::Mul(size.x, size.y),
+                            hn::Mul(size.x, size.z), hn::Mul(size.y, size.z)};
+    for (std::size_t i = 0; i < 6; ++i)
+        addAt(hn::Mul(products[i], variance), work.noise[i], slot);
 }
 
 template <typename Aims>
 HWY_INLINE void settleCounted(const Setup& setup, const Waiting& waiting, Occluding& occluding,
-                              Aims& aims, LightWork& lamp) {
+                              Aims& aims, Workspace& work) {
     const VF share = countedShare(setup, waiting, occluding, aims);
-    scatter(share, lamp.share, waiting.slot);
-    scatter(share, lamp.pairedShare, waiting.slot);
+    addColour(work.colour, waiting.slot, waiting.contribution * share);
 }
 
 /// Two rays are enough for mean and variance: for independent estimates a and b, E[a b] is the
 /// square of the mean, and E[(a - b)^2 / 2] is the variance of one ray.
 template <typename Aims>
 HWY_INLINE void settlePaired(const Setup& setup, const Waiting& waiting, Occluding& occluding,
-                             Aims& aims, LightWork& lamp) {
+                             Aims& aims, Workspace& work) {
     const VF one = all(1.0F);
     const MF first = rayStopped(setup, waiting, occluding, aims, 0);
     const MF second = rayStopped(setup, waiting, occluding, aims, 1);
-    const VF a = hn::IfThenZeroElse(first, one);
-    const VF b = hn::IfThenZeroElse(second, one);
-    scatter(a, lamp.share, waiting.slot);
-    scatter(b, lamp.pairedShare, waiting.slot);
+    const Vec3& light = waiting.contribution;
+    addColour(work.colour, waiting.slot, light * hn::IfThenZeroElse(first, one));
+    addColour(work.pairedColour, waiting.slot, light * hn::IfThenZeroElse(second, one));
     const float noise = 0.5F / static_cast<float>(setup.settings.shadowRayCount);
-    scatter(hn::IfThenElseZero(hn::Xor(first, second), all(noise)), lamp.shareNoise, waiting.slot);
+    addNoise(work, waiting.slot, light, hn::IfThenElseZero(hn::Xor(first, second), all(noise)));
 }
 
 /// Idle lanes of the last vector get the slot behind the last path, so that their stores hit the
@@ -106,12 +124,11 @@ HWY_INLINE void fillIdleLanes(ShadowQueue& queue) {
     }
 }
 
-/// Computes the shares of all queued points of a light and empties the queue.
+/// Adds a light to all points of its queue and empties the queue.
 template <typename Aims>
 HWY_INLINE void settle(const Setup& setup, std::size_t light, std::size_t depth, bool paired,
                        Aims& aims, Workspace& work) {
-    LightWork& lamp = work.lights[light];
-    ShadowQueue& queue = lamp.queue;
+    ShadowQueue& queue = work.lights[light].queue;
     fillIdleLanes(queue);
     Occluding occluding{setup.scene, work.occluders};
     for (std::size_t at = 0; at < queue.size; at += width()) {
@@ -119,9 +136,9 @@ HWY_INLINE void settle(const Setup& setup, std::size_t light, std::size_t depth,
         occluding.prepare(waiting.start, waiting.nearSpheres, waiting.otherSpheres, waiting.planes);
         aims.begin(waiting.slot, light, depth);
         if (paired)
-            settlePaired(setup, waiting, occluding, aims, lamp);
+            settlePaired(setup, waiting, occluding, aims, work);
         else
-            settleCounted(setup, waiting, occluding, aims, lamp);
+            settleCounted(setup, waiting, occluding, aims, work);
     }
     queue.size = 0;
 }

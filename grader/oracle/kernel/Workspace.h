@@ -36,21 +36,18 @@ struct OccluderScratch {
 /// Points of one light whose visible share is not known yet, stored contiguously.
 struct ShadowQueue {
     std::size_t size = 0;
-    Lanes3 start;  ///< of shadow rays
+    Lanes3 contribution;  ///< of the unshadowed light
+    Lanes3 start;         ///< of shadow rays
     Lanes<float> clearance;
     Lanes<std::int32_t> object;
     Lanes<std::uint32_t> slot;
     Lanes<std::uint32_t> nearSpheres, otherSpheres, planes;  ///< see Occluders
 };
 
-/// One light at one hit of each path.
+/// Hits of each path that cone tests leave undecided.
 struct LightWork {
-    Lanes3 contribution;       ///< of the unshadowed light
-    Lanes<float> share;        ///< visible share of the light
-    Lanes<float> pairedShare;  ///< an independent second estimate, or the same exact value
-    Lanes<float> shareNoise;   ///< variance of a student's share
-    ShadowQueue queue;         ///< points that need shadow rays
-    ShadowQueue singles;       ///< points with one occluder, whose share has a closed form
+    ShadowQueue queue;    ///< points that need shadow rays
+    ShadowQueue singles;  ///< points with one occluder, whose share has a closed form
 };
 
 /// Working memory of one thread. Slot i of every array belongs to path i.
