@@ -1,6 +1,7 @@
 #include <grader/oracle/Allocation.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -32,10 +33,19 @@ std::vector<double> smoothed(const PilotNoise& pilot) {
     return result;
 }
 
-std::uint32_t powerOfTwoNear(double value, std::uint32_t least, std::uint32_t most) {
-    const double bounded = std::clamp(value, static_cast<double>(least), static_cast<double>(most));
-    const auto exponent = static_cast<int>(std::lround(std::log2(bounded)));
-    return std::clamp(std::uint32_t{1} << exponent, std::bit_ceil(least), std::bit_floor(most));
+// A pixel's number of paths, as a base-2 logarithm: the pictures' many pixels are looked at dozens
+// of times, which takes no power and no logarithm then.
+int roundedTo(double wish, int least, int most) {
+    return static_cast<int>(
+        std::lround(std::clamp(wish, static_cast<double>(least), static_cast<double>(most))));
+}
+
+// By base-2 logarithm of the number of paths: what is left of the pilot's variance.
+std::array<double, 32> remainders(const PilotNoise& pilot) {
+    std::array<double, 32> result{};
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = std::pow(std::ldexp(pilot.paths, -static_cast<int>(i)), pilot.decay);
+    return result;
 }
 
 }  // namespace
@@ -43,20 +53,26 @@ std::uint32_t powerOfTwoNear(double value, std::uint32_t least, std::uint32_t mo
 std::vector<std::uint32_t> allocated(const PilotNoise& pilot, int replicates, double target,
                                      std::uint32_t least, std::uint32_t most, bool even) {
     const std::vector<double> noise = smoothed(pilot);
+    const std::array<double, 32> remaining = remainders(pilot);
+    const int lowest = std::countr_zero(std::bit_ceil(least));
+    const int highest = std::max(lowest, std::countr_zero(std::bit_floor(most)));
     // Least cost: all pixels have the same derivative of variance by number of paths.
-    const double exponent = even ? 0.0 : 1.0 / (1.0 + pilot.decay);
+    std::vector<double> wishes;
+    for (const double variance : noise)
+        wishes.push_back(even ? 0.0
+                              : std::log2(variance / (target + 1e-300)) / (1.0 + pilot.decay));
     std::vector<std::uint32_t> counts(noise.size(), least);
-    for (double scale = 1.0; scale < 1e12; scale *= 1.1) {
+    constexpr double kStep = 0.1375;  // a tenth more paths
+    for (double more = 0.0; more < 40.0; more += kStep) {
         double predicted = 0.0;
-        bool full = true;
+        int fewest = highest;
         for (std::size_t i = 0; i < noise.size(); ++i) {
-            const double relative = std::pow(noise[i] / (target + 1e-300), exponent);
-            counts[i] = powerOfTwoNear(scale * relative, least, most);
-            full = full && counts[i] >= std::bit_floor(most);
-            predicted +=
-                noise[i] * std::pow(static_cast<double>(pilot.paths) / counts[i], pilot.decay);
+            const int paths = roundedTo(more + wishes[i], lowest, highest);
+            counts[i] = std::uint32_t{1} << static_cast<unsigned>(paths);
+            fewest = std::min(fewest, paths);
+            predicted += noise[i] * remaining[static_cast<std::size_t>(paths)];
         }
-        if (predicted / replicates <= target || full) break;
+        if (predicted / replicates <= target || fewest == highest) break;
     }
     return counts;
 }

@@ -96,6 +96,8 @@ Setup::Setup(const raytracer::SceneDescription& description,
     shadowRays = aimBound > 0.0F || mistake.pointJitter > 0.0 ? settings.shadowRayCount : 1;
 
     contributionIsShare = reading.phong == PhongReading::central;
+    lightIsSplit = mistake.shadowInverted || mistake.ambientScaled || mistake.lightsMixed ||
+                   mistake.specularUnshadowed || mistake.diffuseUnshadowed;
     conesHold = tricks.coneTests && mistake.pointJitter == 0.0;
     closedFormsHold = tricks.closedForms && conesHold && contributionIsShare &&
                       reading.lightShape == LightShape::ball && radius > 0.0;

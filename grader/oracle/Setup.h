@@ -45,7 +45,8 @@ struct Setup {
     /// A light's contribution depends on the share of rays that arrive and on nothing else of its
     /// samples, so one number describes them.
     bool contributionIsShare = true;
-    bool conesHold = true;        ///< cone tests are valid for this reading and mistake
+    bool lightIsSplit = false;  ///< a mistake changes which part of a light is shaded, or how much
+    bool conesHold = true;      ///< cone tests are valid for this reading and mistake
     bool closedFormsHold = true;  ///< likewise the share of a ball behind a cone or plane
 
     /// One node of the Gauss-Legendre quadrature over half a turn, on the unit interval.

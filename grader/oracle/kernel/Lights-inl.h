@@ -103,10 +103,12 @@ HWY_INLINE void lookAtLight(const Setup& setup, std::size_t number, const Surfac
     const VF inverseDistance = inverseRoot(squared(apart));
     const Vec3 toLight = apart * inverseDistance;
     const Phong lit = phong(setup.scene, light, surface, toLight, squared(inverseDistance));
-    const Parts parts = partsOf(setup, number, lit, ambient);
-    colour = colour + parts.unshaded * weight;
-    const Vec3 contribution = parts.shaded * weight;
-
+    Vec3 contribution = (lit.diffuse + lit.specular) * weight;
+    if (setup.lightIsSplit) [[unlikely]] {
+        const Parts parts = partsOf(setup, number, lit, ambient);
+        contribution = parts.shaded * weight;
+        colour = colour + parts.unshaded * weight;
+    }
     const VF size = hn::Abs(hn::Add(contribution.x, hn::Add(contribution.y, contribution.z)));
     const MF matters = hn::Gt(size, hn::Zero(F()));
     if (hn::AllFalse(F(), matters)) return;
