@@ -87,7 +87,7 @@ public:
 
     HWY_INLINE void begin(VU slot, std::size_t light, std::size_t depth) {
         constexpr std::size_t kLensDimensions = 2;
-        slot_ = slot;
+        own_ = numbers_.of(slot);
         const std::size_t hit = depth * setup_.scene.lights.size() + light;
         const auto rays = static_cast<std::size_t>(paired_ ? 2 : setup_.shadowRays);
         dimension_ = (paired_ ? kLensDimensions : kGenerator.size()) + 3 * rays * hit;
@@ -95,9 +95,9 @@ public:
 
     HWY_INLINE Vec3 point(std::size_t i) {
         const std::size_t first = dimension_ + 3 * i;
-        const VF u = numbers_.at(slot_, first);
-        const VF v = numbers_.at(slot_, first + 1);
-        const VF w = numbers_.at(slot_, first + 2);
+        const VF u = numbers_.at(own_, first);
+        const VF v = numbers_.at(own_, first + 1);
+        const VF w = numbers_.at(own_, first + 2);
         return aimPoint(setup_.reading.lightShape, u, v, w) * all(setup_.lightRadius);
     }
 
@@ -105,7 +105,7 @@ private:
     const Setup& setup_;
     const PathNumbers& numbers_;
     bool paired_;
-    VU slot_ = hn::Zero(U());
+    PathNumbers::Own own_{hn::Zero(U()), hn::Zero(U())};
     std::size_t dimension_ = 0;
 };
 

@@ -68,9 +68,9 @@ public:
         : setup_(setup), numbers_(numbers) {}
 
     HWY_INLINE Vec2 point(std::size_t at) {
-        const VU slot = hn::Iota(U(), static_cast<std::uint32_t>(at));
-        const VF u = numbers_.at(slot, 0);
-        const VF v = numbers_.at(slot, 1);
+        const PathNumbers::Own own = numbers_.from(at);
+        const VF u = numbers_.at(own, 0);
+        const VF v = numbers_.at(own, 1);
         return lensPoint(setup_, u, v);
     }
 

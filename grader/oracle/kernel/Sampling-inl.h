@@ -46,16 +46,25 @@ class PathNumbers {
 public:
     PathNumbers(const Workspace& work, bool lattice) : work_(work), lattice_(lattice) {}
 
-    HWY_INLINE VF at(VU slot, std::size_t dimension) const {
+    /// What the sample numbers of one vector of paths follow from.
+    struct Own {
+        VU sample, randomisation;
+    };
+    HWY_INLINE Own from(std::size_t at) const {
+        return {load(work_.sample, at), load(work_.randomisation, at)};
+    }
+    HWY_INLINE Own of(VU slot) const {
         const VI where = hn::BitCast(I(), slot);
-        const VU sample = hn::GatherIndex(U(), work_.sample.data(), where);
-        const VU key = hn::GatherIndex(U(), work_.randomisation.data(), where);
+        return {hn::GatherIndex(U(), work_.sample.data(), where),
+                hn::GatherIndex(U(), work_.randomisation.data(), where)};
+    }
+
+    HWY_INLINE VF at(const Own& own, std::size_t dimension) const {
         const auto number = static_cast<std::uint32_t>(dimension);
+        const VU shift = mixed(hn::Add(own.randomisation, hn::Set(U(), number * 0x9E3779B9U)));
         if (!lattice_ || dimension >= kGenerator.size())
-            return unit(
-                mixed(hn::Add(mixed(hn::Add(key, hn::Set(U(), number * 0x9E3779B9U))), sample)));
-        const VU shift = mixed(hn::Add(key, hn::Set(U(), number * 0x9E3779B9U)));
-        const VU point = hn::Mul(reversedBits(sample), hn::Set(U(), kGenerator[dimension]));
+            return unit(mixed(hn::Add(shift, own.sample)));
+        const VU point = hn::Mul(reversedBits(own.sample), hn::Set(U(), kGenerator[dimension]));
         return tent(unit(hn::Add(point, shift)));
     }
 
