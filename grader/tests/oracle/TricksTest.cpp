@@ -58,6 +58,32 @@ TEST(OracleTricks, ChangeNoExpectedValue) {
     }
 }
 
+// The light's cone goes on behind it where objects behind it shade. A sphere there is far off the
+// light's axis but within the cone, and hides some 4 % of the light. 2^15 rays: the difference is
+// 0.002 (1 sigma) even with random points; 5 sigma, false alarm below 1e-6.
+TEST(OracleTricks, SeeSpheresInTheConeBehindTheLightWhereTheyShade) {
+    raytracer::SceneDescription scene;
+    scene.pointLights.emplace_back(raytracer::Vector3{0.0, 0.0, 1.0}, raytracer::ColourRGB{1.0},
+                                   200.0);
+    scene.planes = {plane({0.0, 0.0, 5.0}, {0.0, 0.0, -1.0}, 0xffffff)};
+    raytracer::RenderSettings settings;
+    settings.width = settings.height = 1;
+    settings.bounces = 0;
+    Reading reading;
+    reading.shadowReach = ShadowReach::endless;
+    Precision precision;
+    precision.minLensPaths = precision.maxLensPaths = 1 << 14;
+    const auto brightness = [&](bool coneTests) {
+        Tricks tricks;
+        tricks.coneTests = coneTests;
+        return Oracle{scene, settings, reading, {}, tricks}.moments(5, precision).mean[0].g;
+    };
+    const double unshaded = brightness(true);
+    scene.spheres = {sphere({1.5, 0.0, -15.0}, 0.5, 0xffffff)};
+    EXPECT_LT(brightness(true) / unshaded, 0.98);
+    EXPECT_NEAR(brightness(true) / unshaded, brightness(false) / unshaded, 0.01);
+}
+
 // The claimed error of moments must match the actual error: of the difference of two estimates,
 // over all pixels, with 3 degrees of freedom each.
 TEST(OracleMoments, KnowTheirOwnError) {
