@@ -92,7 +92,10 @@ public:
         : submission_(submission),
           grader_(grader),
           seed_(questionSeed(submission, seed, *grader.exercise)),
-          budget_(grader.policy.submission) {}
+          budget_(grader.policy.submission) {
+        if (grader.exercise->hasScreenshot() && submission.refusalOf(kScreenshotPart) == nullptr)
+            picture_ = beginDecoding(submission.part(kScreenshotPart), grader);
+    }
 
     void file(const std::string& file, SubmissionResult& result) {
         std::future<void> expectations;
@@ -100,13 +103,14 @@ public:
             expectations =
                 std::async(std::launch::async, [&] { prepareExpectations(grader_.scenes, file); });
         FileWork work = prepareFile(submission_, file, grader_);
-        JudgedFile judged{file, false, std::nullopt, {}};
+        JudgedFile judged{file, false, std::nullopt, {}, {}};
         result.timing.compileMs += work.compileMs;
         if (work.program) {
             Questioning questioning{*work.program, grader_, budget_};
             auto gallery = questioning.begin([&](probe::Examinee& examinee) {
                 return renderSpecScenes(grader_.scenes, file, examinee);
             });
+            std::future<AskedAhead> ahead = beginScreenshot(file, *work.program);
             judge(work, grader_, questioning, seed_);
             // Code that crashed or looped would do so again.
             const bool isUsable = std::ranges::none_of(work.tasks, isBlocked);
@@ -121,6 +125,8 @@ public:
                 judged.renders = std::move(rendered).moveTo(result);
             }
             gallery = {};
+            if (isUsable && ahead.valid()) judged.ahead = ahead.get();
+            ahead = {};
             result.timing.probeMs += questioning.wallMs();
             if (questioning.madeForbiddenCall()) blockForbidden(work.tasks);
             if (isUsable) judged.program = std::move(work.program);
@@ -135,8 +141,8 @@ public:
         if (!grader_.exercise->hasScreenshot()) return;
         if (const Finding* refusal = submission_.refusalOf(kScreenshotPart))
             return result.tasks.push_back(refused(*refusal, *grader_.exercise));
-        TaskReport report = judgeScreenshotFile(submission_.part(kScreenshotPart), files_, grader_,
-                                                budget_, seed_, result);
+        TaskReport report =
+            judgeScreenshotFile(std::move(picture_), files_, grader_, budget_, seed_, result);
         if ((report.state == TaskState::failed || isNotChecked(report)) &&
             std::ranges::all_of(result.tasks, isNotAttempted)) {
             report = blankReport(std::string{kScreenshotTask}, *grader_.exercise);
@@ -167,10 +173,22 @@ public:
     }
 
 private:
+    /// Starts what the screenshot's judgement asks first, if this submission is graded alone.
+    std::future<AskedAhead> beginScreenshot(const std::string& file,
+                                            const build::Program& program) {
+        if (!grader_.isAlone) return {};
+        std::vector<probe::Question> questions = firstQuestions(submission_, file, grader_, seed_);
+        if (questions.empty()) return {};
+        return std::async(std::launch::async, [this, &program, asked = std::move(questions)] {
+            return askAhead(asked, program, grader_, budget_);
+        });
+    }
+
     const intake::Submission& submission_;
     const Grader& grader_;
     std::uint64_t seed_;  ///< source of the questions
     build::TimeBudget budget_;
+    std::future<picture::Decoded> picture_;
     std::vector<JudgedFile> files_;
 };
 

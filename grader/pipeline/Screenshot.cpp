@@ -2,11 +2,12 @@
 
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/metrics/Alignment.h>
-#include <grader/picture/DecodePicture.h>
 #include <grader/picture/EncodePicture.h>
+#include <grader/probe/Wire.h>
 #include <grader/tasks/screenshot/JudgeScreenshot.h>
 #include <grader/tasks/screenshot/ScreenshotFindings.h>
 #include <grader/tasks/screenshot/UnlikeItself.h>
+#include <grader/tasks/screenshot/Windows.h>
 
 #include <raytracer/io/ImageReader.h>
 
@@ -58,6 +59,34 @@ void show(const ByteImage& image, SubmissionResult& result) {
         {"images/screenshot.png", "screenshot.png as handed in", picture::encodePicture(shown)});
 }
 
+/// Asks a program, but takes the answers of a run that was made ahead if its questions come.
+class WithAhead final : public probe::Examinee {
+public:
+    WithAhead(const JudgedFile& file, const Grader& grader, build::TimeBudget& budget)
+        : program_(*file.program, grader.sandbox, grader.policy.run, &budget),
+          ahead_(file.ahead ? &*file.ahead : nullptr) {}
+
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        if (ahead_ == nullptr || probe::encodeQuestions(questions) != ahead_->questions)
+            return program_.ask(questions);
+        wallMs_ += ahead_->wallMs;
+        madeForbiddenCall_ = madeForbiddenCall_ || ahead_->madeForbiddenCall;
+        // Once: asked again, code with random numbers of its own answers otherwise.
+        return std::exchange(ahead_, nullptr)->run;
+    }
+
+    [[nodiscard]] double wallMs() const { return wallMs_ + program_.wallMs(); }
+    [[nodiscard]] bool madeForbiddenCall() const {
+        return madeForbiddenCall_ || program_.madeForbiddenCall();
+    }
+
+private:
+    build::SandboxedExaminee program_;
+    const AskedAhead* ahead_;
+    double wallMs_ = 0.0;
+    bool madeForbiddenCall_ = false;
+};
+
 /// The scenes that a picture may show, with the renders by the submission's files.
 class Scenes {
 public:
@@ -101,29 +130,67 @@ private:
         const auto render = std::ranges::find(file.renders, scene.name, &Rendered::scene);
         if (render != file.renders.end()) scene.own = metrics::viewOf(render->picture);
         if (!file.program) return;
-        examinees_.push_back(std::make_unique<build::SandboxedExaminee>(
-            *file.program, grader.sandbox, grader.policy.run, &budget));
+        examinees_.push_back(std::make_unique<WithAhead>(file, grader, budget));
         scene.examinee = examinees_.back().get();
     }
 
     std::vector<Scene> scenes_;
-    std::vector<std::unique_ptr<build::SandboxedExaminee>> examinees_;
+    std::vector<std::unique_ptr<WithAhead>> examinees_;
 };
 
 }  // namespace
 
-TaskReport judgeScreenshotFile(const std::optional<std::string>& bytes,
+std::vector<probe::Question> firstQuestions(const intake::Submission& submission,
+                                            const std::string& file, const Grader& grader,
+                                            std::uint64_t seed) {
+    const auto isThere = [&](const std::string& part) { return submission.part(part).has_value(); };
+    if (std::ranges::count_if(grader.exercise->files(), isThere) != 1) return {};
+    const SpecScene* shown = nullptr;
+    for (const SpecScene& scene : grader.scenes) {
+        if (scene.file != file || !scene.isHandedIn) continue;
+        if (shown != nullptr) return {};
+        shown = &scene;
+    }
+    const auto& picture = submission.part(kScreenshotPart);
+    if (shown == nullptr || !picture) return {};
+    const auto size = picture::claimedSize(*picture).value_or(picture::PictureSize{});
+    if (std::max(size.width, size.height) > picture::kLargestSide) return {};
+    const int width = static_cast<int>(size.width);
+    const int height = static_cast<int>(size.height);
+    return tasks::screenshot::isSensibleSize(width, height)
+               ? tasks::screenshot::firstQuestions(shown->scene, shown->isRandom, width, height,
+                                                   seed)
+               : std::vector<probe::Question>{};
+}
+
+AskedAhead askAhead(const std::vector<probe::Question>& questions, const build::Program& program,
+                    const Grader& grader, build::TimeBudget& budget) {
+    build::SandboxedExaminee examinee{program, grader.sandbox, grader.policy.run, &budget};
+    AskedAhead ahead{probe::encodeQuestions(questions), examinee.ask(questions), 0.0, false};
+    ahead.wallMs = examinee.wallMs();
+    ahead.madeForbiddenCall = examinee.madeForbiddenCall();
+    return ahead;
+}
+
+std::future<picture::Decoded> beginDecoding(const std::optional<std::string>& bytes,
+                                            const Grader& grader) {
+    if (!bytes) return {};
+    return std::async(grader.isAlone ? std::launch::async : std::launch::deferred, [&] {
+        return picture::decodePicture(*bytes, grader.sandbox, grader.policy.decode);
+    });
+}
+
+TaskReport judgeScreenshotFile(std::future<picture::Decoded> picture,
                                const std::vector<JudgedFile>& files, const Grader& grader,
                                build::TimeBudget& budget, std::uint64_t seed,
                                SubmissionResult& result) {
     TaskReport report = blankReport(std::string{kScreenshotTask}, *grader.exercise);
-    if (!bytes) {
+    if (!picture.valid()) {
         fail(report, finding(tasks::kScreenshotMissing, "There is no screenshot.png.",
                              "Render your option's scene with tick1star and hand the picture in."));
         return report;
     }
-    const picture::Decoded decoded =
-        picture::decodePicture(*bytes, grader.sandbox, grader.policy.decode);
+    const picture::Decoded decoded = picture.get();
     if (const auto* failure = std::get_if<picture::DecodeFailure>(&decoded)) {
         fail(report, unreadable(*failure));
         return report;

@@ -128,6 +128,14 @@ std::vector<probe::Question> questionsFor(const Scene& scene, const Windows& win
     return questions;
 }
 
+std::vector<probe::Question> firstQuestions(const raytracer::SceneDescription& description,
+                                            bool isRandom, int width, int height,
+                                            std::uint64_t seed) {
+    Scene scene;
+    scene.description = &description;
+    return questionsFor(scene, drawWindows(!isRandom, width, height, seed), seed);
+}
+
 OwnRender askForWindows(const Scene& scene, const Windows& windows, std::uint64_t seed) {
     const probe::Run run = scene.examinee->ask(questionsFor(scene, windows, seed));
 

@@ -44,6 +44,12 @@ struct Windows {
 [[nodiscard]] std::vector<probe::Question> questionsFor(const Scene& scene, const Windows& windows,
                                                         std::uint64_t seed, int threads = 1);
 
+/// The first questions of `judgeScreenshot` about a picture of this size and scene.
+/// @param seed  As for `judgeScreenshot`.
+[[nodiscard]] std::vector<probe::Question> firstQuestions(
+    const raytracer::SceneDescription& description, bool isRandom, int width, int height,
+    std::uint64_t seed);
+
 /// A submission's render of windows.
 struct OwnRender {
     std::optional<Picture> windows;  ///< one below the other; empty if a part is missing

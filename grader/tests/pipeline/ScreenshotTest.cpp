@@ -27,7 +27,8 @@ std::string goodPicture() {
 /// Judges the file only: the grader has no scenes.
 TaskReport judge(const std::optional<std::string>& bytes, SubmissionResult& result) {
     build::TimeBudget budget{tests::testGrader().policy.submission};
-    return judgeScreenshotFile(bytes, {}, tests::testGrader(), budget, 1, result);
+    return judgeScreenshotFile(beginDecoding(bytes, tests::testGrader()), {}, tests::testGrader(),
+                               budget, 1, result);
 }
 
 TaskReport judge(const std::optional<std::string>& bytes) {
