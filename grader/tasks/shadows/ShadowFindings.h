@@ -136,8 +136,9 @@ inline constexpr FindingText kShadowNotABall{
     .id = "shadow.not-a-ball",
     .words = "gave the light another shape than a ball",
     .meaning =
-        "cube, a disc that keeps its place, a square or an ellipse that faces the point, "
-        "half-ball, off-centre; what looks round from every point and is neither denser in the "
+        "cube, a disc that keeps its place or faces the viewer, a square or an ellipse that faces "
+        "the point, half-ball, off-centre; what looks round from every point and is neither denser "
+        "in the "
         "middle than the original's helper nor denser at the rim than a surface is accepted",
     .hint =
         "The light is a ball around light.position(): take Vector3::randomInsideUnitSphere() as it "

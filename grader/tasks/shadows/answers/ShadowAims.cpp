@@ -1,6 +1,7 @@
 #include <grader/tasks/shadows/answers/AimAgreement.h>
 #include <grader/tasks/shadows/answers/AimDensity.h>
 #include <grader/tasks/shadows/answers/AimFeet.h>
+#include <grader/tasks/shadows/answers/AimViewer.h>
 #include <grader/tasks/shadows/answers/ShadowAims.h>
 #include <grader/tasks/support/Bounds.h>
 #include <grader/tasks/support/Distinct.h>
@@ -163,6 +164,23 @@ void findScaledShape(const Views& seen, const std::vector<const ShadowLog*>& far
     }
 }
 
+Vector3 wayToLight(const ShadowLog& log) {
+    return (log.scene().pointLights[0].position() - log.scene().planes[0].point).normalised();
+}
+
+/// The feet of one question, in radii; adds them to `sum`.
+Feet feetOf(const ShadowLog& log, const Vector3& direction, Vector3& sum) {
+    const Perpendiculars sides = perpendicularsOf(direction);
+    Feet feet;
+    for (const PointLog& point : log.points)
+        for (const AimLine& line : samplesOf(point, log.settings())) {
+            const Vector3 foot = line.foot / log.settings().lightSize;
+            feet.add(foot, sides);
+            sum += foot;
+        }
+    return feet;
+}
+
 }  // namespace
 
 AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
@@ -173,16 +191,8 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     double radius = 1.0;
     for (const ShadowLog* log : far) {
         radius = log->settings().lightSize;
-        const Vector3 light = log->scene().pointLights[0].position();
-        directions.push_back((light - log->scene().planes[0].point).normalised());
-        const Perpendiculars sides = perpendicularsOf(directions.back());
-        Feet feet;
-        for (const PointLog& point : log->points)
-            for (const AimLine& line : samplesOf(point, log->settings())) {
-                feet.add(line.foot / radius, sides);
-                sum += line.foot / radius;
-            }
-        seen.each.push_back(std::move(feet));
+        directions.push_back(wayToLight(*log));
+        seen.each.push_back(feetOf(*log, directions.back(), sum));
     }
     seen.finish();
     verdict.lines = seen.all.count();
@@ -194,6 +204,7 @@ AimVerdict judgeAims(const std::vector<const ShadowLog*>& far) {
     verdict.tooWide = verdict.widest > 1.0 + 1e-6 + kBiasAllowance / radius;
     verdict.offCentre = verdict.lean > leanBound(verdict.distinct) * std::max(1.0, verdict.widest);
     verdict.together = verdict.distinct == verdict.lines && goTogether(far, directions);
+    verdict.turnsWithViewer = turnsWithViewer(far, directions);
     findShape(seen, far, directions, verdict);
     // Eight aims drawn once for all points lie within a fifth of the radius, seen from three sides,
     // with a chance of at most 0.2^8 (uniform radius, which only earns a warning).

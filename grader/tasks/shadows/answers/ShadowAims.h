@@ -84,11 +84,12 @@ struct AimVerdict {
     double rimShare = 0.0;  ///< share of lines beyond 0.9 of the widest
     double lean = 0.0;      ///< length of the mean foot, in radii
     bool together = false;  ///< the rays of one point go one way, or along one line
+    bool turnsWithViewer = false;  ///< the shape faces the viewer O
     std::size_t lines = 0;
     std::size_t distinct = 0;  ///< number of lines that count as independent
 
     [[nodiscard]] bool sizeIsRight() const { return !tooWide && !tooNarrow; }
-    [[nodiscard]] bool shapeIsRight() const { return shape || between; }
+    [[nodiscard]] bool shapeIsRight() const { return (shape || between) && !turnsWithViewer; }
 };
 
 /// @param far  Logs of purpose farLight.

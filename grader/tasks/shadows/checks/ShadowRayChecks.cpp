@@ -1,6 +1,5 @@
 #include <grader/result/GeneralFindings.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
-#include <grader/tasks/shadows/answers/AimPlot.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/support/Draw.h>
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace ticker::tasks {
 namespace {
@@ -154,51 +152,6 @@ std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs) {
                     radius, near, far));
     finding.evidence.emplace_back("widestNear", near);
     finding.evidence.emplace_back("widestFar", far);
-    return finding;
-}
-
-std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims) {
-    if (aims.lines == 0) return std::nullopt;
-    const double radius = raytracer::RenderSettings{}.lightSize;
-    const double widest = aims.widest * radius;
-    // If the outermost rays reach exactly as far as they should, the size is right.
-    constexpr double kSameWidth = 0.02;
-    const bool asWide = !aims.tooWide && !aims.huddled && std::abs(aims.widest - 1.0) < kSameWidth;
-    std::optional<Finding> finding;
-    if (aims.together) {
-        finding = distributedFinding(
-            kShadowNotABall, Severity::fail,
-            "A new random point of the light was expected for each shadow ray; the rays of one "
-            "point all go to one side of the light, or lie along one line.");
-    } else if (aims.offCentre || (!aims.shapeIsRight() && (!aims.scaledShape || asWide))) {
-        finding = distributedFinding(
-            kShadowNotABall, Severity::fail,
-            fmt::format("Shadow rays were expected to fill a ball of radius {} around the light; "
-                        "where they aim has another shape{}.",
-                        radius, aims.offCentre ? ", off the light's centre" : ""));
-    } else if (aims.tooWide || !aims.shapeIsRight() || aims.huddled) {
-        finding = distributedFinding(
-            kShadowLightSize, Severity::fail,
-            fmt::format("Shadow rays were expected to pass within {} of the light's centre; they "
-                        "fill a ball of radius {:.3g}.",
-                        radius, widest));
-    } else if (aims.shape && aims.shape->poles != AimShape::Poles::none) {
-        finding = distributedFinding(
-            kShadowClustered, Severity::warn,
-            std::string{
-                "The points in the light were expected to be spread evenly; they crowd at "} +
-                (aims.shape->radius == AimShape::Radius::even
-                     ? "its centre and its poles, as those of the original course's helper do."
-                     : "two poles, since the angle from there, not its cosine, is drawn evenly."));
-    }
-    if (finding) {
-        finding->evidence.emplace_back("widest", widest);
-        finding->evidence.emplace_back("widestExpected", radius);
-        finding->evidence.emplace_back("shareNearRim", aims.rimShare);
-        finding->evidence.emplace_back("lean", aims.lean * radius);
-        finding->evidence.emplace_back("lines", static_cast<double>(aims.lines));
-        finding->plots.push_back(plotAims(logs.farLight, logs.oneLight));
-    }
     return finding;
 }
 

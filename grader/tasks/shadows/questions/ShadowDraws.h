@@ -38,6 +38,10 @@ namespace ticker::tasks {
 /// Sets the log's capacity, many times the number of rays that is asked for.
 void setCapacity(ShadowQuestion& question);
 
+/// A floor under a light so far away, `towards` there, that its rays are almost parallel. The
+/// viewers stand aside, in directions of their own.
+[[nodiscard]] ShadowQuestion drawFarLight(Draw& draw, const Vector3& towards);
+
 /// A floor with two lights above it and one below, the second of three. Code that leaves the loop
 /// over the lights there loses a light in either order.
 [[nodiscard]] ShadowQuestion drawLightBehind(Draw& draw);

@@ -16,14 +16,13 @@ using Purpose = ShadowQuestion::Purpose;
 using raytracer::SceneDescription;
 
 // Points for each zone of a one-light question. With ten rays each that suffices for every exact
-// statement; 67 points in each of three far-light questions give 2010 aim lines.
+// statement.
 constexpr int kPointsForEachZone = 12;
 constexpr int kPointsOnSphere = 6;
 constexpr int kPointsSeveral = 24;
 constexpr int kPointsInBothShadows = 6;
 constexpr int kPointsBeyond = 8;
 constexpr int kPointsBesideWall = 12;
-constexpr int kPointsFar = 67;
 
 // On the side that faces the light the sphere has no shadow: rays that hit the surface they leave
 // show here (shadow acne).
@@ -186,32 +185,6 @@ ShadowQuestion drawPlaneShadow(Draw& draw) {
         drawn.question.points.push_back({0, point, up, drawViewer(draw, point, up, light)});
         drawn.zones.push_back(
             zonesOf(scene, surfaces, point, up, drawn.question.settings.lightSize));
-    }
-    setCapacity(drawn);
-    return drawn;
-}
-
-/// A light so far away that its rays are almost parallel.
-ShadowQuestion drawFarLight(Draw& draw, const Vector3& towards) {
-    const Vector3 up = draw.directionAround(towards, 0.5);
-    const Perpendiculars sides = perpendicularsOf(up);
-    const Vector3 foot = drawPlace(draw);
-    const double distance = draw.between(100.0, 140.0);
-
-    ShadowQuestion drawn;
-    drawn.purpose = Purpose::farLight;
-    SceneDescription& scene = drawn.question.scene;
-    scene.ambientLighting = draw.colour(0.1, 0.5);
-    scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));
-    scene.planes.push_back({foot, up, drawMaterial(draw)});
-    for (int i = 0; i < kPointsFar; ++i) {
-        // Close together, so that a repeated aim point is recognised; not equal, in case the code
-        // seeds a generator from the point.
-        const double x = draw.between(-1e-4, 1e-4);
-        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-1e-4, 1e-4);
-        const Vector3 viewer = drawViewer(draw, point, up, scene.pointLights[0].position());
-        drawn.question.points.push_back({0, point, up, viewer});
-        drawn.zones.push_back({Zone::lit});
     }
     setCapacity(drawn);
     return drawn;
