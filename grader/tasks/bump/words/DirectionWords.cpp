@@ -64,6 +64,31 @@ std::string twist(const AxisResponse& axis) {
         top, std::remainder(top + turned, 360.0));
 }
 
+bool isNear(const AxisResponse& axis, double degrees) {
+    constexpr double kNear = 5.0;
+    return std::ranges::all_of(axis.bandDirection, [&](double direction) {
+        return std::abs(std::abs(direction) - degrees) < kNear;
+    });
+}
+
+/// True if a slope along the one axis tilts half along each, and along the other one is right.
+bool tiltsAlongBoth(const AxisResponse& axis, const AxisResponse& other) {
+    return isNear(axis, 45.0) && isNear(other, 0.0);
+}
+
+Words diagonalWords(const char* axis, const char* other, const char* own, const char* pair) {
+    return {
+        fmt::format("A slope along {0} tilts the normal 45 degrees aside, along {1} as much as "
+                    "along {0}; a slope along {1} is right. So B{1} contains the difference "
+                    "along {0}, too.",
+                    axis, other),
+        fmt::format("B{0} compares texels that lie diagonally: take {1}, both in the point's own "
+                    "{2}. Look for a {2} that was moved on for B{3} and is used again. If "
+                    "B{0} is right, look at P{3}: it must have no part along P{0}.",
+                    other, pair, own, axis),
+        "Option 1: What to do, step 3"};
+}
+
 std::string seenAlong(const AxisResponse& axis) {
     return directionInWords(axis) + commonTurn(axis) + invertedRows(axis) + twist(axis);
 }
@@ -99,7 +124,8 @@ std::string hintOf(const Response& response) {
                "sign of Bu or Bv; if there is none, compare the tangents: with polar angle t and "
                "longitude p, Pv is (sin p cos t, -sin t, -cos p cos t) where rows grow downwards, "
                "so that its y is negative on both halves and cos t changes sign at the equator. "
-               "Pu has no polar angle in it.";
+               "Pu has no polar angle in it. In a cross product of your own the middle component "
+               "is a.z * b.x - a.x * b.z, the other way round than the other two suggest.";
     // With angles in degrees few tilts are right, all over the sphere.
     if (response.tangentsInDegrees && !isMostlyRight(response))
         return "The tangents are those of angles in degrees: std::sin and std::cos take radians, "
@@ -142,6 +168,10 @@ std::string halfOf(const AxisResponse& axis) {
 }  // namespace
 
 Words directionWords(const Response& response) {
+    if (tiltsAlongBoth(response.u, response.v))
+        return diagonalWords("u", "v", "column", "at(column, row) and at(column, row + 1)");
+    if (tiltsAlongBoth(response.v, response.u))
+        return diagonalWords("v", "u", "row", "at(column, row) and at(column + 1, row)");
     const AxisResponse& farthest =
         std::abs(response.u.worstDirection) > std::abs(response.v.worstDirection) ? response.u
                                                                                   : response.v;

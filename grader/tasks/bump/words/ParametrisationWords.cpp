@@ -23,8 +23,8 @@ Words lostSignWords() {
     return {
         "A falling slope was expected to tilt the normal the other way than a rising one "
         "does; it does not, or neither of them tilts it.",
-        "Look for an abs, a max or an unsigned type in the differences, and for a comparison that "
-        "drops small ones. If there is none, the "
+        "Look for an abs, a square, a max or an unsigned type in the differences, and for a "
+        "comparison that drops small ones. If there is none, the "
         "texel is not the point's: the column must be u times width(), the row v times "
         "height() of this very map, both of type int.",
         "Option 1: What to do, step 3"};

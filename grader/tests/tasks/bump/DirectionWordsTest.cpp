@@ -1,8 +1,10 @@
 #include <grader/tasks/bump/words/DirectionWords.h>
+#include <grader/tasks/bump/words/ParametrisationWords.h>
 
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 namespace ticker::tasks::bump {
 namespace {
@@ -31,6 +33,7 @@ TEST(DirectionWords, SayInWhichRowsASignIsWrong) {
     response.v.bandDirection = {5.0, -29.0, 151.0, -179.0, 180.0, 29.0, 0.0, 0.0};
     EXPECT_TRUE(says(response, "inverted from 25 % to 62 %"));
     EXPECT_NE(directionWords(response).hint.find("A sign changes"), std::string::npos);
+    EXPECT_NE(directionWords(response).hint.find("a.z * b.x - a.x * b.z"), std::string::npos);
     response.v.bandDirection[6] = 31.0;
     EXPECT_FALSE(says(response, "inverted from")) << "neither right nor inverted";
     response.v.bandDirection[6] = 149.0;
@@ -45,6 +48,35 @@ TEST(DirectionWords, SayInWhichRowsASignIsWrong) {
     response.v.bandDirection.fill(0.0);
     EXPECT_FALSE(says(response, "inverted from"));
     EXPECT_EQ(directionWords(response).hint.find("A sign changes"), std::string::npos);
+}
+
+TEST(DirectionWords, SayThatOneDifferenceContainsTheOtherOne) {
+    Response response;
+    response.u.bandDirection.fill(45.0);
+    response.u.bandDirection[3] = 49.9;
+    EXPECT_TRUE(says(response, "Bv contains the difference along u"));
+    EXPECT_NE(directionWords(response).hint.find("the point's own column"), std::string::npos);
+    response.u.bandDirection.fill(-45.0);
+    EXPECT_TRUE(says(response, "Bv contains")) << "the texel on the left";
+    response.v.bandDirection[2] = 5.1;
+    EXPECT_FALSE(says(response, "contains")) << "v is not right";
+    std::swap(response.u, response.v);
+    response.u.bandDirection[2] = 0.0;
+    EXPECT_TRUE(says(response, "Bu contains the difference along v"));
+    EXPECT_NE(directionWords(response).hint.find("the point's own row"), std::string::npos);
+    response.v.bandDirection[6] = -39.9;
+    EXPECT_FALSE(says(response, "contains"));
+    response.u.bandDirection.fill(45.0);
+    response.v.bandDirection.fill(45.0);
+    EXPECT_FALSE(says(response, "contains")) << "both are turned";
+}
+
+TEST(LandingWords, NameWhatTakesTheSignOffADifference) {
+    Examination examination;
+    examination.ladder.ramps.kind = RampKind::signLost;
+    const std::string hint = landingWords(examination, {}).hint;
+    for (const char* cause : {"an abs", "a square", "a max", "unsigned type"})
+        EXPECT_NE(hint.find(cause), std::string::npos) << cause;
 }
 
 TEST(DirectionWords, SayThatATangentTurnsWithTheRow) {
