@@ -22,12 +22,6 @@ bool isFinite(const LensLog& log) {
     });
 }
 
-// Whether pixels without any ray exist, whose rays cannot be judged.
-bool lacksRays(const LensLog& log) {
-    return std::any_of(log.pixels.begin(), log.pixels.end(),
-                       [](const LensPixel& pixel) { return pixel.rays.empty(); });
-}
-
 // Every pixel of a picture shows light or the background: a black pixel was not set.
 std::optional<Finding> checkComplete(const LensLog& log) {
     const auto unset = [](const LensPixel& pixel) {
@@ -148,6 +142,14 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
             outcome.findings.push_back(*std::move(finding));
     outcome.plots = unshown({plotLens(handout), plotFocus(handout)}, outcome.findings);
     return outcome;
+}
+
+std::optional<Finding> judgeAnotherScene(const LensLog& log) {
+    std::optional<Finding> wrong = firstFailure(log);
+    if (wrong)
+        wrong->hint +=
+            " Another scene was rendered rightly: look for what depends on what the scene shows.";
+    return wrong;
 }
 
 std::optional<Finding> judgeNextRender(const LensLog& log) {

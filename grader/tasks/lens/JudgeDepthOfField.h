@@ -25,6 +25,10 @@ struct LensOutcome {
 /// @param other    Answers at other settings: a fault there alone is a warning.
 [[nodiscard]] LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other);
 
+/// The first failure of an answer at the handout's settings, by itself. The hint says that other
+/// scenes were answered rightly.
+[[nodiscard]] std::optional<Finding> judgeAnotherScene(const LensLog& log);
+
 /// Judges `render` with several threads, for code that is right with one.
 [[nodiscard]] std::optional<Finding> judgeWithThreads(const LensLog& log);
 

@@ -1,3 +1,4 @@
+#include <grader/result/GeneralFindings.h>
 #include <grader/tasks/lens/JudgeDepthOfField.h>
 #include <grader/tasks/lens/JudgeLens.h>
 #include <grader/tasks/lens/LensFindings.h>
@@ -8,9 +9,11 @@
 #include <grader/tasks/support/FindingOrder.h>
 #include <grader/tasks/support/RunEnd.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -55,6 +58,21 @@ bool antialiases(probe::Examinee& examinee, const LensLog& tiny, std::uint64_t s
     return staysInPixels(readLensLog(asked, *answer));
 }
 
+// Asks the scene of the other settings with the handout's numbers: what is wrong there, too, is no
+// matter of settings. The frame stays, and rows that are lost in it remain a warning.
+void confirmSettings(probe::Examinee& examinee, const LensQuestions& asked, bool mayAntialias,
+                     std::vector<Finding>& findings) {
+    const auto blamed = std::ranges::find_if(
+        findings, [](const Finding& finding) { return is(finding, kSettingsHardCoded); });
+    if (blamed == findings.end()) return;
+    probe::RenderQuestion again = asked.other;
+    again.settings = asked.handout.settings;
+    again.settings.width = asked.other.settings.width;
+    again.settings.height = asked.other.settings.height;
+    if (std::optional<Finding> alone = failureAlone(examinee, again, mayAntialias))
+        *blamed = *std::move(alone);
+}
+
 }  // namespace
 
 TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed) {
@@ -75,6 +93,7 @@ TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed) {
     const bool mayAntialias = antialiases(examinee, atHandout, seed);
     atHandout.mayAntialias = atOther.mayAntialias = mayAntialias;
     LensOutcome outcome = judgeDepthOfField(atHandout, atOther);
+    if (!lacksRays(atOther)) confirmSettings(examinee, asked, mayAntialias, outcome.findings);
     const bool needsReview = judgeResults(examinee, seed, mayAntialias, outcome);
     TaskJudgement judgement = judgementOf(std::move(outcome.findings), kLensFindings, needsReview);
     judgement.apertureFactor = outcome.apertureFactor;

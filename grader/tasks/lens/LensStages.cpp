@@ -25,6 +25,17 @@ Stage stageOf(PictureVerdict verdict) {
 
 }  // namespace
 
+std::optional<Finding> failureAlone(probe::Examinee& examinee, probe::RenderQuestion asked,
+                                    bool mayAntialias) {
+    asked.settings.threads = 1;
+    const probe::Run run = examinee.ask({asked});
+    const auto* answer = answeredBy<probe::RenderAnswer>(run);
+    if (answer == nullptr || answer->wrongSize) return std::nullopt;
+    LensLog log = readLensLog(asked, *answer);
+    log.mayAntialias = mayAntialias;
+    return judgeAnotherScene(log);
+}
+
 // Code that repeats one picture yields a single sample of its noise: a larger picture is asked for,
 // with as many pixels as all repetitions together.
 Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
@@ -49,7 +60,11 @@ Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t s
     if (answer == nullptr || answer->wrongSize) return unanswered(run, "render");
     LensLog log = readLensLog(asked, *answer);
     log.mayAntialias = mayAntialias;
-    return {judgeWithThreads(log), std::nullopt};
+    std::optional<Finding> withThreads = judgeWithThreads(log);
+    if (!withThreads) return {};
+    if (std::optional<Finding> alone = failureAlone(examinee, asked, mayAntialias))
+        return {.failure = std::move(alone), .doubt = {}, .decided = true};
+    return {std::move(withThreads), std::nullopt};
 }
 
 // Faults of the picture before do not count: it shows a part of a frame, and code that draws the
@@ -62,7 +77,11 @@ Stage judgeNext(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed
     if (answer == nullptr || answer->wrongSize) return {};
     LensLog log = readLensLog(asked.next, *answer);
     log.mayAntialias = mayAntialias;
-    return {judgeNextRender(log), std::nullopt};
+    std::optional<Finding> asNext = judgeNextRender(log);
+    if (!asNext) return {};
+    if (std::optional<Finding> alone = failureAlone(examinee, asked.next, mayAntialias))
+        return {.failure = std::move(alone), .doubt = {}, .decided = true};
+    return {std::move(asNext), std::nullopt};
 }
 
 }  // namespace ticker::tasks

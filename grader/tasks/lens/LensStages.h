@@ -3,7 +3,15 @@
 
 #include <grader/tasks/support/Stage.h>
 
+#include <optional>
+
 namespace ticker::tasks {
+
+/// Asks a question once more, with one thread and in a fresh program, before threads, memory or
+/// settings are blamed for its wrong answer.
+/// @return  A failure that is none of them: it is judged like one of the first question.
+[[nodiscard]] std::optional<Finding> failureAlone(probe::Examinee& examinee,
+                                                  probe::RenderQuestion asked, bool mayAntialias);
 
 // Each stage asks questions of its own, drawn from `seed` and the stage's number.
 

@@ -27,6 +27,10 @@ Stage unanswered(const probe::Run& run, std::string_view function) {
 bool keepRepeated(std::vector<Finding>& findings,
                   const std::function<Stage(std::uint64_t)>& judge) {
     Stage first = judge(1);
+    if (first.failure && first.decided) {
+        findings.push_back(*std::move(first.failure));
+        return false;
+    }
     if (first.failure) {
         Stage second = judge(2);
         if (second.failure) {

@@ -20,6 +20,7 @@ struct Stage {
     std::optional<Finding> failure;             ///< counts against the submission if it repeats
     std::optional<Finding> doubt;               ///< a warning with a reason for review
     std::optional<double> apertureFactor = {};  ///< accepted factor that fits the picture best
+    bool decided = false;                       ///< the failure needs no repetition
 };
 
 /// The seed of a stage's questions.
@@ -39,8 +40,8 @@ const Answer* answeredBy(const probe::Run& run, std::size_t question = 0) {
     return answer != nullptr && answer->state == probe::AnswerState::answered ? answer : nullptr;
 }
 
-/// Asks once, and again on other questions if that failed. A failure that does not repeat is not
-/// held against the submission, but asks for review.
+/// Asks once, and again on other questions if that failed and is not decided. A failure that does
+/// not repeat is not held against the submission, but asks for review.
 /// @param judge  Judges stage 1 or stage 2.
 /// @return  Whether the submission needs review. The reason, or the failure, is added to
 ///          `findings`.

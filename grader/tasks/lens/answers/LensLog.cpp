@@ -80,6 +80,11 @@ std::size_t LensLog::rayCount() const {
     return count;
 }
 
+bool lacksRays(const LensLog& log) {
+    return std::ranges::any_of(log.pixels,
+                               [](const LensPixel& pixel) { return pixel.rays.empty(); });
+}
+
 Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y) {
     const double pitch = 2.0 * std::tan(std::numbers::pi / 8.0) / settings.width;
     return Vector3{(x + 0.5 - settings.width / 2.0) * pitch,

@@ -38,6 +38,9 @@ struct LensLog {
     [[nodiscard]] std::size_t rayCount() const;
 };
 
+/// Whether pixels without any ray exist, whose rays cannot be judged.
+[[nodiscard]] bool lacksRays(const LensLog& log);
+
 /// Finds the lens rays and the pixel of each. A ray that is traced before a pixel is set belongs to
 /// that pixel. If loops run in another order, it belongs to the camera ray before it, or else to
 /// the pixel with the nearest focal point. So does a ray of a thread that sets no pixel and asks

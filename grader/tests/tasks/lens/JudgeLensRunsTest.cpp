@@ -1,11 +1,13 @@
-// T2.2 judged from answers: the reference, and what only a second picture shows.
+// T2.2 judged from answers: the reference, and what only another question shows.
 #include <grader/tasks/lens/JudgeLens.h>
 #include <grader/tests/support/LocalExaminee.h>
 #include <grader/tests/tasks/support/AlteredExaminee.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,6 +31,38 @@ private:
     int runs_ = 0;
 };
 
+/// The reference; from the given number of scenes on, each new one has another focal plane, in
+/// every run and whatever its settings are.
+class SceneDecides final : public probe::Examinee {
+public:
+    explicit SceneDecides(std::size_t rightScenes) : rightScenes_(rightScenes) {}
+
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        std::vector<probe::Question> altered = questions;
+        for (probe::Question& question : altered) {
+            auto& asked = std::get<probe::RenderQuestion>(question);
+            const probe::ColourRGB& light = asked.scene.ambientLighting;
+            if (std::ranges::find(lights_, light) == lights_.end()) lights_.push_back(light);
+            const auto place = std::ranges::find(lights_, light) - lights_.begin();
+            if (static_cast<std::size_t>(place) >= rightScenes_)
+                asked.settings.dofFocalPlane *= 1.2;
+        }
+        return reference_.ask(altered);
+    }
+
+private:
+    tests::LocalExaminee reference_;
+    std::size_t rightScenes_;
+    std::vector<probe::ColourRGB> lights_;
+};
+
+std::string idsOf(const TaskJudgement& judgement) {
+    std::string ids;
+    for (const Finding& finding : judgement.findings)
+        ids += finding.id + " ";
+    return ids;
+}
+
 // A correct submission fails with a chance below 1e-9.
 TEST(JudgeLens, PassesTheReferenceWithoutReview) {
     tests::LocalExaminee reference;
@@ -43,7 +77,34 @@ TEST(JudgeLens, LooksAtTheNextPictureOfARun) {
     ForgetsRays examinee;
     const TaskJudgement judgement = judgeLens(examinee, 2);
     EXPECT_EQ(judgement.state, TaskState::failed);
-    ASSERT_FALSE(judgement.findings.empty());
+    ASSERT_EQ(idsOf(judgement), "dof.wrong ");
+    EXPECT_NE(judgement.findings[0].message.find("keeps something of the first"),
+              std::string::npos);
+}
+
+// The scenes in their order: the handout's settings, others, two threads, the picture before, and
+// the next one.
+TEST(JudgeLens, AccusesNeitherThreadsNorSettingsNorMemoryWhereTheSceneDecides) {
+    for (const std::size_t rightScenes : {1U, 2U, 4U}) {
+        SceneDecides examinee{rightScenes};
+        const TaskJudgement judgement = judgeLens(examinee, 2);
+        EXPECT_EQ(judgement.state, TaskState::failed) << rightScenes;
+        EXPECT_FALSE(judgement.needsReview);
+        ASSERT_EQ(idsOf(judgement), "dof.focal-plane ") << rightScenes;
+        EXPECT_NE(judgement.findings[0].hint.find("what the scene shows"), std::string::npos);
+    }
+}
+
+TEST(JudgeLens, AccusesThreadsAndSettingsThatAreAtFault) {
+    tests::LocalExaminee reference;
+    AlteredExaminee threads{reference, [](auto& settings) {
+                                if (settings.threads > 1) settings.dofFocalPlane *= 1.2;
+                            }};
+    EXPECT_EQ(idsOf(judgeLens(threads, 2)), "dof.threads-mixed ");
+    AlteredExaminee hardCoded{reference, [](auto& settings) { settings.dofAmount = 0.2; }};
+    const TaskJudgement warned = judgeLens(hardCoded, 2);
+    EXPECT_EQ(warned.state, TaskState::passed);
+    EXPECT_EQ(idsOf(warned), "settings.hard-coded ");
 }
 
 }  // namespace
