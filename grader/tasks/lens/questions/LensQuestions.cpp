@@ -83,6 +83,40 @@ bool isMixed(const raytracer::SceneDescription& scene, const raytracer::RenderSe
     return true;
 }
 
+enum class Depth { nothing, sharp, between, blurred };
+
+// How far what a ray from the eye shows lies from the focal plane. Rounding counts as `between`.
+Depth depthAlong(const Surfaces& surfaces, const Vector3& direction, double focalPlane) {
+    constexpr double kNear = 0.3;
+    constexpr double kFar = 0.5;
+    const auto sightTo = [&](double z) {
+        return surfaces.sightAlong({}, direction, z / direction.z);
+    };
+    if (sightTo(std::numeric_limits<double>::infinity()) != Sight::blocked) return Depth::nothing;
+    if (sightTo(focalPlane - kFar) == Sight::blocked) return Depth::blurred;
+    if (sightTo(focalPlane + kFar) == Sight::open) return Depth::blurred;
+    const bool isSharp =
+        sightTo(focalPlane - kNear) == Sight::open && sightTo(focalPlane + kNear) == Sight::blocked;
+    return isSharp ? Depth::sharp : Depth::between;
+}
+
+// Code that focuses on what the centre shows, along the axis or in the middle pixel, differs from
+// right code only if that is out of focus; code that spares the lens where a pixel is nearly sharp
+// only if one is.
+bool showsDepths(const raytracer::SceneDescription& scene,
+                 const raytracer::RenderSettings& settings) {
+    const Surfaces surfaces{scene};
+    const auto depthOf = [&](int x, int y) {
+        return depthAlong(surfaces, pinholeDirection(settings, x, y), settings.dofFocalPlane);
+    };
+    if (depthAlong(surfaces, {0.0, 0.0, 1.0}, settings.dofFocalPlane) != Depth::blurred ||
+        depthOf(settings.width / 2, settings.height / 2) != Depth::blurred)
+        return false;
+    for (int i = 0; i < settings.width * settings.height; ++i)
+        if (depthOf(i % settings.width, i / settings.width) == Depth::sharp) return true;
+    return false;
+}
+
 raytracer::RenderSettings handoutSettings() {
     raytracer::RenderSettings handout;
     handout.width = kWidth;
@@ -95,7 +129,7 @@ probe::RenderQuestion drawQuestion(Draw& draw, const raytracer::RenderSettings& 
     probe::RenderQuestion question;
     do
         question.scene = drawScene(draw);
-    while (!isMixed(question.scene, settings));
+    while (!showsDepths(question.scene, settings) || !isMixed(question.scene, settings));
     question.settings = settings;
     question.settings.seed = draw.word() >> 1U;
     question.repetitions = repetitions;

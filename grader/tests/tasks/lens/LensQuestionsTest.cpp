@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace ticker::tasks {
@@ -51,6 +52,47 @@ TEST(LensQuestions, HaveHitsAndMissesInOnePixelAndWholePixelsToo) {
         for (const probe::RenderQuestion* question : {&asked.handout, &asked.other})
             for (const double share : {1.0, 0.5})
                 expectBoth(*question, share * question->settings.dofAmount, engine);
+    }
+}
+
+// How far what a direction shows lies from the focal plane; 0 if it shows nothing.
+double depthBesideFocus(const probe::RenderQuestion& question, const Vector3& direction) {
+    const auto hit =
+        raytracer::Scene{question.scene}.findClosestIntersection({Vector3{}, direction});
+    return hit ? std::abs(hit->location.z - question.settings.dofFocalPlane) : 0.0;
+}
+
+// Code that focuses on what the centre of the picture shows is right where that is sharp anyway.
+TEST(LensQuestions, ShowSomethingBesideTheFocalPlaneInTheCentre) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE(seed);
+        const LensQuestions asked = drawLensQuestions(seed);
+        for (const probe::RenderQuestion* question : {&asked.handout, &asked.other}) {
+            const raytracer::RenderSettings& settings = question->settings;
+            EXPECT_GE(depthBesideFocus(*question, {0.0, 0.0, 1.0}), 0.5);
+            EXPECT_GE(depthBesideFocus(*question, pinholeDirection(settings, settings.width / 2,
+                                                                   settings.height / 2)),
+                      0.5);
+        }
+    }
+}
+
+// Code that spares the lens where a pixel shows what is nearly sharp is right if nothing is.
+TEST(LensQuestions, ShowSomethingNearTheFocalPlane) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        const LensQuestions asked = drawLensQuestions(seed);
+        for (const probe::RenderQuestion* question : {&asked.handout, &asked.other}) {
+            const raytracer::Scene scene{question->scene};
+            const raytracer::RenderSettings& settings = question->settings;
+            int sharp = 0;
+            for (int i = 0; i < settings.width * settings.height; ++i) {
+                const Vector3 pinhole =
+                    pinholeDirection(settings, i % settings.width, i / settings.width);
+                const auto hit = scene.findClosestIntersection({Vector3{}, pinhole});
+                if (hit && std::abs(hit->location.z - settings.dofFocalPlane) < 0.3) ++sharp;
+            }
+            EXPECT_GE(sharp, 1) << seed;
+        }
     }
 }
 
