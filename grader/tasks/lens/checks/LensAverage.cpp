@@ -149,8 +149,8 @@ Finding strangeColour() {
     finding.hint =
         "Look for a sum that does not start at 0 for every pixel (declared outside of the loop "
         "over the pixels, or without a value), for one that several threads share (a static "
-        "variable, a member), for bytes or other whole numbers in the sum, and for 1 / n of whole "
-        "numbers, which is 0.";
+        "variable, a member), for bytes or other whole numbers in the sum, for 1 / n of whole "
+        "numbers, which is 0, and for a second pass over the picture that mixes neighbours.";
     return finding;
 }
 

@@ -4,13 +4,18 @@
 #include <grader/result/Finding.h>
 #include <grader/tasks/lens/answers/LensLog.h>
 
+#include <cstddef>
 #include <optional>
+#include <string>
 
 namespace ticker::tasks {
 
 /// Each check looks at one property of the render at the handout's settings, and returns a finding
 /// if it is wrong.
 [[nodiscard]] std::optional<Finding> checkLensCounts(const LensLog& log);
+/// Pixels without a visible ray that have the colour of a neighbour with rays: copies, since the
+/// means of two pixels' own random rays differ.
+[[nodiscard]] std::optional<Finding> checkCopies(const LensLog& log);
 [[nodiscard]] std::optional<Finding> checkAverage(const LensLog& log);
 [[nodiscard]] std::optional<Finding> checkFocus(const LensLog& log);
 [[nodiscard]] std::optional<Finding> checkBounces(const LensLog& log);
@@ -19,6 +24,9 @@ namespace ticker::tasks {
 [[nodiscard]] bool staysInPixels(const LensLog& log);
 /// A warning if the lens points repeat from pixel to pixel.
 [[nodiscard]] std::optional<Finding> checkPattern(const LensLog& log);
+
+/// Column and row of a pixel of the log in its picture, in words.
+[[nodiscard]] std::string placeOf(const LensLog& log, std::ptrdiff_t pixel);
 
 /// Which of the two accepted apertures the lens points fill.
 struct ApertureVerdict {

@@ -2,16 +2,18 @@
 #include <grader/tasks/lens/checks/LensChecks.h>
 #include <grader/tasks/support/FindingOrder.h>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -42,19 +44,42 @@ std::optional<Finding> someAtEye(const LensLog& log) {
     });
     if (at == 0 || !restDiffers) return std::nullopt;
     const auto first = std::ranges::find_if(log.pixels, startsAtEye) - log.pixels.begin();
-    const auto index = static_cast<int>(first);
-    const raytracer::RenderSettings& settings = log.asked->settings;
     Finding finding = distributedFinding(
         kDofSharedSamples, Severity::fail,
         fmt::format("Rays from all over the aperture were expected in every pixel; in {} of {} "
-                    "pixels, the first in column {}, row {}, all rays start at the eye.",
-                    at, log.pixels.size(), index % settings.width,
-                    index / settings.width % settings.height));
+                    "pixels, the first in {}, all rays start at the eye.",
+                    at, log.pixels.size(), placeOf(log, first)));
     finding.hint =
         "Every pixel draws its points of the aperture in the same way, from "
         "-settings().dofAmount to settings().dofAmount: take out what sets another size, or no "
         "lens, for a part of the picture (an if, a ?: or a factor that depends on x, y or "
         "what the pixel shows).";
+    return finding;
+}
+
+Finding tooFewRays(const LensLog& log, std::size_t asked) {
+    const auto isPoor = [&](const LensPixel& pixel) { return pixel.rays.size() < asked; };
+    const auto count = [](const LensPixel& pixel) { return pixel.rays.size(); };
+    const auto poor = std::ranges::count_if(log.pixels, isPoor);
+    const auto first = std::ranges::find_if(log.pixels, isPoor) - log.pixels.begin();
+    std::size_t most = 0;
+    for (const LensPixel& pixel : log.pixels)
+        if (isPoor(pixel)) most = std::max(most, count(pixel));
+    const std::size_t fewest = std::ranges::min(log.pixels, {}, count).rays.size();
+    std::string seen = fmt::format("there {} {}", most == 1 ? "is" : "are", fewest);
+    if (most > fewest) seen += fmt::format(" to {}", most);
+    const bool some = static_cast<std::size_t>(poor) < log.pixels.size();
+    if (some)
+        seen = fmt::format("for {} of {} pixels, the first in {}, ", poor, log.pixels.size(),
+                           placeOf(log, first)) +
+               seen;
+    Finding finding =
+        distributedFinding(kDofTooFewRays, Severity::fail,
+                           fmt::format("{} rays for each pixel were expected; {}.", asked, seen));
+    if (some)
+        finding.hint +=
+            " Do not leave the loop early and do not skip it for some pixels (background, nearly "
+            "sharp, calm colours).";
     return finding;
 }
 
@@ -70,7 +95,28 @@ Finding sharedSamples(std::size_t asked, std::size_t distinct) {
     return finding;
 }
 
+// The bounces of a pixel's rays one after the other, around the first wrong number.
+std::string bouncesOf(const LensPixel& pixel, int asked) {
+    constexpr std::ptrdiff_t kShown = 5;
+    std::vector<int> bounces;
+    for (const LensRay& ray : pixel.rays)
+        if (ray.bounces >= 0) bounces.push_back(ray.bounces);
+    const auto wrong =
+        std::ranges::find_if(bounces, [&](int one) { return one != asked; }) - bounces.begin();
+    const auto begin = bounces.begin() + (wrong < kShown ? 0 : wrong - 1);
+    const auto end = begin + std::min<std::ptrdiff_t>(kShown, bounces.end() - begin);
+    return fmt::format("{}{}{}", begin == bounces.begin() ? "" : "..., ",
+                       fmt::join(begin, end, ", "), end == bounces.end() ? "" : ", ...");
+}
+
 }  // namespace
+
+std::string placeOf(const LensLog& log, std::ptrdiff_t pixel) {
+    const raytracer::RenderSettings& settings = log.asked->settings;
+    const auto index = static_cast<int>(pixel);
+    return fmt::format("column {}, row {}", index % settings.width,
+                       index / settings.width % settings.height);
+}
 
 std::optional<Finding> checkLensCounts(const LensLog& log) {
     const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
@@ -86,9 +132,7 @@ std::optional<Finding> checkLensCounts(const LensLog& log) {
             kDofNone, Severity::fail,
             "Rays from all over the aperture were expected; every ray starts at the eye.");
     } else if (fewest < asked && !log.cut) {
-        finding = distributedFinding(
-            kDofTooFewRays, Severity::fail,
-            fmt::format("{} rays for each pixel were expected; there are {}.", asked, fewest));
+        finding = tooFewRays(log, asked);
     } else if (fewestDistinct <= asked / 2) {
         finding = someAtEye(log);
         if (!finding) finding = sharedSamples(asked, fewestDistinct);
@@ -104,18 +148,32 @@ std::optional<Finding> checkLensCounts(const LensLog& log) {
 
 std::optional<Finding> checkBounces(const LensLog& log) {
     const int asked = log.asked->settings.bounces;
-    for (const LensPixel& pixel : log.pixels)
-        for (const LensRay& ray : pixel.rays) {
-            if (ray.bounces < 0 || ray.bounces == asked) continue;
-            Finding finding = distributedFinding(
-                kDofWrong, Severity::fail,
-                fmt::format("Rays were expected to be traced with {} bounces; they are traced with "
-                            "{}.",
-                            asked, ray.bounces));
-            finding.hint = "Call trace(scene, ray, settings().bounces).";
-            return finding;
-        }
-    return std::nullopt;
+    const auto isWrong = [&](const LensRay& ray) {
+        return ray.bounces >= 0 && ray.bounces != asked;
+    };
+    const auto first = std::ranges::find_if(log.pixels, [&](const LensPixel& pixel) {
+        return std::ranges::any_of(pixel.rays, isWrong);
+    });
+    if (first == log.pixels.end()) return std::nullopt;
+    const int wrong = std::ranges::find_if(first->rays, isWrong)->bounces;
+    const bool isSame = std::ranges::all_of(log.pixels, [&](const LensPixel& pixel) {
+        return std::ranges::all_of(pixel.rays, [&](const LensRay& ray) {
+            return ray.bounces < 0 || ray.bounces == wrong;
+        });
+    });
+    std::string seen = fmt::format("they are traced with {}", wrong);
+    if (!isSame)
+        seen = fmt::format("in {} they are traced with {}",
+                           placeOf(log, first - log.pixels.begin()), bouncesOf(*first, asked));
+    Finding finding = distributedFinding(
+        kDofWrong, Severity::fail,
+        fmt::format("Rays were expected to be traced with {} bounces; {}.", asked, seen));
+    finding.hint = "Call trace(scene, ray, settings().bounces).";
+    if (!isSame)
+        finding.hint +=
+            " Every ray of every pixel has that number: it is not counted down from "
+            "ray to ray.";
+    return finding;
 }
 
 // Fifty random points do not repeat by chance.

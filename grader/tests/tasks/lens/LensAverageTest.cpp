@@ -181,6 +181,7 @@ TEST(Average, HasAHintWhereNothingExplainsIt) {
     const auto strange = judgeAverageOf([](const Values&) { return ColourRGB{9.0, 0.0, 4.0}; });
     ASSERT_EQ(idOf(strange), "dof.wrong");
     EXPECT_NE(strange->hint.find("start at 0"), std::string::npos);
+    EXPECT_NE(strange->hint.find("mixes neighbours"), std::string::npos);
 }
 
 TEST(Average, WeighsItsRaysUnevenlyOrIsSomethingElse) {

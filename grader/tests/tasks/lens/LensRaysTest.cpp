@@ -30,6 +30,24 @@ TEST(LensCounts, AreThoseThatWereAskedForOrMore) {
     EXPECT_FALSE(judgeCounts(49, 49, true)) << "the log ends there";
 }
 
+TEST(LensCounts, SayWhereOnlySomePixelsHaveTooFew) {
+    LensByHand lens;
+    add(lens, 50, 50);
+    add(lens, 12, 12);
+    add(lens, 1, 1);
+    const auto some = checkLensCounts(lens.log);
+    ASSERT_EQ(idOf(some), "dof.too-few-rays");
+    EXPECT_NE(some->message.find("for 2 of 3 pixels, the first in column 1, row 0, there are 1 to "
+                                 "12"),
+              std::string::npos)
+        << some->message;
+    EXPECT_NE(some->hint.find("leave the loop early"), std::string::npos);
+    lens.log.pixels.erase(lens.log.pixels.begin());
+    const auto all = checkLensCounts(lens.log);
+    EXPECT_NE(all->message.find("expected; there are 1 to 12."), std::string::npos) << all->message;
+    EXPECT_NE(judgeCounts(1, 1)->message.find("there is 1."), std::string::npos);
+}
+
 TEST(LensCounts, WantDifferentPointsOfTheLens) {
     EXPECT_FALSE(judgeCounts(50, 26)) << "a coarse generator gives some twice";
     const auto coarse = judgeCounts(50, 25);
@@ -75,6 +93,28 @@ TEST(LensBounces, AreThoseOfTheSettings) {
     EXPECT_EQ(judge(-1), "") << "another recursion";
     EXPECT_EQ(judge(2), "dof.wrong");
     EXPECT_EQ(judge(0), "dof.wrong");
+}
+
+TEST(LensBounces, AreSaidAsTheyAre) {
+    LensByHand lens;
+    lens.asked.settings.bounces = 2;
+    for (int pixel = 0; pixel < 2; ++pixel) {
+        add(lens, 50, 50);
+        for (LensRay& ray : lens.log.pixels.back().rays)
+            ray.bounces = 0;
+    }
+    EXPECT_NE(checkBounces(lens.log)->message.find("they are traced with 0."), std::string::npos);
+    std::vector<LensRay>& counted = lens.log.pixels[1].rays;
+    lens.log.pixels[0].rays = counted;
+    for (LensRay& ray : lens.log.pixels[0].rays)
+        ray.bounces = 2;
+    counted[0].bounces = 2;
+    counted[1].bounces = 1;
+    const auto some = checkBounces(lens.log);
+    EXPECT_NE(some->message.find("in column 1, row 0 they are traced with 2, 1, 0, 0, 0, ..."),
+              std::string::npos)
+        << some->message;
+    EXPECT_NE(some->hint.find("counted down"), std::string::npos);
 }
 
 TEST(LensPattern, IsReusedWhereAllPixelsOfARepetitionHaveTheSamePoints) {
