@@ -30,14 +30,11 @@ std::optional<Finding> checkComplete(const LensLog& log) {
     const auto first = std::find_if(log.pixels.begin(), log.pixels.end(), unset);
     const auto black = std::count_if(log.pixels.begin(), log.pixels.end(), unset);
     if (black == 0) return std::nullopt;
-    const auto at = static_cast<int>(first - log.pixels.begin());
-    const raytracer::RenderSettings& settings = log.asked->settings;
     Finding finding = distributedFinding(
         kDofWrong, Severity::fail,
         fmt::format("Every pixel was expected to be set; {} of {} have no ray and stay black, the "
-                    "first in column {}, row {}.",
-                    black, log.pixels.size(), at % settings.width,
-                    at / settings.width % settings.height));
+                    "first in {}.",
+                    black, log.pixels.size(), placeOf(log, first - log.pixels.begin())));
     finding.hint = "Go through all columns from 0 and all rows from 0 to the last, and set each.";
     return finding;
 }
@@ -130,7 +127,12 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
         outcome.findings.push_back(*std::move(incomplete));
         return outcome;
     }
+    if (std::optional<Finding> copies = checkCopies(handout)) {
+        outcome.findings.push_back(*std::move(copies));
+        return outcome;
+    }
     outcome.rayless = lacksRays(handout);
+    outcome.partly = outcome.rayless && handout.rayCount() > 0;
     outcome.cut = handout.cut;
     if (outcome.rayless) return outcome;
     outcome.valueless = !handout.pixels.front().rays.front().value.has_value();

@@ -15,7 +15,8 @@ struct LensOutcome {
     std::optional<double> apertureFactor;  ///< half-width / dofAmount of the accepted reading
     std::vector<ScatterPlot>
         plots;               ///< starts and meeting points of the rays, unless a finding shows them
-    bool rayless = false;    ///< no ray is visible: only pictures can be judged
+    bool rayless = false;    ///< pixels have no visible ray: only pictures can be judged
+    bool partly = false;     ///< `rayless`, but other pixels have visible rays
     bool valueless = false;  ///< the rays are visible, but not the colour of each
     bool cut = false;        ///< casts more rays than could be followed
 };

@@ -27,7 +27,9 @@ bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntiali
         outcome.findings.push_back(unseenRays(
             kDofUnseenRays,
             outcome.cut ? "render casts far more rays than asked for, so not all were followed"
-                        : "render does not send its rays through trace"));
+            : outcome.partly
+                ? "render sends the rays of some pixels through trace, but not those of others"
+                : "render does not send its rays through trace"));
         return keepRepeated(outcome.findings, [&](std::uint64_t stage) {
             Stage judged = judgePicture(examinee, seed, stage);
             outcome.apertureFactor = judged.apertureFactor;

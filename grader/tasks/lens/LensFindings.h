@@ -18,13 +18,14 @@ inline constexpr FindingText kDofNone{
         "-dofAmount to dofAmount, z 0) and send it through the focal point.",
     .section = "Depth of field (T2.2), step 2"};
 
-inline constexpr FindingText kDofTooFewRays{.id = "dof.too-few-rays",
-                                            .words = "cast too few rays for a pixel",
-                                            .meaning = "fewer than `dofRayCount` for a pixel",
-                                            .hint =
-                                                "Cast settings().dofRayCount rays for every pixel, "
-                                                "and divide their sum by the same number.",
-                                            .section = "Depth of field (T2.2), step 2"};
+inline constexpr FindingText kDofTooFewRays{
+    .id = "dof.too-few-rays",
+    .words = "cast too few rays for a pixel",
+    .meaning = "fewer than `dofRayCount` for a pixel, also none: a neighbour's colour",
+    .hint =
+        "Cast settings().dofRayCount rays for every pixel, and divide their sum by the same "
+        "number.",
+    .section = "Depth of field (T2.2), step 2"};
 
 inline constexpr FindingText kDofSharedSamples{
     .id = "dof.shared-samples",
@@ -44,7 +45,8 @@ inline constexpr FindingText kDofNotAveraged{
     .hint =
         "Add, with +=, what trace returns for each of the dofRayCount lens rays, as it is: no "
         "std::min, pow or tone curve, and the background counts as well. Divide once by their "
-        "number. The ray straight from the eye is none of them, and the sum is not static.",
+        "number. The ray straight from the eye is none of them, the sum is not static, and no "
+        "second pass over the picture mixes neighbours.",
     .section = "Depth of field (T2.2), step 3"};
 
 inline constexpr FindingText kDofThreadsMixed{
@@ -137,8 +139,8 @@ inline constexpr FindingText kDofUnseenRays{
     .id = "dof.unseen-rays",
     .words = "cast camera rays that cannot be seen",
     .meaning =
-        "note: no camera ray was seen, or more than can be followed, so pictures were judged; "
-        "warn, for a person: they left it open"};
+        "note: no camera ray was seen, or not those of all pixels, or more than can be followed, "
+        "so pictures were judged; warn, for a person: they left it open"};
 
 inline constexpr FindingText kDofWrong{
     .id = "dof.wrong",

@@ -95,6 +95,36 @@ TEST(JudgeLens, AccusesNeitherThreadsNorSettingsNorMemoryWhereTheSceneDecides) {
     }
 }
 
+/// The reference, of which every second pixel's rays are not visible.
+class HalfSeen final : public probe::Examinee {
+public:
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run = reference_.ask(questions);
+        for (probe::Answer& answer : run.answers) {
+            bool isHidden = false;
+            std::erase_if(std::get<probe::RenderAnswer>(answer).events,
+                          [&](const probe::Event& event) {
+                              if (event.kind == probe::Event::Kind::cameraRayAsked)
+                                  isHidden = event.x % 2 == 1;
+                              return isHidden;
+                          });
+        }
+        return run;
+    }
+
+private:
+    tests::LocalExaminee reference_;
+};
+
+TEST(JudgeLens, SaysThatTheRaysOfSomePixelsWereSeen) {
+    HalfSeen examinee;
+    const TaskJudgement judgement = judgeLens(examinee, 2);
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    ASSERT_EQ(idsOf(judgement), "dof.unseen-rays ");
+    EXPECT_NE(judgement.findings[0].message.find("the rays of some pixels"), std::string::npos)
+        << judgement.findings[0].message;
+}
+
 TEST(JudgeLens, AccusesThreadsAndSettingsThatAreAtFault) {
     tests::LocalExaminee reference;
     AlteredExaminee threads{reference, [](auto& settings) {

@@ -90,6 +90,41 @@ TEST(JudgeDepthOfField, JudgesNoRaysWhereSomeCannotBeSeen) {
     EXPECT_TRUE(judge(valueless).valueless);
 }
 
+TEST(JudgeDepthOfField, TellsPixelsThatCopyANeighbour) {
+    RightLog copied;
+    for (const std::size_t odd : {1U, 3U, 5U, 7U}) {
+        LensPixel& source = copied.log.pixels[odd - 1];
+        source.rays[7].value = ColourRGB{0.7, 0.1, 0.9};
+        source.colour += ColourRGB{0.001, 0.002, 0.003};
+        copied.log.pixels[odd].rays.clear();
+        copied.log.pixels[odd].colour = source.colour;
+    }
+    const LensOutcome outcome = judge(copied);
+    ASSERT_EQ(idsOf(outcome), "dof.too-few-rays ");
+    EXPECT_FALSE(outcome.rayless) << "nothing is left to pictures";
+    const Finding& finding = outcome.findings[0];
+    EXPECT_NE(
+        finding.message.find("4 of 8 pixels, the first in column 1, row 0, have none and show "
+                             "the colour of a neighbour"),
+        std::string::npos)
+        << finding.message;
+    EXPECT_NE(finding.hint.find("copies"), std::string::npos);
+    copied.log.pixels[5].colour.g += 1e-9;
+    EXPECT_TRUE(judge(copied).rayless) << "one may be computed by unseen code";
+    EXPECT_TRUE(judge(copied).partly);
+    for (LensPixel& pixel : copied.log.pixels)
+        pixel.rays.clear();
+    EXPECT_FALSE(judge(copied).partly);
+}
+
+TEST(JudgeDepthOfField, TakesNoEvenColourForACopy) {
+    RightLog even;
+    even.log.pixels[2].colour = even.log.pixels[1].colour;
+    even.log.pixels[2].rays.clear();
+    EXPECT_TRUE(judge(even).rayless) << "all rays may have met the same floor";
+    EXPECT_EQ(idsOf(judge(even)), "");
+}
+
 TEST(JudgeDepthOfField, WantsNumbersInEveryChannel) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const ColourRGB& odd :
