@@ -74,7 +74,8 @@ inline constexpr FindingText kDofFocalPlane{
     .meaning = "another plane, or none",
     .hint =
         "All rays of a pixel must meet the pinhole ray at z = settings().dofFocalPlane, in every "
-        "pixel: aim each exactly at that point, with nothing random added to it. The length "
+        "pixel and whatever the scene shows: aim each exactly at that point, with nothing random "
+        "added to it. The length "
         "along the pinhole ray is dofFocalPlane divided by direction.z, not multiplied by it.",
     .section = "Depth of field (T2.2), step 1"};
 

@@ -106,7 +106,7 @@ std::string bouncesOf(const LensPixel& pixel, int asked) {
     const auto begin = bounces.begin() + (wrong < kShown ? 0 : wrong - 1);
     const auto end = begin + std::min<std::ptrdiff_t>(kShown, bounces.end() - begin);
     return fmt::format("{}{}{}", begin == bounces.begin() ? "" : "..., ",
-                       fmt::join(begin, end, ", "), end == bounces.end() ? "" : ", ...");
+                       fmt::join(begin, end, ", "), end == bounces.end() ? "" : " and so on");
 }
 
 }  // namespace

@@ -111,8 +111,9 @@ TEST(LensBounces, AreSaidAsTheyAre) {
     counted[0].bounces = 2;
     counted[1].bounces = 1;
     const auto some = checkBounces(lens.log);
-    EXPECT_NE(some->message.find("in column 1, row 0 they are traced with 2, 1, 0, 0, 0, ..."),
-              std::string::npos)
+    EXPECT_NE(
+        some->message.find("in column 1, row 0 they are traced with 2, 1, 0, 0, 0 and so on."),
+        std::string::npos)
         << some->message;
     EXPECT_NE(some->hint.find("counted down"), std::string::npos);
 }
