@@ -1,5 +1,6 @@
 #include <grader/repair/EditSets.h>
 
+#include <grader/repair/EditCost.h>
 #include <grader/repair/candidates/Tokens.h>
 
 #include <algorithm>
@@ -11,36 +12,7 @@
 namespace ticker::repair {
 namespace {
 
-using candidates::Range;
 using candidates::tokensOf;
-
-std::vector<std::string_view> wordsOf(std::string_view text) {
-    std::vector<std::string_view> words;
-    for (const Range& token : tokensOf(text))
-        words.push_back(text.substr(token.begin, token.size()));
-    return words;
-}
-
-/// Without what belongs to a word beside it: `.normalised()` is one.
-std::vector<std::string_view> weighedWordsOf(std::string_view text) {
-    static const std::set<std::string_view> kLight{"(", ")", "{", "}", ".", "->", "::", ",", "std"};
-    std::vector<std::string_view> words = wordsOf(text);
-    std::erase_if(words, [](std::string_view word) { return kLight.contains(word); });
-    return words;
-}
-
-/// Words of the longer list between what both share at their beginnings and ends.
-std::size_t differing(const std::vector<std::string_view>& a,
-                      const std::vector<std::string_view>& b) {
-    std::size_t front = 0;
-    while (front < a.size() && front < b.size() && a[front] == b[front])
-        ++front;
-    std::size_t back = 0;
-    while (back + front < a.size() && back + front < b.size() &&
-           a[a.size() - 1 - back] == b[b.size() - 1 - back])
-        ++back;
-    return std::max(a.size(), b.size()) - front - back;
-}
 
 bool touch(const TextEdit& a, const TextEdit& b) {
     return a.begin <= b.end && b.begin <= a.end;
@@ -56,7 +28,7 @@ bool touch(const Atom& a, const Atom& b) {
 /// A text with names replaced: statements of the same shape say the same of different things.
 std::string shapeOf(std::string_view text) {
     std::string shape;
-    for (const std::string_view word : wordsOf(text)) {
+    for (const std::string_view word : candidates::wordsOf(text)) {
         const bool isName = std::isalpha(static_cast<unsigned char>(word.front())) != 0;
         shape += isName ? "n" : word;
         shape += ' ';
@@ -92,6 +64,11 @@ std::string replacementOf(std::string_view source, const Atom& atom) {
     return text;
 }
 
+/// The same within one statement.
+std::string inStatement(std::string_view source, const Atom& atom) {
+    return replacementOf(source, atom) + "|" + std::to_string(atom.statementBegin);
+}
+
 /// All of a group together, and each two of it.
 void addGroup(const Candidates& candidates, const EditSet& group, std::set<EditSet>& sets) {
     constexpr std::size_t kMostPlaces = 4;
@@ -107,55 +84,12 @@ void addGroup(const Candidates& candidates, const EditSet& group, std::set<EditS
     if (isApart) sets.insert(group);
 }
 
-/// The more a kind of edit puts in beside what was there, the later it comes among equals.
-std::size_t rankOf(const Atom& atom) {
-    static const std::map<std::string, std::size_t> kRanks{
-        {"operator", 0}, {"function", 0}, {"member", 0}, {"drop", 0},      {"unwrap", 0},
-        {"number", 1},   {"exchange", 1}, {"sign", 1},   {"normalise", 1}, {"name", 2}};
-    const auto found = kRanks.find(atom.kind);
-    return found == kRanks.end() ? 3 : found->second;
-}
-
-/// Whether an edit makes the text longer.
-bool putsIn(std::string_view source, const Atom& atom) {
-    std::size_t before = 0;
-    std::size_t after = 0;
-    for (const TextEdit& edit : atom.edits) {
-        before += weighedWordsOf(source.substr(edit.begin, edit.end - edit.begin)).size();
-        after += weighedWordsOf(edit.text).size();
-    }
-    return after > before;
-}
-
 EditSet switched(const Candidates& candidates, const Choice& isChosen) {
     EditSet numbers;
     for (std::size_t i = 0; i < candidates.atoms.size(); ++i)
         if (!candidates.atoms[i].isApart && isChosen(candidates.atoms[i]))
             numbers.push_back(static_cast<std::uint16_t>(i));
     return numbers;
-}
-
-/// @param isOne  One edit at several places.
-std::vector<EditSet> simplestFirst(std::string_view source, const Candidates& candidates,
-                                   std::vector<EditSet> sets, bool isOne = false) {
-    constexpr std::size_t kRanks = 8;
-    std::vector<std::size_t> costOf;
-    for (std::size_t i = 0; i < candidates.atoms.size(); ++i)
-        costOf.push_back(
-            kRanks * tokensChanged(source, candidates, {static_cast<std::uint16_t>(i)}) +
-            2 * rankOf(candidates.atoms[i]) + (putsIn(source, candidates.atoms[i]) ? 1 : 0));
-    std::vector<std::pair<std::size_t, EditSet>> ranked;
-    for (EditSet& set : sets) {
-        std::size_t tokens = 0;
-        for (const std::uint16_t number : set)
-            tokens = isOne ? std::max(tokens, costOf[number]) : tokens + costOf[number];
-        ranked.emplace_back(tokens, std::move(set));
-    }
-    std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, EditSet>::first);
-    sets.clear();
-    for (auto& [tokens, set] : ranked)
-        sets.push_back(std::move(set));
-    return sets;
 }
 
 }  // namespace
@@ -168,15 +102,6 @@ std::vector<TextEdit> textEdits(const Candidates& candidates, const EditSet& set
     }
     std::ranges::sort(edits, {}, &TextEdit::begin);
     return edits;
-}
-
-std::size_t tokensChanged(std::string_view source, const Candidates& candidates,
-                          const EditSet& set) {
-    std::size_t count = 0;
-    for (const TextEdit& edit : textEdits(candidates, set))
-        count += differing(weighedWordsOf(source.substr(edit.begin, edit.end - edit.begin)),
-                           weighedWordsOf(edit.text));
-    return count;
 }
 
 std::vector<EditSet> singles(std::string_view source, const Candidates& candidates,
@@ -209,6 +134,7 @@ std::vector<EditSet> twins(std::string_view source, const Candidates& candidates
     for (const std::uint16_t number : switched(candidates, isChosen)) {
         groups[replacementOf(source, candidates.atoms[number])].push_back(number);
         groups[placeOf(source, candidates.atoms[number])].push_back(number);
+        groups[inStatement(source, candidates.atoms[number])].push_back(number);
         if (const std::string& kind = candidates.atoms[number].kind; kAlike.contains(kind))
             groups[kind].push_back(number);
     }

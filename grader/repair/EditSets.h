@@ -12,11 +12,6 @@
 
 namespace ticker::repair {
 
-/// Words and operators that a set of edits takes away and puts in: the fewer, the simpler the
-/// repair.
-[[nodiscard]] std::size_t tokensChanged(std::string_view source, const Candidates& candidates,
-                                        const EditSet& set);
-
 /// All text edits of a set, in the order of the file.
 [[nodiscard]] std::vector<TextEdit> textEdits(const Candidates& candidates, const EditSet& set);
 

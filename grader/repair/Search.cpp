@@ -29,6 +29,16 @@ public:
     std::vector<probe::Question> asked;
 };
 
+/// The first of both, then the second of both, and so on.
+std::vector<EditSet> inTurn(const std::vector<EditSet>& some, const std::vector<EditSet>& others) {
+    std::vector<EditSet> all;
+    for (std::size_t i = 0; i < std::max(some.size(), others.size()); ++i) {
+        if (i < some.size()) all.push_back(some[i]);
+        if (i < others.size()) all.push_back(others[i]);
+    }
+    return all;
+}
+
 bool isFinished(const Run& run) {
     return run.end.kind == probe::ProcessEnd::Kind::finished;
 }
@@ -60,21 +70,19 @@ std::vector<EditSet> Search::screened(std::span<const EditSet> sets) {
     std::vector<EditSet> alike;
     for (std::size_t at = 0; at < sets.size() && !clock_.isOver(); at += kTogether) {
         const auto some = sets.subspan(at, std::min(kTogether, sets.size() - at));
-        const std::vector<Run> runs = program_.ask(screening_.questions, some);
-        asked_ += runs.size();
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            const bool isAlike = isFinished(runs[i]) && sameAnswers(runs[i], screenedAsHandedIn_);
-            if (isSeen && (isAlike || !isFinished(runs[i]))) idle_.insert(some[i]);
-            if (!isFinished(runs[i]) || (isSeen && isAlike)) continue;
+        program_.askEach(screening_.questions, some, [&](std::size_t i, const Run& run) {
+            ++asked_;
+            const bool isAlike = isFinished(run) && sameAnswers(run, screenedAsHandedIn_);
+            if (isSeen && (isAlike || !isFinished(run))) idle_.insert(some[i]);
+            if (!isFinished(run) || (isSeen && isAlike)) return;
             if (isAlike)
                 alike.push_back(some[i]);
-            else if (screening_.mayPass(runs[i]))
+            else if (screening_.mayPass(run))
                 kept.push_back(some[i]);
-        }
+        });
     }
-    // Where the cheap questions were answered well, what changes no answer comes first.
-    alike.insert(alike.end(), kept.begin(), kept.end());
-    return alike;
+    // Where the cheap questions were answered well, what changes no answer is as likely.
+    return inTurn(alike, kept);
 }
 
 TaskJudgement Search::judge(const EditSet& set, Run first) const {

@@ -35,8 +35,9 @@ std::vector<EditRound> roundsOf(std::span<const EditSet> sets, bool isMeasured) 
 
 }  // namespace
 
-std::vector<probe::Run> SwitchedProgram::askTogether(const std::vector<probe::Question>& questions,
-                                                     std::span<const EditSet> sets) const {
+std::size_t SwitchedProgram::askTogether(const std::vector<probe::Question>& questions,
+                                         std::span<const EditSet> sets, std::size_t first,
+                                         const UseRun& use) const {
     const probe::AnswerLayout layout = probe::layoutFor(questions);
     const std::vector<EditRound> rounds = roundsOf(sets, isMeasured_ && sets.size() > 1);
     const FileDescriptor message = sandbox::sealedCopy(probe::encodeQuestions(questions));
@@ -60,7 +61,6 @@ std::vector<probe::Run> SwitchedProgram::askTogether(const std::vector<probe::Qu
     clock_.add(Work::ask, outcome.cpuMs);
     if (outcome.end == sandbox::Outcome::End::failed) throw raytracer::Error(outcome.output);
 
-    std::vector<probe::Run> runs;
     for (std::size_t i = 0; i < sets.size(); ++i) {
         probe::Run run;
         const bool finished = probe::saysFinished(part(i));
@@ -68,24 +68,29 @@ std::vector<probe::Run> SwitchedProgram::askTogether(const std::vector<probe::Qu
             run.answers = probe::readAnswers(questions, part(i));
         else
             run.end = {probe::ProcessEnd::Kind::crashed, "with an edit"};
-        runs.push_back(std::move(run));
+        use(first + i, std::move(run));
         // Those after it were not asked.
-        if (!finished) break;
+        if (!finished) return i + 1;
     }
-    return runs;
+    return sets.size();
+}
+
+void SwitchedProgram::askEach(const std::vector<probe::Question>& questions,
+                              std::span<const EditSet> sets, const UseRun& use) const {
+    // After a process that ended early, the next one goes on behind the set that ended it.
+    const std::size_t bytesEach = std::max<std::size_t>(1, probe::layoutFor(questions).totalBytes);
+    const std::size_t most = keepsState_ ? 1 : std::max<std::size_t>(1, kMostBytes / bytesEach);
+    for (std::size_t at = 0; at < sets.size() && !clock_.isOver();) {
+        const std::size_t count = std::min(most, sets.size() - at);
+        at += askTogether(questions, sets.subspan(at, count), at, use);
+    }
 }
 
 std::vector<probe::Run> SwitchedProgram::ask(const std::vector<probe::Question>& questions,
                                              std::span<const EditSet> sets) const {
-    // After a process that ended early, the next one goes on behind the set that ended it.
-    const std::size_t bytesEach = std::max<std::size_t>(1, probe::layoutFor(questions).totalBytes);
-    const std::size_t most = keepsState_ ? 1 : std::max<std::size_t>(1, kMostBytes / bytesEach);
     std::vector<probe::Run> all;
-    while (all.size() < sets.size() && !clock_.isOver()) {
-        const std::size_t count = std::min(most, sets.size() - all.size());
-        std::vector<probe::Run> some = askTogether(questions, sets.subspan(all.size(), count));
-        std::move(some.begin(), some.end(), std::back_inserter(all));
-    }
+    askEach(questions, sets,
+            [&](std::size_t /*set*/, probe::Run run) { all.push_back(std::move(run)); });
     return all;
 }
 

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,15 +35,28 @@ public:
     /// recognised sooner.
     void answersUnedited(bool does) { isMeasured_ = does; }
 
+    /// Takes what a submission answers with a set of edits. @param set  Its place among the sets.
+    using UseRun = std::function<void(std::size_t set, probe::Run run)>;
+
     /// Puts the questions to the submission once for each set. What ends a process costs only the
     /// set that was being asked.
-    /// @return  In the order of the sets; those that the time does not suffice for are left out.
+    /// @param use  Called in the order of the sets, and not for those that the time does not
+    /// suffice
+    ///             for. Answers are read one set after the other: all together may take much
+    ///             memory.
+    void askEach(const std::vector<probe::Question>& questions, std::span<const EditSet> sets,
+                 const UseRun& use) const;
+
+    /// The same with all answers at once.
     [[nodiscard]] std::vector<probe::Run> ask(const std::vector<probe::Question>& questions,
                                               std::span<const EditSet> sets) const;
 
 private:
-    [[nodiscard]] std::vector<probe::Run> askTogether(const std::vector<probe::Question>& questions,
-                                                      std::span<const EditSet> sets) const;
+    /// @param first  The place of the first of these sets.
+    /// @return  How many were asked.
+    std::size_t askTogether(const std::vector<probe::Question>& questions,
+                            std::span<const EditSet> sets, std::size_t first,
+                            const UseRun& use) const;
 
     build::Program program_;
     const sandbox::Sandbox& sandbox_;

@@ -85,6 +85,13 @@ std::vector<Range> tokensOf(std::string_view text) {
     return tokens;
 }
 
+std::vector<std::string_view> wordsOf(std::string_view text) {
+    std::vector<std::string_view> words;
+    for (const Range& token : tokensOf(text))
+        words.push_back(text.substr(token.begin, token.size()));
+    return words;
+}
+
 std::vector<Range> Source::tokensIn(const Range& range) const {
     const auto first = std::ranges::lower_bound(tokens_, range.begin, {}, &Range::begin);
     std::vector<Range> found;

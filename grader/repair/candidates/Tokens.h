@@ -23,6 +23,9 @@ struct Range {
 /// The words and signs of a C++ text, without white space and comments.
 [[nodiscard]] std::vector<Range> tokensOf(std::string_view text);
 
+/// The same as texts.
+[[nodiscard]] std::vector<std::string_view> wordsOf(std::string_view text);
+
 /// A text and its tokens.
 class Source {
 public:

@@ -13,12 +13,21 @@ bool goesOn(const Edits& edits, std::size_t begin, std::size_t end) {
     return edits.source().in({begin, end}).find('\n') != std::string_view::npos;
 }
 
+/// Whether a node is the number that a direction is multiplied by.
+bool isScale(const Edits& edits, int index) {
+    const Node& around = edits.tree().at(edits.tree().at(index).parent);
+    return around.kind == NodeKind::binary && around.name == "*" &&
+           around.children.back() == index && edits.isType(index, "double") &&
+           edits.isType(around.children.front(), "raytracer::Vector3");
+}
+
 /// Whether a node is whole, a term of a sum, what a method is called for, or the first line of a
 /// product.
 bool isTerm(const Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
     const Node& around = tree.at(node.parent);
+    if (isScale(edits, index)) return true;
     if (around.kind == NodeKind::binary && (around.name == "*" || around.name == "/"))
         return around.children.front() == index && goesOn(edits, node.range.end, around.range.end);
     if (around.kind == NodeKind::binary) return around.name != "=";
@@ -75,7 +84,7 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
     for (const std::string& factor : factors)
         if (factor != edits.text(index))
             edits.replace("factor", index, operand + " * " + factor, holds);
-    if (isPoint || !standsAlone(edits.tree(), index)) return;
+    if (isPoint || !(standsAlone(edits.tree(), index) || isScale(edits, index))) return;
     if (edits.isType(index, "double"))
         for (const std::string& point : words.places())
             for (const char* axis : {".x", ".y", ".z"})

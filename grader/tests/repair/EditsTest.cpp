@@ -1,3 +1,4 @@
+#include <grader/repair/EditCost.h>
 #include <grader/repair/EditSets.h>
 #include <grader/repair/LineEdits.h>
 
@@ -45,6 +46,26 @@ TEST(EditSets, TheSimplestComesFirst) {
 TEST(EditSets, TheSameEditAtTwoPlacesIsOneSet) {
     const auto sets = twins(kSource, candidates(), isAny);
     EXPECT_EQ(sets, (std::vector<EditSet>{{0, 1}}));
+}
+
+TEST(EditSets, ManyWordsThatSayOneThingAreSimple) {
+    Candidates made = candidates();
+    made.atoms.push_back(atom("sibling", {30, 31, "a + b"}, 30, 39));
+    made.atoms.push_back(atom("draw", {36, 37, "draw(0.0, s) + draw(0.0, s)"}, 30, 39));
+    const auto sets = singles(kSource, made, isAny);
+    EXPECT_EQ(sets, (std::vector<EditSet>{{2}, {4}, {0}, {1}, {3}}));
+}
+
+TEST(EditSets, TheSameEditTwiceInOneStatementIsOneSetHoweverOftenItIsPossible) {
+    constexpr std::string_view kLong = "a+b+c; d+e+f; g+h+i;";
+    Candidates made;
+    for (const std::size_t at : {1U, 3U, 8U, 10U, 15U, 17U}) {
+        const std::size_t begin = at / 7 * 7;
+        made.atoms.push_back(atom("operator", {at, at + 1, "-"}, begin, begin + 5));
+    }
+    const auto sets = twins(kLong, made, isAny);
+    EXPECT_NE(std::ranges::find(sets, EditSet{2, 3}), sets.end());
+    EXPECT_EQ(std::ranges::find(sets, EditSet{0, 1, 2, 3, 4, 5}), sets.end());
 }
 
 TEST(EditSets, EditsOfAnotherTaskTakeNoPart) {

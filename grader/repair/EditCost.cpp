@@ -1,0 +1,99 @@
+#include <grader/repair/EditCost.h>
+
+#include <grader/repair/EditSets.h>
+#include <grader/repair/candidates/Tokens.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+namespace ticker::repair {
+namespace {
+
+using candidates::wordsOf;
+
+/// Without what belongs to a word beside it: `.normalised()` is one.
+std::vector<std::string_view> weighedWordsOf(std::string_view text) {
+    static const std::set<std::string_view> kLight{"(", ")", "{", "}", ".", "->", "::", ",", "std"};
+    std::vector<std::string_view> words = wordsOf(text);
+    std::erase_if(words, [](std::string_view word) { return kLight.contains(word); });
+    return words;
+}
+
+/// Words of the longer list between what both share at their beginnings and ends.
+std::size_t differing(const std::vector<std::string_view>& a,
+                      const std::vector<std::string_view>& b) {
+    std::size_t front = 0;
+    while (front < a.size() && front < b.size() && a[front] == b[front])
+        ++front;
+    std::size_t back = 0;
+    while (back + front < a.size() && back + front < b.size() &&
+           a[a.size() - 1 - back] == b[b.size() - 1 - back])
+        ++back;
+    return std::max(a.size(), b.size()) - front - back;
+}
+
+/// The more a kind of edit puts in beside what was there, the later it comes among equals.
+std::size_t rankOf(const Atom& atom) {
+    static const std::map<std::string, std::size_t> kRanks{
+        {"operator", 0},  {"function", 0}, {"member", 0},   {"drop", 0},
+        {"unwrap", 0},    {"number", 1},   {"exchange", 1}, {"sign", 1},
+        {"normalise", 1}, {"name", 2},     {"jump", 2}};
+    const auto found = kRanks.find(atom.kind);
+    return found == kRanks.end() ? 3 : found->second;
+}
+
+/// Whether an edit makes the text longer.
+bool putsIn(std::string_view source, const Atom& atom) {
+    std::size_t before = 0;
+    std::size_t after = 0;
+    for (const TextEdit& edit : atom.edits) {
+        before += weighedWordsOf(source.substr(edit.begin, edit.end - edit.begin)).size();
+        after += weighedWordsOf(edit.text).size();
+    }
+    return after > before;
+}
+
+/// Whether an edit says one thing in many words. A file has few of these.
+bool isOneThought(const Atom& atom) {
+    return atom.kind == "draw" || atom.kind == "jump";
+}
+
+}  // namespace
+
+std::size_t tokensChanged(std::string_view source, const Candidates& candidates,
+                          const EditSet& set) {
+    std::size_t count = 0;
+    for (const TextEdit& edit : textEdits(candidates, set))
+        count += differing(weighedWordsOf(source.substr(edit.begin, edit.end - edit.begin)),
+                           weighedWordsOf(edit.text));
+    return count;
+}
+
+std::vector<EditSet> simplestFirst(std::string_view source, const Candidates& candidates,
+                                   std::vector<EditSet> sets, bool isOne) {
+    constexpr std::size_t kRanks = 8;
+    std::vector<std::size_t> costOf;
+    for (std::size_t i = 0; i < candidates.atoms.size(); ++i) {
+        const Atom& atom = candidates.atoms[i];
+        const std::size_t tokens =
+            isOneThought(atom) ? 1
+                               : tokensChanged(source, candidates, {static_cast<std::uint16_t>(i)});
+        costOf.push_back(kRanks * tokens + 2 * rankOf(atom) + (putsIn(source, atom) ? 1 : 0));
+    }
+    std::vector<std::pair<std::size_t, EditSet>> ranked;
+    for (EditSet& set : sets) {
+        std::size_t tokens = 0;
+        for (const std::uint16_t number : set)
+            tokens = isOne ? std::max(tokens, costOf[number]) : tokens + costOf[number];
+        ranked.emplace_back(tokens, std::move(set));
+    }
+    std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, EditSet>::first);
+    sets.clear();
+    for (auto& [tokens, set] : ranked)
+        sets.push_back(std::move(set));
+    return sets;
+}
+
+}  // namespace ticker::repair

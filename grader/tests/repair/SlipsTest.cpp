@@ -1,0 +1,173 @@
+// Edits that mend mistakes which the catalogue does not have.
+#include <grader/base/WholeFile.h>
+#include <grader/corpus/Entry.h>
+#include <grader/tests/repair/FoundEdits.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace ticker::repair {
+namespace {
+
+constexpr const char* kStar = "tick1star";
+constexpr const char* kTick = "tick1";
+
+/// A mistake, and its edit.
+struct Slip {
+    const char* name;
+    const char* exercise;
+    const char* file;
+    Reach reach;
+    corpus::Edit wrong;  ///< of the reference solution
+    corpus::Edit mend;   ///< of that
+    const char* leftAlone = "";
+};
+
+void PrintTo(const Slip& slip, std::ostream* out) {
+    *out << slip.name;
+}
+
+class EditsOfSlips : public testing::TestWithParam<Slip> {};
+
+TEST_P(EditsOfSlips, HoldTheOneThatMendsIt) {
+    const Slip& slip = GetParam();
+    const Exercise& exercise = exerciseNamed(slip.exercise);
+    const std::string reference =
+        readWhole(std::filesystem::path{TICKER_SOURCE_DIR} / exercise.reference / slip.file);
+    const std::string wrong = corpus::applyEdits(reference, {slip.wrong}, slip.name);
+    const std::string right = tests::tokens(corpus::applyEdits(wrong, {slip.mend}, slip.name));
+    const Candidates candidates =
+        tests::found(slip.exercise, slip.file, wrong, slip.reach, slip.leftAlone);
+    EXPECT_TRUE(std::ranges::any_of(candidates.atoms, [&](const Atom& atom) {
+        const auto edited = withEdits(wrong, atom.edits);
+        return edited && tests::tokens(*edited) == right;
+    }));
+}
+
+constexpr const char* kRenderer = "Renderer.cpp";
+constexpr const char* kFind =
+    "const std::optional<RaycastHit> occluder = scene.findClosestIntersection(shadowRay);";
+constexpr const char* kShade = "return occluder && occluder->distance < path.magnitude();";
+
+INSTANTIATE_TEST_SUITE_P(
+    Draws, EditsOfSlips,
+    testing::Values(Slip{
+        "one-number-for-both",
+        kStar,
+        kRenderer,
+        Reach::simple,
+        {"const Vector3 lensPoint{randomBetween(-settings().dofAmount, settings().dofAmount),",
+         "const double a = randomBetween(-1.0, 1.0) * settings().dofAmount;\n"
+         "const Vector3 lensPoint{a,"},
+        {"lensPoint{a,", "lensPoint{randomBetween(-1.0, 1.0) * settings().dofAmount,"}}));
+INSTANTIATE_TEST_SUITE_P(
+    Conditions, EditsOfSlips,
+    testing::Values(
+        Slip{"only-sometimes",
+             kStar,
+             kRenderer,
+             Reach::simple,
+             {"++reached;", "if (P.x > 0.0) ++reached;"},
+             {"if (P.x > 0.0) ++reached;", "++reached;"}},
+        Slip{"flag",
+             kStar,
+             kRenderer,
+             Reach::simple,
+             {"int reached = 0;",
+              "int reached = 0; const bool soft = O.z == 0.0; if (soft) "
+              "reached = 0;"},
+             {"soft = O.z == 0.0;", "soft = true;"}},
+        Slip{"first-object-only",
+             kTick,
+             kRenderer,
+             Reach::simple,
+             {kFind,
+              "for (const auto& o : scene.objects()) { const auto hit = "
+              "o->intersectionWith(shadowRay); return hit.has_value(); }\n"
+              "const std::optional<RaycastHit> occluder;"},
+             {"return hit.has_value();", "if (hit.has_value()) return true;"}},
+        Slip{"last-hit",
+             kTick,
+             kRenderer,
+             Reach::wide,
+             {kFind,
+              "std::optional<RaycastHit> occluder; for (const auto& o : scene.objects()) { "
+              "std::optional<RaycastHit> hit = o->intersectionWith(shadowRay); if (hit) "
+              "occluder = hit; }"},
+             {"if (hit)", "if ((hit && (!occluder || hit->distance < occluder->distance)))"}},
+        Slip{"every-hit-counts",
+             kTick,
+             kRenderer,
+             Reach::simple,
+             {kShade,
+              "int count = 0; for (const auto& o : scene.objects()) if "
+              "(o->intersectionWith(shadowRay)) ++count; return count == 1 && occluder;"},
+             {"++count;", "{ ++count; break; }"}},
+        Slip{"first-of-all",
+             kTick,
+             kRenderer,
+             Reach::wide,
+             {"scene.findClosestIntersection(shadowRay)",
+              "scene.objects().front()->intersectionWith(shadowRay)"},
+             {"scene.objects().front()->intersectionWith(shadowRay)",
+              "scene.findClosestIntersection(shadowRay)"}}));
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, EditsOfSlips,
+    testing::Values(
+        Slip{"precedence",
+             kTick,
+             "Sphere.cpp",
+             Reach::simple,
+             {"(-b - root) / (2.0 * a)", "-b - root / (2.0 * a)"},
+             {"-b - root / (2.0 * a)", "(-b - root) / (2.0 * a)"}},
+        Slip{"fixed-alpha",
+             kTick,
+             kRenderer,
+             Reach::wide,
+             {"object.phongAlpha()", "10"},
+             {"R.dot(V)), 10)", "R.dot(V)), object.phongAlpha())"},
+             "isShadowed,trace,"},
+        Slip{"normal-not-unit",
+             kTick,
+             "Sphere.cpp",
+             Reach::simple,
+             {"getNormalAt(location)", "location - centre()"},
+             {"location - centre()}", "(location - centre()).normalised()}"}},
+        Slip{"along-the-ray",
+             kStar,
+             kRenderer,
+             Reach::wide,
+             {"pinholeRay.evaluateAt(settings().dofFocalPlane / pinholeRay.direction.z)",
+              "pinholeRay.direction * settings().dofFocalPlane"},
+             {"pinholeRay.direction * settings().dofFocalPlane",
+              "pinholeRay.direction * (settings().dofFocalPlane / pinholeRay.direction.z)"},
+             "illuminate,"},
+        Slip{"beside-whole-numbers",
+             kStar,
+             "BumpySphere.cpp",
+             Reach::simple,
+             {"const Vector3 normal = Sphere::getNormalAt(position);",
+              "const Vector3 normal = Sphere::getNormalAt(position);\n"
+              "const Vector3 axis = normal.y < 0.9 ? Vector3{0, -1, 0} : Vector3{1, 0, 0};"},
+             {"normal.y < 0.9", "normal.y < 1.0"}},
+        Slip{"radius-in-an-int",
+             kTick,
+             "Sphere.cpp",
+             Reach::simple,
+             {"const double a = D.dot(D);", "const int r = radius(); const double a = D.dot(D);"},
+             {"int r", "double r"}},
+        Slip{"cut-colour",
+             kTick,
+             kRenderer,
+             Reach::simple,
+             {"return colour;",
+              "return {std::min(colour.r, 1.0), std::min(colour.g, 1.0), "
+              "std::min(colour.b, 1.0)};"},
+             {"return {std::min(colour.r, 1.0), std::min(colour.g, 1.0), std::min(colour.b, "
+              "1.0)};",
+              "return colour;"}}));
+
+}  // namespace
+}  // namespace ticker::repair
