@@ -19,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using tests::CommandResult;
 
-constexpr const char* kOddPath = "/srv/Tick für Zoë (2)";
+// In a folder that is empty everywhere: what else lies in it is hidden.
+constexpr const char* kOddPath = "/var/opt/Tick für Zoë (2)";
 const std::string kWine{TICKER_BINARY_DIR "/wine"};
 
 bool isInstalled(const std::string& program) {
@@ -68,8 +69,8 @@ public:
             {"WINEDEBUG", "-all"},
             {"WINEPREFIX", kWine},
             {"CMAKE_TOOLCHAIN_FILE", TICKER_SOURCE_DIR "/grader/tests/laptops/" + toolchain_}};
-        std::string jail = "bwrap --dev-bind / / --tmpfs /srv " +
-                           tests::compilerCacheFor("/srv/ccache") + "--bind '" + folder().string() +
+        std::string jail = "bwrap --dev-bind / / --tmpfs /var/opt " +
+                           tests::compilerCacheFor("/var/opt/ccache") + "--bind '" + folder().string() +
                            "' '" + kOddPath + "' --chdir '" + kOddPath + "'";
         for (const auto& [name, value] : environment)
             jail += " --setenv " + name + " '" + value + "'";
