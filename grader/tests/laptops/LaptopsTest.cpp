@@ -70,8 +70,8 @@ public:
             {"WINEPREFIX", kWine},
             {"CMAKE_TOOLCHAIN_FILE", TICKER_SOURCE_DIR "/grader/tests/laptops/" + toolchain_}};
         std::string jail = "bwrap --dev-bind / / --tmpfs /var/opt " +
-                           tests::compilerCacheFor("/var/opt/ccache") + "--bind '" + folder().string() +
-                           "' '" + kOddPath + "' --chdir '" + kOddPath + "'";
+                           tests::compilerCacheFor("/var/opt/ccache") + "--bind '" +
+                           folder().string() + "' '" + kOddPath + "' --chdir '" + kOddPath + "'";
         for (const auto& [name, value] : environment)
             jail += " --setenv " + name + " '" + value + "'";
         return tests::runCommand(jail + " bash '" + (work_.path() / "command").string() + "'");
