@@ -151,7 +151,8 @@ std::optional<Candidates> findCandidates(const build::Kit& kit, const sandbox::S
           std::string{reach == Reach::wide ? "wide" : "simple"}, leftAlone, std::string{"-xc++"},
           std::string{"-std=c++20"}, "-I" + (kit.folder() / "include").string(),
           std::string{"-include-pch"}, sandbox.pathFor(headerPath).string(),
-          // A switch between literals is none itself; wrong edits need no proposals.
+          // An edit that chooses between number literals is no constant: narrowing it must not be
+          // an error. Spelling proposals for edits that do not compile cost time.
           std::string{"-ferror-limit=0"}, std::string{"-Wno-c++11-narrowing"},
           std::string{"-fno-spell-checking"}, std::string{"-fshow-overloads=best"}})
         command.arguments.push_back(word);

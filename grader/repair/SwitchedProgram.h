@@ -40,10 +40,8 @@ public:
 
     /// Puts the questions to the submission once for each set. What ends a process costs only the
     /// set that was being asked.
-    /// @param use  Called in the order of the sets, and not for those that the time does not
-    /// suffice
-    ///             for. Answers are read one set after the other: all together may take much
-    ///             memory.
+    /// @param use  Called in the order of the sets, for as many as there is time for. Answers are
+    ///             read one set after the other: all together may take much memory.
     void askEach(const std::vector<probe::Question>& questions, std::span<const EditSet> sets,
                  const UseRun& use) const;
 

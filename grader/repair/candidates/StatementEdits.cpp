@@ -20,7 +20,7 @@ bool mayBeLeftOut(const Tree& tree, int index) {
     return node.isExpression;
 }
 
-/// Whether a value is a double by itself, not by a cast to int that somebody wrote.
+/// Whether a variable of type int is initialised with a double without a written cast.
 bool isCutOff(const Edits& edits, const Node& declaration) {
     if (declaration.isAuto || declaration.type != "int" || declaration.children.empty())
         return false;

@@ -9,7 +9,8 @@ namespace ticker::tasks {
 
 /// Asks a question once more, with one thread and in a fresh program, before threads, memory or
 /// settings are blamed for its wrong answer.
-/// @return  A failure that is none of them: it is judged like one of the first question.
+/// @return  The failure of that answer; empty if the answer is right, so that threads, memory or
+///          settings are the cause.
 [[nodiscard]] std::optional<Finding> failureAlone(probe::Examinee& examinee,
                                                   probe::RenderQuestion asked, bool mayAntialias);
 

@@ -1,10 +1,14 @@
+#include <grader/base/WholeFile.h>
 #include <grader/tests/support/RunCommand.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <string>
 
 namespace ticker {
@@ -124,6 +128,27 @@ TEST_F(Flips, DoNotCountWhereTheyAreEquivalent) {
               std::string::npos)
         << table;
     EXPECT_NE(table.find("in `if (a < b)`: the same"), std::string::npos);
+}
+
+// A row that fits no line excuses nothing: its flip would be counted as not noticed.
+TEST(EquivalentFlips, StandInTheirFiles) {
+    const std::filesystem::path root{TICKER_SOURCE_DIR};
+    std::ifstream table{root / "tools/mutation_check/equivalent.tsv"};
+    std::string row;
+    ASSERT_TRUE(std::getline(table, row)) << "no heading";
+    int rows = 0;
+    for (; std::getline(table, row); ++rows) {
+        std::istringstream fields{row};
+        std::string file;
+        std::string old;
+        std::string nth;
+        std::string code;
+        for (std::string* field : {&file, &old, &nth, &code})
+            std::getline(fields, *field, '\t');
+        EXPECT_NE(readWhole(root / file).find(code), std::string::npos) << row;
+        EXPECT_NE(code.find(old), std::string::npos) << row;
+    }
+    EXPECT_GT(rows, 10);
 }
 
 }  // namespace

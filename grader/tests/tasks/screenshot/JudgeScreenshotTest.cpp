@@ -2,12 +2,17 @@
 #include <grader/lab/selftest/PictureTricks.h>
 #include <grader/lab/selftest/ScreenshotStudent.h>
 #include <grader/metrics/Alignment.h>
+#include <grader/probe/Wire.h>
 #include <grader/tasks/screenshot/JudgeScreenshot.h>
+#include <grader/tasks/screenshot/Windows.h>
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace ticker::selftest {
 namespace {
@@ -41,6 +46,22 @@ private:
     ScreenshotStudent student_;
 };
 
+/// Hands all questions on, and keeps them.
+class Listening : public probe::Examinee {
+public:
+    explicit Listening(probe::Examinee& asked) : asked_(asked) {}
+    probe::Run ask(const std::vector<probe::Question>& questions) override {
+        heard_.push_back(probe::encodeQuestions(questions));
+        return asked_.ask(questions);
+    }
+    void forget() { heard_.clear(); }
+    [[nodiscard]] const std::vector<std::vector<std::byte>>& heard() const { return heard_; }
+
+private:
+    probe::Examinee& asked_;
+    std::vector<std::vector<std::byte>> heard_;
+};
+
 std::string firstId(const TaskJudgement& judgement) {
     return judgement.findings.empty() ? "" : judgement.findings.front().id;
 }
@@ -58,6 +79,25 @@ TEST(JudgeScreenshot, PassesHonestPicturesWithoutAWord) {
         EXPECT_EQ(judgement.state, TaskState::passed);
         EXPECT_TRUE(judgement.findings.empty()) << firstId(judgement);
         EXPECT_FALSE(judgement.needsReview);
+    }
+}
+
+// The pipeline asks them ahead, in the run that draws the submission's own pictures. If they
+// differed, that run's answers would lie unused, and only the time would show it.
+TEST(JudgeScreenshot, BeginsWithItsFirstQuestions) {
+    constexpr int kWidth = 320;
+    for (const bool isDeterministic : {true, false}) {
+        OracleExaminee oracle{{}, {}, isDeterministic};
+        Listening code{oracle};
+        const ScreenshotStudent student{scenes(), isDeterministic, code};
+        const Picture picture = student.render(kWidth, kSeed);
+        code.forget();
+        double unused = 0.0;
+        (void)student.handIn(picture, kSeed, unused);
+        ASSERT_FALSE(code.heard().empty());
+        EXPECT_EQ(code.heard().front(),
+                  probe::encodeQuestions(tasks::screenshot::firstQuestions(
+                      student.scene().scene, !isDeterministic, kWidth, kWidth * 3 / 4, kSeed)));
     }
 }
 

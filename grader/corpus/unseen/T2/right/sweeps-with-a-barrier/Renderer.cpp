@@ -51,7 +51,7 @@ Image Renderer::render(const Scene& scene) const {
     const Camera camera{settings()};
     Image image{settings()};
     // TASK T2.2 begin
-    // One sweep over the picture for each ray; nobody begins the next before all have finished.
+    // One sweep over the picture for each ray; no thread begins the next before all have finished.
     const int workers = std::max(1, settings().threads);
     const int width = image.width(), height = image.height();
     std::vector<ColourRGB> sums(std::size_t(width) * std::size_t(height));
