@@ -8,6 +8,7 @@
 
 #include <raytracer/base/Error.h>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -25,16 +26,29 @@ namespace fs = std::filesystem;
 const fs::path kSource = TICKER_SOURCE_DIR;
 const std::regex kBound{"(constexpr double k[A-Za-z]+ =) "};
 
+std::vector<std::string> everyTask() {
+    std::vector<std::string> ids;
+    for (const Exercise& exercise : knownExercises())
+        for (const TaskEntry& task : exercise.tasks)
+            ids.push_back(task.id);
+    return ids;
+}
+
+/// What has a row in parts.json besides tasks.
+std::vector<std::string> everythingMeasured() {
+    std::vector<std::string> measured = everyTask();
+    measured.insert(measured.end(), {"pictures", "methods", "agreement"});
+    return measured;
+}
+
 /// The measured sources in a folder of their own, with a record of each task that is of their code.
 class CopiedSources : public testing::Test {
 protected:
     CopiedSources() {
-        for (const Exercise& exercise : knownExercises())
-            for (const TaskEntry& task : exercise.tasks)
-                campaign_.measured.push_back(task.id);
+        campaign_.measured = everyTask();
         copy("grader/lab/calibrate/parts.json");
         const Parts all{kSource};
-        for (const char* measured : {"T1", "T2.1", "T2.2", "M1", "pictures", "methods"})
+        for (const std::string& measured : everythingMeasured())
             for (const fs::path& file : all.filesOf(measured))
                 copy(file);
         campaign_.text = "an entry";
@@ -56,7 +70,7 @@ protected:
         return stalenessOf(campaign_, record_, stampsOf(campaign_, parts), parts);
     }
 
-    CountingCampaign campaign_{8};
+    CountingCampaign campaign_{everyTask().size()};
 
 private:
     void copy(const fs::path& file) const {
@@ -112,8 +126,11 @@ TEST_F(CopiedSources, TellWhichEntryChangedAndHowLongItTakes) {
     campaign_.text = "another text of every entry";
     const std::vector<std::string> lines = stale();
     ASSERT_EQ(lines.size(), 1U);
-    for (const char* part :
-         {"the entry itself", "(entry 0, entry 1,", "and 3 more", "12.0 minutes"})
+    const std::size_t units = campaign_.units();
+    for (const std::string& part :
+         {std::string{"the entry itself"}, std::string{"(entry 0, entry 1,"},
+          fmt::format("and {} more", units - 5),
+          fmt::format("{:.1f} minutes", 1.5 * static_cast<double>(units))})
         EXPECT_NE(lines[0].find(part), std::string::npos) << lines[0];
 }
 
@@ -141,7 +158,7 @@ bool isLeftOut(const fs::path& file) {
 TEST(Parts, NameAllThatTheirFilesInclude) {
     const Parts parts{kSource};
     const std::regex line{"#include <([^>]+)>"};
-    for (const char* measured : {"T1", "T2.1", "T2.2", "M1", "pictures", "methods", "agreement"}) {
+    for (const std::string& measured : everythingMeasured()) {
         const std::vector<fs::path> files = parts.filesOf(measured);
         const std::set<fs::path> known{files.begin(), files.end()};
         for (const fs::path& file : files) {
@@ -158,9 +175,8 @@ TEST(Parts, NameAllThatTheirFilesInclude) {
 
 TEST(Parts, KnowEveryTask) {
     const Parts parts{kSource};
-    for (const Exercise& exercise : knownExercises())
-        for (const TaskEntry& task : exercise.tasks)
-            EXPECT_FALSE(parts.stampOf(task.id).empty());
+    for (const std::string& task : everyTask())
+        EXPECT_FALSE(parts.stampOf(task).empty());
 }
 
 }  // namespace

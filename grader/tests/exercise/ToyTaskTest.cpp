@@ -63,8 +63,9 @@ bool isFoggy(const raytracer::SceneDescription& /*scene*/) {
 
 const std::vector<Task>& toyTasks() {
     static const std::vector<Task> kTasks = [] {
-        const auto known = tasks::tasksOf(defaultExercise().name);
-        std::vector<Task> tasks{known.begin(), known.end()};
+        std::vector<Task> tasks;
+        for (const Task& task : tasks::tasksOf(defaultExercise().name))
+            if (toyExercise().task(task.id) != nullptr) tasks.push_back(task);
         tasks.push_back({"T9", judgeFog, isFoggy, nullptr});
         return tasks;
     }();
@@ -92,8 +93,10 @@ private:
         fs::copy(kToy / "stub/Toy.cpp", kit / "template/Toy.cpp");
         compile(real, kit / "template/Toy.cpp", kit / "template/Toy.o");
         compile(real, kToy / "Calls.cpp", kit / "lib/calls.o");
-        run("ar r " + (kit / "lib/libkit.a").string() + " " + (kit / "lib/calls.o").string() +
-            " 2>/dev/null");
+        // The real exercise may name functions of its own.
+        const std::string library = (kit / "lib/libkit.a").string();
+        run("ar d " + library + " " + defaultExercise().name + ".calls.o");
+        run("ar r " + library + " " + (kit / "lib/calls.o").string() + " 2>/dev/null");
         fs::permissions(folder_.path(), fs::perms{0755});
     }
 
