@@ -37,7 +37,7 @@ std::map<std::string, Layer> readLayers() {
         std::istringstream words{line};
         std::string name;
         words >> name;
-        Layer layer{.folders = {name}, .packages = {}};
+        Layer layer;
         bool afterBar = false;
         for (std::string word; words >> word;) {
             if (word == "|")
@@ -48,6 +48,24 @@ std::map<std::string, Layer> readLayers() {
         layers[name] = layer;
     }
     return layers;
+}
+
+// A task's folder needs no line of its own unless it includes more than such folders do.
+constexpr const char* kAnyTask = "grader/tasks/*";
+
+bool isTask(const std::string& folder) {
+    return folder.starts_with("grader/tasks/");
+}
+
+const Layer* lineOf(const std::string& folder, const std::map<std::string, Layer>& layers) {
+    const auto own = layers.find(folder);
+    if (own != layers.end()) return &own->second;
+    return isTask(folder) ? &layers.at(kAnyTask) : nullptr;
+}
+
+bool mayInclude(const Layer& from, const std::string& self, const std::string& to) {
+    return self == to || from.folders.contains(to) ||
+           (isTask(to) && from.folders.contains(kAnyTask));
 }
 
 std::optional<std::string> packageOf(const std::string& header) {
@@ -84,18 +102,18 @@ TEST(Layering, EveryIncludePointsDownTheArrowsOfTheDesign) {
     for (const fs::path& file : sources()) {
         const std::optional<std::string> layer = layerOf(file);
         if (!layer) continue;
-        const auto known = layers.find(*layer);
-        if (known == layers.end()) {
+        const Layer* line = lineOf(*layer, layers);
+        if (line == nullptr) {
             ADD_FAILURE() << file << ": folder " << *layer << " has no line in layers.txt";
             continue;
         }
         for (const std::string& header : includesOf(file)) {
             ++checked;
             if (const auto folder = folderOf(header)) {
-                EXPECT_TRUE(known->second.folders.contains(*folder))
+                EXPECT_TRUE(mayInclude(*line, *layer, *folder))
                     << file << " may not include <" << header << ">: see layers.txt";
             } else if (const auto package = packageOf(header)) {
-                EXPECT_TRUE(known->second.packages.contains(*package))
+                EXPECT_TRUE(line->packages.contains(*package))
                     << file << " may not use the package of <" << header << ">: see layers.txt";
             }
         }

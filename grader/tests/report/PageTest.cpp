@@ -227,8 +227,9 @@ TEST(ReportPage, ShowsWhatWasNotCheckedAsThatAndNotAsPassed) {
     const std::string whole = classPage({notCheckedExample()});
     EXPECT_NE(whole.find("badge notChecked"), std::string::npos);
     EXPECT_EQ(whole.find("badge passed"), std::string::npos);
-    EXPECT_NE(summaryCsv({notCheckedExample()}, {}).find(",blocked,notAttempted,notChecked,"),
-              std::string::npos);
+    const std::string summary = summaryCsv({notCheckedExample()}, {});
+    EXPECT_NE(summary.find(",blocked,notAttempted,"), std::string::npos);
+    EXPECT_NE(summary.find(",notChecked,"), std::string::npos);
 }
 
 TEST(ReportPage, SaysOnceWhatIsTheSameForSeveralTasks) {

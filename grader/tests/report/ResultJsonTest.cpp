@@ -224,8 +224,9 @@ TEST(WriteAtomically, NamesTheFileThatCannotBeWritten) {
 }
 
 TEST(SummaryCsv, HasOneLineForEachSubmissionWithNamesDefused) {
-    const std::string text = summaryCsv({example()});
-    EXPECT_EQ(text,
+    Exercise three = defaultExercise();
+    three.tasks.resize(3);
+    EXPECT_EQ(summaryCsv({example()}, {}, three),
               "submission,verdict,score,option,T1,T2.1,T2.2,screenshot,findings,ruling,decidedBy,"
               "decidedAt,comment\r\n"
               "\"Zo\xC3\xAB, \"\"the\"\" =ray</td>\",notAwarded,0,T1,failed,,,notAttempted,"
