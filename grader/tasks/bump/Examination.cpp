@@ -15,6 +15,18 @@ Ball drawBall(Draws& draws, double side) {
             distance * draws.uniform(0.55, 0.65)};
 }
 
+/// Draws a sphere behind the eye that lies to one side and below by more than its radius, so that
+/// longitude and polar angle are wrong at all points if x or y of the centre are left out.
+Ball drawBallAside(Draws& draws) {
+    constexpr double kLeast = 1.2;
+    constexpr double kMost = 2.0;
+    const double distance = draws.uniform(20.0, 30.0);
+    const double right = draws.uniform(kLeast, kMost);
+    const double down = draws.uniform(kLeast, kMost);
+    const double radius = distance * draws.uniform(0.55, 0.65);
+    return {{right * radius, -down * radius, -distance}, radius};
+}
+
 /// Heights that are flat except in the last two fifths. There they are teeth, steep enough to show
 /// even in code that rounds heights or tilts little.
 std::vector<double> lateTeeth(int count) {
@@ -68,7 +80,7 @@ MainPlan planMain(std::uint64_t seed) {
     const std::vector<Vector3> directions = draws.directions(kPoints);
     plan.regions = planRegions(plan.questionnaire, draws, ball, directions);
     plan.ladder = planLadder(plan.questionnaire, draws, ball, directions);
-    plan.slopes = planSlopes(plan.questionnaire, draws, drawBall(draws, -1.0));
+    plan.slopes = planSlopes(plan.questionnaire, draws, drawBallAside(draws));
     plan.letters = planLetters(plan.questionnaire, draws);
     plan.conduct = planConduct(plan.questionnaire, draws);
     plan.fineness = planFineness(plan.questionnaire, draws, drawBall(draws, 1.0));
@@ -108,6 +120,7 @@ HintPlan planHints(std::uint64_t seed) {
     plan.forwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, directions);
     const std::vector<Vector3> reversed(directions.rbegin(), directions.rend());
     plan.backwards = plan.questionnaire.add(ball, {side, side, {}, late, late}, reversed);
+    plan.asideSphere = ask(drawBallAside(draws), kRise);
     return plan;
 }
 
@@ -145,6 +158,7 @@ Hints readHints(const HintPlan& plan, const Answers& answers) {
     return {judge(plan.square),
             judge(plan.unitSphere),
             judge(plan.sceneSphere),
+            judge(plan.asideSphere),
             seesSlope(answers, plan.square.uFlat, plan.lastColumns),
             seesSlope(answers, plan.square.vFlat, plan.lastRows),
             differs(answers, plan.forwards, plan.backwards)};

@@ -43,6 +43,7 @@ struct HintPlan {
     RampPlan square;              ///< columns and rows can be exchanged without harm
     RampPlan unitSphere;          ///< centre at the origin, radius 1
     RampPlan sceneSphere;         ///< the exercise's own sphere
+    RampPlan asideSphere;         ///< far to one side and below
     std::size_t lastColumns = 0;  ///< a map with slopes in its last columns only
     std::size_t lastRows = 0;
     std::size_t forwards = 0;   ///< one map at the same points,
@@ -77,6 +78,7 @@ struct Hints {
     RampJudgement square;
     RampJudgement unitSphere;
     RampJudgement sceneSphere;
+    RampJudgement asideSphere;
     bool lastColumnsSeen = true;  ///< the map's last columns are used somewhere on the sphere
     bool lastRowsSeen = true;
     bool dependsOnOrder = false;  ///< the normal at a point depends on the questions before it

@@ -153,7 +153,19 @@ Words teethWords(const SlopeAgreement& slopes) {
             "Option 1: What to do, step 3"};
 }
 
-Words slopesWords(const SlopeAgreement& slopes) {
+Words asideWords() {
+    return {
+        "On a sphere ahead of the camera the map lies where it should, but not on one that lies "
+        "far to the side and below: there texels are not read where they lie.",
+        "Make u and v from the smooth normal, or from position - centre(), in x, y and z alike: "
+        "somewhere position.x or position.y is used without the centre's.",
+        "Option 1: What to do, step 1"};
+}
+
+Words slopesWords(const SlopeAgreement& slopes, const std::optional<Hints>& hints) {
+    if (hints && hints->square.kind == RampKind::right &&
+        hints->asideSphere.kind != RampKind::right)
+        return asideWords();
     if (slopes.fieldAgrees()) return teethWords(slopes);
     return {
         fmt::format("On pictures the tilt is not what it is on even ramps: on a smooth random map "
@@ -221,7 +233,7 @@ constexpr std::array kReasons{
     ReasonRow{WrongReason::regionsDiffer,
               [](const Seen& told) { return regionWords(*told.examination.regions); }},
     ReasonRow{WrongReason::slopesDiffer,
-              [](const Seen& told) { return slopesWords(*told.examination.slopes); }},
+              [](const Seen& told) { return slopesWords(*told.examination.slopes, told.hints); }},
     ReasonRow{WrongReason::wallAtSeam,
               [](const Seen& told) { return seamWords(*told.examination.edges); }},
     ReasonRow{WrongReason::coordinatesRounded,

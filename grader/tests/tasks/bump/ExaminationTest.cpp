@@ -63,11 +63,24 @@ Hints hintsOf(const Times& times) {
 TEST(ReadHints, FindNothingInARightReading) {
     const Hints hints =
         hintsOf([](const Place&, const selftest::Point&) { return std::pair(5.0, 5.0); });
-    for (const RampJudgement& ramps : {hints.square, hints.unitSphere, hints.sceneSphere})
+    for (const RampJudgement& ramps :
+         {hints.square, hints.unitSphere, hints.sceneSphere, hints.asideSphere})
         EXPECT_EQ(ramps.kind, RampKind::right);
     EXPECT_TRUE(hints.lastColumnsSeen);
     EXPECT_TRUE(hints.lastRowsSeen);
     EXPECT_FALSE(hints.dependsOnOrder);
+}
+
+TEST(ReadHints, TellThatTheCentreIsLeftOut) {
+    const selftest::NormalFunction right = tests::inProportion(
+        tests::kParametrisation,
+        [](const Place&, const selftest::Point&) { return std::pair(5.0, 5.0); });
+    const Hints hints = hintsOf([&](const selftest::Point& point) {
+        selftest::Point wrong = point;
+        wrong.centre.x = 0.0;
+        return right(wrong);
+    });
+    EXPECT_NE(hints.asideSphere.kind, RampKind::right);
 }
 
 TEST(ReadHints, TellColumnsAndRowsThatAreNeverRead) {
