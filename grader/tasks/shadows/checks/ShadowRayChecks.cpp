@@ -174,6 +174,11 @@ std::optional<Finding> checkOtherSettings(const ShadowLogs& logs) {
                         counts.fewest > 10U ? "more than the handout's 10 are accepted, but "
                                             : "right with the handout's numbers, but "));
         finding.section = "Soft shadows (T2.1)";
+        if (counts.fewest + 1 == asked)
+            finding.hint =
+                "With an odd number of rays one is lost: half of it as an int is rounded down. "
+                "Cast "
+                "settings().shadowRayCount rays, also where they are drawn in pairs.";
         finding.evidence.emplace_back("raysAsked", static_cast<double>(asked));
         finding.evidence.emplace_back("raysSeen", static_cast<double>(counts.fewest));
         finding.evidence.emplace_back("lightSizeAsked", log->settings().lightSize);

@@ -190,6 +190,25 @@ ShadowQuestion drawPlaneShadow(Draw& draw) {
     return drawn;
 }
 
+Vector3 turned(const Vector3& vector, const Vector3& axis, double angle) {
+    return vector * std::cos(angle) + axis.cross(vector) * std::sin(angle) +
+           axis * (axis.dot(vector) * (1.0 - std::cos(angle)));
+}
+
+// At right angles, since one shows what another hides. Each is near an axis of the world: from
+// there points that crowd at two poles on that axis look round, an ellipse that faces the point
+// does not.
+std::array<Vector3, 3> drawNearAxes(Draw& draw) {
+    constexpr double kLeast = 0.1;
+    constexpr double kMost = 0.25;
+    const Vector3 axis = draw.direction();
+    const double angle = draw.between(kLeast, kMost);
+    std::array<Vector3, 3> drawn{Vector3{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    for (Vector3& towards : drawn)
+        towards = turned(towards * (draw.whole(0, 1) == 0 ? -1.0 : 1.0), axis, angle);
+    return drawn;
+}
+
 }  // namespace
 
 std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
@@ -203,14 +222,12 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     questions.push_back(drawSeveralLights(draw));
     questions.push_back(drawBeyondLight(draw));
 
-    // Three directions at right angles: one shows what another hides.
-    const Vector3 axis = draw.direction();
-    const Perpendiculars sides = perpendicularsOf(axis);
-    for (const Vector3& towards : {axis, sides.first, sides.second})
+    for (const Vector3& towards : drawNearAxes(draw))
         questions.push_back(drawFarLight(draw, towards));
 
+    // Odd, as pairs of rays may lose one.
     raytracer::RenderSettings other;
-    other.shadowRayCount = draw.whole(13, 17);
+    other.shadowRayCount = 2 * draw.whole(6, 8) + 1;
     other.lightSize = draw.between(0.15, 0.22);
     questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
     for (const auto drawNext :
