@@ -1,7 +1,7 @@
-# For code without inner loops: -O1 compiles in three quarters of the time, and its running time is
-# negligible.
+# For code without inner loops: -Og compiles in five sixths of the time of -O1, which takes three quarters
+# of that of -O3, and its running time is negligible.
 function(ticker_compile_quickly target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
 endfunction()
 
 # One target for each folder of the grader.
