@@ -1,7 +1,9 @@
 # Uses ccache and lld if they are installed: the same results, faster.
 find_program(TICKER_CCACHE ccache)
 if(TICKER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${TICKER_CCACHE}")
+  # Without these it does not look at files with precompiled headers. No code of ours has __TIME__.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${TICKER_CCACHE}")
 endif()
 
 find_program(TICKER_LLD ld.lld)
