@@ -24,6 +24,7 @@ using tests::CleanRoot;
 using tests::RootRun;
 
 const std::string kTicker = TICKER_BINARY_DIR "/bin/ticker";
+const std::string kCandidates = TICKER_BINARY_DIR "/bin/ticker-candidates";
 
 fs::path sample(const std::string& name) {
     return fs::path{TICKER_SOURCE_DIR} / "grader/corpus/samples" / name;
@@ -220,20 +221,34 @@ TEST_F(Platforms, ClassroomsStepHandsTheResultOverAndPrintsNothing) {
     EXPECT_TRUE(summary.starts_with("<pre>\nTick awarded.\n")) << summary;
 }
 
+/// What the packages of the image's Dockerfile hold, as far as they are installed here.
+std::string filesOfTheImagesPackages() {
+    return tests::runHere("sed -n '/apt-get install/,/rm -rf/p' " TICKER_SOURCE_DIR
+                          "/grader/integrations/docker/Dockerfile | grep -o "
+                          "'[a-z][a-z0-9.+-]*[a-z0-9]' | xargs dpkg-query -L 2>/dev/null")
+        .output;
+}
+
 TEST(Docker, TheImageInstallsEveryPackageWhoseLibrariesTickerNeeds) {
-    const RootRun carried = tests::runHere(
-        "sed -n '/apt-get install/,/rm -rf/p' " TICKER_SOURCE_DIR
-        "/grader/integrations/docker/Dockerfile | grep -o '[a-z][a-z0-9.+-]*[0-9][a-z0-9]*' | "
-        "xargs dpkg-query -L 2>/dev/null");
-    const RootRun needed = tests::runHere("objdump -p " + kTicker + " | awk '/NEEDED/ {print $2}'");
-    ASSERT_NE(needed.output.find("libopencv_core"), std::string::npos) << needed.errors;
-    std::istringstream libraries{needed.output};
-    for (std::string library; libraries >> library;)
-        // Every g++ installs these.
-        if (!library.starts_with("libc.") && !library.starts_with("libm.") &&
-            !library.starts_with("libstdc++") && !library.starts_with("libgcc_s")) {
-            EXPECT_NE(carried.output.find("/" + library), std::string::npos) << library;
-        }
+    const std::string carried = filesOfTheImagesPackages();
+    for (const std::string& program : {kTicker, kCandidates}) {
+        if (program == kCandidates && !fs::exists(program)) continue;  // made where libclang is
+        const RootRun needed =
+            tests::runHere("objdump -p " + program + " | awk '/NEEDED/ {print $2}'");
+        ASSERT_NE(needed.output, "") << needed.errors;
+        std::istringstream libraries{needed.output};
+        for (std::string library; libraries >> library;)
+            // Every g++ installs these.
+            if (!library.starts_with("libc.") && !library.starts_with("libm.") &&
+                !library.starts_with("libstdc++") && !library.starts_with("libgcc_s")) {
+                EXPECT_NE(carried.find("/" + library), std::string::npos) << library;
+            }
+    }
+}
+
+TEST(Docker, TheImageInstallsWhatLooksForSharedPassages) {
+    if (!fs::exists("/usr/bin/sim_c++")) GTEST_SKIP() << "needs similarity-tester";
+    EXPECT_NE(filesOfTheImagesPackages().find("/usr/bin/sim_c++"), std::string::npos);
 }
 
 }  // namespace
