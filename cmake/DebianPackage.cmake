@@ -15,6 +15,12 @@ set(CPACK_DEBIAN_PACKAGE_SECTION education)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 string(REGEX MATCH "^[0-9]+" compiler_version "${CMAKE_CXX_COMPILER_VERSION}")
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "g++-${compiler_version}, lld, bubblewrap")
+if(TICKER_LIBCLANG)  # the headers that Clang's parser brings itself
+  file(REAL_PATH "${TICKER_LIBCLANG}" libclang)
+  if(libclang MATCHES "(clang|llvm)-([0-9]+)")
+    string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", libclang-common-${CMAKE_MATCH_2}-dev")
+  endif()
+endif()
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "similarity-tester")  # for ticker similar
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/cmake/debian/postrm")
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS

@@ -5,7 +5,9 @@ set(CMAKE_INSTALL_LIBDIR lib)
 install(TARGETS ticker tick1star-template tick1star-reference
   RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(TARGETS ticker-jail ticker-decode RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/ticker")
-install(DIRECTORY "${CMAKE_BINARY_DIR}/kit" DESTINATION "${CMAKE_INSTALL_LIBDIR}/ticker")
+# Clang reads a precompiled header only where it was made.
+install(DIRECTORY "${CMAKE_BINARY_DIR}/kit" DESTINATION "${CMAKE_INSTALL_LIBDIR}/ticker"
+  PATTERN "Framework.pch" EXCLUDE)
 
 if(TARGET ticker-candidates)
   install(TARGETS ticker-candidates RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/ticker")

@@ -2,6 +2,7 @@
 #include <grader/repair/candidates/Tree.h>
 
 #include <algorithm>
+#include <iostream>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -157,6 +158,20 @@ std::vector<const char*> asWords(const std::vector<std::string>& arguments) {
     return words;
 }
 
+/// Whether there are errors; prints the first, which is the cause of the others.
+bool saysErrors(CXTranslationUnit unit) {
+    for (unsigned i = 0; i < clang_getNumDiagnostics(unit); ++i) {
+        const std::unique_ptr<void, void (*)(CXDiagnostic)> found{clang_getDiagnostic(unit, i),
+                                                                  &clang_disposeDiagnostic};
+        if (clang_getDiagnosticSeverity(found.get()) < CXDiagnostic_Error) continue;
+        std::cerr << textOf(clang_formatDiagnostic(found.get(),
+                                                   clang_defaultDiagnosticDisplayOptions()))
+                  << '\n';
+        return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 int Tree::topOf(int index) const {
@@ -216,8 +231,10 @@ bool Parser::precompile(const std::string& header, const std::string& target) co
             index.get(), header.c_str(), words.data(), static_cast<int>(words.size()), nullptr, 0,
             CXTranslationUnit_Incomplete | CXTranslationUnit_ForSerialization),
         &clang_disposeTranslationUnit};
-    return unit && clang_saveTranslationUnit(unit.get(), target.c_str(),
-                                             clang_defaultSaveOptions(unit.get())) == 0;
+    // libclang would save what it could read: a header without, say, Clang's own stddef.h.
+    return unit && !saysErrors(unit.get()) &&
+           clang_saveTranslationUnit(unit.get(), target.c_str(),
+                                     clang_defaultSaveOptions(unit.get())) == 0;
 }
 
 }  // namespace ticker::candidates

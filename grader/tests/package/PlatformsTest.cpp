@@ -246,6 +246,11 @@ TEST(Docker, TheImageInstallsEveryPackageWhoseLibrariesTickerNeeds) {
     }
 }
 
+TEST(Docker, TheImageInstallsTheHeadersThatClangsParserBrings) {
+    if (!fs::exists(kCandidates)) GTEST_SKIP() << "needs libclang";
+    EXPECT_NE(filesOfTheImagesPackages().find("/include/stddef.h\n"), std::string::npos);
+}
+
 TEST(Docker, TheImageInstallsWhatLooksForSharedPassages) {
     if (!fs::exists("/usr/bin/sim_c++")) GTEST_SKIP() << "needs similarity-tester";
     EXPECT_NE(filesOfTheImagesPackages().find("/usr/bin/sim_c++"), std::string::npos);

@@ -2,6 +2,8 @@
 // into the reference solution.
 #include <grader/corpus/Entry.h>
 #include <grader/tests/repair/FoundEdits.h>
+#include <grader/tests/support/RunCommand.h>
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <gtest/gtest.h>
 
@@ -82,6 +84,18 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{kMain, "direct-lost", Reach::wide, "illuminate,isShadowed,"},
                     Case{kMain, "direct-whole", Reach::wide, "illuminate,isShadowed,"},
                     Case{kMain, "seen-from-camera", Reach::wide, "illuminate,isShadowed,"}));
+
+// As it is where Clang's own headers are not installed.
+TEST(PrecompiledHeader, IsNotMadeOfHeadersThatCannotBeFound) {
+    const tests::TemporaryFolder folder;
+    folder.write("Framework.h", "#include <nowhere.h>\n");
+    const tests::CommandResult made =
+        tests::runCommand("cd '" + folder.path().string() +
+                          "' && " TICKER_BINARY_DIR
+                          "/bin/ticker-candidates --precompile Framework.h made -xc++-header");
+    EXPECT_EQ(made.status, 1);
+    EXPECT_NE(made.output.find("'nowhere.h' file not found"), std::string::npos) << made.output;
+}
 
 }  // namespace
 }  // namespace ticker::repair
