@@ -13,6 +13,8 @@ if "%~1"=="--view" (
   for /f %%p in (build\release\program) do build\%%p.exe --view %2
   exit /b
 )
+rem CMake's children write to pipes: only this script sees whether somebody looks on.
+if exist build\build_bar.exe build\build_bar && set CHECK_TERMINAL=1
 if not exist build mkdir build
 >build\check-status echo 2
 cmake -P cmake/check.cmake -- %*

@@ -52,6 +52,15 @@ TEST_F(PackageAlone, SaysThatNothingIsAttemptedAndRendersAtOnce) {
         EXPECT_TRUE(fs::exists(package().folder() / "pictures" / (std::string{picture} + ".png")));
 }
 
+TEST_F(PackageAlone, DrawsABarOnATerminal) {
+    putSolution("student_template/exercise");
+    const tests::CommandResult checked = package().runAlone(
+        "touch exercise/Renderer.cpp && script -qec \"./check --quick\" /dev/null");
+
+    EXPECT_EQ(checked.status, 0) << checked.output;
+    EXPECT_NE(checked.output.find("Building: [#"), std::string::npos) << checked.output;
+}
+
 TEST_F(PackageAlone, DoesWhatItsDocumentsSay) {
     putSolution("student_template/exercise");
     for (const char* document :

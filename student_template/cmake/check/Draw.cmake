@@ -6,16 +6,9 @@ function(draw scene arguments remark)
   set(command ${runner} "${here}/build/${program}${suffix}" -i "${scenes}/${scene}.xml" -o "${file}"
     ${words})
   string(TIMESTAMP before "%s")
-  if(is_terminal)
-    # The program draws its own bar.
-    execute_process(COMMAND ${command} WORKING_DIRECTORY "${here}" TIMEOUT 300
-      RESULT_VARIABLE result)
-    set(reason "see above")
-  else()
-    execute_process(COMMAND ${command} --quiet WORKING_DIRECTORY "${here}" TIMEOUT 300
-      RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-    last_line("${output}" reason)
-  endif()
+  execute_process(COMMAND ${command} --quiet WORKING_DIRECTORY "${here}" TIMEOUT 300
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  last_line("${output}" reason)
   string(TIMESTAMP after "%s")
   math(EXPR seconds "${after} - ${before}")
   if(result EQUAL 0)

@@ -1,6 +1,6 @@
 // Reads what a build prints, line by line, writes it to a file, and shows how far the build is:
-//   cmake --build . | build_bar LOG [told]
-// A terminal sees a bar with the time left. Files and pipes see quarters, if `told` is there.
+//   cmake --build . | build_bar LOG [drawn|told]
+// `drawn` is a bar with the time left, for terminals; `told` are quarters, for files and pipes.
 // Without arguments it only says whether stdout is a terminal, by its exit status: 0 if so.
 #include "ProgressText.h"
 #include "System.h"
@@ -77,8 +77,8 @@ void tell(const Steps& steps, int& told) {
     std::fflush(stdout);
 }
 
-void follow(std::FILE* log, bool isTerminal, bool tells) {
-    Bar bar{isTerminal};
+void follow(std::FILE* log, bool draws, bool tells) {
+    Bar bar{draws};
     Steps steps;
     int told = 0;
     std::string line;
@@ -88,7 +88,7 @@ void follow(std::FILE* log, bool isTerminal, bool tells) {
         std::fputs(line.c_str(), log);
         readSteps(line, steps);
         bar.show(steps);
-        if (tells && !isTerminal) tell(steps, told);
+        if (tells) tell(steps, told);
         line.clear();
     }
     std::fputs(line.c_str(), log);
@@ -97,13 +97,14 @@ void follow(std::FILE* log, bool isTerminal, bool tells) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
-    const bool isTerminal = raytracer::isTerminal(raytracer::Stream::out);
-    if (argc < 2) return isTerminal ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (argc < 2)
+        return raytracer::isTerminal(raytracer::Stream::out) ? EXIT_SUCCESS : EXIT_FAILURE;
     std::FILE* log = std::fopen(argv[1], "w");
     if (log == nullptr) {
         std::fprintf(stderr, "%s cannot be written\n", argv[1]);
         return EXIT_FAILURE;
     }
-    follow(log, isTerminal, argc > 2);
+    const std::string how = argc > 2 ? argv[2] : "";
+    follow(log, how == "drawn", how == "told");
     return std::fclose(log) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -30,8 +30,12 @@ bool isToken(std::string_view text) {
 }
 
 bool namesThisServer(std::string_view host, int port) {
-    const std::string number = ":" + std::to_string(port);
-    return host == "127.0.0.1" + number || host == "localhost" + number;
+    // Appended, since GCC 12 warns of "literal" + string at -O3.
+    std::string number{":"};
+    number += std::to_string(port);
+    if (!host.ends_with(number)) return false;
+    host.remove_suffix(number.size());
+    return host == "127.0.0.1" || host == "localhost";
 }
 
 bool isSameSecret(std::string_view one, std::string_view other) {
