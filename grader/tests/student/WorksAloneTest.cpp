@@ -146,6 +146,13 @@ TEST_F(PackageAlone, DebugsWithF5InVisualStudioCode) {
     EXPECT_EQ(launch.at("environment").at(0).at("value"), "detect_leaks=0");
 }
 
+TEST(Devcontainer, ChoosesAGeneratorWhoseProgramItInstalls) {
+    // What F5 runs names none, and CMake's own choice would be make.
+    const std::string file = tests::readFile("student_template/.devcontainer/Dockerfile");
+    EXPECT_NE(file.find("ENV CMAKE_GENERATOR=Ninja"), std::string::npos) << file;
+    EXPECT_NE(file.find(" ninja-build "), std::string::npos) << file;
+}
+
 TEST_F(PackageAlone, TellsClangdWhereTheCompileCommandsAre) {
     putSolution("student_template/exercise");
     EXPECT_EQ(package().runAlone("./check --quick").status, 0);

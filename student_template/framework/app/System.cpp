@@ -4,7 +4,9 @@
 
 #ifdef _WIN32
 #define WIN32_LEAN_AND_MEAN
+#ifndef NOMINMAX  // Visual Studio's command line has it
 #define NOMINMAX
+#endif
 #include <windows.h>
 #include <array>
 #else
