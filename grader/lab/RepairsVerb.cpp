@@ -1,3 +1,4 @@
+#include <grader/base/WholeFile.h>
 #include <grader/build/Kit.h>
 #include <grader/cli/Home.h>
 #include <grader/cli/verbs/GradeOptions.h>
@@ -6,6 +7,7 @@
 #include <grader/lab/LabVerbs.h>
 #include <grader/lab/repairs/RepairCampaign.h>
 #include <grader/lab/repairs/RepairRecord.h>
+#include <grader/lab/repairs/SeveralMistakes.h>
 
 #include <CLI/CLI.hpp>
 
@@ -13,7 +15,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -66,7 +67,7 @@ std::vector<lab::RepairRow> rowsOf(const Exercise& exercise, const RepairsOption
     grade.exercise = exercise.name;
     const pipeline::Grader grader = makeGrader(grade);
     const auto entries =
-        corpus::readEntries(Home::find().data, {"mistakes", "unseen", "samples"}, exercise);
+        corpus::readEntries(Home::find().data, options.choice.collections, exercise);
     const lab::RepairCampaign campaign{grader, entries, options.choice, seedOf(options.grade)};
     lab::RepairRecord record{options.record};
     return rowsOf(campaign, record, options.report);
@@ -74,17 +75,18 @@ std::vector<lab::RepairRow> rowsOf(const Exercise& exercise, const RepairsOption
 
 raytracer::ExitCode repairs(const RepairsOptions& options) {
     if (!options.grade.exercise.empty()) static_cast<void>(exerciseNamed(options.grade.exercise));
+    const lab::SeveralMistakes several = lab::readSeveralMistakes(Home::find().data);
     std::vector<lab::RepairRow> rows;
     for (const Exercise& exercise : knownExercises()) {
         if (!options.grade.exercise.empty() && options.grade.exercise != exercise.name) continue;
         const auto some = rowsOf(exercise, options);
         rows.insert(rows.end(), some.begin(), some.end());
     }
-    fmt::print("\n{}\n{}", lab::tableOf(rows), lab::missesOf(rows));
+    const std::string tables = lab::tablesOf(rows, several);
+    fmt::print("\n{}", tables);
     if (options.write.empty()) return raytracer::ExitCode::success;
-    std::ofstream stream{options.write, std::ios::binary};
-    stream << lab::documentOf(rows) << std::flush;
-    if (!stream) throw raytracer::InputError(options.write, 0, "cannot be written");
+    const std::string before = readIfThere(options.write).value_or("");
+    writeAtomically(lab::withTables(before, tables), options.write);
     return raytracer::ExitCode::success;
 }
 
@@ -99,13 +101,19 @@ Run addRepairsLab(CLI::App& app, const GlobalOptions& /*global*/) {
     verb->add_option("--task", options->choice.task, "Only mistakes of this task");
     verb->add_option("--case", options->choice.cases, "Only entries of these names")
         ->delimiter(',');
-    verb->add_flag("--one-edit", options->choice.ofOneEdit, "Only mistakes of one edit");
+    verb->add_option("--collection", options->choice.collections,
+                     "Only these of mistakes (the catalogue), unseen and samples")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"mistakes", "unseen", "samples"}));
+    verb->add_flag("--one-edit", options->choice.ofOneEdit,
+                   "Of the catalogue's mistakes only those of one edit");
     verb->add_option("--fraction", options->choice.fraction, "Share of the entries to run")
         ->check(CLI::Range(0.0, 1.0));
     verb->add_option("--record", options->record,
                      "File that keeps every finished row, to go on after a stop");
     verb->add_flag("--report", options->report, "Run nothing: the tables of the record so far");
-    verb->add_option("--write", options->write, "Writes the tables as a document");
+    verb->add_option("--write", options->write,
+                     "Writes the tables into a document, between its marks");
     verb->add_option("--exercise", options->grade.exercise, "Only this exercise; otherwise all");
     verb->add_option("--sandbox", options->grade.sandbox, "Level A, B or C; auto: the best")
         ->check(CLI::IsMember({"auto", "A", "B", "C"}));

@@ -56,8 +56,18 @@ bool putsIn(std::string_view source, const Atom& atom) {
 }
 
 /// Whether an edit says one thing in many words. A file has few of these.
-bool isOneThought(const Atom& atom) {
-    return atom.kind == "draw" || atom.kind == "jump";
+bool isOneThought(const Atom& atom, bool isAtSeveralPlaces) {
+    return atom.kind == "draw" || atom.kind == "jump" ||
+           (isAtSeveralPlaces && atom.kind == "left-out");
+}
+
+/// Bytes of the text that an edit stands in: where the same words are put in, the smaller place is
+/// the more exact one.
+std::size_t placeSize(const Atom& atom) {
+    std::size_t size = 0;
+    for (const TextEdit& edit : atom.edits)
+        size += edit.end - edit.begin;
+    return size;
 }
 
 }  // namespace
@@ -78,20 +88,25 @@ std::vector<EditSet> simplestFirst(std::string_view source, const Candidates& ca
     for (std::size_t i = 0; i < candidates.atoms.size(); ++i) {
         const Atom& atom = candidates.atoms[i];
         const std::size_t tokens =
-            isOneThought(atom) ? 1
-                               : tokensChanged(source, candidates, {static_cast<std::uint16_t>(i)});
+            isOneThought(atom, isOne)
+                ? 1
+                : tokensChanged(source, candidates, {static_cast<std::uint16_t>(i)});
         costOf.push_back(kRanks * tokens + 2 * rankOf(atom) + (putsIn(source, atom) ? 1 : 0));
     }
-    std::vector<std::pair<std::size_t, EditSet>> ranked;
+    using Rank = std::pair<std::size_t, std::size_t>;
+    std::vector<std::pair<Rank, EditSet>> ranked;
     for (EditSet& set : sets) {
         std::size_t tokens = 0;
-        for (const std::uint16_t number : set)
+        std::size_t place = 0;
+        for (const std::uint16_t number : set) {
             tokens = isOne ? std::max(tokens, costOf[number]) : tokens + costOf[number];
-        ranked.emplace_back(tokens, std::move(set));
+            place += placeSize(candidates.atoms[number]);
+        }
+        ranked.emplace_back(Rank{tokens, place}, std::move(set));
     }
-    std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, EditSet>::first);
+    std::ranges::stable_sort(ranked, {}, &std::pair<Rank, EditSet>::first);
     sets.clear();
-    for (auto& [tokens, set] : ranked)
+    for (auto& [rank, set] : ranked)
         sets.push_back(std::move(set));
     return sets;
 }

@@ -43,6 +43,15 @@ bool isLight(const Atom& atom) {
     return !atom.isApart && kKinds.contains(atom.kind);
 }
 
+/// Whether an edit turns the sign of a term or a value round.
+bool isSign(std::string_view source, const Atom& atom) {
+    if (atom.kind == "sign") return true;
+    if (atom.kind != "operator" || atom.edits.size() != 1) return false;
+    const TextEdit& edit = atom.edits.front();
+    const std::string_view was = source.substr(edit.begin, edit.end - edit.begin);
+    return (was == "+" && edit.text == "-") || (was == "-" && edit.text == "+");
+}
+
 /// Where in its statement an edit begins, in tokens, and what it does there without names.
 std::string placeOf(std::string_view source, const Atom& atom) {
     const std::string_view statement =
@@ -69,7 +78,7 @@ std::string inStatement(std::string_view source, const Atom& atom) {
     return replacementOf(source, atom) + "|" + std::to_string(atom.statementBegin);
 }
 
-/// All of a group together, and each two of it.
+/// All of a group together, and each two and three of it.
 void addGroup(const Candidates& candidates, const EditSet& group, std::set<EditSet>& sets) {
     constexpr std::size_t kMostPlaces = 4;
     if (group.size() < 2 || group.size() > kMostPlaces) return;
@@ -81,7 +90,13 @@ void addGroup(const Candidates& candidates, const EditSet& group, std::set<EditS
             else
                 sets.insert({group[a], group[b]});
         }
-    if (isApart) sets.insert(group);
+    if (!isApart) return;
+    sets.insert(group);
+    for (std::size_t without = 0; group.size() == kMostPlaces && without < kMostPlaces; ++without) {
+        EditSet three = group;
+        three.erase(three.begin() + static_cast<std::ptrdiff_t>(without));
+        sets.insert(three);
+    }
 }
 
 EditSet switched(const Candidates& candidates, const Choice& isChosen) {
@@ -157,6 +172,26 @@ std::vector<EditSet> pairs(std::string_view source, const Candidates& candidates
                 if (!touch(candidates.atoms[atoms[a]], candidates.atoms[atoms[b]]))
                     sets.push_back({atoms[a], atoms[b]});
     return simplestFirst(source, candidates, std::move(sets));
+}
+
+std::vector<EditSet> linked(std::string_view source, const Candidates& candidates,
+                            const Choice& isChosen) {
+    EditSet signs;
+    EditSet leftOut;
+    for (const std::uint16_t number : switched(candidates, isChosen)) {
+        if (isSign(source, candidates.atoms[number])) signs.push_back(number);
+        if (candidates.atoms[number].kind == "left-out") leftOut.push_back(number);
+    }
+    std::vector<EditSet> sets;
+    for (const EditSet& group : {leftOut, signs})
+        for (std::size_t a = 0; a < group.size(); ++a)
+            for (std::size_t b = a + 1; b < group.size(); ++b) {
+                const Atom& one = candidates.atoms[group[a]];
+                const Atom& other = candidates.atoms[group[b]];
+                if (one.statementBegin != other.statementBegin && !touch(one, other))
+                    sets.push_back({group[a], group[b]});
+            }
+    return simplestFirst(source, candidates, std::move(sets), true);
 }
 
 std::vector<EditSet> together(const Candidates& candidates, const EditSet& set,

@@ -41,6 +41,11 @@ using Choice = std::function<bool(const Atom&)>;
 [[nodiscard]] std::vector<EditSet> pairs(std::string_view source, const Candidates& candidates,
                                          const Choice& isChosen);
 
+/// Two signs in different statements, such as a direction that is turned round and what goes with
+/// it; two statements that are left out, such as what was only tried.
+[[nodiscard]] std::vector<EditSet> linked(std::string_view source, const Candidates& candidates,
+                                          const Choice& isChosen);
+
 /// A set with each of others that changes other text.
 [[nodiscard]] std::vector<EditSet> together(const Candidates& candidates, const EditSet& set,
                                             std::span<const EditSet> others);

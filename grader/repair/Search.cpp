@@ -56,31 +56,38 @@ Search::Search(const Task& task, const TaskJudgement& before, std::vector<const 
     FirstQuestions recorder;
     static_cast<void>(task.judge(recorder, seed));
     first_ = std::move(recorder.asked);
-    if (task.screen != nullptr) screening_ = task.screen(seed);
     asHandedIn_ = EditedExaminee{program, {}}.ask(first_);
     program.answersUnedited(isFinished(asHandedIn_));
-    if (screening_.mayPass)
-        screenedAsHandedIn_ = EditedExaminee{program, {}}.ask(screening_.questions);
+    if (task.screen != nullptr) drawScreening();
+}
+
+void Search::drawScreening() {
+    // A mistake that few answers show: cheap questions of another seed may see it.
+    constexpr std::uint64_t kMostDraws = 4;
+    for (std::uint64_t i = 0; i < kMostDraws && !isSeen_ && !clock_.isOver(); ++i) {
+        Screening drawn = task_.screen(seed_ + i);
+        Run run = EditedExaminee{program_, {}}.ask(drawn.questions);
+        isSeen_ = !drawn.mayPass(run);
+        if (i > 0 && !isSeen_) continue;
+        screening_ = std::move(drawn);
+        screenedAsHandedIn_ = std::move(run);
+    }
 }
 
 std::vector<EditSet> Search::screened(std::span<const EditSet> sets) {
     if (!screening_.mayPass) return {sets.begin(), sets.end()};
-    const bool isSeen = !screening_.mayPass(screenedAsHandedIn_);
     std::vector<EditSet> kept;
     std::vector<EditSet> alike;
-    for (std::size_t at = 0; at < sets.size() && !clock_.isOver(); at += kTogether) {
-        const auto some = sets.subspan(at, std::min(kTogether, sets.size() - at));
-        program_.askEach(screening_.questions, some, [&](std::size_t i, const Run& run) {
-            ++asked_;
-            const bool isAlike = isFinished(run) && sameAnswers(run, screenedAsHandedIn_);
-            if (isSeen && (isAlike || !isFinished(run))) idle_.insert(some[i]);
-            if (!isFinished(run) || (isSeen && isAlike)) return;
-            if (isAlike)
-                alike.push_back(some[i]);
-            else if (screening_.mayPass(run))
-                kept.push_back(some[i]);
-        });
-    }
+    program_.askEach(screening_.questions, sets, [&](std::size_t i, const Run& run) {
+        ++asked_;
+        const bool isAlike = isFinished(run) && sameAnswers(run, screenedAsHandedIn_);
+        if (isSeen_ && (isAlike || !isFinished(run))) idle_.insert(sets[i]);
+        if (!isFinished(run) || (isSeen_ && isAlike)) return;
+        if (isAlike)
+            alike.push_back(sets[i]);
+        else if (screening_.mayPass(run))
+            kept.push_back(sets[i]);
+    });
     // Where the cheap questions were answered well, what changes no answer is as likely.
     return inTurn(alike, kept);
 }
@@ -99,7 +106,7 @@ bool Search::passesOthers(const EditSet& set) const {
 }
 
 template <class Use>
-void Search::judgeEach(std::span<const EditSet> sets, Use use) {
+bool Search::judgeEach(std::span<const EditSet> sets, Use use) {
     // A few at first: the simplest ones pass more often than others.
     std::size_t together = kJudgedFirst;
     for (std::size_t at = 0; at < sets.size() && !clock_.isOver();) {
@@ -109,17 +116,32 @@ void Search::judgeEach(std::span<const EditSet> sets, Use use) {
         std::vector<Run> runs = program_.ask(first_, some);
         for (std::size_t i = 0; i < runs.size() && !clock_.isOver(); ++i) {
             if (!isFinished(runs[i]) || sameAnswers(runs[i], asHandedIn_)) continue;
-            if (!use(some[i], judge(some[i], std::move(runs[i])))) return;
+            if (!use(some[i], judge(some[i], std::move(runs[i])))) return false;
         }
     }
+    return true;
 }
 
 void Search::eachPassing(std::span<const EditSet> sets,
                          const std::function<bool(const EditSet&)>& use) {
-    judgeEach(screened(sets), [&](const EditSet& set, const TaskJudgement& judgement) {
+    // Those that pass are judged before others are screened: the time may not suffice for all.
+    const auto judged = [&](const EditSet& set, const TaskJudgement& judgement) {
         const bool isClean = passes(judgement) && !addsWarning(judgement, before_);
         return !isClean || !passesOthers(set) || use(set);
-    });
+    };
+    std::vector<EditSet> later;
+    for (std::size_t at = 0; at < sets.size() && !clock_.isOver(); at += kTogether) {
+        std::vector<EditSet> kept =
+            screened(sets.subspan(at, std::min(kTogether, sets.size() - at)));
+        // Where the cheap questions do not see the mistake, most edits pass them.
+        if (!isSeen_ && screening_.mayPass && kept.size() > kJudgedTogether) {
+            const auto end = kept.begin() + static_cast<std::ptrdiff_t>(kJudgedTogether);
+            later.insert(later.end(), end, kept.end());
+            kept.erase(end, kept.end());
+        }
+        if (!judgeEach(kept, judged)) return;
+    }
+    judgeEach(later, judged);
 }
 
 std::vector<Partial> Search::changing(std::span<const EditSet> sets, const std::string& finding) {

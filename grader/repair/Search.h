@@ -52,13 +52,16 @@ public:
     [[nodiscard]] std::size_t asked() const { return asked_; }
 
 private:
+    /// Draws cheap questions, if possible some that the submission fails without edits.
+    void drawScreening();
     [[nodiscard]] std::vector<EditSet> screened(std::span<const EditSet> sets);
     [[nodiscard]] TaskJudgement judge(const EditSet& set, probe::Run first) const;
     [[nodiscard]] bool passesOthers(const EditSet& set) const;
     /// Judges each set whose answers differ from those without edits.
     /// @param use  Takes a set and its judgement; false: no more are judged.
+    /// @return  False if `use` wanted no more.
     template <class Use>
-    void judgeEach(std::span<const EditSet> sets, Use use);
+    bool judgeEach(std::span<const EditSet> sets, Use use);
 
     const Task& task_;
     const TaskJudgement& before_;
@@ -70,6 +73,7 @@ private:
     std::vector<probe::Question> first_;  ///< what the judge asks first
     probe::Run asHandedIn_;               ///< the answers to them without edits
     probe::Run screenedAsHandedIn_;
+    bool isSeen_ = false;  ///< whether the submission fails the cheap questions without edits
     std::size_t asked_ = 0;
     std::set<EditSet> idle_;
 };

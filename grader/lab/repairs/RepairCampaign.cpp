@@ -112,7 +112,8 @@ RepairCampaign::RepairCampaign(const pipeline::Grader& grader,
         if (failing.empty() || (!choice.task.empty() && failing != choice.task)) continue;
         const bool isNamed = std::ranges::find(choice.cases, entry.name) != choice.cases.end();
         if (!choice.cases.empty() && !isNamed) continue;
-        if (choice.ofOneEdit && !isOneEdit(entry)) continue;
+        const bool isCatalogued = entry.collection.ends_with("mistakes");
+        if (choice.ofOneEdit && isCatalogued && !isOneEdit(entry)) continue;
         owed += choice.fraction;
         if (owed < 1.0) continue;
         owed -= 1.0;

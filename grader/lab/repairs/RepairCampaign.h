@@ -14,9 +14,10 @@ namespace ticker::lab {
 
 /// Which wrong submissions are tried: all conditions at once.
 struct RepairChoice {
+    std::vector<std::string> collections{"mistakes", "unseen", "samples"};
     std::string task;                ///< only those that fail this one; empty: any
     std::vector<std::string> cases;  ///< only those of these names; empty: all
-    bool ofOneEdit = false;          ///< only mistakes of one edit
+    bool ofOneEdit = false;          ///< of the catalogue's mistakes only those of one edit
     double fraction = 1.0;           ///< every so many of them
 };
 

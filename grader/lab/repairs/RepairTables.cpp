@@ -33,9 +33,73 @@ struct Sum {
     }
 };
 
-std::string percent(std::size_t part, std::size_t whole) {
+std::string counted(std::size_t part, std::size_t whole) {
     if (whole == 0) return "-";
-    return fmt::format("{:.0f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+    return fmt::format("{} of {}, {:.1f} %", part, whole,
+                       100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+/// Which line of the table a row belongs to.
+std::string groupOf(const RepairRow& row, const SeveralMistakes& several) {
+    if (row.isOneEdit) return "mistakes of one edit";
+    if (row.collection.ends_with("mistakes")) return "other mistakes";
+    return several.contains(nameOf(row)) ? "unseen and samples, several mistakes"
+                                         : "unseen and samples, a single mistake";
+}
+
+std::string ratesOf(const std::vector<RepairRow>& rows, const SeveralMistakes& several) {
+    std::map<std::pair<std::string, std::string>, Sum> sums;
+    for (const RepairRow& row : rows) {
+        const std::string group = groupOf(row, several);
+        sums[{group, row.task}].add(row);
+        sums[{group, "all"}].add(row);
+    }
+    std::string text =
+        "| submissions | task | tried | repaired | in the edited line | CPU, median | CPU, 90 % |\n"
+        "|---|---|---|---|---|---|---|\n";
+    for (const auto& [key, sum] : sums) {
+        const bool knowsLine = key.first.starts_with("mistakes");
+        text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} s | {:.1f} s |\n", key.first,
+                            key.second, sum.tried, counted(sum.repaired, sum.tried),
+                            knowsLine ? counted(sum.rightLine, sum.repaired) : "not known",
+                            sum.quantile(0.5) / 1000.0, sum.quantile(0.9) / 1000.0);
+    }
+    return text;
+}
+
+const char* outcomeOf(const RepairRow& row) {
+    return row.isRepaired ? "repaired" : row.wasCutOff ? "cut off" : "nothing";
+}
+
+std::string missesOf(const std::vector<RepairRow>& rows) {
+    std::string text = "| task | mistake | what came | CPU |\n|---|---|---|---|\n";
+    for (const RepairRow& row : rows)
+        if (row.isOneEdit && !row.isRightLine)
+            text +=
+                fmt::format("| {} | {} | {} | {:.1f} s |\n", row.task, row.name,
+                            row.isRepaired ? "another line" : outcomeOf(row), row.cpuMs / 1000.0);
+    return text;
+}
+
+std::string unrepairedOf(const std::vector<RepairRow>& rows, const SeveralMistakes& several) {
+    std::string text = "| submission | task | what came | CPU |\n|---|---|---|---|\n";
+    for (const RepairRow& row : rows) {
+        const bool isListed = row.collection.ends_with("mistakes") || several.contains(nameOf(row));
+        if (!isListed && !row.isRepaired)
+            text += fmt::format("| {}/{} | {} | {} | {:.1f} s |\n", row.collection, row.name,
+                                row.task, outcomeOf(row), row.cpuMs / 1000.0);
+    }
+    return text;
+}
+
+std::string severalOf(const std::vector<RepairRow>& rows, const SeveralMistakes& several) {
+    std::string text =
+        "| submission | task | what came | why no single mistake |\n|---|---|---|---|\n";
+    for (const RepairRow& row : rows)
+        if (const auto why = several.find(nameOf(row)); why != several.end())
+            text += fmt::format("| {}/{} | {} | {} | {} |\n", row.collection, row.name, row.task,
+                                outcomeOf(row), why->second);
+    return text;
 }
 
 }  // namespace
@@ -92,47 +156,22 @@ std::string lineOf(const RepairRow& row) {
         row.compileMs / 1000.0, row.askMs / 1000.0, row.proveMs / 1000.0, row.edit);
 }
 
-std::string tableOf(const std::vector<RepairRow>& rows) {
-    std::map<std::pair<std::string, std::string>, Sum> sums;
-    for (const RepairRow& row : rows) {
-        sums[{row.collection, row.task}].add(row);
-        if (!row.isOneEdit) continue;
-        sums[{"mistakes of one edit", row.task}].add(row);
-        sums[{"mistakes of one edit", "all"}].add(row);
-    }
-    std::string text =
-        "| submissions | task | tried | repaired | in the edited line | CPU, median | CPU, 90 % |\n"
-        "|---|---|---|---|---|---|---|\n";
-    for (const auto& [key, sum] : sums) {
-        const bool knowsLine = key.first.find("mistakes") != std::string::npos;
-        text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} s | {:.1f} s |\n", key.first,
-                            key.second, sum.tried, percent(sum.repaired, sum.tried),
-                            knowsLine ? percent(sum.rightLine, sum.repaired) : "not known",
-                            sum.quantile(0.5) / 1000.0, sum.quantile(0.9) / 1000.0);
-    }
-    return text;
+std::string tablesOf(const std::vector<RepairRow>& rows, const SeveralMistakes& several) {
+    return ratesOf(rows, several) +
+           "\n## Mistakes of one edit that are not explained in their line\n" + missesOf(rows) +
+           "\n## Unseen submissions and samples with a single mistake and no repair\n" +
+           unrepairedOf(rows, several) +
+           "\n## Unseen submissions and samples with several mistakes\n" + severalOf(rows, several);
 }
 
-std::string missesOf(const std::vector<RepairRow>& rows) {
-    std::string text = "| task | mistake | what came | CPU |\n|---|---|---|---|\n";
-    for (const RepairRow& row : rows) {
-        if (!row.isOneEdit || row.isRightLine) continue;
-        const char* came = row.isRepaired ? "another line" : row.wasCutOff ? "cut off" : "nothing";
-        text += fmt::format("| {} | {} | {} | {:.1f} s |\n", row.task, row.name, came,
-                            row.cpuMs / 1000.0);
-    }
-    return text;
-}
-
-std::string documentOf(const std::vector<RepairRow>& rows) {
-    return "# Repairs: measured rates\n"
-           "Made by `ticker-lab repairs --write docs/repairs.md`. Each wrong submission of the "
-           "corpus that fails one\ntask is graded and explained. *Mistakes of one edit* replace at "
-           "most eight tokens in one line of the reference.\nA repair counts only if it is proven; "
-           "the line is that of the simplest one. CPU is all of the explanation:\nparsing, "
-           "compiling, asking, judging, proving.\n\n" +
-           tableOf(rows) + "\n## Mistakes of one edit that are not explained in their line\n" +
-           missesOf(rows);
+std::string withTables(const std::string& document, const std::string& tables) {
+    const std::string opening = "<!-- repairs: tables -->\n";
+    const std::string closing = "<!-- end -->\n";
+    const std::size_t mark = document.find(opening);
+    const std::size_t end =
+        mark == std::string::npos ? mark : document.find(closing, mark + opening.size());
+    if (end == std::string::npos) return document + "\n" + opening + tables + closing;
+    return document.substr(0, mark + opening.size()) + tables + document.substr(end);
 }
 
 }  // namespace ticker::lab

@@ -1,6 +1,8 @@
 #ifndef TICKER_LAB_REPAIRS_REPAIRTABLES_H
 #define TICKER_LAB_REPAIRS_REPAIRTABLES_H
 
+#include <grader/lab/repairs/SeveralMistakes.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -34,12 +36,14 @@ struct RepairRow {
 
 /// A row for people.
 [[nodiscard]] std::string lineOf(const RepairRow& row);
-/// Rates and cost for each collection and task, in Markdown.
-[[nodiscard]] std::string tableOf(const std::vector<RepairRow>& rows);
-/// The one-edit mistakes without a proven edit, or with one elsewhere first, in Markdown.
-[[nodiscard]] std::string missesOf(const std::vector<RepairRow>& rows);
-/// The whole document docs/repairs.md.
-[[nodiscard]] std::string documentOf(const std::vector<RepairRow>& rows);
+/// All tables in Markdown: rates and cost for each group and task; mistakes of one edit without a
+/// proven edit, or with one elsewhere first; unseen submissions and samples without a proven edit;
+/// those that are not counted as single mistakes, and why.
+[[nodiscard]] std::string tablesOf(const std::vector<RepairRow>& rows,
+                                   const SeveralMistakes& several);
+/// A document with the tables between `<!-- repairs: tables -->` and `<!-- end -->`; without these
+/// marks they come last.
+[[nodiscard]] std::string withTables(const std::string& document, const std::string& tables);
 
 }  // namespace ticker::lab
 

@@ -101,6 +101,7 @@ void addGroupingEdits(Edits& edits, int node);
 // With what the function could name and does not.
 void addWideEdits(Edits& edits, int node);
 void addGuards(Edits& edits, int node);
+void addNeighbours(Edits& edits, int node);
 
 }  // namespace ticker::candidates
 

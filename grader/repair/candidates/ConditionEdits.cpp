@@ -70,6 +70,21 @@ void returnWhole(Edits& edits, int index) {
                          "return " + *objects.begin() + ";");
 }
 
+/// A condition of several parts, or one that a function tells, in the negative. A comparison has
+/// its operators.
+void negate(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (!edits.isType(index, "bool") || node.parent < 0) return;
+    const Node& around = tree.at(node.parent);
+    const bool decides = around.kind == NodeKind::branch && around.children.front() == index;
+    const bool isValue = around.kind == NodeKind::declaration || around.kind == NodeKind::jump;
+    const bool isCompound =
+        node.kind == NodeKind::binary && (node.name == "&&" || node.name == "||");
+    if ((decides || isValue) && (isCompound || node.kind == NodeKind::call))
+        edits.replace("sign", index, "!" + edits.operand(index), false);
+}
+
 }  // namespace
 
 void addConditionEdits(Edits& edits, int index) {
@@ -82,6 +97,7 @@ void addConditionEdits(Edits& edits, int index) {
     }
     if (!node.isExpression) return;
     leaveLoop(edits, index);
+    negate(edits, index);
     const bool isFlag = edits.isType(index, "bool") && node.parent >= 0 &&
                         tree.at(node.parent).kind == NodeKind::declaration;
     if (!isFlag) return;

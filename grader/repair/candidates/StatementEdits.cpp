@@ -16,7 +16,7 @@ void exchangeJumps(Edits& edits, int index) {
 bool mayBeLeftOut(const Tree& tree, int index) {
     const Node& node = tree.at(index);
     if (node.parent < 0 || tree.at(node.parent).kind != NodeKind::block) return false;
-    if (node.kind == NodeKind::branch) return true;
+    if (node.kind == NodeKind::branch || node.kind == NodeKind::loop) return true;
     return node.isExpression;
 }
 

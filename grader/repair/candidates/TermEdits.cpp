@@ -33,6 +33,16 @@ bool isQuantity(const Edits& edits, int i) {
            edits.tree().at(node.children.front()).kind == NodeKind::call;
 }
 
+/// A size that a variable keeps: `const int w = map.width();`.
+bool isKeptSize(const Edits& edits, int i) {
+    const Node& node = edits.tree().at(i);
+    if (node.kind != NodeKind::name || !edits.isInteger(i) || node.declared == 0) return false;
+    return std::ranges::any_of(edits.tree().nodes, [&](const Node& one) {
+        return one.kind == NodeKind::declaration && one.declared == node.declared &&
+               !one.children.empty() && isQuantity(edits, one.children.back());
+    });
+}
+
 bool standsBefore(const Edits& edits, int declarationOrUse, int index) {
     return edits.tree().at(declarationOrUse).range.end <= edits.tree().at(index).range.begin;
 }
@@ -77,6 +87,27 @@ bool isWhole(const Tree& tree, int index) {
 }
 
 }  // namespace
+
+void addNeighbours(Edits& edits, int index) {
+    // An index that is asked for as it is: the one beside it, round the edge or held at it.
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (node.kind != NodeKind::name || !edits.isInteger(index) || node.parent < 0) return;
+    const Node& around = tree.at(node.parent);
+    if (around.kind != NodeKind::call || around.children.front() == index) return;
+    const auto sizes = expressionsLike(edits, index, 4, [&](int i) {
+        return edits.isInteger(i) && (isQuantity(edits, i) || isKeptSize(edits, i));
+    });
+    const std::string at = edits.text(index);
+    for (const int size : sizes) {
+        const std::string bound = edits.text(size);
+        if (bound == at || !isUsableAt(tree, size, index)) continue;
+        edits.replace("neighbour", index, "(" + at + " + 1) % " + bound, false);
+        edits.replace("neighbour", index, "(" + at + " + " + bound + " - 1) % " + bound, false);
+        edits.replace("neighbour", index, "std::min(" + at + " + 1, " + bound + " - 1)", true);
+    }
+    if (!sizes.empty()) edits.replace("neighbour", index, "std::max(" + at + " - 1, 0)", true);
+}
 
 void addTermEdits(Edits& edits, int index) {
     const Tree& tree = edits.tree();

@@ -76,7 +76,8 @@ void addNameEdits(Edits& edits, int index) {
     const Node& node = edits.tree().at(index);
     const bool isCounted = node.parent >= 0 && isCounting(edits.tree().at(node.parent));
     if (node.kind != NodeKind::name || isCounted) return;
-    if (!edits.isNumber(index) && !edits.isVector(index)) return;
+    // Points, colours, and whatever else the kit has: a ray for another ray, a picture for another.
+    if (!edits.isNumber(index) && !node.type.starts_with("raytracer::")) return;
     constexpr std::size_t kMost = 6;
     std::vector<int> others = visibleVariables(edits.tree(), index);
     std::erase_if(others, [&](int other) { return edits.tree().at(other).type != node.type; });

@@ -67,7 +67,9 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
     const bool isProduct = node.kind == NodeKind::binary && (node.name == "*" || node.name == "/");
     const std::string operand = isProduct ? edits.text(index) : edits.operand(index);
     const Node& around = edits.tree().at(node.parent);
-    const bool holds = around.kind == NodeKind::binary && around.name != "*" && around.name != "/";
+    const bool isFactor = around.name == "*" || around.name == "/";
+    const bool holds =
+        around.kind == NodeKind::binary && (!isFactor || around.children.front() == index);
     const bool isPoint = edits.isType(index, "raytracer::Vector3");
     std::vector<std::string> factors = isPoint ? words.unused("double") : words.all("double");
     if (edits.isType(index, "raytracer::ColourRGB"))

@@ -42,6 +42,14 @@ std::string normal(const Source& source, const Range& range) {
     return text;
 }
 
+std::size_t countOf(std::string_view text, std::string_view part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string_view::npos;
+         at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
 /// The outermost function that a node stands in.
 std::string functionAround(const Tree& tree, int index) {
     std::string name;
@@ -80,19 +88,22 @@ constexpr AddEdits kSimple[] = {
     addOperatorEdits,  addNumberEdits, addNameEdits,    addMemberEdits, addCallEdits,
     addWrapEdits,      addTermEdits,   addSiblingEdits, addStaticEdits, addStatementEdits,
     addConditionEdits, addDrawEdits,   addGroupingEdits};
-constexpr AddEdits kWide[] = {addGuards, addWideEdits};
+constexpr AddEdits kWide[] = {addGuards, addNeighbours, addWideEdits};
 
 std::vector<Atom> findAtoms(const Tree& tree, const Source& source, const Source& stub,
                             const std::set<std::string>& leftAlone,
                             std::span<const AddEdits> kinds) {
     constexpr std::size_t kMost = 2400;
     const std::string given = normal(stub, {0, stub.text().size()});
+    const std::string all = normal(source, {0, source.text().size()});
     Edits edits{tree, source};
     for (int i = 0; i < static_cast<int>(tree.nodes.size()); ++i) {
         const Node& node = tree.at(i);
         if (!node.isWritten || tree.functionOf(i) < 0 || edits.atoms().size() > kMost) continue;
-        if (given.find(normal(source, tree.at(tree.statementOf(i)).range)) != std::string::npos)
-            continue;
+        // What stands in the file more often than in the stub is the student's, too.
+        const std::string statement = normal(source, tree.at(tree.statementOf(i)).range);
+        const std::size_t givenTimes = countOf(given, statement);
+        if (givenTimes > 0 && countOf(all, statement) <= givenTimes) continue;
         if (leftAlone.contains(functionAround(tree, i))) continue;
         for (const AddEdits add : kinds)
             add(edits, i);

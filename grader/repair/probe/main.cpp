@@ -8,6 +8,7 @@
 
 #include <raytracer/base/Error.h>
 
+#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -50,6 +51,14 @@ void setSwitches(const ticker::repair::EditRound& round) {
     steps = 0;
 }
 
+/// Each round builds the same scenes and maps again. Memory that goes back to the kernel in between
+/// costs more than the questions.
+void keepMemory() {
+    constexpr int kMost = 1 << 30;
+    mallopt(M_MMAP_THRESHOLD, kMost);
+    mallopt(M_TRIM_THRESHOLD, kMost);
+}
+
 void answerRounds() {
     using namespace ticker::repair;
     const auto questions =
@@ -86,6 +95,7 @@ extern "C" void ticker_step() {
 
 int main() {
     try {
+        keepMemory();
         answerRounds();
         _exit(0);
     } catch (const std::exception&) {

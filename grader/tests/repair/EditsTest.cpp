@@ -68,6 +68,36 @@ TEST(EditSets, TheSameEditTwiceInOneStatementIsOneSetHoweverOftenItIsPossible) {
     EXPECT_EQ(std::ranges::find(sets, EditSet{0, 1, 2, 3, 4, 5}), sets.end());
 }
 
+TEST(EditSets, AmongEqualsTheSmallerPlaceComesFirst) {
+    constexpr std::string_view kRoots = "c = f(a) - r * r; d = a * c;";
+    Candidates made;
+    made.atoms = {atom("factor", {4, 16, "(f(a) - r * r) * 4.0"}, 0, 16),
+                  atom("factor", {22, 27, "a * c * 4.0"}, 18, 27)};
+    EXPECT_EQ(singles(kRoots, made, isAny), (std::vector<EditSet>{{1}, {0}}));
+}
+
+TEST(EditSets, TheSameNameAtThreeOfFourPlacesIsOneSet) {
+    constexpr std::string_view kNames = "f(v); g(v, 1); h(v, 1, 2); k(v, 1, 2, 3);";
+    Candidates made;
+    for (const std::size_t at : {2U, 8U, 17U, 29U})
+        made.atoms.push_back(atom("name", {at, at + 1, "w"}, at - 2, at + 2));
+    const auto sets = twins(kNames, made, isAny);
+    EXPECT_NE(std::ranges::find(sets, EditSet{0, 1, 2}), sets.end());
+    EXPECT_NE(std::ranges::find(sets, EditSet{0, 1, 2, 3}), sets.end());
+}
+
+TEST(EditSets, TwoSignsOrTwoStatementsLeftOutBelongTogether) {
+    constexpr std::string_view kTwo = "v = a + b; n = p - q; f(v); g(n);";
+    Candidates made;
+    made.atoms = {atom("operator", {6, 7, "-"}, 0, 9), atom("operator", {17, 18, "+"}, 11, 20),
+                  atom("left-out", {22, 27, ""}, 22, 26), atom("left-out", {28, 33, ""}, 28, 32),
+                  atom("operator", {6, 7, "*"}, 0, 9)};
+    const auto sets = linked(kTwo, made, isAny);
+    EXPECT_EQ(sets.size(), 2U);
+    EXPECT_NE(std::ranges::find(sets, EditSet{0, 1}), sets.end());
+    EXPECT_NE(std::ranges::find(sets, EditSet{2, 3}), sets.end());
+}
+
 TEST(EditSets, EditsOfAnotherTaskTakeNoPart) {
     const auto chosen = [](const Atom& each) { return each.kind == "operator"; };
     EXPECT_EQ(singles(kSource, candidates(), chosen), (std::vector<EditSet>{{2}}));
