@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <utility>
 #include <vector>
@@ -38,9 +39,12 @@ std::string change(const Repair& repair) {
                             escapeHtml(repair.file), edit.line,
                             linesAs("del", '-', edit.line, edit.from),
                             linesAs("ins", '+', edit.line, edit.to));
+    const std::string passes = repair.edits.size() > 1
+                                   ? "Proven: together they pass all questions under three seeds."
+                                   : "Proven: passes all questions under three seeds.";
     const std::string proof =
         repair.next.empty()
-            ? "Proven: passes all questions under three seeds."
+            ? passes
             : fmt::format("Proven under three seeds: with this, the next finding would be {}.",
                           escapeHtml(repair.next));
     return html + "<p class=\"soft\">" + proof + "</p>";
@@ -51,13 +55,28 @@ bool wasLookedFor(const SubmissionResult& result, const TaskReport& task) {
     return result.repairs && hasFailed && task.id != "screenshot";
 }
 
+/// What the search said of a task, such as that its time ended: its notices, as sentences.
+std::string remarksOf(const SubmissionResult& result, const TaskReport& task) {
+    const std::string prefix = task.id + ": ";
+    std::string remarks;
+    for (const std::string& notice : result.notices) {
+        if (!notice.starts_with(prefix) || notice.size() == prefix.size()) continue;
+        std::string sentence = notice.substr(prefix.size());
+        sentence.front() =
+            static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+        remarks += " " + escapeHtml(sentence);
+    }
+    return remarks;
+}
+
 }  // namespace
 
 std::string repairSection(const SubmissionResult& result, const TaskReport& task) {
     const std::vector<const Repair*> repairs = repairsOf(result, task.id);
     if (repairs.empty())
         return wasLookedFor(result, task)
-                   ? "<p class=\"soft\">No small edit of the code was found that mends this.</p>"
+                   ? "<p class=\"soft\">No small edit of the code was found that mends this." +
+                         remarksOf(result, task) + "</p>"
                    : "";
     std::string html =
         "<div class=\"card repair\"><h3>Where it stands</h3>" + change(*repairs.front());

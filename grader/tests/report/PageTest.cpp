@@ -1,4 +1,5 @@
 #include <grader/report/ClassPage.h>
+#include <grader/report/RepairSection.h>
 #include <grader/report/ReportPage.h>
 #include <grader/report/ReportWords.h>
 #include <grader/report/SummaryCsv.h>
@@ -313,6 +314,23 @@ TEST(ReportPage, NeverShowsAnEditThatIsNotProven) {
     const std::string html = reportPage(withRepair(false));
     EXPECT_EQ(html.find("return a + b;"), std::string::npos);
     EXPECT_NE(html.find("No small edit of the code was found"), std::string::npos);
+}
+
+TEST(ReportPage, SaysWhereNothingWasFoundThatTheSearchEndedEarly) {
+    SubmissionResult result = withRepair(true);
+    result.repairs->clear();
+    result.notices = {"T1: the time ended <early>.", "T2.1: of another task."};
+    const std::string html = repairSection(result, result.tasks.front());
+    EXPECT_NE(html.find("The time ended &lt;early&gt;."), std::string::npos) << html;
+    EXPECT_EQ(html.find("of another task"), std::string::npos);
+}
+
+TEST(ReportPage, SaysThatEditsAtTwoPlacesBelongTogether) {
+    SubmissionResult result = withRepair(true);
+    EXPECT_EQ(reportPage(result).find("together they"), std::string::npos);
+    result.repairs->front().edits.push_back({40, "b < c;", "b + c;"});
+    const std::string html = reportPage(result);
+    EXPECT_NE(html.find("Proven: together they pass all questions"), std::string::npos);
 }
 
 }  // namespace
