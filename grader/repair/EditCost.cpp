@@ -34,6 +34,9 @@ std::size_t differing(const std::vector<std::string_view>& a,
     return std::max(a.size(), b.size()) - front - back;
 }
 
+// Of kinds that put something in beside what was there.
+constexpr std::size_t kLastRank = 3;
+
 /// The more a kind of edit puts in beside what was there, the later it comes among equals.
 std::size_t rankOf(const Atom& atom) {
     static const std::map<std::string, std::size_t> kRanks{
@@ -41,7 +44,7 @@ std::size_t rankOf(const Atom& atom) {
         {"unwrap", 0},    {"number", 1},   {"exchange", 1}, {"sign", 1},
         {"normalise", 1}, {"name", 2},     {"jump", 2}};
     const auto found = kRanks.find(atom.kind);
-    return found == kRanks.end() ? 3 : found->second;
+    return found == kRanks.end() ? kLastRank : found->second;
 }
 
 /// Whether an edit makes the text longer.
@@ -57,13 +60,15 @@ bool putsIn(std::string_view source, const Atom& atom) {
 
 /// Whether an edit says one thing in many words. A file has few of these.
 bool isOneThought(const Atom& atom, bool isAtSeveralPlaces) {
-    return atom.kind == "draw" || atom.kind == "jump" ||
+    return atom.kind == "draw" || atom.kind == "jump" || atom.kind == "limit" ||
            (isAtSeveralPlaces && atom.kind == "left-out");
 }
 
-/// Bytes of the text that an edit stands in: where the same words are put in, the smaller place is
-/// the more exact one.
+/// Bytes of the text that an edit puts something beside: where the same words are put in, the
+/// smaller place is the more exact one. Signs and names are tried in the order of the text: where a
+/// quantity is made before where it is used.
 std::size_t placeSize(const Atom& atom) {
+    if (rankOf(atom) < kLastRank) return 0;
     std::size_t size = 0;
     for (const TextEdit& edit : atom.edits)
         size += edit.end - edit.begin;

@@ -176,11 +176,14 @@ std::vector<EditSet> pairs(std::string_view source, const Candidates& candidates
 
 std::vector<EditSet> linked(std::string_view source, const Candidates& candidates,
                             const Choice& isChosen) {
+    // Their pairs must leave time for two mistakes.
+    constexpr std::size_t kMost = 20;
     EditSet signs;
     EditSet leftOut;
     for (const std::uint16_t number : switched(candidates, isChosen)) {
-        if (isSign(source, candidates.atoms[number])) signs.push_back(number);
-        if (candidates.atoms[number].kind == "left-out") leftOut.push_back(number);
+        const Atom& atom = candidates.atoms[number];
+        if (isSign(source, atom) && signs.size() < kMost) signs.push_back(number);
+        if (atom.kind == "left-out" && leftOut.size() < kMost) leftOut.push_back(number);
     }
     std::vector<EditSet> sets;
     for (const EditSet& group : {leftOut, signs})

@@ -76,6 +76,8 @@ void negate(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
     if (!edits.isType(index, "bool") || node.parent < 0) return;
+    // "Not (not a or b)" is nobody's mistake.
+    if (edits.text(index).find('!') != std::string::npos) return;
     const Node& around = tree.at(node.parent);
     const bool decides = around.kind == NodeKind::branch && around.children.front() == index;
     const bool isValue = around.kind == NodeKind::declaration || around.kind == NodeKind::jump;
