@@ -46,6 +46,15 @@ std::string file(const SourceText& source, const std::vector<MarkedLine>& marked
     return html + "</code></pre>";
 }
 
+/// " this and line 37": the other lines of an edit at several places, which passes as a whole.
+std::string besides(const ProvenLine& one, const std::vector<ProvenLine>& all) {
+    std::string others;
+    for (const ProvenLine& other : all)
+        if (other.task == one.task && other.line != one.line)
+            others += fmt::format(" and line {}", other.line);
+    return others.empty() ? "" : " this" + others;
+}
+
 }  // namespace
 
 std::vector<MarkedLine> markedLines(const SubmissionResult& result) {
@@ -54,9 +63,11 @@ std::vector<MarkedLine> markedLines(const SubmissionResult& result) {
         for (const report::Remark& remark : report::remarksOf(said))
             marked.push_back({said.file, remark.line, std::string{remark.kind},
                               fmt::format("{}: {}", remark.kind, remark.message)});
-    for (const ProvenLine& proven : provenLines(result))
-        marked.push_back({proven.file, proven.line, "proven",
-                          fmt::format("{} passes with: {}", proven.task, proven.to)});
+    const std::vector<ProvenLine> all = provenLines(result);
+    for (const ProvenLine& proven : all)
+        marked.push_back(
+            {proven.file, proven.line, "proven",
+             fmt::format("{} passes with{}: {}", proven.task, besides(proven, all), proven.to)});
     return marked;
 }
 

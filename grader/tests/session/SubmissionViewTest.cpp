@@ -86,6 +86,19 @@ TEST(SubmissionHtml, MarksTheLineOfAProvenEditInTheCode) {
         << html;
 }
 
+TEST(SubmissionHtml, NamesTheOtherLineOfAnEditAtTwoPlaces) {
+    const tests::ClassOnDisk onDisk{{"bob"}};
+    SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
+    result.repairs = {{"T1",
+                       "bump.inverted-u",
+                       "BumpySphere.cpp",
+                       {{1, "int x;", "int y;"}, {7, "int a;", "int b;"}},
+                       true,
+                       ""}};
+    const std::string html = submissionHtml(result, onDisk.out() / "bob" / "code");
+    EXPECT_NE(html.find("T1 passes with this and line 7: int y;"), std::string::npos) << html;
+}
+
 TEST(SubmissionHtml, ShowsWhatAnotherHandInChanged) {
     const tests::ClassOnDisk onDisk{{"bob", "old"}};
     SubmissionResult before = tests::markedResult("bob", Verdict::needsReview);
