@@ -3,12 +3,14 @@
 
 #include <grader/exercise/Screening.h>
 #include <grader/probe/Examinee.h>
+#include <grader/result/FindingText.h>
 #include <grader/result/SubmissionResult.h>
 
 #include <raytracer/scene/SceneDescription.h>
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -33,13 +35,16 @@ struct RenderEvidence {
 /// The code of a task; its data is in the exercise's file. One row of `tasks::tasksOf`.
 struct Task {
     std::string_view id;
+    /// Its findings, in the order in which they are reported: reports, rubrics and
+    /// docs/findings.md have their words from here.
+    std::span<const FindingText* const> findings;
     /// Asks the submission and judges its answers. The tasks of a file may be judged in parallel,
     /// each in processes of its own.
     /// @param seed  Source of every hidden question; equal seeds give equal findings for code that
     ///              uses the kit's generator.
     TaskJudgement (*judge)(probe::Examinee& examinee, std::uint64_t seed) = nullptr;
-    /// Whether a scene shows this task's work. The file of the first task that answers true renders
-    /// the scene.
+    /// Whether a scene shows this task's work; null if none does. The file of the first task that
+    /// answers true renders the scene.
     bool (*isSeenIn)(const raytracer::SceneDescription& scene) = nullptr;
     /// Asks for review if the renders do not show what the submission answers; may be null.
     /// @param tasks  All tasks of the task's file.

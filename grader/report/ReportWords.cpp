@@ -1,7 +1,7 @@
 #include <grader/report/ReportWords.h>
 
 #include <grader/result/Names.h>
-#include <grader/tasks/AllFindings.h>
+#include <grader/tasks/FindingTables.h>
 
 #include <fmt/core.h>
 

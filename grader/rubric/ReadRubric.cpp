@@ -2,7 +2,7 @@
 #include <grader/base/WholeFile.h>
 #include <grader/result/Names.h>
 #include <grader/rubric/Rubric.h>
-#include <grader/tasks/AllFindings.h>
+#include <grader/tasks/FindingTables.h>
 
 #include <raytracer/base/Text.h>
 

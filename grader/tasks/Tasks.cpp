@@ -1,15 +1,21 @@
 #include <grader/tasks/Tasks.h>
 
+#include <grader/tasks/bump/BumpFindings.h>
 #include <grader/tasks/bump/BumpPicture.h>
 #include <grader/tasks/bump/JudgeBump.h>
 #include <grader/tasks/bump/ScreenBump.h>
 #include <grader/tasks/drawings/DrawBumps.h>
 #include <grader/tasks/lens/JudgeLens.h>
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/ScreenLens.h>
 #include <grader/tasks/lens/checks/PictureDoubt.h>
 #include <grader/tasks/maintick/JudgeMainTick.h>
+#include <grader/tasks/maintick/LightFindings.h>
+#include <grader/tasks/maintick/MainTickFindings.h>
+#include <grader/tasks/maintick/MirrorFindings.h>
 #include <grader/tasks/shadows/JudgeShadows.h>
 #include <grader/tasks/shadows/ScreenShadows.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
 
 #include <algorithm>
 #include <array>
@@ -33,15 +39,16 @@ void doubtT22(std::vector<TaskReport>& tasks, const RenderEvidence& renders) {
     doubtPicture(tasks, renders.misfits, aperture);
 }
 
-constexpr std::array kTick1star{Task{"T1", judgeBump, hasRelief, doubtT1, screenBump, drawBumps},
-                                Task{"T2.1", judgeShadows, isAnyScene, nullptr, screenShadows},
-                                Task{"T2.2", judgeLens, isAnyScene, doubtT22, screenLens}};
+constexpr std::array kTick1star{
+    Task{"T1", kBumpFindings, judgeBump, hasRelief, doubtT1, screenBump, drawBumps},
+    Task{"T2.1", kShadowFindings, judgeShadows, isAnyScene, nullptr, screenShadows},
+    Task{"T2.2", kLensFindings, judgeLens, isAnyScene, doubtT22, screenLens}};
 
-constexpr std::array kTick1{Task{"M1", judgeSpheres, isAnyScene, nullptr},
-                            Task{"M2", judgePhong, isAnyScene, nullptr},
-                            Task{"M3.1", judgePlanes, isAnyScene, nullptr},
-                            Task{"M3.2", judgeHardShadows, isAnyScene, nullptr},
-                            Task{"M4", judgeReflections, isAnyScene, nullptr}};
+constexpr std::array kTick1{Task{"M1", kSphereFindings, judgeSpheres, isAnyScene},
+                            Task{"M2", kPhongFindings, judgePhong, isAnyScene},
+                            Task{"M3.1", kPlaneFindings, judgePlanes, isAnyScene},
+                            Task{"M3.2", kShadeFindings, judgeHardShadows, isAnyScene},
+                            Task{"M4", kMirrorFindings, judgeReflections, isAnyScene}};
 
 struct Rows {
     std::string_view exercise;

@@ -3,12 +3,14 @@
 #include <grader/base/Digest.h>
 #include <grader/base/JsonValue.h>
 #include <grader/base/WholeFile.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/lab/calibrate/CodeOnly.h>
 
 #include <raytracer/base/Error.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 
 namespace ticker::calibrate {
 namespace {
@@ -17,6 +19,9 @@ namespace fs = std::filesystem;
 
 // Enough for accidents: two of a hundred versions agree with a probability of 1e-6.
 constexpr std::size_t kDigits = 8;
+
+// The row of "measured" for a task that has none of its own.
+constexpr const char* kOtherTask = "any other task";
 
 bool isCode(const fs::path& file) {
     return file.extension() == ".cpp" || file.extension() == ".h";
@@ -27,6 +32,37 @@ std::vector<std::string> textsOf(const JsonValue& list) {
     for (const JsonValue& item : list.items())
         texts.push_back(item.text());
     return texts;
+}
+
+bool isTask(std::string_view id) {
+    return std::ranges::any_of(
+        knownExercises(), [&](const Exercise& exercise) { return exercise.task(id) != nullptr; });
+}
+
+// All paths that the table has.
+std::set<std::string> pathsOf(const JsonValue& parts) {
+    std::set<std::string> paths;
+    for (const auto& [name, list] : parts.members())
+        for (const std::string& path : textsOf(list))
+            paths.insert(path.substr(path.starts_with('-') ? 1 : 0));
+    return paths;
+}
+
+// "FOLDER/*" stands for the folders there that the table does not have.
+std::vector<std::string> expanded(const std::vector<std::string>& paths, const fs::path& root,
+                                  const std::set<std::string>& known) {
+    std::vector<std::string> all;
+    for (const std::string& path : paths) {
+        if (!path.ends_with("/*")) {
+            all.push_back(path);
+            continue;
+        }
+        for (const auto& entry : fs::directory_iterator(root / path.substr(0, path.size() - 2))) {
+            const std::string folder = entry.path().lexically_relative(root).generic_string();
+            if (entry.is_directory() && !known.contains(folder)) all.push_back(folder);
+        }
+    }
+    return all;
 }
 
 // A path with a minus before it is left out.
@@ -64,9 +100,10 @@ std::string digestOf(const fs::path& root, const std::vector<fs::path>& files) {
 Parts::Parts(const fs::path& root) : table_(root / "grader/lab/calibrate/parts.json") {
     const JsonValue whole = JsonValue::parse(readWhole(table_), table_.string());
     whole.allowOnly({"parts", "measured"});
+    const std::set<std::string> known = pathsOf(whole.at("parts"));
     for (const auto& [name, list] : whole.at("parts").members()) {
         Part part;
-        part.paths = textsOf(list);
+        part.paths = expanded(textsOf(list), root, known);
         part.files = filesBelow(root, part.paths, list);
         part.digest = digestOf(root, part.files);
         parts_.emplace(name, std::move(part));
@@ -79,7 +116,8 @@ Parts::Parts(const fs::path& root) : table_(root / "grader/lab/calibrate/parts.j
 }
 
 const std::vector<std::string>& Parts::partsOf(std::string_view measured) const {
-    const auto found = measured_.find(measured);
+    auto found = measured_.find(measured);
+    if (found == measured_.end() && isTask(measured)) found = measured_.find(kOtherTask);
     if (found == measured_.end())
         throw raytracer::InputError(table_.string(), 0,
                                     "\"measured\" has no \"" + std::string{measured} +

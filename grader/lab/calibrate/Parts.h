@@ -23,7 +23,8 @@ public:
     ///         part or a path that is not there.
     explicit Parts(const std::filesystem::path& root);
 
-    /// The parts that this depends on: a task's id, or the name of another measurement.
+    /// The parts that this depends on: a task's id, or the name of another measurement. A task
+    /// without a row has the row "any other task".
     /// @throws raytracer::InputError if parts.json does not have it.
     [[nodiscard]] Stamp stampOf(std::string_view measured) const;
 

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <set>
@@ -47,6 +48,7 @@ protected:
     CopiedSources() {
         campaign_.measured = everyTask();
         copy("grader/lab/calibrate/parts.json");
+        fs::create_directories(root() / "grader/exercises");  // which may have no code
         const Parts all{kSource};
         for (const std::string& measured : everythingMeasured())
             for (const fs::path& file : all.filesOf(measured))
@@ -137,6 +139,28 @@ TEST_F(CopiedSources, TellWhichEntryChangedAndHowLongItTakes) {
 TEST_F(CopiedSources, RefuseATableWithAPathThatIsGone) {
     fs::remove_all(root() / "grader/tasks/lens");
     EXPECT_THROW(Parts{root()}, raytracer::InputError);
+}
+
+TEST_F(CopiedSources, OfATaskWithoutARowAreThoseThatNoPartNames) {
+    const fs::path table = root() / "grader/lab/calibrate/parts.json";
+    const std::regex rows{R"re( *"(shadows|T2\.1)": \[[^\]]*\],\n)re"};
+    const std::string text = std::regex_replace(readWhole(table), rows, "");
+    std::ofstream{table} << text;
+    fs::create_directories(root() / "grader/tasks/screenshot");
+    std::ofstream{root() / "grader/tasks/screenshot/Whole.h"} << "int a;\n";
+    fs::create_directories(root() / "grader/exercises/tick1star");
+    std::ofstream{root() / "grader/exercises/tick1star/Calls.cpp"} << "int b;\n";
+
+    const Parts parts{root()};
+    const std::vector<fs::path> files = parts.filesOf("T2.1");
+    const auto has = [&](const char* file) { return std::ranges::count(files, file) == 1; };
+    EXPECT_TRUE(has("grader/tasks/shadows/JudgeShadows.cpp"));
+    EXPECT_TRUE(has("grader/tasks/support/Draw.cpp"));
+    EXPECT_TRUE(has("grader/probe/Wire.cpp"));
+    EXPECT_TRUE(has("grader/exercises/tick1star/Calls.cpp"));
+    EXPECT_FALSE(has("grader/tasks/lens/JudgeLens.cpp"));
+    EXPECT_FALSE(has("grader/tasks/screenshot/Whole.h"));
+    EXPECT_THROW(static_cast<void>(parts.stampOf("T9")), raytracer::InputError);
 }
 
 /// The file of this line's #include, in the project; empty for a package's.

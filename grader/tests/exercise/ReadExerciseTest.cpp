@@ -65,6 +65,8 @@ TEST(ReadExercise, EveryTaskHasOneRowAndEveryRowATask) {
             << "the rows of " << exercise.name << " in grader/tasks/Tasks.cpp";
         for (const Task& task : tasks::tasksOf(exercise.name))
             EXPECT_NE(exercise.task(task.id), nullptr) << task.id;
+        for (const Task& task : tasks::tasksOf(exercise.name))
+            EXPECT_FALSE(task.findings.empty()) << task.id;
     }
 }
 

@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 
 const fs::path kTop{TICKER_SOURCE_DIR};
 
-/// Tables of findings are in their tasks' folders, but belong below all code: report and rubric
-/// read them, too.
+/// Tables of findings are in their tasks' folders, but belong below all code: pipeline reads them,
+/// too.
 bool isTableOfFindings(const std::string& file) {
     return fs::path{file}.stem().string().ends_with("Findings");
 }

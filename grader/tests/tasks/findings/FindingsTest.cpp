@@ -1,4 +1,4 @@
-#include <grader/tasks/AllFindings.h>
+#include <grader/tasks/FindingTables.h>
 #include <grader/tests/support/Files.h>
 
 #include <gtest/gtest.h>

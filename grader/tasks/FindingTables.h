@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_ALLFINDINGS_H
-#define TICKER_TASKS_ALLFINDINGS_H
+#ifndef TICKER_TASKS_FINDINGTABLES_H
+#define TICKER_TASKS_FINDINGTABLES_H
 
 #include <grader/result/FindingText.h>
 
@@ -14,7 +14,7 @@ struct FindingTable {
     std::span<const FindingText* const> findings;
 };
 
-/// The tables of all tasks; the last one has the general findings.
+/// The tables of all exercises' tasks, of screenshots, and last the one of general findings.
 [[nodiscard]] std::span<const FindingTable> findingTables();
 
 /// Every finding once: the findings of each task in the order in which they are reported, then the
