@@ -1,4 +1,5 @@
 #include <grader/base/WholeFile.h>
+#include <grader/package/CheckJson.h>
 #include <grader/package/StudentPackage.h>
 #include <grader/zip/ZipWriter.h>
 
@@ -20,6 +21,9 @@ constexpr std::array kFiles{".clangd", "CMakeLists.txt", "CMakePresets.json", "R
                             "check",   "check.cmd",      "check.json",        "vcpkg.json"};
 // CMake file that builds an overlay beside the framework in this project; packages leave it out.
 constexpr std::string_view kWholeKit = "WholeKit.cmake";
+
+// What ./check goes through.
+constexpr std::string_view kDescription = "check.json";
 
 /// Collects the files of a student's package.
 class Package {
@@ -58,7 +62,10 @@ private:
         }
         collect((data_ / exercise_.stubs).parent_path(), data_ / exercise_.stubs, files);
         for (const auto& [name, file] : files)
-            if (!name.ends_with(kWholeKit)) zip_.addFile(root_ + name, file);
+            if (name == kDescription)
+                zip_.add(root_ + name, withEveryTask(readWhole(file), exercise_));
+            else if (!name.ends_with(kWholeKit))
+                zip_.addFile(root_ + name, file);
     }
 
     /// True for what students write themselves, and for the public tests of another exercise.

@@ -56,6 +56,7 @@ endif()
 set(passes ON)
 set(passed "")      # tasks of which every test passes
 set(attempted "")   # tasks of which tests had something to ask
+set(untested "")    # tasks that no public test asks
 set(crashed "")     # a suite
 set(details "")
 set(summary "")
