@@ -1,48 +1,63 @@
-#include <raytracer/base/Error.h>
 #include <raytracer/base/Unfinished.h>
 
-#include <array>
 #include <atomic>
+#include <deque>
 #include <mutex>
 #include <string>
 
 namespace raytracer {
 namespace {
 
-/// A task, and the remark that its stub left.
+/// A task whose stub has been called, and the remark that it left.
 struct Stub {
-    std::string_view task;
-    std::atomic<bool> called{false};
-    std::mutex mutex{};
-    std::string remark{};
+    std::string task;
+    std::string remark;
+    const Stub* next = nullptr;
 };
 
-Stub& stubOf(std::string_view task) {
-    static std::array<Stub, 8> stubs{
-        {{"M1"}, {"M2"}, {"M3.1"}, {"M3.2"}, {"M4"}, {"T1"}, {"T2.1"}, {"T2.2"}}};
-    for (Stub& stub : stubs)
-        if (stub.task == task) return stub;
-    throw Error("there is no task " + std::string(task) + ": Unfinished.cpp lists the tasks");
+/// The stubs that have been called. They are called for every ray: only the first call of each
+/// takes the lock, the others read a list that grows at its head and never shrinks.
+class CalledStubs {
+public:
+    [[nodiscard]] const Stub* find(std::string_view task) const {
+        const Stub* stub = first_.load(std::memory_order_acquire);
+        while (stub != nullptr && stub->task != task)
+            stub = stub->next;
+        return stub;
+    }
+
+    void add(std::string_view task, std::string_view hint) {
+        const std::lock_guard lock{mutex_};
+        if (find(task) != nullptr) return;
+        const std::string name{task};
+        stubs_.push_back({name, name + " is not done yet: " + std::string(hint), first_.load()});
+        first_.store(&stubs_.back(), std::memory_order_release);
+    }
+
+private:
+    std::atomic<const Stub*> first_{nullptr};
+    std::mutex mutex_;
+    std::deque<Stub> stubs_;  // which moves none
+};
+
+CalledStubs& calledStubs() {
+    static CalledStubs stubs;
+    return stubs;
 }
 
 }  // namespace
 
 void unfinished(std::string_view task, std::string_view hint) {
-    Stub& stub = stubOf(task);
-    // Stubs are called for every ray: only the first call takes the lock.
-    if (stub.called.load(std::memory_order_relaxed) || stub.called.exchange(true)) return;
-    const std::lock_guard lock{stub.mutex};
-    stub.remark = std::string(task) + " is not done yet: " + std::string(hint);
+    if (calledStubs().find(task) == nullptr) calledStubs().add(task, hint);
 }
 
 bool isUnfinished(std::string_view task) {
-    return stubOf(task).called.load();
+    return calledStubs().find(task) != nullptr;
 }
 
 std::string unfinishedRemark(std::string_view task) {
-    Stub& stub = stubOf(task);
-    const std::lock_guard lock{stub.mutex};
-    return stub.remark;
+    const Stub* stub = calledStubs().find(task);
+    return stub == nullptr ? "" : stub->remark;
 }
 
 }  // namespace raytracer

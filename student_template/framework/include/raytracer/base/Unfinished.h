@@ -11,7 +11,6 @@ namespace raytracer {
 ///
 /// @param task  Tag as in the handout: "M1", "T2.1".
 /// @param hint  What must be written in its place.
-/// @throws Error for any other task.
 void unfinished(std::string_view task, std::string_view hint);
 
 /// True once `unfinished` has been called for that task in this program.
