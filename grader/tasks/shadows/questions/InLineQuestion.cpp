@@ -8,6 +8,10 @@ constexpr int kPointsInShadow = 8;
 constexpr int kPointsInLight = 4;
 constexpr int kFloorInLine = 4;  // index of the floor, after four spheres
 
+// From the middle of the shadow, world units. Where the light leans over the floor by half a radian
+// the penumbra, of a light a third larger, ends at 2.03.
+constexpr double kBesideShadow = 2.2;
+
 }  // namespace
 
 ShadowQuestion drawInLine(Draw& draw) {
@@ -48,7 +52,7 @@ ShadowQuestion drawInLine(Draw& draw) {
         addPoint(foot + sides.first * x + sides.second * draw.between(-0.06, 0.06));
     }
     for (int i = 0; i < kPointsInLight; ++i)
-        addPoint(foot + sides.first * (i % 2 == 0 ? 1.8 : -1.8) +
+        addPoint(foot + sides.first * (i % 2 == 0 ? kBesideShadow : -kBesideShadow) +
                  sides.second * draw.between(-0.3, 0.3));
     setCapacity(drawn);
     return drawn;
