@@ -10,43 +10,40 @@ namespace raytracer {
 
 namespace {
 
-struct Quaternion {
+struct Quat {
     double w;
     Vector3 v;
-    Quaternion operator*(const Quaternion& o) const {
+
+    static Quat about(const Vector3& axis, double angle) {
+        return {std::cos(angle / 2), axis * std::sin(angle / 2)};
+    }
+    Quat operator*(const Quat& o) const {
         return {w * o.w - v.dot(o.v), w * o.v + o.w * v + v.cross(o.v)};
     }
-    Vector3 rotate(const Vector3& p) const {
-        const Vector3 t = 2.0 * v.cross(p);
-        return p + w * t + v.cross(t);
-    }
+    Quat conj() const { return {w, -v}; }
+    Vector3 turn(const Vector3& p) const { return ((*this) * Quat{0.0, p} * conj()).v; }
 };
-
-Quaternion aboutAxis(const Vector3& axis, double angle) {
-    return {std::cos(angle / 2), axis * std::sin(angle / 2)};
-}
 
 }  // namespace
 
 Vector3 BumpySphere::getNormalAt(const Vector3& position) const {
     // TASK T1 begin
-    const Vector3 out = (position - centre()) * (1.0 / radius());
-    const double yaw = std::atan2(out.x, -out.z);
-    const double pitch = std::atan2(out.y, std::hypot(out.x, out.z));  // latitude
-    // Front of the sphere: right is +x, down is -y, outwards is -z.
-    const Quaternion turn = aboutAxis({0, 1, 0}, -yaw) * aboutAxis({1, 0, 0}, pitch);
+    using std::numbers::pi;
+    const Vector3 n = Sphere::getNormalAt(position);
+    const double phi = std::atan2(n.x, -n.z);
+    const double theta = std::acos(std::clamp(n.y, -1.0, 1.0));
 
-    const HeightMap& map = heightMap();
-    const int w = map.width(), h = map.height();
-    int i = static_cast<int>(w * (yaw + std::numbers::pi) / (2 * std::numbers::pi));
-    int j = static_cast<int>(h * (0.5 - pitch / std::numbers::pi));
-    if (i >= w) i = w - 1;
-    if (i < 0) i = 0;
-    if (j >= h) j = h - 1;
-    if (j < 0) j = 0;
-    const double slopeRight = map.at((i + 1) % w, j) - map.at(i, j);
-    const double slopeDown = j + 1 < h ? map.at(i, j + 1) - map.at(i, j) : 0.0;
-    return turn.rotate(Vector3(-slopeRight, slopeDown, -1.0)).normalised();
+    const auto& m = heightMap();
+    const int col = static_cast<int>(std::lround((phi / (2 * pi) + 0.5) * (m.width() - 1)));
+    const int row = static_cast<int>(std::lround(theta / pi * (m.height() - 1)));
+    const double slopeRight = m.at((col + 1) % m.width(), row) - m.at(col, row);
+    const double slopeDown = row + 1 < m.height() ? m.at(col, row + 1) - m.at(col, row) : 0.0;
+
+    // At the north pole (0, 1, 0), facing longitude 0: right is +x, "down the map" is -z.
+    const Vector3 bumpedPole(-slopeRight, 1.0, slopeDown);
+    // Lean the pole over by theta towards -z, then carry it round by phi.
+    const Quat q = Quat::about({0, 1, 0}, -phi) * Quat::about({1, 0, 0}, -theta);
+    return q.turn(bumpedPole).normalised();
     // TASK T1 end
 }
 

@@ -1,6 +1,4 @@
 // Option 2, tasks T2.1 and T2.2: soft shadows and depth of field.
-// Fill in what stands between the TASK marks.
-#include <raytracer/base/Unfinished.h>
 #include <raytracer/math/Random.h>
 #include <raytracer/render/Renderer.h>
 
@@ -28,15 +26,15 @@ ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, co
                                    (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
 
         // TASK T2.1 begin
-        int free = 0;
-        for (int k = 0; k < settings().shadowRayCount; k++) {
-            Vector3 spot = light.position() + settings().lightSize * Vector3::randomInsideUnitSphere();
-            Vector3 way = spot - P;
-            auto hit = scene.findClosestIntersection(Ray{P + N * kShadowBias, way.normalised()});
-            if (!hit.has_value() || hit->distance >= way.magnitude()) free++;
+        int arrived = 0;
+        for (int i = 0; i < settings().shadowRayCount; ++i) {
+            const Vector3 aim = light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize;
+            const Vector3 start = P + N * kShadowBias;
+            const Vector3 way = aim - start;
+            const auto hit = scene.findClosestIntersection({start, way.normalised()});
+            if (!hit || hit->distance >= way.magnitude()) ++arrived;
         }
-        double lit = double(free) / settings().shadowRayCount;
-        colour += diffuse * lit + specular * lit;
+        colour += (diffuse + specular) * (static_cast<double>(arrived) / settings().shadowRayCount);
         // TASK T2.1 end
     }
     return colour;
@@ -47,16 +45,18 @@ Image Renderer::render(const Scene& scene) const {
     Image image{settings()};
     forEachPixel(image, [&](int x, int y) {
         // TASK T2.2 begin
-        const Ray straight = camera.castRay(x, y);
-        const Vector3 aim = straight.direction * (settings().dofFocalPlane / straight.direction.z);
+        const Ray ray = camera.castRay(x, y);
+        const Vector3 focal = ray.direction * (settings().dofFocalPlane / ray.direction.z);
         int bounces = settings().bounces;
-        ColourRGB total{0.0};
-        for (int k = 0; k < settings().dofRayCount; k++) {
-            Vector3 eye(settings().dofAmount * randomBetween(-1, 1),
-                        settings().dofAmount * randomBetween(-1, 1), 0);
-            total += trace(scene, Ray(eye, (aim - eye).normalised()), bounces > 0 ? bounces-- : 0);
+        ColourRGB sum;
+        for (int i = 0; i < settings().dofRayCount; ++i) {
+            const double a = settings().dofAmount;
+            const double dx = randomBetween(-a, a);
+            const double dy = randomBetween(-a, a);
+            const Vector3 start = ray.origin + Vector3{dx, dy, 0};
+            sum += trace(scene, Ray{start, (focal - start).normalised()}, bounces--);
         }
-        image.set(x, y, total * (1.0 / settings().dofRayCount));
+        image.set(x, y, sum / settings().dofRayCount);
         // TASK T2.2 end
     });
     return image;
