@@ -26,8 +26,14 @@ struct AskedHit {
 
 /// Nothing: no hit.
 using Distance = std::optional<double>;
+inline constexpr const char* kBehindCameraHint =
+    "What lies behind the camera is hit as well, since shadow rays and mirrored rays go there: "
+    "compare s alone, and no z.";
 [[nodiscard]] inline Distance ifAhead(double distance) {
     return distance > 0.0 ? Distance{distance} : Distance{};
+}
+[[nodiscard]] inline Distance ifBeforeCamera(const Ray& ray, const Distance& distance) {
+    return distance && ray.evaluateAt(*distance).z >= 0.0 ? distance : Distance{};
 }
 
 /// A known mistake in the distance: its name, what it answers, and what mends it.

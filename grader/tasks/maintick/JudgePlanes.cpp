@@ -73,8 +73,10 @@ TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
     SceneDescription scene;
     std::vector<AskedHit> asked;
     for (int i = 0; i < 5; ++i) {
+        // The last two lie behind the camera, where mirrors and lights look.
+        const double side = i < 3 ? 1.0 : -1.0;
         const Vector3 point{draw.between(-3.0, 3.0), draw.between(-3.0, 3.0),
-                            draw.between(2.0, 6.0)};
+                            side * draw.between(2.0, 6.0)};
         scene.planes.push_back({point, draw.direction() * draw.between(0.5, 3.0), {}});
     }
     for (const Place place : {Place::outside, Place::inside, Place::behind, Place::longDirection})

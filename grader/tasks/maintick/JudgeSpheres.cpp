@@ -83,8 +83,10 @@ TaskJudgement judgeSpheres(probe::Examinee& examinee, std::uint64_t seed) {
     SceneDescription scene;
     std::vector<AskedHit> asked;
     for (const double radius : {2.0, 0.35, 1.3, 0.6, 2.4}) {
+        // The last two lie behind the camera, where mirrors and lights look.
+        const double side = scene.spheres.size() < 3 ? 1.0 : -1.0;
         const Vector3 centre{draw.between(-3.0, 3.0), draw.between(-3.0, 3.0),
-                             draw.between(2.0, 6.0)};
+                             side * draw.between(2.0, 6.0)};
         scene.spheres.push_back({centre, radius * draw.between(0.9, 1.1), {}, nullptr});
     }
     for (const Start& start : kStarts)

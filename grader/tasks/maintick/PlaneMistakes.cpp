@@ -28,6 +28,10 @@ Distance met(const raytracer::SceneDescription& scene, int object, const Ray& ra
                           first.point.dot(first.normal.normalised())});
 }
 
+Distance planeBeforeCamera(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
+    return ifBeforeCamera(ray, met<[](const F& f) { return ifAhead(f.s()); }>(scene, object, ray));
+}
+
 constexpr HitMistake kPlaneMistakes[] = {
     {&kPlaneDistance, met<[](const F& f) { return ifAhead(-f.s()); }>,
      "The sign is wrong: s = (Q - O).N / D.N, from the origin of the ray to the plane."},
@@ -61,6 +65,7 @@ constexpr HitMistake kPlaneMistakes[] = {
     {&kPlaneDistance, met<[](const F& f) { return ifAhead((f.ofFirst - f.ofOrigin) / f.slope); }>,
      "The point of another plane is used here: a static or global variable keeps the first. Work "
      "everything out in each call."},
+    {&kPlaneMissed, planeBeforeCamera, kBehindCameraHint},
     {&kPlaneMissed, met<[](const F& f) { return f.hitIf(f.s() <= 1000.0); }>,
      "A limit cuts far hits off: every positive s is a hit, however large it is."},
     {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.01 <= std::abs(f.slope)); }>,

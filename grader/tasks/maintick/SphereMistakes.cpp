@@ -60,6 +60,10 @@ Distance withoutOrigin(const SceneDescription& scene, int object, const Ray& ray
     return quadraticOf(scene, object, {{}, ray.direction}).hit();
 }
 
+Distance sphereBeforeCamera(const SceneDescription& scene, int object, const Ray& ray) {
+    return ifBeforeCamera(ray, quadraticOf(scene, object, ray).hit());
+}
+
 constexpr const char* kSmallerRoot =
     "From inside one root is negative and lies behind the ray, however small it is: look at signs, "
     "not at sizes. Take (-b - root) / (2 a) where it is positive, else (-b + root) / (2 a).";
@@ -122,6 +126,14 @@ constexpr HitMistake kSphereMistakes[] = {
      }>,
      "The radius of another sphere is used here: a static or global variable keeps the first. Work "
      "everything out in each call."},
+    {&kSphereMissed, chosen<[](const Q& q) {
+         return 1.0 <= q.near()  ? Distance{q.near()}
+                : 1.0 <= q.far() ? Distance{q.far()}
+                                 : Distance{};
+     }>,
+     "Hits nearer than 1 count as well: the image plane is no limit, and most rays do not start at "
+     "the camera."},
+    {&kSphereMissed, sphereBeforeCamera, kBehindCameraHint},
     {&kSphereMissed,
      solved<[](const Q& q) { return Distance{1000.0} < q.hit() ? Distance{} : q.hit(); }>,
      "A limit cuts far hits off: every positive s is a hit, however large it is."},

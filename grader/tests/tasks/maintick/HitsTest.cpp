@@ -90,6 +90,18 @@ TEST(JudgeHits, AsksTwoThousandAwayButNoFarther) {
     }
 }
 
+// Mirrors and lights look there, too.
+TEST(JudgeHits, AsksOnBothSidesOfTheCameraUnderEverySeed) {
+    const Change dropped = [](probe::Hit& hit, const Asked&, const probe::CastRay&) {
+        if (hit.location.z < 0.0) hit.isHit = false;
+    };
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        AltersHits examinee{dropped};
+        expectOne(judgeSpheres(examinee, seed).findings, "sphere.missed", "behind the camera");
+        expectOne(judgePlanes(examinee, seed).findings, "plane.missed", "behind the camera");
+    }
+}
+
 TEST(JudgeHits, NotesOtherLocationsOfLongDirectionsWithoutFailing) {
     const Change moved = [](probe::Hit& hit, const Asked&, const probe::CastRay& ray) {
         if (isLong(ray)) hit.location = hit.location + Vector3{0.1, 0.0, 0.0};

@@ -50,6 +50,7 @@ TEST(PlaneMistakes, AnswerWhatTheirCodeWould) {
         {kPasses, 5.0, 4.0},        // |D.N|
         {4.0, 4.0, kPasses},        // the height above the plane
         {kPasses, 21.25, kPasses},  // the first plane's point
+        {5.0, 5.0, kPasses},        // nothing behind the camera
         {5.0, 5.0, kPasses},        // a limit of what is far,
         {5.0, 5.0, kPasses},        // of the slope,
         {5.0, 5.0, kPasses},        // and of what is near

@@ -66,6 +66,8 @@ TEST(SphereMistakes, AnswerWhatTheirCodeWould) {
         {5.0, 1.0, kMiss, kMiss},  // no root at all
         {3.0, 7.0, kMiss, kMiss},  // of the location, from the world's origin
         {4.0, 2.0, kMiss, kMiss},  // the first radius
+        {3.0, 3.0, kMiss, kMiss},  // nothing nearer than 1
+        {3.0, 3.0, kMiss, kMiss},  // nothing behind the camera
         {3.0, 3.0, kMiss, kMiss},  // a limit of what is far,
         {3.0, 3.0, kMiss, kMiss},  // of what is near,
         {3.0, 3.0, kMiss, kMiss},  // and of the discriminant
