@@ -1,11 +1,15 @@
 #include <grader/tasks/maintick/LitSetups.h>
 
+#include <algorithm>
+#include <initializer_list>
 #include <numbers>
 
 namespace ticker::tasks::maintick {
 namespace {
 
 using raytracer::Material;
+
+enum class Side : std::uint8_t { behind, inFront };
 
 Vector3 towardsLightOf(const LitSetup& setup, std::size_t light) {
     return (setup.scene.pointLights[light].position() - setup.P).normalised();
@@ -19,6 +23,12 @@ void viewAt(Draw& draw, LitSetup& setup, double cosine) {
     const Vector3 side = sides.first * std::cos(around) + sides.second * std::sin(around);
     const Vector3 V = mirrored * cosine + side * std::sqrt(1.0 - cosine * cosine);
     setup.O = setup.P + V * draw.between(1.7, 4.0);
+}
+
+/// R.V
+double highlightOf(const LitSetup& setup, std::size_t light) {
+    const Vector3 R = towardsLightOf(setup, light).reflectIn(setup.N);
+    return R.dot((setup.O - setup.P).normalised());
 }
 
 /// N.V
@@ -70,6 +80,26 @@ LitQuestion several(Draw& draw, int lights) {
     return question;
 }
 
+/// Lights behind the surface and in front of it, as `places` has them from the first light on. R.V
+/// is negative for those behind, so that it does not matter whether they may have highlights, and
+/// positive for the others.
+LitQuestion oneBehind(Draw& draw, std::initializer_list<Side> places) {
+    constexpr double kOffEdge = 0.1;
+    while (true) {
+        LitQuestion question{LitKind::several, drawPoint(draw)};
+        LitSetup& setup = question.setup;
+        for (const Side side : places)
+            addLightAt(draw, setup, draw.between(0.35, 0.9) * (side == Side::behind ? -1.0 : 1.0),
+                       draw.between(1.5, 3.0), 110.0);
+        setup.O = setup.P + draw.directionAround(setup.N, 0.8) * draw.between(1.7, 4.0);
+        const auto isOffEdge = [&, light = std::size_t{0}](Side side) mutable {
+            const double highlight = highlightOf(setup, light++);
+            return side == Side::behind ? highlight < -kOffEdge : highlight > kOffEdge;
+        };
+        if (std::all_of(places.begin(), places.end(), isOffEdge)) return question;
+    }
+}
+
 }  // namespace
 
 LitSetup drawPoint(Draw& draw) {
@@ -108,6 +138,10 @@ std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
     addLight(draw, bright.setup, 1.2, 400.0);
     asked.push_back(bright);
     asked.push_back(lit(draw, LitKind::far, 120.0));
+    using enum Side;
+    asked.push_back(oneBehind(draw, {behind, inFront}));
+    asked.push_back(oneBehind(draw, {behind, inFront, inFront}));
+    asked.push_back(oneBehind(draw, {inFront, behind, inFront}));
     return asked;
 }
 

@@ -29,6 +29,23 @@ double unclampedMirrored(const Terms& t) {
     return t.L.reflectIn(t.setup.N).dot(t.V);
 }
 
+/// Nothing of this light and of those after it, once `ends` holds for one of them.
+template <class Ends>
+void endAt(Terms& t, std::size_t lights, const Ends& ends) {
+    for (std::size_t i = 0; i < lights; ++i) {
+        const Vector3 path = t.setup.scene.pointLights[i].position() - t.setup.P;
+        if (ends(path.normalised())) t.ownDiffuse = t.ownSpecular = {};
+    }
+}
+
+void endAtLightBehind(Terms& t) {
+    endAt(t, t.light + 1, [&](const Vector3& L) { return t.setup.N.dot(L) <= 0.0; });
+}
+
+void endAfterLightWithoutHighlight(Terms& t) {
+    endAt(t, t.light, [&](const Vector3& L) { return L.reflectIn(t.setup.N).dot(t.V) <= 0.0; });
+}
+
 constexpr PhongMistake kPhongMistakes[] = {
     {&kPhongUnlit, Step::colour, [](Terms& t) { t.colour = t.material.colour; }},
     {&kPhongUnlit, Step::colour, [](Terms& t) { t.colour = t.ambient; }},
@@ -145,6 +162,12 @@ constexpr PhongMistake kPhongMistakes[] = {
          if (t.light > 0) t.ownDiffuse = t.ownSpecular = {};
      },
      "Only the first light counts: a return or break stands inside of the loop."},
+    {&kPhongLights, Step::light, endAtLightBehind,
+     "A light behind the surface (N.L <= 0) ends the loop, and later lights are lost: go on with "
+     "the next one (continue, not break or return)."},
+    {&kPhongLights, Step::light, endAfterLightWithoutHighlight,
+     "A light without a highlight (R.V <= 0) ends the loop, and later lights are lost: go on with "
+     "the next one (continue, not break or return)."},
     {&kPhongLights, Step::light, [](Terms& t) { t.diffuse = t.specular = {}; },
      "Only the last light counts: add its terms (+=) instead of assigning them (=)."},
     {&kPhongLights, Step::colour,

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace ticker::tasks {
@@ -66,6 +67,31 @@ TEST(MainTickQuestions, LightTheFrontOfASurfaceThatIsSeenFromBehind) {
             if (L.dot(N) > 0.2 && V.dot(N) < -0.2 && L.reflectIn(N).dot(V) < -0.2) ++count;
         }
         EXPECT_EQ(count, 2) << seed;
+    }
+}
+
+// Accepted readings differ in what a light behind the surface adds to a highlight.
+TEST(MainTickQuestions, HaveLightsBehindTheSurfaceBeforeOnesInFront) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        int count = 0;
+        for (const LitQuestion& one : drawLitQuestions(seed)) {
+            if (one.kind != LitKind::several) continue;
+            const auto& [scene, P, N, O] = one.setup;
+            const Vector3 V = (O - P).normalised();
+            bool isBehind = false;
+            for (const raytracer::PointLight& light : scene.pointLights) {
+                const Vector3 L = (light.position() - P).normalised();
+                EXPECT_GT(std::abs(N.dot(L)), 0.2) << seed;
+                if (N.dot(L) < 0.0) {
+                    EXPECT_LT(L.reflectIn(N).dot(V), -0.05) << seed;
+                    isBehind = true;
+                } else if (isBehind) {
+                    ++count;
+                    EXPECT_GT(L.reflectIn(N).dot(V), 0.05) << seed;
+                }
+            }
+        }
+        EXPECT_GE(count, 3) << seed;
     }
 }
 

@@ -1,4 +1,4 @@
-#include <grader/tasks/maintick/PhongModel.h>
+#include <grader/tests/tasks/maintick/LitMistakes.h>
 
 #include <gtest/gtest.h>
 
@@ -9,65 +9,6 @@
 
 namespace ticker::tasks::maintick {
 namespace {
-
-/// The rows of phongMistakes() in their order, after the right way.
-enum class LitMistake : std::size_t {
-    none,
-    flat,
-    lightsMissing,
-    ambientMissing,
-    ambientPerLight,
-    ambientTimesKd,
-    ambientColourless,
-    diffuseMissing,
-    diffuseColourless,
-    diffuseWithoutI,
-    diffuseWithoutKd,
-    diffuseLightTwice,
-    specularMissing,
-    specularObjectColour,
-    specularLightOnce,
-    specularWithoutI,
-    specularWithoutKs,
-    specularAlphaMissing,
-    specularPowerOfAll,
-    coefficientsExchanged,
-    halfVector,
-    viewFromCamera,
-    viewReversed,
-    mirrorOfView,
-    viewNotUnit,
-    viewIsO,
-    cosineOfNandV,
-    cosineOfLandV,
-    lightNotUnit,
-    lightReversed,
-    lightFromWorldOrigin,
-    facingUnclamped,
-    facingAbsolute,
-    mirroredUnclamped,
-    mirroredAbsolute,
-    bothUnclamped,
-    normalTurned,
-    defaultCoefficients,
-    farLightsMissing,
-    lastHighlightOnly,
-    falloffMissing,
-    falloffLinear,
-    falloffSquaredAgain,
-    falloffFromViewer,
-    falloffFromOrigin,
-    fourPiMissing,
-    firstLightOnly,
-    lastLightOnly,
-    averaged,
-    clamped
-};
-
-ColourRGB phongOf(LitMistake mistake, const LitSetup& setup) {
-    const auto row = static_cast<std::size_t>(mistake);
-    return phong(setup, row == 0 ? nullptr : &phongMistakes()[row - 1]);
-}
 
 // By hand, in the red channel: kd = 0.5, ks = 0.75, alpha = 2, N.L = 0.6, R.V = 0.8, and the light,
 // of colour 0.5, arrives as I = 2 from a distance of 2.
@@ -232,6 +173,24 @@ TEST(PhongModel, GivesEveryMistakeItsSumOfTwoLights) {
                       {farLightsMissing, A, isFar ? kDiffusePart : D, isFar ? kSpecularPart : S},
                       {clamped, 1.0, 0.0, 0.0}});
     }
+}
+
+TEST(PhongModel, LosesTheLightsAfterOneThatEndsTheLoop) {
+    using enum LitMistake;
+    const auto withSecondAlong = [](LitSetup setup, const Vector3& way) {
+        setup.scene.pointLights.emplace_back(kP + way, ColourRGB{0.5}, 4.0 * std::numbers::pi);
+        return setup;
+    };
+    // The first light behind: N.L = -0.6, R.V = -0.8. The second is in front of the viewer's side.
+    expectWorked(withSecondAlong(litByHand(-kUp, -kTowardsViewer), -kUp),
+                 {{none, kAmbientPart, kDiffuseAbove, kSpecularAbove},
+                  {endsAtLightBehind, kAmbientPart, 0.0, 0.0},
+                  {endsWithoutHighlight, kAmbientPart, 0.0, 0.0}});
+    // Both lights in front, without a highlight: N.L = 0.6 and 1, R.V = -0.8 and -0.96.
+    expectWorked(withSecondAlong(litByHand(kUp, -kTowardsViewer), kUp),
+                 {{none, kAmbientPart, kDiffusePart + kDiffuseAbove, 0.0},
+                  {endsAtLightBehind, kAmbientPart, kDiffusePart + kDiffuseAbove, 0.0},
+                  {endsWithoutHighlight, kAmbientPart, kDiffusePart, 0.0}});
 }
 
 TEST(PhongModel, AveragesNoLightsToAmbientLight) {
