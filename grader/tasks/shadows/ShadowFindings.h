@@ -99,9 +99,9 @@ inline constexpr FindingText kShadowBeyondLight{
     .meaning = "an object behind the light shadows",
     .hint =
         "An object casts a shadow only if it is nearer than the light: compare the distance of the "
-        "hit with that of the point that the ray aims at, (target - start).magnitude(). The "
-        "distance of a hit counts in lengths of the ray's direction, so give that unit length; and "
-        "ask with < or >, since two doubles are hardly ever equal (==).",
+        "hit with that of the point that the ray aims at, (target - start).magnitude(), both plain "
+        "or both squared. The distance of a hit counts in lengths of the ray's direction, so give "
+        "that unit length; and ask with < or >, since two doubles are hardly ever equal (==).",
     .section = "Soft shadows (T2.1), step 1"};
 
 inline constexpr FindingText kShadowPointJittered{

@@ -15,6 +15,7 @@ struct NamedArithmetic {
     ShadowArithmetic arithmetic;
     const FindingText* text;
     const char* seen;
+    const char* hint = nullptr;  ///< instead of the finding's own
 };
 
 constexpr std::array kMistakes{
@@ -26,7 +27,11 @@ constexpr std::array kMistakes{
                     "it where every ray arrives and none elsewhere."},
     NamedArithmetic{ShadowArithmetic::litIfAny, &kShadowAllOrNothing,
                     "At the edge of a shadow a fraction of the light was expected; there is all of "
-                    "it as soon as one ray arrives."},
+                    "it as soon as one ray arrives.",
+                    "The share must be a fraction: the number of rays that arrive, divided by the "
+                    "number of all rays that are cast, the blocked ones as well. A sum over the "
+                    "rays is divided by settings().shadowRayCount, not by the number of those that "
+                    "arrive; and a yes or no is no number of rays."},
     NamedArithmetic{ShadowArithmetic::litIfHalf, &kShadowAllOrNothing,
                     "At the edge of a shadow a fraction of the light was expected; there is all of "
                     "it where more than half of the rays arrive and none elsewhere."},
@@ -39,7 +44,13 @@ constexpr std::array kMistakes{
                     "At the edge of a shadow a fraction of the highlight was expected; it is there "
                     "in full as soon as one ray arrives."},
     NamedArithmetic{ShadowArithmetic::diffuseUnshadowed, &kShadowDiffuseUnshadowed,
-                    "In shadow no diffuse light was expected; the diffuse term is there in full."}};
+                    "In shadow no diffuse light was expected; the diffuse term is there in full."},
+    NamedArithmetic{ShadowArithmetic::meanOverArrived, &kShadowAllOrNothing,
+                    "At the edge of a shadow a fraction of the light was expected; the sum over "
+                    "the rays is divided by the number of rays that arrive, so that a point which "
+                    "sees any of the light has all of it.",
+                    "Divide the sum by the number of all rays that are cast, the blocked ones as "
+                    "well: settings().shadowRayCount, not the number of those that arrive."}};
 
 // State of a point that lies in full light or full shadow of every light, from geometry.
 std::optional<ColourRGB> knownColour(const PointLog& point,
@@ -87,7 +98,9 @@ Finding findingOf(ShadowArithmetic arithmetic) {
     const auto* mistake =
         std::find_if(kMistakes.begin(), kMistakes.end(),
                      [&](const NamedArithmetic& known) { return known.arithmetic == arithmetic; });
-    return distributedFinding(*mistake->text, Severity::fail, mistake->seen);
+    Finding finding = distributedFinding(*mistake->text, Severity::fail, mistake->seen);
+    if (mistake->hint) finding.hint = mistake->hint;
+    return finding;
 }
 
 const std::vector<ShadowArithmetic>& namedMistakes() {

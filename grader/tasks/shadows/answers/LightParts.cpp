@@ -56,6 +56,7 @@ LightParts partsOf(const Setting& at, std::span<const AimLine> lines) {
     const bool sameForAll = at.reading.phong == Phong::central;
     SampleTerms terms = sameForAll ? centralTerms(at) : SampleTerms{};
     LightParts parts;
+    parts.ray = weight;
     for (const AimLine& line : lines) {
         if (!sameForAll) terms = termsOf(at, line);
         parts.fullDiffuse += terms.diffuse * weight;

@@ -33,6 +33,7 @@ struct LightParts {
     Range litSpecular;
     double lowShare = 0.0;
     double highShare = 0.0;
+    double ray = 1.0;  ///< share of one ray
 };
 
 /// One point, one light, one reading: input of the functions below.

@@ -20,6 +20,15 @@ Range decided(const Range& full, bool surely, bool possibly) {
     return {surely ? full.low : ColourRGB{}, possibly ? full.high : ColourRGB{}};
 }
 
+// The light of the rays that arrive, divided by their number. If none surely does, the least number
+// is one ray.
+Range meanOver(const LightParts& parts, const Range& lit) {
+    if (!(parts.highShare > 0.0)) return {};
+    const double least = std::max(parts.lowShare, parts.ray);
+    return {parts.lowShare > 0.0 ? lit.low * (1.0 / parts.highShare) : ColourRGB{},
+            lit.high * (1.0 / least)};
+}
+
 Range addedBy(const LightParts& parts, const ColourRGB& ambient, ShadowArithmetic arithmetic) {
     constexpr double kAll = 1.0 - 1e-9;
     Range full = parts.fullDiffuse;
@@ -50,6 +59,8 @@ Range addedBy(const LightParts& parts, const ColourRGB& ambient, ShadowArithmeti
             return decided(full, parts.lowShare > 1e-9, parts.highShare > 1e-9);
         case ShadowArithmetic::litIfHalf:
             return decided(full, parts.lowShare > 0.5 + 1e-9, parts.highShare > 0.5 - 1e-9);
+        case ShadowArithmetic::meanOverArrived:
+            return meanOver(parts, lit);
         case ShadowArithmetic::right:
         case ShadowArithmetic::ambientForEachLight:
         case ShadowArithmetic::endless:

@@ -36,7 +36,8 @@ enum class ShadowArithmetic {
     endless,   ///< objects behind the light block rays
     litIfAll,  ///< all or nothing
     litIfAny,
-    litIfHalf
+    litIfHalf,
+    meanOverArrived  ///< the sum is divided by the number of rays that arrive
 };
 
 /// Recomputes the colour of a point from its logged rays and compares. Rays that rounding decides

@@ -4,6 +4,8 @@
 #include <grader/tasks/shadows/checks/HighlightCheck.h>
 #include <grader/tasks/support/FindingOrder.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -104,6 +106,45 @@ struct Lengths {
     }
 };
 
+/// Whether the highlight is the same number of times what it should be, at every point.
+struct Times {
+    std::optional<double> factor = {};
+    bool even = true;
+
+    void look(const Parts& seen, double expected) {
+        constexpr double kDim = 1e-3;
+        constexpr double kSame = 0.01;
+        if (expected < kDim) {
+            even = even && std::abs(seen.highlight) < kDim * kSame + 1e2 * expected;
+            return;
+        }
+        const double times = seen.highlight / expected;
+        if (!factor) factor = times;
+        even = even && std::abs(times - *factor) <= kSame * std::max(1.0, std::abs(*factor));
+    }
+    void explain(Finding& finding) const {
+        if (!even || !factor) return;
+        const double rays = raytracer::RenderSettings{}.shadowRayCount;
+        const auto isAbout = [&](double times) { return std::abs(*factor / times - 1.0) < 0.02; };
+        finding.evidence.emplace_back("highlightTimes", *factor);
+        if (std::abs(*factor) < 0.01) {
+            finding.message += " It is missing everywhere.";
+            return;
+        }
+        finding.message +=
+            fmt::format(" It is {:.3g} times what it should be, at every point.", *factor);
+        if (isAbout(rays))
+            finding.hint =
+                "The highlight is the sum over n rays, not their mean: divide it by their number, "
+                "as the diffuse light is: (diffuse + specular) / n for each ray that arrives, or "
+                "(diffuse + specular) * share once.";
+        else if (isAbout(1.0 / rays))
+            finding.hint =
+                "The highlight is divided by the number of rays twice: it is divided once, as the "
+                "diffuse light is: (diffuse + specular) * share.";
+    }
+};
+
 }  // namespace
 
 std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs) {
@@ -113,6 +154,7 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
     Parts worst;
     double expected = 0.0;
     Lengths lengths;
+    Times times;
     for (const ShadowLog* log : logs)
         for (const PointLog& point : log->points) {
             const std::optional<double> share = shareAt(point);
@@ -122,6 +164,7 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
             ++points;
             const double here = *share * seen->fullHighlight;
             lengths.look(*seen, here);
+            times.look(*seen, here);
             if (std::abs(seen->highlight - here) <= std::abs(worst.highlight - expected)) continue;
             worst = *seen;
             expected = here;
@@ -137,6 +180,7 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
         "object.phongAlpha() and multiplied by object.phongKS(). The share of the light that "
         "arrives scales this term once, as it does the diffuse one.";
     lengths.explain(finding);
+    times.explain(finding);
     finding.evidence.emplace_back("highlightExpected", expected);
     finding.evidence.emplace_back("highlightSeen", worst.highlight);
     return finding;

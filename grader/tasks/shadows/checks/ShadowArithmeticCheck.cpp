@@ -1,5 +1,6 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
+#include <grader/tasks/shadows/checks/ExplainedShadows.h>
 #include <grader/tasks/shadows/checks/HighlightCheck.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/UnexplainedShadows.h>
@@ -138,6 +139,7 @@ ArithmeticVerdict checkArithmetic(const ShadowLogs& logs) {
     }
     verdict.finding = rest ? rest : knownMistake(logs.oneLight);
     if (!verdict.finding) verdict.finding = highlightAlone(logs.oneLight);
+    if (!verdict.finding) verdict.finding = explainedShadows(logs.oneLight);
     if (!verdict.finding) verdict.finding = unexplainedWithOneLight(logs.oneLight);
     return verdict;
 }

@@ -23,6 +23,21 @@ bool faces(const PointLog& point, const raytracer::PointLight& light) {
     return towards.dot(point.point.normal) > 0.05;
 }
 
+Finding fewRays(std::size_t asked, std::size_t fewest) {
+    Finding finding = distributedFinding(
+        kShadowTooFewRays, Severity::fail,
+        fmt::format("{} shadow rays for each point and light were expected; at some points there "
+                    "are {}.",
+                    asked, fewest));
+    if (fewest == 0)
+        finding.hint =
+            "Every point that the light can reach needs rays of its own in each call: keep no "
+            "share from another point (no cache, nothing static or thread_local), and skip the "
+            "loop nowhere. " +
+            finding.hint;
+    return finding;
+}
+
 }  // namespace
 
 double biasOf(const AimLine& line, const PointLog& point) {
@@ -89,11 +104,7 @@ std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed) {
                       "{} shadow rays for each point and light were expected; there is one.",
                       asked));
     } else if (counts.fewest < asked) {
-        finding = distributedFinding(
-            kShadowTooFewRays, Severity::fail,
-            fmt::format("{} shadow rays for each point and light were expected; at some points "
-                        "there are {}.",
-                        asked, counts.fewest));
+        finding = fewRays(asked, counts.fewest);
     } else if (counts.repeats(asked) && !fixed) {
         finding = distributedFinding(
             kShadowTooFewRays, Severity::fail,

@@ -1,5 +1,6 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
+#include <grader/tasks/shadows/answers/PartOfLight.h>
 #include <grader/tasks/shadows/checks/UnexplainedShadows.h>
 #include <grader/tasks/support/FindingOrder.h>
 
@@ -15,36 +16,6 @@ namespace {
 
 std::vector<double> listed(const ColourRGB& colour) {
     return {colour.r, colour.g, colour.b};
-}
-
-// How many rays to the only light arrive, and which part of its light the point has.
-struct PartOfLight {
-    std::size_t open = 0;
-    std::size_t cast = 0;
-    double part = 0.0;
-
-    [[nodiscard]] double share() const {
-        return static_cast<double>(open) / static_cast<double>(cast);
-    }
-};
-
-// Empty if rounding decides, or if diffuse and specular light have different parts.
-std::optional<PartOfLight> partOfLight(const PointLog& point, const ShadowLog& log) {
-    constexpr double kSame = 1e-3;
-    PartOfLight found;
-    for (const AimLine& line : point.lines[0]) {
-        if (line.toLight == Sight::unsure) return std::nullopt;
-        if (line.toLight == Sight::open) ++found.open;
-        ++found.cast;
-    }
-    if (found.cast == 0) return std::nullopt;
-    const ColourRGB ambient = ambientPart(point, log.scene());
-    const ColourRGB full = inFullLight(point, log.scene()) - ambient;
-    const ColourRGB seen = point.colour - ambient;
-    if (!(full.r + full.g + full.b > 0.0)) return std::nullopt;
-    found.part = (seen.r + seen.g + seen.b) / (full.r + full.g + full.b);
-    if (!near(seen, full * found.part, full * kSame)) return std::nullopt;
-    return found;
 }
 
 // Adds an example that compares the light's part with the share of rays, if one number scales the

@@ -59,6 +59,48 @@ TEST(CheckArithmetic, TellsAllOrNothingOfWhateverRule) {
     EXPECT_EQ(idOf(lit), "shadow.wrong") << "lit in full shadow";
 }
 
+TEST(CheckArithmetic, SaysWhatToDivideByWhereOneRayIsEnough) {
+    const auto any = judgeRays([](const Parts& p, int open) {
+        return p.ambient + (p.diffuse + p.specular) * (open > 0 ? 1.0 : 0.0);
+    });
+    ASSERT_EQ(idOf(any), "shadow.all-or-nothing");
+    EXPECT_NE(any->message.find("as soon as one ray arrives"), std::string::npos);
+    EXPECT_NE(any->hint.find("the blocked ones as well"), std::string::npos);
+}
+
+TEST(CheckArithmetic, NamesTheMeanOverTheRaysThatArrive) {
+    const auto mean = [](double perRay) {
+        ShadowByHand made;
+        made.ask(Purpose::oneLight, {{0.0, 6.0, 0.0}});
+        for (const int open : {0, 1, 3, 4, 7, 9, 10}) {
+            PointLog& point = made.point({0.1 * open, 0.0, 1.0});
+            point.zones = {Zone::penumbra};
+            for (int i = 0; i < 10; ++i)
+                made.cast({0.4 * std::cos(i), 6.0, 0.4 * std::sin(i)}).toLight =
+                    i < open ? Sight::open : Sight::blocked;
+            point.colour = ambientPart(point, made.last().scene());
+            for (int i = 0; i < open; ++i) {
+                const raytracer::PointLight& light = made.last().scene().pointLights[0];
+                const auto terms =
+                    phongTerms(made.last().scene().planes[0].material, light, point.point.normal,
+                               (point.point.viewer - point.point.position).normalised(),
+                               point.lines[0][static_cast<std::size_t>(i)].direction,
+                               (light.position() - point.point.position).magnitude());
+                point.colour +=
+                    (terms.diffuse + terms.specular) * (perRay > 0.0 ? perRay : 1.0 / open);
+            }
+        }
+        return checkArithmetic(made.logs()).finding;
+    };
+    EXPECT_FALSE(mean(0.1));
+    const auto overArrived = mean(0.0);
+    ASSERT_EQ(idOf(overArrived), "shadow.all-or-nothing");
+    EXPECT_NE(overArrived->message.find("divided by the number of rays that arrive"),
+              std::string::npos);
+    EXPECT_NE(overArrived->hint.find("blocked ones as well"), std::string::npos);
+    EXPECT_NE(idOf(mean(0.2)), "shadow.all-or-nothing");
+}
+
 TEST(CheckArithmetic, ShowsAPointThatDoesNotFit) {
     const auto wrong = judgeRays([](const Parts& p, int open) {
         return p.ambient + p.diffuse * (open / 10.0) + p.specular * (open == 6 ? 0.1 : open / 10.0);

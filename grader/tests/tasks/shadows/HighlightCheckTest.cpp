@@ -115,5 +115,23 @@ TEST(HighlightAlone, KnowsDirectionsThatAreNoUnitVectors) {
     EXPECT_NE(hintOf([](const auto&) { return 3.0; }).find("Both directions"), std::string::npos);
 }
 
+TEST(HighlightAlone, SaysHowManyTimesTooStrongItIsEverywhere) {
+    const auto toldOf = [](double times) {
+        const auto finding = highlightOf(scaled(1.0, times));
+        return finding ? finding->message + finding->hint : std::string{};
+    };
+    EXPECT_NE(toldOf(10.0).find("10 times"), std::string::npos) << toldOf(10.0);
+    EXPECT_NE(toldOf(10.0).find("(diffuse + specular) / n"), std::string::npos);
+    EXPECT_NE(toldOf(0.1).find("0.1 times"), std::string::npos);
+    EXPECT_NE(toldOf(0.1).find("divided once"), std::string::npos);
+    EXPECT_NE(toldOf(2.0).find("2 times"), std::string::npos);
+    EXPECT_EQ(toldOf(2.0).find("/ n"), std::string::npos);
+    EXPECT_NE(toldOf(0.0).find("missing"), std::string::npos);
+    const auto uneven = highlightOf([](PointLog& point, const Parts& parts, int number) {
+        point.colour = parts.ambient + parts.diffuse + parts.specular * (number == 4 ? 9.0 : 10.0);
+    });
+    EXPECT_EQ(uneven->message.find("times"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ticker::tasks

@@ -86,6 +86,14 @@ std::optional<Finding> judge(int rays, int distinct, bool fixed, double off = 0.
     return checkRayCounts(made.logs(), fixed);
 }
 
+TEST(CheckRayCounts, SaysThatAShareIsKeptWherePointsGetNoRay) {
+    const auto few = judge(9, 9, false);
+    EXPECT_EQ(few->hint.find("another point"), std::string::npos);
+    const auto none = judge(0, 1, false);
+    ASSERT_EQ(idOf(none), "shadow.too-few-rays");
+    EXPECT_NE(none->hint.find("keep no share from another point"), std::string::npos);
+}
+
 TEST(CheckRayCounts, WantsTenDifferentRaysAtEveryLight) {
     for (const Purpose purpose : {Purpose::oneLight, Purpose::beyondLight, Purpose::farLight}) {
         EXPECT_EQ(idOf(judge(10, 10, false, 0.2, purpose)), "");
