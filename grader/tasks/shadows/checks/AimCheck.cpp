@@ -1,4 +1,5 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
+#include <grader/tasks/shadows/answers/AimNormal.h>
 #include <grader/tasks/shadows/answers/AimPlot.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/support/FindingOrder.h>
@@ -7,6 +8,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace ticker::tasks {
 namespace {
@@ -29,6 +31,29 @@ Finding crowdedAims(const AimShape& shape) {
             (shape.radius == AimShape::Radius::even
                  ? "its centre and its poles, as those of the original course's helper do."
                  : "two poles, since the angle from there, not its cosine, is drawn evenly."));
+}
+
+// Half a ball leans by 1/4 of the radius or more, for every accepted density. The mean of 200
+// independent feet of a whole one leans by less than the bound, but for a chance of 1e-3, which
+// changes words alone.
+std::optional<Finding> halfAlongNormal(const ShadowLogs& logs, const AimVerdict& aims) {
+    constexpr double kHalf = 0.15;
+    constexpr std::size_t kEnough = 200;
+    const double lean = leanToNormal(logs.farLight);
+    if (aims.distinct < kEnough || std::abs(lean) < kHalf) return std::nullopt;
+    Finding finding = distributedFinding(
+        kShadowNotABall, Severity::fail,
+        fmt::format("Shadow rays were expected to fill a ball of radius {} around the light; they "
+                    "keep to one side of it, {} the surface's normal N.",
+                    raytracer::RenderSettings{}.lightSize,
+                    lean > 0.0 ? "that of" : "the one opposite to"));
+    finding.hint =
+        "Take Vector3::randomInsideUnitSphere() as it is, times settings().lightSize, whatever its "
+        "sign against N: turn no offset round, leave none out, and add no N to the target. N "
+        "belongs to the start of the ray, P + N * kShadowBias, and to the diffuse and the specular "
+        "term.";
+    finding.evidence.emplace_back("leanToNormal", lean);
+    return finding;
 }
 
 std::optional<Finding> shapeOrSize(const AimVerdict& aims, double radius) {
@@ -63,6 +88,9 @@ std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims)
     if (aims.lines == 0) return std::nullopt;
     const double radius = raytracer::RenderSettings{}.lightSize;
     std::optional<Finding> finding = shapeOrSize(aims, radius);
+    const bool turned = aims.together || aims.turnsWithViewer;
+    if (finding && finding->id == kShadowNotABall.id && !turned)
+        if (std::optional<Finding> half = halfAlongNormal(logs, aims)) finding = std::move(half);
     if (finding) {
         finding->evidence.emplace_back("widest", aims.widest * radius);
         finding->evidence.emplace_back("widestExpected", radius);
