@@ -138,7 +138,8 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.ladder = judgeLadder(plan.ladder, answers);
     // The results of the ramps of fractions are then an effect of rounding.
     if (coarse && tellsMore(*coarse, examination.ramps()))
-        examination.ladder = {*coarse, examination.ladder.flatTilt};
+        examination.ladder = {*coarse, examination.ladder.flatTilt,
+                              examination.ladder.sharedNormals};
     examination.proportion = readProportion(plan.proportion, answers);
     const RampJudgement& ramps = examination.ramps();
     if (!ramps.response) return examination;

@@ -77,6 +77,18 @@ double middleTilt(const std::vector<Vector3>& tilts) {
     return median(lengths);
 }
 
+double sharedShare(std::vector<Vector3> normals) {
+    std::erase_if(normals, [](const Vector3& n) { return !isFinite(n); });
+    const auto key = [](const Vector3& n) { return std::tuple(n.x, n.y, n.z); };
+    std::ranges::sort(normals, {}, key);
+    double shared = 0.0;
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        if ((i > 0 && key(normals[i]) == key(normals[i - 1])) ||
+            (i + 1 < normals.size() && key(normals[i]) == key(normals[i + 1])))
+            shared += 1.0;
+    return shared / std::max(1.0, static_cast<double>(normals.size()));
+}
+
 }  // namespace
 
 RampShape drawShape(Draws& draws, double rise) {
@@ -100,6 +112,7 @@ RampLadder planLadder(Questionnaire& questionnaire, Draws& draws, const Ball& ba
 LadderJudgement judgeLadder(const RampLadder& ladder, const Answers& answers) {
     LadderJudgement judgement;
     judgeRungs(ladder, answers, judgement);
+    judgement.sharedNormals = sharedShare(answers.answer(ladder.gentle.uFlat).normals);
     for (const std::size_t flat :
          {ladder.gentle.uFlat, ladder.gentle.vFlat, ladder.steep.uFlat, ladder.steep.vFlat})
         judgement.flatTilt = std::max(judgement.flatTilt, middleTilt(answers.tilts(flat)));

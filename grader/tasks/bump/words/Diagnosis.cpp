@@ -67,6 +67,12 @@ bool liesFlat(const Examination& examination) {
     return std::max(strength.alongU, strength.alongV) > kFlat;
 }
 
+/// Right code never gives the normal of one point at another, unless it keeps tables of angles.
+bool roundsNormals(const Examination& examination) {
+    constexpr double kMany = 0.1;
+    return examination.ramps().kind != RampKind::right && examination.ladder.sharedNormals > kMany;
+}
+
 bool growsWithSlope(const Examination& examination) {
     return examination.ladder.growsWithSlope && examination.proportion.good();
 }
@@ -109,6 +115,7 @@ constexpr std::array kAnyRamps{
     // Wrong tangents turn a few normals inwards; the tangents are then the fault.
     Rule{WrongReason::inward, [](const Examination& e) { return pointInwards(e, 0.5); }},
     Rule{WrongReason::flatTilted, tiltsWithoutSlope},
+    Rule{WrongReason::normalsRounded, roundsNormals},
     Rule{WrongReason::doesNotGrow,
          [](const Examination& e) {
              return e.ramps().kind == RampKind::strangeParametrisation && !growsWithSlope(e);

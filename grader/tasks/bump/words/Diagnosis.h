@@ -35,6 +35,7 @@ enum class WrongReason {
     normalMissing,  ///< a gentle slope lays the normal flat into the surface
     inward,
     flatTilted,
+    normalsRounded,  ///< to few values
     slopeUIgnored,
     slopeVIgnored,
     signLost,

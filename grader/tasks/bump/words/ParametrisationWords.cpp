@@ -26,7 +26,8 @@ Words lostSignWords() {
         "Look for an abs, a square, a max or an unsigned type in the differences, and for a "
         "comparison that drops small ones. If there is none, the "
         "texel is not the point's: the column must be u times width(), the row v times "
-        "height() of this very map, both of type int.",
+        "height() of this very map, both of type int, and handed on in the same order in every "
+        "call; & (width() - 1) is a modulo for powers of two alone: write % width().",
         "Option 1: What to do, step 3"};
 }
 

@@ -4,6 +4,7 @@
 #include <grader/tasks/bump/words/DirectionWords.h>
 #include <grader/tasks/bump/words/GrowthWords.h>
 #include <grader/tasks/bump/words/ParametrisationWords.h>
+#include <grader/tasks/bump/words/RegionWords.h>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,15 @@ Words flatTiltedWords(double tilt) {
         "The tilt must come from differences of heights, not from heights, and must be added to "
         "the unit normal, (position - centre) / radius.",
         "Option 1: What to do, steps 1 and 3"};
+}
+
+Words roundedNormalWords(double shared) {
+    return {fmt::format("On a map without any slope {} of the points have exactly the normal of "
+                        "another point: normals are rounded to few values.",
+                        percent(shared)),
+            "Return the normalised sum of Equation (1) as it is: leave out std::round and int in "
+            "everything but the column and the row.",
+            "Option 1: What to do, step 4"};
 }
 
 Words seamWords(const MapEdges& edges) {
@@ -93,33 +103,6 @@ Words chanceWords(double change) {
                         change * kDegrees),
             "Nothing in Equation (1) is random, and nothing of an earlier call may be used.",
             "Option 1: Theory"};
-}
-
-/// ", mostly in columns 0 to 310"; empty if the points lie all over the map.
-std::string rangeInWords(const char* what, const std::optional<TexelRange>& range) {
-    if (!range) return {};
-    return fmt::format(", mostly in {} {} to {}", what, range->first, range->last);
-}
-
-std::string strayInWords(const char* axis, const RegionShares& shares) {
-    return fmt::format("along {} at {} of the points{}{}", axis, percent(1.0 - shares.asOnRamps),
-                       rangeInWords("columns", shares.columns), rangeInWords("rows", shares.rows));
-}
-
-Words regionWords(const RegionAgreement& regions) {
-    const bool onU = !regions.u.good();
-    const bool onV = !regions.v.good();
-    std::string where;
-    if (onU) where = strayInWords("u", regions.u);
-    if (onU && onV) where += "; ";
-    if (onV) where += strayInWords("v", regions.v);
-    return {
-        fmt::format("On a large map, {} x {} texels, the tilt is not everywhere what it is on "
-                    "narrow ramps. It differs {}.",
-                    regions.width, regions.height, where),
-        "Look for a number that a column, a row or an angle is compared with, for a type that is "
-        "too small for a column or a row, and for width() in the place of height().",
-        "Option 1: What to do, step 3"};
 }
 
 Words ignoredWords(const std::string& axis, const std::string& what) {
@@ -210,6 +193,9 @@ constexpr std::array kReasons{
               [](const Seen& told) { return inwardWords(told.examination.conduct.inward); }},
     ReasonRow{WrongReason::flatTilted,
               [](const Seen& told) { return flatTiltedWords(told.examination.ladder.flatTilt); }},
+    ReasonRow{
+        WrongReason::normalsRounded,
+        [](const Seen& told) { return roundedNormalWords(told.examination.ladder.sharedNormals); }},
     ReasonRow{WrongReason::slopeUIgnored, [](const Seen&) { return ignoredWords("u", "columns"); }},
     ReasonRow{WrongReason::slopeVIgnored, [](const Seen&) { return ignoredWords("v", "rows"); }},
     ReasonRow{WrongReason::signLost,

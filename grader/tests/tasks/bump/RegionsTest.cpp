@@ -1,3 +1,4 @@
+#include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
 
 #include <gtest/gtest.h>
@@ -85,6 +86,35 @@ TEST(BumpHeights, MayFollowAnotherCurveThroughTheGreys) {
     reading.heights = Reading::Heights::gamma;
     EXPECT_EQ(judge(reading).state, TaskState::passed);
     EXPECT_EQ(firstId(judge(reading, Mistake::inverted)), "bump.inverted");
+}
+
+TEST(BumpHints, SayThatNormalsAreRounded) {
+    const TaskJudgement judgement = judge([](const Point& point) {
+        const auto tidy = [](double a) { return std::round(a * 10.0) / 10.0; };
+        const Vector3 n = modelNormal({}, Mistake::none, point);
+        return Vector3{tidy(n.x), tidy(n.y), tidy(n.z)}.normalised();
+    });
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.reason, "rounded to few values")) << judgement.reason;
+}
+
+TEST(BumpHints, NameAStepOfManyTexels) {
+    const TaskJudgement judgement = judge([](const Point& point) {
+        constexpr double kStep = 0.03;
+        const Vector3 n = smooth(point);
+        const auto at = [&](double u, double v) {
+            const int column = static_cast<int>((u - std::floor(u)) * point.map.width());
+            const int row = static_cast<int>(std::min(v, 0.999) * point.map.height());
+            return point.map.at(column, row);
+        };
+        const double u = kParametrisation.u(n);
+        const double v = kParametrisation.v(n);
+        return (n - (at(u + kStep, v) - at(u, v)) * kParametrisation.alongU(n) -
+                (at(u, v + kStep) - at(u, v)) * kParametrisation.alongV(n))
+            .normalised();
+    });
+    ASSERT_EQ(firstId(judgement), "bump.wrong");
+    EXPECT_TRUE(contains(judgement.findings.front().hint, "many texels")) << judgement.reason;
 }
 
 TEST(BumpHints, SayThatAMapIsRememberedNotThatTheSphereIsSmooth) {

@@ -1,0 +1,42 @@
+#include <grader/tasks/bump/words/RegionWords.h>
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+namespace ticker::tasks::bump {
+namespace {
+
+/// ", mostly in columns 0 to 310"; empty if the points lie all over the map.
+std::string rangeInWords(const char* what, const std::optional<TexelRange>& range) {
+    if (!range) return {};
+    return fmt::format(", mostly in {} {} to {}", what, range->first, range->last);
+}
+
+std::string strayInWords(const char* axis, const RegionShares& shares) {
+    return fmt::format("along {} at {} of the points{}{}", axis, percent(1.0 - shares.asOnRamps),
+                       rangeInWords("columns", shares.columns), rangeInWords("rows", shares.rows));
+}
+
+}  // namespace
+
+Words regionWords(const RegionAgreement& regions) {
+    const bool onU = !regions.u.good();
+    const bool onV = !regions.v.good();
+    std::string where;
+    if (onU) where = strayInWords("u", regions.u);
+    if (onU && onV) where += "; ";
+    if (onV) where += strayInWords("v", regions.v);
+    return {
+        fmt::format("On a large map, {} x {} texels, the tilt is not everywhere what it is on "
+                    "narrow ramps. It differs {}.",
+                    regions.width, regions.height, where),
+        "Look for a number that a column, a row or an angle is compared with, for a type that is "
+        "too small for a column or a row, and for width() in the place of height(). Bu and Bv "
+        "compare neighbouring texels: look for a step of many texels (a fixed step in u and v), "
+        "and for a mean over many of them.",
+        "Option 1: What to do, step 3"};
+}
+
+}  // namespace ticker::tasks::bump

@@ -1,0 +1,15 @@
+#ifndef TICKER_TASKS_BUMP_REGIONWORDS_H
+#define TICKER_TASKS_BUMP_REGIONWORDS_H
+
+#include <grader/tasks/bump/questions/Regions.h>
+#include <grader/tasks/bump/words/Phrases.h>
+
+namespace ticker::tasks::bump {
+
+/// Words of bump.wrong where a large map tilts otherwise than narrow ramps: in which rows and
+/// columns, and what to look for.
+[[nodiscard]] Words regionWords(const RegionAgreement& regions);
+
+}  // namespace ticker::tasks::bump
+
+#endif
