@@ -64,6 +64,9 @@ constexpr std::array kNames{
     MistakeNames{Mistake::byteDifference, "difference-in-a-byte", kWrong},
     MistakeNames{Mistake::behind, "smooth-behind", kWrong},
     MistakeNames{Mistake::cameraFacing, "turned-to-the-camera", kWrong},
+    MistakeNames{Mistake::powered, "heights-to-the-power-2.2", kWrong},
+    MistakeNames{Mistake::squared, "heights-squared", kWrong},
+    MistakeNames{Mistake::rooted, "heights-rooted", kWrong},
 };
 
 const MistakeNames& namesOf(Mistake mistake) {
@@ -93,7 +96,7 @@ std::string describe(const Reading& reading) {
                 reading.gain),
         reading.strength, name<2>({"", ", numeric tangents"}, reading.tangents),
         name<2>({"", ", atan2"}, reading.angle),
-        name<3>({"", ", rounded heights", ", gamma"}, reading.heights),
+        name<2>({"", ", rounded heights"}, reading.heights),
         reading.singlePrecision ? ", float" : "");
 }
 

@@ -27,8 +27,7 @@ struct Reading {
     enum class PolarAngle { cosine, arcTangent };  ///< by acos, or by atan2
     enum class Heights {
         given,
-        rounded,  ///< to whole bytes; no picture shows the difference
-        gamma     ///< another increasing curve of the greys
+        rounded  ///< to whole bytes; no picture shows the difference
     };
 
     Top top = Top::y;
@@ -96,10 +95,13 @@ enum class Mistake {
     signedBytes,     ///< heights as signed bytes
     byteDifference,  ///< differences as unsigned bytes
     behind,          ///< the far side left smooth
-    cameraFacing     ///< the normal turned towards the eye
+    cameraFacing,    ///< the normal turned towards the eye
+    powered,         ///< heights raised to the power 2.2
+    squared,         ///< heights squared
+    rooted           ///< roots of the heights
 };
 
-inline constexpr Mistake kLastMistake = Mistake::cameraFacing;
+inline constexpr Mistake kLastMistake = Mistake::rooted;
 
 /// The normal of this reading at a point, with one mistake.
 [[nodiscard]] Vector3 modelNormal(const Reading& reading, Mistake mistake, const Point& point);

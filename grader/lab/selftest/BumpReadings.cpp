@@ -24,9 +24,7 @@ void takeTurns(std::vector<Reading>& readings) {
                                     : Reading::Top::y;
         reading.tangents = i % 4 == 2 ? Reading::Tangents::numeric : Reading::Tangents::formula;
         reading.angle = i % 3 == 2 ? Reading::PolarAngle::arcTangent : Reading::PolarAngle::cosine;
-        reading.heights = i % 13 == 5   ? Reading::Heights::rounded
-                          : i % 13 == 9 ? Reading::Heights::gamma
-                                        : Reading::Heights::given;
+        reading.heights = i % 13 == 5 ? Reading::Heights::rounded : Reading::Heights::given;
         // A surface cannot be displaced by more than its radius.
         if (reading.gain == Reading::Gain::displaced)
             reading.strength = std::min(reading.strength, 1.0);

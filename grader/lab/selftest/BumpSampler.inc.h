@@ -131,13 +131,14 @@ private:
         const auto byte = static_cast<int>(std::lround(height * 51.0));
         if (mistake_ == Mistake::signedBytes) return Real(static_cast<std::int8_t>(byte)) / 51;
         if (mistake_ == Mistake::darkHalf) return std::abs(Real(height) - Real(2.5));
+        if (mistake_ == Mistake::powered) return std::pow(Real(height), Real(2.2));
+        if (mistake_ == Mistake::squared) return Real(height) * Real(height);
+        if (mistake_ == Mistake::rooted) return std::sqrt(Real(height));
         switch (reading_.heights) {
             case Reading::Heights::given:
                 break;
             case Reading::Heights::rounded:
                 return Real(byte) / 51;
-            case Reading::Heights::gamma:
-                return 5 * std::pow(Real(height) / 5, Real(2.2));
         }
         return Real(height);
     }

@@ -56,7 +56,8 @@ inline constexpr FindingText kBumpWrong{
     .words = "tilted normals in no known way",
     .meaning =
         "fits no accepted reading and no single name: what is right on some rows, sizes, greys or "
-        "spheres alone, or remembered from an earlier call; slopes that are cut off, slopes taken "
+        "spheres alone, or remembered from an earlier call; slopes that are cut off, heights under "
+        "a power or a root, slopes taken "
         "for angles (steep ones turn the normal past the horizon), a wall at the seam, a sum "
         "without n; the message says where and why. warn: a height that the map does not have "
         "beyond its last row, which no usual picture shows"};

@@ -2,6 +2,7 @@
 
 #include <grader/tasks/bump/questions/Numbers.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -14,6 +15,8 @@ using probe::HeightMapDescription;
 constexpr int kWidth = 400;
 constexpr int kHeight = 200;
 constexpr int kLevels = 5;  // random heights: 0 to 5 of these
+
+constexpr double kSomeTilt = 5e-6;  // ten times single precision's rounding
 
 HeightMapDescription scaled(const std::vector<int>& texels, int base, int bytesPerLevel) {
     HeightMapDescription map{kWidth, kHeight, {}, {}, {}};
@@ -31,6 +34,14 @@ double shareBelow(const std::vector<Vector3>& normals, const std::vector<Vector3
     return below / static_cast<double>(smooth.size());
 }
 
+double middleLength(const std::vector<Vector3>& tilts) {
+    std::vector<double> lengths;
+    lengths.reserve(tilts.size());
+    for (const Vector3& tilt : tilts)
+        lengths.push_back(tilt.magnitude());
+    return std::max(median(std::move(lengths)), kSomeTilt);
+}
+
 }  // namespace
 
 ProportionPlan planProportion(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
@@ -46,15 +57,19 @@ ProportionPlan planProportion(Questionnaire& questionnaire, Draws& draws, const 
     plan.gentle = questionnaire.add(ball, scaled(texels, middle - kLevels / 2, 1), plan.directions);
     plan.steep =
         questionnaire.add(ball, scaled(texels, lowest, ProportionPlan::kTimes), plan.directions);
+    const int dark = draws.integer(0, 2);
+    const int bright = draws.integer(235, 245);
+    plan.dark = questionnaire.add(ball, scaled(texels, dark, 1), plan.directions);
+    plan.bright = questionnaire.add(ball, scaled(texels, bright, 1), plan.directions);
     return plan;
 }
 
 Proportion readProportion(const ProportionPlan& plan, const Answers& answers) {
-    // Ten times single precision's rounding.
-    constexpr double kSomeTilt = 5e-6;
     constexpr double kSomePoints = 0.1;
     Proportion proportion;
     proportion.pastHorizon = shareBelow(answers.answer(plan.steep).normals, plan.directions);
+    proportion.brightOverDark = middleLength(answers.tiltsBeyond(plan.flat, plan.bright)) /
+                                middleLength(answers.tiltsBeyond(plan.flat, plan.dark));
     const std::vector<Vector3> gentle = answers.tiltsBeyond(plan.flat, plan.gentle);
     const std::vector<Vector3> steep = answers.tiltsBeyond(plan.flat, plan.steep);
     std::vector<double> growth;

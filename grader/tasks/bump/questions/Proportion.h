@@ -9,9 +9,9 @@
 
 namespace ticker::tasks::bump {
 
-/// The same random texels twice, with gentle slopes and with slopes as steep as in real maps. All
-/// slopes of the second map are `kTimes` those of the first at every point, under any difference,
-/// interpolation or smoothing.
+/// The same random texels, with gentle slopes and with slopes as steep as in real maps. All slopes
+/// of the steep map are `kTimes` those of the gentle one at every point, under any difference,
+/// interpolation or smoothing. The gentle ones are asked for again near black and near white.
 struct ProportionPlan {
     static constexpr int kTimes = 24;
 
@@ -19,6 +19,8 @@ struct ProportionPlan {
     std::size_t flat = 0;
     std::size_t gentle = 0;  ///< slopes of 0.04 heights for each texel, on average
     std::size_t steep = 0;   ///< 0.9
+    std::size_t dark = 0;    ///< the gentle map at heights of 0 to 0.14
+    std::size_t bright = 0;  ///< likewise from 4.6 to 4.9
 };
 
 [[nodiscard]] ProportionPlan planProportion(Questionnaire& questionnaire, Draws& draws,
@@ -31,14 +33,22 @@ struct Proportion {
     double growth = ProportionPlan::kTimes;
     /// Share of the points whose normal leans 90 degrees or more on the steep slopes.
     double pastHorizon = 0.0;
+    /// Length of the tilts on gentle slopes where the map is bright over that where it is dark: the
+    /// ratio of the medians.
+    double brightOverDark = 1.0;
 
-    /// Accepted readings give 23.1 to 25.1 (heights through another curve, displaced surfaces).
+    /// Accepted readings give 23.1 to 25.1 (displaced surfaces).
     /// Slopes cut off at 0.4 or lower, and roots of slopes, stay below the limit.
     [[nodiscard]] bool good() const { return growth >= 0.4 * ProportionPlan::kTimes; }
     /// The sum always contains the whole n, so that no tilt reaches the horizon. Tangents at a
     /// texel's corner, and chords, exceed it with very strong tilts at few points next to the
     /// poles.
     [[nodiscard]] bool staysAboveHorizon() const { return pastHorizon < 0.03; }
+    /// A slope counts alike at every height. The displaced surface 1 + h of a unit sphere is the
+    /// weakest where the map is bright, by 1 / 5.5; a root by 1 / 7 or less, a square gives 50.
+    [[nodiscard]] bool isSameAtEveryHeight() const {
+        return brightOverDark <= 2.5 && brightOverDark >= 1.0 / 6.2;
+    }
 };
 
 [[nodiscard]] Proportion readProportion(const ProportionPlan& plan, const Answers& answers);

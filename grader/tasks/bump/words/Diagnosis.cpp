@@ -127,6 +127,8 @@ constexpr std::array kRightRamps{
     // Tangents at the texel's corner turn a very strong tilt inwards at the seam's step.
     Rule{WrongReason::inward, [](const Examination& e) { return pointInwards(e, 0.01); }},
     Rule{WrongReason::doesNotGrow, [](const Examination& e) { return !growsWithSlope(e); }},
+    Rule{WrongReason::heightsBent,
+         [](const Examination& e) { return !e.proportion.isSameAtEveryHeight(); }},
     Rule{WrongReason::pastHorizon,
          [](const Examination& e) { return !e.proportion.staysAboveHorizon(); }},
     Rule{WrongReason::remembers,

@@ -44,6 +44,7 @@ enum class WrongReason {
     patchy,
     strangeDirection,
     doesNotGrow,
+    heightsBent,    ///< the same slope tilts otherwise where the map is bright
     pastHorizon,    ///< steep slopes turn the normal past the horizon
     steepDiffers,   ///< on a ramp from black to white
     regionsDiffer,  ///< in some rows or columns of a large map

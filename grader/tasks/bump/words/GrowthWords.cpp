@@ -75,6 +75,19 @@ Words growthWords(const Examination& examination) {
             "Option 1: Theory"};
 }
 
+Words heightsBentWords(const Proportion& proportion) {
+    const bool grows = proportion.brightOverDark > 1.0;
+    const double times = grows ? proportion.brightOverDark : 1.0 / proportion.brightOverDark;
+    return {fmt::format("The same slope tilts the normal {} times as much where the map is {} as "
+                        "where it is {}.",
+                        times < 100.0 ? fmt::format("{:.2g}", times) : "over 100",
+                        grows ? "bright" : "dark", grows ? "dark" : "bright"),
+            "Take heights as they are, heightMap().at(column, row): no power, root, logarithm or "
+            "product of heights, and nothing that depends on how bright a texel is. Bu and Bv are "
+            "differences of two heights.",
+            "Option 1: What to do, step 3"};
+}
+
 Words horizonWords(const Proportion& proportion) {
     return {
         fmt::format("Where the map is steep the normal leans 90 degrees or more, at {} of the "

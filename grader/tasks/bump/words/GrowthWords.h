@@ -14,6 +14,8 @@ namespace ticker::tasks::bump {
 [[nodiscard]] Words growthWords(const Examination& examination);
 /// Steep slopes turn the normal past the horizon.
 [[nodiscard]] Words horizonWords(const Proportion& proportion);
+/// The same slope tilts more, or less, where the map is bright.
+[[nodiscard]] Words heightsBentWords(const Proportion& proportion);
 /// The gentlest slope turns the normal by 90 degrees.
 [[nodiscard]] Words normalMissingWords();
 

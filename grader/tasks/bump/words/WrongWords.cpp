@@ -212,6 +212,8 @@ constexpr std::array kReasons{
               [](const Seen& told) { return directionWords(*told.examination.ramps().response); }},
     ReasonRow{WrongReason::doesNotGrow,
               [](const Seen& told) { return growthWords(told.examination); }},
+    ReasonRow{WrongReason::heightsBent,
+              [](const Seen& told) { return heightsBentWords(told.examination.proportion); }},
     ReasonRow{WrongReason::pastHorizon,
               [](const Seen& told) { return horizonWords(told.examination.proportion); }},
     ReasonRow{WrongReason::steepDiffers,

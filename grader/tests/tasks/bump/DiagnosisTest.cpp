@@ -72,6 +72,16 @@ TEST(FindWrong, NamesSteepSlopesThatTurnTheNormalPastTheHorizon) {
     EXPECT_FALSE(reasonAfter([](Examination& e) { e.proportion.pastHorizon = 0.029; }));
 }
 
+TEST(FindWrong, NamesSlopesThatCountByTheirHeight) {
+    const auto withRatio = [](double ratio) {
+        return reasonAfter([=](Examination& e) { e.proportion.brightOverDark = ratio; });
+    };
+    EXPECT_EQ(withRatio(2.6), WrongReason::heightsBent);
+    EXPECT_EQ(withRatio(1.0 / 6.3), WrongReason::heightsBent);
+    EXPECT_FALSE(withRatio(2.4));
+    EXPECT_FALSE(withRatio(1.0 / 6.1));
+}
+
 TEST(FindWrong, NamesWhatIsWrongWithTheRamps) {
     EXPECT_EQ(reasonAfter([](Examination& e) { e.ladder.flatTilt = 0.11; }),
               WrongReason::flatTilted);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 namespace ticker::tasks::bump {
 namespace {
@@ -130,7 +131,51 @@ TEST(ReadProportion, SeesNormalsThatAreTurnedByTheSlopeItself) {
     EXPECT_EQ(proportionOf(turnedBy([](double slope) { return 0.3 * slope; })).pastHorizon, 0.0);
 }
 
+TEST(ReadProportion, FindsEveryAcceptedReadingTheSameAtEveryHeight) {
+    for (const selftest::Reading& reading : selftest::acceptedReadings()) {
+        const Proportion proportion = proportionOf(modelOf(reading));
+        EXPECT_TRUE(proportion.isSameAtEveryHeight())
+            << describe(reading) << ": " << proportion.brightOverDark;
+        const double least = isDisplaced(reading) ? 0.2 : 0.95;
+        EXPECT_GT(proportion.brightOverDark, least) << describe(reading);
+        EXPECT_LT(proportion.brightOverDark, 1.05) << describe(reading);
+    }
+}
+
+/// The displaced surface 1 + h of a unit sphere is exact, whatever the sphere's radius.
+TEST(ReadProportion, AcceptsTheDisplacedUnitSphere) {
+    selftest::Reading reading;
+    reading.gain = selftest::Reading::Gain::displacedUnit;
+    reading.strength = 40.0;
+    EXPECT_TRUE(proportionOf(modelOf(reading)).isSameAtEveryHeight());
+}
+
+TEST(ReadProportion, SeesHeightsThroughAPowerOrARoot) {
+    const auto withPower = [](double power) {
+        return proportionOf(withHeights([power](const selftest::HeightMap& map, int c, int r) {
+            return std::pow(map.at(c % map.width(), std::min(r, map.height() - 1)), power);
+        }));
+    };
+    for (const double power : {1.5, 2.0, 2.2, 6.0, 0.5, 1.0 / 2.2, 0.2})
+        EXPECT_FALSE(withPower(power).isSameAtEveryHeight()) << power;
+    EXPECT_NEAR(withPower(1.0).brightOverDark, 1.0, 1e-3);
+    EXPECT_GT(withPower(2.0).brightOverDark, 30.0);
+    EXPECT_LT(withPower(0.5).brightOverDark, 1.0 / 6.5);
+}
+
+TEST(JudgeBump, SaysHowManyTimesBrightTexelsTilt) {
+    for (const selftest::Mistake mistake :
+         {selftest::Mistake::powered, selftest::Mistake::squared, selftest::Mistake::rooted}) {
+        const TaskJudgement judgement = tests::judge({}, mistake);
+        ASSERT_EQ(tests::firstId(judgement), "bump.wrong");
+        EXPECT_NE(judgement.reason.find("The same slope tilts the normal"), std::string::npos)
+            << judgement.reason;
+        EXPECT_NE(judgement.findings.front().hint.find("no power, root"), std::string::npos);
+    }
+}
+
 TEST(ReadProportion, LeavesSmoothSpheresToOthers) {
+    EXPECT_EQ(proportionOf(tests::smooth).brightOverDark, 1.0);
     EXPECT_EQ(growthOf(tests::smooth), ProportionPlan::kTimes);
 }
 

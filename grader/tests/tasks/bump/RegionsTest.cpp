@@ -81,11 +81,8 @@ TEST(BumpHeights, MayBeRoundedToBytesWhichASecondRunShows) {
     EXPECT_EQ(firstId(judge(reading, Mistake::invertedV)), "bump.inverted-v");
 }
 
-TEST(BumpHeights, MayFollowAnotherCurveThroughTheGreys) {
-    Reading reading;
-    reading.heights = Reading::Heights::gamma;
-    EXPECT_EQ(judge(reading).state, TaskState::passed);
-    EXPECT_EQ(firstId(judge(reading, Mistake::inverted)), "bump.inverted");
+TEST(BumpHeights, AreNotRaisedToAPower) {
+    EXPECT_EQ(firstId(judge({}, Mistake::powered)), "bump.wrong");
 }
 
 TEST(BumpHints, SayThatNormalsAreRounded) {
