@@ -186,4 +186,16 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
     return finding;
 }
 
+std::optional<Finding> highlightOfLowLight(const std::vector<const ShadowLog*>& logs) {
+    std::optional<Finding> finding = highlightAlone(logs);
+    if (!finding) return std::nullopt;
+    finding->message =
+        "From the side of a low light no highlight was expected, since R.V is below 0 there; the "
+        "highlight (the specular term) is not 0.";
+    finding->hint =
+        "Where R.V is negative there is no highlight: take std::max(0.0, R.dot(V)) before "
+        "std::pow, and no absolute value. An even power of a negative number is positive.";
+    return finding;
+}
+
 }  // namespace ticker::tasks

@@ -22,6 +22,7 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> otherSettings;
     std::vector<const ShadowLog*> contact;
     std::vector<const ShadowLog*> horizon;
+    std::vector<const ShadowLog*> lowLight;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
     /// All questions except otherSettings and horizon, where code may cast fewer rays, and contact,

@@ -78,6 +78,8 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
                 return otherSettings;
             case Purpose::contact:
                 return contact;
+            case Purpose::lowLight:
+                return lowLight;
             case Purpose::horizon:
                 break;
         }
@@ -89,8 +91,8 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
 
 std::vector<const ShadowLog*> ShadowLogs::atHandoutSettings() const {
     std::vector<const ShadowLog*> all;
-    for (const auto* some :
-         {&oneLight, &severalLights, &beyondLight, &planeShadow, &farLight, &lightBehind, &inLine})
+    for (const auto* some : {&oneLight, &severalLights, &beyondLight, &planeShadow, &farLight,
+                             &lightBehind, &inLine, &lowLight})
         all.insert(all.end(), some->begin(), some->end());
     return all;
 }

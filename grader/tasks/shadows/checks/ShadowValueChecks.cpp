@@ -111,6 +111,8 @@ bool oneSphereCasts(const Logs& logs) {
 std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
     if (allNearKnown(logs.oneLight, false)) {
         if (!allNearKnown(logs.beyondLight, false)) return darkBeyond(logs.beyondLight);
+        if (!allNearKnown(logs.lowLight, false))
+            if (auto highlight = highlightOfLowLight(logs.lowLight)) return highlight;
         if (!allNearKnown(logs.severalLights, false)) {
             if (ambientIsThereForEachLight(logs.severalLights)) return ambientForEachLight();
             if (oneSphereCasts(logs.severalLights)) return oneObjectCasts();

@@ -231,7 +231,7 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     other.lightSize = draw.between(0.15, 0.22);
     questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
     for (const auto drawNext :
-         {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine, drawContact})
+         {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine, drawContact, drawLowLight})
         questions.push_back(drawNext(draw));
     return questions;
 }

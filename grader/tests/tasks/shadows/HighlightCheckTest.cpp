@@ -38,6 +38,31 @@ Repaint scaled(double diffuse, double specular) {
     };
 }
 
+// The light stands at 68 degrees from the normal, and the viewers at 74 on its side: R.V is -0.79.
+std::optional<Finding> highlightOfLowLightWith(double specular) {
+    ShadowByHand made;
+    ShadowQuestion& asked = made.ask(ShadowQuestion::Purpose::lowLight, {{15.0, 6.0, 0.0}});
+    asked.question.scene.planes[0].material.colour = {0.8, 0.6, 0.4};
+    asked.question.scene.planes[0].material.phongAlpha = 2.0;
+    for (int i = 0; i < 10; ++i) {
+        PointLog& point = made.point({0.05 * i, 0.0, 0.0});
+        point.point.viewer = {3.5, 1.0, 0.0};
+        const Parts parts = partsOf(point, made.last());
+        EXPECT_DOUBLE_EQ(parts.specular.r, 0.0);
+        point.colour = parts.ambient + parts.diffuse + ColourRGB{specular};
+    }
+    return highlightOfLowLight(made.logs().lowLight);
+}
+
+TEST(HighlightOfLowLight, IsNamedWhereTheViewerSeesOneFromTheWrongSide) {
+    EXPECT_FALSE(highlightOfLowLightWith(0.0));
+    for (const double specular : {0.5, -0.5}) {  // of an even and of an odd power
+        const std::optional<Finding> finding = highlightOfLowLightWith(specular);
+        ASSERT_TRUE(finding);
+        EXPECT_NE(finding->hint.find("std::max(0.0, R.dot(V))"), std::string::npos);
+    }
+}
+
 TEST(HighlightAlone, NeedsEightPointsWhoseShareOfLightIsKnown) {
     EXPECT_TRUE(highlightOf(asItIs, 8));
     EXPECT_FALSE(highlightOf(asItIs, 7));

@@ -220,6 +220,19 @@ TEST(ShadowQuestions, OfTheHorizonHaveAPartOfTheLightBelowTheFloor) {
     });
 }
 
+TEST(ShadowQuestions, OfALowLightHaveViewersThatSeeNoHighlight) {
+    forEach(Purpose::lowLight, [](const ShadowQuestion& question) {
+        ASSERT_EQ(question.question.points.size(), 10U);
+        for (const probe::LitPoint& point : question.question.points) {
+            const Vector3 towards = (lightOf(question) - point.position).normalised();
+            const Vector3 viewer = (point.viewer - point.position).normalised();
+            EXPECT_LT(towards.reflectIn(point.normal).dot(viewer), -0.6);
+            EXPECT_GT(viewer.dot(point.normal), 0.2);
+            EXPECT_GT(towards.dot(point.normal), 0.3);
+        }
+    });
+}
+
 TEST(ShadowQuestions, OfAWallHaveAPointOnEitherSideInTurn) {
     std::vector<double> facing;
     forEach(Purpose::planeShadow, [&](const ShadowQuestion& question) {

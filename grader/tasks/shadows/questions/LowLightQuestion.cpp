@@ -1,0 +1,46 @@
+#include <grader/tasks/shadows/questions/ShadowDraws.h>
+#include <grader/tasks/support/Draw.h>
+
+#include <cmath>
+
+namespace ticker::tasks {
+namespace {
+
+constexpr int kPointsLowLight = 10;
+
+}  // namespace
+
+ShadowQuestion drawLowLight(Draw& draw) {
+    const Vector3 foot = drawPlace(draw);
+    const Vector3 up = draw.directionAround((-foot).normalised(), 1.0);
+    const Perpendiculars sides = perpendicularsOf(up);
+    // The light is 65 to 70 degrees from the normal, so that all of it is above the horizon.
+    const double fromNormal = draw.between(1.13, 1.22);
+    const double distance = draw.between(5.0, 7.0);
+    const Vector3 towards = up * std::cos(fromNormal) + sides.first * std::sin(fromNormal);
+    const Vector3 light = foot + towards * distance;
+
+    ShadowQuestion drawn;
+    drawn.purpose = ShadowQuestion::Purpose::lowLight;
+    raytracer::SceneDescription& scene = drawn.question.scene;
+    scene.ambientLighting = draw.colour(0.1, 0.5);
+    scene.pointLights.push_back(drawLight(draw, light, distance));
+    raytracer::Material floor = drawMaterial(draw);
+    // Even and odd, and so low that what R.V below 0 gives is as bright as the diffuse light.
+    floor.phongAlpha = draw.whole(2, 5);
+    scene.planes.push_back({foot, up, floor});
+    for (int i = 0; i < kPointsLowLight; ++i) {
+        const double x = draw.between(-0.3, 0.3);
+        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-0.3, 0.3);
+        const double low = draw.between(1.2, 1.35);
+        const double turn = draw.between(-0.3, 0.3);
+        const Vector3 flat = sides.first * std::cos(turn) + sides.second * std::sin(turn);
+        const Vector3 viewer = up * std::cos(low) + flat * std::sin(low);
+        drawn.question.points.push_back({0, point, up, point + viewer * draw.between(3.0, 5.0)});
+        drawn.zones.push_back({Zone::lit});
+    }
+    setCapacity(drawn);
+    return drawn;
+}
+
+}  // namespace ticker::tasks
