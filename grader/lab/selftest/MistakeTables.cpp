@@ -43,16 +43,19 @@ std::string told(const corpus::Expectation& expected) {
            (expected.needsReview ? " (review)" : "");
 }
 
-/// An entry, and the file that results from its edits.
+/// An entry, and its task's file, or the one that results from its edits.
 struct Made {
     Entry entry;
     std::string source;
 };
 
-std::vector<Made> make(const std::vector<Entry>& entries) {
+std::vector<Made> make(const std::vector<Entry>& entries, const Exercise& exercise) {
     std::vector<Made> made;
-    for (const Entry& entry : entries)
-        made.push_back({entry, corpus::textsOf(entry).at(entry.file())});
+    for (const Entry& entry : entries) {
+        const auto texts = corpus::textsOf(entry);
+        const auto own = texts.find(std::string{exercise.fileOf(entry.task())});
+        made.push_back({entry, own != texts.end() ? own->second : texts.at(entry.file())});
+    }
     return made;
 }
 
@@ -157,7 +160,7 @@ std::vector<Entry> mistakesCalled(const std::vector<Entry>& catalogue,
 
 std::vector<MistakeRow> runMistakes(const std::vector<Entry>& entries, const build::Kit& kit,
                                     const sandbox::Sandbox& sandbox, const MistakeRun& run) {
-    const std::vector<Made> picked = pick(make(entries), run);
+    const std::vector<Made> picked = pick(make(entries, *run.exercise), run);
     std::vector<MistakeRow> rows(picked.size());
     std::size_t done = 0;
     std::mutex mutex;

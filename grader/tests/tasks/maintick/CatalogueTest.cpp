@@ -50,6 +50,10 @@ TEST(MainTickCatalogue, AnEntryMayNameWhatItDoesToAnotherTask) {
     expectJudgedAsTheySay(entriesOf("mistakes", {"M2/ambient-only", "M3.2/inverted"}), 1);
 }
 
+TEST(MainTickCatalogue, AnEntryMayBeWholeFilesOfWhichTheTasksOwnIsJudged) {
+    expectJudgedAsTheySay(entriesOf("unseen", {"M4/highlights-from-first-viewer"}), 1);
+}
+
 // Single precision and small tolerances are right readings under every seed.
 TEST(MainTickCatalogue, NeverFailsRightReadingsThatRound) {
     const auto entries = entriesOf(
