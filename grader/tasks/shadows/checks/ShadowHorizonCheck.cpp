@@ -1,5 +1,6 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
+#include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
@@ -49,11 +50,13 @@ const PointLog* leftOut(const ShadowLog& log, const ShadowReading& reading) {
 // that none of 200 does is below 1e-15.
 bool noneGoesBelow(const ShadowLog& log, const AimVerdict& aims) {
     constexpr std::size_t kEnough = 200;
+    // A ray that starts off the surface goes down a little to an aim on the horizon, 3 or more away.
+    constexpr double kLevel = kLargestBias / 3.0;
     std::size_t lines = 0;
     for (const PointLog& point : log.points) {
         if (point.lines[0].size() < askedOf(log)) return false;
         for (const AimLine& line : point.lines[0])
-            if (line.direction.dot(point.point.normal) <= 0.0) return false;
+            if (line.direction.dot(point.point.normal) <= -kLevel) return false;
         lines += point.lines[0].size();
     }
     return std::min(lines, aims.distinct) >= kEnough;
