@@ -1,7 +1,7 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
-#include <grader/tasks/shadows/answers/PartOfLight.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
 #include <grader/tasks/shadows/checks/ExplainedShadows.h>
+#include <grader/tasks/shadows/checks/PartOfLight.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>

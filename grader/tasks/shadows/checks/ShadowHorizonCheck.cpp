@@ -50,7 +50,8 @@ const PointLog* leftOut(const ShadowLog& log, const ShadowReading& reading) {
 // that none of 200 does is below 1e-15.
 bool noneGoesBelow(const ShadowLog& log, const AimVerdict& aims) {
     constexpr std::size_t kEnough = 200;
-    // A ray that starts off the surface goes down a little to an aim on the horizon, 3 or more away.
+    // A ray that starts off the surface goes down a little to an aim on the horizon, 3 or more
+    // away.
     constexpr double kLevel = kLargestBias / 3.0;
     std::size_t lines = 0;
     for (const PointLog& point : log.points) {

@@ -1,6 +1,6 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
-#include <grader/tasks/shadows/answers/PartOfLight.h>
+#include <grader/tasks/shadows/checks/PartOfLight.h>
 #include <grader/tasks/shadows/checks/UnexplainedShadows.h>
 #include <grader/tasks/support/FindingOrder.h>
 

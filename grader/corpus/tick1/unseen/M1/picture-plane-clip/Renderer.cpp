@@ -14,7 +14,9 @@ namespace {
 // Whether something stands between the point P, whose surface has the normal N, and the light.
 bool isShadowed(const Scene& scene, const PointLight& light, const Vector3& P, const Vector3& N) {
     // TASK M3.2 begin
-    const auto distanceBetween = [](const Vector3& a, const Vector3& b) { return (a - b).magnitude(); };
+    const auto distanceBetween = [](const Vector3& a, const Vector3& b) {
+        return (a - b).magnitude();
+    };
     const Vector3 L = (light.position() - P).normalised();
     const Ray shadowRay{P + N * kShadowBias, L};
     if (const auto hit = scene.findClosestIntersection(shadowRay))

@@ -18,7 +18,8 @@ std::optional<RaycastHit> Sphere::intersectionWith(const Ray& ray) const {
     if (discriminant < 0.0) return std::nullopt;
     const double root = std::sqrt(discriminant);
     const std::array<double, 2> candidates{(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)};
-    const auto seen = std::find_if(candidates.begin(), candidates.end(), [](double s) { return s >= 1.0; });
+    const auto seen =
+        std::find_if(candidates.begin(), candidates.end(), [](double s) { return s >= 1.0; });
     if (seen == candidates.end()) return std::nullopt;
     const Vector3 location = ray.evaluateAt(*seen);
     return RaycastHit{this, *seen, location, getNormalAt(location)};

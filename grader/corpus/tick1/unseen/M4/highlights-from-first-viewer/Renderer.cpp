@@ -17,7 +17,8 @@ bool isShadowed(const Scene& scene, const PointLight& light, const Vector3& P, c
     // TASK M3.2 begin
     const Vector3 start = P + N * kShadowBias;
     const Vector3 toLight = light.position() - start;
-    const std::optional<RaycastHit> hit = scene.findClosestIntersection(Ray{start, toLight.normalised()});
+    const std::optional<RaycastHit> hit =
+        scene.findClosestIntersection(Ray{start, toLight.normalised()});
     return hit && hit->distance < toLight.magnitude();
     // TASK M3.2 end
 }
@@ -27,7 +28,8 @@ bool isShadowed(const Scene& scene, const PointLight& light, const Vector3& P, c
 ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, const Vector3& P,
                                const Vector3& N, const Vector3& O) const {
     // TASK M2 begin
-    // Mirroring the eye once is the same as mirroring every light: R.V = L.V', with V' = V mirrored in N.
+    // Mirroring the eye once is the same as mirroring every light: R.V = L.V', with V' = V mirrored
+    // in N.
     const Vector3 mirroredV = (O - P).normalised().reflectIn(N);
     ColourRGB sum = scene.ambientLighting() * object.colour();
     for (const PointLight& light : scene.pointLights()) {
@@ -35,7 +37,8 @@ ColourRGB Renderer::illuminate(const Scene& scene, const SceneObject& object, co
         const Vector3 L = (light.position() - P).normalised();
         const double distance = (light.position() - P).magnitude();
         const double matt = object.phongKD() * std::clamp(N.dot(L), 0.0, 1.0);
-        const double shiny = object.phongKS() * std::pow(std::clamp(L.dot(mirroredV), 0.0, 1.0), object.phongAlpha());
+        const double shiny = object.phongKS() *
+                             std::pow(std::clamp(L.dot(mirroredV), 0.0, 1.0), object.phongAlpha());
         sum += (object.colour() * matt + light.colour() * shiny) * light.illuminationAt(distance);
     }
     return sum;
@@ -60,11 +63,13 @@ ColourRGB Renderer::trace(const Scene& scene, const Ray& ray, int bouncesLeft) c
     ColourRGB end;
     bool missed = false;
     while (bouncesLeft-- > 0 && layers.back().rho > 0.0 && !missed) {
-        path = Ray{last.location + last.normal * kShadowBias, -path.direction.reflectIn(last.normal)};
+        path =
+            Ray{last.location + last.normal * kShadowBias, -path.direction.reflectIn(last.normal)};
         if (const auto next = scene.findClosestIntersection(path)) {
             last = *next;
-            layers.push_back({illuminate(scene, *last.object, last.location, last.normal, ray.origin),
-                              last.object->reflectivity()});
+            layers.push_back(
+                {illuminate(scene, *last.object, last.location, last.normal, ray.origin),
+                 last.object->reflectivity()});
         } else {
             missed = true;
         }

@@ -1,5 +1,5 @@
 #include <grader/tasks/shadows/answers/KnownColours.h>
-#include <grader/tasks/shadows/answers/PartOfLight.h>
+#include <grader/tasks/shadows/checks/PartOfLight.h>
 
 namespace ticker::tasks {
 
