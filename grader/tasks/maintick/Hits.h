@@ -26,12 +26,14 @@ struct AskedHit {
 
 /// Nothing: no hit.
 using Distance = std::optional<double>;
+/// Of code that drops hits with a z below 0.
 inline constexpr const char* kBehindCameraHint =
     "What lies behind the camera is hit as well, since shadow rays and mirrored rays go there: "
     "compare s alone, and no z.";
 [[nodiscard]] inline Distance ifAhead(double distance) {
     return distance > 0.0 ? Distance{distance} : Distance{};
 }
+/// Nothing where the hit's z is below 0.
 [[nodiscard]] inline Distance ifBeforeCamera(const Ray& ray, const Distance& distance) {
     return distance && ray.evaluateAt(*distance).z >= 0.0 ? distance : Distance{};
 }

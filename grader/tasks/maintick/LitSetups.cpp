@@ -9,7 +9,8 @@ namespace {
 
 using raytracer::Material;
 
-enum class Side : std::uint8_t { behind, inFront };
+/// Of a light: `away` is in front, and its highlight is not seen.
+enum class Side : std::uint8_t { behind, away, inFront };
 
 Vector3 towardsLightOf(const LitSetup& setup, std::size_t light) {
     return (setup.scene.pointLights[light].position() - setup.P).normalised();
@@ -82,7 +83,7 @@ LitQuestion several(Draw& draw, int lights) {
 
 /// Lights behind the surface and in front of it, as `places` has them from the first light on. R.V
 /// is negative for those behind, so that it does not matter whether they may have highlights, and
-/// positive for the others.
+/// positive for those in front that are not `away`.
 LitQuestion oneBehind(Draw& draw, std::initializer_list<Side> places) {
     constexpr double kOffEdge = 0.1;
     while (true) {
@@ -94,7 +95,7 @@ LitQuestion oneBehind(Draw& draw, std::initializer_list<Side> places) {
         setup.O = setup.P + draw.directionAround(setup.N, 0.8) * draw.between(1.7, 4.0);
         const auto isOffEdge = [&, light = std::size_t{0}](Side side) mutable {
             const double highlight = highlightOf(setup, light++);
-            return side == Side::behind ? highlight < -kOffEdge : highlight > kOffEdge;
+            return side == Side::inFront ? highlight > kOffEdge : highlight < -kOffEdge;
         };
         if (std::all_of(places.begin(), places.end(), isOffEdge)) return question;
     }
@@ -142,6 +143,7 @@ std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
     asked.push_back(oneBehind(draw, {behind, inFront}));
     asked.push_back(oneBehind(draw, {behind, inFront, inFront}));
     asked.push_back(oneBehind(draw, {inFront, behind, inFront}));
+    asked.push_back(oneBehind(draw, {away, inFront}));
     return asked;
 }
 

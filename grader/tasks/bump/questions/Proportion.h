@@ -45,7 +45,7 @@ struct Proportion {
     /// poles.
     [[nodiscard]] bool staysAboveHorizon() const { return pastHorizon < 0.03; }
     /// A slope counts alike at every height. The displaced surface 1 + h of a unit sphere is the
-    /// weakest where the map is bright, by 1 / 5.5; a root by 1 / 7 or less, a square gives 50.
+    /// weakest where the map is bright, by 1 / 5.9; a root by 1 / 7 or less, a square gives 50.
     [[nodiscard]] bool isSameAtEveryHeight() const {
         return brightOverDark <= 2.5 && brightOverDark >= 1.0 / 6.2;
     }

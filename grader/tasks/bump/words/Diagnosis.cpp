@@ -67,12 +67,6 @@ bool liesFlat(const Examination& examination) {
     return std::max(strength.alongU, strength.alongV) > kFlat;
 }
 
-/// Right code never gives the normal of one point at another, unless it keeps tables of angles.
-bool roundsNormals(const Examination& examination) {
-    constexpr double kMany = 0.1;
-    return examination.ramps().kind != RampKind::right && examination.ladder.sharedNormals > kMany;
-}
-
 bool growsWithSlope(const Examination& examination) {
     return examination.ladder.growsWithSlope && examination.proportion.good();
 }
@@ -81,6 +75,13 @@ bool growsWithSlope(const Examination& examination) {
 bool hasSenses(RampKind kind) {
     return kind == RampKind::right || kind == RampKind::inverted || kind == RampKind::invertedU ||
            kind == RampKind::invertedV;
+}
+
+/// Right code never gives the normal of one point at another, unless it keeps tables of angles:
+/// these leave each axis its sense.
+bool roundsNormals(const Examination& examination) {
+    constexpr double kMany = 0.1;
+    return !hasSenses(examination.ramps().kind) && examination.ladder.sharedNormals > kMany;
 }
 
 /// The reason if other maps disagree with the ramps.

@@ -63,13 +63,18 @@ std::optional<ColourRGB> knownColour(const PointLog& point,
     return expected;
 }
 
+ColourRGB inFullLightSeen(const PointLog& point, const raytracer::SceneDescription& scene,
+                          bool viewerIsEye) {
+    ColourRGB colour = ambientPart(point, scene);
+    for (std::size_t i = 0; i < scene.pointLights.size(); ++i)
+        colour += unshadowed(point, scene, i, viewerIsEye);
+    return colour;
+}
+
 }  // namespace
 
 ColourRGB inFullLight(const PointLog& point, const raytracer::SceneDescription& scene) {
-    ColourRGB colour = ambientPart(point, scene);
-    for (std::size_t i = 0; i < scene.pointLights.size(); ++i)
-        colour += unshadowed(point, scene, i, false);
-    return colour;
+    return inFullLightSeen(point, scene, false);
 }
 
 bool near(const ColourRGB& a, const ColourRGB& b, const ColourRGB& slack) {
@@ -84,7 +89,8 @@ bool isNearKnown(const PointLog& point, const ShadowLog& log, bool viewerIsEye) 
     for (const raytracer::PointLight& light : log.scene().pointLights)
         nearest = std::min(nearest, (light.position() - point.point.position).magnitude());
     const double share = 0.05 + 2.0 * log.settings().lightSize / nearest;
-    return near(point.colour, *expected, inFullLight(point, log.scene()) * share);
+    const ColourRGB most = inFullLightSeen(point, log.scene(), viewerIsEye);
+    return near(point.colour, *expected, most * share);
 }
 
 bool allNearKnown(const std::vector<const ShadowLog*>& logs, bool viewerIsEye) {

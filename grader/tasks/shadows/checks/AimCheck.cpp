@@ -33,8 +33,8 @@ Finding crowdedAims(const AimShape& shape) {
                  : "two poles, since the angle from there, not its cosine, is drawn evenly."));
 }
 
-// Half a ball leans by 1/4 of the radius or more, for every accepted density. The mean of 200
-// independent feet of a whole one leans by less than the bound, but for a chance of 1e-3, which
+// Half a ball leans by 0.2 of the radius or more, for every accepted density. The mean of 200
+// independent feet of a whole one leans by less than the bound, but for a chance of 1e-2, which
 // changes words alone.
 std::optional<Finding> halfAlongNormal(const ShadowLogs& logs, const AimVerdict& aims) {
     constexpr double kHalf = 0.15;

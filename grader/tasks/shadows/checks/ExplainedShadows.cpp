@@ -98,10 +98,10 @@ struct Comparison {
 constexpr std::array kComparisons{
     Comparison{[](double distance) { return std::sqrt(std::max(0.0, distance)); },
                "Objects close to the point cast their shadows, and those farther on the way to the "
-               "light cast none: only what is nearer than the square root of the light's distance "
-               "does.",
-               "The squared distance of a hit is compared with a distance that is not squared (or "
-               "the root is taken on one side alone). Compare both plain or both squared: "
+               "light cast none: the distance of a hit is compared with something smaller than the "
+               "way to the light.",
+               "Perhaps a squared distance is compared with one that is not squared, or with a "
+               "constant. Compare both plain or both squared: "
                "occluder->distance < (target - start).magnitude(); v.dot(v) is the square of "
                "v.magnitude()."},
     Comparison{[](double) { return 1.0; },
@@ -164,7 +164,10 @@ std::optional<Finding> multipliedPerRay(const Logs& logs) {
     const std::vector<PartOfLight> points = scaledPoints(logs);
     const auto blocked = [](const PartOfLight& point) { return point.cast - point.open; };
     const auto darkest = std::ranges::max_element(points, {}, blocked);
-    if (darkest == points.end() || blocked(*darkest) == 0) return std::nullopt;
+    // Where little is taken away, a factor for each ray cannot be told from a difference.
+    constexpr double kClearlyDarker = 0.8;
+    if (darkest == points.end() || blocked(*darkest) == 0 || darkest->part > kClearlyDarker)
+        return std::nullopt;
     const double kept =
         std::pow(std::max(0.0, darkest->part), 1.0 / static_cast<double>(blocked(*darkest)));
     if (!(kept < 1.0 - kSame)) return std::nullopt;

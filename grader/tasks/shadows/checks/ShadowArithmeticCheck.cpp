@@ -98,8 +98,10 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
         return unexplainedShadows(logs.beyondLight);
     }
     // With several lights the same highlights would be named as lights that are mixed.
-    if (!allFit(logs.lowLight, reading, ShadowArithmetic::right))
-        if (auto highlight = highlightOfLowLight(logs.lowLight)) return highlight;
+    if (!allFit(logs.lowLight, reading, ShadowArithmetic::right)) {
+        const auto highlight = highlightOfLowLight(logs.lowLight);
+        return highlight ? highlight : unexplainedShadows(logs.lowLight);
+    }
     if (!allFit(logs.severalLights, reading, ShadowArithmetic::right)) {
         Finding finding = distributedFinding(
             kShadowLightsMixed, Severity::fail,
@@ -116,8 +118,8 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
         return finding;
     }
     if (!allFit(logs.lightBehind, reading, ShadowArithmetic::right)) return lightsLostBehind();
-    for (const Logs* some : {&logs.farLight, &logs.lowLight})
-        if (!allFit(*some, reading, ShadowArithmetic::right)) return unexplainedShadows(*some);
+    if (!allFit(logs.farLight, reading, ShadowArithmetic::right))
+        return unexplainedShadows(logs.farLight);
     return std::nullopt;
 }
 

@@ -9,7 +9,7 @@ constexpr int kPointsInLight = 4;
 constexpr int kFloorInLine = 4;  // index of the floor, after four spheres
 
 // From the middle of the shadow, world units. Where the light leans over the floor by half a radian
-// the penumbra, of a light a third larger, ends at 2.03.
+// the penumbra ends at 1.96.
 constexpr double kBesideShadow = 2.2;
 
 }  // namespace

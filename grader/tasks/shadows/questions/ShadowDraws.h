@@ -57,8 +57,8 @@ void setCapacity(ShadowQuestion& question);
 /// A floor, and a light of which about a third is below it: rays to that part do not arrive.
 [[nodiscard]] ShadowQuestion drawHorizon(Draw& draw);
 
-/// A floor under a low light, all of it in sight. The viewers stand on its side: R.V is below -0.6,
-/// and there is no highlight.
+/// A floor under a low light, all of it in sight. The viewers and the eye are on its side: R.V is
+/// below -0.5, and there is no highlight.
 [[nodiscard]] ShadowQuestion drawLowLight(Draw& draw);
 
 }  // namespace ticker::tasks

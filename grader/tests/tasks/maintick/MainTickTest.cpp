@@ -83,15 +83,15 @@ TEST(MainTickQuestions, HaveLightsBehindTheSurfaceBeforeOnesInFront) {
                 const Vector3 L = (light.position() - P).normalised();
                 EXPECT_GT(std::abs(N.dot(L)), 0.2) << seed;
                 if (N.dot(L) < 0.0) {
-                    EXPECT_LT(L.reflectIn(N).dot(V), -0.05) << seed;
+                    EXPECT_LT(L.reflectIn(N).dot(V), -0.1) << seed;
                     isBehind = true;
                 } else if (isBehind) {
                     ++count;
-                    EXPECT_GT(L.reflectIn(N).dot(V), 0.05) << seed;
+                    EXPECT_GT(L.reflectIn(N).dot(V), 0.1) << seed;
                 }
             }
         }
-        EXPECT_GE(count, 3) << seed;
+        EXPECT_EQ(count, 4) << seed;
     }
 }
 

@@ -55,6 +55,10 @@ TEST(CheckHorizon, FindsAimsThatAllLieAbove) {
         all.add(10, 0, 1.0);
     EXPECT_EQ(idOf(all.judge()), "shadow.wrong");
     EXPECT_FALSE(all.judge(199)) << "of a pool";
+    Horizon spared;
+    for (int i = 0; i < 20; ++i)
+        spared.add(12, 0, 0.6);
+    EXPECT_FALSE(spared.judge()) << "twenty rays, of which those below are not cast";
     EXPECT_FALSE(all.add(9, 1, 0.9).judge());
 }
 
