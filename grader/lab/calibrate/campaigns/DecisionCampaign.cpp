@@ -26,9 +26,11 @@ void count(const TaskJudgement& task, const corpus::Expectation& expect, bool an
     const bool rightState = expect.allows(toString(task.state));
     const bool rightName = anyWarning || expect.isMet(toString(task.state), first);
     if (!rightState) ++record.wrongState;
-    if (rightState && !rightName) ++record.wrongName;
-    if (task.needsReview) ++record.reviews;
-    if (!rightState || !rightName || task.needsReview) ++record.seen[firstOf(task)];
+    const bool isUnexpected = task.needsReview && !expect.needsReview;
+    const bool isMissing = expect.needsReview && !task.needsReview;
+    if (rightState && (!rightName || isMissing)) ++record.wrongName;
+    if (isUnexpected) ++record.reviews;
+    if (!rightState || !rightName || isUnexpected || isMissing) ++record.seen[firstOf(task)];
 }
 
 std::vector<std::string> tasksOf(const Subject& subject) {
