@@ -35,7 +35,7 @@ bool allBlocked(const PointLog& point) {
     });
 }
 
-// Factor of the ambient light at a point that has no other light; empty if there is none.
+// Factor of the ambient light at a point that has no other light. Empty without such a point.
 std::optional<double> ambientInShadow(const Logs& logs) {
     for (const ShadowLog* log : logs)
         for (const PointLog& point : log->points) {
