@@ -1,34 +1,48 @@
+#include <grader/base/SplitMix.h>
 #include <grader/lab/selftest/BumpReadings.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace ticker::selftest {
 namespace {
 
-// Choices outside the cross product alternate, so that all of them occur.
-void takeTurns(std::vector<Reading>& readings) {
+/// Draws one choice after another; equal seeds draw equal choices.
+class Choices {
+public:
+    explicit Choices(std::uint64_t seed) : state_(seed) {}
+
+    template <typename T, std::size_t N>
+    T oneOf(const std::array<T, N>& choices) {
+        return choices[splitMix(state_) % N];
+    }
+    bool onceIn(std::uint64_t times) { return splitMix(state_) % times == 0; }
+
+private:
+    std::uint64_t state_;
+};
+
+// Choices outside the cross product are drawn, so that any of them meet.
+void drawOthers(Choices& choices, Reading& reading) {
     constexpr std::array kOrigins{0.5, 0.25, 0.0, 0.75, 0.5, 0.137};
     constexpr std::array kEdges{Reading::Edge::wrap, Reading::Edge::clamp, Reading::Edge::mirror};
     constexpr std::array kStrengths{0.2, 1.0, 5.0, 20.0};
-    for (std::size_t i = 0; i < readings.size(); ++i) {
-        Reading& reading = readings[i];
-        reading.uOrigin = kOrigins[i % kOrigins.size()];
-        reading.edge = kEdges[(i / 2) % kEdges.size()];
-        reading.strength = kStrengths[(i / 3) % kStrengths.size()];
-        reading.lessOne = i % 5 == 1;
-        reading.singlePrecision = i % 7 >= 4;
-        reading.top = i % 11 == 3   ? Reading::Top::z
-                      : i % 11 == 7 ? Reading::Top::x
-                                    : Reading::Top::y;
-        reading.tangents = i % 4 == 2 ? Reading::Tangents::numeric : Reading::Tangents::formula;
-        reading.angle = i % 3 == 2 ? Reading::PolarAngle::arcTangent : Reading::PolarAngle::cosine;
-        reading.heights = i % 13 == 5 ? Reading::Heights::rounded : Reading::Heights::given;
-        // A surface cannot be displaced by more than its radius.
-        if (reading.gain == Reading::Gain::displaced)
-            reading.strength = std::min(reading.strength, 1.0);
-    }
+    constexpr std::array kTops{Reading::Top::y, Reading::Top::y, Reading::Top::y,
+                               Reading::Top::y, Reading::Top::z, Reading::Top::x};
+    reading.uOrigin = choices.oneOf(kOrigins);
+    reading.edge = choices.oneOf(kEdges);
+    reading.strength = choices.oneOf(kStrengths);
+    reading.lessOne = choices.onceIn(5);
+    reading.singlePrecision = choices.onceIn(2);
+    reading.top = choices.oneOf(kTops);
+    if (choices.onceIn(4)) reading.tangents = Reading::Tangents::numeric;
+    if (choices.onceIn(3)) reading.angle = Reading::PolarAngle::arcTangent;
+    if (choices.onceIn(6)) reading.heights = Reading::Heights::rounded;
+    // A surface cannot be displaced by more than its radius.
+    if (reading.gain == Reading::Gain::displaced)
+        reading.strength = std::min(reading.strength, 1.0);
 }
 
 constexpr std::array kGains{Reading::Gain::unit,        Reading::Gain::sine,
@@ -43,7 +57,8 @@ constexpr std::array kDifferences{Reading::Difference::forward, Reading::Differe
 
 }  // namespace
 
-std::vector<Reading> acceptedReadings() {
+std::vector<Reading> acceptedReadings(std::uint64_t seed) {
+    Choices choices(seed);
     constexpr int kRounds = 2;  // each with other choices of everything else
     std::vector<Reading> readings;
     for (const Reading::Gain gain : kGains)
@@ -56,18 +71,22 @@ std::vector<Reading> acceptedReadings() {
                         reading.sampling = sampling;
                         reading.difference = difference;
                         reading.mirrored = mirrored;
+                        drawOthers(choices, reading);
                         readings.push_back(reading);
                     }
-    takeTurns(readings);
     return readings;
 }
 
 std::vector<Reading> readingsForMistakes() {
     std::vector<Reading> readings;
-    const std::vector<Reading> all = acceptedReadings();
+    const std::vector<Reading> all = acceptedReadings(1);
     constexpr std::size_t kStep = 19;
-    for (std::size_t i = 0; i < all.size(); i += kStep)
+    // A second run with whole bytes names fewer mistakes: few readings round.
+    constexpr std::size_t kRounds = 8;
+    for (std::size_t i = 0; i < all.size(); i += kStep) {
         readings.push_back(all[i]);
+        if (readings.size() % kRounds != 0) readings.back().heights = Reading::Heights::given;
+    }
     return readings;
 }
 
@@ -79,6 +98,8 @@ std::vector<Mistake> allMistakes() {
 }
 
 Reading fittingFor(Mistake mistake, Reading reading) {
+    // With W - 1 the last column is reached at the seam alone.
+    if (mistake == Mistake::noWrap || mistake == Mistake::noLastRow) reading.lessOne = false;
     // Around another axis either orientation of a map is accepted.
     if (mistake == Mistake::upsideDown) reading.top = Reading::Top::y;
     // A sixth of a difference is never a whole number: that sphere is flat.

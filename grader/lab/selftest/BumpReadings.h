@@ -3,13 +3,15 @@
 
 #include <grader/lab/selftest/BumpModel.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace ticker::selftest {
 
-/// The cross product of accepted readings: u origin x sampling x edge rule x difference x gain x
-/// strength x mirrored. Precision, axis, tangents and heights alternate within it.
-[[nodiscard]] std::vector<Reading> acceptedReadings();
+/// The cross product of accepted readings: gain x sampling x difference x mirrored, twice.
+/// Everything else (origin of u, edge rule, strength, precision, axis, tangents, heights) is drawn
+/// for each.
+[[nodiscard]] std::vector<Reading> acceptedReadings(std::uint64_t seed);
 
 /// The readings that are combined with mistakes.
 [[nodiscard]] std::vector<Reading> readingsForMistakes();

@@ -34,7 +34,7 @@ struct Case {
 };
 
 std::vector<Case> acceptedCases(double fraction, const std::vector<std::uint64_t>& seeds) {
-    const std::vector<Reading> readings = acceptedReadings();
+    const std::vector<Reading> readings = acceptedReadings(seeds.front());
     std::vector<Case> cases;
     for (const std::size_t i : sample(readings.size() * seeds.size(), fraction)) {
         const Reading& reading = readings[i % readings.size()];

@@ -120,10 +120,13 @@ void describeBands(const std::vector<Reply>& replies, double deadLength, AxisRes
 }
 
 /// Largest ratio of two sectors' mean strengths. Every strength is first divided by the median of
-/// its neighbours in polar angle, so that latitude does not count.
-double strengthRatio(std::vector<Reply> replies) {
+/// its neighbours in polar angle, so that latitude does not count. Points without a tilt are left
+/// out: they are counted as such, and neighbours among them would have the median 0.
+double strengthRatio(std::vector<Reply> replies, double deadLength) {
     constexpr std::size_t kHalfWindow = 12;
     constexpr std::size_t kStrengthSectors = 16;
+    std::erase_if(replies,
+                  [=](const Reply& reply) { return !(reply.tilt.magnitude() > deadLength); });
     if (replies.size() < 8 * kHalfWindow) return 1.0;
     std::sort(replies.begin(), replies.end(),
               [](const Reply& a, const Reply& b) { return a.v < b.v; });
@@ -181,7 +184,7 @@ AxisResponse measureAxis(const std::vector<Reply>& replies, double usualLength) 
     axis.sense = senseOf(axis.shares);
     if (axis.sense == Sense::dead) return axis;
     describeBands(replies, deadLength, axis);
-    axis.strengthRatio = strengthRatio(replies);
+    axis.strengthRatio = strengthRatio(replies, deadLength);
     findWorst(replies, deadLength, axis);
     return axis;
 }

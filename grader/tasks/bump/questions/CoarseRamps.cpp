@@ -11,9 +11,10 @@
 namespace ticker::tasks::bump {
 namespace {
 
-constexpr std::size_t kPointsPerPlace = 16;
-// With 6 bytes for each texel the mean of 16 rounded slopes gives a bow's place to a hundredth.
-constexpr int kBytesPerTexel = 6;
+// With 2 bytes for each texel a tooth of the brighter half is 64 texels long, more than the points
+// of a place cover; the mean of 128 rounded slopes gives a bow's place to a hundredth.
+constexpr std::size_t kPointsPerPlace = 128;
+constexpr int kBytesPerTexel = 2;
 
 /// A random point within about thirty texels, most of a tooth.
 Vector3 beside(const Vector3& place, Draws& draws) {
@@ -66,7 +67,7 @@ RampTilts meanOf(const Points& points, const Vector3& place) {
 }  // namespace
 
 CoarsePlan planCoarse(Draws& draws, const Ball& ball) {
-    constexpr int kPlaces = 400;
+    constexpr int kPlaces = 300;
     CoarsePlan plan;
     plan.questionnaire = Questionnaire(static_cast<std::uint64_t>(draws.integer(0, 1 << 30)));
     plan.places = draws.directions(kPlaces);

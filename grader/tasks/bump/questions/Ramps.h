@@ -16,7 +16,7 @@ struct RampShape {
     int across = 96;        ///< texels at a right angle to the slope
     double rise = 5.0;      ///< height difference between the ends
     double base = 0.0;      ///< height of the lowest texel
-    int bytesPerTexel = 0;  ///< not 0: a slope in whole bytes, which restarts at 0 after 255
+    int bytesPerTexel = 0;  ///< not 0: a slope in whole bytes, from 128 to 255 again and again
 
     /// Height per texel of a ramp that is `texels` long.
     [[nodiscard]] double slope(int texels) const {

@@ -81,6 +81,23 @@ TEST(BumpHeights, MayBeRoundedToBytesWhichASecondRunShows) {
     EXPECT_EQ(firstId(judge(reading, Mistake::invertedV)), "bump.inverted-v");
 }
 
+// 1 / (r + h) is weaker where the map is bright, as far as decision 0003 accepts it.
+TEST(BumpHeights, MayBeRoundedWhereTheyDisplaceASurface) {
+    for (const double strength : {4.0, 8.0, 20.0, 40.0}) {
+        Reading reading;
+        reading.heights = Reading::Heights::rounded;
+        reading.gain = Reading::Gain::displacedUnit;
+        reading.strength = strength;
+        for (const std::uint64_t seed : {5U, 6U, 7U}) {
+            const TaskJudgement judgement = judge(
+                [&](const Point& point) { return modelNormal(reading, Mistake::none, point); },
+                seed);
+            EXPECT_EQ(judgement.state, TaskState::passed)
+                << strength << ' ' << seed << ' ' << judgement.reason;
+        }
+    }
+}
+
 TEST(BumpHeights, AreNotRaisedToAPower) {
     EXPECT_EQ(firstId(judge({}, Mistake::powered)), "bump.wrong");
 }

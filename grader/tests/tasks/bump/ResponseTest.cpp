@@ -86,6 +86,16 @@ TEST(Response, KnowsInvertedAcrossAndDead) {
     EXPECT_EQ(measureTilts(faint, rightTilt).u.sense, Sense::right);
 }
 
+TEST(Response, LeavesPointsWithoutATiltOutOfTheStrengths) {
+    for (const double share : {0.3, 0.5, 0.7}) {
+        const Response half = measureTilts(
+            [=](double u, double) { return turned(0.0, u < share ? 0.0 : 1.0); }, rightTilt);
+        EXPECT_NEAR(half.u.strengthRatio, 1.0, 1e-9) << share;
+        EXPECT_NEAR(half.u.shares.dead, share, 0.05);
+        EXPECT_FALSE(half.dependsOnLongitude());
+    }
+}
+
 TEST(Response, HasTheDirectionOfEveryBandAndTheFarthest) {
     const Response response = measureTilts(
         [](double, double v) { return turned(v < 0.5 ? 40.0 : -50.0, 2.0); }, rightTilt);
