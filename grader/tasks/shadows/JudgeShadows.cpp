@@ -22,10 +22,13 @@ bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOut
         !outcome.findings.empty() && is(outcome.findings.front(), kShadowWrong);
     const bool cut = outcome.cut && !hasFailure(outcome.findings);
     if (!cut && !(outcome.rayless && (outcome.reading || unexplained))) return false;
-    outcome.findings.push_back(
-        unseenRays(kShadowUnseenRays,
-                   cut ? "illuminate casts far more rays than asked for, so not all were followed"
-                       : "illuminate casts no ray through findClosestIntersection"));
+    const char* reason = "illuminate casts no ray through findClosestIntersection";
+    if (outcome.oneRay)
+        reason =
+            "illuminate casts one ray, to the light's centre, through findClosestIntersection, and "
+            "gives fractions of the light all the same";
+    if (cut) reason = "illuminate casts far more rays than asked for, so not all were followed";
+    outcome.findings.push_back(unseenRays(kShadowUnseenRays, reason));
     const bool needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
         return judgePenumbra(examinee, seed, stage);
     });
@@ -51,11 +54,12 @@ TaskJudgement judgeShadows(probe::Examinee& examinee, std::uint64_t seed) {
     ShadowOutcome outcome = judgeSoftShadows(logs);
     bool needsReview = judgeUnseenShadows(examinee, seed, outcome);
     if (outcome.reading && !outcome.cut && !hasFailure(outcome.findings))
-        needsReview = keepRepeated(outcome.findings,
-                                   [&](std::uint64_t stage) {
-                                       return judgeLitRender(examinee, seed, stage);
-                                   }) ||
-                      needsReview;
+        needsReview =
+            keepRepeated(outcome.findings,
+                         [&](std::uint64_t stage) {
+                             return judgeLitRender(examinee, seed, stage, !outcome.rayless);
+                         }) ||
+            needsReview;
     // Review: steps at the edges of shadows.
     needsReview = needsReview || std::ranges::any_of(outcome.findings, [](const Finding& finding) {
                       return is(finding, kShadowFixedSamples);

@@ -1,7 +1,9 @@
 #include <grader/tasks/shadows/JudgeSoftShadows.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/AimPlot.h>
+#include <grader/tasks/shadows/checks/PartOfLight.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
+#include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/support/Checks.h>
 #include <grader/tasks/support/Plots.h>
 
@@ -28,6 +30,21 @@ bool castsNoRay(const ShadowLogs& logs) {
         for (const PointLog& point : log->points)
             if (point.lineCount() > 0) return false;
     return true;
+}
+
+/// Whether at most one ray to each light is visible, to its centre, although points have fractions
+/// of the light: an extra ray beside an intersection of the code's own.
+bool castsOneRayBesideOthers(const ShadowLogs& logs) {
+    constexpr double kSome = 0.02;
+    const RayCounts counts = countRays(logs.atHandoutSettings());
+    if (counts.most > 1 || !counts.allCentral) return false;
+    return std::ranges::any_of(logs.oneLight, [](const ShadowLog* log) {
+        return std::ranges::any_of(log->points, [&](const PointLog& point) {
+            const std::optional<PartOfLight> found = partOfLight(point, *log);
+            return point.zones[0] == Zone::penumbra && found && found->part > kSome &&
+                   found->part < 1.0 - kSome;
+        });
+    });
 }
 
 Result fixedSamples(ShadowSeen& seen) {
@@ -130,7 +147,8 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
         outcome.findings.push_back(*std::move(finding));
         return outcome;
     }
-    outcome.rayless = castsNoRay(logs);
+    outcome.oneRay = !castsNoRay(logs) && castsOneRayBesideOthers(logs);
+    outcome.rayless = outcome.oneRay || castsNoRay(logs);
     outcome.cut = std::ranges::any_of(all, &ShadowLog::cut);
     ShadowSeen seen{.logs = logs};
     if (!outcome.rayless) seen.aims = judgeAims(logs.farLight);

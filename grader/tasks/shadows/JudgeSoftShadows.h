@@ -14,7 +14,8 @@ struct ShadowOutcome {
     std::vector<Finding> findings;         ///< of T2.1, unsorted
     std::optional<ShadowReading> reading;  ///< the accepted reading that fits everywhere
     std::vector<ScatterPlot> plots;        ///< the rays' aims, unless a finding shows them
-    bool rayless = false;                  ///< no ray is visible: only values can be judged
+    bool rayless = false;                  ///< the rays are not visible: only values can be judged
+    bool oneRay = false;                   ///< of a rayless one: a ray to the centre is visible
     bool cut = false;                      ///< casts more rays than could be followed
 };
 

@@ -22,21 +22,22 @@ Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t
     return {std::move(verdict.finding), std::nullopt};
 }
 
-Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
+Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage,
+                     bool visible) {
     const std::uint64_t own = seedOf(seed, stage);
     const std::array asked{drawLitQuestion(own, 1), drawLitQuestion(own, 2)};
     const probe::Run run = examinee.ask({asked[0], asked[1]});
     // Faults of render itself do not count against shadows.
     const auto* alone = answeredBy<probe::RenderAnswer>(run);
     if (alone == nullptr) return {};
-    if (const auto said = litDifference(readLitRender(asked[0], *alone)))
+    if (const auto said = litDifference(readLitRender(asked[0], *alone), visible))
         return doubtful(kShadowNotInRenders,
                         "Asked about single points, illuminate casts the shadow rays that were "
                         "expected; inside of render, " +
                             *said + ": a person has to compare the two.");
     const auto* together = answeredBy<probe::RenderAnswer>(run, 1);
     if (together == nullptr) return unanswered(run, "render, with two threads,");
-    if (const auto said = litDifference(readLitRender(asked[1], *together)))
+    if (const auto said = litDifference(readLitRender(asked[1], *together), visible))
         return {distributedFinding(kShadowThreadsMixed, Severity::fail,
                                    "With one thread the shadows are right; with two, and "
                                    "forEachPixel has as many as the machine has cores, " +

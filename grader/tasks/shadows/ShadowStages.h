@@ -12,8 +12,9 @@ namespace ticker::tasks {
                                   std::uint64_t stage);
 /// Judges `illuminate` inside of `render`. With one thread a difference from single points needs
 /// review; with two threads a difference from one thread fails.
+/// @param visible  Whether all shadow rays are visible, and not only one beside others.
 [[nodiscard]] Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed,
-                                   std::uint64_t stage);
+                                   std::uint64_t stage, bool visible);
 
 }  // namespace ticker::tasks
 

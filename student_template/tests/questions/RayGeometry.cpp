@@ -34,7 +34,11 @@ Ray seenFrom(const Vector3& position, const Vector3& normal, const Ray& ray) {
     if (along < kFarAway) return ray;
     const Vector3 nearest = ray.origin + ray.direction * along;
     if ((nearest - position).magnitude() > kPasses) return ray;
-    return {position + normal * kOffSurface, -ray.direction};
+    // On the ray's own line: beside the edge of an object another line has another result. Below
+    // the horizon that start would be below the surface.
+    const Vector3 back = -ray.direction;
+    if (back.dot(normal) > 0.0) return {nearest + back * kOffSurface, back};
+    return {position + normal * kOffSurface, back};
 }
 
 PhongTerms phongTerms(const Material& material, const PointLight& light, const Vector3& normal,

@@ -18,7 +18,8 @@ namespace ticker::tasks {
 
 /// Whether a point in full light or full shadow of every light has about the colour that follows
 /// from geometry; true for all other points. Readings with a term for each sample differ from the
-/// central reading by terms of the light's angular size.
+/// central reading by terms of the light's angular size; beside a narrow highlight by more, but
+/// never leave the interval that single aims give.
 [[nodiscard]] bool isNearKnown(const PointLog& point, const ShadowLog& log, bool viewerIsEye);
 
 /// isNearKnown for all points.

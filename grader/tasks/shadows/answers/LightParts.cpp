@@ -9,6 +9,7 @@ namespace ticker::tasks {
 namespace {
 
 using Phong = ShadowReading::Phong;
+using Terms = ShadowReading::Terms;
 
 // The sample lies anywhere on the chord of the line in the light.
 SampleTerms termsOf(const Setting& at, const AimLine& line) {
@@ -34,6 +35,15 @@ std::vector<AimLine> withoutCentral(const Setting& at, const std::vector<AimLine
     std::copy_if(lines.begin(), lines.end(), std::back_inserter(counted),
                  [&](const AimLine& line) { return line.miss > exact; });
     return counted;
+}
+
+// Lines 0, 2, 4 and so on, then the others.
+std::vector<AimLine> everySecondFirst(std::span<const AimLine> lines) {
+    std::vector<AimLine> sorted;
+    for (const std::size_t first : {0U, 1U})
+        for (std::size_t i = first; i < lines.size(); i += 2)
+            sorted.push_back(lines[i]);
+    return sorted;
 }
 
 // Without logged rays every share is possible. A light behind the surface is the exception: it
@@ -97,9 +107,12 @@ LightParts partsOf(const Setting& at, const std::vector<AimLine>& logged) {
     if (at.reading.withoutCentral) lines = some = withoutCentral(at, logged);
     if (lines.empty()) return partsWithoutRays(at);
     const auto asked = static_cast<std::size_t>(at.settings.shadowRayCount);
-    if (!at.reading.termsApart || lines.size() < 2 * asked) return partsOf(at, lines);
-    LightParts parts = partsOf(at, lines.first(lines.size() / 2));
-    const LightParts again = partsOf(at, lines.last(lines.size() - lines.size() / 2));
+    if (at.reading.terms == Terms::together || lines.size() < 2 * asked) return partsOf(at, lines);
+    std::vector<AimLine> turns;
+    if (at.reading.terms == Terms::inTurns) lines = turns = everySecondFirst(lines);
+    const std::size_t diffuse = lines.size() / 2;
+    LightParts parts = partsOf(at, lines.first(diffuse));
+    const LightParts again = partsOf(at, lines.subspan(diffuse));
     parts.fullSpecular = again.fullSpecular;
     parts.litSpecular = again.litSpecular;
     parts.lowShare = std::min(parts.lowShare, again.lowShare);

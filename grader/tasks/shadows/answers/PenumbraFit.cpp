@@ -36,7 +36,7 @@ double excessOf(const std::vector<PenumbraSamples>& seen, const Expected& first,
     const std::vector<double> open = mixed([](const ExpectedShares& at) { return at.open; });
     double best = 1e9;
     for (const std::size_t eye : {0U, 1U})
-        for (const std::size_t phong : {0U, 1U, 2U})
+        for (std::size_t phong = 0; phong < ExpectedShares::kPhongReadings; ++phong)
             best = std::min(best, worstExcess(seen, mixed([=](const ExpectedShares& at) {
                                                   return at.share[eye][phong];
                                               }),

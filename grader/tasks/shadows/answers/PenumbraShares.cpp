@@ -26,6 +26,15 @@ PointLog bare(const probe::LitPoint& point) {
     return log;
 }
 
+// Distance from `start` to the ball's surface along a line that hits the ball.
+double nearSide(const Vector3& start, const Vector3& direction, const Vector3& centre,
+                double radius) {
+    const Vector3 toCentre = centre - start;
+    const double middle = toCentre.dot(direction);
+    const double off = toCentre.dot(toCentre) - middle * middle;
+    return middle - std::sqrt(std::max(0.0, radius * radius - off));
+}
+
 // Sum over points of weight * (seen - expected), in units of Bernstein's bound.
 double excess(const std::vector<PenumbraSamples>& seen, const std::vector<double>& expected,
               const std::vector<double>& weights) {
@@ -75,28 +84,33 @@ ExpectedShares expectedAt(const probe::IlluminateQuestion& asked, const Surfaces
     const PointLog log = bare(point);
     const double full = total(unshadowed(log, asked.scene, 0, false));
     const double centre = (light.position() - point.position).magnitude();
+    const double radius = size * asked.settings.lightSize;
+    const std::array<double, 2> central{
+        1.0 / kAims, total(unshadowed(log, asked.scene, 0, true)) / full / kAims};
     const Vector3 start = point.position + point.normal * 1e-4;
     ExpectedShares expected;
     for (const Vector3& place : aimsOf(shape, kAims)) {
-        const Vector3 aim = light.position() + place * (size * asked.settings.lightSize);
+        const Vector3 aim = light.position() + place * radius;
         const Vector3 towards = aim - start;
         const double distance = towards.magnitude();
         if (surfaces.sightAlong(start, towards / distance, distance) == Sight::blocked) continue;
         expected.open += 1.0 / kAims;
+        const double nearest = nearSide(start, towards / distance, light.position(), radius);
+        const std::array<double, 3> falloff{1.0, centre * centre / (distance * distance),
+                                            centre * centre / (nearest * nearest)};
         for (const std::size_t eye : {0U, 1U}) {
             const Vector3 viewer = eye == 1 ? Vector3{} : point.viewer;
-            const double terms =
+            const double own =
                 total(phongTerms(material, light, point.normal,
                                  (viewer - point.position).normalised(), towards / distance, centre)
                           .sum()) /
                 full / kAims;
-            expected.share[eye][1] += terms;
-            expected.share[eye][2] += terms * centre * centre / (distance * distance);
+            for (std::size_t i = 0; i < falloff.size(); ++i) {
+                expected.share[eye][i] += central[eye] * falloff[i];
+                expected.share[eye][falloff.size() + i] += own * falloff[i];
+            }
         }
     }
-    for (const std::size_t eye : {0U, 1U})
-        expected.share[eye][0] =
-            expected.open * total(unshadowed(log, asked.scene, 0, eye == 1)) / full;
     return expected;
 }
 

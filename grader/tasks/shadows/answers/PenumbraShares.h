@@ -24,8 +24,13 @@ struct PenumbraSamples {
 
 /// Expected shares of one point under every Phong reading, for one shape of the light.
 struct ExpectedShares {
-    double open = 0.0;                             ///< share of aims in sight
-    std::array<std::array<double, 3>, 2> share{};  ///< [viewer is the eye][Phong]
+    /// One Phong term for the centre of the light or one for each aim; each with the falloff of the
+    /// centre's distance, of the aim's, or of the nearest point of the light on the aim's line, as
+    /// sampling of the light's solid angle gives it. Index 0: central, with the centre's distance.
+    static constexpr std::size_t kPhongReadings = 6;
+
+    double open = 0.0;                                          ///< share of aims in sight
+    std::array<std::array<double, kPhongReadings>, 2> share{};  ///< [viewer is the eye][Phong]
 };
 /// @param size  Radius of the light in units of lightSize.
 [[nodiscard]] ExpectedShares expectedAt(const probe::IlluminateQuestion& asked,

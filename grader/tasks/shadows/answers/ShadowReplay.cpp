@@ -8,6 +8,7 @@ namespace ticker::tasks {
 namespace {
 
 using Phong = ShadowReading::Phong;
+using Terms = ShadowReading::Terms;
 using raytracer::PointLight;
 using raytracer::SceneDescription;
 
@@ -77,7 +78,7 @@ ColourRGB ambientPart(const PointLog& point, const SceneDescription& scene) {
 
 ColourRGB unshadowed(const PointLog& point, const SceneDescription& scene, std::size_t light,
                      bool viewerIsEye) {
-    const ShadowReading reading{Phong::central, viewerIsEye, false, false};
+    const ShadowReading reading{Phong::central, viewerIsEye, false, {}};
     const raytracer::RenderSettings settings;
     const Setting at{materialOf(scene, point.point.object),
                      scene.pointLights[light],
@@ -144,14 +145,12 @@ bool allFit(const ShadowLog& log, const ShadowReading& reading, ShadowArithmetic
 std::vector<ShadowReading> acceptedShadowReadings() {
     std::vector<ShadowReading> readings;
     // The last two allow the widest intervals, so they are tried last.
-    for (const Phong phong :
-         {Phong::central, Phong::perSampleDirection, Phong::centralFalloff, Phong::perSample})
-        for (const bool viewerIsEye : {false, true})
-            for (const bool withoutCentral : {false, true})
-                readings.push_back({phong, viewerIsEye, withoutCentral, false});
-    for (const Phong phong : {Phong::central, Phong::perSampleDirection})
-        for (const bool viewerIsEye : {false, true})
-            readings.push_back({phong, viewerIsEye, false, true});
+    for (const Terms terms : {Terms::together, Terms::halves, Terms::inTurns})
+        for (const Phong phong :
+             {Phong::central, Phong::perSampleDirection, Phong::centralFalloff, Phong::perSample})
+            for (const bool viewerIsEye : {false, true})
+                for (const bool withoutCentral : {false, true})
+                    readings.push_back({phong, viewerIsEye, withoutCentral, terms});
     return readings;
 }
 

@@ -21,7 +21,10 @@ struct ShadowReading {
     Phong phong = Phong::central;
     bool viewerIsEye = false;     ///< V points to the world's origin instead of O
     bool withoutCentral = false;  ///< rays to the exact centre are not counted (an extra hard ray)
-    bool termsApart = false;      ///< separate rays for the diffuse and the specular term
+    /// Rays of the diffuse and of the specular term: the same, the first and the second half, or in
+    /// turns.
+    enum class Terms { together, halves, inTurns };
+    Terms terms = Terms::together;
 };
 
 /// What the code does with the shares: `right`, or a named mistake.

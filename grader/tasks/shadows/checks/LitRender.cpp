@@ -162,9 +162,9 @@ LitRender readLitRender(const probe::RenderQuestion& asked, const probe::RenderA
     return std::move(reader).take();
 }
 
-std::optional<std::string> litDifference(const LitRender& lit) {
+std::optional<std::string> litDifference(const LitRender& lit, bool visible) {
     if (lit.answer.colours.empty()) return looseDifference(lit);
-    if (lit.answer.events.empty() || helpersCastTheRest(lit)) return std::nullopt;
+    if (!visible || lit.answer.events.empty() || helpersCastTheRest(lit)) return std::nullopt;
     const ShadowLog log = readShadowLog(lit.asked, lit.answer);
     const auto asked = static_cast<std::size_t>(log.settings().shadowRayCount);
     if (const RayCounts counts = countRays({&log}); counts.fewest < asked)

@@ -29,7 +29,8 @@ struct LitRender {
 
 /// Words for a difference between the shadows of a render and those of single points; empty if they
 /// agree, or if too little is visible. Exact: one accepted reading must fit every point.
-[[nodiscard]] std::optional<std::string> litDifference(const LitRender& lit);
+/// @param visible  Whether all shadow rays are visible. If not, only loose rays are counted.
+[[nodiscard]] std::optional<std::string> litDifference(const LitRender& lit, bool visible = true);
 
 }  // namespace ticker::tasks
 

@@ -73,7 +73,7 @@ constexpr const char* kExpected =
 
 std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,
                                     const ShadowReading& reading) {
-    if (reading.termsApart) return std::nullopt;
+    if (reading.terms != ShadowReading::Terms::together) return std::nullopt;
     for (const ShadowLog* log : logs.horizon) {
         const std::size_t asked = askedOf(*log);
         if (const PointLog* point = leftOut(*log, reading)) {

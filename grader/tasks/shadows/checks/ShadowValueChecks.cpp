@@ -180,7 +180,7 @@ ArithmeticVerdict checkValues(const ShadowLogs& logs) {
     ArithmeticVerdict verdict;
     for (const bool viewerIsEye : {false, true}) {
         if (!allNearKnown(logs.atHandoutSettings(), viewerIsEye)) continue;
-        verdict.reading = ShadowReading{ShadowReading::Phong::central, viewerIsEye, false, false};
+        verdict.reading = ShadowReading{ShadowReading::Phong::central, viewerIsEye, false, {}};
         return verdict;
     }
     verdict.finding = knownValueMistake(logs);

@@ -172,7 +172,11 @@ TEST(CheckValues, LeavesOpenWhatTakesAPartOfTheLightAway) {
 TEST(IsNearKnown, AllowsTheLightsAngularSize) {
     for (const double height : {8.0, 2.0}) {
         ShadowByHand made;
-        made.ask(Purpose::oneLight, {{0.0, height, 0.0}, {0.0, 30.0, 0.0}});
+        ShadowQuestion& asked = made.ask(Purpose::oneLight, {{0.0, height, 0.0}, {0.0, 30.0, 0.0}});
+        raytracer::Material& floor = asked.question.scene.planes[0].material;
+        floor.colour = ColourRGB{1.0};
+        floor.phongKD = 1.0;
+        floor.phongKS = 0.0;
         PointLog& point = made.point();
         point.zones = {Zone::lit, Zone::umbra};
         const ColourRGB expected = ambientPart(point, made.last().scene()) +
@@ -183,12 +187,36 @@ TEST(IsNearKnown, AllowsTheLightsAngularSize) {
         for (const double side : {-1.0, 1.0}) {
             point.colour = expected + full * (0.99 * side * share);
             EXPECT_TRUE(isNearKnown(point, made.last(), false));
-            point.colour = expected + full * (1.01 * side * share);
+            point.colour = expected + full * (1.5 * side * share);
             EXPECT_FALSE(isNearKnown(point, made.last(), false));
         }
         point.zones = {Zone::lit, Zone::penumbra};
         EXPECT_TRUE(isNearKnown(point, made.last(), false)) << "nothing is known";
     }
+}
+
+// Beside a narrow highlight the terms of single aims lie far from the centre's.
+TEST(IsNearKnown, AllowsWhatSingleAimsGiveBesideAHighlight) {
+    ShadowByHand made;
+    made.ask(Purpose::oneLight, {{0.0, 8.0, 0.0}});
+    PointLog& point = made.point();
+    point.zones = {Zone::lit};
+    const raytracer::SceneDescription& scene = made.last().scene();
+    const raytracer::PointLight& light = scene.pointLights[0];
+    const Vector3& at = point.point.position;
+    const Vector3 edge{0.4, 8.0, 0.0};
+    point.point.viewer = at + (edge - at).reflectIn(point.point.normal) * 3.0;
+    const auto seen = [&](const Vector3& aim, double distance) {
+        return ambientPart(point, scene) +
+               phongTerms(materialOf(scene, point.point.object), light, point.point.normal,
+                          (point.point.viewer - at).normalised(), (aim - at).normalised(), distance)
+                   .sum();
+    };
+    const double nearest = (light.position() - at).magnitude() - 0.4;
+    point.colour = seen(edge, nearest);
+    EXPECT_TRUE(isNearKnown(point, made.last(), false));
+    point.colour = seen(edge, 0.8 * nearest);
+    EXPECT_FALSE(isNearKnown(point, made.last(), false));
 }
 
 TEST(Near, HoldsInEveryChannel) {

@@ -115,10 +115,26 @@ TEST(ExpectedAt, IsAllOfTheLightWhereNothingStandsBetween) {
     const ExpectedShares shares = expectedAt(asked.question, surfaces, point, AimShape::ball, 1.0);
     EXPECT_NEAR(shares.open, 1.0, 1e-9);
     for (const double share : shares.share[0])
-        EXPECT_NEAR(share, 1.0, 0.01);
-    EXPECT_NE(shares.share[0][1], shares.share[0][2]);
+        EXPECT_NEAR(share, 1.0, 0.04);
+    EXPECT_NE(shares.share[0][3], shares.share[0][4]);
     EXPECT_LT(shares.share[1][0], 0.95 * shares.share[0][0]) << "no highlight towards the origin";
-    EXPECT_NEAR(shares.share[1][1], shares.share[1][0], 0.01);
+    EXPECT_NEAR(shares.share[1][3], shares.share[1][0], 0.01);
+}
+
+TEST(ExpectedAt, KnowsTheFalloffFromTheNearSideOfTheLight) {
+    ShadowByHand made;
+    const ShadowQuestion& asked = made.ask(ShadowQuestion::Purpose::oneLight, {{0.0, 20.0, 0.0}});
+    const Surfaces surfaces{asked.question.scene};
+    probe::LitPoint point{0, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {-5.0, 20.0, 2.0}};
+    constexpr double kRadii = 4.0;
+    const ExpectedShares shares =
+        expectedAt(asked.question, surfaces, point, AimShape::flatDisc, kRadii);
+    // Over an even disc the depth of the near side has the mean 2/3 of the radius.
+    const double depth = 2.0 / 3.0 * kRadii * asked.question.settings.lightSize / 20.0;
+    EXPECT_NEAR(shares.share[0][0], 1.0, 1e-9);
+    EXPECT_NEAR(shares.share[0][2], 1.0 / ((1.0 - depth) * (1.0 - depth)), 0.006);
+    EXPECT_GT(shares.share[0][2], shares.share[0][1]);
+    EXPECT_GT(shares.share[0][5], shares.share[0][4]);
 }
 
 }  // namespace

@@ -78,6 +78,8 @@ struct Answer {
     bool darkRim = false;            ///< no light at places that should see the outermost twentieth
     raytracer::ColourRGB more{0.0};  ///< added to every colour
     AimShape shape = AimShape::ball;
+    std::size_t phong = 0;  ///< reading of ExpectedShares
+    bool viewerIsEye = false;
 };
 
 PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {},
@@ -92,11 +94,14 @@ PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {},
         log.point = asked.points[place.first];
         log.lines.resize(1);
         const ColourRGB full = unshadowed(log, asked.scene, 0, false);
-        const double open = expectedAt(asked, surfaces, log.point, how.shape, how.size).open;
+        const ExpectedShares expected = expectedAt(asked, surfaces, log.point, how.shape, how.size);
+        const double light =
+            expected.open > 0.0 ? expected.share[how.viewerIsEye ? 1 : 0][how.phong] / expected.open
+                                : 1.0;
         for (std::size_t i = 0; i < place.calls; ++i) {
             double share = 0.0;
             if (place.kind == Kind::penumbra || place.kind == Kind::atRim || how.size > 1.0)
-                share = shareOf(open, draw);
+                share = shareOf(expected.open, draw) * light;
             if (place.kind == Kind::atRim && how.darkRim) share = 0.0;
             if (place.kind == Kind::beyondRim && (i == 0 || how.beyondAlways)) share = how.beyond;
             if (place.kind == Kind::withinRim && i == 0) share = how.within;
@@ -133,6 +138,16 @@ TEST(CheckPenumbra, AcceptsEveryShapeAndNoneOfThemATenthSmaller) {
         const PenumbraVerdict smaller = judge(rays(10), {.size = 0.9, .shape = shape});
         EXPECT_TRUE(smaller.finding || smaller.ambiguous);
     }
+}
+
+TEST(CheckPenumbra, AcceptsEveryPhongReadingWithEveryFalloff) {
+    for (std::size_t phong = 0; phong < ExpectedShares::kPhongReadings; ++phong)
+        for (const AimShape shape : {AimShape::ball, AimShape::surface, AimShape::flatDisc})
+            for (const bool viewerIsEye : {false, true}) {
+                const PenumbraVerdict verdict =
+                    judge(rays(10), {.shape = shape, .phong = phong, .viewerIsEye = viewerIsEye});
+                EXPECT_FALSE(verdict.finding || verdict.ambiguous) << phong << ' ' << viewerIsEye;
+            }
 }
 
 TEST(CheckPenumbra, NamesTheSizeOfALightThatIsTooSmallOrTooLarge) {

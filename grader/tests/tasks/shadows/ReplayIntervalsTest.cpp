@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -118,7 +120,7 @@ TEST(ReplayIntervals, AreWholeWhereNoRayWasLogged) {
 TEST(ReplayReadings, LeaveOutRaysToTheCentre) {
     ReplayCase made = replayOf({open, open, blocked, blocked});
     std::vector<AimLine>& lines = made.log.points[0].lines[0];
-    const ShadowReading without{Phong::central, false, true, false};
+    const ShadowReading without{Phong::central, false, true, {}};
     lines[0].miss = 1.005e-4;  // the rays start 1e-4 from the point
     EXPECT_TRUE(fitsIn(made, kAmbient + kFull * (1.0 / 3.0), ShadowArithmetic::right, without));
     EXPECT_FALSE(fitsIn(made, kAmbient + kFull * 0.5, ShadowArithmetic::right, without));
@@ -130,13 +132,33 @@ TEST(ReplayReadings, LeaveOutRaysToTheCentre) {
 TEST(ReplayReadings, CastForEachTermApart) {
     ReplayCase made = replayOf({open, blocked, open, open});
     made.question.question.settings.shadowRayCount = 2;
-    const ShadowReading apart{Phong::central, false, false, true};
+    const ShadowReading apart{Phong::central, false, false, ShadowReading::Terms::halves};
     const ColourRGB colour = kAmbient + kDiffuse * 0.5 + kSpecular;
     EXPECT_TRUE(fitsIn(made, colour, ShadowArithmetic::right, apart));
     EXPECT_FALSE(fitsIn(made, colour, ShadowArithmetic::right));
     ReplayCase few = replayOf({open, blocked, blocked});
     few.question.question.settings.shadowRayCount = 2;
     EXPECT_TRUE(fitsIn(few, kAmbient + kFull * (1.0 / 3.0), ShadowArithmetic::right, apart));
+}
+
+TEST(ReplayReadings, CastForEachTermInTurns) {
+    ReplayCase made = replayOf({open, open, blocked, open});
+    made.question.question.settings.shadowRayCount = 2;
+    const ShadowReading inTurns{Phong::central, false, false, ShadowReading::Terms::inTurns};
+    const ColourRGB colour = kAmbient + kDiffuse * 0.5 + kSpecular;
+    EXPECT_TRUE(fitsIn(made, colour, ShadowArithmetic::right, inTurns));
+    EXPECT_FALSE(fitsIn(made, kAmbient + kFull * 0.5, ShadowArithmetic::right, inTurns));
+}
+
+TEST(ReplayReadings, CastForEachTermApartWithAnyPhongTermAndAnExtraRay) {
+    using Terms = ShadowReading::Terms;
+    const std::vector<ShadowReading> all = acceptedShadowReadings();
+    for (const Phong phong : {Phong::central, Phong::perSample, Phong::centralFalloff})
+        for (const bool withoutCentral : {false, true})
+            EXPECT_TRUE(std::ranges::any_of(all, [&](const ShadowReading& reading) {
+                return reading.terms == Terms::halves && reading.phong == phong &&
+                       reading.withoutCentral == withoutCentral;
+            }));
 }
 
 /// One ray that passes the light's centre at 0.2 of its radius of 0.4.
@@ -155,7 +177,7 @@ public:
         return kAmbient + terms.diffuse + terms.specular;
     }
     [[nodiscard]] bool fits(const ColourRGB& colour, Phong phong) const {
-        return fitsIn(made_, colour, ShadowArithmetic::right, {phong, false, false, false});
+        return fitsIn(made_, colour, ShadowArithmetic::right, {phong, false, false, {}});
     }
 
 private:
