@@ -48,6 +48,16 @@ std::optional<Finding> check(const std::vector<maintick::LitQuestion>& asked,
     return maintick::failure(*kNames[static_cast<std::size_t>(asked[*first].kind)], seen);
 }
 
+/// Shadows that are there already must not matter. Points float, so that no surface is in the way
+/// of light. Code that lights only what a ray from the light meets lights none of them, and is
+/// asked about points on their surface.
+std::optional<Finding> checkBoth(const std::vector<maintick::LitQuestion>& asked,
+                                 const std::vector<ColourRGB>& floating,
+                                 const std::vector<ColourRGB>& onSurface) {
+    auto wrong = check(asked, floating);
+    return wrong && wrong->id == kPhongUnlit.id ? check(asked, onSurface) : wrong;
+}
+
 }  // namespace
 
 TaskJudgement judgePhong(probe::Examinee& examinee, std::uint64_t seed) {
@@ -55,13 +65,17 @@ TaskJudgement judgePhong(probe::Examinee& examinee, std::uint64_t seed) {
     std::vector<probe::Question> questions;
     for (const maintick::LitQuestion& one : asked)
         questions.emplace_back(maintick::questionOf(one.setup));
+    for (const maintick::LitQuestion& one : asked)
+        questions.emplace_back(maintick::questionOf(maintick::onItsSurface(one.setup)));
     const probe::Run run = examinee.ask(questions);
     if (auto blocked = judgeUnanswered(run, "Renderer::illuminate")) return *std::move(blocked);
-    std::vector<ColourRGB> given;
+    std::vector<ColourRGB> floating;
+    std::vector<ColourRGB> onSurface;
     for (const probe::Answer& answer : run.answers)
-        given.push_back(std::get<probe::IlluminateAnswer>(answer).colours.at(0));
+        (floating.size() < asked.size() ? floating : onSurface)
+            .push_back(std::get<probe::IlluminateAnswer>(answer).colours.at(0));
     std::vector<Finding> findings;
-    auto wrong = check(asked, given);
+    auto wrong = checkBoth(asked, floating, onSurface);
     if (!wrong)
         wrong = maintick::checkThreads(examinee, seed, maintick::Shows::floor, kPhongThreadsMixed);
     if (wrong) findings.push_back(*std::move(wrong));

@@ -118,6 +118,17 @@ LitSetup drawPoint(Draw& draw) {
     return setup;
 }
 
+void layOnSphere(LitSetup& setup, double radius, double height) {
+    raytracer::SphereDescription& sphere = setup.scene.spheres[0];
+    sphere.radius = radius;
+    sphere.centre = setup.P - setup.N * (radius + height);
+}
+
+LitSetup onItsSurface(LitSetup setup) {
+    layOnSphere(setup, 1.0, kRounding);
+    return setup;
+}
+
 void addLight(Draw& draw, LitSetup& setup, double distance, double intensity) {
     addLightAt(draw, setup, draw.between(0.3, 0.8), distance, intensity);
     viewAt(draw, setup, draw.between(0.75, 0.93));

@@ -32,6 +32,16 @@ struct LitQuestion {
 /// out itself is the same.
 [[nodiscard]] LitSetup drawPoint(Draw& draw);
 
+/// How far P lies above its surface or below it, as rounding puts the points of a render: a hundred
+/// times what rounding does to these questions, so that its sign is certain.
+inline constexpr double kRounding = 1e-13;
+
+/// Moves the object, a sphere, until P lies on it, `height` above (below if negative).
+void layOnSphere(LitSetup& setup, double radius, double height);
+
+/// A copy whose object is a sphere of radius 1 that P lies on.
+[[nodiscard]] LitSetup onItsSurface(LitSetup setup);
+
 /// A light whose cosines are off their edges: N.L from 0.3 to 0.8, R.V from 0.75 to 0.93 as seen
 /// from the setup's O, which is moved. Coloured.
 /// @param distance  From the point.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace ticker::tasks::maintick {
 namespace {
@@ -75,20 +76,32 @@ Vector3 viewerOutside(const LitSetup& setup) {
     return setup.P + (R + setup.N * 0.4).normalised() * 2.5;
 }
 
-ShadeCase ofItself(Draw& draw, bool isPlane) {
+ShadeCase ofItself(Draw& draw) {
     ShadeCase made = begun(draw, Occluder::itself, draw.between(2.0, 4.0));
+    made.free.O = viewerOutside(made.free);
+    made.asked.O = made.without.O = made.putOut.O = made.free.O;
+    return made;
+}
+
+ShadeCase onSphere(Draw& draw, ShadeCase made, bool isSunk) {
+    made.isSunk = isSunk;
+    made.floating = made.free;
+    const double radius = draw.between(0.4, 2.0);
     for (LitSetup* setup : {&made.free, &made.asked, &made.without, &made.putOut})
-        setup->O = viewerOutside(made.free);
-    raytracer::SceneDescription& scene = made.asked.scene;
-    if (isPlane) {
-        scene.planes.push_back(
-            {made.asked.P + perpendicularsOf(made.asked.N).first * draw.between(-3.0, 3.0),
-             made.asked.N, scene.spheres[0].material});
-        made.object = 1;
-    } else {
-        scene.spheres[0].radius = draw.between(0.4, 2.0);
-        scene.spheres[0].centre = made.asked.P - made.asked.N * scene.spheres[0].radius;
-    }
+        layOnSphere(*setup, radius, isSunk ? -kRounding : kRounding);
+    return made;
+}
+
+ShadeCase onPlane(Draw& draw, ShadeCase made, bool isSunk) {
+    made.isSunk = isSunk;
+    made.floating = made.free;
+    made.object = static_cast<int>(made.asked.scene.spheres.size());
+    const Vector3& N = made.free.N;
+    const Vector3 below = N * (isSunk ? kRounding : -kRounding);
+    const Vector3 along = perpendicularsOf(N).first * draw.between(-3.0, 3.0);
+    for (LitSetup* setup : {&made.free, &made.asked, &made.without, &made.putOut})
+        setup->scene.planes.push_back(
+            {made.free.P + below + along, N, setup->scene.spheres[0].material});
     return made;
 }
 
@@ -119,22 +132,25 @@ std::string_view wordsOf(Occluder place) {
 std::vector<ShadeCase> drawShadeCases(std::uint64_t seed) {
     Draw draw{seed, 104};
     std::vector<ShadeCase> cases;
-    for (int i = 0; i < 2; ++i) {
+    for (const bool isSunk : {false, true}) {
         const double distance = draw.between(3.0, 4.0);
-        cases.push_back(withBall(draw, Occluder::before, distance, distance / 2.0, 0.3));
-        cases.push_back(withBall(draw, Occluder::beyond, distance, distance + 1.0, 0.4));
-        cases.push_back(withBall(draw, Occluder::farBeyond, 3.0, 5.5, 0.5));
-        cases.push_back(withBall(draw, Occluder::close, 0.5, 0.43, 0.03));
-        cases.push_back(withBall(draw, Occluder::between, 3.0, 2.4, 0.4));
-        cases.push_back(withBall(draw, Occluder::backwards, distance, -1.5, 0.4));
-        cases.push_back(withBall(draw, Occluder::near, distance, 0.06, 0.03));
-        cases.push_back(behindWall(draw));
-        cases.push_back(ofTwo(draw, i == 0));
-        cases.push_back(ofTwoBalls(draw, i == 0));
+        for (ShadeCase& made :
+             std::array{withBall(draw, Occluder::before, distance, distance / 2.0, 0.3),
+                        withBall(draw, Occluder::beyond, distance, distance + 1.0, 0.4),
+                        withBall(draw, Occluder::farBeyond, 3.0, 5.5, 0.5),
+                        withBall(draw, Occluder::close, 0.5, 0.43, 0.03),
+                        withBall(draw, Occluder::between, 3.0, 2.4, 0.4),
+                        withBall(draw, Occluder::backwards, distance, -1.5, 0.4),
+                        withBall(draw, Occluder::near, distance, 0.06, 0.03), behindWall(draw),
+                        ofTwo(draw, !isSunk), ofTwoBalls(draw, !isSunk)})
+            cases.push_back(onSphere(draw, std::move(made), isSunk));
     }
     constexpr int kOwnSurfaces = 24;
-    for (int i = 0; i < kOwnSurfaces; ++i)
-        cases.push_back(ofItself(draw, i % 2 == 0));
+    for (int i = 0; i < kOwnSurfaces; ++i) {
+        const bool isSunk = i / 2 % 2 == 1;
+        cases.push_back(i % 2 == 0 ? onPlane(draw, ofItself(draw), isSunk)
+                                   : onSphere(draw, ofItself(draw), isSunk));
+    }
     return cases;
 }
 

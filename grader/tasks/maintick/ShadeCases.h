@@ -25,16 +25,22 @@ enum class Occluder : std::uint8_t {
     itself            ///< nothing but the surface of the point
 };
 
-/// A point that is asked about with something around it, and the same without.
+/// A point of an object that is asked about with something around it, and the same without. The
+/// point lies on the object, as points of a render do: code that looks from the light meets it
+/// there.
 struct ShadeCase {
     Occluder place = Occluder::before;
+    /// Nothing casts a shadow, and the object is far below the point: code whose shadow ray meets
+    /// its own surface lights it.
+    LitSetup floating;
     LitSetup free;   ///< nothing casts a shadow
     LitSetup asked;  ///< with the occluder; its object is `object`
     /// No occluder, and the hidden light left out. Code that counts lights may give another colour
     /// than with a light of intensity 0, and either is right in shadow.
     LitSetup without;
-    LitSetup putOut;  ///< the same with a light of intensity 0
-    int object = 0;
+    LitSetup putOut;      ///< the same with a light of intensity 0
+    int object = 0;       ///< of all but `floating`, whose object is 0
+    bool isSunk = false;  ///< the point is a little below the surface, else a little above
 
     /// Whether the right answer is without the light.
     [[nodiscard]] bool isShaded() const;

@@ -54,12 +54,9 @@ TEST(MainTickCatalogue, AnEntryMayBeWholeFilesOfWhichTheTasksOwnIsJudged) {
     expectJudgedAsTheySay(entriesOf("unseen", {"M4/highlights-from-first-viewer"}), 1);
 }
 
-// Single precision and small tolerances are right readings under every seed.
-TEST(MainTickCatalogue, NeverFailsRightReadingsThatRound) {
-    const auto entries = entriesOf(
-        "accepted", {"M1/floats", "M1/half-chord-floats", "M1/tolerance-millionth",
-                     "M1/small-roots-dropped", "M3.1/floats", "M3.1/by-heights",
-                     "M3.1/tolerance-thousandth", "M3.1/small-distances-dropped", "M2/floats"});
+/// Judges each entry's own task under the first seeds.
+void expectUnderSeeds(std::uint64_t seeds, const std::vector<corpus::Entry>& entries,
+                      TaskState state) {
     const build::Kit kit = build::Kit::besideProgram(mainTick());
     const sandbox::Sandbox sandbox = sandbox::Sandbox::best();
     const sandbox::Limits limits;
@@ -71,12 +68,39 @@ TEST(MainTickCatalogue, NeverFailsRightReadingsThatRound) {
         build::SandboxedExaminee examinee{*built.program, sandbox, limits};
         for (const auto& task : tasks::tasksOf(mainTick().name)) {
             if (task.id != entry.task()) continue;
-            constexpr std::uint64_t kSeeds = 60;
-            for (std::uint64_t seed = 0; seed < kSeeds; ++seed)
-                EXPECT_EQ(task.judge(examinee, seed).state, TaskState::passed)
+            for (std::uint64_t seed = 0; seed < seeds; ++seed)
+                EXPECT_EQ(task.judge(examinee, seed).state, state)
                     << entry.name << ", seed " << seed;
         }
     }
+}
+
+// Single precision and small tolerances are right readings under every seed.
+TEST(MainTickCatalogue, NeverFailsRightReadingsThatRound) {
+    expectUnderSeeds(
+        60,
+        entriesOf("accepted",
+                  {"M1/floats", "M1/half-chord-floats", "M1/tolerance-millionth",
+                   "M1/small-roots-dropped", "M3.1/floats", "M3.1/by-heights",
+                   "M3.1/tolerance-thousandth", "M3.1/small-distances-dropped", "M2/floats"}),
+        TaskState::passed);
+}
+
+TEST(MainTickCatalogue, NeverFailsRightShadowsThatNeedNoBias) {
+    expectUnderSeeds(
+        12,
+        entriesOf("accepted",
+                  {"M3.2/from-light", "M3.2/from-light-location", "M3.2/from-light-object",
+                   "M3.2/from-light-object-strict", "M3.2/from-light-distance",
+                   "M3.2/every-far-hit", "M3.2/every-other-object", "M3.2/bias-millionth"}),
+        TaskState::passed);
+}
+
+TEST(MainTickCatalogue, NeverPassesShadowsThatRoundingDecides) {
+    expectUnderSeeds(12,
+                     entriesOf("mistakes", {"M3.2/closest-skips-near", "M3.2/closest-skips-own",
+                                            "M3.2/from-light-exactly", "M3.2/no-bias"}),
+                     TaskState::failed);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -20,13 +20,21 @@ using maintick::ShadeCase;
 
 enum class Look { right, lit, dark, black, specular, diffuse };
 using Looks = std::map<Occluder, Look>;
+constexpr std::size_t kQuestionsEach = 7;
+
+struct Habits {
+    probe::Event
+        event{};  ///< of each place; `a` from the point, `b` is added to the way to the light
+    double towardsLight = 1.0;  ///< times that way, of length 1
+    bool leaks = false;         ///< lit, if hidden, where the point is below its surface
+};
 
 /// Lights points as the handout does, and answers about places with other things around them by a
 /// table; what the table leaves out is right.
 class ShadesByTable final : public probe::Examinee {
 public:
-    ShadesByTable(std::uint64_t seed, Looks looks, probe::Event event = {})
-        : cases_(maintick::drawShadeCases(seed)), looks_(std::move(looks)), event_(event) {}
+    ShadesByTable(std::uint64_t seed, Looks looks, const Habits& habits)
+        : cases_(maintick::drawShadeCases(seed)), looks_(std::move(looks)), habits_(habits) {}
 
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
         probe::Run run;
@@ -35,8 +43,10 @@ public:
             const auto& asked = std::get<probe::IlluminateQuestion>(questions[i]);
             probe::IlluminateAnswer answer;
             answer.state = probe::AnswerState::answered;
-            if (i % 6 == 0) answer.events = {castFrom(asked.points[0].position)};
-            answer.colours = {i % 6 == 0 ? shown(cases_.at(i / 6)) : litBy(asked)};
+            const ShadeCase& shade = cases_.at(i / kQuestionsEach);
+            const bool isAsked = i % kQuestionsEach == 0;
+            if (isAsked) answer.events = {castFrom(shade.asked)};
+            answer.colours = {isAsked ? shown(shade) : litBy(asked)};
             run.answers.emplace_back(answer);
         }
         return run;
@@ -47,9 +57,11 @@ private:
         const probe::LitPoint& point = asked.points[0];
         return phong({asked.scene, point.position, point.normal, point.viewer});
     }
-    [[nodiscard]] probe::Event castFrom(const Vector3& P) const {
-        probe::Event event = event_;
-        event.a = P + event_.a;
+    [[nodiscard]] probe::Event castFrom(const LitSetup& setup) const {
+        probe::Event event = habits_.event;
+        event.a = setup.P + event.a;
+        const Vector3 L = (setup.scene.pointLights.at(0).position() - setup.P).normalised();
+        event.b = event.b + L * habits_.towardsLight;
         return event;
     }
     [[nodiscard]] ColourRGB shown(const ShadeCase& shade) const {
@@ -57,6 +69,7 @@ private:
         const Look look = row == looks_.end() ? Look::right : row->second;
         LitSetup setup = shade.free;
         raytracer::Material& material = setup.scene.spheres[0].material;
+        if (habits_.leaks && shade.isSunk && shade.isShaded()) return phong(setup);
         if (look == Look::black) return ColourRGB{0.0};
         if (look == Look::specular) material.phongKD = 0.0;
         if (look == Look::diffuse) material.phongKS = 0.0;
@@ -66,13 +79,13 @@ private:
 
     std::vector<ShadeCase> cases_;
     Looks looks_;
-    probe::Event event_;
+    Habits habits_;
 };
 
 constexpr std::uint64_t kSeed = 4;
 
-TaskJudgement judgeLooks(const Looks& looks, const probe::Event& event = {}) {
-    ShadesByTable examinee{kSeed, looks, event};
+TaskJudgement judgeLooks(const Looks& looks, const Habits& habits = {}) {
+    ShadesByTable examinee{kSeed, looks, habits};
     return judgeHardShadows(examinee, kSeed);
 }
 
@@ -93,11 +106,12 @@ struct Named {
     Looks looks;
     const char* id;
     const char* hint = "";  ///< words of it
+    Habits habits{};
 };
 
 void expectNamed(const std::vector<Named>& rows) {
     for (const Named& row : rows) {
-        const TaskJudgement judgement = judgeLooks(row.looks);
+        const TaskJudgement judgement = judgeLooks(row.looks, row.habits);
         ASSERT_EQ(judgement.findings.size(), 1U) << row.id;
         EXPECT_EQ(judgement.findings[0].id, row.id) << row.hint << judgement.findings[0].message;
         EXPECT_NE(judgement.findings[0].hint.find(row.hint), std::string::npos)
@@ -136,7 +150,7 @@ TEST(ShadeNames, LookAtSeveralPlacesAtOnce) {
          {{{Occluder::beyond, dark}, {Occluder::itself, dark}}, "shade.acne"},
          {{{Occluder::before, lit}, {Occluder::itself, dark}}, "shade.acne"},
          {{{Occluder::before, lit}, {Occluder::between, lit}}, "shade.wrong", "comes out lit"},
-         {{{Occluder::before, lit}, {Occluder::backwards, dark}}, "shade.wrong", "leaves away"},
+         {{{Occluder::before, lit}, {Occluder::backwards, dark}}, "shade.wrong", "comes out lit"},
          {with(hidden(lit), {{Occluder::backwards, dark}, {Occluder::beyond, dark}}),
           "shade.beyond-light"}});
 }
@@ -156,6 +170,35 @@ TEST(ShadeNames, NameWhatAllHiddenPlacesShow) {
                  {hidden(diffuse), "shade.diffuse"}});
 }
 
+TEST(ShadeNames, SayWhereRaysLeadThatMissTheLight) {
+    using enum Look;
+    Habits away;
+    away.towardsLight = -1.0;
+    Habits aside;
+    aside.event.b = {3.0, 4.0, 5.0};
+    Habits nowhere;
+    nowhere.event.b.x = std::numeric_limits<double>::quiet_NaN();
+    const Looks looks{{Occluder::itself, dark}};
+    expectNamed({{looks, "shade.wrong", "leaves away from the light", away},
+                 {looks, "shade.wrong", "in another direction", aside},
+                 {looks, "shade.wrong", "in another direction", nowhere}});
+}
+
+TEST(ShadeNames, SayThatTheOwnSurfaceHidesWhatStandsBehindIt) {
+    Habits leaks;
+    leaks.leaks = true;
+    expectNamed({{{}, "shade.wrong", "below its surface", leaks},
+                 {{{Occluder::beyond, Look::dark}}, "shade.wrong", "Cast Ray", leaks}});
+}
+
+TEST(ShadeNames, DescribeAPlaceThatShowsTheMistake) {
+    const auto findings =
+        judgeLooks({{Occluder::beyond, Look::dark}, {Occluder::itself, Look::dark}}).findings;
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_NE(findings[0].message.find("nothing but the surface"), std::string::npos)
+        << findings[0].message;
+}
+
 TEST(ShadeNames, LookAtASurfaceItselfFromItsOwnSide) {
     for (std::uint64_t seed = 0; seed < 50; ++seed)
         for (const ShadeCase& shade : maintick::drawShadeCases(seed)) {
@@ -171,7 +214,7 @@ TEST(ShadeNames, MeasureWhereRaysNearThePointStart) {
         probe::Event event;
         event.kind = kind;
         event.a = {0.0, away, 0.0};
-        const auto findings = judgeLooks({}, event).findings;
+        const auto findings = judgeLooks({}, {event}).findings;
         return findings.empty() ? std::string{} : findings[0].id;
     };
     EXPECT_EQ(idFrom(1.09e-3, Kind::rayCast), "");

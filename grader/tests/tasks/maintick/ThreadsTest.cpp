@@ -1,3 +1,4 @@
+#include <grader/tasks/maintick/Exact.h>
 #include <grader/tasks/maintick/LightFindings.h>
 #include <grader/tasks/maintick/Threads.h>
 

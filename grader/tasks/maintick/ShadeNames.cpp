@@ -1,0 +1,152 @@
+#include <grader/tasks/maintick/LightFindings.h>
+#include <grader/tasks/maintick/ShadeSeen.h>
+
+#include <algorithm>
+
+namespace ticker::tasks::maintick {
+namespace {
+
+using Seen = std::vector<ShadeSeen>;
+using Name = std::pair<const FindingText*, std::string>;
+
+/// Of the cases that `belongs` picks: all show `what`, and there is one.
+template <class Belongs>
+bool allShow(const Seen& seen, Shown what, const Belongs& belongs) {
+    bool any = false;
+    for (const ShadeSeen& one : seen) {
+        if (!belongs(*one.asked)) continue;
+        any = true;
+        if (one.shown() != what) return false;
+    }
+    return any;
+}
+
+bool allShow(const Seen& seen, Shown what, Occluder place) {
+    return allShow(seen, what, [&](const ShadeCase& shade) { return shade.place == place; });
+}
+
+bool isRight(const Seen& seen, Occluder place) {
+    return allShow(seen, Shown::right, place);
+}
+
+bool anyIs(const Seen& seen, auto&& fits) {
+    return std::any_of(seen.begin(), seen.end(), fits);
+}
+
+/// Most rays that start near their point lead to no light.
+std::optional<Name> nameOfAim(const Seen& seen) {
+    constexpr double kTowards = 0.99;
+    std::ptrdiff_t seenRays = 0;
+    std::ptrdiff_t astray = 0;
+    std::ptrdiff_t away = 0;
+    for (const ShadeSeen& one : seen) {
+        if (!one.aim) continue;
+        ++seenRays;
+        if (!(*one.aim >= kTowards)) ++astray;  // NaN as well
+        if (*one.aim < -kTowards) ++away;
+    }
+    if (2 * away > seenRays)
+        return Name{&kShadeWrong,
+                    "The ray leaves away from the light: its direction is (light.position() - "
+                    "P).normalised()."};
+    if (2 * astray > seenRays)
+        return Name{&kShadeWrong,
+                    "The ray leaves in another direction than to the light: its direction is "
+                    "(light.position() - P).normalised()."};
+    return std::nullopt;
+}
+
+/// Nothing is wrong but that points below their surface are lit where they are hidden.
+bool isLeak(const Seen& seen) {
+    const auto isHiddenAndSunk = [](const ShadeCase& shade) {
+        return shade.isShaded() && shade.isSunk;
+    };
+    return allShow(seen, Shown::lit, isHiddenAndSunk) &&
+           allShow(seen, Shown::right,
+                   [&](const ShadeCase& shade) { return !isHiddenAndSunk(shade); });
+}
+
+/// Where whatever is hidden is lit.
+Name nameOfNoShadows(const Seen& seen) {
+    if (allShow(seen, Shown::dark, [](const ShadeCase& shade) { return !shade.isShaded(); }))
+        return {&kShadeInverted, ""};
+    if (allShow(seen, Shown::dark, Occluder::beyond))
+        return {&kShadeBeyond,
+                "The comparison is the wrong way round: a hit that is nearer than the light "
+                "shades."};
+    return {&kShadeNone, ""};
+}
+
+/// Of code that is right where something stands between the point and a light that is 3 away.
+std::optional<Name> nameOfPlace(const Seen& seen) {
+    if (anyIs(seen, [](const ShadeSeen& one) {
+            return one.asked->place == Occluder::itself && one.shown() != Shown::right;
+        }))
+        return Name{&kShadeAcne, ""};
+    if (!isRight(seen, Occluder::near) && isRight(seen, Occluder::farBeyond) &&
+        isRight(seen, Occluder::between))
+        return Name{&kShadeBias, ""};
+    if (allShow(seen, Shown::dark, Occluder::beyond) && isRight(seen, Occluder::close))
+        return Name{&kShadeBeyond, ""};
+    for (const Occluder place : {Occluder::farBeyond, Occluder::close, Occluder::between})
+        if (!isRight(seen, place)) return Name{&kShadeDistance, ""};
+    if (!isRight(seen, Occluder::near)) return Name{&kShadeBias, ""};
+    if (!isRight(seen, Occluder::ofFirstLight) || !isRight(seen, Occluder::ofSecondLight))
+        return Name{&kShadeLights, ""};
+    if (!isRight(seen, Occluder::wall))
+        return Name{&kShadeWrong,
+                    "Planes cast shadows, too: whatever the ray meets before the light hides it."};
+    if (!isRight(seen, Occluder::beforeAndBeyond))
+        return Name{&kShadeWrong,
+                    "What stands behind the light decides nothing: look at the other objects, too, "
+                    "or take the nearest hit, scene.findClosestIntersection(ray)."};
+    return std::nullopt;
+}
+
+Name nameOfColour(const Seen& seen, Occluder place) {
+    const auto shows = [&](Shown what) {
+        return anyIs(seen, [&](const ShadeSeen& one) {
+            return one.shown() == what && one.asked->place == place;
+        });
+    };
+    if (shows(Shown::black)) return {&kShadeAmbient, ""};
+    if (shows(Shown::specular)) return {&kShadeSpecular, ""};
+    if (shows(Shown::diffuse)) return {&kShadeDiffuse, ""};
+    if (allShow(seen, Shown::lit, Occluder::before))
+        return {&kShadeWrong,
+                "What is hidden comes out lit. Look at the direction of the ray, L, and at the "
+                "comparison: a hit nearer than the light shades."};
+    return {&kShadeWrong, ""};
+}
+
+}  // namespace
+
+ColourRGB ShadeSeen::expected() const {
+    return asked->isShaded() ? dark : lit;
+}
+
+Shown ShadeSeen::shown() const {
+    const bool isDark = isNear(given, dark) || isNear(given, putOut);
+    if (asked->isShaded() ? isDark : isNear(given, lit)) return Shown::right;
+    if (isNear(given, lit)) return Shown::lit;
+    if (isDark) return Shown::dark;
+    if (isNear(given, ColourRGB{0.0})) return Shown::black;
+    if (isNear(given, specular)) return Shown::specular;
+    return isNear(given, diffuse) ? Shown::diffuse : Shown::other;
+}
+
+Name nameOf(const Seen& seen, const ShadeSeen& first) {
+    if (auto name = nameOfAim(seen)) return *std::move(name);
+    if (isLeak(seen))
+        return {&kShadeWrong,
+                "Rounding puts P a little below its surface half of the time. From there the "
+                "nearest hit is that surface, and what stands between goes unseen: start the ray "
+                "at P + N * kShadowBias, so that every hit before the light counts."};
+    if (allShow(seen, Shown::lit, [](const ShadeCase& shade) { return shade.isShaded(); }))
+        return nameOfNoShadows(seen);
+    if (isRight(seen, Occluder::before) || isRight(seen, Occluder::between))
+        if (auto name = nameOfPlace(seen)) return *std::move(name);
+    return nameOfColour(seen, first.asked->place);
+}
+
+}  // namespace ticker::tasks::maintick

@@ -1,0 +1,101 @@
+#include <grader/tasks/maintick/ShadeCases.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace ticker::tasks::maintick {
+namespace {
+
+constexpr double kSlack = 1e-3;  ///< of the largest bias
+
+Vector3 lightOf(const LitSetup& setup) {
+    return setup.scene.pointLights.at(0).position();
+}
+
+/// Where the ray meets the object of the point.
+std::optional<Meeting> meetOwn(const ShadeCase& shade, const LitSetup& setup, const Ray& ray) {
+    return shade.object == 0 ? meet(setup.scene.spheres.at(0), ray)
+                             : meet(setup.scene.planes.at(0), ray);
+}
+
+/// How much nearer than P something is that a ray from the light meets; negative: further away.
+double beforeP(const ShadeCase& shade, const LitSetup& setup) {
+    const Vector3 way = setup.P - lightOf(setup);
+    const Ray ray{lightOf(setup), way.normalised()};
+    double nearest = meetOwn(shade, setup, ray).value().distance;
+    for (const auto& sphere : setup.scene.spheres)
+        if (const auto at = meet(sphere, ray)) nearest = std::min(nearest, at->distance);
+    for (const auto& plane : setup.scene.planes)
+        if (const auto at = meet(plane, ray)) nearest = std::min(nearest, at->distance);
+    return way.magnitude() - nearest;
+}
+
+TEST(ShadeCases, LieOnTheirObjectWhereTheLightMeetsItFirst) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed)
+        for (const ShadeCase& shade : drawShadeCases(seed)) {
+            EXPECT_LT(std::abs(beforeP(shade, shade.free)), 1e-11) << seed;
+            if (shade.place == Occluder::ofSecondLight) continue;
+            const double before = beforeP(shade, shade.asked);
+            if (shade.isShaded())
+                EXPECT_GT(before, 10.0 * kSlack) << seed << ": " << wordsOf(shade.place);
+            else
+                EXPECT_LT(std::abs(before), 1e-11) << seed << ": " << wordsOf(shade.place);
+        }
+}
+
+// What a ray meets that starts at P itself depends on the way P was rounded, and renders have both.
+TEST(ShadeCases, LieBelowTheirSurfaceAsOftenAsAbove) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        std::size_t sunk = 0;
+        const auto cases = drawShadeCases(seed);
+        for (const ShadeCase& shade : cases) {
+            const Vector3 L = (lightOf(shade.asked) - shade.asked.P).normalised();
+            const auto own = meetOwn(shade, shade.asked, {shade.asked.P, L});
+            EXPECT_EQ(own.has_value(), shade.isSunk) << seed << ": " << wordsOf(shade.place);
+            EXPECT_LT(own ? own->distance : 0.0, 1e-12) << seed;
+            EXPECT_FALSE(
+                meetOwn(shade, shade.asked, {shade.asked.P + shade.asked.N * 1e-6, L}).has_value())
+                << seed;
+            if (shade.isSunk) ++sunk;
+        }
+        EXPECT_EQ(2 * sunk, cases.size());
+    }
+}
+
+TEST(ShadeCases, LetPointsFloatAboveTheirObjectForCodeThatShadesItself) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed)
+        for (const ShadeCase& shade : drawShadeCases(seed)) {
+            const LitSetup& floating = shade.floating;
+            for (const auto& light : floating.scene.pointLights) {
+                const Vector3 L = (light.position() - floating.P).normalised();
+                for (const Vector3& way : {L, -L})
+                    EXPECT_FALSE(
+                        meet(floating.scene.spheres.at(0), {floating.P - floating.N * kSlack, way}))
+                        << seed;
+            }
+            EXPECT_EQ(floating.O.x, shade.free.O.x) << seed;
+        }
+}
+
+TEST(LitQuestions, AskTheSameOfAPointOnItsSurface) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed)
+        for (const LitQuestion& asked : drawLitQuestions(seed)) {
+            const LitSetup there = onItsSurface(asked.setup);
+            EXPECT_TRUE(isNear(phong(there), phong(asked.setup))) << seed;
+            for (const auto& light : there.scene.pointLights) {
+                const Vector3 way = there.P - light.position();
+                if (way.dot(there.N) > 0.0) continue;
+                const auto at =
+                    meet(there.scene.spheres.at(0), {light.position(), way.normalised()});
+                ASSERT_TRUE(at) << seed;
+                EXPECT_LT((at->location - there.P).magnitude(), 1e-10) << seed;
+            }
+        }
+}
+
+}  // namespace
+}  // namespace ticker::tasks::maintick
