@@ -23,9 +23,10 @@ bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOut
     const bool cut = outcome.cut && !hasFailure(outcome.findings);
     if (!cut && !(outcome.rayless && (outcome.reading || unexplained))) return false;
     const char* reason = "illuminate casts no ray through findClosestIntersection";
-    if (outcome.oneRay)
+    if (outcome.onlyExtra)
         reason =
-            "illuminate casts one ray, to the light's centre, through findClosestIntersection, and "
+            "illuminate casts rays to the light's centre alone through findClosestIntersection, "
+            "and "
             "gives fractions of the light all the same";
     if (cut) reason = "illuminate casts far more rays than asked for, so not all were followed";
     outcome.findings.push_back(unseenRays(kShadowUnseenRays, reason));

@@ -32,12 +32,11 @@ bool castsNoRay(const ShadowLogs& logs) {
     return true;
 }
 
-/// Whether at most one ray to each light is visible, to its centre, although points have fractions
-/// of the light: an extra ray beside an intersection of the code's own.
-bool castsOneRayBesideOthers(const ShadowLogs& logs) {
+/// Whether all visible rays go to a light's centre, although points have fractions of the light:
+/// extra rays beside an intersection of the code's own.
+bool castsOnlyExtraRays(const ShadowLogs& logs) {
     constexpr double kSome = 0.02;
-    const RayCounts counts = countRays(logs.atHandoutSettings());
-    if (counts.most > 1 || !counts.allCentral) return false;
+    if (!countRays(logs.atHandoutSettings()).allCentral) return false;
     return std::ranges::any_of(logs.oneLight, [](const ShadowLog* log) {
         return std::ranges::any_of(log->points, [&](const PointLog& point) {
             const std::optional<PartOfLight> found = partOfLight(point, *log);
@@ -147,8 +146,8 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
         outcome.findings.push_back(*std::move(finding));
         return outcome;
     }
-    outcome.oneRay = !castsNoRay(logs) && castsOneRayBesideOthers(logs);
-    outcome.rayless = outcome.oneRay || castsNoRay(logs);
+    outcome.onlyExtra = !castsNoRay(logs) && castsOnlyExtraRays(logs);
+    outcome.rayless = outcome.onlyExtra || castsNoRay(logs);
     outcome.cut = std::ranges::any_of(all, &ShadowLog::cut);
     ShadowSeen seen{.logs = logs};
     if (!outcome.rayless) seen.aims = judgeAims(logs.farLight);

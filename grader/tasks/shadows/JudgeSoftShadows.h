@@ -15,7 +15,7 @@ struct ShadowOutcome {
     std::optional<ShadowReading> reading;  ///< the accepted reading that fits everywhere
     std::vector<ScatterPlot> plots;        ///< the rays' aims, unless a finding shows them
     bool rayless = false;                  ///< the rays are not visible: only values can be judged
-    bool oneRay = false;                   ///< of a rayless one: a ray to the centre is visible
+    bool onlyExtra = false;                ///< likewise, but for rays to the light's centre
     bool cut = false;                      ///< casts more rays than could be followed
 };
 

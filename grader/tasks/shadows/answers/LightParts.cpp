@@ -29,11 +29,25 @@ SampleTerms termsOf(const Setting& at, const AimLine& line) {
     return {{far.diffuse, near.diffuse}, {far.specular, near.specular}};
 }
 
+// How far the line is from one to the centre, seen from its start or from the point.
+double offCentre(const Setting& at, const AimLine& line) {
+    const Vector3 towards = at.light.position() - at.point.point.position;
+    const double distance = towards.magnitude();
+    return std::min(line.miss, (line.direction - towards / distance).magnitude() * distance);
+}
+
+// Leaves out the most central line and its equals. Samples of the light that come as near to its
+// centre count: where they crowd there, a picture has some.
 std::vector<AimLine> withoutCentral(const Setting& at, const std::vector<AimLine>& lines) {
-    std::vector<AimLine> counted;
+    constexpr double kEqual = 1e-9;
     const double exact = 1e-9 + 1.01 * biasOf(at.point);
-    std::copy_if(lines.begin(), lines.end(), std::back_inserter(counted),
-                 [&](const AimLine& line) { return line.miss > exact; });
+    const auto central = std::ranges::min_element(
+        lines, {}, [&](const AimLine& line) { return offCentre(at, line); });
+    if (central == lines.end() || central->miss > exact) return lines;
+    std::vector<AimLine> counted;
+    std::ranges::copy_if(lines, std::back_inserter(counted), [&](const AimLine& line) {
+        return (line.direction - central->direction).magnitude() > kEqual;
+    });
     return counted;
 }
 

@@ -122,10 +122,13 @@ TEST(ReplayReadings, LeaveOutRaysToTheCentre) {
     std::vector<AimLine>& lines = made.log.points[0].lines[0];
     const ShadowReading without{Phong::central, false, true, {}};
     lines[0].miss = 1.005e-4;  // the rays start 1e-4 from the point
+    lines[0].direction = {0.0, 1.0, 0.0};
     EXPECT_TRUE(fitsIn(made, kAmbient + kFull * (1.0 / 3.0), ShadowArithmetic::right, without));
     EXPECT_FALSE(fitsIn(made, kAmbient + kFull * 0.5, ShadowArithmetic::right, without));
     EXPECT_TRUE(fitsIn(made, kAmbient + kFull * 0.5, ShadowArithmetic::right));
-    lines[0].miss = 1.02e-4;
+    lines[1].miss = 0.5e-4;  // a sample by chance
+    EXPECT_TRUE(fitsIn(made, kAmbient + kFull * (1.0 / 3.0), ShadowArithmetic::right, without));
+    lines[0].miss = lines[1].miss = 1.02e-4;
     EXPECT_TRUE(fitsIn(made, kAmbient + kFull * 0.5, ShadowArithmetic::right, without));
 }
 
