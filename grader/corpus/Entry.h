@@ -45,6 +45,7 @@ struct Entry {
     std::string group;       ///< the folders between collection and name: "T1", "T2/right", "cases"
     std::string name;        ///< of its folder, or of its file without ".json"
     std::string about;       ///< a short description
+    std::string alone;       ///< why it is not combined with other entries; empty: it is
     std::string folderName;  ///< name under which it is handed in; mostly `name`
     std::filesystem::path
         base;  ///< folder of the files that are edited; empty if no file is edited

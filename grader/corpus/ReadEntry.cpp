@@ -160,8 +160,9 @@ Entry readEntry(const fs::path& file, const fs::path& place, const fs::path& roo
     entry.path = file.string();
     entry.name = (file == place ? file.stem() : place.filename()).string();
     const JsonValue value = JsonValue::parse(readWhole(file), entry.path);
-    value.allowOnly({"about", "folder", "base", "edits", "make", "expect"});
+    value.allowOnly({"about", "alone", "folder", "base", "edits", "make", "expect"});
     entry.about = value.at("about").text();
+    if (value.has("alone")) entry.alone = value.at("alone").text();
     entry.folderName = value.has("folder") ? plainName(value.at("folder")) : entry.name;
     if (value.has("base")) entry.base = folderOf(value.at("base").text(), root, exercise);
     if (value.has("edits"))

@@ -7,6 +7,7 @@
 #include <grader/exercise/Exercise.h>
 #include <grader/lab/LabVerbs.h>
 #include <grader/lab/selftest/BumpTables.h>
+#include <grader/lab/selftest/Combinations.h>
 #include <grader/lab/selftest/HostileTables.h>
 #include <grader/lab/selftest/MistakeTables.h>
 #include <grader/lab/selftest/ScreenshotTables.h>
@@ -29,6 +30,7 @@ struct SelftestOptions {
     bool hostile = false;
     bool explain = false;
     bool screenshots = false;
+    std::size_t combinations = 0;
     double fraction = 1.0;
     int rounds = 1;
     std::vector<std::string> cases;
@@ -146,9 +148,17 @@ bool hasModels(const Exercise& exercise) {
     return &exercise == &defaultExercise();
 }
 
+bool testCombinations(const SelftestOptions& options, const pipeline::Grader& grader, bool draw) {
+    const auto accepted = corpus::readEntries(Home::find().data, {"accepted"}, *grader.exercise);
+    return testMistakes(
+        selftest::drawCombinations(accepted, options.combinations, seedOf(options.grade)),
+        "accepted readings together", options, grader, draw);
+}
+
 bool runTables(const SelftestOptions& options, bool draw) {
     const pipeline::Grader grader = makeGrader(options.grade);
     const Exercise& exercise = *grader.exercise;
+    if (options.combinations > 0) return testCombinations(options, grader, draw);
     if (!options.cases.empty() && !options.hostile) {
         const auto catalogue = catalogueOf(exercise);
         return testMistakes(selftest::mistakesCalled(catalogue, options.cases), options.task,
@@ -204,6 +214,8 @@ Run addSelftest(CLI::App& app, const GlobalOptions& global) {
         "--explain", options->explain,
         "Also looks for edits that mend the hostile submissions, as grade --explain does");
     verb->add_flag("--screenshots", options->screenshots, "Only the screenshots");
+    verb->add_option("--combinations", options->combinations,
+                     "Instead of the tables: this many random combinations of accepted readings");
     verb->add_option("--fraction", options->fraction, "Share of each table to run")
         ->check(CLI::Range(0.0, 1.0));
     verb->add_option("--repeat", options->rounds, "How often to run the hostile submissions")
