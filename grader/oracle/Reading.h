@@ -51,6 +51,9 @@ struct BumpReading {
 /// (docs/decisions/0003).
 struct Reading {
     double apertureFactor = 1.0;  ///< half-width of the lens / dofAmount: 1 or 0.5 are accepted
+    /// Side of the square on the focal plane that the rays of a pixel go through, uniformly, in
+    /// pixels; above 0 (antialiasing) to 1 are accepted, too.
+    double pixelSpread = 0.0;
     LightShape lightShape = LightShape::ball;
     ShadowReach shadowReach = ShadowReach::toSample;
     PhongReading phong = PhongReading::central;

@@ -86,6 +86,8 @@ Setup::Setup(const raytracer::SceneDescription& description,
     lensHalf = narrowed(mistake.aperture == Mistake::Aperture::none ? 0.0 : half);
     lensOffsetX = narrowed(half * mistake.lensOffsetX);
     lensOffsetY = narrowed(half * mistake.lensOffsetY);
+    pixelSpread = narrowed(reading.pixelSpread);
+    lensDimensions = pixelSpread > 0.0F ? 4 : 2;
 
     const double radius = settings.lightSize * mistake.lightSizeFactor;
     lightRadius = narrowed(radius);

@@ -8,6 +8,7 @@
 #include <raytracer/base/RenderSettings.h>
 #include <raytracer/scene/SceneDescription.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace ticker::oracle {
@@ -35,6 +36,9 @@ struct Setup {
     float lensHalf = 0.0F;
     float lensOffsetX = 0.0F;
     float lensOffsetY = 0.0F;
+
+    float pixelSpread = 0.0F;
+    std::size_t lensDimensions = 2;  ///< sample numbers of a path before those of shadow rays
 
     float lightRadius = 0.0F;  ///< of the shape that aim points are drawn from
     float aimBound = 0.0F;     ///< no aim point is farther from the aim's centre

@@ -86,11 +86,10 @@ public:
         : setup_(setup), numbers_(numbers), paired_(paired) {}
 
     HWY_INLINE void begin(VU slot, std::size_t light, std::size_t depth) {
-        constexpr std::size_t kLensDimensions = 2;
         own_ = numbers_.of(slot);
         const std::size_t hit = depth * setup_.scene.lights.size() + light;
         const auto rays = static_cast<std::size_t>(paired_ ? 2 : setup_.shadowRays);
-        dimension_ = (paired_ ? kLensDimensions : kGenerator.size()) + 3 * rays * hit;
+        dimension_ = (paired_ ? setup_.lensDimensions : kGenerator.size()) + 3 * rays * hit;
     }
 
     HWY_INLINE Vec3 point(std::size_t i) {

@@ -41,6 +41,13 @@ HWY_INLINE Vec2 lensPoint(const Setup& setup, VF u, VF v) {
             hn::MulAdd(point.y, all(setup.lensHalf), all(setup.lensOffsetY))};
 }
 
+/// Maps two numbers in [0, 1) to a place in a pixel, in pixels from its middle.
+HWY_INLINE Vec2 pixelPlace(const Setup& setup, VF u, VF v) {
+    const VF half = all(0.5F);
+    return {hn::Mul(hn::Sub(u, half), all(setup.pixelSpread)),
+            hn::Mul(hn::Sub(v, half), all(setup.pixelSpread))};
+}
+
 /// Lens points of student renders.
 class StudentLens {
 public:
@@ -53,6 +60,11 @@ public:
         const VF u = unit(generator_.bits());
         const VF v = unit(generator_.bits());
         return lensPoint(setup_, u, v);
+    }
+    HWY_INLINE Vec2 place(std::size_t /*at*/) {
+        const VF u = unit(generator_.bits());
+        const VF v = unit(generator_.bits());
+        return pixelPlace(setup_, u, v);
     }
 
 private:
@@ -73,6 +85,12 @@ public:
         const VF v = numbers_.at(own, 1);
         return lensPoint(setup_, u, v);
     }
+    HWY_INLINE Vec2 place(std::size_t at) {
+        const PathNumbers::Own own = numbers_.from(at);
+        const VF u = numbers_.at(own, 2);
+        const VF v = numbers_.at(own, 3);
+        return pixelPlace(setup_, u, v);
+    }
 
 private:
     const Setup& setup_;
@@ -80,14 +98,19 @@ private:
 };
 
 /// Starts one vector of paths: from the lens, through the point where the pixel's pinhole ray meets
-/// the focal plane.
+/// the focal plane, or beside it (`pixelSpread`).
 template <typename Lens>
 HWY_INLINE void beginVector(const Setup& setup, Lens& lens, std::size_t at, bool paired,
                             Workspace& work) {
     const VF zero = hn::Zero(F());
     const VF one = all(1.0F);
-    const VF x = hn::ConvertTo(F(), load(work.column, at));
-    const VF y = hn::ConvertTo(F(), load(work.row, at));
+    VF x = hn::ConvertTo(F(), load(work.column, at));
+    VF y = hn::ConvertTo(F(), load(work.row, at));
+    if (setup.pixelSpread > 0.0F) {
+        const Vec2 place = lens.place(at);
+        x = hn::Add(x, place.x);
+        y = hn::Add(y, place.y);
+    }
     const Vec3 towards{hn::MulAdd(x, all(setup.pitch), all(setup.leftmost)),
                        hn::NegMulAdd(y, all(setup.pitch), all(setup.topmost)), one};
     const VF scale = setup.mistake.focalByDistance ? inverseRoot(squared(towards)) : one;

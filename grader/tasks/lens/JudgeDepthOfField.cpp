@@ -113,6 +113,11 @@ std::optional<Finding> checkOtherSettings(const LensLog& log) {
 
 }  // namespace
 
+bool isAntialiased(const std::vector<Finding>& findings) {
+    return std::ranges::any_of(findings,
+                               [](const Finding& finding) { return is(finding, kDofAntialiased); });
+}
+
 LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
     LensOutcome outcome;
     if (!isFinite(handout)) {

@@ -21,6 +21,9 @@ struct LensOutcome {
     bool cut = false;        ///< casts more rays than could be followed
 };
 
+/// Whether one of the findings says that each ray goes through another place of its pixel.
+[[nodiscard]] bool isAntialiased(const std::vector<Finding>& findings);
+
 /// Judges T2.2 from answered questions alone.
 /// @param handout  Answers at the handout's settings.
 /// @param other    Answers at other settings: a fault there alone is a warning.

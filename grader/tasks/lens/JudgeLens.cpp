@@ -18,24 +18,42 @@
 namespace ticker::tasks {
 namespace {
 
+Finding antialiasedPicture() {
+    return distributedFinding(
+        kDofAntialiased, Severity::warn,
+        "All rays of a pixel were expected to meet in one point of the focal plane; the pictures "
+        "are those of rays that go through different places of the pixel's own square there, "
+        "which is antialiasing. They are right, with smoother edges than the handout's.");
+}
+
+// Judges pictures, for code whose rays do not show all.
+// @return  Whether the submission needs review.
+bool judgeUnseen(probe::Examinee& examinee, std::uint64_t seed, LensOutcome& outcome) {
+    outcome.findings.push_back(unseenRays(
+        kDofUnseenRays,
+        outcome.cut ? "render casts far more rays than asked for, so not all were followed"
+        : outcome.partly
+            ? "render sends the rays of some pixels through trace, but not those of others"
+            : "render does not send its rays through trace"));
+    bool antialiased = false;
+    const bool needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
+        PictureStage judged = judgePicture(examinee, seed, stage);
+        outcome.apertureFactor = judged.stage.apertureFactor;
+        antialiased = judged.antialiased;
+        return judged.stage;
+    });
+    if (antialiased && !hasFailure(outcome.findings) && !isAntialiased(outcome.findings))
+        outcome.findings.push_back(antialiasedPicture());
+    return needsReview;
+}
+
 // Judges pictures if the rays leave something open; otherwise renders with two threads and a second
 // render.
 // @return  Whether the submission needs review.
 bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntialias,
                   LensOutcome& outcome) {
-    if (outcome.rayless || outcome.valueless || (outcome.cut && !hasFailure(outcome.findings))) {
-        outcome.findings.push_back(unseenRays(
-            kDofUnseenRays,
-            outcome.cut ? "render casts far more rays than asked for, so not all were followed"
-            : outcome.partly
-                ? "render sends the rays of some pixels through trace, but not those of others"
-                : "render does not send its rays through trace"));
-        return keepRepeated(outcome.findings, [&](std::uint64_t stage) {
-            Stage judged = judgePicture(examinee, seed, stage);
-            outcome.apertureFactor = judged.apertureFactor;
-            return judged;
-        });
-    }
+    if (outcome.rayless || outcome.valueless || (outcome.cut && !hasFailure(outcome.findings)))
+        return judgeUnseen(examinee, seed, outcome);
     if (hasFailure(outcome.findings)) return false;
     const bool threads = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
         return judgeThreads(examinee, mayAntialias, seed, stage);

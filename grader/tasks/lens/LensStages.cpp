@@ -15,12 +15,25 @@ bool sameEachTime(const probe::RenderAnswer& answer) {
                                [&](const auto& image) { return image == answer.images.front(); });
 }
 
-Stage stageOf(PictureVerdict verdict) {
+PictureStage stageOf(PictureVerdict verdict) {
     if (verdict.ambiguous)
-        return doubtful(kDofUnseenRays,
-                        "Its pictures are neither clearly right nor clearly wrong: a person has to "
-                        "compare them.");
-    return {std::move(verdict.finding), std::nullopt, verdict.apertureFactor};
+        return {doubtful(kDofUnseenRays,
+                         "Its pictures are neither clearly right nor clearly wrong: a person has "
+                         "to compare them.")};
+    return {{std::move(verdict.finding), std::nullopt, verdict.reading.apertureFactor},
+            verdict.reading.pixelSpread > 0.0};
+}
+
+// What looks like antialiasing must do so in smaller pixels, too: otherwise the focal points are
+// off by a length of their own.
+PictureStage judgeFinePicture(probe::Examinee& examinee, const oracle::Reading& reading,
+                              std::uint64_t own) {
+    const probe::RenderQuestion asked = drawFinePictureQuestion(own);
+    const probe::Run run = examinee.ask({asked});
+    const auto* answer = answeredBy<probe::RenderAnswer>(run);
+    if (answer == nullptr || answer->wrongSize || answer->images.empty())
+        return {unanswered(run, "render")};
+    return stageOf(judgePictures(asked, *answer, reading, own));
 }
 
 }  // namespace
@@ -38,16 +51,19 @@ std::optional<Finding> failureAlone(probe::Examinee& examinee, probe::RenderQues
 
 // Code that repeats one picture yields a single sample of its noise: a larger picture is asked for,
 // with as many pixels as all repetitions together.
-Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
+PictureStage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
     const std::uint64_t own = seedOf(seed, stage);
     for (const bool onePicture : {false, true}) {
         const probe::RenderQuestion asked = drawPictureQuestion(own, onePicture);
         const probe::Run run = examinee.ask({asked});
         const auto* answer = answeredBy<probe::RenderAnswer>(run);
         if (answer == nullptr || answer->wrongSize || answer->images.empty())
-            return unanswered(run, "render");
-        if (onePicture || !sameEachTime(*answer))
-            return stageOf(judgePictures(asked, *answer, own));
+            return {unanswered(run, "render")};
+        if (!onePicture && sameEachTime(*answer)) continue;
+        PictureVerdict verdict = judgePictures(asked, *answer, own);
+        if (verdict.reading.pixelSpread > 0.0 && !verdict.finding && !verdict.ambiguous)
+            return judgeFinePicture(examinee, verdict.reading, own);
+        return stageOf(std::move(verdict));
     }
     return {};
 }

@@ -16,9 +16,15 @@ namespace ticker::tasks {
 
 // Each stage asks questions of its own, drawn from `seed` and the stage's number.
 
+/// Result of pictures.
+struct PictureStage {
+    Stage stage;
+    bool antialiased = false;  ///< they are those of rays that go through all of their pixel
+};
 /// Judges the pictures of `render`, for code whose rays are not visible.
-[[nodiscard]] Stage judgePicture(probe::Examinee& examinee, std::uint64_t seed,
-                                 std::uint64_t stage);
+[[nodiscard]] PictureStage judgePicture(probe::Examinee& examinee, std::uint64_t seed,
+                                        std::uint64_t stage);
+
 /// Judges `render` with two threads, for code that is right with one. A data race may show or not.
 /// @param mayAntialias  See `LensLog`.
 [[nodiscard]] Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,

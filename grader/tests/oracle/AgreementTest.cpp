@@ -17,7 +17,7 @@ namespace {
 using raytracer::RenderSettings;
 
 // Every test below looks at 36 tile means (|z| of a normal variable) and one variance: all tests
-// together make fewer than 1500 comparisons, each with a false-alarm probability below 4e-8 at 5.5.
+// together make fewer than 2500 comparisons, each with a false-alarm probability below 4e-8 at 5.5.
 // Seeds are fixed, so that a test that passes once passes always.
 constexpr double kLargestZ = 5.5;
 constexpr int kRenders = 20;
@@ -132,6 +132,12 @@ std::vector<Case> cases() {
     using M = Mistake&;
     return {
         changed("HalfAperture", [](R r, M) { r.apertureFactor = 0.5; }),
+        changed("Antialiased",
+                [](R r, M) {
+                    r.pixelSpread = 1.0;
+                    r.phong = PhongReading::perSample;
+                }),
+        changed("AntialiasedInside", [](R r, M) { r.pixelSpread = 0.5; }),
         changed("Surface", [](R r, M) { r.lightShape = LightShape::surface; }),
         changed("UniformRadius", [](R r, M) { r.lightShape = LightShape::uniformRadius; }),
         changed("PolarHelper", [](R r, M) { r.lightShape = LightShape::polarHelper; }),

@@ -74,6 +74,12 @@ Vector3 PlainRenderer::lensPoint() {
     return point * (settings_.dofAmount * reading_.apertureFactor);
 }
 
+// Along one axis, in pixels from the middle.
+double PlainRenderer::placeInPixel() {
+    if (reading_.pixelSpread == 0.0) return 0.0;
+    return (uniform() - 0.5) * reading_.pixelSpread;
+}
+
 ColourRGB PlainRenderer::lightOf(std::size_t light, const RaycastHit& hit,
                                  const Vector3& toViewer) {
     const raytracer::PointLight& lamp = scene_.pointLights()[light];
@@ -163,10 +169,13 @@ raytracer::Image PlainRenderer::render() {
             const double focal = settings_.dofFocalPlane * mistake_.focalFactor;
             const Vector3 focalPoint =
                 pinhole.evaluateAt(mistake_.focalByDistance ? focal : focal / pinhole.direction.z);
+            const double pixel = 2.0 * std::tan(std::numbers::pi / 8.0) / settings_.width * focal;
             ColourRGB sum;
             for (int i = 0; i < settings_.dofRayCount; ++i) {
                 const Vector3 lens = lensPoint();
-                sum += trace({lens, (focalPoint - lens).normalised()}, settings_.bounces);
+                const double across = placeInPixel() * pixel;
+                const Vector3 target = focalPoint + Vector3{across, placeInPixel() * pixel, 0.0};
+                sum += trace({lens, (target - lens).normalised()}, settings_.bounces);
             }
             image.set(x, y, sum / settings_.dofRayCount * mistake_.pixelScale);
         }

@@ -26,6 +26,7 @@ private:
     double uniform() { return unit_(engine_); }
     raytracer::Vector3 aimPoint();
     raytracer::Vector3 lensPoint();
+    double placeInPixel();
     raytracer::ColourRGB trace(const raytracer::Ray& ray, int bouncesLeft);
     raytracer::ColourRGB illuminate(const raytracer::RaycastHit& hit,
                                     const raytracer::Vector3& viewer);

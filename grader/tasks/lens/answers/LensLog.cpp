@@ -71,6 +71,26 @@ bool hasAllRays(const LensLog& log) {
                        [&](const LensPixel& pixel) { return pixel.rays.size() >= asked; });
 }
 
+bool isPinhole(const LensRay& ray, const LensPixel& pixel) {
+    constexpr double kSame = 1e-6;
+    return ray.origin.magnitude() < kSame && (ray.direction - pixel.pinhole).magnitude() < kSame;
+}
+
+// The pinhole ray of each pixel is visible, and the pixel has another colour: an extra ray beside
+// rays that are not visible.
+bool showsOnlyPinholeRays(const LensLog& log) {
+    constexpr double kSame = 1e-3;
+    const auto hasOthers = [](const LensPixel& pixel) {
+        return pixel.rays.size() != 1 || !isPinhole(pixel.rays[0], pixel);
+    };
+    const auto isOfOthers = [](const LensPixel& pixel) {
+        const ColourRGB seen = pixel.colour - pixel.rays[0].value.value_or(pixel.rays[0].ambient);
+        return std::abs(seen.r) + std::abs(seen.g) + std::abs(seen.b) > kSame;
+    };
+    return std::ranges::none_of(log.pixels, hasOthers) &&
+           std::ranges::any_of(log.pixels, isOfOthers);
+}
+
 }  // namespace
 
 std::size_t LensLog::rayCount() const {
@@ -81,8 +101,9 @@ std::size_t LensLog::rayCount() const {
 }
 
 bool lacksRays(const LensLog& log) {
-    return std::ranges::any_of(log.pixels,
-                               [](const LensPixel& pixel) { return pixel.rays.empty(); });
+    return showsOnlyPinholeRays(log) || std::ranges::any_of(log.pixels, [](const LensPixel& pixel) {
+               return pixel.rays.empty();
+           });
 }
 
 Vector3 pinholeDirection(const raytracer::RenderSettings& settings, int x, int y) {

@@ -38,7 +38,7 @@ struct LensLog {
     [[nodiscard]] std::size_t rayCount() const;
 };
 
-/// Whether pixels without any ray exist, whose rays cannot be judged.
+/// Whether pixels exist whose rays cannot be judged: without any ray, or with an extra ray alone.
 [[nodiscard]] bool lacksRays(const LensLog& log);
 
 /// Finds the lens rays and the pixel of each. A ray that is traced before a pixel is set belongs to

@@ -1,14 +1,14 @@
 #include <grader/tasks/lens/LensFindings.h>
-#include <grader/tasks/lens/answers/Pictures.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
-#include <grader/tasks/lens/checks/PictureMistakes.h>
+#include <grader/tasks/lens/checks/PictureTrial.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace ticker::tasks {
 namespace {
@@ -19,105 +19,93 @@ using oracle::Reading;
 constexpr int kPictureWidth = 24;
 constexpr int kPictureRepetitions = 8;
 constexpr int kLargeWidth = 68;
+// For the same focal points in pixels of half the size, and still some repetitions.
+constexpr int kFineWidth = 48;
+constexpr int kFineRepetitions = 4;
 
-// The limit for the largest of about 30 z-scores: normal scores exceed 6 with a chance below 1e-7.
-// Sums of squares have heavier tails. docs/calibration.md has the measured values.
-constexpr double kMostZ = 6.0;
-constexpr double kMostExcess = 9.0;
-constexpr double kSharedExcess = 120.0;
+// The search for a reading that fits, and for the least bad one otherwise.
+class Search {
+public:
+    Search(const probe::RenderQuestion& asked, const SeenPictures& seen, std::uint64_t seed)
+        : asked_(asked), seen_(seen), seed_(seed) {}
 
-Finding findingOf(const FindingText& text, const std::string& seen, const PictureMistake* runnerUp,
-                  double z) {
-    Finding finding = distributedFinding(
-        text, Severity::fail,
-        "The picture was compared with what the handout's steps give, since the rays cannot be "
-        "seen: " +
-            seen + ".");
-    finding.evidence.emplace_back("z", z);
-    if (runnerUp != nullptr)
-        finding.evidence.emplace_back("runnerUp", std::string{runnerUp->text->id});
-    return finding;
-}
+    PictureVerdict verdict() {
+        if (!fitsHandout() && isNearerAntialiased()) tryInsideOfPixels();
+        return best_->verdict;
+    }
 
-// Large differences must have the mistake's shape; small ones have that of their noise.
-bool hasName(const Bank& bank, double z, double meanSquares, std::size_t pixels) {
-    constexpr double kShare = 0.35;
-    constexpr double kSmall = 4.0;
-    if (bank.best == nullptr || bank.bestMatch.z < kShare * z) return false;
-    const double squares = meanSquares * static_cast<double>(pixels);
-    return meanSquares < kSmall || bank.bestMatch.z * bank.bestMatch.z > kShare * squares;
-}
+private:
+    static constexpr std::array kApertures{1.0, 0.5};
 
-Finding nameOf(const Bank& bank, double z, bool scaled, bool named) {
-    if (scaled) return findingOf(kDofNotAveraged, "it is too bright or too dark", bank.second, z);
-    if (named) return findingOf(*bank.best->text, bank.best->seen, bank.second, z);
-    return findingOf(kDofWrong, "it differs in a way that is not known", bank.second, z);
-}
+    [[nodiscard]] Candidate candidate(double aperture, double spread) const {
+        Reading reading;
+        reading.apertureFactor = aperture;
+        reading.pixelSpread = spread;
+        return candidateOf(asked_, seen_, reading, seed_);
+    }
 
-// Whether a factor on the brightness explains nearly all, and more than any other mistake.
-bool isScaled(const SeenPictures& seen, const ExpectedPicture& expected, const Bank& bank) {
-    constexpr double kNearlyAll = 0.1;
-    const std::optional<Plane> scaled = rescaled(seen, expected);
-    if (!scaled) return false;
-    return unexplainedBy(*scaled, seen, expected) < std::min(kNearlyAll, bank.bestLeaves);
-}
+    bool fits(const Candidate& candidate) {
+        Trial trial = tryReading(asked_, seen_, candidate, seed_);
+        const bool isFit = trial.fits();
+        // What may be the noise of shared lens points is no failure of antialiasing.
+        const bool isOpen =
+            best_ && best_->verdict.ambiguous && candidate.reading.pixelSpread > 0.0;
+        if (isFit || !best_ || (!isOpen && trial.total < best_->total)) best_ = std::move(trial);
+        return isFit;
+    }
 
-// Lens points that all pixels share correlate the pixels' noise. With a single picture, fifty
-// shared points look by chance like a fifth of a mistake, never like half of one. Each pixel stays
-// as near to its mean as with independent points: if all pixels were one, z^2 would exceed 25 with
-// a chance below 1e-6.
-bool mayBeSharedNoise(const SeenPictures& seen, const Bank& bank, const Excess& excess,
-                      double meanSquares) {
-    // The variance of eight numbers exceeds 6 times its mean with a chance below 1e-6.
-    constexpr double kMostSpread = 6.0;
-    constexpr double kHalf = 0.5;
-    constexpr double kMostSquaredZ = 25.0;
-    if (meanSquares > kMostSquaredZ) return false;
-    if (seen.identical) return std::abs(bank.bestMatch.amplitude) < kHalf;
-    return excess.ratio < 3.0 && bank.spread > kMostSpread * std::max(1.0, excess.ratio);
-}
+    bool fitsHandout() {
+        for (const double aperture : kApertures) {
+            const Candidate one = candidate(aperture, 0.0);
+            misfit_ = std::min(misfit_, one.misfit);
+            if (fits(one)) return true;
+        }
+        return false;
+    }
 
-struct Trial {
-    PictureVerdict verdict;
-    double total = 0.0;  // sum of z^2 over all tests: how badly the reading fits
+    // @return  Whether the best is some antialiasing that does not fit.
+    bool isNearerAntialiased() {
+        // Right pictures with rays through a half of each pixel come three times as near.
+        constexpr double kNearer = 0.5;
+        bool isNearer = false;
+        for (const double aperture : kApertures) {
+            const Candidate one = candidate(aperture, 1.0);
+            if (one.misfit > kNearer * misfit_) continue;
+            if (fits(one)) return false;
+            isNearer = true;
+            nearest_ = std::min(nearest_, one.misfit);
+        }
+        return isNearer;
+    }
+
+    // Filters that favour the middle of a pixel (tent, bell, disc, grid) look like a smaller square
+    // of the same variance. Half a step of these sizes is z = 4 at most.
+    void tryInsideOfPixels() {
+        std::optional<Candidate> nearest;
+        for (const double spread : {0.93, 0.86, 0.78, 0.7, 0.6, 0.5})
+            for (const double aperture : kApertures) {
+                Candidate one = candidate(aperture, spread);
+                if (one.misfit >= nearest_) continue;
+                nearest_ = one.misfit;
+                nearest = std::move(one);
+            }
+        if (nearest) fits(*nearest);
+    }
+
+    const probe::RenderQuestion& asked_;
+    const SeenPictures& seen_;
+    std::uint64_t seed_;
+    std::optional<Trial> best_;
+    double misfit_ = std::numeric_limits<double>::infinity();   // least, without antialiasing
+    double nearest_ = std::numeric_limits<double>::infinity();  // least, with antialiasing
 };
 
-Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen, double factor,
-                 std::uint64_t seed) {
-    Reading reading;
-    reading.apertureFactor = factor;
-    const ExpectedPicture expected = expectedPicture(asked, reading, seed);
-    const std::vector<PictureMistake> mistakes = pictureMistakes(factor);
-    const Bank bank = tryAll(mistakes, asked, seen, expected, seed + 1);
-    const double tile = largestTileZ(seen, expected);
-    const Excess excess = excessVariance(seen, expected);
-    const double meanSquares = meanSquaredZ(seen, expected);
-    const bool scaled = isScaled(seen, expected, bank);
-    Trial trial;
-    trial.total = bank.squares + tile * tile;
-    PictureVerdict& verdict = trial.verdict;
-    verdict.apertureFactor = factor;
-    verdict.identical = seen.identical;
-    verdict.largestZ = std::max(bank.largest, tile);
-    verdict.excessVariance = excess.z;
-    verdict.timesTheLimit = std::max(verdict.largestZ / kMostZ, excess.z / kMostExcess);
-    if (excess.z > kSharedExcess && !scaled)
-        verdict.finding =
-            findingOf(kDofSharedSamples, "it changes as a whole from one time to the next",
-                      bank.best, excess.z);
-    else if (verdict.largestZ > kMostZ)
-        verdict.finding = nameOf(bank, verdict.largestZ, scaled,
-                                 hasName(bank, verdict.largestZ, meanSquares, seen.mean.size()));
-    else if (excess.z > kMostExcess)
-        verdict.finding =
-            findingOf(kDofTooFewRays, "it is noisier than that many rays for each pixel can be",
-                      bank.best, excess.z);
-    if (verdict.finding && mayBeSharedNoise(seen, bank, excess, meanSquares)) {
-        verdict.finding.reset();
-        verdict.ambiguous = true;
-    }
-    if (verdict.finding) verdict.finding->rasters.push_back(zMap(seen, expected));
-    return trial;
+PictureVerdict notFinite() {
+    PictureVerdict verdict;
+    verdict.finding = distributedFinding(kDofWrong, Severity::fail,
+                                         "Colours were expected; some pixels hold a value that is "
+                                         "no number.");
+    return verdict;
 }
 
 }  // namespace
@@ -145,23 +133,25 @@ probe::RenderQuestion drawPictureQuestion(std::uint64_t seed, bool onePicture) {
     return question;
 }
 
+probe::RenderQuestion drawFinePictureQuestion(std::uint64_t seed) {
+    probe::RenderQuestion question = drawPictureQuestion(seed);
+    question.settings.width = kFineWidth;
+    question.settings.height = kFineWidth * 3 / 4;
+    question.repetitions = kFineRepetitions;
+    return question;
+}
+
 PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
                              std::uint64_t seed) {
     const SeenPictures seen = readPictures(answer);
-    if (!seen.isFinite()) {
-        PictureVerdict verdict;
-        verdict.finding = distributedFinding(kDofWrong, Severity::fail,
-                                             "Colours were expected; some pixels hold a value that "
-                                             "is no number.");
-        return verdict;
-    }
-    const auto fits = [](const Trial& trial) {
-        return !trial.verdict.finding && !trial.verdict.ambiguous;
-    };
-    const Trial full = tryReading(asked, seen, 1.0, seed);
-    if (fits(full)) return full.verdict;
-    const Trial half = tryReading(asked, seen, 0.5, seed);
-    return fits(half) || half.total < full.total ? half.verdict : full.verdict;
+    return seen.isFinite() ? Search{asked, seen, seed}.verdict() : notFinite();
+}
+
+PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
+                             const oracle::Reading& reading, std::uint64_t seed) {
+    const SeenPictures seen = readPictures(answer);
+    if (!seen.isFinite()) return notFinite();
+    return tryReading(asked, seen, candidateOf(asked, seen, reading, seed), seed).verdict;
 }
 
 }  // namespace ticker::tasks

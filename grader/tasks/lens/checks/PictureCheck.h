@@ -1,6 +1,7 @@
 #ifndef TICKER_TASKS_LENS_CHECKS_PICTURECHECK_H
 #define TICKER_TASKS_LENS_CHECKS_PICTURECHECK_H
 
+#include <grader/oracle/Reading.h>
 #include <grader/probe/Question.h>
 #include <grader/result/Finding.h>
 
@@ -16,11 +17,14 @@ namespace ticker::tasks {
 [[nodiscard]] probe::RenderQuestion drawPictureQuestion(std::uint64_t seed,
                                                         bool onePicture = false);
 
+/// The same in smaller pixels: whether what looks like antialiasing follows the size of a pixel.
+[[nodiscard]] probe::RenderQuestion drawFinePictureQuestion(std::uint64_t seed);
+
 /// Result of T2.2's pictures as z-scores: standard normal for a correct submission, up to the
 /// normal approximation of sums of some hundred pixels.
 struct PictureVerdict {
-    double apertureFactor = 1.0;  ///< the accepted reading that fits best
-    double largestZ = 0.0;        ///< largest |z| of all tests under that reading
+    oracle::Reading reading;  ///< the accepted one that fits best
+    double largestZ = 0.0;    ///< largest |z| of all tests under that reading
     double excessVariance =
         0.0;                     ///< z of the pixels' variance over repetitions; high: too few rays
     double timesTheLimit = 0.0;  ///< the larger of both, each in units of its limit
@@ -31,10 +35,16 @@ struct PictureVerdict {
     bool ambiguous = false;
 };
 
-/// Compares with the oracle's mean and variance under each accepted aperture: by one matched filter
-/// for each named mistake (Neyman and Pearson 1933), and by tiles for unknown ones.
+/// Compares with the oracle's mean and variance under each accepted reading (aperture,
+/// antialiasing): by one matched filter for each named mistake (Neyman and Pearson 1933), and by
+/// tiles for unknown ones.
 [[nodiscard]] PictureVerdict judgePictures(const probe::RenderQuestion& asked,
                                            const probe::RenderAnswer& answer, std::uint64_t seed);
+
+/// Compares with one accepted reading alone.
+[[nodiscard]] PictureVerdict judgePictures(const probe::RenderQuestion& asked,
+                                           const probe::RenderAnswer& answer,
+                                           const oracle::Reading& reading, std::uint64_t seed);
 
 }  // namespace ticker::tasks
 

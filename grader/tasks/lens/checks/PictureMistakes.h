@@ -20,8 +20,8 @@ struct PictureMistake {
     bool withoutBounces = false;
 };
 
-/// @param factor  Factor of the accepted aperture.
-[[nodiscard]] std::vector<PictureMistake> pictureMistakes(double factor);
+/// Each mistake beside an accepted reading.
+[[nodiscard]] std::vector<PictureMistake> pictureMistakes(const oracle::Reading& accepted);
 
 /// Results of the matched filters of all mistakes.
 struct Bank {
@@ -30,6 +30,7 @@ struct Bank {
     Match bestMatch;
     double bestLeaves = 1.0;  ///< share of the squared difference that it does not explain
     double largest = 0.0;     ///< |z|
+    double beyond = 0.0;      ///< likewise, of what exceeds a negligible share of each mistake
     double squares = 0.0;     ///< sum of all z^2
     double spread = 0.0;      ///< largest `Match::spread`
 };

@@ -62,7 +62,7 @@ TEST(JudgePictures, AcceptsTheExpectedPicture) {
     const PictureVerdict verdict = judgeChanged(true, [](auto...) { return 0.0; });
     EXPECT_FALSE(verdict.finding);
     EXPECT_FALSE(verdict.ambiguous);
-    EXPECT_EQ(verdict.apertureFactor, 1.0);
+    EXPECT_EQ(verdict.reading.apertureFactor, 1.0);
 }
 
 // The reading that fits less badly is named; no noise of shared lens points is 14 deviations wide.
@@ -80,7 +80,7 @@ TEST(JudgePictures, FailsWhatIsFarFromEveryReading) {
         });
     EXPECT_TRUE(verdict.finding);
     EXPECT_FALSE(verdict.ambiguous);
-    EXPECT_EQ(verdict.apertureFactor, 1.0);
+    EXPECT_EQ(verdict.reading.apertureFactor, 1.0);
 }
 
 // Means are right; between the pictures the whole brightness changes.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +36,7 @@ SeenPictures seeing(Plane pixels) {
 }
 
 TEST(TryAll, FindsNothingInThePictureThatIsExpected) {
-    const std::vector<PictureMistake> mistakes = pictureMistakes(1.0);
+    const std::vector<PictureMistake> mistakes = pictureMistakes({});
     const Bank bank = tryAll(mistakes, asked(), seeing(expected().mean), expected(), kSeed);
     EXPECT_EQ(bank.best, nullptr);
     EXPECT_EQ(bank.second, nullptr);
@@ -45,7 +47,7 @@ TEST(TryAll, FindsNothingInThePictureThatIsExpected) {
 }
 
 TEST(TryAll, NamesTheSuspectWhosePictureItIs) {
-    const std::vector<PictureMistake> mistakes = pictureMistakes(1.0);
+    const std::vector<PictureMistake> mistakes = pictureMistakes({});
     ASSERT_EQ(mistakes.size(), 11U);
     for (const std::size_t i : {0U, 1U, 4U, 9U}) {
         const PictureMistake& own = mistakes[i];
@@ -62,10 +64,28 @@ TEST(TryAll, NamesTheSuspectWhosePictureItIs) {
     }
 }
 
+TEST(TryAll, NeglectsATwentiethOfAMistake) {
+    const std::vector<PictureMistake> mistakes{pictureMistakes({}).at(4)};
+    const Plane mistaken =
+        mistakenPicture(asked(), mistakes[0].reading, mistakes[0].mistake, kSeed);
+    const auto bankOf = [&](double share) {
+        Plane picture = expected().mean;
+        for (std::size_t i = 0; i < picture.size(); ++i)
+            picture[i] += share * (mistaken[i] - picture[i]);
+        return tryAll(mistakes, asked(), seeing(picture), expected(), kSeed);
+    };
+    EXPECT_EQ(bankOf(0.049).beyond, 0.0);
+    EXPECT_GT(bankOf(0.049).largest, 0.0);
+    for (const double share : {0.1, 1.0, -0.1}) {
+        const Bank bank = bankOf(share);
+        EXPECT_NEAR(bank.beyond, bank.largest * (1.0 - 0.05 / std::abs(share)), 1e-9);
+    }
+}
+
 // Brightness by a factor has the same shape whatever the factor.
 TEST(TryAll, PrefersTheAmplitudeNearestToOneAmongShapesThatAreAlike) {
     const auto scaledBy = [](double factor) {
-        PictureMistake mistake = pictureMistakes(1.0).at(9);
+        PictureMistake mistake = pictureMistakes({}).at(9);
         mistake.mistake.pixelScale = factor;
         return mistake;
     };
@@ -83,7 +103,10 @@ TEST(TryAll, PrefersTheAmplitudeNearestToOneAmongShapesThatAreAlike) {
 
 TEST(PictureMistakes, ChangeOneThingByAsMuchAsStudentsDo) {
     for (const double factor : {1.0, 0.5}) {
-        const std::vector<PictureMistake> all = pictureMistakes(factor);
+        oracle::Reading accepted;
+        accepted.apertureFactor = factor;
+        accepted.pixelSpread = 0.7;
+        const std::vector<PictureMistake> all = pictureMistakes(accepted);
         const auto changed = [&](std::size_t i) { return all.at(i).mistake; };
         EXPECT_TRUE(changed(1).focalByDistance);
         EXPECT_EQ(changed(2).focalFactor, 0.85);
@@ -96,8 +119,10 @@ TEST(PictureMistakes, ChangeOneThingByAsMuchAsStudentsDo) {
         EXPECT_EQ(all[7].reading.apertureFactor, 0.7 * factor);
         EXPECT_EQ(all[8].reading.apertureFactor, 1.4 * factor);
         EXPECT_EQ(changed(9).pixelScale, 1.1);
-        for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t i = 0; i < all.size(); ++i) {
             EXPECT_EQ(all[i].withoutBounces, i == 10);
+            EXPECT_EQ(all[i].reading.pixelSpread, 0.7);
+        }
     }
 }
 

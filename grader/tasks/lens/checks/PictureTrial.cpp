@@ -1,0 +1,116 @@
+#include <grader/tasks/lens/LensFindings.h>
+#include <grader/tasks/lens/checks/PictureMistakes.h>
+#include <grader/tasks/lens/checks/PictureTrial.h>
+#include <grader/tasks/support/FindingOrder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+// The limit for the largest of about 30 z-scores: normal scores exceed 6 with a chance below 1e-7.
+// Sums of squares have heavier tails. docs/calibration.md has the measured values.
+constexpr double kMostZ = 6.0;
+constexpr double kMostExcess = 9.0;
+constexpr double kSharedExcess = 120.0;
+
+Finding findingOf(const FindingText& text, const std::string& seen, const PictureMistake* runnerUp,
+                  double z) {
+    Finding finding = distributedFinding(
+        text, Severity::fail,
+        "The picture was compared with what the handout's steps give, since the rays cannot be "
+        "seen: " +
+            seen + ".");
+    finding.evidence.emplace_back("z", z);
+    if (runnerUp != nullptr)
+        finding.evidence.emplace_back("runnerUp", std::string{runnerUp->text->id});
+    return finding;
+}
+
+// Large differences must have the mistake's shape; small ones have that of their noise.
+bool hasName(const Bank& bank, double z, double meanSquares, std::size_t pixels) {
+    constexpr double kShare = 0.35;
+    constexpr double kSmall = 4.0;
+    if (bank.best == nullptr || bank.bestMatch.z < kShare * z) return false;
+    const double squares = meanSquares * static_cast<double>(pixels);
+    return meanSquares < kSmall || bank.bestMatch.z * bank.bestMatch.z > kShare * squares;
+}
+
+Finding nameOf(const Bank& bank, double z, bool scaled, bool named) {
+    if (scaled) return findingOf(kDofNotAveraged, "it is too bright or too dark", bank.second, z);
+    if (named) return findingOf(*bank.best->text, bank.best->seen, bank.second, z);
+    return findingOf(kDofWrong, "it differs in a way that is not known", bank.second, z);
+}
+
+// Whether a factor on the brightness explains nearly all, and more than any other mistake.
+bool isScaled(const SeenPictures& seen, const ExpectedPicture& expected, const Bank& bank) {
+    constexpr double kNearlyAll = 0.1;
+    const std::optional<Plane> scaled = rescaled(seen, expected);
+    if (!scaled) return false;
+    return unexplainedBy(*scaled, seen, expected) < std::min(kNearlyAll, bank.bestLeaves);
+}
+
+// Lens points that all pixels share correlate the pixels' noise. With a single picture, fifty
+// shared points look by chance like a fifth of a mistake, never like half of one. Each pixel stays
+// as near to its mean as with independent points: if all pixels were one, z^2 would exceed 25 with
+// a chance below 1e-6.
+bool mayBeSharedNoise(const SeenPictures& seen, const Bank& bank, const Excess& excess,
+                      double meanSquares) {
+    // The variance of eight numbers exceeds 6 times its mean with a chance below 1e-6.
+    constexpr double kMostSpread = 6.0;
+    constexpr double kHalf = 0.5;
+    constexpr double kMostSquaredZ = 25.0;
+    if (meanSquares > kMostSquaredZ) return false;
+    if (seen.identical) return std::abs(bank.bestMatch.amplitude) < kHalf;
+    return excess.ratio < 3.0 && bank.spread > kMostSpread * std::max(1.0, excess.ratio);
+}
+
+}  // namespace
+
+Candidate candidateOf(const probe::RenderQuestion& asked, const SeenPictures& seen,
+                      const oracle::Reading& reading, std::uint64_t seed) {
+    Candidate made{reading, expectedPicture(asked, reading, seed)};
+    made.misfit = meanSquaredZ(seen, made.expected);
+    return made;
+}
+
+Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen,
+                 const Candidate& candidate, std::uint64_t seed) {
+    const auto& [reading, expected, misfit] = candidate;
+    const std::vector<PictureMistake> mistakes = pictureMistakes(reading);
+    const Bank bank = tryAll(mistakes, asked, seen, expected, seed + 1);
+    const double tile = largestTileZ(seen, expected);
+    const Excess excess = excessVariance(seen, expected);
+    const bool scaled = isScaled(seen, expected, bank);
+    Trial trial;
+    trial.total = bank.squares + tile * tile;
+    PictureVerdict& verdict = trial.verdict;
+    verdict.reading = reading;
+    verdict.identical = seen.identical;
+    verdict.largestZ = std::max(bank.largest, tile);
+    verdict.excessVariance = excess.z;
+    verdict.timesTheLimit = std::max(verdict.largestZ / kMostZ, excess.z / kMostExcess);
+    if (excess.z > kSharedExcess && !scaled)
+        verdict.finding =
+            findingOf(kDofSharedSamples, "it changes as a whole from one time to the next",
+                      bank.best, excess.z);
+    else if (std::max(bank.beyond, tile) > kMostZ)
+        verdict.finding = nameOf(bank, verdict.largestZ, scaled,
+                                 hasName(bank, verdict.largestZ, misfit, seen.mean.size()));
+    else if (excess.z > kMostExcess)
+        verdict.finding =
+            findingOf(kDofTooFewRays, "it is noisier than that many rays for each pixel can be",
+                      bank.best, excess.z);
+    if (verdict.finding && mayBeSharedNoise(seen, bank, excess, misfit)) {
+        verdict.finding.reset();
+        verdict.ambiguous = true;
+    }
+    if (verdict.finding) verdict.finding->rasters.push_back(zMap(seen, expected));
+    return trial;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,183 @@
+// Pictures whose rays go through all of their pixel, for code whose rays are not visible.
+#include <grader/oracle/Oracle.h>
+#include <grader/tasks/lens/JudgeLens.h>
+#include <grader/tasks/lens/checks/PictureCheck.h>
+#include <grader/tests/tasks/support/InFinding.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+using oracle::Mistake;
+using oracle::Reading;
+
+probe::RenderAnswer answerOf(const probe::RenderQuestion& asked, const Reading& reading,
+                             const Mistake& mistake, std::uint64_t seed) {
+    const oracle::Oracle student{asked.scene, asked.settings, reading, mistake};
+    probe::RenderAnswer answer;
+    answer.state = probe::AnswerState::answered;
+    answer.width = asked.settings.width;
+    answer.height = asked.settings.height;
+    for (int i = 0; i < asked.repetitions; ++i) {
+        const raytracer::Image image =
+            student.studentRender(seed * 100 + static_cast<std::uint64_t>(i));
+        auto& pixels = answer.images.emplace_back();
+        for (int y = 0; y < answer.height; ++y)
+            for (int x = 0; x < answer.width; ++x)
+                pixels.push_back(image.at(x, y));
+    }
+    return answer;
+}
+
+Reading antialiasing(double spread, double factor = 1.0) {
+    Reading reading;
+    reading.pixelSpread = spread;
+    reading.apertureFactor = factor;
+    return reading;
+}
+
+PictureVerdict verdictOn(const Reading& reading, const Mistake& mistake, std::uint64_t seed,
+                         bool onePicture = false) {
+    const probe::RenderQuestion asked = drawPictureQuestion(seed, onePicture);
+    return judgePictures(asked, answerOf(asked, reading, mistake, seed + 1), seed);
+}
+
+// A right picture fails with a chance below 3e-7.
+TEST(AntialiasedPictures, AreAcceptedWithEitherApertureInAllOrAPartOfThePixel) {
+    struct Case {
+        double spread;
+        double factor;
+        bool onePicture;
+    };
+    for (const Case& one : {Case{1.0, 1.0, false}, Case{1.0, 0.5, true}, Case{0.82, 1.0, true},
+                            Case{0.65, 0.5, false}}) {
+        const PictureVerdict verdict =
+            verdictOn(antialiasing(one.spread, one.factor), {}, 3, one.onePicture);
+        EXPECT_EQ(idOf(verdict.finding), "") << one.factor;
+        EXPECT_FALSE(verdict.ambiguous);
+        EXPECT_NEAR(verdict.reading.pixelSpread, one.spread, one.onePicture ? 0.2 : 0.1);
+        EXPECT_EQ(verdict.reading.apertureFactor, one.factor);
+        EXPECT_LT(verdict.timesTheLimit, one.spread == 1.0 ? 0.8 : 1.0);
+    }
+}
+
+TEST(AntialiasedPictures, AreNoOthers) {
+    EXPECT_EQ(verdictOn({}, {}, 4).reading.pixelSpread, 0.0);
+}
+
+Mistake with(void (*change)(Mistake&)) {
+    Mistake mistake;
+    change(mistake);
+    return mistake;
+}
+
+struct NamedMistake {
+    std::string id;
+    Mistake mistake;
+};
+
+std::vector<NamedMistake> mistakes() {
+    return {{"dof.none", with([](Mistake& m) { m.aperture = Mistake::Aperture::none; })},
+            {"dof.disc", with([](Mistake& m) { m.aperture = Mistake::Aperture::disc; })},
+            {"dof.focal-distance", with([](Mistake& m) { m.focalByDistance = true; })},
+            {"dof.focal-plane", with([](Mistake& m) { m.focalFactor = 1.2; })},
+            {"dof.off-centre", with([](Mistake& m) { m.lensOffsetX = m.lensOffsetY = 1.0; })},
+            {"dof.not-averaged", with([](Mistake& m) { m.pixelScale = 50.0; })}};
+}
+
+TEST(AntialiasedPictures, FailByTheNameOfTheirMistake) {
+    for (const NamedMistake& one : mistakes()) {
+        const PictureVerdict verdict = verdictOn(antialiasing(1.0), one.mistake, 6);
+        EXPECT_EQ(idOf(verdict.finding), one.id);
+        EXPECT_FALSE(verdict.ambiguous);
+    }
+}
+
+// Mistakes that blur a little more or less than they should.
+TEST(AntialiasedPictures, AreNotWhatSmallMistakesShow) {
+    Mistake plane;
+    plane.focalFactor = 0.97;
+    EXPECT_TRUE(verdictOn({}, plane, 8).finding);
+    Reading aperture;
+    aperture.apertureFactor = 1.1;
+    EXPECT_TRUE(verdictOn(aperture, {}, 8).finding);
+}
+
+/// Code without visible rays, whose pictures the oracle draws.
+class UnseenStudent final : public probe::Examinee {
+public:
+    UnseenStudent(const Reading& reading, const Mistake& mistake)
+        : reading_(reading), mistake_(mistake) {}
+
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run;
+        for (const probe::Question& question : questions)
+            run.answers.emplace_back(answerOf(std::get<probe::RenderQuestion>(question), reading_,
+                                              mistake_, ++answered_));
+        return run;
+    }
+
+private:
+    Reading reading_;
+    Mistake mistake_;
+    std::uint64_t answered_ = 0;
+};
+
+std::string idsOf(const TaskJudgement& judgement) {
+    std::string ids;
+    for (const Finding& finding : judgement.findings)
+        ids += finding.id + " ";
+    return ids;
+}
+
+TEST(JudgeLens, WarnsOfAntialiasingThatOnlyPicturesShow) {
+    UnseenStudent student{antialiasing(1.0, 0.5), {}};
+    const TaskJudgement judgement = judgeLens(student, 2);
+    EXPECT_EQ(judgement.state, TaskState::passed);
+    EXPECT_FALSE(judgement.needsReview);
+    EXPECT_EQ(judgement.apertureFactor, 0.5);
+    ASSERT_EQ(idsOf(judgement), "dof.antialiased dof.unseen-rays ");
+    EXPECT_NE(judgement.findings[0].message.find("the pictures are those"), std::string::npos);
+}
+
+/// Code without visible rays, whose focal points are off by up to 0.05 whatever the size of a
+/// pixel.
+class JitteredStudent final : public probe::Examinee {
+public:
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        const auto& settings = std::get<probe::RenderQuestion>(questions.at(0)).settings;
+        const double pixel =
+            2.0 * std::tan(std::numbers::pi / 8.0) / settings.width * settings.dofFocalPlane;
+        UnseenStudent student{antialiasing(0.1 / pixel), {}};
+        return student.ask(questions);
+    }
+};
+
+TEST(JudgeLens, FailsFocalPointsThatAreOffByALengthOfTheirOwn) {
+    const probe::RenderQuestion asked = drawPictureQuestion(9);
+    JitteredStudent student;
+    const auto answer = std::get<probe::RenderAnswer>(student.ask({asked}).answers.at(0));
+    EXPECT_FALSE(judgePictures(asked, answer, 9).finding) << "the pixels hide it at this size";
+    const TaskJudgement judgement = judgeLens(student, 2);
+    EXPECT_EQ(judgement.state, TaskState::failed);
+    EXPECT_EQ(idsOf(judgement), "dof.focal-plane dof.unseen-rays ");
+}
+
+TEST(JudgeLens, FailsAMistakeBesideAntialiasingWithoutWarningOfThat) {
+    UnseenStudent student{antialiasing(1.0), mistakes()[1].mistake};
+    const TaskJudgement judgement = judgeLens(student, 2);
+    EXPECT_EQ(judgement.state, TaskState::failed);
+    EXPECT_EQ(idsOf(judgement), "dof.disc dof.unseen-rays ");
+}
+
+}  // namespace
+}  // namespace ticker::tasks
