@@ -32,11 +32,12 @@ bool castsNoRay(const ShadowLogs& logs) {
     return true;
 }
 
-/// Whether all visible rays go to a light's centre, although points have fractions of the light:
-/// extra rays beside an intersection of the code's own.
+/// Whether the visible rays are one and the same from each point to a light's centre, although
+/// points have fractions of the light: an extra ray beside an intersection of the code's own.
 bool castsOnlyExtraRays(const ShadowLogs& logs) {
     constexpr double kSome = 0.02;
-    if (!countRays(logs.atHandoutSettings()).allCentral) return false;
+    const RayCounts counts = countRays(logs.atHandoutSettings());
+    if (counts.mostDistinct > 1 || !counts.allCentral) return false;
     return std::ranges::any_of(logs.oneLight, [](const ShadowLog* log) {
         return std::ranges::any_of(log->points, [&](const PointLog& point) {
             const std::optional<PartOfLight> found = partOfLight(point, *log);

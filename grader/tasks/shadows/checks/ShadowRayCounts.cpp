@@ -66,6 +66,7 @@ RayCounts countRays(const std::vector<const ShadowLog*>& logs, bool lightsWithou
                 counts.fewest = std::min(counts.fewest, lines.size());
                 counts.fewestDistinct = std::min(counts.fewestDistinct, distinct);
                 counts.most = std::max(counts.most, lines.size());
+                counts.mostDistinct = std::max(counts.mostDistinct, distinct);
                 ++counts.places;
                 if (distinct < static_cast<std::size_t>(log->settings().shadowRayCount))
                     ++counts.repeating;

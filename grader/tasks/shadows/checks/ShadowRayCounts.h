@@ -23,6 +23,7 @@ struct RayCounts {
     std::size_t fewest = static_cast<std::size_t>(-1);
     std::size_t fewestDistinct = static_cast<std::size_t>(-1);
     std::size_t most = 0;
+    std::size_t mostDistinct = 0;
     std::size_t places = 0;     ///< points times lights
     std::size_t repeating = 0;  ///< places at which some rays are equal
     bool allCentral = true;     ///< every ray goes to its light's centre
