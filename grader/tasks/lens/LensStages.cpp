@@ -3,6 +3,7 @@
 #include <grader/tasks/lens/LensStages.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/questions/LensQuestions.h>
+#include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>
 #include <utility>
@@ -24,8 +25,7 @@ PictureStage stageOf(PictureVerdict verdict) {
             verdict.reading.pixelSpread > 0.0};
 }
 
-// What looks like antialiasing must do so in smaller pixels, too: otherwise the focal points are
-// off by a length of their own.
+// What looks like antialiasing must do so in smaller pixels, too.
 PictureStage judgeFinePicture(probe::Examinee& examinee, const oracle::Reading& reading,
                               std::uint64_t own) {
     const probe::RenderQuestion asked = drawFinePictureQuestion(own);
@@ -33,7 +33,15 @@ PictureStage judgeFinePicture(probe::Examinee& examinee, const oracle::Reading& 
     const auto* answer = answeredBy<probe::RenderAnswer>(run);
     if (answer == nullptr || answer->wrongSize || answer->images.empty())
         return {unanswered(run, "render")};
-    return stageOf(judgePictures(asked, *answer, reading, own));
+    PictureStage judged{{}, true};
+    judged.stage.apertureFactor = reading.apertureFactor;
+    if (!followsPixels(asked, *answer, reading, own))
+        judged.stage.failure = distributedFinding(
+            kDofFocalPlane, Severity::fail,
+            "All rays of a pixel were expected to meet in one point of the focal plane; the "
+            "pictures show rays that miss it, in small pixels as far as in large ones, which is "
+            "no antialiasing.");
+    return judged;
 }
 
 }  // namespace

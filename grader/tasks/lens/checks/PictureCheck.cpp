@@ -65,20 +65,25 @@ private:
         return false;
     }
 
-    // @return  Whether the best is some antialiasing that does not fit.
-    bool isNearerAntialiased() {
-        // Rays through all of their pixel have a misfit of 0.5 to 0.8, those through the middle
-        // half of it 5, a tenth to a quarter of that without antialiasing. Of mistakes it is 7 and
-        // more, in one large picture half of that and more.
+    // Rays through all of their pixel have a misfit of 0.5 to 0.8, those through its middle half 5
+    // with the whole and 2 with 0.7 of it, a tenth to a quarter of that without antialiasing. Of
+    // mistakes it is 7 and more, in one large picture half of that without and more.
+    [[nodiscard]] bool isNear(const Candidate& antialiased) const {
         constexpr double kNearer = 0.5;
         constexpr double kFar = 6.0;
+        return antialiased.misfit <= std::min(kNearer * misfit_, kFar);
+    }
+
+    // @return  Whether the best is some antialiasing, but not of the usual kind.
+    bool isNearerAntialiased() {
         bool isNearer = false;
         for (const double aperture : kApertures) {
-            const Candidate one = candidate(aperture, 1.0);
-            if (one.misfit > std::min(kNearer * misfit_, kFar)) continue;
-            if (fits(one)) return false;
-            isNearer = true;
-            nearest_ = std::min(nearest_, one.misfit);
+            const Candidate whole = candidate(aperture, 1.0);
+            if (isNear(whole)) {
+                if (fits(whole)) return false;
+                nearest_ = std::min(nearest_, whole.misfit);
+            }
+            isNearer = isNearer || isNear(whole) || isNear(candidate(aperture, 0.7));
         }
         return isNearer;
     }
@@ -104,14 +109,6 @@ private:
     double misfit_ = std::numeric_limits<double>::infinity();   // least, without antialiasing
     double nearest_ = std::numeric_limits<double>::infinity();  // least, with antialiasing
 };
-
-PictureVerdict notFinite() {
-    PictureVerdict verdict;
-    verdict.finding = distributedFinding(kDofWrong, Severity::fail,
-                                         "Colours were expected; some pixels hold a value that is "
-                                         "no number.");
-    return verdict;
-}
 
 }  // namespace
 
@@ -149,14 +146,21 @@ probe::RenderQuestion drawFinePictureQuestion(std::uint64_t seed) {
 PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
                              std::uint64_t seed) {
     const SeenPictures seen = readPictures(answer);
-    return seen.isFinite() ? Search{asked, seen, seed}.verdict() : notFinite();
+    if (seen.isFinite()) return Search{asked, seen, seed}.verdict();
+    PictureVerdict verdict;
+    verdict.finding = distributedFinding(kDofWrong, Severity::fail,
+                                         "Colours were expected; some pixels hold a value that is "
+                                         "no number.");
+    return verdict;
 }
 
-PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
-                             const oracle::Reading& reading, std::uint64_t seed) {
+bool followsPixels(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
+                   const Reading& reading, std::uint64_t seed) {
     const SeenPictures seen = readPictures(answer);
-    if (!seen.isFinite()) return notFinite();
-    return tryReading(asked, seen, candidateOf(asked, seen, reading, seed), seed).verdict;
+    Reading ofOwnLength = reading;
+    ofOwnLength.pixelSpread *= static_cast<double>(kFineWidth) / kPictureWidth;
+    return seen.isFinite() && candidateOf(asked, seen, reading, seed).misfit <=
+                                  candidateOf(asked, seen, ofOwnLength, seed).misfit;
 }
 
 }  // namespace ticker::tasks

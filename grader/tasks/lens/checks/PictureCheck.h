@@ -17,7 +17,7 @@ namespace ticker::tasks {
 [[nodiscard]] probe::RenderQuestion drawPictureQuestion(std::uint64_t seed,
                                                         bool onePicture = false);
 
-/// The same in smaller pixels: whether what looks like antialiasing follows the size of a pixel.
+/// The same in smaller pixels, for code whose pictures look antialiased.
 [[nodiscard]] probe::RenderQuestion drawFinePictureQuestion(std::uint64_t seed);
 
 /// Result of T2.2's pictures as z-scores: standard normal for a correct submission, up to the
@@ -41,10 +41,13 @@ struct PictureVerdict {
 [[nodiscard]] PictureVerdict judgePictures(const probe::RenderQuestion& asked,
                                            const probe::RenderAnswer& answer, std::uint64_t seed);
 
-/// Compares with one accepted reading alone.
-[[nodiscard]] PictureVerdict judgePictures(const probe::RenderQuestion& asked,
-                                           const probe::RenderAnswer& answer,
-                                           const oracle::Reading& reading, std::uint64_t seed);
+/// Whether focal points that look antialiased are so in smaller pixels, too, and not off by a
+/// length of their own, which is more in units of these pixels. The filter need not be known.
+/// @param asked    From `drawFinePictureQuestion`.
+/// @param reading  Of the larger pixels.
+[[nodiscard]] bool followsPixels(const probe::RenderQuestion& asked,
+                                 const probe::RenderAnswer& answer, const oracle::Reading& reading,
+                                 std::uint64_t seed);
 
 }  // namespace ticker::tasks
 

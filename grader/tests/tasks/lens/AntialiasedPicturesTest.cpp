@@ -86,8 +86,7 @@ struct NamedMistake {
 };
 
 std::vector<NamedMistake> mistakes() {
-    return {{"dof.none", with([](Mistake& m) { m.aperture = Mistake::Aperture::none; })},
-            {"dof.disc", with([](Mistake& m) { m.aperture = Mistake::Aperture::disc; })},
+    return {{"dof.disc", with([](Mistake& m) { m.aperture = Mistake::Aperture::disc; })},
             {"dof.focal-distance", with([](Mistake& m) { m.focalByDistance = true; })},
             {"dof.focal-plane", with([](Mistake& m) { m.focalFactor = 1.2; })},
             {"dof.off-centre", with([](Mistake& m) { m.lensOffsetX = m.lensOffsetY = 1.0; })},
@@ -173,7 +172,7 @@ TEST(JudgeLens, FailsFocalPointsThatAreOffByALengthOfTheirOwn) {
 }
 
 TEST(JudgeLens, FailsAMistakeBesideAntialiasingWithoutWarningOfThat) {
-    UnseenStudent student{antialiasing(1.0), mistakes()[1].mistake};
+    UnseenStudent student{antialiasing(1.0), mistakes()[0].mistake};
     const TaskJudgement judgement = judgeLens(student, 2);
     EXPECT_EQ(judgement.state, TaskState::failed);
     EXPECT_EQ(idsOf(judgement), "dof.disc dof.unseen-rays ");
