@@ -1,6 +1,6 @@
 #include <grader/tasks/maintick/JudgeMainTick.h>
 #include <grader/tasks/maintick/LightFindings.h>
-#include <grader/tasks/maintick/ShadeSeen.h>
+#include <grader/tasks/maintick/ShadeCases.h>
 #include <grader/tasks/maintick/Threads.h>
 #include <grader/tasks/support/RunEnd.h>
 

@@ -1,5 +1,5 @@
 #include <grader/tasks/maintick/LightFindings.h>
-#include <grader/tasks/maintick/ShadeSeen.h>
+#include <grader/tasks/maintick/ShadeCases.h>
 
 #include <algorithm>
 
