@@ -26,8 +26,7 @@ bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOut
     if (outcome.onlyExtra)
         reason =
             "illuminate casts rays to the light's centre alone through findClosestIntersection, "
-            "and "
-            "gives fractions of the light all the same";
+            "and gives fractions of the light all the same";
     if (cut) reason = "illuminate casts far more rays than asked for, so not all were followed";
     outcome.findings.push_back(unseenRays(kShadowUnseenRays, reason));
     const bool needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {

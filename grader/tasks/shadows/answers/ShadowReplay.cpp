@@ -144,7 +144,7 @@ bool allFit(const ShadowLog& log, const ShadowReading& reading, ShadowArithmetic
 
 std::vector<ShadowReading> acceptedShadowReadings() {
     std::vector<ShadowReading> readings;
-    // The last two allow the widest intervals, so they are tried last.
+    // Readings that allow wider intervals, or that few choose, are tried later.
     for (const Terms terms : {Terms::together, Terms::halves, Terms::inTurns})
         for (const Phong phong :
              {Phong::central, Phong::perSampleDirection, Phong::centralFalloff, Phong::perSample})

@@ -1,7 +1,7 @@
 // Pictures whose rays go through all of their pixel, for code whose rays are not visible.
-#include <grader/oracle/Oracle.h>
 #include <grader/tasks/lens/JudgeLens.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
+#include <grader/tests/tasks/lens/OraclePictures.h>
 #include <grader/tests/tasks/support/InFinding.h>
 
 #include <gtest/gtest.h>
@@ -20,24 +20,6 @@ namespace {
 using oracle::Mistake;
 using oracle::Reading;
 
-probe::RenderAnswer answerOf(const probe::RenderQuestion& asked, const Reading& reading,
-                             const Mistake& mistake, std::uint64_t seed) {
-    const oracle::Oracle student{asked.scene, asked.settings, reading, mistake};
-    probe::RenderAnswer answer;
-    answer.state = probe::AnswerState::answered;
-    answer.width = asked.settings.width;
-    answer.height = asked.settings.height;
-    for (int i = 0; i < asked.repetitions; ++i) {
-        const raytracer::Image image =
-            student.studentRender(seed * 100 + static_cast<std::uint64_t>(i));
-        auto& pixels = answer.images.emplace_back();
-        for (int y = 0; y < answer.height; ++y)
-            for (int x = 0; x < answer.width; ++x)
-                pixels.push_back(image.at(x, y));
-    }
-    return answer;
-}
-
 Reading antialiasing(double spread, double factor = 1.0) {
     Reading reading;
     reading.pixelSpread = spread;
@@ -48,7 +30,7 @@ Reading antialiasing(double spread, double factor = 1.0) {
 PictureVerdict verdictOn(const Reading& reading, const Mistake& mistake, std::uint64_t seed,
                          bool onePicture = false) {
     const probe::RenderQuestion asked = drawPictureQuestion(seed, onePicture);
-    return judgePictures(asked, answerOf(asked, reading, mistake, seed + 1), seed);
+    return judgePictures(asked, answerOf(asked, seed + 1, mistake, reading), seed);
 }
 
 // A right picture fails with a chance below 3e-7.
@@ -120,8 +102,8 @@ public:
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
         probe::Run run;
         for (const probe::Question& question : questions)
-            run.answers.emplace_back(answerOf(std::get<probe::RenderQuestion>(question), reading_,
-                                              mistake_, ++answered_));
+            run.answers.emplace_back(answerOf(std::get<probe::RenderQuestion>(question),
+                                              ++answered_, mistake_, reading_));
         return run;
     }
 

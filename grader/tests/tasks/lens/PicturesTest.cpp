@@ -1,5 +1,5 @@
-#include <grader/oracle/Oracle.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
+#include <grader/tests/tasks/lens/OraclePictures.h>
 
 #include <gtest/gtest.h>
 
@@ -9,25 +9,6 @@
 
 namespace ticker::tasks {
 namespace {
-
-probe::RenderAnswer answerOf(const probe::RenderQuestion& asked, std::uint64_t seed,
-                             const oracle::Mistake& mistake = {}) {
-    const oracle::Oracle student{asked.scene, asked.settings, {}, mistake};
-    probe::RenderAnswer answer;
-    answer.state = probe::AnswerState::answered;
-    answer.width = asked.settings.width;
-    answer.height = asked.settings.height;
-    for (int i = 0; i < asked.repetitions; ++i) {
-        const raytracer::Image image =
-            student.studentRender(seed * 100 + static_cast<std::uint64_t>(i));
-        std::vector<raytracer::ColourRGB> pixels;
-        for (int y = 0; y < answer.height; ++y)
-            for (int x = 0; x < answer.width; ++x)
-                pixels.push_back(image.at(x, y));
-        answer.images.push_back(std::move(pixels));
-    }
-    return answer;
-}
 
 // With these seeds some pixels show an object to one lens ray in thousands: an oracle that misses
 // it takes the pixel for one without noise. The largest statistic of a stage exceeds 0.8 of its

@@ -1,0 +1,33 @@
+#ifndef TICKER_TESTS_TASKS_LENS_ORACLEPICTURES_H
+#define TICKER_TESTS_TASKS_LENS_ORACLEPICTURES_H
+
+#include <grader/oracle/Oracle.h>
+#include <grader/probe/Question.h>
+
+#include <cstdint>
+
+namespace ticker::tasks {
+
+/// The answer of code that reads the handout so and makes this mistake, drawn by the oracle.
+inline probe::RenderAnswer answerOf(const probe::RenderQuestion& asked, std::uint64_t seed,
+                                    const oracle::Mistake& mistake = {},
+                                    const oracle::Reading& reading = {}) {
+    const oracle::Oracle student{asked.scene, asked.settings, reading, mistake};
+    probe::RenderAnswer answer;
+    answer.state = probe::AnswerState::answered;
+    answer.width = asked.settings.width;
+    answer.height = asked.settings.height;
+    for (int i = 0; i < asked.repetitions; ++i) {
+        const raytracer::Image image =
+            student.studentRender(seed * 100 + static_cast<std::uint64_t>(i));
+        auto& pixels = answer.images.emplace_back();
+        for (int y = 0; y < answer.height; ++y)
+            for (int x = 0; x < answer.width; ++x)
+                pixels.push_back(image.at(x, y));
+    }
+    return answer;
+}
+
+}  // namespace ticker::tasks
+
+#endif
