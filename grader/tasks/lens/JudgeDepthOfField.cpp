@@ -137,7 +137,11 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
         return outcome;
     }
     outcome.rayless = lacksRays(handout);
-    outcome.partly = outcome.rayless && handout.rayCount() > 0;
+    outcome.onlyExtra =
+        outcome.rayless && std::ranges::none_of(handout.pixels, [](const LensPixel& pixel) {
+            return pixel.rays.empty();
+        });
+    outcome.partly = outcome.rayless && !outcome.onlyExtra && handout.rayCount() > 0;
     outcome.cut = handout.cut;
     if (outcome.rayless) return outcome;
     outcome.valueless = !handout.pixels.front().rays.front().value.has_value();

@@ -16,7 +16,8 @@ struct LensOutcome {
     std::vector<ScatterPlot>
         plots;               ///< starts and meeting points of the rays, unless a finding shows them
     bool rayless = false;    ///< pixels have no visible ray: only pictures can be judged
-    bool partly = false;     ///< `rayless`, but other rays are visible
+    bool partly = false;     ///< `rayless`, but other pixels have visible rays
+    bool onlyExtra = false;  ///< `rayless`, but for a pinhole ray of each pixel
     bool valueless = false;  ///< the rays are visible, but not the colour of each
     bool cut = false;        ///< casts more rays than could be followed
 };

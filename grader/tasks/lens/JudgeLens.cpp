@@ -31,9 +31,12 @@ Finding antialiasedPicture() {
 bool judgeUnseen(probe::Examinee& examinee, std::uint64_t seed, LensOutcome& outcome) {
     outcome.findings.push_back(unseenRays(
         kDofUnseenRays,
-        outcome.cut      ? "render casts far more rays than asked for, so not all were followed"
-        : outcome.partly ? "render sends some of its rays through trace, but not all"
-                         : "render does not send its rays through trace"));
+        outcome.cut ? "render casts far more rays than asked for, so not all were followed"
+        : outcome.partly
+            ? "render sends the rays of some pixels through trace, but not those of others"
+        : outcome.onlyExtra
+            ? "render sends one pinhole ray of each pixel through trace, and none of the others"
+            : "render does not send its rays through trace"));
     bool antialiased = false;
     const bool needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
         PictureStage judged = judgePicture(examinee, seed, stage);
