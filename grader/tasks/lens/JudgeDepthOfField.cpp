@@ -144,7 +144,8 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
     outcome.partly = outcome.rayless && !outcome.onlyExtra && handout.rayCount() > 0;
     outcome.cut = handout.cut;
     if (outcome.rayless) return outcome;
-    outcome.valueless = !handout.pixels.front().rays.front().value.has_value();
+    outcome.valueless =
+        handout.recomputed || !handout.pixels.front().rays.front().value.has_value();
     LensSeen seen{.log = handout};
     outcome.findings = runChecks<LensSeen>(lensChecks(), seen);
     outcome.apertureFactor = seen.apertureFactor;

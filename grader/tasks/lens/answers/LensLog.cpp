@@ -1,5 +1,6 @@
 #include <grader/tasks/lens/answers/LensLog.h>
 #include <grader/tasks/lens/answers/LensThreads.h>
+#include <grader/tasks/lens/answers/RayColours.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +77,25 @@ bool isPinhole(const LensRay& ray, const LensPixel& pixel) {
     return ray.origin.magnitude() < kSame && (ray.direction - pixel.pinhole).magnitude() < kSame;
 }
 
+// Code with its own recursion may trace an extra ray. All its rays together, the colours of those
+// that were not traced being recomputed, are its samples if they explain each pixel's colour.
+void placeTogether(LensLog& log, const std::vector<PlacedRay>& traced,
+                   const std::vector<PlacedRay>& cast) {
+    std::vector<PlacedRay> together = traced;
+    for (PlacedRay placed : cast) {
+        placed.ray.value = placed.ray.ambient;
+        together.push_back(placed);
+    }
+    LensLog joined = log;
+    joined.recomputed = !cast.empty();
+    place(joined, together);
+    const auto isExplained = [](const LensPixel& pixel) {
+        const std::vector<ColourRGB> values = valuesOf(pixel);
+        return isNear(pixel.colour, meanOf(values.data(), values.size()));
+    };
+    if (hasAllRays(joined) && std::ranges::all_of(joined.pixels, isExplained)) log = joined;
+}
+
 // The pinhole ray of each pixel is visible, and the pixel has another colour: an extra ray beside
 // rays that are not visible.
 bool showsOnlyPinholeRays(const LensLog& log) {
@@ -143,6 +163,7 @@ LensLog readLensLog(const probe::RenderQuestion& asked, const probe::RenderAnswe
     place(log, traced);
     // Extra rays that were cast but not traced, beside traced ones, are no samples.
     if (traced.size() < rays.entered.size() && !hasAllRays(log)) place(log, rays.entered);
+    if (!hasAllRays(log)) placeTogether(log, traced, rays.cast);
     return log;
 }
 

@@ -14,10 +14,11 @@ using probe::Vector3;
 /// One ray that entered the scene from outside, through the lens.
 struct LensRay {
     Vector3 origin;
-    Vector3 direction;               ///< unit
-    std::optional<ColourRGB> value;  ///< result of `trace`; empty if another recursion was used
-    ColourRGB ambient;               ///< its right value: the questions have no light
-    int bounces = -1;                ///< argument of `trace`; -1 without a call
+    Vector3 direction;  ///< unit
+    std::optional<ColourRGB>
+        value;          ///< result of `trace`; mostly empty if another recursion was used
+    ColourRGB ambient;  ///< its right value: the questions have no light
+    int bounces = -1;   ///< argument of `trace`; -1 without a call
 };
 
 /// One pixel of one repetition.
@@ -32,6 +33,8 @@ struct LensLog {
     const probe::RenderQuestion* asked = nullptr;
     std::vector<LensPixel> pixels;  ///< repetition by repetition, rows from the top
     bool cut = false;               ///< more events than the log holds
+    /// Colours of rays that were not traced are computed from what the rays met.
+    bool recomputed = false;
     /// Rays may go through any place of their pixel: they stayed inside small pixels, too.
     bool mayAntialias = false;
 

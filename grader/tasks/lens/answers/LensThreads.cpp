@@ -100,9 +100,11 @@ private:
         if (!open_) return;
         PlacedRay traced = placed(event);
         traced.ray.bounces = event.bounces;
-        const bool asked = !entered_.empty() && entered_.back().untraced &&
-                           isSameRay(entered_.back().ray, traced.ray);
-        if (asked) entered_.pop_back();
+        const auto askedAbout = [&](const std::vector<PlacedRay>& rays) {
+            return !rays.empty() && isSameRay(rays.back().ray, traced.ray);
+        };
+        if (askedAbout(entered_) && entered_.back().untraced) entered_.pop_back();
+        if (askedAbout(cast_)) cast_.pop_back();
         entered_.push_back(traced);
     }
     void end(const Event& event) {

@@ -20,7 +20,7 @@ struct PlacedRay {
 
 struct ReadRays {
     std::vector<PlacedRay> entered;  // traced, or not traced because they hit nothing
-    std::vector<PlacedRay> cast;     // the scene was asked about them outside of any trace
+    std::vector<PlacedRay> cast;  // the scene was asked about them, and they were not traced next
 };
 
 /// The lens rays of all threads of all repetitions, from the log of a render.

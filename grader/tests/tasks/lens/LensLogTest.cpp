@@ -104,6 +104,18 @@ TEST(LensLog, RecomputesWhatRaysOfAnotherRecursionGave) {
     }
 }
 
+TEST(LensLog, JoinsATracedRayWithThoseOfAnotherRecursionWhereBothGiveTheColour) {
+    for (const bool counted : {false, true}) {
+        OnePixel asked;
+        asked.trace(0.1, kBackground);
+        asked.cast(-0.1, 0);
+        const ColourRGB together = (kBackground + kAmbient * 0.5) / 2.0;
+        const LensLog log = asked.setPixel(counted ? together : kBackground);
+        EXPECT_EQ(log.pixels[0].rays.size(), counted ? 2U : 1U);
+        EXPECT_FALSE(checkAverage(log).has_value());
+    }
+}
+
 TEST(LensLog, DoesNotTakeAReflectionForALensRay) {
     OnePixel asked;
     asked.cast(0.1, 0);
