@@ -65,9 +65,9 @@ std::string commandLine(const GlobalOptions& global, int argc, char** argv) {
 }
 
 void addTexts(CLI::App& app, const std::string& version) {
+    const std::string usage = "Print the manual page: " + app.get_name() + " --manual | man -l -";
     app.add_flag_callback(
-        "--manual", [&app, version] { print(manualPage(describe(app), version)); },
-        "Print the manual page: ticker --manual | man -l -");
+        "--manual", [&app, version] { print(manualPage(describe(app), version)); }, usage);
     app.add_option_function<std::string>(
            "--completion",
            [&app](const std::string& shell) { print(completionScript(describe(app), shell)); },

@@ -26,7 +26,9 @@ constexpr const char* kSimilarity = "similarity";
 int main(int argc, char** argv) {
     using namespace ticker::cli;
     return runProgram(
-        {"ticker", "Grades a ray-tracing exercise: bump mapping, soft shadows, depth of field."},
+        {"ticker",
+         "Grades ray-tracing exercises: tick 1 (intersections, shading, shadows, reflections) and "
+         "tick 1* (bump mapping, soft shadows, depth of field)."},
         {addGrade, addCheck, addExplain, addRender, addReport, addDoctor, addCompare, addRefs,
          addPackage, addCollect, addSession, addAppeal, addSimilar, addElsewhere<kSelftest>,
          addElsewhere<kCalibrate>, addElsewhere<kRepairs>, addElsewhere<kSimilarity>},

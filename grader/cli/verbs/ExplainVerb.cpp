@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace ticker::cli {
@@ -57,6 +58,16 @@ void print(const TaskReport& task, const SubmissionResult& result) {
         fmt::print("  no small edit of the code was found that mends this\n");
 }
 
+// A reason that several tasks share stands once.
+void printBlocked(const SubmissionResult& result) {
+    std::set<std::string> said;
+    for (const TaskReport& task : result.tasks)
+        if (task.state == TaskState::blocked && said.insert(task.reason).second)
+            fmt::print("{}: {}: {}\n", task.id, report::wordsFor(task),
+                       report::escapeLine(task.reason));
+    if (!said.empty()) fmt::print("ticker check shows the whole diagnosis.\n");
+}
+
 void printRepairs(const SubmissionResult& result) {
     bool anyFailed = false;
     for (const TaskReport& task : result.tasks) {
@@ -65,6 +76,7 @@ void printRepairs(const SubmissionResult& result) {
         print(task, result);
     }
     if (!anyFailed) fmt::print("No task failed in a way that an edit of its code could mend.\n");
+    printBlocked(result);
     for (const std::string& notice : result.notices)
         fmt::print("note: {}\n", report::escapeLine(notice));
 }

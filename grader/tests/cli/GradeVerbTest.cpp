@@ -51,6 +51,16 @@ TEST_F(Verbs, GradeWritesEverythingThatTheContractNames) {
         EXPECT_TRUE(fs::exists(fs::path{out} / file)) << file;
 }
 
+TEST_F(Verbs, ExplainSaysWhatIsMissingInAnEmptyFolder) {
+    fs::create_directory(at("empty"));
+    const Ran ran = run("explain '" + at("empty").string() + "'");
+    EXPECT_EQ(ran.status, 0) << ran.errors;
+    const std::string reason = "There is neither BumpySphere.cpp nor Renderer.cpp.";
+    const std::size_t first = ran.output.find(reason);
+    EXPECT_NE(first, std::string::npos) << ran.output;
+    EXPECT_EQ(ran.output.find(reason, first + 1), std::string::npos) << ran.output;
+}
+
 TEST_F(Verbs, ReportWritesTheSamePagesAgainFromTheResultAlone) {
     const fs::path out = at("out");
     ASSERT_EQ(run("grade " + repository("grader/corpus/samples/notAwarded/distributed-off-centre") +
