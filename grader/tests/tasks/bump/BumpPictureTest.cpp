@@ -1,5 +1,6 @@
 // A picture beside the normals that the same code answered, with shading by hand.
 #include <grader/tasks/bump/BumpPicture.h>
+#include <grader/tasks/bump/questions/Tilt.h>
 
 #include <raytracer/geometry/HeightMap.h>
 #include <raytracer/image/ToneCurve.h>
@@ -122,6 +123,26 @@ TEST(BumpMisfit, LeavesOutNormalsThatAreNoNumbers) {
                               : leaning(smooth);
     };
     EXPECT_LT(misfitOf(leaning, upperHalf), 1e-9);
+}
+
+// So that code cannot tell a question's sphere from a picture's. Of 200 draws each kind is missing
+// with a chance below 1e-20.
+TEST(BumpQuestions, StandInScenesWithLightsAndSometimesOtherObjects) {
+    bump::Questionnaire asked{8};
+    int withSpheres = 0;
+    int withPlanes = 0;
+    int alone = 0;
+    for (int i = 0; i < 200; ++i) {
+        const std::size_t number = asked.add({{0.0, 0.0, 5.0}, 1.0}, bump::flatMap(4, 4, 0.5), {});
+        const raytracer::SceneDescription& scene = asked.question(number).company;
+        EXPECT_TRUE(!scene.pointLights.empty() && scene.pointLights.size() <= 3);
+        withSpheres += scene.spheres.empty() ? 0 : 1;
+        withPlanes += scene.planes.empty() ? 0 : 1;
+        alone += scene.spheres.empty() && scene.planes.empty() ? 1 : 0;
+    }
+    EXPECT_GT(withSpheres, 0);
+    EXPECT_GT(withPlanes, 0);
+    EXPECT_GT(alone, 0);
 }
 
 TEST(DoubtBumps, SendsAPassedTaskToAPersonWhereThePictureIsSmoothOrMissing) {

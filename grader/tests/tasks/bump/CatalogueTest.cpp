@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace ticker::tests {
 namespace {
@@ -48,6 +49,34 @@ TEST(BumpCatalogue, EveryMistakeGetsItsFindingAndAHint) {
             EXPECT_EQ(got, mistake.finding) << judgement.reason;
             if (!got.empty()) expectThatItTellsWhatToLookAt(judgement.findings.front());
         }
+}
+
+struct Told {
+    std::string id;
+    std::string message;  ///< a part of it
+    std::string hint;     ///< likewise
+};
+
+// What misled the authors of these mistakes before.
+TEST(BumpCatalogue, TellsTheseMistakesInWordsThatMendThem) {
+    const std::vector<Told> wanted{
+        {"normal-hardly-counts", "the normal lies flat in the surface", "n is missing"},
+        {"tangents-in-degrees", "", "std::sin and std::cos take radians"},
+        {"inverted", "along both axes", "If your slopes are the neighbour minus this texel, leave"},
+        {"swapped-tangents", "The axes are exchanged", "the tangents themselves are exchanged"},
+        {"column-beyond-the-last", "outside the map", "(-1 % width() stays -1)"},
+        {"crash-beside-inverted-u", "another mistake shows: Along u the bumps are inverted",
+         "Then: One sign is wrong"}};
+    for (const Told& told : wanted) {
+        SCOPED_TRACE(told.id);
+        const auto mistake = std::ranges::find(compiledCatalogue(), told.id, &CompiledMistake::id);
+        ASSERT_NE(mistake, compiledCatalogue().end());
+        const TaskJudgement judgement = judgeCompiled(*mistake, 41);
+        ASSERT_FALSE(judgement.findings.empty());
+        const Finding& finding = judgement.findings.front();
+        EXPECT_NE(finding.message.find(told.message), std::string::npos) << finding.message;
+        EXPECT_NE(finding.hint.find(told.hint), std::string::npos) << finding.hint;
+    }
 }
 
 TEST(BumpCatalogue, KnowsEveryMistakeOfTheModelByTheSameFinding) {

@@ -114,6 +114,20 @@ TEST(JudgeScreenshot, NamesTheMistakeThatAStrangersPictureShows) {
     EXPECT_EQ(judgement.findings[0].rasters.size(), 1U);
 }
 
+// Two stages at 5e-4 each: below one in a million for honest pictures; a radius that is off by this
+// much has to show in small pictures, too.
+TEST(JudgeScreenshot, RefusesASmallPictureOfALightOfAnotherRadius) {
+    for (const double factor : {0.5, 2.0}) {
+        oracle::Mistake mistake;
+        mistake.lightSizeFactor = factor;
+        OracleExaminee other{{}, mistake, false};
+        const Honest student{false};
+        const TaskJudgement judgement =
+            student.handIn(ScreenshotStudent{scenes(), false, other}.render(320, kSeed));
+        EXPECT_EQ(firstId(judgement), "screenshot.not-from-this-code") << factor;
+    }
+}
+
 TEST(JudgeScreenshot, NamesTheReliefThatAStrangersPictureShows) {
     oracle::Reading reading;
     reading.bump.uOrigin = 0.25;

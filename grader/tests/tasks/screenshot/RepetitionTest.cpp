@@ -1,5 +1,8 @@
 // Only code that repeats its renders under equal conditions can disprove a picture.
+#include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/screenshot/Repetition.h>
+#include <grader/tasks/screenshot/UnlikeItself.h>
+#include <grader/tasks/shadows/ShadowFindings.h>
 
 #include <gtest/gtest.h>
 
@@ -115,6 +118,20 @@ TEST(Repetition, IsMissingWhereAllPixelsShareWhatASeedDecides) {
                   return ofItsOwnPixel(pixel) + 0.2 * noise(pixel.seed, 0, 2);
               }),
               "");
+}
+
+TEST(Repetition, IsNotExpectedOfCodeWhoseFindingsSayThatItDrawsDifferently) {
+    const auto whyWith = [](const FindingText& text) {
+        TaskReport task;
+        task.findings.push_back({});
+        task.findings.back().id = text.id;
+        return whyUnlikeItself({TaskReport{}, task});
+    };
+    for (const FindingText* text : {&kShadowThreadsMixed, &kDofThreadsMixed, &kShadowFixedSamples,
+                                    &kDofSharedSamples, &kDofReusedPattern})
+        EXPECT_NE(whyWith(*text), "") << text->id;
+    EXPECT_EQ(whyWith(kShadowHard), "");
+    EXPECT_EQ(whyUnlikeItself({}), "");
 }
 
 TEST(Repetition, IsNotAskedForWhereItIsKnownOrThereIsNoCode) {

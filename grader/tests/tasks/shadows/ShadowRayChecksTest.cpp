@@ -235,5 +235,15 @@ TEST(CheckOtherSettings, WantsThemFollowed) {
     EXPECT_TRUE(judgeOther(14, 0.2, 1.5)) << "a value of no reading";
 }
 
+TEST(CheckOtherSettings, SaysThatMoreThanTheHandoutsRaysAreAccepted) {
+    const auto says = [](int rays, const char* words) {
+        const auto finding = judgeOther(rays, 0.2);
+        return finding && finding->message.find(words) != std::string::npos;
+    };
+    EXPECT_TRUE(says(12, "more than the handout's 10 are accepted, but"));
+    EXPECT_TRUE(says(10, "right with the handout's numbers, but"));
+    EXPECT_FALSE(says(12, "right with the handout's numbers"));
+}
+
 }  // namespace
 }  // namespace ticker::tasks
