@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -142,6 +143,64 @@ std::map<std::string, JUnitCase> readByJUnit(const std::string& xml) {
         known.text = child->GetText() == nullptr ? "" : child->GetText();
     }
     return cases;
+}
+
+namespace {
+
+struct JUnitElement {
+    std::set<std::string> children;
+    std::set<std::string> attributes;
+    std::set<std::string> needed;
+};
+
+const std::map<std::string, JUnitElement>& junitElements() {
+    static const std::map<std::string, JUnitElement> elements{
+        {"testsuites", {{"testsuite"}, {"name", "time", "tests", "failures", "errors"}, {}}},
+        {"testsuite",
+         {{"testcase", "properties", "system-out", "system-err"},
+          {"name", "tests", "failures", "errors", "skipped", "time", "timestamp", "hostname"},
+          {"name", "tests", "failures", "errors"}}},
+        {"testcase",
+         {{"skipped", "error", "failure", "system-out", "system-err"},
+          {"name", "classname", "time", "status", "file", "line"},
+          {"name", "classname"}}},
+        {"skipped", {{}, {"message", "type"}, {}}},
+        {"failure", {{}, {"message", "type"}, {}}},
+        {"error", {{}, {"message", "type"}, {}}},
+        {"system-out", {{}, {}, {}}}};
+    return elements;
+}
+
+std::string faultOf(const tinyxml2::XMLElement& element) {
+    const std::string name = element.Name();
+    const auto known = junitElements().find(name);
+    if (known == junitElements().end()) return "element " + name;
+    std::set<std::string> needed = known->second.needed;
+    for (const auto* at = element.FirstAttribute(); at != nullptr; at = at->Next()) {
+        if (!known->second.attributes.contains(at->Name())) return name + " " + at->Name();
+        needed.erase(at->Name());
+        int count = 0;
+        const bool isCount =
+            std::set<std::string>{"tests", "failures", "errors", "skipped"}.contains(at->Name());
+        if (isCount && at->QueryIntValue(&count) != tinyxml2::XML_SUCCESS)
+            return name + " " + at->Name() + " is no number";
+    }
+    if (!needed.empty()) return name + " lacks " + *needed.begin();
+    for (const auto* child = element.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+        if (!known->second.children.contains(child->Name()))
+            return name + " holds " + child->Name();
+        if (std::string fault = faultOf(*child); !fault.empty()) return fault;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string faultByJUnitSchema(const std::string& xml) {
+    tinyxml2::XMLDocument document;
+    if (document.Parse(xml.c_str(), xml.size()) != tinyxml2::XML_SUCCESS) return "not XML";
+    return faultOf(*document.RootElement());
 }
 
 }  // namespace ticker::tests

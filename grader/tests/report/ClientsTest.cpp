@@ -159,6 +159,16 @@ TEST(JUnit, MessageIsALineAndTheTextHoldsAll) {
     EXPECT_NE(failed.text.find("\nHint: "), std::string::npos);
 }
 
+TEST(JUnit, HoldsOnlyWhatJenkinsSchemaAllowsAndWhatTheActionsNeed) {
+    for (const SubmissionResult& result : {passedExample(), failedBumpExample(), blockedExample(),
+                                           hostileExample(), reviewExample()})
+        EXPECT_EQ(tests::faultByJUnitSchema(*junitXml(viewOf(result))), "") << result.submission;
+    EXPECT_EQ(tests::faultByJUnitSchema("<testsuites><testcase/></testsuites>"),
+              "testsuites holds testcase");
+    EXPECT_EQ(tests::faultByJUnitSchema("<testsuites><testsuite name='a'/></testsuites>"),
+              "testsuite lacks errors");
+}
+
 TEST(JUnit, WhatIsSkippedSaysWhyInItsTextToo) {
     for (const SubmissionResult& result : {failedBumpExample(), reviewExample()})
         for (const auto& [name, read] : tests::readByJUnit(*junitXml(viewOf(result))))
