@@ -32,8 +32,10 @@ constexpr std::uint64_t kRendersPerUnit = 10;
 bool isCompared(const Subject& subject) {
     constexpr std::array kOthers{&tasks::kShadowViewFromEye, &tasks::kDofAntialiased,
                                  &tasks::kShadowFixedSamples, &tasks::kDofReusedPattern};
-    return std::ranges::none_of(
-        kOthers, [&](const FindingText* text) { return text->id == subject.expect.finding(); });
+    return !isAmong(kOtherPictures, subject) &&
+           std::ranges::none_of(kOthers, [&](const FindingText* text) {
+               return text->id == subject.expect.finding();
+           });
 }
 
 double smallestOf(const std::vector<Misfit>& misfits) {
