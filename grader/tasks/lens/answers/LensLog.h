@@ -14,11 +14,10 @@ using probe::Vector3;
 /// One ray that entered the scene from outside, through the lens.
 struct LensRay {
     Vector3 origin;
-    Vector3 direction;  ///< unit
-    std::optional<ColourRGB>
-        value;          ///< result of `trace`; mostly empty if another recursion was used
-    ColourRGB ambient;  ///< its right value: the questions have no light
-    int bounces = -1;   ///< argument of `trace`; -1 without a call
+    Vector3 direction;               ///< unit
+    std::optional<ColourRGB> value;  ///< what `trace` returned, or recomputed; may be missing
+    ColourRGB ambient;               ///< its right value: the questions have no light
+    int bounces = -1;                ///< argument of `trace`; -1 without a call
 };
 
 /// One pixel of one repetition.
