@@ -50,12 +50,10 @@ inline constexpr std::array<std::string_view, 2> kRightAndSmaller{"T2.1/accepted
                                                                   "T2.1/light-size-0.36"};
 inline constexpr std::array<std::string_view, 2> kRightAndHard{"T2.1/accepted-per-sample",
                                                                "T2.1/hard-centre"};
-/// Right ones whose pictures are not compared: the first two get `dof.antialiased` or
-/// `shadow.view-from-eye`, though no expectation names it; the last one asks for review by decision
-/// (docs/calibration.md, "What still gets through").
-inline constexpr std::array<std::string_view, 3> kOtherPictures{
-    "right/antialiased-pixels", "T2.1/accepted-own-intersection-per-sample-eye",
-    "T2.1/accepted-own-intersection-cone-falloff"};
+/// Right ones that get `dof.antialiased` or `shadow.view-from-eye`, which explains their pictures,
+/// though no expectation names it.
+inline constexpr std::array<std::string_view, 2> kOtherPictures{
+    "right/antialiased-pixels", "T2.1/accepted-own-intersection-per-sample-eye"};
 /// Mistakes that a doubt about pictures must find every time, and those where it is only measured.
 inline constexpr std::array<std::string_view, 2> kSeenInPictures{"T2.1/hard-centre", "T2.2/none"};
 inline constexpr std::array<std::string_view, 8> kMeasuredInPictures{

@@ -59,9 +59,8 @@ struct JUnitCase {
 };
 [[nodiscard]] std::map<std::string, JUnitCase> readByJUnit(const std::string& xml);
 
-/// What Jenkins' schema (junit-10.xsd 8c515de) does not allow of the elements and attributes, or
-/// what the actions mikepenz/action-junit-report 305cd1f and dorny/test-reporter 29672c5 need and
-/// do not find (a test's name; counts that are whole numbers); empty: nothing.
+/// What Jenkins' schema (junit-10.xsd 031e285 of the xunit plugin) does not allow of the elements
+/// and attributes that we may write; empty: nothing.
 [[nodiscard]] std::string faultByJUnitSchema(const std::string& xml);
 
 }  // namespace ticker::tests

@@ -159,7 +159,7 @@ TEST(JUnit, MessageIsALineAndTheTextHoldsAll) {
     EXPECT_NE(failed.text.find("\nHint: "), std::string::npos);
 }
 
-TEST(JUnit, HoldsOnlyWhatJenkinsSchemaAllowsAndWhatTheActionsNeed) {
+TEST(JUnit, HoldsOnlyWhatJenkinsSchemaAllows) {
     for (const SubmissionResult& result : {passedExample(), failedBumpExample(), blockedExample(),
                                            hostileExample(), reviewExample()})
         EXPECT_EQ(tests::faultByJUnitSchema(*junitXml(viewOf(result))), "") << result.submission;
@@ -167,6 +167,7 @@ TEST(JUnit, HoldsOnlyWhatJenkinsSchemaAllowsAndWhatTheActionsNeed) {
               "testsuites holds testcase");
     EXPECT_EQ(tests::faultByJUnitSchema("<testsuites><testsuite name='a'/></testsuites>"),
               "testsuite lacks errors");
+    EXPECT_EQ(tests::faultByJUnitSchema("<testcase name='a' line='3'/>"), "testcase line");
 }
 
 TEST(JUnit, WhatIsSkippedSaysWhyInItsTextToo) {

@@ -114,8 +114,7 @@ TEST(JudgeScreenshot, NamesTheMistakeThatAStrangersPictureShows) {
     EXPECT_EQ(judgement.findings[0].rasters.size(), 1U);
 }
 
-// Two stages at 5e-4 each: below one in a million for honest pictures; a radius that is off by this
-// much has to show in small pictures, too.
+// With fixed seeds; a radius that is off by this much has to show in small pictures, too.
 TEST(JudgeScreenshot, RefusesASmallPictureOfALightOfAnotherRadius) {
     for (const double factor : {0.5, 2.0}) {
         oracle::Mistake mistake;
