@@ -29,7 +29,7 @@ struct RenderSettings {
 
     int dofRayCount = 50;            ///< camera rays for each pixel
     double dofFocalPlane = 3.51805;  ///< z of the plane in focus, world units
-    double dofAmount = 0.2;          ///< size of the square aperture, world units
+    double dofAmount = 0.2;          ///< half of the square aperture's side, world units
 
     Region region;  ///< part of the full frame to render; its pixels equal those of the whole
 

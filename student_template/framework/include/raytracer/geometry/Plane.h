@@ -17,8 +17,8 @@ public:
     [[nodiscard]] const Vector3& point() const { return point_; }
     [[nodiscard]] const Vector3& normal() const { return normal_; }
 
-    /// Main tick, task M3.1, in exercise/Plane.cpp: the point where the ray meets the plane, from
-    /// either side.
+    /// The point where the ray meets the plane, from either side. Main tick: task M3.1, in
+    /// exercise/Plane.cpp; in the starred exercise it is there already.
     [[nodiscard]] std::optional<RaycastHit> intersectionWith(const Ray& ray) const override;
     /// The same everywhere.
     [[nodiscard]] Vector3 getNormalAt(const Vector3& /*position*/) const override {

@@ -15,8 +15,9 @@ public:
     [[nodiscard]] const Vector3& centre() const { return centre_; }
     [[nodiscard]] double radius() const { return radius_; }
 
-    /// Main tick, task M1, in exercise/Sphere.cpp: the nearest point of the sphere in front of the
-    /// ray's origin. An origin inside sees the far side.
+    /// The nearest point of the sphere in front of the ray's origin. An origin inside sees the far
+    /// side. Main tick: task M1, in exercise/Sphere.cpp; in the starred exercise it is there
+    /// already.
     [[nodiscard]] std::optional<RaycastHit> intersectionWith(const Ray& ray) const override;
     /// Away from the centre.
     [[nodiscard]] Vector3 getNormalAt(const Vector3& position) const override {
