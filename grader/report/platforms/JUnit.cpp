@@ -13,6 +13,7 @@ namespace {
 enum class Outcome { passed, failed, skipped };
 
 struct Case {
+    std::string className;  ///< "tick1star.exercise/BumpySphere", or "tick1star" without a file
     std::string name;
     Outcome outcome = Outcome::passed;
     std::string text;  ///< empty without a text
@@ -34,7 +35,15 @@ std::string withReason(std::string_view element, const std::string& text) {
                        escapeHtml(text.substr(0, text.find('\n'))), escapeHtml(text));
 }
 
-std::string caseXml(const Case& test, const std::string& exercise) {
+/// Package and class, as Java has them. The GitHub action mikepenz/action-junit-report annotates a
+/// file whose path ends with the last part of this name and any suffix.
+std::string classNameOf(const Exercise& exercise, std::string_view task) {
+    const std::string_view file = exercise.fileOf(task);
+    if (file.empty()) return exercise.name;
+    return fmt::format("{}.exercise/{}", exercise.name, file.substr(0, file.find('.')));
+}
+
+std::string caseXml(const Case& test) {
     std::string inside;
     if (test.outcome == Outcome::failed)
         inside = withReason("failure", test.text);
@@ -43,17 +52,19 @@ std::string caseXml(const Case& test, const std::string& exercise) {
     else if (!test.text.empty())
         inside = fmt::format("      <system-out>{}</system-out>\n", escapeHtml(test.text));
     const std::string start = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"",
-                                          exercise, escapeHtml(test.name));
+                                          escapeHtml(test.className), escapeHtml(test.name));
     return inside.empty() ? start + "/>\n" : start + ">\n" + inside + "    </testcase>\n";
 }
 
 std::vector<Case> casesOf(const StudentView& view) {
     const SubmissionResult& result = view.result();
     const Outcome verdict = outcomeOf(result);
-    std::vector<Case> cases{{"Tick", verdict, verdict == Outcome::passed ? "" : verdictText(view)}};
+    std::vector<Case> cases{{view.exercise().name, "Tick", verdict,
+                             verdict == Outcome::passed ? "" : verdictText(view)}};
     for (const TaskReport& task : result.tasks) {
         const bool silent = task.state == TaskState::passed && task.findings.empty();
-        cases.push_back({taskName(task), outcomeOf(task), silent ? "" : taskText(view, task)});
+        cases.push_back({classNameOf(view.exercise(), task.id), taskName(task), outcomeOf(task),
+                         silent ? "" : taskText(view, task)});
     }
     return cases;
 }
@@ -66,7 +77,7 @@ std::optional<std::string> junitXml(const StudentView& view) {
     std::array<int, 3> counts{};
     int tests = 0;
     for (const Case& test : casesOf(view)) {
-        inside += caseXml(test, view.exercise().name);
+        inside += caseXml(test);
         ++counts.at(static_cast<std::size_t>(test.outcome));
         ++tests;
     }

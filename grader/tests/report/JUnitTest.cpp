@@ -45,6 +45,47 @@ ReadSuite readBack(const std::string& xml) {
     return read;
 }
 
+/// An annotation by mikepenz/action-junit-report (src/testParser.ts, 0289ec7): at a file of the
+/// repository whose path ends with the last part of classname and any suffix.
+struct Annotation {
+    std::string file;
+    std::string message;
+};
+
+std::map<std::string, Annotation> annotationsOf(const SubmissionResult& result) {
+    tinyxml2::XMLDocument document;
+    document.Parse(junitXml(StudentView{result, {}}).value().c_str());
+    std::map<std::string, Annotation> read;
+    const auto* suite = document.FirstChildElement("testsuites")->FirstChildElement("testsuite");
+    for (const auto* test = suite->FirstChildElement("testcase"); test != nullptr;
+         test = test->NextSiblingElement("testcase")) {
+        const auto* failure = test->FirstChildElement("failure");
+        if (failure == nullptr) continue;
+        const std::string name = test->Attribute("classname");
+        read[test->Attribute("name")] = {name.substr(name.rfind('.') + 1),
+                                         failure->Attribute("message")};
+    }
+    return read;
+}
+
+/// The groups of dorny/test-reporter (src/parsers/java-junit, 035c1f9): one for each classname,
+/// without a name where it is the suite's. It trims the names of suite and cases and reads their
+/// times: all of them must be there.
+std::map<std::string, std::set<std::string>> groupsOf(const SubmissionResult& result) {
+    tinyxml2::XMLDocument document;
+    document.Parse(junitXml(StudentView{result, {}}).value().c_str());
+    std::map<std::string, std::set<std::string>> groups;
+    const auto* suite = document.FirstChildElement("testsuites")->FirstChildElement("testsuite");
+    EXPECT_GE(suite->DoubleAttribute("time", -1), 0);
+    for (const auto* test = suite->FirstChildElement("testcase"); test != nullptr;
+         test = test->NextSiblingElement("testcase")) {
+        EXPECT_GE(test->DoubleAttribute("time", -1), 0);
+        const std::string name = test->Attribute("classname");
+        groups[name == suite->Attribute("name") ? "" : name].insert(test->Attribute("name"));
+    }
+    return groups;
+}
+
 ReadSuite readBack(const SubmissionResult& result) {
     return readBack(junitXml(StudentView{result, {}}).value());
 }
@@ -80,6 +121,24 @@ TEST(JUnitXml, WhatWeFailedOrAPersonDecidesIsSkipped) {
     result.tasks[0].state = TaskState::notGraded;
     EXPECT_EQ(readBack(result).cases["Tick"].kind, "skipped");
     EXPECT_EQ(readBack(result).cases["T1 Bump mapping"].kind, "skipped");
+}
+
+TEST(JUnitXml, IsAnnotatedAtTheStudentsFile) {
+    const auto bump = annotationsOf(failedBumpExample());
+    EXPECT_EQ(bump.at("T1 Bump mapping").file, "exercise/BumpySphere");
+    EXPECT_NE(bump.at("T1 Bump mapping").message, "");
+    EXPECT_EQ(bump.at("Tick").file, "tick1star") << "no file has this name: it stands alone";
+    EXPECT_EQ(annotationsOf(failedLensExample()).at("T2.2 Depth of field").file,
+              "exercise/Renderer");
+    EXPECT_TRUE(annotationsOf(passedExample()).empty());
+}
+
+TEST(JUnitXml, IsGroupedByTheStudentsFiles) {
+    EXPECT_EQ(groupsOf(failedBumpExample()),
+              (std::map<std::string, std::set<std::string>>{
+                  {"", {"Tick", "Screenshot"}},
+                  {"tick1star.exercise/BumpySphere", {"T1 Bump mapping"}},
+                  {"tick1star.exercise/Renderer", {"T2.1 Soft shadows", "T2.2 Depth of field"}}}));
 }
 
 TEST(JUnitXml, IsWellFormedWhateverAStudentWrote) {
