@@ -1,10 +1,10 @@
 #include <grader/report/Escape.h>
 #include <grader/report/RepairSection.h>
+#include <grader/report/ReportWords.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <utility>
 #include <vector>
@@ -61,10 +61,7 @@ std::string remarksOf(const SubmissionResult& result, const TaskReport& task) {
     std::string remarks;
     for (const std::string& notice : result.notices) {
         if (!notice.starts_with(prefix) || notice.size() == prefix.size()) continue;
-        std::string sentence = notice.substr(prefix.size());
-        sentence.front() =
-            static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
-        remarks += " " + escapeHtml(sentence);
+        remarks += " " + escapeHtml(sentence(notice.substr(prefix.size())));
     }
     return remarks;
 }

@@ -4,6 +4,7 @@
 #include <grader/report/RepairSection.h>
 #include <grader/report/ReportPage.h>
 #include <grader/report/ReportWords.h>
+#include <grader/report/student/StudentView.h>
 #include <grader/result/AppealNumber.h>
 #include <grader/result/Names.h>
 
@@ -19,15 +20,6 @@ std::string anchor(const std::string& task) {
     std::string id = "task-" + task;
     std::replace(id.begin(), id.end(), '.', '-');
     return escapeHtml(id);
-}
-
-std::string nameOf(const TaskReport& task) {
-    return task.id == "screenshot" ? task.title : task.id + " " + task.title;
-}
-
-/// A task that was not attempted has no section.
-bool hasSection(const TaskReport& task) {
-    return task.state != TaskState::notAttempted || !task.findings.empty();
 }
 
 const Finding* firstFail(const TaskReport& task) {
@@ -72,9 +64,9 @@ std::string lead(const SubmissionResult& result) {
     for (const TaskReport& task : result.tasks) {
         if (task.state == TaskState::notAttempted || task.id == "screenshot") continue;
         if (task.state == TaskState::passed)
-            right += (right.empty() ? "Right: " : ", ") + nameOf(task);
+            right += (right.empty() ? "Right: " : ", ") + taskName(task);
         else
-            wrong.add(nameOf(task), shortReason(task));
+            wrong.add(taskName(task), shortReason(task));
     }
     std::string text;
     for (const auto& [tasks, what] : wrong.groups()) {
@@ -87,10 +79,10 @@ std::string lead(const SubmissionResult& result) {
 }
 
 std::string overviewItem(const TaskReport& task) {
-    const std::string name = escapeHtml(nameOf(task));
+    const std::string name = escapeHtml(taskName(task));
     std::string html = fmt::format("<li class=\"{}\">", kindOf(task));
-    html += hasSection(task) ? fmt::format("<a href=\"#{}\">{}</a>", anchor(task.id), name)
-                             : fmt::format("<strong>{}</strong>", name);
+    html += concernsStudent(task) ? fmt::format("<a href=\"#{}\">{}</a>", anchor(task.id), name)
+                                  : fmt::format("<strong>{}</strong>", name);
     html += badge(kindOf(task), wordsFor(task));
     if (const std::string reason = shortReason(task); !reason.empty())
         html += fmt::format("<span class=\"reason\">{}</span>", escapeHtml(sentence(reason)));
@@ -110,7 +102,7 @@ std::string reviewReasons(const SubmissionResult& result) {
     for (const TaskReport& task : result.tasks)
         if (task.needsReview ||
             (task.id == "screenshot" && task.state != TaskState::passed && !isNotChecked(task)))
-            reasons.add(nameOf(task), reviewReason(task));
+            reasons.add(taskName(task), reviewReason(task));
     if (reasons.groups().empty()) return "";
     std::string html =
         "<section class=\"why\" aria-labelledby=\"why\"><h2 id=\"why\">A person should look "
@@ -170,10 +162,10 @@ std::string taskSection(const SubmissionResult& result, const TaskReport& task,
     std::string html = fmt::format(
         "<section id=\"{0}\" aria-labelledby=\"{0}-head\"><h2 id=\"{0}-head\">{1} {2}"
         "</h2>",
-        anchor(task.id), escapeHtml(nameOf(task)), badge(kindOf(task), wordsFor(task)));
+        anchor(task.id), escapeHtml(taskName(task)), badge(kindOf(task), wordsFor(task)));
     if (const TaskReport* before = saidBefore(result, task))
         return html + fmt::format("<p>The same as for <a href=\"#{}\">{}</a>.</p></section>",
-                                  anchor(before->id), escapeHtml(nameOf(*before)));
+                                  anchor(before->id), escapeHtml(taskName(*before)));
     // Findings are clearer than the reason.
     if (task.findings.empty() && !task.reason.empty())
         html += fmt::format("<p>{}</p>", escapeHtml(sentence(task.reason)));
@@ -215,7 +207,7 @@ std::string reportPage(const SubmissionResult& result) {
     std::string body =
         header(result) + "<main id=\"main\">" + reviewReasons(result) + overview(result);
     for (const TaskReport& task : result.tasks)
-        if (hasSection(task)) body += taskSection(result, task, album);
+        if (concernsStudent(task)) body += taskSection(result, task, album);
     body += diagnosticsSection(result) + picturesSection(result, album) + facts(result) +
             fmt::format(
                 "</main><footer><p>Proposed by ticker; a person decides. Number for an "

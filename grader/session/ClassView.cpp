@@ -8,7 +8,10 @@
 #include <grader/report/Markdown.h>
 #include <grader/report/PageParts.h>
 #include <grader/report/SourceLines.h>
+#include <grader/result/ResultJson.h>
 #include <grader/store/ClassFolder.h>
+
+#include <raytracer/base/Error.h>
 
 #include <nlohmann/json.hpp>
 
@@ -31,16 +34,44 @@ bool isRegular(const fs::path& file) {
     return fs::is_regular_file(fs::symlink_status(file, error));
 }
 
-/// Adds to each note the text of its line; removes notes whose line does not exist.
+bool isRemoved(const fs::path& folder) {
+    std::error_code error;
+    return fs::status(folder, error).type() == fs::file_type::not_found;
+}
+
+/// Why a submission of the store cannot be shown. 503: it may be there in a moment.
+Reply withoutResult(const fs::path& out, const std::string& name) {
+    if (isRemoved(out / name))
+        return failure(404, "Its folder is no longer there. Go on with the next one.");
+    const std::string advice =
+        "\"ticker grade\" with --resume grades it again; open it once more after that.";
+    const std::optional<std::string> text = readIfThere(store::resultFile(out, name));
+    if (!text)
+        return failure(503,
+                       "It has no result.json: it is being graded at this moment, or its grading "
+                       "was interrupted. " +
+                           advice);
+    try {
+        const std::string said = parseResultJson(*text, "result.json").submission;
+        if (said == cleanText(name)) return failure(503, "It was being graded. Open it once more.");
+        return failure(404, "Its result.json is that of \"" + said + "\". " + advice);
+    } catch (const raytracer::InputError& problem) {
+        return failure(404, std::string{"It is damaged: "} + problem.what() + ". " + advice);
+    }
+}
+
+/// Adds to each note the text of its line. Removes notes on lines that never existed; a line that
+/// has gone, because other files were handed in, is quoted already.
 void quoteLines(Decision& decision, const fs::path& code) {
     std::erase_if(decision.notes, [&](LineNote& note) {
-        const bool isPlain = note.file.find('/') == std::string::npos;
-        if (!isPlain || !isRegular(code / note.file)) return true;
-        const std::string source = readIfThere(code / note.file).value_or("");
+        if (note.file.find('/') != std::string::npos || note.file.starts_with('.')) return true;
+        if (!note.code.empty()) return false;
+        const std::string source =
+            isRegular(code / note.file) ? readIfThere(code / note.file).value_or("") : "";
         const auto lines = report::linesOf(source);
         const auto at = static_cast<std::size_t>(note.line - 1);
-        if (at < lines.size() && note.code.empty()) note.code = cleanText(lines[at]);
-        return note.code.empty() && at >= lines.size();
+        if (at < lines.size()) note.code = cleanText(lines[at]);
+        return at >= lines.size();
     });
 }
 
@@ -73,13 +104,20 @@ json similarOnes(const fs::path& out) {
 
 ClassView::ClassView(fs::path out) : out_(std::move(out)), store_(out_) {}
 
+std::vector<store::ResultRow> ClassView::rows() const {
+    std::vector<store::ResultRow> rows = store_.results();
+    std::erase_if(rows,
+                  [&](const store::ResultRow& row) { return isRemoved(out_ / row.submission); });
+    return rows;
+}
+
 Reply ClassView::list(const std::string& known) const {
     std::map<std::string, Decision> decisions;
     for (Decision& decision : store_.decisions())
         decisions[decision.submission] = std::move(decision);
     json all = json::array();
     const json similar = similarOnes(out_);
-    for (const store::ResultRow& row : store_.results()) {
+    for (const store::ResultRow& row : rows()) {
         json entry = jsonOf(row);
         entry["similar"] = similar.value(row.submission, json::array());
         if (const auto found = decisions.find(row.submission); found != decisions.end())
@@ -99,14 +137,19 @@ Reply ClassView::list(const std::string& known) const {
 Reply ClassView::submission(const std::string& name) const {
     if (!store_.find(name)) return failure(404, "there is no such submission");
     const auto result = store::readWholeResult(out_, name);
-    if (!result) return failure(503, "it is being graded at this moment");
+    if (!result) return withoutResult(out_, name);
     json history = json::array();
     for (const Decision& decision : store_.history(name))
         history.push_back(jsonOf(decision));
-    return {200, "application/json",
-            textOf({{"html", submissionHtml(*result, out_ / name / "code",
-                                            store::earlierResults(out_, name))},
-                    {"history", std::move(history)}})};
+    try {
+        return {200, "application/json",
+                textOf({{"html", submissionHtml(*result, out_ / name / "code",
+                                                store::earlierResults(out_, name))},
+                        {"history", std::move(history)}})};
+    } catch (const raytracer::InputError& problem) {
+        // Without an answer the page would ask for ever.
+        return failure(404, std::string{"It cannot be shown: "} + problem.what() + ".");
+    }
 }
 
 Reply ClassView::image(const std::string& name, const std::string& file) const {
@@ -133,7 +176,7 @@ Reply ClassView::similarPage() const {
 Reply ClassView::pictures(const std::string& name) const {
     if (!store_.find(name)) return failure(404, "there is no such submission");
     const auto result = store::readWholeResult(out_, name);
-    if (!result) return failure(503, "it is being graded at this moment");
+    if (!result) return withoutResult(out_, name);
     json renders = json::array();
     for (const RenderScore& render : result->renders)
         if (!render.image.empty())
@@ -148,22 +191,22 @@ Reply ClassView::pictures(const std::string& name) const {
 }
 
 Reply ClassView::decide(const std::string& body) {
-    std::optional<std::vector<Decision>> decisions = readDecisions(body);
-    if (!decisions) return failure(400, "this is no decision");
-    for (Decision& decision : *decisions) {
+    auto [decisions, refusal] = readDecisions(body);
+    if (!refusal.empty()) return failure(400, refusal);
+    for (Decision& decision : decisions) {
         const std::optional<store::ResultRow> row = store_.find(decision.submission);
-        if (!row) return failure(404, "there is no such submission");
+        if (!row) return failure(404, "There is no such submission.");
         decision.proposed = row->verdict;
         decision.files = row->inputs.files;
         decision.when = store::utcNow();
         quoteLines(decision, out_ / decision.submission / "code");
     }
-    const std::vector<store::DecideOutcome> outcomes = store_.decide(*decisions);
+    const std::vector<store::DecideOutcome> outcomes = store_.decide(decisions);
     ++changes_;
     json answers = json::array();
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         const store::DecideOutcome& outcome = outcomes[i];
-        const bool isKept = outcome.isKept || isSentAgain((*decisions)[i], outcome.current);
+        const bool isKept = outcome.isKept || isSentAgain(decisions[i], outcome.current);
         answers.push_back({{"isKept", isKept}, {"decision", jsonOf(outcome.current)}});
     }
     return {200, "application/json", textOf({{"answers", std::move(answers)}})};

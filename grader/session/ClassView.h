@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ticker::session {
 
@@ -26,13 +27,15 @@ public:
     explicit ClassView(std::filesystem::path out);
 
     /// All submissions by name, with verdict, findings and decision; the saved comments; and
-    /// `state`, a digest of all of it. Every open page sends this request each second.
+    /// `state`, a digest of all of it. A submission whose folder was removed is left out. Every
+    /// open page sends this request each second.
     /// @param known  The digest that the page has. If it is still valid, the answer contains only
     ///               the digest.
     [[nodiscard]] Reply list(const std::string& known = {}) const;
 
-    /// One submission as HTML, and all decisions about it. 404: no submission has this name; 503:
-    /// it is being graded at this moment.
+    /// One submission as HTML, and all decisions about it. 404: no submission has this name, or its
+    /// result cannot be read; 503: it has no result.json, since it is being graded at this moment,
+    /// or since a grading was interrupted. {"error"} says which.
     [[nodiscard]] Reply submission(const std::string& name) const;
 
     /// A file of a submission's images/. 404 for anything else.
@@ -51,7 +54,8 @@ public:
     /// Stores decisions in one transaction (see `readDecisions`). Each has the version that the
     /// page saw. 200 once they are on disk, with {"answers": [{"isKept", "decision"}]}: `decision`
     /// is the valid one, which is another ticker's if that was stored first. 400 if one is
-    /// malformed. A request that is sent again, because its answer was lost, is stored once.
+    /// malformed or too long, with {"error"}: none is stored then. A request that is sent again,
+    /// because its answer was lost, is stored once.
     [[nodiscard]] Reply decide(const std::string& body);
 
     /// Stores a comment that all tickers of the class can insert (see `readSavedComment`).
@@ -65,9 +69,11 @@ public:
     [[nodiscard]] const std::string& notice() const { return store_.notice(); }
     /// Number of requests that stored decisions.
     [[nodiscard]] std::uint64_t changes() const { return changes_; }
-    [[nodiscard]] std::size_t size() const { return store_.results().size(); }
+    [[nodiscard]] std::size_t size() const { return rows().size(); }
 
 private:
+    [[nodiscard]] std::vector<store::ResultRow> rows() const;
+
     std::filesystem::path out_;
     store::Store store_;
     std::atomic<std::uint64_t> changes_ = 0;

@@ -14,6 +14,13 @@ void Listener::queueMany() const {
     ::listen(svr_sock_, SOMAXCONN);
 }
 
+void Listener::end() {
+    const socket_t socket = svr_sock_.exchange(INVALID_SOCKET);
+    if (socket == INVALID_SOCKET) return;
+    shutdown(socket, SHUT_RDWR);
+    close(socket);
+}
+
 bool Listener::process_and_close_socket(socket_t socket) {
     newcomers_.add(socket);
     bool isClosing = false;

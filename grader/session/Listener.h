@@ -28,6 +28,10 @@ public:
     /// connection that does not fit is tried again only after a second.
     void queueMany() const;
 
+    /// Ends `listen_after_bind`, or lets it end at once if it has not begun; then the library's
+    /// `stop` does nothing.
+    void end();
+
 private:
     bool process_and_close_socket(socket_t socket) override;
     bool answerOne(socket_t socket, bool isLast, bool& isClosing);

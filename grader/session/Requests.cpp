@@ -3,6 +3,7 @@
 #include <grader/report/Escape.h>
 #include <grader/result/Names.h>
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace {
 using json = nlohmann::json;
 
 constexpr std::size_t kLongestComment = 20'000;
-constexpr std::size_t kLongestName = 100;
+// The page allows names of 60 characters, which take up to three bytes each.
+constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kMostNotes = 100;
 
 bool hasTexts(const json& request, std::initializer_list<const char*> members) {
@@ -37,15 +39,28 @@ std::optional<Decision> readDecision(const json& request) {
     if (request.contains("notes")) decision.notes = readNotes(textOf(request["notes"]));
     if (hasTexts(request, {"bulk"}))
         decision.bulk = report::escapeLine(request["bulk"].get<std::string>());
-    std::size_t length = decision.comment.size();
-    for (LineNote& note : decision.notes) {
+    for (LineNote& note : decision.notes)
         note.text = cleanText(note.text);
+    return decision;
+}
+
+/// Why a decision is too large to be stored; empty if it is not.
+std::string excessOf(const Decision& decision) {
+    std::size_t length = decision.comment.size();
+    for (const LineNote& note : decision.notes)
         length += note.text.size();
-    }
-    const bool isSmall = length <= kLongestComment && decision.who.size() <= kLongestName &&
-                         decision.bulk.size() <= kLongestName &&
-                         decision.notes.size() <= kMostNotes;
-    return isSmall ? std::optional{std::move(decision)} : std::nullopt;
+    if (length > kLongestComment)
+        return fmt::format(
+            "The comment and the comments on lines have {} bytes together, and {} are the most; "
+            "shorten them.",
+            length, kLongestComment);
+    if (decision.notes.size() > kMostNotes)
+        return fmt::format("{} lines have a comment, and {} are the most; remove some.",
+                           decision.notes.size(), kMostNotes);
+    if (decision.who.size() > kLongestName || decision.bulk.size() > kLongestName)
+        return fmt::format("A name has more than {} bytes; shorten yours at the top of the page.",
+                           kLongestName);
+    return "";
 }
 
 }  // namespace
@@ -91,17 +106,19 @@ std::string textOf(const json& value) {
     return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-std::optional<std::vector<Decision>> readDecisions(const std::string& body) {
+DecisionsRead readDecisions(const std::string& body) {
+    const DecisionsRead malformed{{}, "This is no decision; load the page again."};
     const json request = json::parse(body, nullptr, false);
     if (!request.is_object() || !request.contains("decisions") || !request["decisions"].is_array())
-        return std::nullopt;
-    std::vector<Decision> decisions;
+        return malformed;
+    DecisionsRead read;
     for (const json& one : request["decisions"]) {
         std::optional<Decision> decision = readDecision(one);
-        if (!decision) return std::nullopt;
-        decisions.push_back(std::move(*decision));
+        if (!decision) return malformed;
+        if (std::string excess = excessOf(*decision); !excess.empty()) return {{}, excess};
+        read.decisions.push_back(std::move(*decision));
     }
-    return decisions;
+    return read;
 }
 
 std::optional<store::SavedComment> readSavedComment(const std::string& body) {

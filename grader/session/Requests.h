@@ -21,9 +21,15 @@ namespace ticker::session {
 /// Any bytes as valid JSON text.
 [[nodiscard]] std::string textOf(const nlohmann::json& value);
 
+/// The decisions of a request, or why one of them cannot be stored.
+struct DecisionsRead {
+    std::vector<Decision> decisions;
+    std::string refusal;  ///< a sentence for the ticker; empty: all can be stored
+};
+
 /// {"decisions": [{"submission", "version", "ruling", "comment", "who", "notes", "bulk"}]}, the
-/// last two optional. Empty if one of them is malformed.
-[[nodiscard]] std::optional<std::vector<Decision>> readDecisions(const std::string& body);
+/// last two optional. Refused if one of them is malformed or too long.
+[[nodiscard]] DecisionsRead readDecisions(const std::string& body);
 
 /// {"finding", "text", "who"}
 [[nodiscard]] std::optional<store::SavedComment> readSavedComment(const std::string& body);

@@ -19,7 +19,8 @@ namespace {
 constexpr const char* kHost = "127.0.0.1";
 // A browser keeps several connections open for each tab, and each takes a thread.
 constexpr std::size_t kThreads = 32 + kMostNewcomers;
-constexpr std::size_t kLargestBody = 256U << 10U;
+constexpr std::size_t kLargestBody = 256U << 10U;  // model.js stays below it
+constexpr int kTooLarge = 413;
 constexpr std::size_t kLargestRequest = kLargestBody + (64U << 10U);
 
 // A report runs its own script, which may not send requests to this server.
@@ -61,6 +62,15 @@ public:
     Routes(ClassView& view, Access access, int port) : view_(view), access_(std::move(access)) {
         http_.set_payload_max_length(kLargestBody);
         http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+        // The library's own answer has no words.
+        http_.set_error_handler(httplib::Server::HandlerWithResponse{
+            [](const httplib::Request& /*request*/, httplib::Response& response) {
+                if (response.status != kTooLarge)
+                    return httplib::Server::HandlerResponse::Unhandled;
+                response.set_content(R"({"error": "The request is too large."})",
+                                     "application/json");
+                return httplib::Server::HandlerResponse::Handled;
+            }});
         http_.set_keep_alive_timeout(kLongestIdle.count());
         http_.set_keep_alive_max_count(kMostRequests);
         http_.set_tcp_nodelay(true);
@@ -86,7 +96,7 @@ public:
         return fmt::format("http://{}:{}/{}/", kHost, access_.port, access_.token);
     }
     void serve() { http_.listen_after_bind(); }
-    void stop() { http_.stop(); }
+    void stop() { http_.end(); }
 
 private:
     void bind(int wanted) {

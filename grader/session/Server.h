@@ -25,7 +25,7 @@ public:
     /// "http://127.0.0.1:8123/<token>/"
     [[nodiscard]] std::string address() const;
 
-    /// Answers requests until `stop`, which another thread may call.
+    /// Answers requests until `stop`, which another thread may call, also before this has begun.
     void serve();
     void stop();
 

@@ -8,6 +8,7 @@
 #include <grader/report/PageParts.h>
 #include <grader/report/RepairSection.h>
 #include <grader/report/ReportWords.h>
+#include <grader/report/student/StudentView.h>
 #include <grader/result/Names.h>
 
 #include <fmt/core.h>
@@ -53,10 +54,8 @@ std::string head(const SubmissionResult& result, const std::vector<store::Earlie
 std::string task(const SubmissionResult& result, const TaskReport& task,
                  const report::Album& album) {
     if (task.state == TaskState::notAttempted && task.findings.empty()) return "";
-    std::string html = fmt::format(
-        "<section><h2>{} {}</h2>",
-        escapeHtml(task.id != kScreenshotTask ? task.id + " " + task.title : task.title),
-        report::badge(report::kindOf(task), report::wordsFor(task)));
+    std::string html = fmt::format("<section><h2>{} {}</h2>", escapeHtml(report::taskName(task)),
+                                   report::badge(report::kindOf(task), report::wordsFor(task)));
     if (const TaskReport* before = report::saidBefore(result, task))
         return html +
                fmt::format("<p>The same as for {}.</p></section>", escapeHtml(before->title));

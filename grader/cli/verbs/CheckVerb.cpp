@@ -32,9 +32,7 @@ void print(const Finding& finding) {
 
 void print(const SubmissionResult& result) {
     for (const TaskReport& task : result.tasks) {
-        const std::string name =
-            task.id != kScreenshotTask ? task.id + " " + task.title : task.title;
-        fmt::print("{}: {}{}\n", name, report::wordsFor(task),
+        fmt::print("{}: {}{}\n", report::taskName(task), report::wordsFor(task),
                    task.reason.empty() ? "" : ": " + report::escapeLine(task.reason));
         for (const Finding& finding : task.findings)
             print(finding);

@@ -9,10 +9,13 @@
 
 #include <fmt/core.h>
 #include <csignal>
+#include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace ticker::cli {
 namespace {
@@ -32,6 +35,53 @@ sigset_t blockEnding() {
     pthread_sigmask(SIG_BLOCK, &ending, nullptr);
     return ending;
 }
+
+/// Answers the page's requests in a thread of its own, until the end of this object: also where an
+/// error ends the session, which would otherwise wait for that thread for ever.
+class Serving {
+public:
+    explicit Serving(session::Server& server)
+        : server_(server), thread_([&server] { server.serve(); }) {}
+    ~Serving() { server_.stop(); }
+    Serving(const Serving&) = delete;
+    Serving& operator=(const Serving&) = delete;
+
+private:
+    session::Server& server_;
+    std::jthread thread_;
+};
+
+/// Writes the class's tables again after new decisions.
+class Tables {
+public:
+    Tables(const session::ClassView& view, std::string out)
+        : view_(view), out_(std::move(out)), written_(view.changes()) {}
+
+    /// An error, such as a full disk, is printed once. The next call tries again: it may have gone
+    /// by then, and the decisions are in the store.
+    void update() {
+        const std::uint64_t now = view_.changes();
+        if (now == written_) return;
+        try {
+            writeClass(out_);
+            written_ = now;
+            printed_.clear();
+        } catch (const std::exception& error) {
+            if (printed_ == error.what()) return;
+            printed_ = error.what();
+            fmt::print(stderr,
+                       "ticker: {}\nticker: So index.html and summary.csv are not up to date. The "
+                       "decisions are kept; the tables are tried again every few seconds.\n",
+                       printed_);
+        }
+    }
+
+private:
+    const session::ClassView& view_;
+    std::string out_;
+    std::uint64_t written_;
+    std::string printed_;
+};
 
 /// Waits for a signal that ends the session; meanwhile calls `work` every few seconds.
 void waitForEnd(const sigset_t& ending, const std::function<void()>& work) {
@@ -57,14 +107,13 @@ raytracer::ExitCode run(const SessionOptions& options, const GlobalOptions& glob
                    "{}. Open the address in a browser on this machine. It contains the key: "
                    "everyone who has it can decide. Ctrl-C ends the session.\n",
                    report::counted(view.size(), "submission"));
-    const std::jthread serving{[&] { server.serve(); }};
-    waitForEnd(ending, [&, seen = view.changes()]() mutable {
-        if (seen == view.changes()) return;
-        seen = view.changes();
-        writeClass(options.out);
-    });
-    server.stop();
-    // The store has the decisions; this updates the tables for readers.
+    {
+        const Serving serving{server};
+        Tables tables{view, options.out};
+        waitForEnd(ending, [&] { tables.update(); });
+    }
+    // The store has the decisions; this updates the tables for readers, and an error decides the
+    // exit code.
     writeClass(options.out);
     writeStudentPages(options.out, store::readClass(options.out), options.studentView);
     return raytracer::ExitCode::success;

@@ -200,7 +200,7 @@ bool hasScore(const SubmissionResult& result) {
 }
 
 std::string taskName(const TaskReport& task) {
-    return task.id == "screenshot" ? "Screenshot" : task.id + " " + task.title;
+    return task.id == kScreenshotTask ? "Screenshot" : task.id + " " + task.title;
 }
 
 std::string shortText(const StudentView& view, const TaskReport& task) {

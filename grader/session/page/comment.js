@@ -1,6 +1,6 @@
 // The editor of comments for the student, on the submission or on a line, with a preview.
 import { $, make } from "./dom.js";
-import { entries, model, saidOf, standing } from "./model.js";
+import { entries, model, saidOf, standing, whenRefused } from "./model.js";
 import { askFor, who } from "./decide.js";
 import { filled, offersFor, saveComment, showOffers } from "./saved.js";
 import { memory, post } from "./server.js";
@@ -16,6 +16,27 @@ export async function showMarkdown(place, text) {
   if (!text.trim()) return place.replaceChildren();
   const { answer: { html } } = await post("preview", { text });
   if (place.dataset.text === text) place.innerHTML = html; // made by the session, which escapes HTML in it
+}
+
+const draftOf = (name, at) => `draft.${name}${at ? `.${at.file}.${at.line}` : ""}`;
+
+/// The words of a decision that was not kept are in the editor when it is opened next.
+function keepWords({ submission, comment, notes }) {
+  const { decision } = entries.get(submission) ?? {};
+  if (comment && comment !== decision?.comment) memory.set(draftOf(submission), comment);
+  const isKept = ({ file, line, text }) =>
+    (decision?.notes ?? []).some((one) => one.file === file && one.line === line && one.text === text);
+  for (const note of notes) if (!isKept(note)) memory.set(draftOf(submission, note), note.text);
+}
+
+const mostTold = 10;
+
+export function watchComments() {
+  whenRefused(keepWords, (refused) => {
+    const lines = refused.slice(0, mostTold).map(([{ submission }, why]) => `${entries.get(submission)?.shown ?? submission}: ${why}`);
+    const rest = refused.length > mostTold ? [`and ${refused.length - mostTold} more`] : [];
+    alert(["Not kept:", ...lines, ...rest, "What was written is in the editor of its comment, and of its lines, when you open it."].join("\n"));
+  });
 }
 
 let timer = 0;
@@ -69,7 +90,7 @@ export function editComment() {
   const name = model.current;
   const entry = entries.get(name);
   edit({
-    title: "Comment for the student", draft: `draft.${name}`, text: standing(name).comment, offers: offersFor(entry), at: {},
+    title: "Comment for the student", draft: draftOf(name), text: standing(name).comment, offers: offersFor(entry), at: {},
     keep: (comment) => record([{ submission: name, made: { ...saidOf(standing(name)), comment } }], who()),
   });
 }
@@ -82,7 +103,7 @@ export function editNote(at) {
   const isHere = (note) => note.file === at.file && note.line === at.line;
   const before = standing(name).notes.find(isHere);
   edit({
-    title: `${at.file}, line ${at.line}`, draft: `draft.${name}.${at.file}.${at.line}`, text: before?.text ?? "",
+    title: `${at.file}, line ${at.line}`, draft: draftOf(name, at), text: before?.text ?? "",
     offers: offersFor(entries.get(name), at), at,
     keep: (text) => {
       const said = saidOf(standing(name));

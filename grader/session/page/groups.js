@@ -48,11 +48,11 @@ const picture = (address, what, name) =>
   make("figure", {}, make("img", { src: address, alt: `${what}, ${name}`, loading: "lazy" }), make("figcaption", {}, what));
 
 async function addPictures(place, entry) {
-  const { renders = [], told = "" } = await ask(`pictures?name=${encodeURIComponent(entry.name)}`);
+  const { renders = [], told = "", error = "" } = await ask(`pictures?name=${encodeURIComponent(entry.name)}`);
   const [render] = renders;
   place.replaceChildren(...(render
     ? [...(render.reference ? [picture(render.reference, "expected", entry.shown)] : []), picture(render.image, "submitted", entry.shown)]
-    : [make("div", { class: "soft" }, "No picture.")]));
+    : [make("div", { class: "soft" }, error || "No picture.")]));
   if (!render) place.insertAdjacentHTML("beforeend", told); // made by the session, which escapes it
 }
 

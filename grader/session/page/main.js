@@ -1,7 +1,7 @@
 // The page of a ticking session: buttons, keys and start.
 import { $, wait } from "./dom.js";
 import { codeKey, nextMarkedLine, watchCode } from "./code.js";
-import { editComment } from "./comment.js";
+import { editComment, watchComments } from "./comment.js";
 import { decide, undo, watchDecisions } from "./decide.js";
 import { watchGroups } from "./groups.js";
 import { countText, filterForAddress, filterFrom, nextUndecided, setFilter, showRow, watchList } from "./list.js";
@@ -11,7 +11,7 @@ import { goOn, viewers, watchSubmission } from "./submission.js";
 import { watchSummary, wholeList } from "./summary.js";
 import { canUndo } from "./undo.js";
 import { viewerInSight } from "./viewer.js";
-import { canGoBack, describeAddress, goBack, onOpen, open, viewName } from "./views.js";
+import { canGoBack, describeAddress, goBack, onOpen, open, viewName, writeAddress } from "./views.js";
 
 const refreshMs = 1000;
 
@@ -117,6 +117,7 @@ async function begin() {
   watchList();
   watchSubmission();
   watchCode();
+  watchComments();
   watchDecisions();
   watchGroups();
   watchSummary();
@@ -130,7 +131,8 @@ async function begin() {
   await loadClass();
   flush();
   openFromAddress();
-  window.addEventListener("hashchange", openFromAddress);
+  // Links within the page, such as that to the submission, lead to a name without "=".
+  window.addEventListener("hashchange", () => (location.hash.includes("=") ? openFromAddress() : writeAddress()));
   for (;;) {
     await wait(refreshMs);
     if (document.visibilityState === "visible") await loadClass();

@@ -12,7 +12,7 @@ export const changed = (names = null) => { for (const work of watchers) work(nam
 // --- what is sent --------------------------------------------------------------------------------
 
 const queueKey = `queue.${Math.random().toString(36).slice(2)}`; // each tab has its own
-const mostBytes = 150_000; // of one request
+const mostBytes = 150_000; // of one request; the session takes some more
 let queue = adoptQueues(); // {submission, version, ruling, comment, notes, bulk, who}
 let latest = null; // name -> its last decision in the queue
 
@@ -74,13 +74,15 @@ export function enqueue(items, who) {
   flush();
 }
 
+const bytesOf = (item) => new TextEncoder().encode(JSON.stringify(item)).length;
+
 /// The oldest decisions of the queue, one for each submission: the next one needs the version of this one.
 function batch() {
   const items = [];
   const seen = new Set();
   let size = 0;
   for (const item of queue) {
-    size += JSON.stringify(item).length;
+    size += bytesOf(item);
     if (seen.has(item.submission) || (items.length > 0 && size > mostBytes)) break;
     seen.add(item.submission);
     items.push(item);
@@ -88,20 +90,46 @@ function batch() {
   return items;
 }
 
+/// Sends decisions, except a single one that the session would not read to its end.
+const send = (items) => (items.length === 1 && bytesOf(items[0]) > mostBytes
+  ? { status: 413, answer: { error: "Its comments are too long by far; shorten them." } } : post("decide", { decisions: items }));
+
+/// Removes the queue's first decision, which the session refused. Later ones on this submission were to follow it.
+function drop({ submission }) {
+  setQueue(queue.slice(1).map((item) => (item.submission === submission ? { ...item, version: item.version - 1 } : item)));
+}
+
+const refusals = { keep: () => {}, tell: () => {} };
+/// Sets the functions for decisions that the session refused: `keep(decision)` takes the words of one over, at once;
+/// `tell([[decision, why], ...])` says it, after all others were sent.
+export const whenRefused = (keep, tell) => Object.assign(refusals, { keep, tell });
+
 let isFlushing = false;
 const conflicts = { resolve: () => "theirs" };
 /// Sets the function that resolves a conflict: `resolve(mine, theirs)` returns "mine" or "theirs".
 export const whenOvertaken = (resolve) => { conflicts.resolve = resolve; };
 
-/// Sends the queue, oldest first.
+/// Sends the queue, oldest first. Of decisions that are refused together, each is sent alone.
 export async function flush() {
   if (isFlushing) return;
   isFlushing = true;
+  let alone = 0; // so many of the queue's first are sent one by one
+  const refused = [];
   while (queue.length > 0) {
-    const items = batch();
-    const { status, answer } = await post("decide", { decisions: items });
-    setQueue(queue.slice(items.length));
-    if (status !== 200) alert(`Not kept: ${answer.error}`);
+    const items = alone > 0 ? queue.slice(0, 1) : batch();
+    const { status, answer } = await send(items);
+    if (status !== 200 && items.length > 1) {
+      alone = items.length;
+      continue;
+    }
+    alone = Math.max(alone - 1, 0);
+    if (status === 200) {
+      setQueue(queue.slice(items.length));
+    } else {
+      refusals.keep(items[0]);
+      refused.push([items[0], answer.error]);
+      drop(items[0]);
+    }
     const overtaken = [];
     for (const [i, { isKept, decision }] of (answer.answers ?? []).entries()) {
       const entry = entries.get(items[i].submission);
@@ -113,6 +141,7 @@ export async function flush() {
   }
   isFlushing = false;
   changed([]);
+  if (refused.length > 0) refusals.tell(refused);
 }
 
 /// Two tickers decided on one submission: the later one chooses which is valid. Both stay in the history.

@@ -3,6 +3,7 @@ import { wait } from "./dom.js";
 
 export const token = location.pathname.split("/")[1];
 const retryMs = 700;
+const mostBusy = 15; // requests, in ten seconds: a result that is replaced is back long before
 
 /// Values in the browser's storage, for this class only.
 export const memory = {
@@ -25,16 +26,17 @@ function setOnline(now) {
   connection.whenChanged();
 }
 
-/// Returns {status, answer} of a complete answer: a session that is killed may send half of one.
+/// Returns {status, answer} of a complete answer: a session that is killed may send half of one. A submission that is
+/// being graded (503) is asked for again, but not for ever: its grading may have been interrupted.
 async function request(path, options) {
+  let busy = 1;
   for (;;) {
     try {
       const response = await fetch(path, options);
-      if (response.status !== 503) {
-        const answer = await response.json();
-        setOnline(true);
-        return { status: response.status, answer };
-      }
+      const answer = await response.json();
+      setOnline(true);
+      if (response.status !== 503 || busy === mostBusy) return { status: response.status, answer };
+      ++busy;
     } catch {
       setOnline(false);
     }
@@ -42,6 +44,7 @@ async function request(path, options) {
   }
 }
 
+/// Returns an answer; {error} says why it is not what was asked for.
 export const ask = async (path) => (await request(path)).answer;
 
 /// Sends a request that changes the class or is too long for an address. Returns {status, answer}.

@@ -9,13 +9,14 @@ import { Viewer, drawRays } from "./viewer.js";
 import { onOpen, open, register } from "./views.js";
 
 export let viewers = []; // of the submission that is shown
-const cache = new Map(); // grading, decision and name -> promise of {html, history}
+const cache = new Map(); // grading, decision and name -> promise of {html, history}, or of {error} until it has come
 
 function fetched(name) {
   const key = `${entries.get(name).gradedAt} ${entries.get(name).decision?.version} ${name}`;
   if (!cache.has(key)) {
     if (cache.size > 20) cache.delete(cache.keys().next().value);
     cache.set(key, ask(`submission?name=${encodeURIComponent(name)}`));
+    cache.get(key).then(({ error }) => { if (error) cache.delete(key); }); // next time it may be there
   }
   return cache.get(key);
 }

@@ -1,9 +1,11 @@
 // The ticking session as tickers meet it. TICKER is the program, TICKER_CLASS a graded class, whose
 // results are copied under new names into larger classes.
 import assert from "node:assert/strict";
+import { copyFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { accessibilityFaults, launchBrowser } from "./harness.mjs";
-import { isSlowRun, killSessions, makeClass, openSession, saved, shown, startSession } from "./session.mjs";
+import { isSlowRun, killSessions, makeClass, openSession, saved, showing, shown, startSession } from "./session.mjs";
 
 let browser;
 before(async () => { browser = await launchBrowser(); });
@@ -142,5 +144,105 @@ test("comment, undo, search and summary", async () => {
   await page.getByRole("cell", { name: /See line 7\./ }).waitFor(); // against the proposal, and why
   assert.deepEqual(await accessibilityFaults(page), []);
   assert.deepEqual(problems, []);
+  await page.close();
+});
+
+/// Queues decisions as the page does: [[index, ruling, comment, notes], ...].
+const enqueue = (page, items) => page.evaluate(async (all) => {
+  const { enqueue, model } = await import("./model.js");
+  enqueue(all.map(([i, ruling, comment, notes = []]) => ({ submission: model.names[i], ruling, comment, notes, bulk: "" })), "ann");
+}, items);
+
+test("long comments in a script of several bytes a letter are stored for many at once", async () => {
+  const count = 201;
+  const session = await startSession(makeClass(count));
+  const { page } = await openSession(browser, session);
+  await shown(page);
+  await enqueue(page, Array.from({ length: count }, (_, i) => [i, "notYet", "张".repeat(700)]));
+  await saved(page);
+  assert.equal(Object.values(await rulings(session)).filter((ruling) => ruling === "notYet").length, count);
+  await page.close();
+});
+
+test("of decisions that are sent together only one that is too long is refused, and its words stay", async () => {
+  const session = await startSession(makeClass(5));
+  const { page } = await openSession(browser, session);
+  await shown(page);
+  const told = [];
+  page.on("dialog", (dialog) => { told.push(dialog.message()); dialog.accept(); });
+  const words = "张".repeat(5000);
+  const notes = [{ file: "BumpySphere.cpp", line: 2, code: "//", text: "long ".repeat(1200) }];
+  const far = Array.from({ length: 40 }, (_, i) => ({ file: "BumpySphere.cpp", line: i + 1, code: "//", text: words.slice(0, 2000) }));
+  await enqueue(page, [[0, "awarded", "fine"], [1, "awarded", words, notes], [2, "notYet", ""], [3, "notYet", "", far], [1, "notYet", "short"]]);
+  await saved(page);
+  const names = await page.locator(".list li .name").allTextContents();
+  assert.deepEqual(await rulings(session), { [names[0]]: "awarded", [names[1]]: "notYet", [names[2]]: "notYet" });
+  assert.equal(told.length, 1);
+  assert.match(told[0], /^Not kept:\nJürgen, jr_1000: .* have 21000 bytes together, and 20000 are the most; shorten them\.\n.*_100\d: Its comments are too long/);
+  assert.equal(await page.locator("#conflict[open]").count(), 0, "nobody else has decided");
+  await page.getByLabel("You are").fill("ann");
+  await page.locator(".list button", { hasText: names[1] }).click();
+  await showing(page, names[1]);
+  await page.locator("main").focus();
+  await page.keyboard.press("c");
+  assert.equal(await page.locator("#comment textarea").inputValue(), words);
+  await page.close();
+});
+
+test("the link to the submission keeps the place and the filters", async () => {
+  const session = await startSession(makeClass(20));
+  const { page, problems } = await openSession(browser, session, { hash: "#find=inverted-u" });
+  const first = await shown(page);
+  await page.locator("main").focus();
+  await page.keyboard.press("j");
+  const second = await shown(page, first);
+  const address = await page.evaluate(() => location.hash);
+  await page.locator(".skip").focus();
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.activeElement.id === "submission" && location.hash !== "#submission");
+  assert.equal(await shown(page), second);
+  assert.equal(await page.locator("#find").inputValue(), "inverted-u");
+  assert.equal(await page.evaluate(() => location.hash), address);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("a submission without a readable result gets a reason, and the class can be finished", async () => {
+  const out = makeClass(5);
+  const session = await startSession(out);
+  const { page } = await openSession(browser, session);
+  await shown(page);
+  await page.getByLabel("You are").fill("ann");
+  const file = (name) => join(out, name, "result.json");
+  const open = (name) => page.locator(".list button", { hasText: name }).click();
+  const reason = (text) => page.locator("main:not(.loading)", { hasText: text }).waitFor();
+  const [removed, interrupted, damaged, graded] = ["Jürgen, jr_1000", "O'Neill #1? 100%_1001", "a&b;c_1004", "张 伟_1003"];
+  renameSync(file(graded), `${file(graded)}.aside`); // as grading does for a moment
+  await open(graded);
+  await page.locator("main.loading").waitFor();
+  renameSync(`${file(graded)}.aside`, file(graded));
+  await showing(page, graded);
+  await page.getByRole("heading", { name: graded }).waitFor();
+
+  copyFileSync(file(interrupted), join(out, "aside.json"));
+  rmSync(file(interrupted));
+  writeFileSync(file(damaged), "{");
+  await open(interrupted);
+  await reason("It has no result.json");
+  await open(damaged);
+  await reason("It is damaged: result.json");
+  await page.locator("main").focus();
+  await decide(page, "n");
+  copyFileSync(join(out, "aside.json"), file(interrupted));
+  await open(interrupted);
+  await page.getByRole("heading", { name: interrupted }).waitFor();
+  rmSync(join(out, removed), { recursive: true });
+  await page.waitForFunction(() => document.querySelectorAll(".list li").length === 4);
+  await page.locator("main").focus();
+  for (let name; await page.locator(".count").textContent() !== "4 of 4 decided";) {
+    name = await shown(page, name);
+    await decide(page, name === graded ? "a" : "n");
+  }
+  await page.getByRole("heading", { name: "All are decided" }).waitFor();
   await page.close();
 });

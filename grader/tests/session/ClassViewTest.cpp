@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <fstream>
+
 namespace ticker::session {
 namespace {
 
@@ -98,6 +100,18 @@ TEST_F(Session, KeepsCommentsOnLinesWithTheLinesThemselves) {
     EXPECT_EQ(store::Store{class_.out()}.decisions().at(0).notes.at(0).text, "why **int**?");
 }
 
+TEST_F(Session, KeepsCommentsOnLinesThatAreGoneAfterAnotherHandIn) {
+    json one = json::parse(request("bob", 0, "undecided")).at("decisions").at(0);
+    one["notes"] = {{{"file", "BumpySphere.cpp"}, {"line", 1}, {"text", "why int?"}}};
+    const json first = answerTo(view_.decide(json{{"decisions", {one}}}.dump())).at("decision");
+    std::filesystem::remove(class_.out() / "bob" / "code" / "BumpySphere.cpp");
+    json two = json::parse(request("bob", 1, "notYet")).at("decisions").at(0);
+    two["notes"] = first.at("notes");
+    two["notes"].push_back({{"file", ".."}, {"line", 1}, {"code", "x"}, {"text", "no file"}});
+    const json kept = answerTo(view_.decide(json{{"decisions", {two}}}.dump())).at("decision");
+    EXPECT_EQ(kept.at("notes"), first.at("notes"));
+}
+
 TEST_F(Session, SharesSavedCommentsAmongAllTickersOfTheClass) {
     const auto saved = [](const std::string& finding, const std::string& text) {
         return json{{"finding", finding}, {"text", text}, {"who", "ann"}}.dump();
@@ -154,6 +168,25 @@ TEST_F(Session, RefusesWhatIsNoDecision) {
     EXPECT_EQ(answerTo(view_.decide(request("bob", 7, "awarded"))).at("isKept"), false);
 }
 
+TEST_F(Session, SaysWhyADecisionIsTooLong) {
+    json one = json::parse(request("bob", 0, "awarded", "ann", std::string(15'000, 'x')))
+                   .at("decisions")
+                   .at(0);
+    one["notes"] = {{{"file", "BumpySphere.cpp"}, {"line", 1}, {"text", std::string(6'000, 'x')}}};
+    const Reply reply = view_.decide(json{{"decisions", {one}}}.dump());
+    EXPECT_EQ(reply.status, 400);
+    EXPECT_EQ(json::parse(reply.body).at("error"),
+              "The comment and the comments on lines have 21000 bytes together, and 20000 are the "
+              "most; shorten them.");
+}
+
+TEST_F(Session, KeepsDecisionsOfWhoHasTheLongestNameThatThePageAllows) {
+    std::string name;
+    for (int i = 0; i < 60; ++i)
+        name += "\xE5\xBC\xA0";
+    EXPECT_EQ(view_.decide(request("bob", 0, "awarded", name)).status, 200);
+}
+
 TEST_F(Session, GivesOutPicturesAndReportsOfTheClassAndNothingElse) {
     EXPECT_EQ(view_.image("bob", "bump-mapping.png").body, "png bytes");
     EXPECT_EQ(view_.reportPage("bob").body, "<!doctype html>the report");
@@ -173,6 +206,39 @@ TEST_F(Session, WaitsForASubmissionThatIsBeingGraded) {
     std::filesystem::remove(class_.out() / "bob" / "result.json");
     EXPECT_EQ(view_.submission("bob").status, 503);
     EXPECT_EQ(json::parse(view_.list().body).at("submissions").size(), 2U);
+}
+
+TEST_F(Session, LeavesOutASubmissionWhoseFolderWasRemoved) {
+    std::filesystem::remove_all(class_.out() / "bob");
+    const json list = json::parse(view_.list().body).at("submissions");
+    ASSERT_EQ(list.size(), 1U);
+    EXPECT_EQ(list.at(0).at("name"), kOddName);
+    EXPECT_EQ(view_.size(), 1U);
+    EXPECT_EQ(view_.submission("bob").status, 404) << "a page that still lists it must not wait";
+    EXPECT_EQ(view_.pictures("bob").status, 404);
+}
+
+TEST_F(Session, SaysWhyASubmissionCannotBeShownAndStoresADecisionAboutItAllTheSame) {
+    const auto broken = [&](const std::string& text) {
+        std::ofstream{class_.out() / "bob" / "result.json"} << text;
+        EXPECT_EQ(view_.pictures("bob").status, 404) << text;
+        const Reply reply = view_.submission("bob");
+        EXPECT_EQ(reply.status, 404) << text;
+        return json::parse(reply.body).at("error").get<std::string>();
+    };
+    EXPECT_EQ(broken("{").find("It is damaged: result.json"), 0U);
+    const std::string other = resultJson(tests::markedResult("cy", Verdict::awarded));
+    EXPECT_EQ(broken(other).find("Its result.json is that of \"cy\"."), 0U);
+    EXPECT_EQ(view_.decide(request("bob", 0, "awarded")).status, 200);
+}
+
+TEST_F(Session, SaysThatTheExerciseOfASubmissionIsUnknown) {
+    SubmissionResult result = tests::markedResult("bob", Verdict::awarded);
+    result.exercise = "tick9";
+    std::ofstream{class_.out() / "bob" / "result.json"} << resultJson(result);
+    const Reply reply = view_.submission("bob");
+    EXPECT_EQ(reply.status, 404);
+    EXPECT_NE(reply.body.find("tick9"), std::string::npos) << reply.body;
 }
 
 }  // namespace

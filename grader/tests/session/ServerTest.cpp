@@ -114,6 +114,24 @@ TEST_F(OnTheNetwork, ChangesNothingByAGet) {
     EXPECT_FALSE(isDecided());
 }
 
+TEST_F(OnTheNetwork, SaysThatARequestIsTooLarge) {
+    const httplib::Headers own{{"X-Ticker", kToken}, {"Origin", "http://" + host()}};
+    const auto result =
+        client_.Post(at("decide").c_str(), own, std::string(270'000, 'x'), "application/json");
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->status, 413);
+    const auto said = nlohmann::json::parse(result->body, nullptr, false);
+    EXPECT_TRUE(said.is_object() && said.contains("error"))
+        << "the page takes an answer without JSON for none, and would ask for ever: "
+        << result->body;
+}
+
+TEST_F(OnTheNetwork, CanBeStoppedBeforeItServes) {
+    Server early{view_, {kToken, 0}, 0};
+    early.stop();
+    early.serve();  // ends
+}
+
 TEST_F(OnTheNetwork, ShowsReportsInAFrameOfTheirOwnMaking) {
     const auto report = client_.Get(at("report?name=bob").c_str());
     ASSERT_TRUE(report);
