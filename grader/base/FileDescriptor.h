@@ -24,6 +24,8 @@ public:
 
     [[nodiscard]] int get() const { return descriptor_; }
     [[nodiscard]] bool isOpen() const { return descriptor_ >= 0; }
+    /// Gives the descriptor away: it is not closed here.
+    int release() { return std::exchange(descriptor_, -1); }
     void reset() {
         if (descriptor_ >= 0) ::close(descriptor_);
         descriptor_ = -1;

@@ -84,4 +84,10 @@ std::string asPlainLine(std::string_view text) {
     return cleaned(text, isControl);
 }
 
+std::string lowerCase(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
 }  // namespace ticker

@@ -17,6 +17,9 @@ namespace ticker {
 /// The same as one line: control characters, of which a newline is one, become U+FFFD, too.
 [[nodiscard]] std::string asPlainLine(std::string_view text);
 
+/// The text with the letters A to Z in lower case; every other byte stays as it is.
+[[nodiscard]] std::string lowerCase(std::string text);
+
 }  // namespace ticker
 
 #endif

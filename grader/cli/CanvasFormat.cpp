@@ -2,6 +2,7 @@
 
 #include <grader/base/WholeFile.h>
 #include <grader/intake/CanvasName.h>
+#include <grader/intake/ClassExport.h>
 #include <grader/intake/Contents.h>
 #include <grader/report/platforms/CanvasGradebook.h>
 #include <grader/report/platforms/SubmissionId.h>
@@ -29,18 +30,21 @@ struct HandedIn {
 
 /// The names of the downloaded files, by what intake calls their owner.
 std::multimap<std::string, std::string> namesByOwner(const fs::path& download) {
+    const intake::MemberList members = intake::listArchive(download);
     std::multimap<std::string, std::string> names;
-    for (const std::string& name : intake::listArchive(download))
+    for (const std::string& name : members.paths)
         if (const auto parts = intake::readCanvasName(name)) names.emplace(parts->owner, name);
+    if (!names.empty() && !members.damage.empty())
+        throw intake::damagedDownload(download, members.damage);
     return names;
 }
 
 /// The first source file of a submission; empty if it was handed in inside an archive.
 std::optional<HandedIn> sourceOf(const std::string& owner,
                                  const std::multimap<std::string, std::string>& names,
-                                 const fs::path& download) {
+                                 const fs::path& download, const Exercise& exercise) {
     const auto [first, last] = names.equal_range(owner);
-    const intake::Contents contents = intake::readArchive(download, {}, owner);
+    const intake::Contents contents = intake::readArchive(download, {.exercise = &exercise}, owner);
     for (auto name = first; name != last; ++name)
         for (const intake::Candidate& candidate : contents.candidates) {
             const bool isThis = intake::readCanvasName(name->second)->file == candidate.path;
@@ -60,7 +64,7 @@ void writeComments(const std::vector<report::StudentView>& views,
     zip::ZipWriter zip{file};
     for (const std::size_t index : graded) {
         const std::string& submission = views[index].result().submission;
-        if (const auto source = sourceOf(submission, names, download))
+        if (const auto source = sourceOf(submission, names, download, views[index].exercise()))
             zip.add(source->name, report::commentedSource(views[index], source->bytes));
         else
             fmt::print(stderr,

@@ -1,4 +1,5 @@
 #include <grader/cli/ClassPaths.h>
+#include <grader/intake/SafeName.h>
 #include <grader/intake/Skipped.h>
 #include <grader/report/Escape.h>
 
@@ -11,17 +12,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
 namespace ticker::cli {
 namespace {
 
-std::vector<intake::Located> wholePath(const std::string& path) {
+std::vector<intake::Located> wholePath(const std::string& path, const std::string& out) {
     const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
     const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename();
-    return {{name.empty() ? "submission" : name, whole}};
+    return {{name.empty() ? "submission" : name, whole, "", out}};
 }
 
 // What cannot be read is graded as such, later.
@@ -42,18 +43,28 @@ std::vector<std::string> broughtFor(const Exercise& other, const std::vector<int
     return names;
 }
 
+// The first of a name keeps it, and none of the made-up names is another folder's.
+void makeUnique(std::vector<intake::Located>& all) {
+    std::set<std::string> taken;
+    std::vector<intake::Located*> repeated;
+    for (intake::Located& located : all)
+        if (!taken.insert(located.name).second) repeated.push_back(&located);
+    for (intake::Located* located : repeated)
+        located->name = intake::uniqueName(located->name, taken);
+}
+
+std::vector<intake::Located> submissionsIn(const std::string& path, const ClassPaths& from) {
+    return from.single ? wholePath(path, from.out)
+                       : intake::findSubmissions(path, *from.exercise, from.out);
+}
+
 }  // namespace
 
 std::vector<intake::Located> locate(const ClassPaths& from) {
     std::vector<intake::Located> all;
-    std::map<std::string, int> seen;
     for (const std::string& path : from.paths)
-        for (intake::Located located :
-             from.single ? wholePath(path) : intake::findSubmissions(path, *from.exercise)) {
-            const int before = seen[located.name]++;
-            if (before > 0) located.name += fmt::format("-{}", before + 1);
-            all.push_back(std::move(located));
-        }
+        std::ranges::move(submissionsIn(path, from), std::back_inserter(all));
+    makeUnique(all);
     if (all.empty())
         throw raytracer::InputError(from.paths.front(), 0,
                                     "no submission here; expected " +
@@ -70,7 +81,7 @@ void expectOneExercise(const ClassPaths& from, const std::vector<intake::Located
         if (other.name == wanted) continue;
         // Where no file is of the wanted exercise, the whole class looks like one submission.
         const std::vector<intake::Located> all =
-            submissions.size() > 1 ? submissions : locate({from.paths, false, &other});
+            submissions.size() > 1 ? submissions : locate({from.paths, false, &other, from.out});
         const std::vector<std::string> names =
             broughtFor(other, all, {.exercise = from.exercise, .others = others});
         if (names.empty() || all.size() < 2) continue;
@@ -105,7 +116,7 @@ std::string skippedLine(const ClassPaths& from) {
     if (from.single) return {};
     std::vector<intake::Skipped> all;
     for (const std::string& path : from.paths)
-        std::ranges::move(intake::findSkipped(path, intake::findSubmissions(path, *from.exercise)),
+        std::ranges::move(intake::findSkipped(path, submissionsIn(path, from), from.out),
                           std::back_inserter(all));
     if (all.empty()) return {};
     constexpr std::size_t kMostNames = 10;

@@ -15,9 +15,10 @@ struct ClassPaths {
     std::vector<std::string> paths;
     bool single = false;  ///< the path is one submission, whatever it contains (set by platforms)
     const Exercise* exercise = &defaultExercise();  ///< the exercise whose files are looked for
+    std::string out = {};  ///< where results go: no submission, although it may lie in a path
 };
 
-/// The submissions below all paths; a repeated name gets a number.
+/// The submissions below all paths; a repeated name gets a number that makes it unlike any other.
 /// @throws raytracer::InputError if there are no submissions, or a path cannot be read.
 [[nodiscard]] std::vector<intake::Located> locate(const ClassPaths& from);
 

@@ -57,6 +57,16 @@ std::optional<std::uint64_t> wholeNumber(const std::string& text) {
 
 }  // namespace
 
+bool rememberOrigin(store::Store& store, const std::vector<SubmissionResult>& results) {
+    if (results.empty()) return true;
+    store.remember(kExerciseKey, exerciseOf(results).name);
+    const bool isOne = std::ranges::all_of(results, [&](const SubmissionResult& result) {
+        return result.seed == results.front().seed;
+    });
+    if (isOne) store.remember(kSeedKey, std::to_string(results.front().seed));
+    return isOne;
+}
+
 bool Regrade::concerns(const SubmissionResult& result) const {
     return std::ranges::any_of(words, [&](const std::string& word) {
         if (word == "all") return true;
@@ -87,13 +97,23 @@ void ClassRun::checkRegrade(const std::vector<intake::Located>& submissions) con
     if (regrade_.words.empty()) return;
     const std::vector<store::ResultRow> rows =
         store_ ? store_->results() : std::vector<store::ResultRow>{};
+    // Without a store, as on a node of a cluster, the results themselves say what was found.
+    const auto isFoundIn = [&](const intake::Located& located, const std::string& id) {
+        const auto result = store::readWholeResult(out_, located.name);
+        return result && hasFinding(*result, id);
+    };
     for (const std::string& word : regrade_.words) {
         const bool isMeant =
             word == "all" || word == "older" ||
             std::ranges::find(submissions, word, &intake::Located::name) != submissions.end() ||
-            std::ranges::any_of(rows, [&](const store::ResultRow& row) {
-                return std::ranges::find(row.findings, word) != row.findings.end();
-            });
+            std::ranges::any_of(rows,
+                                [&](const store::ResultRow& row) {
+                                    return std::ranges::find(row.findings, word) !=
+                                           row.findings.end();
+                                }) ||
+            (!store_ && std::ranges::any_of(submissions, [&](const intake::Located& located) {
+                return isFoundIn(located, word);
+            }));
         if (!isMeant)
             throw raytracer::InputError(
                 "", 0,

@@ -23,6 +23,12 @@ struct Regrade {
     [[nodiscard]] bool concerns(const SubmissionResult& result) const;
 };
 
+/// Stores what a later run over OUT goes on with: the results' exercise, and their seed if it is
+/// the same for all.
+/// @return  Whether it is.
+/// @throws raytracer::InputError if the results are of more than one exercise.
+bool rememberOrigin(store::Store& store, const std::vector<SubmissionResult>& results);
+
 /// A run over a class with results in OUT: which results are still valid, and where new ones go.
 class ClassRun {
 public:

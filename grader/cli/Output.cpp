@@ -1,5 +1,6 @@
 #include <grader/base/WholeFile.h>
 #include <grader/cli/Output.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/report/ClassPage.h>
 #include <grader/report/Escape.h>
 #include <grader/report/ReportPage.h>
@@ -29,13 +30,21 @@ void makeFolder(const fs::path& folder) {
         throw raytracer::InputError(folder.string(), 0, "cannot be made: " + error.message());
 }
 
+// What would stay could pass for a part of the new hand-in.
+void removeWhole(const fs::path& path) {
+    std::error_code error;
+    fs::remove_all(path, error);
+    if (error)
+        throw raytracer::InputError(path.string(), 0, "cannot be removed: " + error.message());
+}
+
 // Removes the files of an earlier grading. result.json goes first, because without it the rest does
 // not count as a result.
 void clear(const fs::path& folder) {
+    for (const char* name : {"result.json", "images", "code"})
+        removeWhole(folder / name);
+    removeWhole(keptScreenshot(folder).parent_path());
     std::error_code ignored;
-    fs::remove(folder / "result.json", ignored);
-    fs::remove_all(folder / "images", ignored);
-    fs::remove_all(folder / "code", ignored);
     for (const fs::directory_entry& entry : fs::directory_iterator{folder, ignored})
         if (entry.path().extension() == ".part") fs::remove(entry.path(), ignored);
 }
@@ -56,6 +65,10 @@ std::vector<Decision> decisionsOf(const std::vector<store::ClassEntry>& entries)
 
 }  // namespace
 
+fs::path keptScreenshot(const fs::path& folder) {
+    return folder / "handed-in" / kScreenshotPart;
+}
+
 void writeSubmission(const fs::path& out, const SubmissionResult& result) {
     const fs::path folder = out / result.submission;
     makeFolder(folder);
@@ -67,6 +80,8 @@ void writeSubmission(const fs::path& out, const SubmissionResult& result) {
         writeAtomically(picture.png, folder / picture.file);
     for (const SourceText& source : result.sources)
         writeAtomically(source.bytes, folder / "code" / source.file);
+    makeFolder(keptScreenshot(folder).parent_path());
+    if (result.screenshot) writeAtomically(*result.screenshot, keptScreenshot(folder));
     // The page shows the contents of result.json, so that it can be written again from there.
     const std::string json = resultJson(result);
     SubmissionResult told = parseResultJson(json, "result.json");

@@ -10,9 +10,16 @@
 
 namespace ticker::cli {
 
-/// Writes `OUT/<submission>/`: images/, code/ (the submitted sources), report.html and, last,
-/// result.json, which marks the folder as complete. Files of an earlier grading are removed first.
-/// @throws raytracer::InputError if a file cannot be written.
+/// The screenshot's bytes as they were handed in, below `OUT/<submission>/`. They decide which
+/// questions are asked; images/ has only the decoded picture. Untrusted: for grading again, never
+/// for a page. The file is missing where there was no screenshot, its folder where a ticker graded
+/// that did not keep it yet.
+[[nodiscard]] std::filesystem::path keptScreenshot(const std::filesystem::path& folder);
+
+/// Writes `OUT/<submission>/`: images/, code/ (the submitted sources), handed-in/ (the screenshot's
+/// bytes), report.html and, last, result.json, which marks the folder as complete. Files of an
+/// earlier grading are removed first, once what `store::keepEarlier` keeps is safe.
+/// @throws raytracer::InputError if a file cannot be written, moved or removed.
 void writeSubmission(const std::filesystem::path& out, const SubmissionResult& result);
 
 /// Writes OUT/summary.csv and OUT/index.html from the results below OUT, in the order of the

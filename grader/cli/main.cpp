@@ -18,6 +18,7 @@ constexpr const char* kSelftest = "selftest";
 constexpr const char* kCalibrate = "calibrate";
 constexpr const char* kRepairs = "repairs";
 constexpr const char* kSimilarity = "similarity";
+constexpr const char* kCoverage = "coverage";
 
 }  // namespace
 }  // namespace ticker::cli
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
          "tick 1* (bump mapping, soft shadows, depth of field)."},
         {addGrade, addCheck, addExplain, addRender, addReport, addDoctor, addCompare, addRefs,
          addPackage, addCollect, addSession, addAppeal, addSimilar, addElsewhere<kSelftest>,
-         addElsewhere<kCalibrate>, addElsewhere<kRepairs>, addElsewhere<kSimilarity>},
+         addElsewhere<kCalibrate>, addElsewhere<kRepairs>, addElsewhere<kSimilarity>,
+         addElsewhere<kCoverage>},
         argc, argv);
 }

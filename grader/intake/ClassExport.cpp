@@ -3,6 +3,8 @@
 #include <grader/intake/CanvasName.h>
 #include <grader/intake/Contents.h>
 
+#include <fmt/core.h>
+
 #include <set>
 #include <system_error>
 #include <utility>
@@ -47,27 +49,45 @@ bool mayBeWork(std::string_view file, const Exercise& exercise) {
     return !isLitter(file) && (isArchive(file) || partOf(file, exercise));
 }
 
-bool mayBeWork(const fs::directory_entry& entry, const Exercise& exercise) {
+bool mayBeWork(const fs::directory_entry& entry, const Wanted& wanted) {
     std::error_code error;
     const std::string name = entry.path().filename().string();
     if (name.starts_with('.') || name == "__MACOSX") return false;
-    if (!entry.is_directory(error) || entry.is_symlink(error)) return mayBeWork(name, exercise);
-    return !fs::is_empty(entry.path(), error);
+    if (!entry.is_directory(error) || entry.is_symlink(error))
+        return mayBeWork(name, wanted.exercise);
+    return !fs::is_empty(entry.path(), error) && !isOut(entry.path(), wanted);
 }
 
-std::vector<Member> membersOf(const fs::path& exported, const Exercise& exercise) {
+std::vector<Member> membersOf(const fs::path& folder, const Wanted& wanted) {
     std::error_code error;
     std::vector<Member> members;
-    if (!fs::is_directory(exported, error)) {
-        for (std::string& path : listArchive(exported)) {
-            const bool isWork = mayBeWork(path, exercise);
-            members.push_back({std::move(path), isWork});
-        }
-        return members;
-    }
-    for (const fs::directory_entry& entry : fs::directory_iterator{exported, error})
-        members.push_back({entry.path().filename().string(), mayBeWork(entry, exercise)});
+    fs::directory_iterator entry{folder, error};
+    for (; !error && entry != fs::directory_iterator{}; entry.increment(error))
+        members.push_back({entry->path().filename().string(), mayBeWork(*entry, wanted)});
     return members;
+}
+
+std::vector<Member> membersOf(std::vector<std::string> paths, const Exercise& exercise) {
+    std::vector<Member> members;
+    for (std::string& path : paths) {
+        const bool isWork = mayBeWork(path, exercise);
+        members.push_back({std::move(path), isWork});
+    }
+    return members;
+}
+
+ClassExport exportOf(const std::vector<Member>& members) {
+    std::set<std::string> owners;
+    std::set<std::string> others;
+    for (const Member& member : members) {
+        if (const auto file = readExportedPath(member.path))
+            owners.insert(file->owner);
+        else if (member.mayBeWork)
+            others.insert(member.path.substr(0, member.path.find('/')));
+    }
+    // A student can give a folder such a name; that does not make the class an export.
+    if (owners.size() <= others.size()) return {};
+    return {{owners.begin(), owners.end()}, {others.begin(), others.end()}, {}};
 }
 
 }  // namespace
@@ -79,18 +99,19 @@ std::optional<ExportedFile> readExportedPath(std::string_view path) {
     return slash == std::string_view::npos ? std::nullopt : readFrom(path.substr(slash + 1));
 }
 
-ClassExport readClassExport(const fs::path& exported, const Exercise& exercise) {
-    std::set<std::string> owners;
-    std::set<std::string> others;
-    for (const Member& member : membersOf(exported, exercise)) {
-        if (const auto file = readExportedPath(member.path))
-            owners.insert(file->owner);
-        else if (member.mayBeWork)
-            others.insert(member.path.substr(0, member.path.find('/')));
-    }
-    // A student can give a folder such a name; that does not make the class an export.
-    if (owners.size() <= others.size()) return {};
-    return {{owners.begin(), owners.end()}, {others.begin(), others.end()}};
+ClassExport readClassExport(const fs::path& exported, const Wanted& wanted) {
+    std::error_code error;
+    if (fs::is_directory(exported, error)) return exportOf(membersOf(exported, wanted));
+    MemberList list = listArchive(exported);
+    ClassExport found = exportOf(membersOf(std::move(list.paths), wanted.exercise));
+    if (!found.owners.empty()) found.damage = std::move(list.damage);
+    return found;
+}
+
+raytracer::InputError damagedDownload(const fs::path& exported, const std::string& damage) {
+    return {exported.string(), 0,
+            fmt::format("this class download is not whole ({}); download it again, then grade it",
+                        damage)};
 }
 
 // Moodle's names contain no slash, so that no owner can be confused with one of the others.

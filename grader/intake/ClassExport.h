@@ -1,7 +1,9 @@
 #ifndef TICKER_INTAKE_CLASSEXPORT_H
 #define TICKER_INTAKE_CLASSEXPORT_H
 
-#include <grader/exercise/Exercise.h>
+#include <grader/intake/OutFolder.h>
+
+#include <raytracer/base/Error.h>
 
 #include <filesystem>
 #include <optional>
@@ -26,12 +28,19 @@ struct ClassExport {
     std::vector<std::string> owners;  ///< all owners, by name; empty if it is not an export
     /// First components of paths that may be work, but fit no layout.
     std::vector<std::string> others;
+    std::string damage;  ///< of the zip: why owners may be missing here; empty: none is
 };
 
 /// Reads an export. Most paths that may be work must fit one of these layouts: a single such name
 /// does not make an export.
+/// @throws raytracer::InputError if a zip cannot be read.
 [[nodiscard]] ClassExport readClassExport(const std::filesystem::path& exported,
-                                          const Exercise& exercise);
+                                          const Wanted& wanted);
+
+/// The error for an export that was not downloaded whole. Grading what is left of it would call
+/// the rest missing, or charge the damage to its students.
+[[nodiscard]] raytracer::InputError damagedDownload(const std::filesystem::path& exported,
+                                                    const std::string& damage);
 
 /// Name of the owner in Located for one of `others`.
 [[nodiscard]] std::string ownerOfOther(std::string_view other);

@@ -1,3 +1,4 @@
+#include <grader/base/Utf8.h>
 #include <grader/intake/Contents.h>
 #include <grader/result/GeneralFindings.h>
 
@@ -7,17 +8,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <system_error>
 #include <utility>
 
 namespace ticker::intake {
 namespace {
-
-std::string lowered(std::string_view text) {
-    std::string result{text};
-    for (char& c : result)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
 
 std::string_view lastComponent(std::string_view path) {
     return path.substr(path.find_last_of('/') + 1);
@@ -55,7 +50,7 @@ bool isOfTheKit(std::string_view path, const Exercise& exercise) {
 
 std::optional<std::string> partOf(std::string_view path, const Exercise& exercise) {
     if (isOfTheKit(path, exercise)) return std::nullopt;
-    std::string name = lowered(lastComponent(path));
+    std::string name = lowerCase(std::string{lastComponent(path)});
     dropSpaces(name);
     dropEnd(name, ".txt");
     const std::size_t dot = name.find_last_of('.');
@@ -66,12 +61,12 @@ std::optional<std::string> partOf(std::string_view path, const Exercise& exercis
     dropDecoration(stem);
     dropSpaces(stem);
     for (const std::string& part : exercise.parts())
-        if (stem + extension == lowered(part)) return part;
+        if (stem + extension == lowerCase(part)) return part;
     return std::nullopt;
 }
 
 bool isArchive(std::string_view path) {
-    const std::string name = lowered(lastComponent(path));
+    const std::string name = lowerCase(std::string{lastComponent(path)});
     return name.ends_with(".zip") || name.ends_with(".tar") || name.ends_with(".tar.gz") ||
            name.ends_with(".tgz");
 }
@@ -107,6 +102,12 @@ Finding tooLarge(std::string_view path, std::uint64_t limit) {
         kIntakeTooLarge,
         fmt::format("{} is larger than {} KiB.", raytracer::inQuotes(path), limit >> 10U),
         "Hand in the file that you wrote, and the picture as tick1star writes it.");
+}
+
+raytracer::InputError unreadable(const std::filesystem::path& path, int error) {
+    return {asPlainLine(path.string()), 0,
+            fmt::format("cannot be read: {}; make it readable, then grade again",
+                        std::generic_category().message(error))};
 }
 
 }  // namespace ticker::intake

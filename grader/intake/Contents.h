@@ -5,6 +5,8 @@
 #include <grader/intake/Submission.h>
 #include <grader/result/FindingText.h>
 
+#include <raytracer/base/Error.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -71,22 +73,36 @@ struct Contents {
 /// True for the name of a zip or tar archive.
 [[nodiscard]] bool isArchive(std::string_view path);
 
+/// The error for a file or folder that the system does not let us read: no student's fault.
+/// @param error  errno
+[[nodiscard]] raytracer::InputError unreadable(const std::filesystem::path& path, int error);
+
 /// Reads a folder and all folders below it. Links, pipes and devices are never opened.
 /// @param owner  The owner in a class export whose part is read; empty: everything.
-/// @throws raytracer::InputError if the folder itself cannot be read.
+/// @param out    A folder of results, which is no part of the submission; may be empty. Others are
+///               recognised: see `isOut`.
+/// @throws raytracer::InputError if the folder, or a file or folder in it that may be work, cannot
+///         be read.
 [[nodiscard]] Contents readFolder(const std::filesystem::path& folder, const IntakeLimits& limits,
-                                  const std::string& owner = {});
+                                  const std::string& owner = {},
+                                  const std::filesystem::path& out = {});
 
 /// Reads a zip or tar archive in memory; nothing is unpacked to disk.
 /// @param owner  As for readFolder.
-/// @throws raytracer::InputError if the file cannot be read at all.
+/// @throws raytracer::InputError if the file cannot be read, or is a damaged class export.
 [[nodiscard]] Contents readArchive(const std::filesystem::path& file, const IntakeLimits& limits,
                                    const std::string& owner = {});
 /// The same for an archive inside another or in a folder.
 [[nodiscard]] Contents readArchive(const Packed& packed, const IntakeLimits& limits);
 
-/// The paths of an archive's members; empty if it cannot be read.
-[[nodiscard]] std::vector<std::string> listArchive(const std::filesystem::path& file);
+/// The paths of an archive's members.
+struct MemberList {
+    std::vector<std::string> paths;
+    std::string damage;  ///< why it may have more members, or is no archive; empty: these are all
+};
+
+/// @throws raytracer::InputError if the file cannot be read.
+[[nodiscard]] MemberList listArchive(const std::filesystem::path& file);
 
 }  // namespace ticker::intake
 

@@ -16,25 +16,33 @@ namespace {
 
 constexpr int kDeepest = 8;
 
+// "lost+found" belongs to the disk, and only root can read it.
 bool isHidden(const fs::path& path) {
     const std::string name = path.filename().string();
-    return name.starts_with('.') || name == "__MACOSX";
+    return name.starts_with('.') || name == "__MACOSX" || name == "lost+found";
 }
 
-Entries entriesOf(const fs::path& folder, const Exercise& exercise) {
+void add(const fs::directory_entry& entry, const Wanted& wanted, Entries& entries) {
+    std::error_code error;
+    const bool isFolder = entry.is_directory(error) && !entry.is_symlink(error);
+    if (isHidden(entry.path()) || (isFolder && isOut(entry.path(), wanted))) return;
+    entries.isEmpty = false;
+    if (isFolder) {
+        entries.folders.push_back(entry.path());
+    } else if (const auto part = partOf(entry.path().string(), wanted.exercise)) {
+        entries.parts.insert(*part);
+    } else if (isArchive(entry.path().filename().string()) && entry.is_regular_file(error)) {
+        entries.archives.push_back(entry.path());
+    }
+}
+
+Entries entriesOf(const fs::path& folder, const Wanted& wanted) {
     Entries entries;
     std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator{folder, error}) {
-        if (isHidden(entry.path())) continue;
-        entries.isEmpty = false;
-        if (entry.is_directory(error) && !entry.is_symlink(error)) {
-            entries.folders.push_back(entry.path());
-        } else if (const auto part = partOf(entry.path().string(), exercise)) {
-            entries.parts.insert(*part);
-        } else if (isArchive(entry.path().filename().string()) && entry.is_regular_file(error)) {
-            entries.archives.push_back(entry.path());
-        }
-    }
+    fs::directory_iterator entry{folder, error};
+    for (; !error && entry != fs::directory_iterator{}; entry.increment(error))
+        add(*entry, wanted, entries);
+    entries.isUnreadable = static_cast<bool>(error);
     std::ranges::sort(entries.folders);
     std::ranges::sort(entries.archives);
     return entries;
@@ -53,8 +61,7 @@ Place placeAt(const fs::path& path, int depth) {
     return {path, isArchive(name) ? withoutArchiveEnding(name) : name, {}, depth};
 }
 
-std::vector<Place> placesInExport(const fs::path& exported, const Exercise& exercise) {
-    const ClassExport found = readClassExport(exported, exercise);
+std::vector<Place> placesOf(const ClassExport& found, const fs::path& exported) {
     std::vector<Place> places;
     for (const std::string& owner : found.owners)
         places.push_back({exported, owner, owner});
@@ -62,6 +69,26 @@ std::vector<Place> placesInExport(const fs::path& exported, const Exercise& exer
         places.push_back({exported, isArchive(other) ? withoutArchiveEnding(other) : other,
                           ownerOfOther(other), 1});
     return places;
+}
+
+std::vector<Place> placesInExport(const fs::path& folder, const Wanted& wanted) {
+    return placesOf(readClassExport(folder, wanted), folder);
+}
+
+// Whose work lies behind a cut is unknown, so that nothing of a cut download is graded.
+std::vector<Place> placesInDownload(const fs::path& zip, const Wanted& wanted) {
+    const ClassExport found = readClassExport(zip, wanted);
+    if (!found.damage.empty()) throw damagedDownload(zip, found.damage);
+    return placesOf(found, zip);
+}
+
+// An archive that cannot be read is somebody's work, and is said to be unreadable when it is read.
+bool isDownload(const fs::path& zip, const Wanted& wanted) {
+    try {
+        return !readClassExport(zip, wanted).owners.empty();
+    } catch (const raytracer::InputError&) {
+        return false;
+    }
 }
 
 // ann/tick/File.cpp beside bob/work/File.cpp: the names are ann and bob, not tick and work. Of
@@ -80,39 +107,41 @@ void add(Below& below, const Below& child) {
     below.parts.insert(child.parts.begin(), child.parts.end());
 }
 
-Below look(const fs::path& folder, int depth, const Exercise& exercise) {
-    const Entries entries = entriesOf(folder, exercise);
+Below look(const fs::path& folder, int depth, const Wanted& wanted) {
+    const Entries entries = entriesOf(folder, wanted);
     std::vector<Below> children;
     if (depth < kDeepest)
         for (const fs::path& child : entries.folders)
-            children.push_back(look(child, depth + 1, exercise));
+            children.push_back(look(child, depth + 1, wanted));
     const bool people = arePeople(children, entries);
     for (std::size_t i = 0; people && i < children.size(); ++i)
         nameAfter(entries.folders[i].filename().string(), depth + 1, children[i]);
 
     Below below;
-    below.isEmpty = entries.isEmpty;
+    below.isEmpty = entries.isEmpty && !entries.isUnreadable;
+    below.isUnreadable = entries.isUnreadable;
     for (const Below& child : children)
         add(below, child);
     below.parts.insert(entries.parts.begin(), entries.parts.end());
-    if (!entries.parts.empty() || isKit(children, entries, exercise) ||
-        isOneInPieces(below, children, entries, exercise))
-        return {{placeAt(folder, depth)}, below.parts, true, false};
+    if (!entries.parts.empty() || isKit(children, entries, wanted.exercise) ||
+        isOneInPieces(below, children, entries, wanted.exercise) || lacksAPiece(children, entries))
+        return {{placeAt(folder, depth)}, below.parts, true, false, entries.isUnreadable};
     for (const fs::path& archive : entries.archives)
         below.submissions.push_back(placeAt(archive, depth + 1));
-    for (std::size_t i = 0; people && i < children.size(); ++i)
-        if (children[i].submissions.empty() && !children[i].isEmpty)
+    for (std::size_t i = 0; i < children.size(); ++i)
+        if (children[i].submissions.empty() &&
+            (children[i].isUnreadable || (people && !children[i].isEmpty)))
             below.submissions.push_back(placeAt(entries.folders[i], depth + 1));
     return below;
 }
 
 // All owners of the exports below folders that an unpacker made. If such a folder lies beside other
 // submissions, it is one student's folder with made-up names inside.
-std::vector<Place> placesInUnpacked(const fs::path& folder, const Exercise& exercise) {
-    const Entries entries = entriesOf(folder, exercise);
+std::vector<Place> placesInUnpacked(const fs::path& folder, const Wanted& wanted) {
+    const Entries entries = entriesOf(folder, wanted);
     const bool allAreExports = entries.parts.empty() &&
                                std::ranges::all_of(entries.archives, [&](const fs::path& archive) {
-                                   return !placesInExport(archive, exercise).empty();
+                                   return isDownload(archive, wanted);
                                });
     if (!allAreExports) return {};
     std::vector<Place> found;
@@ -120,10 +149,10 @@ std::vector<Place> placesInUnpacked(const fs::path& folder, const Exercise& exer
     for (const fs::path& archive : entries.archives)
         others.push_back(placeAt(archive, 1));
     for (const fs::path& child : entries.folders) {
-        const std::vector<Place> places = placesInExport(child, exercise);
+        const std::vector<Place> places = placesInExport(child, wanted);
         found.insert(found.end(), places.begin(), places.end());
         if (!places.empty()) continue;
-        const Below below = look(child, 1, exercise);
+        const Below below = look(child, 1, wanted);
         if (!below.submissions.empty()) return {};
         if (!below.isEmpty) others.push_back(placeAt(child, 1));
     }
@@ -132,16 +161,19 @@ std::vector<Place> placesInUnpacked(const fs::path& folder, const Exercise& exer
     return found;
 }
 
-std::vector<Place> placesIn(const fs::path& folder, const Exercise& exercise) {
-    std::vector<Place> found = placesInExport(folder, exercise);
-    if (found.empty()) found = placesInUnpacked(folder, exercise);
-    if (found.empty()) found = look(folder, 0, exercise).submissions;
+std::vector<Place> placesIn(const fs::path& folder, const Wanted& wanted) {
+    std::error_code error;
+    const fs::directory_iterator first{folder, error};
+    if (error) throw unreadable(folder, error.value());
+    std::vector<Place> found = placesInExport(folder, wanted);
+    if (found.empty()) found = placesInUnpacked(folder, wanted);
+    if (found.empty()) found = look(folder, 0, wanted).submissions;
     return found;
 }
 
 // If two submissions want one name, the deeper one gets another, and so does a name that had to be
 // changed: "zoe" is the folder zoe of the class, neither ann/zoe nor "-zoe".
-std::vector<Located> named(const std::vector<Place>& places) {
+std::vector<Located> named(const std::vector<Place>& places, const fs::path& out) {
     std::vector<std::tuple<int, bool, std::size_t>> order;
     for (std::size_t i = 0; i < places.size(); ++i)
         order.emplace_back(places[i].depth, safeName(places[i].namedAfter) != places[i].namedAfter,
@@ -151,29 +183,30 @@ std::vector<Located> named(const std::vector<Place>& places) {
     std::set<std::string> taken;
     for (const auto& [depth, isChanged, i] : order)
         located[i] = {uniqueName(safeName(places[i].namedAfter), taken), places[i].content,
-                      places[i].owner};
+                      places[i].owner, out};
     return located;
 }
 
 }  // namespace
 
-std::vector<Located> findSubmissions(const fs::path& path, const Exercise& exercise) {
+std::vector<Located> findSubmissions(const fs::path& path, const Exercise& exercise,
+                                     const fs::path& out) {
     std::error_code error;
     const fs::path whole = fs::canonical(path, error);
     if (error) throw raytracer::InputError(path.string(), 0, "cannot be read: " + error.message());
+    const Wanted wanted{exercise, out};
     std::vector<Place> found;
     if (fs::is_directory(whole)) {
-        found = placesIn(whole, exercise);
-        if (found.empty()) found = {placeAt(whole, 0)};
+        found = placesIn(whole, wanted);
     } else if (fs::is_regular_file(whole) && isArchive(whole.filename().string())) {
-        found = placesInExport(whole, exercise);
-        if (found.empty()) found = {placeAt(whole, 0)};
+        found = placesInDownload(whole, wanted);
     } else {
         throw raytracer::InputError(path.string(), 0, "neither a folder nor a zip or tar archive");
     }
+    if (found.empty()) found = {placeAt(whole, 0)};
     std::ranges::sort(found, {},
                       [](const Place& place) { return std::tie(place.content, place.owner); });
-    return named(found);
+    return named(found, out);
 }
 
 }  // namespace ticker::intake

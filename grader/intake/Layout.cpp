@@ -1,3 +1,4 @@
+#include <grader/base/Utf8.h>
 #include <grader/intake/Layout.h>
 
 #include <algorithm>
@@ -12,11 +13,22 @@ const std::string kPicture{kScreenshotPart};
 // "Pictures" -> "picture", "tick1star" -> "tickstar"
 std::string kindOf(const fs::path& folder) {
     std::string kind;
-    for (const char c : folder.filename().string())
-        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
-            kind += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const char c : lowerCase(folder.filename().string()))
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0) kind += c;
     if (kind.ends_with('s')) kind.pop_back();
     return kind;
+}
+
+bool isForCode(const fs::path& folder) {
+    static const std::set<std::string> kKinds{"src",  "source",   "code",     "exercise",
+                                              "tick", "tickstar", "solution", "work"};
+    return kKinds.contains(kindOf(folder));
+}
+
+bool isForPictures(const fs::path& folder) {
+    static const std::set<std::string> kKinds{"pic",        "picture", "image",  "img",
+                                              "screenshot", "screen",  "output", "render"};
+    return kKinds.contains(kindOf(folder));
 }
 
 }  // namespace
@@ -32,22 +44,29 @@ bool arePeople(const std::vector<Below>& children, const Entries& entries) {
 
 bool isOneInPieces(const Below& below, const std::vector<Below>& children, const Entries& entries,
                    const Exercise& exercise) {
-    const std::set<std::string> ofCode{"src",  "source",   "code",     "exercise",
-                                       "tick", "tickstar", "solution", "work"};
-    const std::set<std::string> ofPicture{"pic",        "picture", "image",  "img",
-                                          "screenshot", "screen",  "output", "render"};
     std::size_t code = 0;
     std::size_t pictures = 0;
     for (std::size_t i = 0; i < children.size(); ++i) {
         if (children[i].submissions.empty()) continue;
         const bool isPicture = children[i].parts == std::multiset<std::string>{kPicture};
-        if (!(isPicture ? ofPicture : ofCode).contains(kindOf(entries.folders[i]))) return false;
+        const fs::path& folder = entries.folders[i];
+        if (!(isPicture ? isForPictures(folder) : isForCode(folder))) return false;
         ++(isPicture ? pictures : code);
     }
     return entries.archives.empty() && code == 1 && pictures == 1 &&
            std::ranges::all_of(exercise.parts(), [&](const std::string& part) {
                return below.parts.count(part) <= 1;
            });
+}
+
+bool lacksAPiece(const std::vector<Below>& children, const Entries& entries) {
+    bool isLacking = false;
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        const bool isPiece = isForCode(entries.folders[i]) || isForPictures(entries.folders[i]);
+        if (!isPiece && !children[i].submissions.empty()) return false;
+        isLacking = isLacking || (isPiece && children[i].isUnreadable);
+    }
+    return isLacking && entries.archives.empty();
 }
 
 bool isKit(const std::vector<Below>& children, const Entries& entries, const Exercise& exercise) {

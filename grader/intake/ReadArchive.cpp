@@ -1,4 +1,5 @@
 #include <grader/base/Utf8.h>
+#include <grader/intake/ArchiveStream.h>
 #include <grader/intake/ClassExport.h>
 #include <grader/intake/Contents.h>
 #include <grader/result/GeneralFindings.h>
@@ -10,57 +11,12 @@
 
 #include <archive.h>
 #include <archive_entry.h>
-#include <locale.h>
-#include <sys/stat.h>
 
 #include <algorithm>
-#include <memory>
 #include <string>
-#include <system_error>
 
 namespace ticker::intake {
 namespace {
-
-struct FreeArchive {
-    void operator()(archive* handle) const { archive_read_free(handle); }
-};
-using Archive = std::unique_ptr<archive, FreeArchive>;
-
-/// Makes this thread's character set UTF-8. libarchive returns no name of a zip with UTF-8 names to
-/// a thread with another character set.
-class Utf8Names {
-public:
-    Utf8Names() : before_(uselocale(utf8_)) {}
-    ~Utf8Names() {
-        uselocale(before_);
-        if (utf8_ != nullptr) freelocale(utf8_);
-    }
-    Utf8Names(const Utf8Names&) = delete;
-    Utf8Names& operator=(const Utf8Names&) = delete;
-
-private:
-    locale_t utf8_ = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
-    locale_t before_;
-};
-
-Archive newArchive() {
-    Archive made{archive_read_new()};
-    archive_read_support_format_zip(made.get());
-    archive_read_support_format_tar(made.get());
-    archive_read_support_filter_gzip(made.get());
-    return made;
-}
-
-bool openFile(const Archive& reader, const std::filesystem::path& file) {
-    constexpr std::size_t kBlock = 64U << 10U;
-    return archive_read_open_filename(reader.get(), file.c_str(), kBlock) == ARCHIVE_OK;
-}
-
-std::string pathOf(archive_entry* entry) {
-    if (const char* name = archive_entry_pathname(entry)) return name;
-    if (const char* name = archive_entry_pathname_utf8(entry)) return name;
-    return "?";
-}
 
 bool escapes(std::string_view path) {
     if (path.starts_with('/') || path.starts_with('\\')) return true;
@@ -83,38 +39,33 @@ class ArchiveReader {
 public:
     ArchiveReader(const std::filesystem::path& file, const IntakeLimits& limits,
                   const std::string& owner)
-        : limits_(limits), owner_(owner), archive_(newArchive()) {
-        packed_ = std::filesystem::file_size(file);
-        isOpen_ = openFile(archive_, file);
-    }
+        : limits_(limits), owner_(owner), stream_(file) {}
 
     ArchiveReader(const Packed& packed, const IntakeLimits& limits, const std::string& owner)
-        : limits_(limits), owner_(owner), archive_(newArchive()), packed_(packed.bytes.size()) {
-        isOpen_ = archive_read_open_memory(archive_.get(), packed.bytes.data(),
-                                           packed.bytes.size()) == ARCHIVE_OK;
-    }
+        : limits_(limits), owner_(owner), stream_(packed) {}
 
     [[nodiscard]] Contents read() {
-        const Utf8Names utf8;
-        if (!isOpen_) return broken();
-        if (packed_ > limits_.archiveBytes && owner_.empty()) {
+        if (!stream_.damage().empty()) return broken();
+        if (stream_.packedBytes() > limits_.archiveBytes && owner_.empty()) {
             refuse(kIntakeTooLarge, "The archive is too large.");
             return std::move(contents_);
         }
-        archive_entry* entry = nullptr;
-        int status = ARCHIVE_OK;
-        while (contents_.refusals.empty() &&
-               (status = archive_read_next_header(archive_.get(), &entry)) >= ARCHIVE_WARN &&
-               status != ARCHIVE_EOF)
+        while (archive_entry* entry = contents_.refusals.empty() ? stream_.next() : nullptr)
             readMember(entry);
-        if (contents_.refusals.empty() && status != ARCHIVE_EOF) return broken();
+        if (contents_.refusals.empty() && !stream_.damage().empty()) return broken();
         return std::move(contents_);
     }
 
 private:
     Contents broken() {
+        expectNoDownload();
         refuse(kIntakeUnsafeArchive, "The file is no zip or tar archive, or it is damaged.");
         return std::move(contents_);
+    }
+
+    // Nobody in a class handed in the class's archive.
+    void expectNoDownload() const {
+        if (!owner_.empty()) throw damagedDownload(stream_.file(), stream_.damage());
     }
 
     void refuse(const FindingText& text, std::string message) {
@@ -129,7 +80,7 @@ private:
     }
 
     void readMember(archive_entry* entry) {
-        std::string path = pathOf(entry);
+        std::string path = memberPath(entry);
         auto his = pathInWork(owner_, path);
         if (!his) return;
         path = std::move(*his);
@@ -163,13 +114,16 @@ private:
             isPacked ? limits_.archiveBytes : byteLimitOf(candidate.part, limits_);
         std::string buffer(64U << 10U, '\0');
         for (;;) {
-            const la_ssize_t size = archive_read_data(archive_.get(), buffer.data(), buffer.size());
-            if (size < 0) return refuseMember(path, "cannot be unpacked");
-            if (size == 0) break;
-            unpacked_ += static_cast<std::uint64_t>(size);
+            const std::optional<std::size_t> size = stream_.unpackInto(buffer);
+            if (!size) {
+                expectNoDownload();
+                return refuseMember(path, "cannot be unpacked");
+            }
+            if (*size == 0) break;
+            unpacked_ += *size;
             if (isBomb()) return refuseMember(path, "unpacks to far more than the archive holds");
             if ((part || isPacked) && candidate.bytes.size() <= limit)
-                candidate.bytes.append(buffer, 0, static_cast<std::size_t>(size));
+                candidate.bytes.append(buffer, 0, *size);
         }
         if (isPacked && candidate.bytes.size() <= limit) {
             contents_.archives.push_back({path, std::move(candidate.bytes)});
@@ -190,15 +144,13 @@ private:
         return unpacked_ > limits_.unpackedBytes ||
                (unpacked_ > limits_.ratioFreeBytes &&
                 static_cast<double>(unpacked_) >
-                    limits_.largestRatio * static_cast<double>(packed_));
+                    limits_.largestRatio * static_cast<double>(stream_.packedBytes()));
     }
 
     const IntakeLimits& limits_;
     const std::string& owner_;
-    Archive archive_;
-    bool isOpen_ = false;
+    ArchiveStream stream_;
     Contents contents_;
-    std::uint64_t packed_ = 0;
     std::uint64_t unpacked_ = 0;
     std::uint64_t members_ = 0;
 };
@@ -207,9 +159,6 @@ private:
 
 Contents readArchive(const std::filesystem::path& file, const IntakeLimits& limits,
                      const std::string& owner) {
-    struct stat status {};
-    if (stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
-        throw raytracer::InputError(file.string(), 0, "no archive that can be read");
     return ArchiveReader{file, limits, owner}.read();
 }
 
@@ -217,20 +166,16 @@ Contents readArchive(const Packed& packed, const IntakeLimits& limits) {
     return ArchiveReader{packed, limits, {}}.read();
 }
 
-std::vector<std::string> listArchive(const std::filesystem::path& file) {
-    constexpr std::size_t kMost =
-        1'000'000;  // enough for a class of thousands; stops a bomb of names
-    std::vector<std::string> paths;
-    const Archive reader = newArchive();
-    if (!openFile(reader, file)) return paths;
-    const Utf8Names utf8;
-    archive_entry* entry = nullptr;
-    while (paths.size() < kMost) {
-        const int status = archive_read_next_header(reader.get(), &entry);
-        if (status == ARCHIVE_EOF || status < ARCHIVE_WARN) break;
-        paths.push_back(pathOf(entry));
-    }
-    return paths;
+MemberList listArchive(const std::filesystem::path& file) {
+    // Enough for a class of thousands; stops a bomb of names.
+    constexpr std::size_t kMost = 1'000'000;
+    ArchiveStream stream{file};
+    MemberList list;
+    while (archive_entry* entry = list.paths.size() < kMost ? stream.next() : nullptr)
+        list.paths.push_back(memberPath(entry));
+    list.damage =
+        list.paths.size() < kMost ? stream.damage() : fmt::format("it has {} files or more", kMost);
+    return list;
 }
 
 }  // namespace ticker::intake

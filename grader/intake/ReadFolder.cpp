@@ -1,9 +1,10 @@
+#include <grader/base/FileDescriptor.h>
 #include <grader/base/Utf8.h>
 #include <grader/intake/ClassExport.h>
 #include <grader/intake/Contents.h>
+#include <grader/intake/OutFolder.h>
 #include <grader/result/GeneralFindings.h>
 
-#include <raytracer/base/Error.h>
 #include <raytracer/base/Text.h>
 
 #include <fmt/core.h>
@@ -14,8 +15,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <memory>
-#include <system_error>
+#include <utility>
 
 namespace ticker::intake {
 namespace {
@@ -25,21 +27,8 @@ struct CloseFolder {
 };
 using Folder = std::unique_ptr<DIR, CloseFolder>;
 
-class OpenFile {
-public:
-    explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
-    ~OpenFile() {
-        if (descriptor_ >= 0) close(descriptor_);
-    }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-    [[nodiscard]] int get() const { return descriptor_; }
-
-private:
-    int descriptor_;
-};
-
-// At most limit + 1 bytes, so that a file that grows while it is read is noticed.
+// At most limit + 1 bytes, so that a file that grows while it is read is noticed. Empty: it cannot
+// be read, and errno says why.
 std::optional<std::string> readUpTo(int descriptor, std::uint64_t limit) {
     std::string bytes;
     std::string buffer(64U << 10U, '\0');
@@ -53,20 +42,25 @@ std::optional<std::string> readUpTo(int descriptor, std::uint64_t limit) {
 }
 
 /// Walks through a folder by descriptors, so that no link can be substituted during the walk.
+///
+/// What the system does not let us read throws: it is not missing, and no student's fault.
 class FolderReader {
 public:
-    FolderReader(const IntakeLimits& limits, const std::string& owner)
-        : limits_(limits), owner_(owner) {}
+    FolderReader(const std::filesystem::path& top, const IntakeLimits& limits,
+                 const std::string& owner, const std::filesystem::path& out)
+        : top_(top), limits_(limits), owner_(owner), out_(out) {}
 
-    void read(int descriptor, const std::string& prefix, int depth) {
-        const Folder folder{fdopendir(descriptor)};
-        if (!folder) {
-            close(descriptor);
-            return;
-        }
+    void read(FileDescriptor opened, const std::string& prefix, int depth) {
+        const Folder folder{fdopendir(opened.get())};
+        if (!folder) fail(prefix);
+        opened.release();
         std::vector<std::string> names;
-        // NOLINTNEXTLINE(concurrency-mt-unsafe): each stream is read by one thread
-        while (const dirent* entry = readdir(folder.get())) {
+        for (;;) {
+            errno = 0;
+            // NOLINTNEXTLINE(concurrency-mt-unsafe): each stream is read by one thread
+            const dirent* entry = readdir(folder.get());
+            if (entry == nullptr && errno != 0) fail(prefix);
+            if (entry == nullptr) break;
             const std::string name{entry->d_name};
             if (name == "." || name == ".." || !isHis(prefix + name)) continue;
             names.push_back(name);
@@ -93,54 +87,77 @@ private:
 
     void visit(int parent, const std::string& name, const std::string& path, int depth) {
         struct stat status {};
-        const bool known = fstatat(parent, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
-        if (known && S_ISDIR(status.st_mode) && !isLitter(path) && depth < limits_.depth) {
-            const int child =
-                openat(parent, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-            if (child >= 0) return read(child, path + "/", depth + 1);
+        if (fstatat(parent, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
+            if (errno == ENOENT) return;  // removed meanwhile
+            fail(path);
         }
-        take(parent, name, pathInWork(owner_, path).value_or(path),
-             known && S_ISREG(status.st_mode), known && S_ISDIR(status.st_mode));
+        if (S_ISDIR(status.st_mode) && !isLitter(path) && depth < limits_.depth &&
+            !isOut(top_ / path, {*limits_.exercise, out_})) {
+            FileDescriptor child{
+                openat(parent, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC)};
+            if (child.isOpen()) return read(std::move(child), path + "/", depth + 1);
+            if (!isReplaced(errno)) fail(path);
+        }
+        take(parent, name, path, S_ISREG(status.st_mode), S_ISDIR(status.st_mode));
     }
 
-    void take(int parent, const std::string& name, const std::string& path, bool isFile,
+    // A link or another kind of file took the place of the one that was there.
+    [[nodiscard]] static bool isReplaced(int error) {
+        return error == ELOOP || error == ENOTDIR || error == ENXIO;
+    }
+
+    [[noreturn]] void fail(const std::string& path) const {
+        const int error = errno;
+        throw unreadable(top_ / path, error);
+    }
+
+    /// @param place  The path in the folder; the owner's own path is a part of it.
+    void take(int parent, const std::string& name, const std::string& place, bool isFile,
               bool isFolder) {
+        const std::string path = pathInWork(owner_, place).value_or(place);
         const std::optional<std::string> part =
             isLitter(path) ? std::nullopt : partOf(path, *limits_.exercise);
+        const auto bytesUpTo = [&](std::uint64_t limit) {
+            return isFile ? bytesAt(parent, name, place, limit) : std::nullopt;
+        };
         if (part && !isFolder)
-            contents_.candidates.push_back(candidate(parent, name, path, *part));
-        else if (auto packed = isFile ? archiveAt(parent, name, path) : std::nullopt)
-            contents_.archives.push_back({path, std::move(*packed)});
+            contents_.candidates.push_back(
+                candidate(bytesUpTo(byteLimitOf(*part, limits_)), path, *part));
+        else if (isFile && !isLitter(path) && isArchive(path))
+            takeArchive(bytesUpTo(limits_.archiveBytes - packedBytes_), path);
         else
             contents_.others.push_back(asUtf8(path));
     }
 
-    /// The bytes of an archive; empty if it is not one, or if all archives together are too large.
-    [[nodiscard]] std::optional<std::string> archiveAt(int parent, const std::string& name,
-                                                       const std::string& path) {
-        if (isLitter(path) || !isArchive(path)) return std::nullopt;
-        auto bytes = bytesAt(parent, name, limits_.archiveBytes - packedBytes_);
-        if (!bytes || packedBytes_ + bytes->size() > limits_.archiveBytes) return std::nullopt;
+    // Ignored if all archives together are too large.
+    void takeArchive(std::optional<std::string> bytes, const std::string& path) {
+        if (!bytes || packedBytes_ + bytes->size() > limits_.archiveBytes) {
+            contents_.others.push_back(asUtf8(path));
+            return;
+        }
         packedBytes_ += bytes->size();
+        contents_.archives.push_back({path, std::move(*bytes)});
+    }
+
+    /// At most limit + 1 bytes of a regular file; empty if it is none any more.
+    [[nodiscard]] std::optional<std::string> bytesAt(int parent, const std::string& name,
+                                                     const std::string& place,
+                                                     std::uint64_t limit) const {
+        const FileDescriptor file{openat(
+            parent, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)};
+        if (!file.isOpen() && isReplaced(errno)) return std::nullopt;
+        struct stat status {};
+        if (!file.isOpen() || fstat(file.get(), &status) != 0) fail(place);
+        if (!S_ISREG(status.st_mode)) return std::nullopt;
+        std::optional<std::string> bytes = readUpTo(file.get(), limit);
+        if (!bytes) fail(place);
         return bytes;
     }
 
-    /// At most limit + 1 bytes of a regular file; empty if it is not one.
-    [[nodiscard]] static std::optional<std::string> bytesAt(int parent, const std::string& name,
-                                                            std::uint64_t limit) {
-        const OpenFile file{openat(parent, name.c_str(),
-                                   O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)};
-        struct stat status {};
-        const bool isFile =
-            file.get() >= 0 && fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode);
-        return isFile ? readUpTo(file.get(), limit) : std::nullopt;
-    }
-
-    [[nodiscard]] Candidate candidate(int parent, const std::string& name, const std::string& path,
+    [[nodiscard]] Candidate candidate(std::optional<std::string> bytes, const std::string& path,
                                       const std::string& part) const {
         Candidate result{part, path, {}, {}};
         const std::uint64_t limit = byteLimitOf(part, limits_);
-        auto bytes = bytesAt(parent, name, limit);
         if (!bytes)
             result.refusal = refusal(
                 kIntakeUnsafeArchive,
@@ -154,8 +171,10 @@ private:
         return result;
     }
 
+    const std::filesystem::path& top_;
     const IntakeLimits& limits_;
     const std::string& owner_;
+    const std::filesystem::path& out_;
     Contents contents_;
     std::uint64_t members_ = 0;
     std::uint64_t packedBytes_ = 0;
@@ -164,13 +183,11 @@ private:
 }  // namespace
 
 Contents readFolder(const std::filesystem::path& folder, const IntakeLimits& limits,
-                    const std::string& owner) {
-    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
-        throw raytracer::InputError(folder.string(), 0,
-                                    "cannot be read: " + std::generic_category().message(errno));
-    FolderReader reader{limits, owner};
-    reader.read(descriptor, "", 0);
+                    const std::string& owner, const std::filesystem::path& out) {
+    FileDescriptor opened{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+    if (!opened.isOpen()) throw unreadable(folder, errno);
+    FolderReader reader{folder, limits, owner, out};
+    reader.read(std::move(opened), "", 0);
     return reader.take();
 }
 

@@ -168,7 +168,7 @@ private:
 
 Submission readSubmission(const Located& located, const IntakeLimits& limits) {
     Contents contents = std::filesystem::is_directory(located.path)
-                            ? readFolder(located.path, limits, located.owner)
+                            ? readFolder(located.path, limits, located.owner, located.out)
                             : readArchive(located.path, limits, located.owner);
     openArchives(contents, limits);
     return Assembly{located.name, std::move(contents), limits}.take();

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 
 namespace ticker::intake {
@@ -30,15 +29,13 @@ std::string shortened(std::string name, std::size_t longest) {
 // lower case, since some file systems ignore case. Names that begin with a dot are never
 // submissions.
 constexpr std::array kFilesOfOut{
-    "index.html",         "moodle-feedback.zip", "moodle-worksheet.csv",
-    "results.json",       "results.sqlite",      "results.sqlite-journal",
-    "results.sqlite-shm", "results.sqlite-wal",  "seed",
-    "summary.csv"};
+    "canvas-comments.zip",  "canvas-gradebook.csv", "index.html",     "moodle-feedback.zip",
+    "moodle-worksheet.csv", "results.json",         "results.sqlite", "results.sqlite-journal",
+    "results.sqlite-shm",   "results.sqlite-wal",   "seed",           "similar.html",
+    "similar.json",         "summary.csv"};
 
-bool isOfOut(std::string_view name) {
-    std::string small;
-    for (const char c : name)
-        small += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+bool isOfOut(const std::string& name) {
+    const std::string small = lowerCase(name);
     const bool isLogOfATask = small.starts_with("task-") && small.ends_with(".log");
     return isLogOfATask || std::ranges::find(kFilesOfOut, small) != kFilesOfOut.end();
 }

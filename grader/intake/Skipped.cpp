@@ -1,5 +1,6 @@
 #include <grader/base/Utf8.h>
 #include <grader/intake/Contents.h>
+#include <grader/intake/OutFolder.h>
 #include <grader/intake/Skipped.h>
 
 #include <algorithm>
@@ -17,9 +18,10 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
 }
 
 // An archive whose name isArchive does not recognise.
-bool isOtherArchive(const std::string& name) {
+bool isOtherArchive(const std::string& file) {
     constexpr std::array<std::string_view, 7> kEndings{".rar", ".7z",  ".gz",  ".bz2",
                                                        ".xz",  ".zst", ".zipx"};
+    const std::string name = lowerCase(file);
     return !isArchive(name) && std::ranges::any_of(kEndings, [&](std::string_view ending) {
         return name.size() > ending.size() && name.ends_with(ending);
     });
@@ -30,27 +32,23 @@ std::string whyNotGraded(const fs::directory_entry& entry) {
     if (!entry.is_directory(error)) return "is no zip or tar";
     if (entry.path().filename().string().starts_with('.')) return "its name begins with a dot";
     if (entry.is_symlink(error)) return "is a link";
-    return fs::is_empty(entry.path(), error) ? "is empty" : "holds nothing to grade";
+    if (holdsResults(entry.path())) return "holds results of ticker";
+    const bool isEmpty = fs::is_empty(entry.path(), error);
+    if (error) return "cannot be read";
+    return isEmpty ? "is empty" : "holds nothing to grade";
 }
 
 /// Descends as long as submissions lie beside other folders.
 class Search {
 public:
-    Search(fs::path top, const std::vector<Located>& found) : top_(std::move(top)), found_(found) {}
+    Search(fs::path top, const std::vector<Located>& found, const fs::path& out)
+        : top_(std::move(top)), found_(found), out_(out) {}
 
     void in(const fs::path& folder) {
         std::error_code error;
-        for (const fs::directory_entry& entry : fs::directory_iterator{folder, error}) {
-            const bool isFolder = entry.is_directory(error);
-            const std::string name = entry.path().filename().string();
-            if (isLitter(name) || !(isFolder || isOtherArchive(name)) || isGraded(entry.path()))
-                continue;
-            if (isFolder && !entry.is_symlink(error) && holdsGraded(entry.path()))
-                in(entry.path());
-            else
-                skipped_.push_back({asPlainLine(entry.path().lexically_relative(top_).string()),
-                                    whyNotGraded(entry)});
-        }
+        fs::directory_iterator entry{folder, error};
+        for (; !error && entry != fs::directory_iterator{}; entry.increment(error))
+            at(*entry);
     }
 
     [[nodiscard]] std::vector<Skipped> take() {
@@ -59,6 +57,20 @@ public:
     }
 
 private:
+    void at(const fs::directory_entry& entry) {
+        std::error_code error;
+        const bool isFolder = entry.is_directory(error);
+        const std::string name = entry.path().filename().string();
+        if (isLitter(name) || !(isFolder || isOtherArchive(name)) || isGraded(entry.path()) ||
+            fs::equivalent(entry.path(), out_, error))
+            return;
+        if (isFolder && !entry.is_symlink(error) && holdsGraded(entry.path()))
+            in(entry.path());
+        else
+            skipped_.push_back(
+                {asPlainLine(entry.path().lexically_relative(top_).string()), whyNotGraded(entry)});
+    }
+
     [[nodiscard]] bool isGraded(const fs::path& path) const {
         return std::ranges::any_of(
             found_, [&](const Located& located) { return isBelow(path, located.path); });
@@ -71,16 +83,18 @@ private:
 
     fs::path top_;
     const std::vector<Located>& found_;
+    const fs::path& out_;
     std::vector<Skipped> skipped_;
 };
 
 }  // namespace
 
-std::vector<Skipped> findSkipped(const fs::path& path, const std::vector<Located>& found) {
+std::vector<Skipped> findSkipped(const fs::path& path, const std::vector<Located>& found,
+                                 const fs::path& out) {
     std::error_code error;
     const fs::path top = fs::canonical(path, error);
     if (error) return {};
-    Search search{top, found};
+    Search search{top, found, out};
     search.in(top);
     return search.take();
 }

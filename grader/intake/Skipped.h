@@ -17,8 +17,10 @@ struct Skipped {
 
 /// Everything below a path that belongs to no submission found there, by name. Single files and
 /// system files (.git, __MACOSX) are not listed.
+/// @param out  The folder of this run's results, which is not listed either; may be empty.
 [[nodiscard]] std::vector<Skipped> findSkipped(const std::filesystem::path& path,
-                                               const std::vector<Located>& found);
+                                               const std::vector<Located>& found,
+                                               const std::filesystem::path& out = {});
 
 }  // namespace ticker::intake
 

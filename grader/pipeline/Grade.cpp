@@ -23,13 +23,6 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-const Task& codeOf(const Grader& grader, const std::string& id) {
-    const auto found = std::ranges::find(grader.tasks, id, &Task::id);
-    if (found == grader.tasks.end())
-        throw raytracer::Error("the exercise names task " + id + ", which has no code");
-    return *found;
-}
-
 /// Judges the tasks of a file that are still open.
 void judge(FileWork& work, const Grader& grader, Questioning& questioning, std::uint64_t seed) {
     std::vector<std::pair<TaskReport*, std::future<TaskJudgement>>> begun;
@@ -152,10 +145,12 @@ public:
         result.tasks.push_back(std::move(report));
     }
 
-    void sources(SubmissionResult& result) const {
+    /// Everything that the questions depend on, so that they can be asked again.
+    void handIn(SubmissionResult& result) const {
         for (const std::string& part : grader_.exercise->files())
             if (const auto& bytes = submission_.part(part))
                 result.sources.push_back({part, *bytes});
+        result.screenshot = submission_.part(kScreenshotPart);
     }
 
     void notices(SubmissionResult& result) const {
@@ -211,6 +206,13 @@ SubmissionResult blankResult(const std::string& name, const Grader& grader, std:
 
 }  // namespace
 
+const Task& codeOf(const Grader& grader, const std::string& id) {
+    const auto found = std::ranges::find(grader.tasks, id, &Task::id);
+    if (found == grader.tasks.end())
+        throw raytracer::Error("the exercise names task " + id + ", which has no code");
+    return *found;
+}
+
 SubmissionResult gradeSubmission(const intake::Submission& submission, const Grader& grader,
                                  std::uint64_t seed) {
     const Clock::time_point start = Clock::now();
@@ -220,7 +222,7 @@ SubmissionResult gradeSubmission(const intake::Submission& submission, const Gra
         grading.file(file, result);
     inOrderOf(grader.exercise->reported(), result.tasks);
     grading.screenshot(result);
-    grading.sources(result);
+    grading.handIn(result);
     grading.notices(result);
     drawRasters(result);
     result = rubric::applyRubric(grader.rubric, std::move(result));

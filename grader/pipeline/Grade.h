@@ -37,6 +37,10 @@ struct Grader {
     std::span<const Task> tasks = tasks::tasksOf(exercise->name);  ///< the code of its tasks
 };
 
+/// The code of a task.
+/// @throws raytracer::Error if the exercise has no code for it.
+[[nodiscard]] const Task& codeOf(const Grader& grader, const std::string& id);
+
 /// Judges one submission: builds each attempted file, asks it, applies the rubric.
 ///
 /// The result describes everything the submission does or fails to do. It always contains the

@@ -45,13 +45,18 @@ std::string toolBuild(const build::Kit& kit, const std::vector<fs::path>& data) 
 }
 
 Inputs inputsOf(const intake::Submission& submission, const Grader& grader, std::uint64_t seed) {
+    return {filesOf(submission, *grader.exercise), grader.build,
+            howDigest(grader, sandbox::toString(grader.sandbox.level()), seed)};
+}
+
+std::string howDigest(const Grader& grader, std::string_view sandboxLevel, std::uint64_t seed) {
     Digest how;
     how.add(grader.rubricText)
-        .add(sandbox::toString(grader.sandbox.level()))
+        .add(sandboxLevel)
         .add(grader.exercise->name)
         .add(grader.option)
         .add(std::to_string(seed));
-    return {filesOf(submission, *grader.exercise), grader.build, how.text()};
+    return how.text();
 }
 
 std::uint64_t questionSeed(const intake::Submission& submission, std::uint64_t seed,

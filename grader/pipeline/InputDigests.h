@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ticker::pipeline {
@@ -20,6 +21,11 @@ namespace ticker::pipeline {
 /// Digests of everything on which this submission's result depends.
 [[nodiscard]] Inputs inputsOf(const intake::Submission& submission, const Grader& grader,
                               std::uint64_t seed);
+
+/// Digest of how submissions are judged: rubric, sandbox level, exercise, option, seed. It is
+/// `Inputs::how` of a result at this level and seed.
+[[nodiscard]] std::string howDigest(const Grader& grader, std::string_view sandboxLevel,
+                                    std::uint64_t seed);
 
 /// Seed of a submission's hidden questions, from the class's seed and the submitted files. Under
 /// one seed, equal files get equal questions, whatever the submission's name. Other files get other

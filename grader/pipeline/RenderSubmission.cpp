@@ -7,6 +7,7 @@
 #include <raytracer/base/Error.h>
 
 #include <string>
+#include <utility>
 
 namespace ticker::pipeline {
 namespace {
@@ -16,6 +17,34 @@ std::string fileFor(const raytracer::SceneDescription& scene, const Grader& grad
         if (task.isSeenIn != nullptr && task.isSeenIn(scene))
             return std::string{grader.exercise->fileOf(task.id)};
     throw raytracer::Error("no task has to do with this scene");
+}
+
+/// @throws raytracer::InputError where the file is to blame, raytracer::Error where we are.
+build::Program programOf(build::BuildResult built, const std::string& file) {
+    using Kind = build::BuildResult::Kind;
+    if (built.program) return std::move(*built.program);
+    switch (built.kind) {
+        case Kind::limit:
+            throw raytracer::InputError(file, 0,
+                                        "takes the compiler more time, memory or output than it "
+                                        "may use; ticker check shows where");
+        case Kind::forbidden:
+            throw raytracer::InputError(file, 0,
+                                        "defines something that belongs to the framework, such as "
+                                        "main; ticker check shows what");
+        case Kind::failed:
+            throw raytracer::InputError(file, 0, "does not compile; ticker check shows why");
+        default:
+            throw raytracer::Error("the compiler could not be run: " + built.diagnostics);
+    }
+}
+
+raytracer::ByteImage pictureOf(const probe::Run& run, const std::string& file) {
+    if (auto picture = pictureFrom(std::get<probe::RenderAnswer>(run.answers.at(0))))
+        return std::move(*picture);
+    if (run.end.kind == probe::ProcessEnd::Kind::ourFault)
+        throw raytracer::Error(file + " could not be run: " + run.end.detail);
+    throw raytracer::InputError(file, 0, "gave no picture: " + run.end.detail);
 }
 
 }  // namespace
@@ -28,20 +57,16 @@ raytracer::ByteImage renderSubmission(const intake::Submission& submission, cons
     if (!source)
         throw raytracer::InputError(submission.name, 0,
                                     "has no " + file + ", which this scene needs");
-    const build::BuildResult built =
-        build::buildProgram(grader.kit, grader.sandbox, grader.policy.compile, file, *source);
-    if (!built.program)
-        throw raytracer::InputError(file, 0, "does not compile; ticker check shows why");
+    const build::Program program = programOf(
+        build::buildProgram(grader.kit, grader.sandbox, grader.policy.compile, file, *source),
+        file);
     sandbox::Limits limits = grader.policy.run;
     constexpr double kPatience =
         60.0;  // a full picture has many times the pixels of the grader's small ones
     limits.cpuSeconds *= kPatience;
     limits.wallSeconds *= kPatience;
-    build::SandboxedExaminee examinee{*built.program, grader.sandbox, limits};
-    const probe::Run run = examinee.ask({probe::RenderQuestion{scene, settings, 1, 0}});
-    const auto picture = pictureFrom(std::get<probe::RenderAnswer>(run.answers.at(0)));
-    if (!picture) throw raytracer::InputError(file, 0, "gave no picture: " + run.end.detail);
-    return *picture;
+    build::SandboxedExaminee examinee{program, grader.sandbox, limits};
+    return pictureOf(examinee.ask({probe::RenderQuestion{scene, settings, 1, 0}}), file);
 }
 
 }  // namespace ticker::pipeline

@@ -127,6 +127,9 @@ struct SubmissionResult {
     std::vector<ResultPicture> pictures;
     std::vector<Diagnostics> diagnostics;
     std::vector<SourceText> sources;
+    /// Bytes of screenshot.png as handed in: untrusted, for no page. Empty if there is none, and in
+    /// a result that was read back.
+    std::optional<std::string> screenshot;
     std::vector<std::string> notices;
     Timing timing;
 };

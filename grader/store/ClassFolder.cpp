@@ -1,6 +1,7 @@
 #include <grader/store/ClassFolder.h>
 
 #include <grader/base/Utf8.h>
+#include <grader/result/ProvenLine.h>
 #include <grader/result/ResultJson.h>
 
 #include <raytracer/base/Error.h>
@@ -48,7 +49,7 @@ SubmissionResult readNamed(const fs::path& out, const std::string& submission) {
 
 bool isKnown(const std::optional<ResultRow>& row, const SubmissionResult& result) {
     return row && row->verdict == result.verdict && row->inputs == result.inputs &&
-           row->toolVersion == result.toolVersion;
+           row->toolVersion == result.toolVersion && row->proven == provenLines(result);
 }
 
 raytracer::InputError noResults(const fs::path& out) {

@@ -28,6 +28,32 @@ int nextNumber(const fs::path& folder) {
     return number;
 }
 
+raytracer::InputError cannotMove(const fs::path& what, const fs::path& folder,
+                                 const std::error_code& error) {
+    return {what.string(), 0,
+            fmt::format("the earlier hand-in cannot be moved to {}: {}. It stays as it was, and "
+                        "nothing new is written; make room or rights, then grade with --resume",
+                        folder.string(), error.message())};
+}
+
+/// Moves both or nothing: what stays behind would be replaced.
+void moveTo(const fs::path& folder, const fs::path& submission) {
+    std::error_code error;
+    std::error_code ignored;
+    fs::create_directories(folder, error);
+    if (error) throw cannotMove(submission, folder, error);
+    fs::rename(submission / "result.json", folder / "result.json", error);
+    if (error) {
+        fs::remove(folder, ignored);
+        throw cannotMove(submission / "result.json", folder, error);
+    }
+    fs::rename(submission / "code", folder / "code", error);
+    if (!error || error == std::errc::no_such_file_or_directory) return;
+    fs::rename(folder / "result.json", submission / "result.json", ignored);
+    fs::remove(folder, ignored);
+    throw cannotMove(submission / "code", folder, error);
+}
+
 std::string changedAt(const fs::path& file) {
     struct stat status {};
     if (stat(file.c_str(), &status) != 0) return "";
@@ -43,11 +69,7 @@ void keepEarlier(const fs::path& out, const SubmissionResult& next) {
         findingIds(*before) == findingIds(next))
         return;
     const fs::path all = out / next.submission / kEarlier;
-    const fs::path folder = all / std::to_string(nextNumber(all));
-    std::error_code ignored;
-    fs::create_directories(folder, ignored);
-    fs::rename(resultFile(out, next.submission), folder / "result.json", ignored);
-    fs::rename(out / next.submission / "code", folder / "code", ignored);
+    moveTo(all / std::to_string(nextNumber(all)), out / next.submission);
 }
 
 std::vector<Earlier> earlierResults(const fs::path& out, const std::string& submission) {

@@ -18,6 +18,7 @@ struct Earlier {
 
 /// Moves result.json and code/ of a submission to earlier/ if the new result is about other files,
 /// or has another verdict or other findings. Pictures do not stay.
+/// @throws raytracer::InputError if they cannot be moved; they are still in their place then.
 void keepEarlier(const std::filesystem::path& out, const SubmissionResult& next);
 
 /// The earlier results of a submission, newest first. Those that cannot be read are left out.

@@ -2,8 +2,9 @@
 #include <grader/cli/Output.h>
 #include <grader/cli/verbs/GradeOptions.h>
 #include <grader/cli/verbs/Verb.h>
-#include <grader/intake/Intake.h>
-#include <grader/report/ReportWords.h>
+#include <grader/intake/Submission.h>
+#include <grader/pipeline/InputDigests.h>
+#include <grader/report/Escape.h>
 #include <grader/result/AppealNumber.h>
 #include <grader/store/ClassFolder.h>
 
@@ -15,8 +16,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace ticker::cli {
 namespace {
@@ -26,7 +29,7 @@ namespace fs = std::filesystem;
 struct AppealOptions {
     std::string number;
     std::string out;
-    std::string sandbox = "auto";
+    GradeOptions grade;
 };
 
 SubmissionResult resultWith(const std::string& number, const fs::path& out) {
@@ -40,38 +43,79 @@ SubmissionResult resultWith(const std::string& number, const fs::path& out) {
                     found.size(), number));
 }
 
-/// The files of a result as they were handed in, in a folder of their own.
-fs::path handedIn(const fs::path& folder, const fs::path& appeal) {
-    const fs::path copy = appeal / "handed-in";
+/// Verdicts can only be compared if they were made in the same way. The sandbox decides none.
+void expectSameWay(const SubmissionResult& first, const pipeline::Grader& grader,
+                   const fs::path& folder) {
+    if (first.inputs.how != pipeline::howDigest(grader, first.sandboxLevel, first.seed))
+        throw raytracer::InputError((folder / "result.json").string(), 0,
+                                    "was graded with another --rubric or --option than these; give "
+                                    "the ones of its grading");
+    if (first.inputs.tool != grader.build)
+        fmt::print(stderr,
+                   "ticker: another build of ticker graded {}; the questions of this one may "
+                   "differ\n",
+                   report::escapeLine(first.submission));
+}
+
+std::optional<std::string> keptBytes(const fs::path& file) {
+    std::error_code ignored;  // a file that cannot be looked at is not missing
+    const bool isMissing = fs::status(file, ignored).type() == fs::file_type::not_found;
+    return isMissing ? std::nullopt : std::optional{readWhole(file)};
+}
+
+/// What intake refused is in no folder: its tasks are blocked although no part is there.
+std::vector<intake::IntakeFinding> refusalsIn(const SubmissionResult& first,
+                                              const intake::Submission& kept,
+                                              const Exercise& exercise) {
+    std::vector<intake::IntakeFinding> refusals;
+    for (const TaskReport& task : first.tasks) {
+        const std::string part{task.id == kScreenshotTask ? kScreenshotPart
+                                                          : exercise.fileOf(task.id)};
+        if (task.state == TaskState::blocked && !task.findings.empty() && !kept.part(part))
+            refusals.push_back({part, task.findings.front()});
+    }
+    return refusals;
+}
+
+/// The submission as intake had read it: the questions depend on its bytes.
+intake::Submission handedIn(const SubmissionResult& first, const fs::path& folder,
+                            const Exercise& exercise) {
+    const fs::path picture = keptScreenshot(folder);
     std::error_code ignored;
-    fs::remove_all(copy, ignored);
-    fs::create_directories(copy, ignored);
-    fs::copy(folder / "code", copy, ignored);
-    const fs::path picture = folder / std::string{report::kScreenshotFile};
-    if (fs::is_regular_file(picture, ignored)) fs::copy_file(picture, copy / "screenshot.png");
-    return copy;
+    if (!first.inputs.areKnown() || !fs::is_directory(folder / "code", ignored) ||
+        !fs::is_directory(picture.parent_path(), ignored))
+        throw raytracer::InputError(
+            folder.string(), 0,
+            fmt::format("does not hold all that was handed in: it was not graded, or by an older "
+                        "ticker. Grade the hand-in itself, with --seed {} for the same questions "
+                        "and another -o",
+                        first.seed));
+    intake::Submission submission;
+    submission.name = first.submission;
+    for (const std::string& file : exercise.files())
+        submission.parts[file] = keptBytes(folder / "code" / file);
+    if (exercise.hasScreenshot())
+        submission.parts[std::string{kScreenshotPart}] = keptBytes(picture);
+    submission.findings = refusalsIn(first, submission, exercise);
+    return submission;
 }
 
 raytracer::ExitCode appeal(const AppealOptions& options) {
     const SubmissionResult first = resultWith(options.number, options.out);
-    const fs::path appeal = fs::path{options.out} / first.submission / "appeal";
-    const fs::path folder = handedIn(appeal.parent_path(), appeal);
-    GradeOptions grade;
+    const fs::path folder = fs::path{options.out} / first.submission;
+    GradeOptions grade = options.grade;
     grade.exercise = exerciseOf(first).name;
-    grade.sandbox = options.sandbox;
     pipeline::Grader grader = makeGrader(grade);
     grader.isAlone = true;
-    auto located = intake::findSubmissions(folder, *grader.exercise);
-    if (located.size() != 1)
-        throw raytracer::InputError(folder.string(), 0, "holds no files that could be graded");
-    located.front().name = first.submission;
+    const intake::Submission submission = handedIn(first, folder, *grader.exercise);
+    expectSameWay(first, grader, folder);
     fmt::print("first            {}\n", tableLine(first));
     bool isGraded = true;
     for (const bool isFresh : {false, true}) {
-        const SubmissionResult again = pipeline::gradeSubmission(
-            intake::readSubmission(located.front(), {.exercise = grader.exercise}), grader,
-            isFresh ? seedOf({}) : first.seed);
-        const fs::path target = appeal / (isFresh ? "fresh-questions" : "same-questions");
+        const SubmissionResult again =
+            pipeline::gradeSubmission(submission, grader, isFresh ? seedOf({}) : first.seed);
+        const fs::path target =
+            folder / "appeal" / (isFresh ? "fresh-questions" : "same-questions");
         writeSubmission(target, again);
         fmt::print("{} {}\n  {}\n", isFresh ? "fresh questions " : "same questions  ",
                    tableLine(again), (target / first.submission / "report.html").string());
@@ -88,7 +132,7 @@ Run addAppeal(CLI::App& app, const GlobalOptions& /*global*/) {
         "appeal", "Grade a result again, with the same questions and with fresh ones");
     verb->add_option("number", options->number, "The number on the student's page")->required();
     verb->add_option("out", options->out, "Folder that ticker grade wrote")->required();
-    verb->add_option("--sandbox", options->sandbox, "A, B, C or auto: the best of this machine");
+    addJudgingOptions(*verb, options->grade);
     return [options] { return appeal(*options); };
 }
 

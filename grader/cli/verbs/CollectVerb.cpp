@@ -1,3 +1,4 @@
+#include <grader/cli/ClassRun.h>
 #include <grader/cli/Output.h>
 #include <grader/cli/verbs/StudentPages.h>
 #include <grader/cli/verbs/Verb.h>
@@ -28,6 +29,11 @@ raytracer::ExitCode collect(const CollectOptions& options, const GlobalOptions& 
     const store::Collected collected = store::collect(out, store);
     for (const std::string& problem : collected.unreadable)
         fmt::print(stderr, "ticker: {}\n", problem);
+    if (!rememberOrigin(store, readResults(out)))
+        fmt::print(stderr,
+                   "ticker: the results of {} have more than one seed; grade --resume keeps those "
+                   "with its own alone, which --seed sets\n",
+                   out);
     writeClass(out);
     writeStudentPages(out, store::readClass(out), options.studentView);
     if (!global.quiet)

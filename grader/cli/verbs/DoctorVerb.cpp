@@ -73,7 +73,15 @@ void showProcessor() {
 bool showDisk() {
     constexpr std::uintmax_t kEnough = 1U << 30U;
     std::error_code error;
-    const auto space = std::filesystem::space(std::filesystem::temp_directory_path(), error);
+    const auto folder = std::filesystem::temp_directory_path(error);
+    if (error) {
+        row("disk", false,
+            fmt::format("{} for temporary files: {}; set TMPDIR to a folder, or unset it",
+                        folder.empty() ? std::string{"no folder"} : folder.string(),
+                        error.message()));
+        return false;
+    }
+    const auto space = std::filesystem::space(folder, error);
     const bool enough = !error && space.available >= kEnough;
     row("disk", enough,
         fmt::format("{:.1f} GB free for temporary files",

@@ -15,6 +15,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace ticker::cli {
 namespace {
@@ -23,6 +24,9 @@ struct ExplainOptions {
     std::string folder;
     GradeOptions grade;
 };
+
+constexpr const char* kNothingToMend =
+    "No task failed in a way that an edit of its code could mend.\n";
 
 void printLines(char mark, const std::string& text) {
     for (std::size_t at = 0; at <= text.size();) {
@@ -75,7 +79,7 @@ void printRepairs(const SubmissionResult& result) {
         anyFailed = true;
         print(task, result);
     }
-    if (!anyFailed) fmt::print("No task failed in a way that an edit of its code could mend.\n");
+    if (!anyFailed) fmt::print(kNothingToMend);
     printBlocked(result);
     for (const std::string& notice : result.notices)
         fmt::print("note: {}\n", report::escapeLine(notice));
@@ -83,11 +87,23 @@ void printRepairs(const SubmissionResult& result) {
 
 /// What a class's results say.
 void printClass(const std::filesystem::path& out) {
-    for (const store::ClassEntry& entry : store::readClass(out)) {
+    const std::vector<store::ClassEntry> entries = store::readClass(out);
+    bool anyPrinted = false;
+    std::size_t unsearched = 0;
+    for (const store::ClassEntry& entry : entries) {
+        if (wantsRepairs(entry.result)) ++unsearched;
         if (!entry.result.repairs) continue;
+        anyPrinted = true;
         fmt::print("{}\n", report::escapeLine(entry.result.submission));
         printRepairs(entry.result);
     }
+    if (unsearched > 0)
+        fmt::print(stderr,
+                   "no edits were looked for in {} of {}; ticker grade with --explain failed "
+                   "--resume looks for them\n",
+                   unsearched, report::counted(entries.size(), "submission"));
+    else if (!anyPrinted)
+        fmt::print(kNothingToMend);
 }
 
 raytracer::ExitCode explain(const ExplainOptions& options) {

@@ -17,6 +17,7 @@ namespace ticker::cli {
 namespace {
 
 constexpr const char* kAllOptions = "auto";
+constexpr const char* kBestLevel = "auto";
 
 /// @throws raytracer::InputError where the exercise has no such option.
 std::string chosenOption(const std::string& option, const Exercise& exercise) {
@@ -38,7 +39,10 @@ sandbox::Sandbox openSandbox(const std::string& level) {
     for (const sandbox::Level known : {sandbox::Level::namespaces, sandbox::Level::ownUser,
                                        sandbox::Level::sameUser, sandbox::Level::none})
         if (sandbox::toString(known) == level) return sandbox::Sandbox::at(known);
-    return sandbox::Sandbox::best();
+    if (level == kBestLevel) return sandbox::Sandbox::best();
+    throw raytracer::InputError(
+        "", 0,
+        fmt::format("--sandbox {}: there is no such level; expected A, B, C, none or auto", level));
 }
 
 std::vector<std::string> exerciseNames() {
@@ -59,10 +63,14 @@ void addGradeOptions(CLI::App& verb, GradeOptions& options) {
     addExerciseOption(verb, options.exercise);
     verb.add_option("--seed", options.seed,
                     "Whole number that the hidden questions are drawn from");
+    addJudgingOptions(verb, options);
+}
+
+void addJudgingOptions(CLI::App& verb, GradeOptions& options) {
     verb.add_option("--option", options.option,
                     "Which option of the exercise to judge, or auto: all of them");
     verb.add_option("--sandbox", options.sandbox, "Level A, B or C, auto (the best), or none")
-        ->check(CLI::IsMember({"auto", "A", "B", "C", "none"}));
+        ->check(CLI::IsMember({kBestLevel, "A", "B", "C", "none"}));
     verb.add_option("--rubric", options.rubric, "Another rubric than the kit's own");
 }
 

@@ -30,11 +30,16 @@ struct GradeOptions {
 /// default one where it is not given.
 void addExerciseOption(CLI::App& verb, std::string& name);
 
-/// Adds --exercise, --seed, --option, --sandbox and --rubric to a verb.
+/// Adds --option, --sandbox and --rubric to a verb.
+void addJudgingOptions(CLI::App& verb, GradeOptions& options);
+
+/// Adds --exercise, --seed and the judging options to a verb.
 void addGradeOptions(CLI::App& verb, GradeOptions& options);
 
 /// @param level  "A", "B", "C", "none", or "auto": the best available level.
-/// @throws raytracer::Error if this machine does not offer it.
+/// @throws raytracer::InputError for any other word, raytracer::Error if this machine does not
+/// offer
+///         the level.
 [[nodiscard]] sandbox::Sandbox openSandbox(const std::string& level);
 
 /// Everything that judging needs, according to the options.

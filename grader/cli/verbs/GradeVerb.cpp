@@ -18,6 +18,7 @@
 #include <sys/resource.h>
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -80,8 +81,17 @@ raytracer::ExitCode exitCodeOf(const Tally& tally, bool stopped) {
     return tally.unexpected > 0 ? raytracer::ExitCode::checkFailed : raytracer::ExitCode::success;
 }
 
+/// The command that goes on with a run that was stopped. Without a store, nothing but the command
+/// remembers the seed.
+std::string commandToGoOn(const BatchOptions& options, const GlobalOptions& global,
+                          std::uint64_t seed) {
+    const bool needsSeed = options.resultsOnly && !options.grade.seed;
+    return global.commandLine + (needsSeed ? fmt::format(" --seed {}", seed) : "") +
+           (options.resume ? "" : " --resume");
+}
+
 void report(const Tally& tally, std::size_t total, const BatchOptions& options,
-            const GlobalOptions& global, bool stopped) {
+            const GlobalOptions& global, bool stopped, std::uint64_t seed) {
     if (!global.quiet) fmt::print(stderr, "{}\n", closingLine(tally));
     if (!global.quiet && !options.resultsOnly)
         fmt::print(stderr, "open {0}/index.html, or decide in a browser: {1} session {0}\n",
@@ -92,8 +102,8 @@ void report(const Tally& tally, std::size_t total, const BatchOptions& options,
     if (stopped && tally.all() == total)
         fmt::print(stderr, "ticker: stopped, but everything was graded: nothing is left to do\n");
     else if (stopped)
-        fmt::print(stderr, "ticker: stopped after {} of {}; they are kept. Go on with\n  {}{}\n",
-                   tally.all(), total, global.commandLine, options.resume ? "" : " --resume");
+        fmt::print(stderr, "ticker: stopped after {} of {}; they are kept. Go on with\n  {}\n",
+                   tally.all(), total, commandToGoOn(options, global, seed));
 }
 
 /// Prints and counts one result.
@@ -175,7 +185,7 @@ raytracer::ExitCode grade(const BatchOptions& options, const GlobalOptions& glob
         writeStudentPages(options.out, store::readClass(options.out), options.formats.studentView);
     if (!options.formats.names.empty())
         writeFormats(options.out, store::readClass(options.out), options.formats);
-    report(tally, submissions.size(), options, global, stop);
+    report(tally, submissions.size(), options, global, stop, seed);
     if (!skipped.empty()) fmt::print(stderr, "ticker: {}\n", skipped);
     if (global.verbose) fmt::print(stderr, "peak memory {} MB\n", peakMegabytes());
     return exitCodeOf(tally, stop);
@@ -218,6 +228,7 @@ Run addGrade(CLI::App& app, const GlobalOptions& global) {
     addGradeOptions(*verb, options->grade);
     return [options, &global] {
         options->from.exercise = &exerciseNamed(options->grade.exercise);
+        options->from.out = options->out;
         return grade(*options, global);
     };
 }

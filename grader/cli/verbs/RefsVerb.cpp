@@ -79,10 +79,13 @@ raytracer::ExitCode checkThem(const std::filesystem::path& folder,
         throw raytracer::InputError(folder.string(), 0,
                                     "holds no references; `ticker refs` makes them");
     bool allPassed = true;
-    for (const auto& one : oracle::checkReferences(folder, scenes, options, listener(quiet))) {
+    const auto checks = oracle::checkReferences(folder, scenes, options, listener(quiet));
+    for (const oracle::ReferenceCheck& one : checks) {
         fmt::print("{:<6} {}\n", one.passed ? "ok" : "DRIFT", one.message);
         allPassed = allPassed && one.passed;
     }
+    // Only Ctrl-C leaves some out, about which nothing is known.
+    if (checks.size() < scenes.size()) return raytracer::ExitCode::interrupted;
     return allPassed ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
 }
 

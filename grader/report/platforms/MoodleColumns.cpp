@@ -1,5 +1,6 @@
 #include <grader/report/platforms/MoodleColumns.h>
 
+#include <grader/base/Utf8.h>
 #include <grader/report/Escape.h>
 
 #include <raytracer/base/Error.h>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace ticker::report {
 namespace {
@@ -28,13 +28,6 @@ bool isEnglishDate(const std::string& text) {
 }
 
 }  // namespace
-
-std::string lowerCase(std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) {
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    });
-    return text;
-}
 
 MoodleColumns moodleColumns(const CsvFile& file, const std::string& name) {
     // Moodle requires all three columns, even if we do not use them.

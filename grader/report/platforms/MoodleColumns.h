@@ -33,9 +33,6 @@ void refuseIfResaved(std::string_view worksheet, const std::string& name);
 /// A line about dates that Moodle will not read; empty if all dates are in English.
 [[nodiscard]] std::string dateWarning(const CsvFile& file, const MoodleColumns& columns);
 
-/// ASCII letters only.
-[[nodiscard]] std::string lowerCase(std::string text);
-
 }  // namespace ticker::report
 
 #endif

@@ -1,5 +1,6 @@
 #include <grader/report/platforms/MoodleWorksheet.h>
 
+#include <grader/base/Utf8.h>
 #include <grader/report/Escape.h>
 #include <grader/report/platforms/CsvFile.h>
 #include <grader/report/platforms/MoodleColumns.h>

@@ -31,5 +31,9 @@ TEST(AsPlainLine, KeepsLettersAndReplacesWhatMovesTheCursor) {
     EXPECT_EQ(asPlainLine("\xC2\xA0"), "\xC2\xA0");  // a space, no control character
 }
 
+TEST(LowerCase, ChangesTheLettersOfAsciiAlone) {
+    EXPECT_EQ(lowerCase("Ann_[2].RAR \xC3\x84"), "ann_[2].rar \xC3\x84");
+}
+
 }  // namespace
 }  // namespace ticker

@@ -2,6 +2,7 @@
 #include <grader/corpus/Entry.h>
 #include <grader/result/ResultJson.h>
 #include <grader/tests/pipeline/TestGrader.h>
+#include <grader/tests/support/AsNobody.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
 #include <gtest/gtest.h>
@@ -68,6 +69,28 @@ TEST(GradeAll, GivesHonestSubmissionsBetweenHostileOnesTheResultsThatTheyGetAlon
     ASSERT_EQ(got.size(), kHonest.size() + kHostile.size());
     for (const auto& [name, text] : wanted)
         EXPECT_EQ(got.at(name), text) << name;
+}
+
+TEST(GradeAll, DoesNotGradeWhatItMayNotRead) {
+    const tests::TemporaryFolder folder;
+    folder.write("ann/BumpySphere.cpp", "int x;");
+    fs::permissions(folder.path(), fs::perms{0755});
+    fs::permissions(folder.path() / "ann/BumpySphere.cpp", fs::perms::none);
+    const pipeline::Grader& grader = tests::testGrader();
+    SubmissionResult graded;
+    BatchHooks hooks;
+    hooks.take = [&](const intake::Located& /*each*/, const SubmissionResult& result,
+                     bool /*isKept*/) { graded = result; };
+    const std::atomic<bool> stop{false};
+    {
+        const tests::AsNobody nobody;
+        gradeAll({{"ann", folder.path() / "ann"}}, grader, kSeed, 1, stop, hooks);
+    }
+    EXPECT_EQ(graded.verdict, Verdict::notGraded);
+    ASSERT_FALSE(graded.tasks.empty());
+    EXPECT_NE(graded.tasks.front().reason.find("cannot be read: Permission denied"),
+              std::string::npos)
+        << graded.tasks.front().reason;
 }
 
 }  // namespace

@@ -46,5 +46,26 @@ TEST(CanvasRoundTrip, GradesGoIntoTheGradebookAndCommentsUnderCanvassNames) {
     EXPECT_TRUE(comment.output.ends_with("*/\n" + stub)) << comment.output;
 }
 
+TEST(CanvasRoundTrip, CommentsAreMadeForTheFilesOfTheResultsExercise) {
+    const tests::TemporaryFolder folder;
+    const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+    tests::writeZip(at("submissions.zip"),
+                    {{"leeann_4711_90210_Sphere.cpp",
+                      tests::readFile("student_template/tick1/exercise/Sphere.cpp")}});
+    folder.write("gradebook.csv",
+                 "Student,ID,SIS User ID,SIS Login ID,Section,Tick 1 (815)\n"
+                 "    Points Possible,,,,,10\n\"Lee, Ann\",4711,,al1,CS,\n");
+    const Ran ran =
+        runTicker("grade '" + at("submissions.zip") + "' -o '" + at("out") +
+                      "' --exercise tick1 --seed 7 --format canvas --worksheet '" +
+                      at("gradebook.csv") + "' --download '" + at("submissions.zip") + "'",
+                  at("errors"));
+    ASSERT_EQ(ran.status, 0) << ran.errors;
+    EXPECT_EQ(ran.errors.find("no comment"), std::string::npos) << ran.errors;
+    const tests::CommandResult files =
+        tests::runCommand("unzip -Z1 '" + at("out/canvas-comments.zip") + "'");
+    EXPECT_EQ(files.output, "leeann_4711_90210_Sphere.cpp\n");
+}
+
 }  // namespace
 }  // namespace ticker::cli

@@ -52,5 +52,34 @@ TEST(ClassPaths, ThatMixTwoExercisesAreRefused) {
               "exercise's submissions in a folder of their own");
 }
 
+std::vector<std::string> namesOf(const ClassPaths& from) {
+    std::vector<std::string> names;
+    for (const intake::Located& located : locate(from))
+        names.push_back(located.name);
+    return names;
+}
+
+TEST(ClassPaths, GiveNoTwoSubmissionsOneName) {
+    const tests::TemporaryFolder folder;
+    for (const char* place : {"day1/ann", "day1/ann-2", "day2/ann", "day2/bob", "day3/ann"})
+        folder.write(std::string{place} + "/Renderer.cpp", "x");
+    const auto at = [&](const char* day) { return (folder.path() / day).string(); };
+    EXPECT_EQ(namesOf({{at("day1"), at("day2"), at("day3")}}),
+              (std::vector<std::string>{"ann", "ann-2", "ann-3", "bob", "ann-4"}));
+    EXPECT_EQ(namesOf({{at("day2"), at("day3"), at("day1")}}),
+              (std::vector<std::string>{"ann", "bob", "ann-3", "ann-4", "ann-2"}))
+        << "a folder's own name comes before one that is made up";
+}
+
+TEST(ClassPaths, LeaveOutTheFolderOfTheResults) {
+    const tests::TemporaryFolder folder;
+    folder.write("ann/Renderer.cpp", "x");
+    folder.write("out/ann/code/Renderer.cpp", "x");
+    ClassPaths from{{folder.path().string()}};
+    from.out = (folder.path() / "out").string();
+    EXPECT_EQ(namesOf(from), std::vector<std::string>{"ann"});
+    EXPECT_EQ(skippedLine(from), "");
+}
+
 }  // namespace
 }  // namespace ticker::cli

@@ -121,6 +121,41 @@ TEST_F(Resume, CollectsWhatNodesWroteIntoTheSameSummary) {
     EXPECT_EQ(countKept(run(gradeCommand("nodes", {"--seed", "5"}))), kSize);
 }
 
+TEST_F(Resume, GoesOnWithTheSeedOfWhatWasCollected) {
+    run(gradeCommand("out", {"--results-only", "--seed", "5"}));
+    run({"collect", at("out").string()});
+    EXPECT_EQ(countKept(run(gradeCommand("out", {"--resume"}))), kSize);
+}
+
+TEST_F(Resume, IsToldThatCollectedResultsHaveSeveralSeeds) {
+    run(gradeCommand("out", {"--results-only", "--share", "1/2", "--seed", "5"}));
+    run({"collect", at("out").string()});
+    EXPECT_EQ(errors().find("more than one seed"), std::string::npos) << errors();
+    run(gradeCommand("out", {"--results-only", "--share", "2/2", "--seed", "6"}));
+    run({"collect", at("out").string()});
+    EXPECT_NE(errors().find("more than one seed"), std::string::npos) << errors();
+    EXPECT_EQ(countKept(run(gradeCommand("out", {"--resume"}))), 3U) << "those of the first seed";
+}
+
+TEST_F(Resume, GoesOnWithTheExerciseOfWhatWasCollected) {
+    fs::create_directory(at("main"));
+    fs::copy(
+        fs::path{TICKER_SOURCE_DIR} / "grader/corpus/tick1/samples/notAwarded/template-untouched",
+        at("main") / "ann", fs::copy_options::recursive);
+    const std::string out = at("out").string();
+    const std::vector<std::string> grade{
+        "grade", at("main").string(), "-o", out, "--exercise", "tick1", "--seed", "5"};
+    auto onNode = grade;
+    onNode.emplace_back("--results-only");
+    run(onNode);
+    run({"collect", out});
+    EXPECT_EQ(run(gradeCommand("out"), 2).size(), 0U);
+    EXPECT_NE(errors().find("holds results of tick1;"), std::string::npos) << errors();
+    auto again = grade;
+    again.emplace_back("--resume");
+    EXPECT_EQ(countKept(run(again)), 1U);
+}
+
 TEST_F(Resume, GradesAgainWhatWasNotGradedForOurReasons) {
     run(gradeCommand("out", {"--seed", "5"}));
     const fs::path file = at("out") / "ann" / "result.json";

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace ticker::cli {
@@ -63,6 +64,24 @@ TEST_F(UnderFault, LeavesTheRightsOfAnOutThatIsThere) {
     fs::permissions(out(), fs::perms{0750});
     ASSERT_EQ(grade().status, 0);
     EXPECT_EQ(fs::status(out()).permissions(), fs::perms{0750});
+}
+
+TEST_F(UnderFault, NeverReplacesAHandInThatCannotBeKept) {
+    ASSERT_EQ(grade().status, 0);
+    const auto bytesOf = [&](const std::string& name) {
+        std::ifstream file{out() / "ann" / name, std::ios::binary};
+        return std::string{std::istreambuf_iterator<char>{file}, {}};
+    };
+    const std::string result = bytesOf("result.json");
+    const std::string code = bytesOf("code/BumpySphere.cpp");
+    std::ofstream{out() / "ann/earlier"} << "no folder";
+    std::ofstream{at("class/ann/BumpySphere.cpp"), std::ios::app} << "// later\n";
+    const Ran ran = grade();
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_NE(ran.errors.find("the earlier hand-in cannot be moved"), std::string::npos)
+        << ran.errors;
+    EXPECT_TRUE(bytesOf("result.json") == result);
+    EXPECT_TRUE(bytesOf("code/BumpySphere.cpp") == code);
 }
 
 TEST_F(UnderFault, EveryVerbSaysWhatToDoAboutABrokenStore) {

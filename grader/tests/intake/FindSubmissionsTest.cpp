@@ -150,10 +150,13 @@ TEST(FindSubmissions, GivesNoNameThatAFileOfTheResultsBears) {
                              "summary.csv", "task-7.log"})
         folder.write(std::string{name} + "/Renderer.cpp", "x");
     folder.write("results.json.zip", "x");
+    folder.write("similar.html.zip", "x");
+    folder.write("Canvas-Gradebook.csv/Renderer.cpp", "x");
     EXPECT_EQ(namesIn(folder.path()),
-              (Names{"Index.HTML-submission", "results.json-submission",
-                     "results.sqlite-submission", "results.sqlite-wal-submission",
-                     "seed-submission", "summary.csv-submission", "task-7.log-submission"}));
+              (Names{"Canvas-Gradebook.csv-submission", "Index.HTML-submission",
+                     "results.json-submission", "results.sqlite-submission",
+                     "results.sqlite-wal-submission", "seed-submission", "similar.html-submission",
+                     "summary.csv-submission", "task-7.log-submission"}));
 }
 
 TEST(FindSubmissions, TakesAnyFolderThatWasNamedByItself) {

@@ -34,7 +34,11 @@ TEST(FindSkipped, TellsOfArchivesThatAreNotOpened) {
     folder.write("ann/Renderer.cpp", "x");
     folder.write("bob.rar", "x");
     folder.write("cyd.zip", "x");
-    EXPECT_EQ(skippedIn(folder.path()), Lines{"bob.rar is no zip or tar"});
+    folder.write("dee.7Z", "x");
+    folder.write("eve.RAR", "x");
+    EXPECT_EQ(
+        skippedIn(folder.path()),
+        (Lines{"bob.rar is no zip or tar", "dee.7Z is no zip or tar", "eve.RAR is no zip or tar"}));
 }
 
 TEST(FindSkipped, LooksBesideEverySubmissionOfAGroup) {

@@ -1,4 +1,5 @@
 #include <grader/pipeline/InputDigests.h>
+#include <grader/tests/pipeline/TestGrader.h>
 
 #include <gtest/gtest.h>
 
@@ -35,6 +36,20 @@ TEST(QuestionSeed, IsAnotherForEveryClass) {
     EXPECT_NE(questionSeed(submissionOf("x"), kClassSeed),
               questionSeed(submissionOf("x"), kClassSeed + 1));
     EXPECT_NE(questionSeed(submissionOf("x"), kClassSeed), kClassSeed);
+}
+
+TEST(HowDigest, IsThatOfTheResultsOfALevelAndAnotherForEveryOtherWay) {
+    Grader grader = tests::testGrader();
+    const std::string level = sandbox::toString(grader.sandbox.level());
+    const std::string how = inputsOf(submissionOf("x"), grader, kClassSeed).how;
+    EXPECT_EQ(howDigest(grader, level, kClassSeed), how);
+    EXPECT_NE(howDigest(grader, "of another machine", kClassSeed), how);
+    EXPECT_NE(howDigest(grader, level, kClassSeed + 1), how);
+    grader.rubricText = "{}";
+    EXPECT_NE(howDigest(grader, level, kClassSeed), how);
+    grader = tests::testGrader();
+    grader.option = "T1";
+    EXPECT_NE(howDigest(grader, level, kClassSeed), how);
 }
 
 }  // namespace

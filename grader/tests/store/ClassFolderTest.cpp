@@ -1,3 +1,4 @@
+#include <grader/result/ProvenLine.h>
 #include <grader/result/ResultJson.h>
 #include <grader/store/ClassFolder.h>
 #include <grader/tests/support/TemporaryFolder.h>
@@ -40,6 +41,19 @@ TEST_F(ClassFolder, IsCollectedIntoTheStoreAndOnlyOnce) {
     EXPECT_EQ(again.known, 1U);
     EXPECT_EQ(store.find("bob")->verdict, Verdict::awarded);
     EXPECT_EQ(store.find("ann")->timesGraded, 1);
+}
+
+TEST_F(ClassFolder, IsCollectedAgainOnceEditsThatMendItWereFound) {
+    writeResult("ann", Verdict::notAwarded);
+    Store store{out_.path()};
+    static_cast<void>(collect(out_.path(), store));
+    SubmissionResult explained = resultOf("ann", Verdict::notAwarded);
+    explained.repairs =
+        std::vector<Repair>{{"T1", "bump.flat", "BumpySphere.cpp", {{7, "a", "b"}}, true, ""}};
+    out_.write("ann/result.json", resultJson(explained));
+    EXPECT_EQ(collect(out_.path(), store).taken, 1U);
+    EXPECT_EQ(store.find("ann")->proven, provenLines(explained));
+    EXPECT_EQ(collect(out_.path(), store).known, 1U);
 }
 
 TEST_F(ClassFolder, SaysOfAnEmptyStoreWhatBringsTheResultsBack) {

@@ -2,7 +2,11 @@
 #include <grader/store/Earlier.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
+#include <raytracer/base/Error.h>
+
 #include <gtest/gtest.h>
+
+#include <sys/mount.h>
 
 namespace ticker::store {
 namespace {
@@ -56,6 +60,35 @@ TEST_F(EarlierResults, SurviveAKilledMove) {
     write(handedIn("aa", Verdict::awarded), "int a;");
     keepEarlier(out_.path(), handedIn("dd", Verdict::awarded));
     fs::create_directories(out_.path() / "ann/earlier/2");
+    EXPECT_EQ(earlier().size(), 1U);
+}
+
+TEST_F(EarlierResults, StayInTheirPlaceWhereTheyCannotBeMoved) {
+    write(handedIn("aa", Verdict::awarded), "int a;");
+    const fs::path blocking = out_.write("ann/earlier", "no folder");
+    EXPECT_THROW(keepEarlier(out_.path(), handedIn("dd", Verdict::awarded)), raytracer::InputError);
+    EXPECT_TRUE(fs::exists(out_.path() / "ann/result.json"));
+    EXPECT_TRUE(fs::exists(out_.path() / "ann/code/Own.cpp"));
+    fs::remove(blocking);
+    keepEarlier(out_.path(), handedIn("dd", Verdict::awarded));
+    EXPECT_EQ(earlier().size(), 1U);
+}
+
+TEST_F(EarlierResults, StayWithTheirCodeWhereThatCannotBeMoved) {
+    write(handedIn("aa", Verdict::awarded), "int a;");
+    const fs::path code = out_.path() / "ann/code";
+    if (mount("none", code.c_str(), "tmpfs", 0, "size=1m") != 0)
+        GTEST_SKIP() << "only root can make a folder that nobody can move";
+    EXPECT_THROW(keepEarlier(out_.path(), handedIn("dd", Verdict::awarded)), raytracer::InputError);
+    umount2(code.c_str(), MNT_DETACH);
+    EXPECT_TRUE(fs::exists(out_.path() / "ann/result.json"));
+    EXPECT_TRUE(earlier().empty());
+}
+
+TEST_F(EarlierResults, NeedNoCodeOfTheirOwn) {
+    write(handedIn("aa", Verdict::awarded), "int a;");
+    fs::remove_all(out_.path() / "ann/code");
+    keepEarlier(out_.path(), handedIn("dd", Verdict::awarded));
     EXPECT_EQ(earlier().size(), 1U);
 }
 
