@@ -24,6 +24,20 @@ using Kind = BuildResult::Kind;
 // The compiler driver's message about a failed linker: the code itself compiled.
 constexpr std::string_view kLinkerFailed = "ld returned 1 exit status";
 
+bool says(const Outcome& outcome, std::string_view words) {
+    return outcome.output.find(words) != std::string::npos;
+}
+
+// The driver outlives a compiler or linker that the kernel ends for want of memory, so only its
+// message tells. A student can print the message, but cannot make the kernel count such an end
+// without filling the machine.
+bool lostItsCompiler(const Outcome& outcome, const sandbox::Limits& limits) {
+    return outcome.machineRanOut &&
+           sandbox::usedLittleMemory(outcome, limits, sandbox::Policy::compile) &&
+           (says(outcome, "Killed signal terminated program") ||
+            says(outcome, "ld terminated with signal 9"));
+}
+
 /// The result of one run of the compiler.
 struct Attempt {
     BuildResult result;
@@ -67,7 +81,7 @@ public:
         result.cpuMs = outcome.cpuMs;
         result.wallMs = outcome.wallMs;
         result.compilations = 1;
-        result.kind = kindOf(outcome);
+        result.kind = kindOf(outcome, limits_);
         result.diagnostics = explained(result.kind, outcome);
         if (result.kind == Kind::built) result.program.emplace(std::move(folder));
         attempt.couldCompile = says(outcome, kLinkerFailed);
@@ -106,35 +120,6 @@ private:
         return command;
     }
 
-    static bool says(const Outcome& outcome, std::string_view words) {
-        return outcome.output.find(words) != std::string::npos;
-    }
-
-    // Only the driver's message, beside the student's text, shows that a compiler was stopped. A
-    // student can imitate it, which only changes the name of that student's own failure.
-    static Kind kindOf(const Outcome& outcome) {
-        switch (outcome.end) {
-            case Outcome::End::failed:
-                return Kind::ourFault;
-            case Outcome::End::wallLimit:
-            case Outcome::End::outputLimit:
-                return Kind::limit;
-            case Outcome::End::signalled:
-                return outcome.code == SIGSYS ? Kind::forbidden : Kind::limit;
-            case Outcome::End::exited:
-                break;
-        }
-        if (outcome.code == 0) return outcome.productsMissing ? Kind::ourFault : Kind::built;
-        if (says(outcome, "Bad system call signal terminated program")) return Kind::forbidden;
-        for (const char* stopped :
-             {"signal terminated program", "out of memory", "virtual memory exhausted",
-              "cannot allocate memory", "File too large", "No space left on device"})
-            if (says(outcome, stopped)) return Kind::limit;
-        return says(outcome, "duplicate symbol:") || says(outcome, "multiple definition of")
-                   ? Kind::forbidden
-                   : Kind::failed;
-    }
-
     [[nodiscard]] std::string explained(Kind kind, const Outcome& outcome) const {
         if (kind == Kind::built) return {};
         std::string text = readableDiagnostics(
@@ -158,6 +143,32 @@ private:
 };
 
 }  // namespace
+
+// Only the driver's message, beside the student's text, shows that a compiler was stopped. A
+// student can imitate it, which only changes the name of that student's own failure.
+Kind kindOf(const Outcome& outcome, const sandbox::Limits& limits) {
+    switch (outcome.end) {
+        case Outcome::End::failed:
+            return Kind::ourFault;
+        case Outcome::End::wallLimit:
+        case Outcome::End::outputLimit:
+            return Kind::limit;
+        case Outcome::End::signalled:
+            return outcome.code == SIGSYS ? Kind::forbidden : Kind::limit;
+        case Outcome::End::exited:
+            break;
+    }
+    if (outcome.code == 0) return outcome.productsMissing ? Kind::ourFault : Kind::built;
+    if (lostItsCompiler(outcome, limits)) return Kind::ourFault;
+    if (says(outcome, "Bad system call signal terminated program")) return Kind::forbidden;
+    for (const char* stopped :
+         {"signal terminated program", "out of memory", "virtual memory exhausted",
+          "cannot allocate memory", "File too large", "No space left on device"})
+        if (says(outcome, stopped)) return Kind::limit;
+    return says(outcome, "duplicate symbol:") || says(outcome, "multiple definition of")
+               ? Kind::forbidden
+               : Kind::failed;
+}
 
 BuildResult buildProgram(const Kit& kit, const sandbox::Sandbox& sandbox,
                          const sandbox::Limits& limits, const std::string& file,

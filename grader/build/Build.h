@@ -31,6 +31,10 @@ struct BuildResult {
     int compilations = 0;  ///< how often the compiler was run
 };
 
+/// What an ended compiler says about the file that it compiled.
+[[nodiscard]] BuildResult::Kind kindOf(const sandbox::Outcome& outcome,
+                                       const sandbox::Limits& limits);
+
 /// What a program is for.
 enum class Purpose {
     graded,   ///< to be judged: as a submission is compiled and asked

@@ -2,6 +2,7 @@
 
 #include <grader/base/JsonValue.h>
 #include <grader/base/WholeFile.h>
+#include <grader/sandbox/HelperProgram.h>
 #include <grader/sandbox/Sandbox.h>
 
 #include <raytracer/base/Error.h>
@@ -10,6 +11,8 @@
 
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <algorithm>
 
 namespace ticker::build {
 namespace fs = std::filesystem;
@@ -32,9 +35,36 @@ bool everybodyReaches(const fs::path& folder) {
     }
 }
 
+// What every user needs to read a file, or to list and pass through a folder.
+fs::perms openTo(const fs::directory_entry& entry) {
+    return entry.is_directory() ? fs::perms{0555} : fs::perms{0444};
+}
+
+// True if every user can read all that lies in the folder: a checkout that was made under a umask
+// such as 027 may hold private files in an open folder.
+bool everybodyReads(const fs::path& folder) {
+    if (geteuid() != 0) return true;
+    const auto isOpen = [](const fs::directory_entry& entry) {
+        const fs::perms others = openTo(entry) & fs::perms::others_all;
+        return (entry.status().permissions() & others) == others;
+    };
+    return isOpen(fs::directory_entry{folder}) &&
+           std::ranges::all_of(fs::recursive_directory_iterator{folder}, isOpen);
+}
+
 fs::path copyForEverybody(const fs::path& folder) {
     fs::path copy = sandbox::Sandbox::makeStagingFolder() / "kit";
-    fs::copy(folder, copy, fs::copy_options::recursive);
+    try {
+        fs::copy(folder, copy, fs::copy_options::recursive);
+        // The copies have the modes of the originals, without what the umask takes away.
+        const auto open = [](const fs::directory_entry& entry) {
+            fs::permissions(entry.path(), openTo(entry), fs::perm_options::add);
+        };
+        open(fs::directory_entry{copy});
+        std::ranges::for_each(fs::recursive_directory_iterator{copy}, open);
+    } catch (const fs::filesystem_error& error) {
+        throw raytracer::Error(sandbox::cannotStage(folder, error.code()));
+    }
     return copy;
 }
 
@@ -73,7 +103,8 @@ Kit Kit::at(const fs::path& folder) {
         if (!fs::is_regular_file(folder / part))
             throw raytracer::Error(fmt::format("the kit lacks {}", (folder / part).string()));
     const fs::path whole = fs::canonical(folder);
-    kit.folder_ = everybodyReaches(whole) ? whole : copyForEverybody(whole);
+    kit.folder_ =
+        everybodyReaches(whole) && everybodyReads(whole) ? whole : copyForEverybody(whole);
     return kit;
 }
 

@@ -20,7 +20,7 @@ public:
     /// @throws raytracer::Error (notGradable) if `folder` holds no kit.
     [[nodiscard]] static Kit at(const std::filesystem::path& folder);
 
-    /// Readable by every user; a copy if the kit lies in a private folder.
+    /// Readable by every user; a copy if the kit, or its folder, is private.
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] const std::string& compiler() const { return compiler_; }
     [[nodiscard]] const std::vector<std::string>& compileFlags() const { return compileFlags_; }

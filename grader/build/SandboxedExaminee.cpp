@@ -50,7 +50,10 @@ std::string ofTheLimit(std::uint64_t bytes, const sandbox::Limits& limits) {
 std::optional<std::string> wantOfMemory(const Outcome& outcome, const sandbox::Limits& limits) {
     if (outcome.code == SIGSYS || outcome.code == SIGXCPU || outcome.code == SIGXFSZ) return {};
     // A growing vector doubles: it has used half of the limit before the request that exceeds it.
-    if (outcome.peakMemoryBytes >= limits.addressSpaceBytes / 2)
+    // SIGKILL comes where the machine has less to give than the limit.
+    if (outcome.peakMemoryBytes >= limits.addressSpaceBytes / 2 ||
+        (outcome.code == SIGKILL &&
+         !sandbox::usedLittleMemory(outcome, limits, sandbox::Policy::run)))
         return fmt::format("{} after it had used {}", signalName(outcome.code),
                            ofTheLimit(outcome.peakMemoryBytes, limits));
     // A single oversized request uses no memory: only this message tells.
@@ -81,11 +84,8 @@ ProcessEnd endBySignal(const Outcome& outcome) {
     }
 }
 
-// The jail's exit status for a file that the kernel cannot execute.
-constexpr int kNotExecutable = 126;
-
 ProcessEnd endByExit(int status) {
-    if (status == kNotExecutable)
+    if (status == sandbox::kNotExecutable)
         return {EndKind::exitedEarly,
                 "could not be started at all, or left with exit status 126 of its own"};
     return {EndKind::exitedEarly, fmt::format("left with exit status {}", status)};
@@ -116,7 +116,7 @@ ProcessEnd endOf(const Outcome& outcome, bool finished, const Program& program,
     if (finished) return {};
     const bool mayNeverHaveBegun =
         outcome.end == Outcome::End::signalled ||
-        (outcome.end == Outcome::End::exited && outcome.code == kNotExecutable);
+        (outcome.end == Outcome::End::exited && outcome.code == sandbox::kNotExecutable);
     if (const std::uint64_t bytes = program.staticBytes();
         mayNeverHaveBegun && bytes >= limits.addressSpaceBytes)
         return {EndKind::memory,

@@ -140,11 +140,7 @@ void ClassRun::write(const SubmissionResult& result) const {
 
 void ClassRun::index(const SubmissionResult& result, bool isKept) {
     if (!store_) return;
-    // A run that was killed between the two leaves a result.json that the store does not have.
-    if (isKept) {
-        const std::optional<store::ResultRow> row = store_->find(result.submission);
-        if (row && row->inputs == result.inputs && row->verdict == result.verdict) return;
-    }
+    if (isKept && store::isKnown(store_->find(result.submission), result)) return;
     store_->put(result, store::utcNow());
 }
 

@@ -22,14 +22,9 @@ constexpr std::string_view kSignature{"\x89PNG\r\n\x1A\n", 8};
 constexpr std::size_t kHeaderEnd = 24;  // signature, length, "IHDR", width, height
 constexpr std::size_t kChannels = 3;
 
-// A copy of the decoder that the jail's user can reach wherever the project lies.
 const fs::path& stagedDecoder() {
-    static const fs::path program = [] {
-        const fs::path copy = sandbox::Sandbox::makeStagingFolder() / "decode";
-        fs::copy_file(sandbox::findProgram("ticker-decode"), copy);
-        fs::permissions(copy, fs::perms{0755});
-        return copy;
-    }();
+    static const fs::path program =
+        sandbox::copyProgram("ticker-decode", sandbox::Sandbox::makeStagingFolder());
     return program;
 }
 

@@ -9,6 +9,7 @@
 #include <raytracer/base/Error.h>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 
 #include <grader/base/FileDescriptor.h>
 
@@ -23,14 +24,9 @@ namespace {
 constexpr std::size_t kLargestReply = 8U << 20U;
 constexpr const char* kProduct = "candidates.json";
 
-// A copy that the jail's user can reach wherever the project lies.
 const fs::path& stagedProgram() {
-    static const fs::path program = [] {
-        const fs::path copy = sandbox::Sandbox::makeStagingFolder() / "candidates";
-        fs::copy_file(sandbox::findProgram("ticker-candidates"), copy);
-        fs::permissions(copy, fs::perms{0755});
-        return copy;
-    }();
+    static const fs::path program =
+        sandbox::copyProgram("ticker-candidates", sandbox::Sandbox::makeStagingFolder());
     return program;
 }
 
@@ -82,7 +78,9 @@ struct Product {
     explicit Product(const char* name)
         : file(folder.path() / name),
           descriptor(open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644)) {
-        if (!descriptor.isOpen()) throw raytracer::Error("cannot write " + file.string());
+        // fchmod, because the umask may have removed the permissions of other users.
+        if (!descriptor.isOpen() || fchmod(descriptor.get(), 0644) != 0)
+            throw raytracer::Error("cannot write " + file.string());
     }
 };
 

@@ -10,10 +10,7 @@
 
 namespace ticker::repair {
 
-/// The code of a task that the exercise has.
-[[nodiscard]] inline const Task& codeOf(const pipeline::Grader& grader, const std::string& id) {
-    return *std::ranges::find(grader.tasks, id, &Task::id);
-}
+using pipeline::codeOf;
 
 /// The name of the function that a task is solved in, without its class.
 [[nodiscard]] inline std::string functionOf(const TaskEntry& task) {

@@ -28,6 +28,23 @@ fs::path findProgram(const std::string& name) {
                     name, beside.string(), installed.string()));
 }
 
+std::string cannotStage(const fs::path& what, const std::error_code& why) {
+    return fmt::format(
+        "sandbox: cannot copy {} to the temporary disk: {}; free some space there, or set TMPDIR "
+        "to a folder with room",
+        what.string(), why.message());
+}
+
+fs::path copyProgram(const std::string& name, const fs::path& folder) {
+    const fs::path original = findProgram(name);
+    fs::path copy = folder / name;
+    std::error_code error;
+    fs::copy_file(original, copy, error);
+    if (!error) fs::permissions(copy, fs::perms{0755}, error);
+    if (error) throw raytracer::Error(cannotStage(original, error));
+    return copy;
+}
+
 fs::path findBubblewrap() {
     std::vector<fs::path> folders{"/usr/bin", "/usr/local/bin", "/bin"};
     // NOLINTNEXTLINE(concurrency-mt-unsafe): read once, before threads write the environment.

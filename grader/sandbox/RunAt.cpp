@@ -17,26 +17,28 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <chrono>
+#include <csignal>
 #include <cstring>
+#include <fstream>
 #include <optional>
+#include <string>
 #include <system_error>
+#include <utility>
 
 namespace ticker::sandbox {
 namespace fs = std::filesystem;
 namespace {
 
+// How long a job waits for a uid: a machine may have several times as many threads as uids, and
+// each job holds one for 90 s at most.
+constexpr std::chrono::minutes kPatience{10};
+
 // Shared by all runs of this process: the staging folder, and the copy of the helper in it, which
 // the jail's user can reach wherever the project lies.
 struct Workshop {
     StagingFolder staging;
-    fs::path helper = copyHelper(staging);
-
-    static fs::path copyHelper(const StagingFolder& staging) {
-        const fs::path copy = staging.path() / "ticker-jail";
-        fs::copy_file(findProgram("ticker-jail"), copy);
-        fs::permissions(copy, fs::perms{0755});
-        return copy;
-    }
+    fs::path helper = copyProgram("ticker-jail", staging.path());
 };
 
 const Workshop& workshop() {
@@ -118,10 +120,46 @@ Launch describe(const Command& command, const JailPlace& place) {
     return launch;
 }
 
+// The jail lets no command send SIGKILL, and none that fills the machine's memory gets here. So
+// this came from outside: another ticker with the same uids, or the kernel, because of others.
+bool wasKilledByOthers(const Outcome& outcome, Level level, const Command& command) {
+    return level != Level::none && outcome.end == Outcome::End::signalled &&
+           outcome.code == SIGKILL && usedLittleMemory(outcome, command.limits, command.policy);
+}
+
+Outcome killedByOthers(Outcome outcome) {
+    outcome.end = Outcome::End::failed;
+    outcome.code = 0;
+    outcome.output =
+        "sandbox: the job was killed from outside: by the kernel, because the machine's memory was "
+        "full (then use fewer --jobs), or by another ticker with the same uids (then give each a "
+        "range of its own in limits.json)";
+    return outcome;
+}
+
+// How many processes the kernel has ended for want of memory since it started; 0 if it does not
+// say.
+std::uint64_t processesEndedForMemory() {
+    std::ifstream lines{"/proc/vmstat"};
+    std::uint64_t count = 0;
+    for (std::string name; lines >> name >> count;)
+        if (name == "oom_kill") return count;
+    return 0;
+}
+
+Outcome watchCommand(const Command& command, const JailPlace& place) {
+    const bool asks = command.policy == Policy::compile;
+    const std::uint64_t before = asks ? processesEndedForMemory() : 0;
+    Outcome outcome = watch(describe(command, place), command.limits);
+    outcome.machineRanOut = asks && processesEndedForMemory() > before;
+    return wasKilledByOthers(outcome, place.level, command) ? killedByOthers(std::move(outcome))
+                                                            : outcome;
+}
+
 }  // namespace
 
 Outcome runAt(Level level, const Command& command) {
-    const UserSlot slot = takeUserSlot(defaultPolicy().users);
+    const UserSlot slot = takeUserSlot(defaultPolicy().users, kPatience);
     JailPlace place;
     place.level = level;
     place.landlock = hasLandlock();
@@ -129,15 +167,14 @@ Outcome runAt(Level level, const Command& command) {
     place.helper = workshop().helper;
     if (level == Level::namespaces) place.bubblewrap = findBubblewrap();
     if (level != Level::sameUser) place.user = slot.user();
-    if (!command.wantsScratch || level == Level::namespaces)
-        return watch(describe(command, place), command.limits);
+    if (!command.wantsScratch || level == Level::namespaces) return watchCommand(command, place);
 
     const std::uint64_t wanted = mostBytesOf(command);
     const std::optional<DiskRoom::Share> room = scratchDisk().take(wanted);
     if (!room) return withoutRoom(wanted);
     const ScratchFolder scratch{place.user};
     place.scratch = scratch.path();
-    Outcome outcome = watch(describe(command, place), command.limits);
+    Outcome outcome = watchCommand(command, place);
     // Another process filled the disk in the meantime: then a failure of the command is not its
     // fault.
     const bool isFull = scratchDisk().freeBytes() < command.limits.fileSizeBytes;

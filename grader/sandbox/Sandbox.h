@@ -81,14 +81,20 @@ struct Command {
     Limits limits;
 };
 
+/// Exit status of a command that exists but cannot be executed: the same as a shell's. A command
+/// can also leave with it by itself.
+inline constexpr int kNotExecutable = 126;
+
 /// How a command ended, as reported by the kernel. Only `output` is controlled by the command.
 struct Outcome {
     enum class End {
-        exited,       ///< `code` is the exit status; 126 also: the file cannot be executed
-        signalled,    ///< `code` is the signal; SIGXCPU: the CPU limit, SIGSYS: a forbidden call
+        exited,       ///< `code` is the exit status; see kNotExecutable
+        signalled,    ///< `code` is the signal; SIGXCPU: the CPU limit, SIGSYS: a forbidden call,
+                      ///< SIGKILL: want of memory, or (Level::none) anything
         wallLimit,    ///< killed by the sandbox: wall clock
         outputLimit,  ///< killed by the sandbox: too much output
-        failed  ///< could not be started or watched: an error of the grader; `output` says why
+        failed  ///< could not be started or watched, or was killed from outside of the jail: an
+                ///< error of the grader; `output` says why
     };
     End end = End::failed;
     int code = 0;
@@ -97,9 +103,22 @@ struct Outcome {
     double cpuMs = 0.0;
     double wallMs = 0.0;
     std::uint64_t peakMemoryBytes = 0;
+    /// The kernel ended some process of this machine for want of memory meanwhile. Looked at for
+    /// Policy::compile only: a compiler's driver outlives the compiler.
+    bool machineRanOut = false;
 
     [[nodiscard]] bool succeeded() const { return end == End::exited && code == 0; }
 };
+
+/// True if the command used so little of its memory that it was not what filled the machine.
+[[nodiscard]] inline bool usedLittleMemory(const Outcome& outcome, const Limits& limits,
+                                           Policy policy) {
+    // By default a compiler takes a sixth of its limit for a right file, and a right program a
+    // thirtieth. A machine that cannot give these shares can hardly grade anything, so that nobody
+    // gains by filling it.
+    const std::uint64_t share = policy == Policy::compile ? 4 : 8;
+    return outcome.peakMemoryBytes < limits.addressSpaceBytes / share;
+}
 
 /// Runs untrusted commands. Safe to share between threads.
 class Sandbox {

@@ -9,7 +9,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <filesystem>
+#include <cerrno>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
 
 namespace ticker::sandbox {
 namespace {
@@ -29,17 +34,32 @@ FileDescriptor openLockFolder() {
         "one is needed to share uids among processes");
 }
 
-}  // namespace
-
-UserSlot takeUserSlot(const UserRange& range) {
-    if (geteuid() != 0) return {};
-    const FileDescriptor folder = openLockFolder();
+// Empty if all are in use.
+std::optional<UserSlot> freeSlot(const FileDescriptor& folder, const UserRange& range) {
     for (long user = range.first; user < range.first + range.count; ++user) {
         const std::string name = fmt::format("uid-{}", user);
         FileDescriptor lock{
             openat(folder.get(), name.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600)};
-        if (lock.isOpen() && flock(lock.get(), LOCK_EX | LOCK_NB) == 0)
-            return {user, std::move(lock)};
+        if (!lock.isOpen())
+            throw raytracer::Error(fmt::format("sandbox: cannot open the lock {}: {}", name,
+                                               std::generic_category().message(errno)));
+        if (flock(lock.get(), LOCK_EX | LOCK_NB) == 0) return UserSlot{user, std::move(lock)};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+// The locks of other processes tell nobody when they become free, so this looks again and again.
+UserSlot takeUserSlot(const UserRange& range, std::chrono::milliseconds patience) {
+    if (geteuid() != 0) return {};
+    constexpr std::chrono::milliseconds kPause{10};
+    const FileDescriptor folder = openLockFolder();
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (true) {
+        if (std::optional<UserSlot> slot = freeSlot(folder, range)) return std::move(*slot);
+        if (std::chrono::steady_clock::now() >= end) break;
+        std::this_thread::sleep_for(kPause);
     }
     throw raytracer::Error(
         fmt::format("sandbox: all {} uids from {} on are in use: fewer jobs at once, or a larger "

@@ -3,7 +3,7 @@
 
 #include <grader/base/FileDescriptor.h>
 
-#include <string>
+#include <chrono>
 
 namespace ticker::sandbox {
 
@@ -26,8 +26,10 @@ private:
 };
 
 /// Reserves a free uid of the range.
-/// @throws raytracer::Error if none is free, or locks are not available.
-[[nodiscard]] UserSlot takeUserSlot(const UserRange& range);
+/// @param patience  How long to wait while all are in use.
+/// @throws raytracer::Error if none became free, or locks are not available.
+[[nodiscard]] UserSlot takeUserSlot(const UserRange& range,
+                                    std::chrono::milliseconds patience = {});
 
 }  // namespace ticker::sandbox
 

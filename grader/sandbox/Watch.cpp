@@ -18,6 +18,7 @@
 #include <csignal>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 namespace ticker::sandbox {
 namespace {
@@ -49,9 +50,10 @@ Outcome ourFault(const std::string& what, int error) {
 
 class Watcher {
 public:
-    Watcher(pid_t helper, Pipe output, Pipe status, const Limits& limits)
+    /// @param handle  The helper's, readable once it has ended.
+    Watcher(pid_t helper, FileDescriptor handle, Pipe output, Pipe status, const Limits& limits)
         : helper_(helper),
-          handle_(static_cast<int>(syscall(SYS_pidfd_open, helper, 0))),
+          handle_(std::move(handle)),
           output_(std::move(output)),
           status_(std::move(status)),
           limits_(limits),
@@ -150,8 +152,8 @@ private:
         outcome_.code = report.code;
         const bool exited = report.kind == jail::Report::Kind::exited;
         outcome_.end = exited ? Outcome::End::exited : Outcome::End::signalled;
-        // A command that ignores SIGXCPU gets SIGKILL a second later: the same limit, so the same
-        // result.
+        // A compiler that ignores SIGXCPU gets SIGKILL a second later: the same limit, so the same
+        // result. The helper says so itself of a program.
         if (!exited && report.code == SIGKILL && outcome_.cpuMs >= limits_.cpuSeconds * 1000.0)
             outcome_.code = SIGXCPU;
     }
@@ -179,6 +181,13 @@ private:
     Outcome outcome_;
 };
 
+// SIGTERM, as Watcher::stop: the helper ends and reaps what it may have started by now.
+void endUnwatched(pid_t helper) {
+    kill(helper, SIGTERM);
+    while (waitpid(helper, nullptr, 0) < 0 && errno == EINTR) {
+    }
+}
+
 }  // namespace
 
 Outcome watch(Launch launch, const Limits& limits) {
@@ -192,7 +201,14 @@ Outcome watch(Launch launch, const Limits& limits) {
     launch.redirections.push_back({status->write.get(), jail::kStatusDescriptor});
     const Launched launched = sandbox::launch(launch);
     if (launched.pid < 0) return ourFault("cannot start the helper", launched.error);
-    return Watcher{launched.pid, std::move(*output), std::move(*status), limits}.wait();
+    FileDescriptor handle{static_cast<int>(syscall(SYS_pidfd_open, launched.pid, 0))};
+    if (!handle.isOpen()) {
+        const int error = errno;
+        endUnwatched(launched.pid);
+        return ourFault("pidfd_open", error);
+    }
+    return Watcher{launched.pid, std::move(handle), std::move(*output), std::move(*status), limits}
+        .wait();
 }
 
 }  // namespace ticker::sandbox

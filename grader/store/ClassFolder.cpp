@@ -47,11 +47,6 @@ SubmissionResult readNamed(const fs::path& out, const std::string& submission) {
     return result;
 }
 
-bool isKnown(const std::optional<ResultRow>& row, const SubmissionResult& result) {
-    return row && row->verdict == result.verdict && row->inputs == result.inputs &&
-           row->toolVersion == result.toolVersion && row->proven == provenLines(result);
-}
-
 raytracer::InputError noResults(const fs::path& out) {
     const std::size_t beside = foldersWithResults(out).size();
     return {out.string(), 0,
@@ -65,6 +60,11 @@ raytracer::InputError noResults(const fs::path& out) {
 
 fs::path resultFile(const fs::path& out, const std::string& submission) {
     return out / submission / kResult;
+}
+
+bool isKnown(const std::optional<ResultRow>& row, const SubmissionResult& result) {
+    return row && row->verdict == result.verdict && row->inputs == result.inputs &&
+           row->toolVersion == result.toolVersion && row->proven == provenLines(result);
 }
 
 std::optional<SubmissionResult> readWholeResult(const fs::path& out,

@@ -22,6 +22,10 @@ struct ClassEntry {
 [[nodiscard]] std::filesystem::path resultFile(const std::filesystem::path& out,
                                                const std::string& submission);
 
+/// True if the store's row of a submission says what its result says. A run that was killed between
+/// writing the two leaves an older row, or none.
+[[nodiscard]] bool isKnown(const std::optional<ResultRow>& row, const SubmissionResult& result);
+
 /// The submission's result; empty if the file is missing or damaged (by a power failure, for
 /// example).
 [[nodiscard]] std::optional<SubmissionResult> readWholeResult(const std::filesystem::path& out,

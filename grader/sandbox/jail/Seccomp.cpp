@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <span>
 
@@ -38,6 +39,35 @@ bool addIf(scmp_filter_ctx filter, std::uint32_t action, int call, scmp_arg_cmp 
     return seccomp_rule_add_array(filter, action, call, 1, &condition) == 0;
 }
 
+// Matches SIGKILL as the kernel reads it: the lower half of the argument.
+scmp_arg_cmp isSigkill() {
+    constexpr unsigned kSignalOfTgkill = 2;
+    return masked(kSignalOfTgkill, 0xffffffffU, SIGKILL);
+}
+
+struct Bits {
+    std::uint64_t mask;
+    std::uint64_t value;
+};
+
+// The signals 0 to 64 without SIGKILL. The masks compare all 64 bits, so that no number that the
+// kernel cuts down to SIGKILL is among them.
+constexpr Bits kOwnSignals[] = {{~7ULL, 0},   {~0ULL, 8},   {~1ULL, 10}, {~3ULL, 12},
+                                {~15ULL, 16}, {~31ULL, 32}, {~0ULL, 64}};
+
+// abort() and raise() signal the process itself, which SIGKILL must not do: a SIGKILL that the
+// helper did not send then comes from outside of the jail, and is not the program's failure.
+bool addOwnSignals(scmp_filter_ctx filter) {
+    bool added = addIf(filter, SCMP_ACT_KILL_PROCESS, SCMP_SYS(tgkill), isSigkill());
+    for (const Bits& signals : kOwnSignals) {
+        const scmp_arg_cmp both[] = {equals(0, static_cast<std::uint64_t>(getpid())),
+                                     masked(2, signals.mask, signals.value)};
+        added =
+            added && seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), 2, both) == 0;
+    }
+    return added;
+}
+
 scmp_filter_ctx makeRunFilter() {
     scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EPERM));
     if (filter == nullptr) return nullptr;
@@ -49,9 +79,7 @@ scmp_filter_ctx makeRunFilter() {
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), equals(2, 0)) &&
         // fdopen() asks for the mode of a descriptor.
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(fcntl), equals(1, F_GETFL)) &&
-        // abort() and raise() signal the process itself.
-        addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill),
-              equals(0, static_cast<std::uint64_t>(getpid()))) &&
+        addOwnSignals(filter) &&
         addIf(filter, SCMP_ACT_ALLOW, SCMP_SYS(clone), masked(0, kThread, kThread)) &&
         addIf(filter, SCMP_ACT_KILL_PROCESS, SCMP_SYS(clone), masked(0, CLONE_THREAD, 0)) &&
         // The flags of clone3 lie in memory, where a filter cannot see them; on ENOSYS the C
@@ -68,6 +96,7 @@ scmp_filter_ctx makeCompileFilter() {
     constexpr std::uint32_t kRefuse = SCMP_ACT_ERRNO(EPERM);
     bool added =
         add(filter, kRefuse, refusedInCompile()) &&
+        addIf(filter, kRefuse, SCMP_SYS(tgkill), isSigkill()) &&
         seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
     for (const std::uint64_t space : kNamespaces)
         added = added && addIf(filter, kRefuse, SCMP_SYS(clone), masked(0, space, space));

@@ -1,3 +1,4 @@
+#include <grader/sandbox/Sandbox.h>
 #include <grader/sandbox/jail/Lockdown.h>
 #include <grader/sandbox/jail/Start.h>
 
@@ -108,7 +109,7 @@ StartFailure becomeCommand(const Options& options, pid_t parent, int keepOpen) {
     if (step == nullptr) step = giveUpRights(options);
     if (step == nullptr) {
         execve(argv[0], argv.data(), environment.data());
-        if (isThere && isUnfit(errno)) _exit(kNotExecutable);
+        if (isThere && isUnfit(errno)) _exit(sandbox::kNotExecutable);
         step = "execve";
     }
     StartFailure failure;

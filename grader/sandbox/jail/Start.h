@@ -7,9 +7,6 @@
 
 namespace ticker::jail {
 
-/// Exit status for a command that exists but cannot be executed: the same as a shell's.
-inline constexpr int kNotExecutable = 126;
-
 /// Sent by a child when a step fails before its command begins.
 struct StartFailure {
     int error = 0;

@@ -15,9 +15,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 
 namespace ticker::jail {
 namespace {
+
+// How often the CPU time of a program is looked at.
+constexpr int kGlanceMs = 200;
 
 Report failed(int error, const char* step) {
     Report report;
@@ -31,10 +35,19 @@ std::uint64_t microseconds(const timeval& time) {
            static_cast<std::uint64_t>(time.tv_usec);
 }
 
-Report describe(int status) {
+/// How the command ended.
+struct End {
+    int status = 0;
+    bool outOfTime = false;  ///< the helper killed it: it computed for too long
+};
+
+Report describe(const End& end) {
     Report report;
+    const int status = end.status;
     report.kind = WIFEXITED(status) ? Report::Kind::exited : Report::Kind::signalled;
     report.code = WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status);
+    // The same limit as that of SIGXCPU, which the command ignored, so the same result.
+    if (WIFSIGNALED(status) && report.code == SIGKILL && end.outOfTime) report.code = SIGXCPU;
     rusage usage{};
     getrusage(RUSAGE_CHILDREN, &usage);
     report.cpuMicroseconds = microseconds(usage.ru_utime) + microseconds(usage.ru_stime);
@@ -69,19 +82,32 @@ bool toldToStop(int signals) {
     return false;
 }
 
-// Ends the command at SIGTERM, and also if the reader of the report has gone: the parent-death
-// signal can be missed while bubblewrap starts, a closed pipe cannot.
-int waitFor(pid_t child, int signals, const Options& options) {
+// True for a program that has ignored SIGXCPU for a second. The kernel's own hard limit will not
+// do: it counts whole ticks. A program that computes only while they are counted reaches it with
+// hardly any CPU time used, which looks like a kill from outside.
+bool ignoresItsCpuLimit(pid_t child, const Options& options) {
+    if (options.filter != Filter::run || options.cpuSeconds == 0) return false;
+    clockid_t clock{};
+    timespec used{};
+    if (clock_getcpuclockid(child, &clock) != 0 || clock_gettime(clock, &used) != 0) return false;
+    return static_cast<std::uint64_t>(used.tv_sec) > options.cpuSeconds;
+}
+
+// Ends the command at SIGTERM, at its CPU limit, and also if the reader of the report has gone: the
+// parent-death signal can be missed while bubblewrap starts, a closed pipe cannot.
+End waitFor(pid_t child, int signals, const Options& options) {
     const bool reports = fcntl(kStatusDescriptor, F_GETFD) >= 0;
     std::array<pollfd, 2> watched{{{signals, POLLIN, 0}, {reports ? kStatusDescriptor : -1, 0, 0}}};
-    int status = 0;
-    while (!reap(child, status)) {
-        poll(watched.data(), watched.size(), -1);
+    const int glance = options.filter == Filter::run ? kGlanceMs : -1;
+    End end;
+    while (!reap(child, end.status)) {
+        poll(watched.data(), watched.size(), glance);
         const bool abandoned = (watched[1].revents & POLLERR) != 0;
         if (abandoned) watched[1].fd = -1;
-        if (toldToStop(signals) || abandoned) killAll(child, options.user);
+        end.outOfTime = end.outOfTime || ignoresItsCpuLimit(child, options);
+        if (toldToStop(signals) || abandoned || end.outOfTime) killAll(child, options.user);
     }
-    return status;
+    return end;
 }
 
 // The child's end of `pipe` closes on exec, so an empty pipe means that the command has begun.
@@ -116,8 +142,8 @@ Report supervise(const Options& options) {
     }
     close(pipe[1]);
     const StartFailure failure = readFailure(pipe[0]);
-    const int status = waitFor(child, signals, options);
-    Report report = describe(status);
+    const End end = waitFor(child, signals, options);
+    Report report = describe(end);
     endAll(child, options.user);
     if (failure.step[0] != '\0') return failed(failure.error, failure.step);
     if (report.kind == Report::Kind::exited && report.code == 0)

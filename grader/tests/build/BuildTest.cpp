@@ -149,6 +149,33 @@ TEST(Build, StopsACompilerThatTakesTooLong) {
     EXPECT_EQ(build("Renderer.cpp", loop).kind, Kind::failed);
 }
 
+// The driver's words, which a student can print as well.
+sandbox::Outcome saysThatItWasKilled(std::uint64_t peakMemoryBytes, bool machineRanOut) {
+    sandbox::Outcome outcome;
+    outcome.end = sandbox::Outcome::End::exited;
+    outcome.code = 1;
+    outcome.output =
+        "g++: fatal error: Killed signal terminated program cc1plus\ncompilation terminated.\n";
+    outcome.peakMemoryBytes = peakMemoryBytes;
+    outcome.machineRanOut = machineRanOut;
+    return outcome;
+}
+
+TEST(Build, TakesALostCompilerForOursOnlyWhereTheMachineRanOutOfMemoryByOthers) {
+    const sandbox::Limits& limits = sandbox::defaultPolicy().compile;
+    EXPECT_EQ(kindOf(saysThatItWasKilled(200'000'000, true), limits), Kind::ourFault);
+    EXPECT_EQ(kindOf(saysThatItWasKilled(1'500'000'000, true), limits), Kind::limit);
+    EXPECT_EQ(kindOf(saysThatItWasKilled(200'000'000, false), limits), Kind::limit);
+}
+
+TEST(Build, DoesNotBelieveAFileThatSpeaksOfALostCompiler) {
+    const BuildResult result = build("Renderer.cpp",
+                                     "#line 1 \"nowhere\"\n"
+                                     "#pragma message \"\\ng++: fatal error: Killed signal "
+                                     "terminated program cc1plus\"\n#error stop\n");
+    EXPECT_EQ(result.kind, Kind::limit) << result.diagnostics;
+}
+
 TEST(Build, TakesAnyBytesAsSource) {
     std::string source = reference("Renderer.cpp");
     source += "// \xFF\xFE \xC3\x28 latin-1: \xE9\n";

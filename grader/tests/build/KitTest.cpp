@@ -1,16 +1,26 @@
 #include <grader/build/Kit.h>
 #include <grader/tests/support/Files.h>
+#include <grader/tests/support/TemporaryFolder.h>
 
 #include <raytracer/base/Error.h>
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace ticker::build {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string outputOf(const std::string& command) {
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe{popen(command.c_str(), "r"), pclose};
@@ -30,6 +40,44 @@ TEST(Kit, LiesBesideTheProgramsOfItsBuildTree) {
 
 TEST(Kit, IsRefusedWhereItIsNotWhole) {
     EXPECT_THROW(static_cast<void>(Kit::at("/nowhere")), raytracer::Error);
+}
+
+/// A kit without contents, of private files.
+void writePrivateKit(const fs::path& folder) {
+    for (const char* name : {"lib/libkit.a", "lib/probe.o", "pch/Framework.h.gch",
+                             "include/raytracer/base/Error.h", "kit.json"}) {
+        fs::create_directories((folder / name).parent_path());
+        std::ofstream{folder / name}
+            << R"({"version": 1, "madeAt": "", "compiler": "", "compile": [], "quick": [],)"
+            << R"( "link": [], "files": []})";
+    }
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder})
+        fs::permissions(entry, fs::perms{entry.is_directory() ? 0700U : 0600U});
+}
+
+/// What some user other than the owner cannot read.
+std::vector<std::string> closedToOthers(const fs::path& folder) {
+    std::vector<std::string> closed;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder}) {
+        const fs::perms needed{entry.is_directory() ? 0005U : 0004U};
+        if ((entry.status().permissions() & needed) != needed) closed.push_back(entry.path());
+    }
+    return closed;
+}
+
+// Jobs of root run as another user, who would find no header: the student's file would not compile.
+TEST(Kit, CanBeReadByEveryJobWhateverTheUmaskOfRootIs) {
+    if (geteuid() != 0) GTEST_SKIP() << "only the jobs of root have another uid";
+    const tests::TemporaryFolder folder;
+    const mode_t before = umask(0077);
+    writePrivateKit(folder.path() / "kit");
+    for (const unsigned mode : {0755U, 0700U}) {
+        fs::permissions(folder.path(), fs::perms{mode});
+        const Kit kit = Kit::at(folder.path() / "kit");
+        EXPECT_EQ(closedToOthers(kit.folder()), std::vector<std::string>{}) << mode;
+        EXPECT_EQ(closedToOthers(kit.folder().parent_path()), std::vector<std::string>{}) << mode;
+    }
+    umask(before);
 }
 
 // The compiler prints "!" before a precompiled header that it uses, "x" before one that it rejects.

@@ -153,23 +153,6 @@ TEST(SandboxedExaminee, SharesOneBudgetAmongItsRuns) {
     EXPECT_EQ(examinee.wallMs(), before) << "it was started once more";
 }
 
-TEST(TimeBudget, CutsTheLimitsOfARunToWhatIsLeft) {
-    sandbox::Limits limits;
-    limits.cpuSeconds = 20.0;
-    limits.wallSeconds = 60.0;
-    TimeBudget budget{{45.0, 90.0}};
-    sandbox::Outcome outcome;
-    outcome.cpuMs = 30'000.0;
-    outcome.wallMs = 50'000.0;
-    budget.spend(outcome);
-    EXPECT_EQ(budget.cut(limits).cpuSeconds, 15.0);
-    EXPECT_EQ(budget.cut(limits).wallSeconds, 40.0);
-    EXPECT_FALSE(budget.isSpent());
-    outcome.cpuMs = 14'500.0;
-    budget.spend(outcome);
-    EXPECT_TRUE(budget.isSpent());
-}
-
 struct Ending {
     const char* name;
     const char* body;
@@ -215,6 +198,8 @@ INSTANTIATE_TEST_SUITE_P(
                "std::fputs(\"bad memory\", stderr); std::abort();", "#include <cstdio>",
                EndKind::crashed},
         Ending{"AStatusLikeThatOfNoProgram", "_exit(126);", "", EndKind::exitedEarly},
+        Ending{"AKillByItself", "std::raise(SIGKILL); return {};", "#include <csignal>",
+               EndKind::forbiddenCall},
         Ending{"AFork", "fork(); return {};", "", EndKind::forbiddenCall},
         Ending{"ASocket", "socket(AF_INET, SOCK_STREAM, 0); return {};", "#include <sys/socket.h>",
                EndKind::forbiddenCall},

@@ -7,7 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 namespace ticker::repair {
@@ -95,6 +99,22 @@ TEST(PrecompiledHeader, IsNotMadeOfHeadersThatCannotBeFound) {
                           "/bin/ticker-candidates --precompile Framework.h made -xc++-header");
     EXPECT_EQ(made.status, 1);
     EXPECT_NE(made.output.find("'nowhere.h' file not found"), std::string::npos) << made.output;
+}
+
+// A kit that was moved needs headers that are precompiled anew, which the next job reads.
+TEST(PrecompiledHeader, CanBeReadByEveryJobWhateverTheUmaskOfRootIs) {
+    if (geteuid() != 0) GTEST_SKIP() << "only the jobs of root have another uid";
+    const tests::TemporaryFolder folder;
+    std::filesystem::permissions(folder.path(), std::filesystem::perms{0755});
+    std::filesystem::copy(build::Kit::besideProgram().folder(), folder.path() / "kit",
+                          std::filesystem::copy_options::recursive);
+    const build::Kit kit = build::Kit::at(folder.path() / "kit");
+    const mode_t before = umask(0077);
+    const auto candidates =
+        findCandidates(kit, sandbox::Sandbox::best(), sandbox::defaultPolicy().compile,
+                       "BumpySphere.cpp", kit.templateSource("BumpySphere.cpp"), Reach::simple, "");
+    umask(before);
+    EXPECT_TRUE(candidates.has_value());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -51,6 +52,9 @@ inline std::string levelName(const testing::TestParamInfo<Level>& info) {
 
 /// "exit 3", "signal 31", "wall limit", "output limit" or "failed: ...".
 [[nodiscard]] std::string describe(const Outcome& outcome);
+
+/// How `describe` names the end at a system call that is forbidden.
+inline const std::string kForbidden = "signal " + std::to_string(SIGSYS);
 
 }  // namespace ticker::sandbox
 

@@ -1,3 +1,4 @@
+#include <grader/sandbox/HelperProgram.h>
 #include <grader/sandbox/LevelDiagnosis.h>
 #include <grader/sandbox/RunAt.h>
 #include <grader/sandbox/SandboxPolicy.h>
@@ -13,7 +14,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
+#include <future>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -166,6 +170,29 @@ TEST(UserSlots, AreNeverGivenTwice) {
         EXPECT_THROW(static_cast<void>(takeUserSlot(range)), raytracer::Error);
     }
     EXPECT_EQ(takeUserSlot(range).user(), 60951);
+}
+
+TEST(UserSlots, AreWaitedForWhileAllAreInUse) {
+    if (geteuid() != 0) GTEST_SKIP() << "only root gives jobs uids of their own";
+    using std::chrono::milliseconds;
+    const UserRange range{60952, 1};
+    std::optional<UserSlot> first = takeUserSlot(range);
+    auto second = std::async(std::launch::async,
+                             [&] { return takeUserSlot(range, std::chrono::minutes{10}).user(); });
+    EXPECT_EQ(second.wait_for(milliseconds{50}), std::future_status::timeout);
+    first.reset();
+    EXPECT_EQ(second.get(), 60952);
+}
+
+TEST(CopyProgram, SaysWhatToDoWhereTheTemporaryDiskTakesNoCopy) {
+    try {
+        static_cast<void>(copyProgram("ticker-jail", "/not-there"));
+        FAIL() << "it was copied";
+    } catch (const raytracer::Error& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("No such file or directory"), std::string::npos) << text;
+        EXPECT_NE(text.find("set TMPDIR"), std::string::npos) << text;
+    }
 }
 
 TEST(DiagnoseSandbox, SaysWhatIsInTheWayOfALevelThatIsMissing) {

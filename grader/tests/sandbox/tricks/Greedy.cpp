@@ -39,6 +39,11 @@ int ignoreCpuLimit(std::span<char*>) {
     spin();
 }
 
+int ignoreCpuLimitInThreads(std::span<char*> arguments) {
+    std::signal(SIGXCPU, SIG_IGN);
+    return busyThreads(arguments);
+}
+
 int blockAllSignals(std::span<char*>) {
     sigset_t all;
     sigfillset(&all);
@@ -62,6 +67,12 @@ int sleepForever(std::span<char*>) {
     if (write(3, "x", 1) < 0) write(1, ".", 1);
     while (true)
         sleep(1000);
+}
+
+// Keeps so many megabytes for ever.
+int fill(std::span<char*> arguments) {
+    const std::vector<char> kept(std::strtoul(arguments[0], nullptr, 10) << 20U, 'x');
+    return sleepForever(arguments);
 }
 
 int newBomb(std::span<char*>) {
@@ -135,9 +146,11 @@ int raiseLimits(std::span<char*>) {
 constexpr Trick kGreedyTricks[] = {{"loop", loop},
                                    {"busy-threads", busyThreads},
                                    {"ignore-cpu-limit", ignoreCpuLimit},
+                                   {"ignore-cpu-limit-in-threads", ignoreCpuLimitInThreads},
                                    {"block-all-signals", blockAllSignals},
                                    {"segv-handler-loop", segvHandlerLoop},
                                    {"sleep", sleepForever},
+                                   {"fill", fill},
                                    {"new-bomb", newBomb},
                                    {"map-bomb", mapBomb},
                                    {"stack-overflow", stackOverflow},

@@ -45,6 +45,12 @@ int killAll(std::span<char*>) {
     return result(true);
 }
 
+// By any number that the kernel reads as SIGKILL: it takes the lower half.
+int killItself(std::span<char*> arguments) {
+    const long number = std::strtol(arguments[0], nullptr, 0);
+    return result(syscall(SYS_tgkill, getpid(), gettid(), number) == 0);
+}
+
 int traceParent(std::span<char*>) {
     return result(ptrace(PTRACE_ATTACH, getppid(), nullptr, nullptr) == 0);
 }
@@ -140,6 +146,7 @@ int becomeRoot(std::span<char*>) {
 constexpr Trick kPryingTricks[] = {{"daemon", daemonise},
                                    {"kill-parent", killParent},
                                    {"kill-all", killAll},
+                                   {"kill-itself", killItself},
                                    {"trace-parent", traceParent},
                                    {"internet-socket", internetSocket},
                                    {"abstract-socket", abstractSocket},
