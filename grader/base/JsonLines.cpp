@@ -11,49 +11,86 @@ namespace {
 
 using nlohmann::json;
 
-/// Follows a parser through a text and keeps the line of one place.
-class Follower {
+/// Follows a parser through a text and keeps the byte of one place. Its time is proportional to the
+/// text's length, because texts may be hostile: nlohmann's callbacks would look at all earlier
+/// items of an array at each one's end.
+class Follower final : public json::json_sax_t {
 public:
-    Follower(const std::string& text, std::string_view wanted)
-        : text_(text), stream_(text), wanted_(wanted) {}
+    Follower(const std::string& text, std::string_view wanted) : stream_(text), wanted_(wanted) {}
 
-    int lineOfWanted() {
-        const auto follow = [this](int /*depth*/, json::parse_event_t event, json& parsed) {
-            take(event, parsed);
-            return true;
-        };
-        [[maybe_unused]] const json whole =
-            json::parse(stream_, follow, /*allow_exceptions=*/false);
-        return line_;
+    /// From 1; 0: nothing stands there.
+    std::size_t byteOfWanted() {
+        json::sax_parse(stream_, this);
+        return byte_;
+    }
+
+    bool null() override { return value(); }
+    bool boolean(bool /*value*/) override { return value(); }
+    bool number_integer(number_integer_t /*value*/) override { return value(); }
+    bool number_unsigned(number_unsigned_t /*value*/) override { return value(); }
+    bool number_float(number_float_t /*value*/, const string_t& /*text*/) override {
+        return value();
+    }
+    bool string(string_t& /*value*/) override { return value(); }
+    bool binary(binary_t& /*value*/) override { return value(); }
+    bool start_object(std::size_t /*size*/) override { return open(false); }
+    bool start_array(std::size_t /*size*/) override { return open(true); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override {
+        enter(levels_.back(), name);
+        return note();
+    }
+    bool parse_error(std::size_t /*byte*/, const std::string& /*token*/,
+                     const nlohmann::detail::exception& /*error*/) override {
+        return false;
     }
 
 private:
+    static constexpr std::size_t kOther = std::string_view::npos;
+
+    /// Places are compared step by step: one of a hostile text may be long.
     struct Level {
         bool isArray = false;
+        std::size_t above = 0;  ///< length of the wanted place's part above; kOther: another place
         std::size_t items = 0;
-        std::string name;  ///< of the member or item that is being read
+        std::size_t reached = kOther;  ///< the same with the member or item that is being read
     };
 
-    void take(json::parse_event_t event, const json& parsed) {
-        using Event = json::parse_event_t;
-        const bool ends = event == Event::object_end || event == Event::array_end;
-        if (ends) return levels_.pop_back();
-        if (event == Event::key)
-            levels_.back().name = parsed.get<std::string>();
-        else if (!levels_.empty() && levels_.back().isArray)
-            levels_.back().name = std::to_string(levels_.back().items++);
-        // A member is found at its key, which its value must not overwrite.
-        const bool isNew = event == Event::key || levels_.empty() || levels_.back().isArray;
-        if (isNew && place() == wanted_) line_ = lineOfByte(text_, bytesRead());
-        if (event == Event::object_start || event == Event::array_start)
-            levels_.push_back({event == Event::array_start, 0, {}});
+    // A member is found at its key, which its value must not overwrite.
+    bool value() {
+        if (levels_.empty()) return note();
+        if (!levels_.back().isArray) return true;
+        enter(levels_.back(), std::to_string(levels_.back().items++));
+        return note();
     }
 
-    [[nodiscard]] std::string place() const {
-        std::string place;
-        for (const Level& level : levels_)
-            place += "/" + level.name;
-        return place;
+    bool open(bool isArray) {
+        value();
+        levels_.push_back({isArray, reached()});
+        return true;
+    }
+
+    bool close() {
+        levels_.pop_back();
+        return true;
+    }
+
+    bool note() {
+        if (reached() == wanted_.size()) byte_ = bytesRead();
+        return true;
+    }
+
+    void enter(Level& level, std::string_view name) const {
+        level.reached = kOther;
+        if (level.above == kOther) return;
+        const std::string_view rest = wanted_.substr(level.above);
+        if (rest.starts_with('/') && rest.substr(1).starts_with(name))
+            level.reached = level.above + 1 + name.size();
+    }
+
+    [[nodiscard]] std::size_t reached() const {
+        return levels_.empty() ? 0 : levels_.back().reached;
     }
 
     [[nodiscard]] std::size_t bytesRead() {
@@ -61,17 +98,17 @@ private:
         return static_cast<std::size_t>(std::max<std::streamoff>(read, 1));
     }
 
-    const std::string& text_;
     std::istringstream stream_;
     std::string_view wanted_;
     std::vector<Level> levels_;
-    int line_ = 0;
+    std::size_t byte_ = 0;  ///< of the wanted place, from 1
 };
 
 }  // namespace
 
 int jsonLineOf(const std::string& text, std::string_view place) {
-    return Follower{text, place}.lineOfWanted();
+    const std::size_t byte = Follower{text, place}.byteOfWanted();
+    return byte == 0 ? 0 : lineOfByte(text, byte);
 }
 
 int lineOfByte(std::string_view text, std::size_t byte) {

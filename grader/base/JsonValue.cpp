@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 
 namespace ticker {
@@ -19,6 +20,38 @@ using nlohmann::ordered_json;
 using raytracer::InputError;
 
 constexpr std::size_t kLongestFound = 60;
+
+// Far beyond any of our files: the deepest has 11 levels, the largest object 37 members.
+constexpr std::size_t kDeepest = 100;
+constexpr std::size_t kMostMembers = 1000;
+
+/// Refuses what a hostile text could keep the parser busy with: its time grows with the square of
+/// an object's members.
+void refuseExcess(std::string_view text, const std::string& name) {
+    std::vector<std::size_t> members;  // of each object and array that is open
+    bool isInString = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const auto refuse = [&](const std::string& what) {
+            throw InputError(name, lineOfByte(text, i + 1), what);
+        };
+        if (isInString && c == '\\')
+            ++i;
+        else if (c == '"')
+            isInString = !isInString;
+        else if (isInString)
+            continue;
+        else if (c == '{' || c == '[')
+            members.push_back(0);
+        else if ((c == '}' || c == ']') && !members.empty())
+            members.pop_back();
+        else if (c == ':' && !members.empty() && ++members.back() > kMostMembers)
+            refuse(fmt::format("expected at most {} members in an object", kMostMembers));
+        if (members.size() > kDeepest)
+            refuse(
+                fmt::format("expected at most {} objects and arrays inside each other", kDeepest));
+    }
+}
 
 const ordered_json& jsonOf(const void* value) {
     return *static_cast<const ordered_json*>(value);
@@ -39,6 +72,7 @@ JsonValue::JsonValue(std::shared_ptr<const Document> document, std::string place
 JsonValue JsonValue::parse(std::string text, std::string name, JsonWords words) {
     auto document =
         std::make_shared<Document>(Document{std::move(text), std::move(name), words, {}});
+    refuseExcess(document->text, document->name);
     try {
         document->root = ordered_json::parse(document->text);
     } catch (const ordered_json::parse_error& error) {

@@ -23,7 +23,9 @@ struct JsonWords {
 /// the file, the line, the place ("/options/0/name") and what was expected there.
 class JsonValue {
 public:
-    /// @param name  The file, for messages. @throws raytracer::InputError if it is not JSON.
+    /// @param name  The file, for messages.
+    /// @throws raytracer::InputError if it is not JSON, or nests deeper or has larger objects than
+    ///         any of our files.
     [[nodiscard]] static JsonValue parse(std::string text, std::string name, JsonWords words = {});
 
     /// Throws "PLACE: why".

@@ -4,8 +4,9 @@
 
 #include <unistd.h>
 
+#include <array>
+#include <cstddef>
 #include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace ticker {
@@ -15,8 +16,16 @@ using raytracer::InputError;
 
 std::optional<std::string> readIfThere(const fs::path& file) {
     std::ifstream stream{file, std::ios::binary};
-    if (!stream) return std::nullopt;
-    return std::string{std::istreambuf_iterator<char>{stream}, {}};
+    std::string bytes;
+    std::array<char, 65536> piece{};
+    // A folder can be opened, but not read; unlike iterators read() reports that without
+    // exceptions.
+    while (stream) {
+        stream.read(piece.data(), piece.size());
+        bytes.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+    }
+    if (!stream.eof()) return std::nullopt;
+    return bytes;
 }
 
 std::string readWhole(const fs::path& file, std::string_view complaint) {

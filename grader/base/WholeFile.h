@@ -9,11 +9,11 @@
 
 namespace ticker {
 
-/// The bytes of a file. Empty optional: it cannot be opened.
+/// The bytes of a file. Empty optional: it cannot be opened or read, or is a folder.
 [[nodiscard]] std::optional<std::string> readIfThere(const std::filesystem::path& file);
 
 /// The bytes of a file.
-/// @throws raytracer::InputError with the file and `complaint` where it cannot be opened.
+/// @throws raytracer::InputError with the file and `complaint` where it cannot be read.
 [[nodiscard]] std::string readWhole(const std::filesystem::path& file,
                                     std::string_view complaint = "cannot be read");
 

@@ -28,18 +28,40 @@ const TaskReport* findTask(const SubmissionResult& result, const std::string& id
     return found == result.tasks.end() ? nullptr : &*found;
 }
 
-bool passes(const SubmissionResult& result, const Option& option) {
+bool hasPassed(const TaskReport& task) {
+    return task.state == TaskState::passed;
+}
+
+bool hasPassedForSure(const TaskReport& task) {
+    return hasPassed(task) && !task.needsReview;
+}
+
+/// A person, or the grader's next attempt, may still find that it is right.
+bool mayPass(const TaskReport& task) {
+    return hasPassed(task) || task.needsReview || task.state == TaskState::notGraded;
+}
+
+using OfTask = bool (*)(const TaskReport&);
+
+/// True if `is` holds for all tasks of an option.
+bool holds(OfTask is, const SubmissionResult& result, const Option& option) {
     return std::all_of(option.tasks.begin(), option.tasks.end(), [&](const std::string& id) {
         const TaskReport* task = findTask(result, id);
-        return task != nullptr && task->state == TaskState::passed;
+        return task != nullptr && is(*task);
     });
 }
 
-/// An option that needs no review: all tasks pass and none asks for review.
-bool passesForSure(const SubmissionResult& result, const Option& option) {
-    return passes(result, option) &&
-           std::none_of(option.tasks.begin(), option.tasks.end(),
-                        [&](const std::string& id) { return findTask(result, id)->needsReview; });
+bool holdsForAny(OfTask is, const Rubric& rubric, const SubmissionResult& result) {
+    return std::any_of(rubric.options.begin(), rubric.options.end(),
+                       [&](const Option& option) { return holds(is, result, option); });
+}
+
+/// The points of all options for which `is` holds.
+double pointsIf(OfTask is, const Rubric& rubric, const SubmissionResult& result) {
+    double points = 0.0;
+    for (const Option& option : rubric.options)
+        if (holds(is, result, option)) points += option.points;
+    return std::min(points, rubric.maxScore);
 }
 
 /// The tasks of the exercise, without the screenshot's.
@@ -50,19 +72,21 @@ bool anyExercise(const Rubric& rubric, const SubmissionResult& result, Predicate
     });
 }
 
+bool pictureFits(const Rubric& rubric, const SubmissionResult& result) {
+    if (rubric.screenshotTask.empty()) return true;
+    const TaskReport* screenshot = findTask(result, rubric.screenshotTask);
+    return screenshot != nullptr && !screenshot->needsReview &&
+           (hasPassed(*screenshot) || isNotChecked(*screenshot));
+}
+
 Verdict verdictOf(const Rubric& rubric, const SubmissionResult& result) {
-    const auto any = [&](auto predicate) {
-        return std::any_of(rubric.options.begin(), rubric.options.end(),
-                           [&](const Option& option) { return predicate(result, option); });
-    };
-    if (any(passes)) {
-        const TaskReport* screenshot = findTask(result, rubric.screenshotTask);
-        const bool pictureFits =
-            rubric.screenshotTask.empty() ||
-            (screenshot != nullptr && !screenshot->needsReview &&
-             (screenshot->state == TaskState::passed || isNotChecked(*screenshot)));
-        return any(passesForSure) && pictureFits ? Verdict::awarded : Verdict::needsReview;
-    }
+    const bool passes = holdsForAny(hasPassed, rubric, result);
+    if (passes && !(holdsForAny(hasPassedForSure, rubric, result) && pictureFits(rubric, result)))
+        return Verdict::needsReview;
+    // An award gives its points at once. Those that hang on an undecided task are neither given nor
+    // withheld without a person; where the sure options reach the most, that task does not matter.
+    if (passes && pointsIf(hasPassedForSure, rubric, result) >= pointsIf(mayPass, rubric, result))
+        return Verdict::awarded;
     if (anyExercise(rubric, result,
                     [](const TaskReport& task) { return task.state == TaskState::notGraded; }))
         return Verdict::notGraded;
@@ -72,11 +96,7 @@ Verdict verdictOf(const Rubric& rubric, const SubmissionResult& result) {
 }
 
 double scoreOf(const Rubric& rubric, const SubmissionResult& result) {
-    if (result.verdict != Verdict::awarded) return 0.0;
-    double score = 0.0;
-    for (const Option& option : rubric.options)
-        if (passes(result, option)) score += option.points;
-    return std::min(score, rubric.maxScore);
+    return result.verdict == Verdict::awarded ? pointsIf(hasPassedForSure, rubric, result) : 0.0;
 }
 
 /// A missing file blocks its tasks, but does not count as an attempt.

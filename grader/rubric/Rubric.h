@@ -31,6 +31,8 @@ struct Rubric {
 ///  - awarded if all tasks of an option pass; needsReview instead if a ticker must look: the
 ///    screenshot's task has not passed although there was something to compare it with, or a task
 ///    of the option asks for review;
+///  - where other options could add to the points of those that pass without review: notGraded if
+///    the grader failed on a task, needsReview if tasks in doubt are all that they lack;
 ///  - notGraded if the grader failed on a task and no option passes;
 ///  - needsReview if an undecided task asks for it; otherwise notAwarded.
 [[nodiscard]] SubmissionResult applyRubric(const Rubric& rubric, SubmissionResult result);

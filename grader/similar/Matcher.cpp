@@ -23,7 +23,11 @@ constexpr const char* kShortestRun = "16";
 constexpr std::size_t kMostOutput = 64U << 20U;
 
 void write(const fs::path& file, const std::string& text) {
-    std::ofstream{file, std::ios::binary} << text;
+    std::ofstream stream{file, std::ios::binary};
+    stream << text;
+    if (!stream.flush())
+        throw raytracer::Error("cannot write " + file.string() +
+                               "; is the disk full? TMPDIR names another one");
     fs::permissions(file, fs::perms{0644});
 }
 

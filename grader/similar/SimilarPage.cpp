@@ -95,6 +95,15 @@ std::string pairHtml(const ComparedFile& file, const SimilarPair& pair, bool isO
         side(file, pair.right, right));
 }
 
+/// Names the files that are too long: padding must not hide a copy.
+std::string leftOutHtml(const ComparedFile& file) {
+    if (file.leftOut.empty()) return "";
+    std::string html = "<p><strong>Too long to be compared; look at it yourself:</strong> ";
+    for (const std::string& submission : file.leftOut)
+        html += (&submission == file.leftOut.data() ? "" : ", ") + escapeHtml(submission);
+    return html + "</p>";
+}
+
 /// The pairs of a file, and how many files were compared.
 std::string fileHtml(const ComparedFile& file) {
     const Comparison& comparison = file.comparison;
@@ -103,6 +112,7 @@ std::string fileHtml(const ComparedFile& file) {
         "listed.</p>",
         escapeHtml(file.name), comparison.compared, report::counted(file.files.size(), "file"),
         report::counted(comparison.pairs.size(), "pair"));
+    html += leftOutHtml(file);
     const std::size_t shown = std::min(comparison.pairs.size(), kMostPairs);
     for (std::size_t i = 0; i < shown; ++i)
         html += pairHtml(file, comparison.pairs[i], i == 0);

@@ -13,6 +13,7 @@ struct ComparedFile {
     std::string name;  ///< of the exercise's file
     std::vector<StudentFile> files;
     Comparison comparison;
+    std::vector<std::string> leftOut = {};  ///< submissions whose file is too long to be compared
 };
 
 /// The text of similar.html, for staff: each pair with the two files beside each other.

@@ -30,18 +30,20 @@ struct SimilarOptions {
 // A longer file is no work on this exercise, and takes the matcher minutes.
 constexpr std::size_t kLargestFile = 200'000;
 
-std::vector<similar::StudentFile> filesOf(const fs::path& out, const std::string& file,
-                                          const std::vector<store::ClassEntry>& entries) {
-    std::vector<similar::StudentFile> files;
+/// The files of a class, and the names of those that are too long.
+void addFiles(const fs::path& out, const std::vector<store::ClassEntry>& entries,
+              similar::ComparedFile& file) {
     for (const store::ClassEntry& entry : entries) {
         const std::string& name = entry.result.submission;
-        const fs::path path = out / name / "code" / file;
+        const fs::path path = out / name / "code" / file.name;
         std::error_code error;
         if (!fs::is_regular_file(fs::symlink_status(path, error))) continue;
         std::string text = readIfThere(path).value_or("");
-        if (text.size() <= kLargestFile) files.push_back({name, std::move(text)});
+        if (text.size() <= kLargestFile)
+            file.files.push_back({name, std::move(text)});
+        else
+            file.leftOut.push_back(name);
     }
-    return files;
 }
 
 similar::ComparedFile compared(const fs::path& out, const std::string& file,
@@ -49,7 +51,8 @@ similar::ComparedFile compared(const fs::path& out, const std::string& file,
                                const Exercise& exercise, int leastPercent) {
     const std::vector<std::string> known{build::Kit::besideProgram(exercise).templateSource(file),
                                          readWhole(Home::find().data / exercise.reference / file)};
-    similar::ComparedFile result{file, filesOf(out, file, entries), {}};
+    similar::ComparedFile result{file, {}, {}};
+    addFiles(out, entries, result);
     result.comparison =
         similar::compareFiles(result.files, known, sandbox::Sandbox::best(), leastPercent);
     return result;
@@ -62,6 +65,13 @@ void printPairs(const similar::ComparedFile& file) {
                    report::escapeLine(file.files[pair.right].submission));
 }
 
+/// Said even with --quiet: whoever pads a copy must not stay unseen.
+void nameLeftOut(const similar::ComparedFile& file) {
+    for (const std::string& submission : file.leftOut)
+        fmt::print(stderr, "left out: {} of {} has more than {} bytes; compare it yourself\n",
+                   file.name, report::escapeLine(submission), kLargestFile);
+}
+
 raytracer::ExitCode findSimilar(const SimilarOptions& options, const GlobalOptions& global) {
     const fs::path out = options.out;
     const std::vector<store::ClassEntry> entries = store::readClass(out);
@@ -72,6 +82,8 @@ raytracer::ExitCode findSimilar(const SimilarOptions& options, const GlobalOptio
         all.push_back(compared(out, file, entries, exercise, options.leastPercent));
     for (const similar::ComparedFile& file : all)
         printPairs(file);
+    for (const similar::ComparedFile& file : all)
+        nameLeftOut(file);
     writeAtomically(similar::similarPage(all), out / "similar.html");
     writeAtomically(similar::similarJson(all), out / "similar.json");
     if (!global.quiet) fmt::print(stderr, "open {}\n", (out / "similar.html").string());

@@ -1,3 +1,4 @@
+#include <grader/base/JsonLines.h>
 #include <grader/base/JsonValue.h>
 
 #include <raytracer/base/Error.h>
@@ -52,6 +53,57 @@ TEST(JsonValue, SpeaksInTheWordsOfItsFile) {
         JsonValue::parse("[{\"b\": 1, \"a\": 2}]", "f", {"all", "a member", true});
     EXPECT_EQ(complaint([&] { static_cast<void>(top.at("c")); }),
               "f:1: all: expected a member \"c\", found [{\"a\":2,\"b\":1}]");
+}
+
+std::string repeated(const std::string& text, std::size_t times) {
+    std::string all;
+    for (std::size_t i = 0; i < times; ++i)
+        all += text;
+    return all;
+}
+
+TEST(JsonValue, RefusesATextThatNestsWithoutEnd) {
+    const auto nested = [](std::size_t depth) {
+        return repeated("\n[", depth) + repeated("]", depth);
+    };
+    EXPECT_NO_THROW(static_cast<void>(JsonValue::parse(nested(100), "f")));
+    EXPECT_EQ(complaint([&] { static_cast<void>(JsonValue::parse(nested(1'000'000), "f")); }),
+              "f:102: expected at most 100 objects and arrays inside each other");
+    EXPECT_NO_THROW(
+        static_cast<void>(JsonValue::parse("\"" + repeated("\\\"[{:", 2000) + "\"", "f")))
+        << "brackets in a text are no nesting";
+}
+
+TEST(JsonValue, RefusesAnObjectWithMembersWithoutEnd) {
+    std::string members = "\"a\": 0";
+    for (int i = 1; i < 1000; ++i)
+        members += ",\n\"" + std::to_string(i) + "\": [{}, {\"b\": 1}]";
+    EXPECT_NO_THROW(static_cast<void>(JsonValue::parse("{" + members + "}", "f")));
+    EXPECT_EQ(complaint([&] {
+                  static_cast<void>(JsonValue::parse("{" + members + ",\n\"b\": 1}", "f"));
+              }),
+              "f:1001: expected at most 1000 members in an object");
+}
+
+TEST(JsonLines, FindsPlacesInATextWithLongNames) {
+    const std::string name(1U << 20U, 'n');
+    const std::string text =
+        "{\n\"" + name + "\": [" + repeated("{\"a\": 1},", 100'000) + "\n{\"b\":\n[2, 3,\n4]}]}";
+    EXPECT_EQ(jsonLineOf(text, "/" + name), 2);
+    EXPECT_EQ(jsonLineOf(text, "/" + name + "/100000/b"), 3);
+    EXPECT_EQ(jsonLineOf(text, "/" + name + "/100000/b/2"), 5);
+    EXPECT_EQ(jsonLineOf(text, "/" + name + "/100001"), 0);
+    EXPECT_EQ(jsonLineOf(text, ""), 1);
+}
+
+TEST(JsonLines, TellsPlacesApartThatBeginAlike) {
+    const std::string text = "{\n\"a\": 1,\n\"ab\": {\n\"c\": 1,\n\"cd\": [\n1]}}";
+    EXPECT_EQ(jsonLineOf(text, "/a"), 2);
+    EXPECT_EQ(jsonLineOf(text, "/ab"), 3);
+    EXPECT_EQ(jsonLineOf(text, "/ab/cd"), 5);
+    EXPECT_EQ(jsonLineOf(text, "/ab/cd/0"), 6);
+    EXPECT_EQ(jsonLineOf(text, "/a/c"), 0);
+    EXPECT_EQ(jsonLineOf(text, "/abc"), 0);
 }
 
 }  // namespace

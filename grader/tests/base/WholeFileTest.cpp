@@ -45,6 +45,21 @@ TEST(WholeFile, NamesTheFileThatCannotBeReadOrWritten) {
               missing + ": cannot be written; is the folder there and the disk not full?");
 }
 
+TEST(WholeFile, TakesAFolderForAFileThatCannotBeRead) {
+    const tests::TemporaryFolder folder;
+    EXPECT_EQ(readIfThere(folder.path()), std::nullopt);
+    EXPECT_THROW(static_cast<void>(readWhole(folder.path())), raytracer::InputError);
+}
+
+TEST(WholeFile, ReadsAFileThatIsLongerThanOnePiece) {
+    const tests::TemporaryFolder folder;
+    const std::string bytes(200'000, 'x');
+    writeAtomically(bytes, folder.path() / "file");
+    EXPECT_EQ(readWhole(folder.path() / "file"), bytes);
+    writeAtomically("", folder.path() / "file");
+    EXPECT_EQ(readIfThere(folder.path() / "file"), "");
+}
+
 TEST(PartFile, LeavesTheTargetAloneUntilItIsRenamed) {
     const tests::TemporaryFolder folder;
     const fs::path target = folder.path() / "file";

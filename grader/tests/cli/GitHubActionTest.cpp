@@ -54,5 +54,17 @@ TEST_F(GitHubAction, SaysThatNothingWasAttemptedWithoutAnAnnotation) {
     EXPECT_EQ(ran.output, "");
 }
 
+TEST_F(GitHubAction, AsksAboutTwoScreenshotsThatDiffer) {
+    commit("awarded/reference-bump");
+    std::filesystem::copy(std::filesystem::path{TICKER_SOURCE_DIR} /
+                              "grader/corpus/samples/awarded/reference-distributed/screenshot.png",
+                          folder_.path() / "tick/exercise");
+    const tests::CommandResult ran = run("");
+    EXPECT_EQ(ran.status, 1) << ran.output;
+    EXPECT_EQ(written("output"), "verdict=needsReview\n");
+    std::filesystem::remove(folder_.path() / "tick/exercise/screenshot.png");
+    EXPECT_EQ(run("").status, 0);
+}
+
 }  // namespace
 }  // namespace ticker::cli

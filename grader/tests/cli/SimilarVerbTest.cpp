@@ -29,6 +29,18 @@ TEST_F(SimilarVerb, ListsACopyForTickersAloneAndNoOtherPair) {
         EXPECT_EQ(textOf(at("out") / "eve" / file).find("maximilian"), std::string::npos) << file;
 }
 
+TEST_F(SimilarVerb, NamesAFileThatIsTooLongToBeCompared) {
+    if (similar::findMatcher().empty()) GTEST_SKIP() << "similarity-tester is not installed";
+    run(gradeCommand("out", {"--quiet"}));
+    const fs::path padded = at("out") / "ann/code/BumpySphere.cpp";
+    ASSERT_TRUE(fs::exists(padded));
+    std::ofstream{padded, std::ios::app} << std::string(200'001, ' ');
+    run({"similar", at("out").string(), "--quiet"});
+    const std::string page = textOf(at("out") / "similar.html");
+    EXPECT_NE(page.find("look at it yourself:</strong> ann"), std::string::npos);
+    EXPECT_NE(errors().find("left out: BumpySphere.cpp of ann"), std::string::npos);
+}
+
 TEST_F(SimilarVerb, NeedsAGradedClass) {
     run({"similar", at("class").string()}, 2);
     run({"similar", at("class").string(), "--least", "0"}, 2);

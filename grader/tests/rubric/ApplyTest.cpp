@@ -64,11 +64,6 @@ TEST(ApplyRubric, NeedsNoPictureWhereNoneIsAskedFor) {
 
 TEST(ApplyRubric, AsksAPersonWhereTheOneOptionThatPassesIsInDoubt) {
     EXPECT_EQ(apply({task("T1", kPassed, true), kPicture}).verdict, Verdict::needsReview);
-    EXPECT_EQ(
-        apply({task("T1", kPassed, true), task("T2.1", kPassed), task("T2.2", kPassed), kPicture})
-            .verdict,
-        Verdict::awarded)
-        << "the other is not";
     EXPECT_EQ(apply({task("T1", kFailed, true), kPicture}).verdict, Verdict::needsReview);
     EXPECT_EQ(apply({task("T1", kFailed), task("screenshot", kFailed, true)}).verdict,
               Verdict::notAwarded)
@@ -76,6 +71,54 @@ TEST(ApplyRubric, AsksAPersonWhereTheOneOptionThatPassesIsInDoubt) {
     EXPECT_EQ(apply({task("T1", kFailed), task("screenshot", TaskState::notGraded)}).verdict,
               Verdict::notAwarded);
     EXPECT_EQ(apply({task("T1", TaskState::notGraded), kPicture}).verdict, Verdict::notGraded);
+}
+
+/// T1 is worth 2 of at most `maxScore`, T2 is worth 4.
+SubmissionResult applyWithMost(double maxScore, const TaskReport& t1, const TaskReport& t2) {
+    Rubric by = rubric();
+    by.maxScore = maxScore;
+    return apply({t1, task("T2.1", kPassed), t2, kPicture}, by);
+}
+
+TEST(ApplyRubric, AsksNobodyAboutAnOptionThatCannotAddPoints) {
+    for (const TaskState state : {kPassed, kFailed, TaskState::notGraded}) {
+        const SubmissionResult result =
+            applyWithMost(4.0, task("T1", state, true), task("T2.2", kPassed));
+        EXPECT_EQ(result.verdict, Verdict::awarded);
+        EXPECT_EQ(result.score, 4.0);
+    }
+    EXPECT_EQ(applyWithMost(2.0, task("T1", kPassed), task("T2.2", kPassed, true)).score, 2.0);
+}
+
+TEST(ApplyRubric, AsksAPersonBeforePointsOfADoubtfulOptionAreGivenOrWithheld) {
+    for (const TaskState state : {kPassed, kFailed, TaskState::blocked}) {
+        const SubmissionResult result =
+            applyWithMost(5.0, task("T1", state, true), task("T2.2", kPassed));
+        EXPECT_EQ(result.verdict, Verdict::needsReview);
+        EXPECT_EQ(result.score, 0.0) << "no score before a person has decided";
+    }
+    EXPECT_EQ(applyWithMost(6.0, task("T1", kPassed), task("T2.2", kPassed, true)).verdict,
+              Verdict::needsReview);
+}
+
+TEST(ApplyRubric, GivesNoPointsWhileOursIsTheFaultThatOthersAreMissing) {
+    EXPECT_EQ(applyWithMost(6.0, task("T1", TaskState::notGraded), task("T2.2", kPassed)).verdict,
+              Verdict::notGraded);
+}
+
+TEST(ApplyRubric, AwardsWhatIsSureWhereTheOtherOptionCannotPassAnyMore) {
+    for (const TaskState state : {kFailed, kStub, TaskState::blocked}) {
+        const SubmissionResult result =
+            applyWithMost(6.0, task("T1", state), task("T2.2", kPassed));
+        EXPECT_EQ(result.verdict, Verdict::awarded);
+        EXPECT_EQ(result.score, 4.0);
+    }
+    Rubric by = rubric();
+    by.maxScore = 6.0;
+    const SubmissionResult half = apply(
+        {task("T1", kPassed), task("T2.1", kPassed, true), task("T2.2", kFailed), kPicture}, by);
+    EXPECT_EQ(half.verdict, Verdict::awarded) << "T2.2 failed, so the doubt about T2.1 is idle";
+    EXPECT_EQ(half.score, 2.0);
 }
 
 TEST(ApplyRubric, NamesTheOptionsThatWereAttempted) {

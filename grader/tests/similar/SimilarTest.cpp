@@ -1,9 +1,14 @@
 #include <grader/similar/SimilarPage.h>
 
+#include <raytracer/base/Error.h>
+
 #include <gtest/gtest.h>
 
 #include <fmt/core.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <string>
 
 namespace ticker::similar {
@@ -61,6 +66,24 @@ TEST_F(SimilarFiles, AnyBytesAreCompared) {
     EXPECT_TRUE(compareFiles({}, {}, sandbox_).pairs.empty());
 }
 
+/// Compares two files where no file may be longer than 16 bytes, in a process of its own.
+[[noreturn]] void compareWithoutRoom(const sandbox::Sandbox& sandbox) {
+    const rlimit limit{16, 16};
+    if (std::signal(SIGXFSZ, SIG_IGN) == SIG_ERR || setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(2);
+    alarm(20);
+    try {
+        static_cast<void>(comparePercentages({{"ann", solution(0, "a")}, {"bob", solution(0, "b")}},
+                                             {}, sandbox));
+    } catch (const raytracer::Error& error) {
+        _exit(std::string{error.what()}.starts_with("cannot write") ? 0 : 3);
+    }
+    _exit(1);
+}
+
+TEST_F(SimilarFiles, AFullDiskIsAnErrorAndNotAClassWithoutPairs) {
+    EXPECT_EXIT(compareWithoutRoom(sandbox_), testing::ExitedWithCode(0), "");
+}
+
 TEST(SimilarPage, ShowsBothFilesAndEscapesThem) {
     ComparedFile file{"Own.cpp", {{"<b>ann", "a <script>\nb\nc\n"}, {"bob", "b\n"}}, {}};
     file.comparison.pairs = {{0, 1, 62, {{{2, 2}, {1, 1}}}}};
@@ -74,6 +97,16 @@ TEST(SimilarPage, ShowsBothFilesAndEscapesThem) {
     EXPECT_NE(html.find("<span class=\"common\">      3 c</span>"), std::string::npos) << html;
     EXPECT_NE(html.find("no proof of copying"), std::string::npos);
     EXPECT_NE(similarJson({file}).find("\"percent\": 62"), std::string::npos);
+}
+
+TEST(SimilarPage, NamesFilesThatAreTooLongToBeCompared) {
+    ComparedFile file{"Own.cpp", {}, {}};
+    EXPECT_EQ(similarPage({file}).find("Too long"), std::string::npos);
+    file.leftOut = {"<b>ann", "bob"};
+    const std::string html = similarPage({file});
+    EXPECT_NE(html.find("Too long to be compared; look at it yourself:</strong> &lt;b&gt;ann, bob"),
+              std::string::npos)
+        << html;
 }
 
 }  // namespace
