@@ -8,11 +8,12 @@ if errorlevel 1 (
   echo cmake is missing; README.md says how to install it
   exit /b 2
 )
-if "%~1"=="--view" (
-  if not exist build\release\program cmake -P cmake/check.cmake -- --build
-  for /f %%p in (build\release\program) do build\%%p.exe --view %2
-  exit /b
-)
+rem Without blocks, which a bracket in an argument would end.
+if "%~1"=="--view" cmake -P cmake/check.cmake -- --build
+if "%~1"=="--view" if not exist build\release\program exit /b 1
+if "%~1"=="--view" for /f %%p in (build\release\program) do if not exist build\%%p.exe exit /b 1
+if "%~1"=="--view" for /f %%p in (build\release\program) do build\%%p.exe %*
+if "%~1"=="--view" exit /b
 rem CMake's children write to pipes: only this script sees whether somebody looks on.
 if exist build\build_bar.exe build\build_bar && set CHECK_TERMINAL=1
 if not exist build mkdir build

@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 
 // The parts are listed one by one, so that build folders and the like are left out.
 constexpr std::array kFolders{".devcontainer", ".vscode", "cmake", "framework", "tests"};
-constexpr std::array kFiles{".clangd", "CMakeLists.txt", "CMakePresets.json", "README.md",
-                            "check",   "check.cmd",      "check.json",        "vcpkg.json"};
+constexpr std::array kFiles{".clangd",           ".gitattributes", ".gitignore", "CMakeLists.txt",
+                            "CMakePresets.json", "README.md",      "check",      "check.cmd",
+                            "check.json",        "vcpkg.json"};
 // CMake file that builds an overlay beside the framework in this project; packages leave it out.
 constexpr std::string_view kWholeKit = "WholeKit.cmake";
 

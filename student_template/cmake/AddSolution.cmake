@@ -3,7 +3,8 @@ set(framework_dir "${CMAKE_CURRENT_LIST_DIR}/../framework")
 # Builds tick1star-<name> from one solution's folder, and public_tests-<name> where there is
 # GoogleTest. Solutions define the same symbols, so no two of them may share a program.
 function(add_solution name directory)
-  file(GLOB sources CONFIGURE_DEPENDS "${directory}/*.cpp")
+  # Names that begin with a dot are the systems' own: locks of Emacs, attributes of macOS.
+  file(GLOB sources CONFIGURE_DEPENDS "${directory}/[!.]*.cpp")
   add_library(solution_${name} OBJECT ${sources})
   # Two files of a student may give two things the same name.
   set_target_properties(solution_${name} PROPERTIES UNITY_BUILD OFF)

@@ -37,6 +37,14 @@ Exit status: 0 every task that you attempted passes, 1 not yet, 2 something is m
   endif()
 endforeach()
 
+forget_other_places()
+if(only_build AND EXISTS "${here}/build/release/program")
+  # The viewer builds, too, and shows what does not compile: it needs no more than to exist.
+  file(STRINGS "${here}/build/release/program" name)
+  if(EXISTS "${here}/build/${name}" OR EXISTS "${here}/build/${name}.exe")
+    return()
+  endif()
+endif()
 set(first OFF)
 if(NOT EXISTS "${here}/build/release/programs.cmake")
   set(first ON)

@@ -98,7 +98,7 @@ void expectThatAllPublicTestsPass(const CommandResult& checked) {
     for (const char* line :
          {"The first time, everything is built", "Building: 50 %", "T1   bump mapping:   11 of 11",
           "T2.1 soft shadows:   11 of 11", "T2.2 depth of field: 11 of 11",
-          "Option 1: hand in exercise/BumpySphere.cpp"})
+          "Hand in exercise/BumpySphere.cpp and exercise/Renderer.cpp"})
         EXPECT_NE(checked.output.find(line), std::string::npos) << line << "\n" << checked.output;
 }
 
@@ -172,9 +172,14 @@ TEST(Laptops, WindowsHandsItsCheckTheArgumentsAndTheStatusOfTheOneScript) {
     // The program that is built has the exercise's name, which the build leaves in a file.
     fs::create_directories(laptop.folder() / "build/release");
     std::ofstream{laptop.folder() / "build/release/program"} << "stand-in\n";
+    const CommandResult broken = laptop.run("wine cmd /c check.cmd --view");
+    EXPECT_EQ(broken.status, 1) << broken.output;
+    EXPECT_NE(broken.output.find("<--><--build>"), std::string::npos) << broken.output;
     fs::copy_file(laptop.folder() / "cmake.exe", laptop.folder() / "build/stand-in.exe");
-    const CommandResult shown = laptop.run("wine cmd /c check.cmd --view scenes/a.xml");
-    EXPECT_NE(shown.output.find("<--view><scenes/a.xml>"), std::string::npos) << shown.output;
+    const CommandResult shown =
+        laptop.run("wine cmd /c check.cmd --view 'my scenes/a (2).xml' --trace 3,4");
+    EXPECT_NE(shown.output.find("<--view><my scenes/a (2).xml><--trace><3,4>"), std::string::npos)
+        << shown.output;
 }
 
 TEST(Laptops, AMacsLibraryBuildsPassesAndRendersTheSamePictures) {

@@ -120,6 +120,8 @@ TEST_F(StudentPackage, HoldsWhatAStudentNeeds) {
                              "assets/bumpmap-test.png",
                              ".vscode/settings.json",
                              ".clangd",
+                             ".gitattributes",
+                             ".gitignore",
                              ".devcontainer/Dockerfile",
                              "LICENSE"})
         EXPECT_TRUE(texts.contains(name)) << name;

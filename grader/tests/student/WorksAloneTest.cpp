@@ -1,4 +1,4 @@
-#include <grader/tests/student/UnpackedPackage.h>
+#include <grader/tests/student/PackageAlone.h>
 #include <grader/tests/support/Files.h>
 #include <grader/tests/support/ShellBlocks.h>
 
@@ -18,25 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One package and one build for all tests, as for a student: each test first writes its own two
-// files.
-class PackageAlone : public ::testing::Test {
-protected:
-    static const tests::UnpackedPackage& package() {
-        static const tests::UnpackedPackage unpacked;
-        return unpacked;
-    }
-
-    /// Writes both files, from a folder of the project.
-    static void putSolution(const std::string& folder) {
-        put("BumpySphere.cpp", tests::readFile(folder + "/BumpySphere.cpp"));
-        put("Renderer.cpp", tests::readFile(folder + "/Renderer.cpp"));
-    }
-
-    static void put(const std::string& name, const std::string& text) {
-        std::ofstream{package().folder() / "exercise" / name} << text;
-    }
-};
+using tests::PackageAlone;
 
 TEST_F(PackageAlone, SaysThatNothingIsAttemptedAndRendersAtOnce) {
     putSolution("student_template/exercise");
@@ -54,8 +36,10 @@ TEST_F(PackageAlone, SaysThatNothingIsAttemptedAndRendersAtOnce) {
 
 TEST_F(PackageAlone, DrawsABarOnATerminal) {
     putSolution("student_template/exercise");
+    // Compiled anew, it takes longer than the bar's first step.
     const tests::CommandResult checked = package().runAlone(
-        "touch exercise/Renderer.cpp && script -qec \"./check --quick\" /dev/null");
+        "touch exercise/Renderer.cpp && CCACHE_DISABLE=1 script -qec \"./check --quick\" "
+        "/dev/null");
 
     EXPECT_EQ(checked.status, 0) << checked.output;
     EXPECT_NE(checked.output.find("Building: [#"), std::string::npos) << checked.output;
@@ -81,10 +65,9 @@ TEST_F(PackageAlone, PassesTheModelAnswer) {
     EXPECT_EQ(checked.output.find("not attempted"), std::string::npos) << checked.output;
     EXPECT_EQ(checked.output.find("NOT YET"), std::string::npos) << checked.output;
     for (const char* part :
-         {"One option is enough; you may hand in both.",
-          "Option 1: hand in exercise/BumpySphere.cpp and option-1/screenshot.png, which this "
-          "makes:",
-          "Option 2: hand in exercise/Renderer.cpp and option-2/screenshot.png, which this makes:"})
+         {"One option is enough. Hand in exercise/BumpySphere.cpp and exercise/Renderer.cpp, or "
+          "one of them,",
+          "and ONE picture as screenshot.png"})
         EXPECT_NE(checked.output.find(part), std::string::npos) << checked.output;
     EXPECT_EQ(checked.output.find("The first time"), std::string::npos) << checked.output;
 }
@@ -105,8 +88,12 @@ TEST_F(PackageAlone, NamesACommandForThePictureOfEachOption) {
     ASSERT_EQ(commands.size(), 2U) << checked.output;
 
     for (const std::string& command : commands) {
+        // The grader refuses two pictures that differ: they replace each other.
+        EXPECT_NE(command.find(" -o screenshot.png"), std::string::npos) << command;
         const tests::CommandResult ran = package().runAlone(command + " -r 64x48 --seed 1");
         EXPECT_EQ(ran.status, 0) << command << "\n" << ran.output;
+        fs::rename(package().folder() / "screenshot.png",
+                   package().folder() / (command == commands.front() ? "1.png" : "2.png"));
     }
     // Option 1's picture must be right for a student who solved only option 1.
     put("Renderer.cpp", tests::readFile("student_template/exercise/Renderer.cpp"));
@@ -119,8 +106,8 @@ TEST_F(PackageAlone, NamesACommandForThePictureOfEachOption) {
     EXPECT_EQ(alone.output.find("T2."), std::string::npos) << alone.output;
     const tests::CommandResult drawn = package().runAlone(command.front() + " -r 64x48 --seed 1");
     EXPECT_EQ(drawn.output, "");
-    EXPECT_EQ(package().runAlone("cmp screenshot.png option-1/screenshot.png").status, 0);
-    EXPECT_NE(package().runAlone("cmp screenshot.png option-2/screenshot.png").status, 0);
+    EXPECT_EQ(package().runAlone("cmp screenshot.png 1.png").status, 0);
+    EXPECT_NE(package().runAlone("cmp screenshot.png 2.png").status, 0);
 }
 
 TEST_F(PackageAlone, DebugsWithF5InVisualStudioCode) {
@@ -205,7 +192,7 @@ TEST_F(PackageAlone, SurvivesACrashOfOneTask) {
     EXPECT_EQ(checked.status, 1) << checked.output;
     for (const char* part :
          {"NOT YET: T1   Every point of a map of any size has a normal", "your code crashed",
-          "T1   bump mapping:   crashed", "public_tests --gtest_filter='BumpMapping.*'"})
+          "T1   bump mapping:   crashed", "public_tests \"--gtest_filter=BumpMapping.*\""})
         EXPECT_NE(checked.output.find(part), std::string::npos) << part << "\n" << checked.output;
     EXPECT_NE(checked.output.find("T2.2 depth of field: 11 of 11"), std::string::npos)
         << checked.output;

@@ -1,8 +1,9 @@
 # Output, and the little that CMake's language lacks.
 
-# say(TEXT): to stdout.
+# say(TEXT): to stdout. By a file, since systems limit how long an argument is, and what bytes it has.
 function(say text)
-  execute_process(COMMAND "${CMAKE_COMMAND}" -E echo "${text}")
+  file(WRITE "${here}/build/said.txt" "${text}\n")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E cat "${here}/build/said.txt")
 endfunction()
 
 # title(TEXT): bold on a terminal.
@@ -31,13 +32,82 @@ function(cut_line from to)
   set(${from} "${rest}" PARENT_SCOPE)
 endfunction()
 
-# last_line(TEXT LINE): the last line that is not empty.
-function(last_line text line)
-  string(STRIP "${text}" text)
-  string(FIND "${text}" "\n" end REVERSE)
-  math(EXPR end "${end} + 1")
-  string(SUBSTRING "${text}" ${end} -1 found)
-  set(${line} "${found}" PARENT_SCOPE)
+# read_ends(FILE TEXT): what a program printed. Of more than 40 MB the middle is left out, of the file,
+# too: an endless loop that prints fills a disk.
+function(read_ends file text)
+  set(half 20000000)
+  if(NOT EXISTS "${file}")
+    file(WRITE "${file}" "")  # the program did not start
+  endif()
+  file(SIZE "${file}" size)
+  math(EXPR rest "${size} - ${half}")
+  if(rest LESS_EQUAL half)
+    file(READ "${file}" all)
+  else()
+    file(READ "${file}" all LIMIT ${half})
+    file(READ "${file}" end OFFSET ${rest})
+    string(APPEND all "\n(the middle is left out)\n${end}")
+    file(WRITE "${file}" "${all}")
+  endif()
+  string(REPLACE "\r" "" all "${all}")
+  set(${text} "${all}" PARENT_SCOPE)
+endfunction()
+
+# count_lines(TEXT COUNT)
+function(count_lines text count)
+  string(REPLACE "\n" "" joined "${${text}}")
+  string(LENGTH "${joined}" joined)
+  string(LENGTH "${${text}}" length)
+  math(EXPR lines "${length} - ${joined} + 1")
+  set(${count} ${lines} PARENT_SCOPE)
+endfunction()
+
+# indent(VARIABLE): a line, of a long one the begin.
+function(indent variable)
+  string(LENGTH "${${variable}}" length)
+  set(more "")
+  if(length GREATER 160)
+    set(more "...")
+  endif()
+  string(SUBSTRING "${${variable}}" 0 160 begin)
+  set(${variable} "  ${begin}${more}\n" PARENT_SCOPE)
+endfunction()
+
+# first_lines(TEXT COUNT LINES) and last_lines(TEXT COUNT LINES) of a text that may be long, indented.
+function(first_lines text count lines)
+  string(SUBSTRING "${${text}}" 0 10000 rest)
+  set(found "")
+  foreach(i RANGE 1 ${count})
+    cut_line(rest line)
+    indent(line)
+    string(APPEND found "${line}")
+    if(rest STREQUAL "")
+      break()
+    endif()
+  endforeach()
+  set(${lines} "${found}" PARENT_SCOPE)
+endfunction()
+
+function(last_lines text count lines)
+  string(LENGTH "${${text}}" length)
+  math(EXPR start "${length} - 10000")
+  if(start LESS 0)
+    set(start 0)
+  endif()
+  string(SUBSTRING "${${text}}" ${start} -1 rest)
+  set(found "")
+  foreach(i RANGE 1 ${count})
+    string(FIND "${rest}" "\n" end REVERSE)
+    math(EXPR start "${end} + 1")
+    string(SUBSTRING "${rest}" ${start} -1 line)
+    indent(line)
+    string(PREPEND found "${line}")
+    if(end LESS_EQUAL 0)
+      break()
+    endif()
+    string(SUBSTRING "${rest}" 0 ${end} rest)
+  endforeach()
+  set(${lines} "${found}" PARENT_SCOPE)
 endfunction()
 
 # json(VARIABLE KEY...): a member of check.json, or nothing.
