@@ -29,6 +29,7 @@ async function withPage(look, options) {
   await page.close();
 }
 
+const isBeforeOffered = (page) => page.evaluate(() => !document.querySelector("#compare [value=before]").disabled);
 const text = (page, id) => page.locator(`#${id}`).textContent();
 const showing = (page, id, words) => page.waitForFunction(([where, what]) =>
   document.getElementById(where).textContent.includes(what), [id, words]);
@@ -116,6 +117,41 @@ test("a slider renders again, and a value out of range is refused with words", (
     assert.match(problems.splice(0).join(), /^console: .*400/, "Chromium notes the refusal, and nothing else");
   }));
 
+test("the settings of the start come back, in every page", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await page.getByRole("slider", { name: "Aperture, as a slider" }).fill("0");
+    await page.waitForFunction(() => settings.aperture === "0");
+    const { page: second } = await openViewer(browser, viewer);
+    await finished(second);
+    await second.getByRole("button", { name: "As it was started" }).click();
+    await page.waitForFunction(() => settings.aperture === "0.2");
+    await second.close();
+  }));
+
+test("what was before the edit is not laid over another scene", () =>
+  withPage(async (page) => {
+    await finished(page);
+    await page.evaluate(() => { picture.kept.before = picture.copy(picture.canvas); showCompare(); });
+    await page.getByLabel("Compare with").selectOption("before");
+    assert.equal(await page.locator("#other").isVisible(), true);
+    await page.getByLabel("Scene").selectOption("bump-mapping.xml");
+    await page.waitForFunction(() => settings.scene === "bump-mapping.xml");
+    assert.equal(await isBeforeOffered(page), false);
+    assert.equal(await page.getByLabel("Compare with").inputValue(), "");
+    assert.equal(await page.locator("#other").isVisible(), false);
+  }));
+
+test("any number of rays fits into a view", () =>
+  withPage(async (page) => {
+    const target = await page.evaluate(() => {
+      const orbit = new Orbit();
+      orbit.frame(Array.from({ length: 500000 }, (_, i) => [i % 3, 1, i % 5]));
+      return orbit.target;
+    });
+    assert.deepEqual(target, [1, 1, 2]);
+  }));
+
 test("another picture can be laid over this one", () =>
   withPage(async (page) => {
     await finished(page);
@@ -139,7 +175,7 @@ test("an error of the compiler shows with its line, a right edit with its pictur
     await builtAgain(1);
     await finished(page);
     await showing(page, "tests", "Not yet: T2.1");
-    assert.equal(await page.getByLabel("Compare with").locator("[value=before]").isDisabled(), false);
+    assert.equal(await isBeforeOffered(page), true);
     await writeFile(exerciseFile, source);
     await builtAgain(2);
     await showing(page, "tests", "passed");

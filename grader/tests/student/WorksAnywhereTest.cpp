@@ -115,7 +115,7 @@ TEST_F(PackageAlone, PutsDebugProgramsWhereF5LooksForThemWithVisualStudiosKindOf
     putSolution("student_template/exercise");
     // Its generator makes several kinds in one folder, as this one does.
     const tests::CommandResult built = package().runAlone(
-        "cmake --preset debug -DTICK1STAR_VIEW=OFF -G \"Ninja Multi-Config\" -B /tmp/several "
+        "cmake --preset debug -G \"Ninja Multi-Config\" -B /tmp/several "
         ">/dev/null && "
         "cmake --build /tmp/several --config Debug --target build_bar >/dev/null && "
         "test -x build/debug/bin/build_bar");

@@ -8,7 +8,13 @@
 namespace raytracer::view {
 namespace {
 
-TEST(TestOutcomeIn, KnowsTheTasksOfTheMainTick) {
+TestOutcome testOutcomeIn(const std::string& output, const std::set<std::string>& tasks) {
+    TestReader reader{tasks};
+    reader.add(output);
+    return reader.outcome();
+}
+
+TEST(BuildOutput, KnowsTheTasksOfTheMainTick) {
     const TestOutcome outcome = testOutcomeIn(
         "NOT YET: M3.2 A ball before the light shades\n  got:      1\n\nM1   spheres: 4 of 4\n",
         {});
@@ -63,6 +69,16 @@ TEST(BuildOutput, TellsTheFirstFailingTestOfTheTasksInTheFile) {
     EXPECT_EQ(
         testOutcomeIn(std::string{"NOT YET: T2.2 Later\n  a\n\n"} + kOutput, {"T2.1", "T2.2"}).text,
         "  expected: a share\n");
+}
+
+TEST(BuildOutput, TellsWhichTaskEndedTooEarly) {
+    TestReader reader{{}};
+    reader.addEarlyEnd("T1", "what it wrote\n");
+    reader.add("NOT YET: T2.1 Shadows are soft\n  expected: a share\n\n");
+    EXPECT_TRUE(reader.outcome().hasFailed);
+    EXPECT_EQ(reader.outcome().title, "T1 ended too early");
+    EXPECT_EQ(reader.outcome().text, "what it wrote\n");
+    EXPECT_EQ(reader.outcome().summary, "T1 ended too early\n");
 }
 
 TEST(BuildOutput, KnowsTheTasksOfAFileByItsMarks) {

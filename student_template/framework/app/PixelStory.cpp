@@ -12,14 +12,6 @@ namespace {
 
 constexpr std::size_t kRaysInFull = 3;
 
-std::string text(const Vector3& v) {
-    return tripleText(v.x, v.y, v.z);
-}
-
-std::string text(const ColourRGB& colour) {
-    return tripleText(colour.r, colour.g, colour.b);
-}
-
 class Story {
 public:
     explicit Story(const Scene& scene) : scene_(scene) {}
@@ -27,39 +19,40 @@ public:
     void add(const std::string& line) { text_ += std::string(2 * depth_, ' ') + line + "\n"; }
 
     void add(const TracedRay& traced, const std::string& name) {
-        add(name + " from " + text(traced.ray.origin) + " towards " + text(traced.ray.direction) +
-            ", " + countedText(static_cast<std::size_t>(traced.bouncesLeft), "bounce") + " left");
+        add(name + " from " + tripleText(traced.ray.origin) + " towards " +
+            tripleText(traced.ray.direction) + ", " +
+            countedText(static_cast<std::size_t>(traced.bouncesLeft), "bounce") + " left");
         ++depth_;
         if (traced.hit) {
             addHit(*traced.hit);
             addLights(traced);
             addReflection(traced);
         } else {
-            add("meets nothing: background " + text(traced.colour));
+            add("meets nothing: background " + tripleText(traced.colour));
         }
         --depth_;
     }
 
     void addShort(const TracedRay& traced, const std::string& name) {
         const std::string met = traced.hit ? nameOf(scene_, traced.hit->object) : "nothing";
-        add(name + " from " + text(traced.ray.origin) + " meets " + met + ": " +
-            text(traced.colour));
+        add(name + " from " + tripleText(traced.ray.origin) + " meets " + met + ": " +
+            tripleText(traced.colour));
     }
 
     [[nodiscard]] const std::string& told() const { return text_; }
 
 private:
     void addHit(const RaycastHit& hit) {
-        add("meets " + nameOf(scene_, hit.object) + " at " + text(hit.location) + ", distance " +
-            numberText(hit.distance) + ", normal " + text(hit.normal));
+        add("meets " + nameOf(scene_, hit.object) + " at " + tripleText(hit.location) +
+            ", distance " + numberText(hit.distance) + ", normal " + tripleText(hit.normal));
     }
 
     void addLights(const TracedRay& traced) {
         const SceneObject& object = *traced.hit->object;
-        add("ambient light " + text(object.colour() * scene_.ambientLighting()));
+        add("ambient light " + tripleText(object.colour() * scene_.ambientLighting()));
         for (std::size_t i = 0; i < scene_.pointLights().size(); ++i)
             addLight(traced, i);
-        if (traced.direct) add("illuminate gives " + text(*traced.direct));
+        if (traced.direct) add("illuminate gives " + tripleText(*traced.direct));
     }
 
     void addLight(const TracedRay& traced, std::size_t index) {
@@ -94,7 +87,8 @@ private:
         const ColourRGB specular = light.colour() * arriving *
                                    (object.phongKS() * std::pow(mirrored, object.phongAlpha()));
         ++depth_;
-        add("without any shadow: diffuse " + text(diffuse) + ", specular " + text(specular));
+        add("without any shadow: diffuse " + tripleText(diffuse) + ", specular " +
+            tripleText(specular));
         --depth_;
     }
 
@@ -103,7 +97,7 @@ private:
             add(reflected, "reflected ray");
         if (!traced.reflected.empty())
             add("with " + numberText(traced.hit->object->reflectivity()) +
-                " of the reflection: " + text(traced.colour));
+                " of the reflection: " + tripleText(traced.colour));
     }
 
     const Scene& scene_;
@@ -116,7 +110,7 @@ private:
 std::string storyOf(const PixelLog& log, const Scene& scene, bool inFull) {
     Story story{scene};
     if (log.cameraRay())
-        story.add("camera.castRay gives a ray towards " + text(log.cameraRay()->direction));
+        story.add("camera.castRay gives a ray towards " + tripleText(log.cameraRay()->direction));
     const std::vector<TracedRay>& rays = log.traced();
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const std::string name = "camera ray " + std::to_string(i + 1);
@@ -129,7 +123,7 @@ std::string storyOf(const PixelLog& log, const Scene& scene, bool inFull) {
     if (!log.loose().empty())
         story.add(countedText(log.loose().size(), "ray") + " cast outside of trace and illuminate");
     if (log.pixel())
-        story.add("the pixel becomes " + text(*log.pixel()) + ", in the file " +
+        story.add("the pixel becomes " + tripleText(*log.pixel()) + ", in the file " +
                   hexOf(*log.pixel()));
     else
         story.add("the pixel was never set");

@@ -49,8 +49,12 @@ std::string numberText(double value) {
     return text.data();
 }
 
-std::string tripleText(double a, double b, double c) {
-    return "(" + numberText(a) + ", " + numberText(b) + ", " + numberText(c) + ")";
+std::string tripleText(const Vector3& v) {
+    return "(" + numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z) + ")";
+}
+
+std::string tripleText(const ColourRGB& colour) {
+    return tripleText(Vector3{colour.r, colour.g, colour.b});
 }
 
 std::string hexOf(const ColourRGB& colour) {

@@ -21,7 +21,8 @@ namespace raytracer {
 [[nodiscard]] bool isStopped(const SeenRay& seen, const PointLight& light);
 
 /// "(0.5, -0.26, 3.5)": four digits, tiny values as 0.
-[[nodiscard]] std::string tripleText(double a, double b, double c);
+[[nodiscard]] std::string tripleText(const Vector3& v);
+[[nodiscard]] std::string tripleText(const ColourRGB& colour);
 [[nodiscard]] std::string numberText(double value);
 
 /// "#8A4C10" of a colour through the tone curve.

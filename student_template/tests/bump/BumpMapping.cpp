@@ -10,11 +10,6 @@
 
 namespace raytracer::tests::bump {
 
-void complain(const std::string& asked, const std::string& expected, const std::string& got,
-              const std::string& cause, const std::string& section) {
-    ADD_FAILURE() << Complaint{asked, expected, got, cause, section};
-}
-
 std::string words(const Vector3& v) {
     return "(" + inWords(v.x) + ", " + inWords(v.y) + ", " + inWords(v.z) + ")";
 }

@@ -18,10 +18,6 @@ inline constexpr Slope kGentle{0.3, 0};
 /// A slope that is visible to code that rounds heights to bytes.
 inline constexpr Slope kCoarse{0.0, 12};
 
-/// Fails the running test.
-void complain(const std::string& asked, const std::string& expected, const std::string& got,
-              const std::string& cause, const std::string& section);
-
 /// "(0.1, 0.2, 0.3)"
 [[nodiscard]] std::string words(const Vector3& v);
 

@@ -3,7 +3,6 @@
 #include <raytracer/geometry/Material.h>
 #include <raytracer/image/Image.h>
 #include <raytracer/render/Renderer.h>
-#include <support/Complaint.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -19,11 +18,6 @@ Material plain(const ColourRGB& colour) {
 }
 
 }  // namespace
-
-void complain(const std::string& asked, const std::string& expected, const std::string& got,
-              const std::string& cause, const std::string& section) {
-    ADD_FAILURE() << Complaint{asked, expected, got, cause, section};
-}
 
 Vector3 inPlane(const Ray& ray, double z) {
     return ray.evaluateAt((z - ray.origin.z) / ray.direction.z);

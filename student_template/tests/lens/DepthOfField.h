@@ -22,10 +22,6 @@ constexpr int kRenders = 40;
 inline const std::string kUnseen = "your code casts rays that the test cannot see";
 inline const std::string kAsked = "a frame of 2 x 1 pixels, rendered 40 times";
 
-/// Fails the running test.
-void complain(const std::string& asked, const std::string& expected, const std::string& got,
-              const std::string& cause, const std::string& section);
-
 /// Where the ray's line meets the plane at z.
 [[nodiscard]] Vector3 inPlane(const Ray& ray, double z);
 

@@ -12,11 +12,6 @@
 
 namespace raytracer::tests::shadows {
 
-void complain(const std::string& asked, const std::string& expected, const std::string& got,
-              const std::string& cause, const std::string& section) {
-    ADD_FAILURE() << Complaint{asked, expected, got, cause, section};
-}
-
 std::string words(const ColourRGB& c) {
     return "(" + inWords(c.r) + ", " + inWords(c.g) + ", " + inWords(c.b) + ")";
 }

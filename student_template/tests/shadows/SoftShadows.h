@@ -18,10 +18,6 @@
 
 namespace raytracer::tests::shadows {
 
-/// Fails the running test.
-void complain(const std::string& asked, const std::string& expected, const std::string& got,
-              const std::string& cause, const std::string& section);
-
 /// "(0.1, 0.2, 0.3)"
 [[nodiscard]] std::string words(const ColourRGB& c);
 

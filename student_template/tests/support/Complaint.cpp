@@ -1,9 +1,16 @@
 #include <support/Complaint.h>
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cstdio>
 
 namespace raytracer::tests {
+
+void complain(const std::string& asked, const std::string& expected, const std::string& got,
+              const std::string& cause, const std::string& section) {
+    ADD_FAILURE() << Complaint{asked, expected, got, cause, section};
+}
 
 std::ostream& operator<<(std::ostream& stream, const Complaint& complaint) {
     return stream << "  asked:    " << complaint.asked << '\n'

@@ -15,6 +15,10 @@ struct Complaint {
     std::string section;  ///< section of the handout
 };
 
+/// Fails the running test.
+void complain(const std::string& asked, const std::string& expected, const std::string& got,
+              const std::string& cause, const std::string& section);
+
 std::ostream& operator<<(std::ostream& stream, const Complaint& complaint);
 
 /// Numbers with four digits, for readers.

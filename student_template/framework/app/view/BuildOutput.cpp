@@ -7,15 +7,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <regex>
+#include <utility>
 #include <vector>
 
 namespace raytracer::view {
 namespace {
 
-/// Without the end that Windows writes, and cut where it is longer than any that tells something.
+// Longer than any line that tells something.
+constexpr std::size_t kLongestLine = 2000;
+
+/// Without the end that Windows writes, and not too long.
 std::string withoutReturn(std::string line) {
-    constexpr std::size_t kLongest = 2000;
-    line.resize(std::min(line.size(), kLongest));
+    line.resize(std::min(line.size(), kLongestLine));
     if (!line.empty() && line.back() == '\r') line.pop_back();
     return line;
 }
@@ -50,31 +53,46 @@ std::optional<FirstError> firstErrorIn(std::string_view output) {
     return ofLinker;
 }
 
-TestOutcome testOutcomeIn(std::string_view output, const std::set<std::string>& tasks) {
-    constexpr std::string_view kNotYet = "NOT YET: ";
-    TestOutcome outcome;
-    bool isInside = false;
-    for (const std::string& raw : splitAt(output, '\n')) {
-        const std::string line = withoutReturn(raw);
-        if (line.starts_with(kNotYet)) {
-            const std::string title = line.substr(kNotYet.size());
-            // The tests of the tasks run in any order.
-            isInside = isWanted(tagOf(title), tasks) &&
-                       (!outcome.hasFailed || tagOf(title) < tagOf(outcome.title));
-            if (!isInside) continue;
-            outcome.hasFailed = true;
-            outcome.title = title;
-            outcome.text.clear();
-        } else if (isWanted(tagOf(line), tasks)) {
-            isInside = false;
-            outcome.summary += line + "\n";
-        } else if (isInside && line.empty()) {
-            isInside = false;
-        } else if (isInside) {
-            outcome.text += line + "\n";
+void TestReader::add(std::string_view bytes) {
+    for (const char c : bytes) {
+        if (c == '\n') {
+            readLine();
+            continue;
         }
+        line_ += c;
+        if (line_.size() > 2 * kLongestLine) line_.erase(0, kLongestLine);
     }
-    return outcome;
+}
+
+void TestReader::readLine() {
+    constexpr std::string_view kNotYet = "NOT YET: ";
+    // Not always at the start: what the student's code printed before may lack an end.
+    const std::size_t start = line_.find(kNotYet);
+    const bool isNotYet = start != std::string::npos;
+    if (isNotYet) line_.erase(0, start + kNotYet.size());
+    const std::string line = withoutReturn(std::exchange(line_, {}));
+    if (isNotYet) {
+        // The tests of the tasks run in any order.
+        isInside_ = isWanted(tagOf(line), tasks_) &&
+                    (!outcome_.hasFailed || tagOf(line) < tagOf(outcome_.title));
+        if (!isInside_) return;
+        outcome_.hasFailed = true;
+        outcome_.title = line;
+        outcome_.text.clear();
+    } else if (isWanted(tagOf(line), tasks_)) {
+        isInside_ = false;
+        outcome_.summary += line + "\n";
+    } else if (isInside_ && line.empty()) {
+        isInside_ = false;
+    } else if (isInside_) {
+        outcome_.text += line + "\n";
+    }
+}
+
+void TestReader::addEarlyEnd(const std::string& task, std::string_view output) {
+    const std::string words = task + " ended too early";
+    outcome_.summary += words + "\n";
+    if (!outcome_.hasFailed) outcome_ = {true, words, std::string{output}, outcome_.summary};
 }
 
 std::set<std::string> tasksIn(std::string_view source) {

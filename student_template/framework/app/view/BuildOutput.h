@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace raytracer::view {
 
@@ -26,9 +27,26 @@ struct TestOutcome {
     std::string summary;  ///< a line for each of the tasks
 };
 
-/// @param tasks  Tags of the tasks; empty: all.
-[[nodiscard]] TestOutcome testOutcomeIn(std::string_view output,
-                                        const std::set<std::string>& tasks);
+/// Reads what the public tests write, as it comes. The student's code may print between their
+/// lines, and without end.
+class TestReader {
+public:
+    /// @param tasks  Tags of the tasks; empty: all.
+    explicit TestReader(std::set<std::string> tasks) : tasks_(std::move(tasks)) {}
+
+    void add(std::string_view bytes);
+    /// A task's tests ended before all were asked. @param output  What they wrote last.
+    void addEarlyEnd(const std::string& task, std::string_view output);
+    [[nodiscard]] const TestOutcome& outcome() const { return outcome_; }
+
+private:
+    void readLine();
+
+    std::set<std::string> tasks_;
+    TestOutcome outcome_;
+    std::string line_;       // so far
+    bool isInside_ = false;  // the first failing test
+};
 
 /// The tags that a file of the exercise has marks of: "// TASK T1 begin".
 [[nodiscard]] std::set<std::string> tasksIn(std::string_view source);

@@ -18,14 +18,6 @@ constexpr std::size_t kMostNormals = 4;
 // How far a ray is drawn that meets nothing, world units.
 constexpr double kReach = 4.0;
 
-std::string text(const Vector3& v) {
-    return tripleText(v.x, v.y, v.z);
-}
-
-std::string text(const ColourRGB& colour) {
-    return tripleText(colour.r, colour.g, colour.b);
-}
-
 /// Collects the parts of one drawing.
 class Drawing {
 public:
@@ -53,10 +45,11 @@ public:
             addRay(kind, ray.origin, to, name + " meets nothing", before, kNone, true);
             return;
         }
-        const int index = addRay(kind, ray.origin, traced.hit->location,
-                                 name + " meets " + nameOf(scene_, traced.hit->object) + " at " +
-                                     text(traced.hit->location) + ": " + text(traced.colour),
-                                 before);
+        const int index =
+            addRay(kind, ray.origin, traced.hit->location,
+                   name + " meets " + nameOf(scene_, traced.hit->object) + " at " +
+                       tripleText(traced.hit->location) + ": " + tripleText(traced.colour),
+                   before);
         addNormal(*traced.hit);
         addShadowRays(traced.shadowRays, index);
         for (const TracedRay& reflected : traced.reflected)
@@ -207,7 +200,7 @@ std::string drawingOfPixel(const PixelLog& log, const Scene& scene, const Render
     Drawing drawing{scene, settings};
     const std::string name =
         "Pixel (" + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) + ")";
-    drawing.say(log.pixel() ? name + " becomes " + text(*log.pixel()) + ", in the picture " +
+    drawing.say(log.pixel() ? name + " becomes " + tripleText(*log.pixel()) + ", in the picture " +
                                   hexOf(*log.pixel()) + "."
                             : name + " was never set.");
     const std::vector<TracedRay>& rays = log.traced();
@@ -230,8 +223,8 @@ std::string drawingOfPoint(const PixelLog& log, const Scene& scene, const Render
                            const RaycastHit& point, const ColourRGB& colour) {
     Drawing drawing{scene, settings};
     const std::string name =
-        "The point " + text(point.location) + " of " + nameOf(scene, point.object);
-    drawing.say(name + ": illuminate gives " + text(colour) + " towards the eye.");
+        "The point " + tripleText(point.location) + " of " + nameOf(scene, point.object);
+    drawing.say(name + ": illuminate gives " + tripleText(colour) + " towards the eye.");
     drawing.addNormal(point);
     drawing.addShadowRays(log.loose(), kNone);
     return drawing.whole(name);

@@ -19,6 +19,14 @@ constexpr const char* kNoEnd =
 
 }  // namespace
 
+std::string endInWords(int status) {
+    if (status >= 0 && status <= kSignalled)
+        return "Your code ended the program with the status " + std::to_string(status) + ".";
+    const std::string signal =
+        status > kSignalled ? " (signal " + std::to_string(status - kSignalled) + ")" : "";
+    return "Your code crashed" + signal + ". The debug build tells the line: see README.md.";
+}
+
 SolutionRunner::SolutionRunner(std::filesystem::path program, Listener listener)
     : program_(std::move(program)), listener_(std::move(listener)) {}
 
@@ -28,6 +36,8 @@ SolutionRunner::~SolutionRunner() {
 
 void SolutionRunner::render(int number, const std::vector<std::string>& options) {
     const std::lock_guard lock{starting_};
+    if (number < lastPicture_) return;  // another thread was faster
+    lastPicture_ = number;
     start();
     {
         const std::lock_guard waiting{mutex_};
@@ -152,11 +162,7 @@ void SolutionRunner::tellOfEnd(int status) {
         answered_.notify_all();
     }
     if (!isUnexpected) return;
-    listener_.onTrouble(status > kSignalled
-                            ? "Your code crashed (signal " + std::to_string(status - kSignalled) +
-                                  "). The debug build tells the line: see README.md."
-                            : "Your code ended the program with the status " +
-                                  std::to_string(status) + ".");
+    listener_.onTrouble(endInWords(status));
 }
 
 }  // namespace raytracer::view

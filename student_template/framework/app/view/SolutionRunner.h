@@ -17,6 +17,9 @@
 
 namespace raytracer::view {
 
+/// What a student is told when the solution's process ends by itself.
+[[nodiscard]] std::string endInWords(int status);
+
 /// The process in which the solution runs (see Worker.h): started where it is needed, ended where
 /// it does not answer.
 class SolutionRunner {
@@ -38,7 +41,7 @@ public:
     SolutionRunner(const SolutionRunner&) = delete;
     SolutionRunner& operator=(const SolutionRunner&) = delete;
 
-    /// Asks for a picture; it comes to the listener.
+    /// Asks for a picture; it comes to the listener. One older than the last is not asked for.
     void render(int number, const std::vector<std::string>& options);
     /// Asks, and waits for the answer.
     [[nodiscard]] Answer ask(const std::string& verb, const std::vector<std::string>& arguments);
@@ -62,6 +65,7 @@ private:
     std::mutex starting_;  // taken before mutex_
     std::unique_ptr<Process> process_;
     std::thread reader_;
+    int lastPicture_ = 0;
     std::mutex mutex_;
     std::condition_variable answered_;
     std::map<int, std::optional<Answer>> answers_;

@@ -45,12 +45,12 @@ std::map<std::string, std::string> settingsOfOptions(const Options& options) {
             {"focalPlane", json(settings.dofFocalPlane)}};
 }
 
-std::set<std::string> scenesIn(const fs::path& folder) {
-    std::set<std::string> names;
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator{folder, error})
-        if (entry.path().extension() == ".xml") names.insert(entry.path().filename().string());
-    return names;
+std::vector<std::string> otherOptions(const Options& options) {
+    std::vector<std::string> others;
+    if (!options.assets.empty()) others.insert(others.end(), {"--assets", options.assets.string()});
+    if (options.threads)
+        others.insert(others.end(), {"--threads", std::to_string(*options.threads)});
+    return others;
 }
 
 std::vector<std::string> argumentsOf(const fs::path& scenes,
@@ -69,6 +69,8 @@ std::vector<std::string> argumentsOf(const fs::path& scenes,
 Studio::Studio(const ViewHome& home, const Options& options)
     : home_(home),
       scenes_(options.scene.has_parent_path() ? options.scene.parent_path() : fs::path(".")),
+      firstScene_(options.scene.filename().string()),
+      others_(otherOptions(options)),
       settings_(settingsOfOptions(options)),
       runner_(home.program,
               {[this](int number, const std::string& payload) { hearPart(number, payload); },
@@ -81,12 +83,13 @@ Studio::Studio(const ViewHome& home, const Options& options)
               std::this_thread::sleep_for(kLookEvery);
           }
       }) {
-    Items scenes;
-    for (const std::string& name : scenesIn(scenes_))
-        scenes.add(json(name));
-    board_.set("scenes", scenes.array());
+    Items names;
+    for (const std::string& name : scenes())
+        names.add(json(name));
+    board_.set("scenes", names.array());
     if (!home_.hasLens) settings_["aperture"] = "0";
     board_.set("hasLens", home_.hasLens ? "true" : "false");
+    board_.set("started", settingsJson());
     render();
 }
 
@@ -106,7 +109,7 @@ void Studio::change(const std::map<std::string, std::string>& changes) {
                 throw InputError("", 0, name + ": one value is expected");
             changed[name] = value;
         }
-        if (!scenesIn(scenes_).contains(changed["scene"]))
+        if (!scenes().contains(changed["scene"]))
             throw InputError("", 0, "there is no scene " + inQuotes(changed["scene"]));
         static_cast<void>(parseOptions(argumentsOf(scenes_, changed)));
         settings_ = changed;
@@ -114,9 +117,19 @@ void Studio::change(const std::map<std::string, std::string>& changes) {
     render();
 }
 
+std::set<std::string> Studio::scenes() const {
+    std::set<std::string> names{firstScene_};  // whatever its name ends in
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator{scenes_, error})
+        if (entry.path().extension() == ".xml") names.insert(entry.path().filename().string());
+    return names;
+}
+
 std::vector<std::string> Studio::arguments() {
     const std::lock_guard lock{mutex_};
-    return argumentsOf(scenes_, settings_);
+    std::vector<std::string> arguments = argumentsOf(scenes_, settings_);
+    arguments.insert(arguments.end(), others_.begin(), others_.end());
+    return arguments;
 }
 
 std::string Studio::settingsJson() const {

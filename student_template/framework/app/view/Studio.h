@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -47,6 +48,7 @@ private:
     /// Renders what `pause` gave up.
     void goOn();
     void hearPart(int number, const std::string& payload);
+    [[nodiscard]] std::set<std::string> scenes() const;
     [[nodiscard]] std::vector<std::string> arguments();
     [[nodiscard]] std::string settingsJson() const;
 
@@ -54,6 +56,8 @@ private:
     Board board_;
     std::mutex mutex_;
     std::filesystem::path scenes_;
+    std::string firstScene_;
+    std::vector<std::string> others_;  // options without a control
     std::map<std::string, std::string> settings_;
     int pictures_ = 0;
     int builds_ = 0;

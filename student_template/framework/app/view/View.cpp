@@ -10,6 +10,7 @@
 #include "../Inputs.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -41,6 +42,23 @@ std::string contentsOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
+/// The viewer shows whole pictures, and writes none.
+void refuseOthers(const Options& options) {
+    const auto others = std::to_array<std::pair<const char*, bool>>({
+        {"-o", !options.image.empty()},
+        {"--region", !options.settings.region.isWholeFrame()},
+        {"--trace", options.trace.has_value()},
+        {"--normals", options.normals},
+        {"--compare", !options.compare.empty()},
+        {"--linear", !options.linear.empty()},
+        {"--preview", options.preview},
+    });
+    for (const auto& [name, isGiven] : others)
+        if (isGiven)
+            throw InputError(
+                "", 0, std::string{name} + ": --view has no use for it; leave one of them out");
+}
+
 /// How much a scene suits where none was named: most where its picture is handed in and its option
 /// is worked on, and of two such options that whose file was saved last.
 std::pair<int, fs::file_time_type> fitOf(const fs::path& scene) {
@@ -69,6 +87,7 @@ fs::path sceneOf(const Options& options) {
 }  // namespace
 
 ExitCode run(const Options& options) {
+    refuseOthers(options);
     Options chosen = options;
     chosen.scene = sceneOf(options);
     static_cast<void>(readScene(chosen.scene, assetsOf(chosen)));  // to complain at once
@@ -80,8 +99,11 @@ ExitCode run(const Options& options) {
     Studio studio{viewHome(), chosen};
     ViewServer server{studio};
     std::cout << server.address() << std::endl;  // whatever reads this waits for it
-    if (!options.quiet && !openInBrowser(server.address()))
-        std::cerr << "Open this address in your browser; Ctrl-C ends the viewer.\n";
+    if (!options.quiet) {
+        openInBrowser(server.address());
+        std::cerr
+            << "Where no browser opens, open this address in yours; Ctrl-C ends the viewer.\n";
+    }
     std::thread waiter{[&] {
         while (!endAsked)
             std::this_thread::sleep_for(std::chrono::milliseconds{50});

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace raytracer::view {
 
@@ -18,6 +20,7 @@ struct ViewHome {
     std::filesystem::path tests;
     std::string cmake;
     bool hasLens = true;  ///< the exercise has lights with a size, and a lens
+    std::vector<std::pair<std::string, std::string>> suites;  ///< task: the suite of its tests
 };
 
 [[nodiscard]] const ViewHome& viewHome();

@@ -2,6 +2,7 @@
 #define RAYTRACER_APP_VIEW_WORKSHOP_H
 
 #include "Board.h"
+#include "BuildOutput.h"
 #include "ViewHome.h"
 #include "process/Process.h"
 
@@ -14,6 +15,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -52,9 +54,14 @@ private:
     [[nodiscard]] std::map<std::filesystem::path, Stamp> stamps() const;
     void work();
     void buildAndTest(const std::set<std::string>& tasks);
-    [[nodiscard]] Outcome run(const std::vector<std::string>& command);
+    /// @param hear  Gets all of its output; what is kept of it lacks the middle of too much.
+    [[nodiscard]] Outcome run(
+        const std::vector<std::string>& command,
+        const std::function<void(std::string_view)>& hear = [](std::string_view) {});
     [[nodiscard]] Outcome build(const std::string& target);
     void test(const std::set<std::string>& tasks);
+    /// One process for each task: one that crashes does not take the others with it.
+    [[nodiscard]] TestOutcome ask(const std::set<std::string>& tasks);
     void tellOfErrors(const std::string& output);
     [[nodiscard]] bool isOver();
 
@@ -64,6 +71,7 @@ private:
     std::map<std::filesystem::path, Stamp> seen_;
     std::mutex mutex_;
     std::condition_variable asked_;
+    int looksWithoutAFile_ = 0;
     std::set<std::string> tasks_;  // of files that were saved since the last build began
     bool isAsked_ = true;          // what is there may be older than the files
     bool isEnding_ = false;

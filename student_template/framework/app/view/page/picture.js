@@ -11,8 +11,9 @@ class Picture {
   }
 
   /// A new picture begins; the last one stays until its pieces are painted over.
-  begin({ build, width, height }) {
-    if (this.build >= 0 && build !== this.build) this.kept.before = this.copy(this.canvas);
+  begin({ build, width, height }, isNewScene) {
+    if (isNewScene) this.kept.before = null;
+    else if (this.build >= 0 && build !== this.build) this.kept.before = this.copy(this.canvas);
     this.build = build;
     this.area = 0;
     this.kept.pinhole = null;

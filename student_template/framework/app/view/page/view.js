@@ -73,7 +73,6 @@ async function change(changes) {
 
 function showSettings(now) {
   settings = now;
-  firstSettings ||= now;
   for (const input of document.querySelectorAll("[data-setting]"))
     if (input !== document.activeElement || input.type === "range") input.value = now[input.dataset.setting];
 }
@@ -142,8 +141,10 @@ async function compare() {
 }
 
 function showCompare() {
-  byId("compare").querySelector("[value=before]").disabled = !picture.kept.before;
-  if (byId("compare").value) compare();
+  const before = byId("compare").querySelector("[value=before]");
+  before.disabled = !picture.kept.before;
+  if (before.disabled && before.selected) byId("compare").value = "";
+  compare();
 }
 
 // ---- what the program tells
@@ -175,7 +176,7 @@ function showTests(tests) {
 
 function showPicture(head) {
   const isNewScene = settings && settings.scene !== head.settings.scene;
-  picture.begin(head);
+  picture.begin(head, isNewScene);
   showSettings(head.settings);
   byId("done").value = 0;
   byId("stage").textContent = "";
@@ -195,6 +196,7 @@ function show(news) {
   if (news.hasLens === false) for (const part of document.querySelectorAll("[data-of=lens]")) part.hidden = true;
   if (news.scenes)
     byId("scene").replaceChildren(...news.scenes.map((name) => element("option", { value: name, textContent: name })));
+  if (news.started) firstSettings = news.started;
   if (news.picture) showPicture(news.picture);
   else if (news.scenes && settings) showSettings(settings);
   if (news.build) showBuild(news.build);

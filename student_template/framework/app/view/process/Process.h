@@ -33,7 +33,8 @@ public:
     /// Ends it and everything that it started; `read` then comes to the end. Another thread may
     /// call this.
     void kill();
-    /// Waits for its end. @return Its exit status; above 128 where a signal or `kill` ended it.
+    /// Waits for its end. @return Its exit status; above 128 where a signal or `kill` ended it,
+    /// negative where it crashed on Windows.
     [[nodiscard]] int wait();
 
 private:
@@ -60,10 +61,11 @@ private:
 void yieldToOthers();
 
 /// Makes room for a linker where the system lets no running program be replaced.
-void moveAside(const std::filesystem::path& program);
+/// @return Where the program is now; empty where it was not moved.
+[[nodiscard]] std::filesystem::path moveAside(const std::filesystem::path& program);
 
-/// Opens an address in the browser where this is a desktop. @return False where it is not.
-bool openInBrowser(const std::string& address);
+/// Opens an address in the browser where this is a desktop that can.
+void openInBrowser(const std::string& address);
 
 }  // namespace raytracer::view
 

@@ -145,17 +145,18 @@ void yieldToOthers() {
     static_cast<void>(nice(kSteps));
 }
 
-void moveAside(const fs::path& /*program*/) {}
+fs::path moveAside(const fs::path& /*program*/) {
+    return {};
+}
 
-bool openInBrowser(const std::string& address) {
+void openInBrowser(const std::string& address) {
 #ifdef __APPLE__
     const char* opener = "open";
 #else
     const char* opener = "xdg-open";
-    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
-        return false;
+    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
 #endif
-    if (isatty(STDOUT_FILENO) != 1) return false;
+    if (isatty(STDOUT_FILENO) != 1) return;
     const std::array<const char*, 3> command{opener, address.c_str(), nullptr};
     // The browser outlives this program, so nothing guards it.
     const pid_t child = fork();
@@ -166,8 +167,7 @@ bool openInBrowser(const std::string& address) {
         execvp(opener, const_cast<char* const*>(command.data()));
         _exit(kNotFound);
     }
-    int status = 0;
-    return child > 0 && waitpid(child, &status, 0) == child;
+    if (child > 0) waitpid(child, nullptr, 0);
 }
 
 }  // namespace raytracer::view

@@ -166,7 +166,7 @@ void yieldToOthers() {
     SetPriorityClass(GetCurrentProcess(), BELOW_NORMAL_PRIORITY_CLASS);
 }
 
-void moveAside(const fs::path& program) {
+fs::path moveAside(const fs::path& program) {
     std::error_code error;
     for (int i = 0; i < 100; ++i) {
         fs::path aside = program;
@@ -174,14 +174,13 @@ void moveAside(const fs::path& program) {
         fs::remove(aside, error);  // refused while it runs
         if (fs::exists(aside, error)) continue;
         fs::rename(program, aside, error);
-        return;
+        return error ? fs::path{} : aside;
     }
+    return {};
 }
 
-bool openInBrowser(const std::string& address) {
-    constexpr std::size_t kFirstThatWorked = 33;  // as the system's handbook has it
-    return reinterpret_cast<std::size_t>(ShellExecuteA(nullptr, "open", address.c_str(), nullptr,
-                                                       nullptr, SW_SHOWNORMAL)) >= kFirstThatWorked;
+void openInBrowser(const std::string& address) {
+    ShellExecuteA(nullptr, "open", address.c_str(), nullptr, nullptr, SW_SHOWNORMAL);
 }
 
 }  // namespace raytracer::view
