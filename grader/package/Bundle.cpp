@@ -116,7 +116,7 @@ std::string handInWords(const Exercise& exercise) {
 /// A course may have a question for each exercise, and PrairieLearn tells them apart by this.
 std::string questionId(const Exercise& exercise) {
     std::string id = Digest{}.add("question").add(exercise.name).text();
-    for (const std::size_t at : {20, 16, 12, 8})
+    for (const std::size_t at : {20U, 16U, 12U, 8U})
         id.insert(at, "-");
     return id;
 }

@@ -95,7 +95,7 @@ TaskExplanation::Repairs TaskExplanation::anyOf(Reach reach, MakeSets make) {
     std::vector<EditSet> sets = make(workbench_.source(), bench->candidates, choice());
     // Code that crashes mostly lacks a bound.
     if (isRunEnd(finding_))
-        std::ranges::stable_partition(sets, [&](const EditSet& set) {
+        std::stable_partition(sets.begin(), sets.end(), [&](const EditSet& set) {
             return bench->candidates.atoms[set.front()].kind == "bound";
         });
     return proven(searchOf(reach, *bench), *bench, sets);

@@ -16,6 +16,8 @@ using maintick::isNear;
 using maintick::MirrorQuestion;
 using maintick::TraceMistake;
 using maintick::words;
+using raytracer::ColourRGB;
+using raytracer::Vector3;
 
 std::string askedOf(const MirrorQuestion& asked, std::size_t ray) {
     const probe::CastRay& cast = asked.question.rays[ray];

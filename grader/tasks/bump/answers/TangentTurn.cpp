@@ -89,15 +89,19 @@ bool areInDegrees(const Replies& replies, const Parametrisation& parametrisation
     // Half a texel's uncertainty in u is then 5 degrees; by chance a twelfth of the tilts fits.
     constexpr double kExplained = 0.7;
     constexpr double kFaster = kDegrees - 1.0;
+    struct InDegrees {
+        bool longitude;
+        bool polar;
+    };
     for (const double start : {0.5, 0.0, 0.25, 0.75})
-        for (const auto& [longitude, polar] :
-             {std::pair{true, false}, std::pair{false, true}, std::pair{true, true}})
+        for (const InDegrees angles :
+             {InDegrees{true, false}, InDegrees{false, true}, InDegrees{true, true}})
             for (const Form form : {Form::direct, Form::crossProducts}) {
                 const auto anglesOf = [&](const Reply& reply) {
                     const double fromStart = 2.0 * std::numbers::pi * (reply.u - start);
                     const double sense = parametrisation.mirrored() ? -1.0 : 1.0;
-                    return Angles{longitude ? sense * kFaster * fromStart : 0.0,
-                                  polar ? kDegrees : 1.0};
+                    return Angles{angles.longitude ? sense * kFaster * fromStart : 0.0,
+                                  angles.polar ? kDegrees : 1.0};
                 };
                 if (shareExplained(replies, parametrisation, form, anglesOf) >= kExplained)
                     return true;
