@@ -47,9 +47,10 @@ TEST(LineDiff, ReplacesVeryLongTextsAsAWhole) {
     std::string before;
     for (int i = 0; i < 2500; ++i)
         before += "x" + std::to_string(i) + "\n";
-    const auto diff = lineDiff(before, "y\n" + before + "y\n");
+    const std::string after = "y\n" + before + "y\n";
+    const auto diff = lineDiff(before, after);
     EXPECT_EQ(side(diff, '-'), before);
-    EXPECT_EQ(side(diff, '+'), "y\n" + before + "y\n");
+    EXPECT_EQ(side(diff, '+'), after);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ TEST(LightBehind, GivesNothingInAnyReading) {
                 const auto towards = [&](std::size_t i) {
                     return (lights[i].position() - point.position).normalised();
                 };
-                const Vector3 viewer = (point.viewer - point.position).normalised();
+                const raytracer::Vector3 viewer = (point.viewer - point.position).normalised();
                 EXPECT_GT(towards(0).dot(point.normal), 0.05);
                 EXPECT_LT(towards(1).dot(point.normal), -0.05);
                 EXPECT_GT(towards(2).dot(point.normal), 0.05);
