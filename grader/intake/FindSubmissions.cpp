@@ -82,7 +82,7 @@ std::vector<Place> placesInDownload(const fs::path& zip, const Wanted& wanted) {
     return placesOf(found, zip);
 }
 
-// An archive that cannot be read is somebody's work, and is said to be unreadable when it is read.
+// An archive that cannot be read counts as a submission; reading it later reports the error.
 bool isDownload(const fs::path& zip, const Wanted& wanted) {
     try {
         return !readClassExport(zip, wanted).owners.empty();

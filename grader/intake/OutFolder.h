@@ -17,7 +17,7 @@ struct Wanted {
 [[nodiscard]] bool holdsResults(const std::filesystem::path& folder);
 
 /// True for a folder of results, `wanted.out` or another, that lies in a class: what it holds was
-/// copied from submissions. A folder with a part of the exercise in it is somebody's work.
+/// copied from submissions. A folder with a file of the exercise in it is a submission.
 [[nodiscard]] bool isOut(const std::filesystem::path& folder, const Wanted& wanted);
 
 }  // namespace ticker::intake

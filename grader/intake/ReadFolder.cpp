@@ -139,7 +139,7 @@ private:
         contents_.archives.push_back({path, std::move(*bytes)});
     }
 
-    /// At most limit + 1 bytes of a regular file; empty if it is none any more.
+    /// At most limit + 1 bytes of a regular file; empty if another kind of file has replaced it.
     [[nodiscard]] std::optional<std::string> bytesAt(int parent, const std::string& name,
                                                      const std::string& place,
                                                      std::uint64_t limit) const {

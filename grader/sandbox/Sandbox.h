@@ -114,8 +114,8 @@ struct Outcome {
 [[nodiscard]] inline bool usedLittleMemory(const Outcome& outcome, const Limits& limits,
                                            Policy policy) {
     // By default a compiler takes a sixth of its limit for a right file, and a right program a
-    // thirtieth. A machine that cannot give these shares can hardly grade anything, so that nobody
-    // gains by filling it.
+    // thirtieth. A machine without that much memory fails right submissions, too, so a
+    // program gains nothing by filling it.
     const std::uint64_t share = policy == Policy::compile ? 4 : 8;
     return outcome.peakMemoryBytes < limits.addressSpaceBytes / share;
 }

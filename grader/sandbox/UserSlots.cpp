@@ -50,7 +50,7 @@ std::optional<UserSlot> freeSlot(const FileDescriptor& folder, const UserRange& 
 
 }  // namespace
 
-// The locks of other processes tell nobody when they become free, so this looks again and again.
+// A file lock of another process gives no signal when it is released, so this tries repeatedly.
 UserSlot takeUserSlot(const UserRange& range, std::chrono::milliseconds patience) {
     if (geteuid() != 0) return {};
     constexpr std::chrono::milliseconds kPause{10};

@@ -65,7 +65,7 @@ void printPairs(const similar::ComparedFile& file) {
                    report::escapeLine(file.files[pair.right].submission));
 }
 
-/// Said even with --quiet: whoever pads a copy must not stay unseen.
+/// Printed even with --quiet: a copy that was made too long by padding must not go unnoticed.
 void nameLeftOut(const similar::ComparedFile& file) {
     for (const std::string& submission : file.leftOut)
         fmt::print(stderr, "left out: {} of {} has more than {} bytes; compare it yourself\n",

@@ -1,4 +1,4 @@
-// A class download that broke off, or was damaged on its way, is nobody's damaged work.
+// A class download that broke off, or was damaged on its way, does not count against students.
 #include <grader/intake/ClassExport.h>
 #include <grader/intake/Intake.h>
 #include <grader/tests/support/MoodleExport.h>
@@ -26,7 +26,7 @@ std::string bytesOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
-// Not to be compressed, so that every cut is inside somebody's work.
+// Bytes that cannot be compressed, so that every cut lies inside of a student's file.
 std::string noise(unsigned seed) {
     std::mt19937 generator{seed};
     std::string bytes(3000, '\0');

@@ -1,4 +1,4 @@
-// Who is to blame for an end: the program, or somebody outside of the jail.
+// Whether the program itself or a signal from outside of the jail has ended a run.
 #include "JailFixture.h"
 
 #include <grader/base/FileDescriptor.h>
