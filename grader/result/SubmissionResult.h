@@ -127,8 +127,8 @@ struct SubmissionResult {
     std::vector<ResultPicture> pictures;
     std::vector<Diagnostics> diagnostics;
     std::vector<SourceText> sources;
-    /// Bytes of screenshot.png as handed in. They are untrusted: no page may show or link them. Empty
-    /// without a screenshot, and in a result that was read from a file.
+    /// Bytes of screenshot.png as handed in. They are untrusted: no page may show or link them.
+    /// Empty without a screenshot, and in a result that was read from a file.
     std::optional<std::string> screenshot;
     std::vector<std::string> notices;
     Timing timing;
