@@ -13,10 +13,21 @@ constexpr std::size_t kTile = 6;
 // Three weights under which no difference between scene colours cancels out.
 constexpr probe::ColourRGB kWeights{0.35, 0.4, 0.25};
 
-// Lens paths of each pixel, at least. A share that no path of n meets is at most 3/n (Hanley and
-// Lippman-Hand 1983); its colour may differ by a half, and fifty rays are averaged.
+// Lens paths of each pixel, at least. One picture has more noise of its own than several.
 constexpr int kPaths = 4096;
-constexpr double kVarianceFloor = 3.0 / kPaths * 0.25 / 50.0;
+constexpr int kPathsForOne = 1024;
+constexpr int kRoughly = 8;  // times fewer
+
+int leastPaths(int repetitions, Exactness exactness) {
+    const int paths = repetitions > 1 ? kPaths : kPathsForOne;
+    return exactness == Exactness::rough ? paths / kRoughly : paths;
+}
+
+// A share that no path of n meets is at most 3/n (Hanley and Lippman-Hand 1983); its colour may
+// differ by a half, and fifty rays are averaged.
+constexpr double varianceFloor(int paths) {
+    return 3.0 / paths * 0.25 / 50.0;
+}
 
 double weighed(const probe::ColourRGB& colour) {
     return kWeights.r * colour.r + kWeights.g * colour.g + kWeights.b * colour.b;
@@ -71,18 +82,19 @@ SeenPictures readPictures(const probe::RenderAnswer& answer) {
 }
 
 ExpectedPicture expectedPicture(const probe::RenderQuestion& asked, const oracle::Reading& reading,
-                                std::uint64_t seed) {
+                                std::uint64_t seed, Exactness exactness) {
     oracle::Precision precision;
-    precision.share = 0.04;
+    precision.share = exactness == Exactness::rough ? 0.4 : 0.04;
     precision.renders = asked.repetitions;
-    precision.minLensPaths = kPaths;
+    precision.minLensPaths = leastPaths(asked.repetitions, exactness);
     const oracle::Moments moments =
         oracle::Oracle{asked.scene, asked.settings, reading}.moments(seed, precision);
     ExpectedPicture expected;
     for (std::size_t i = 0; i < moments.mean.size(); ++i) {
         const probe::ColourRGB& error = moments.meanError[i];
         expected.mean.push_back(weighed(moments.mean[i]));
-        expected.variance.push_back(moments.covariance[i].along(kWeights) + kVarianceFloor);
+        expected.variance.push_back(moments.covariance[i].along(kWeights) +
+                                    varianceFloor(precision.minLensPaths));
         // Channels of one pixel are correlated; their errors are added as if fully correlated.
         expected.error.push_back(std::pow(kWeights.r * std::sqrt(error.r) +
                                               kWeights.g * std::sqrt(error.g) +
@@ -146,11 +158,12 @@ double largestTileZ(const SeenPictures& seen, const ExpectedPicture& expected) {
 // Fourth moments are those of a normal distribution, since each pixel is a mean of fifty rays.
 Excess excessVariance(const SeenPictures& seen, const ExpectedPicture& expected) {
     if (seen.identical) return {};
+    constexpr double kFloor = varianceFloor(kPaths);
     double sum = 0.0;
     double count = 0.0;
     for (std::size_t i = 0; i < seen.variance.size(); ++i) {
-        if (expected.variance[i] < 4.0 * kVarianceFloor) continue;
-        sum += seen.variance[i] / (expected.variance[i] - kVarianceFloor);
+        if (expected.variance[i] < 4.0 * kFloor) continue;
+        sum += seen.variance[i] / (expected.variance[i] - kFloor);
         count += 1.0;
     }
     if (!(count > 0.0)) return {};

@@ -33,10 +33,14 @@ struct ExpectedPicture {
     Plane variance;  ///< of one render
     Plane error;     ///< squared standard error of `mean`
 };
-/// The expected picture for judging: the error of its mean adds a 25th to the variance of the mean
-/// of all renders.
+/// How exact an expected picture is.
+enum class Exactness {
+    judging,  ///< the error of its mean adds a 25th to the variance of the mean of all renders
+    rough     ///< it adds up to two fifths, for an eighth of the time: to rule readings out
+};
 [[nodiscard]] ExpectedPicture expectedPicture(const probe::RenderQuestion& asked,
-                                              const oracle::Reading& reading, std::uint64_t seed);
+                                              const oracle::Reading& reading, std::uint64_t seed,
+                                              Exactness exactness = Exactness::judging);
 /// The mean under a mistake, as a template. Its noise costs power, but no validity.
 [[nodiscard]] Plane mistakenPicture(const probe::RenderQuestion& asked,
                                     const oracle::Reading& reading, const oracle::Mistake& mistake,

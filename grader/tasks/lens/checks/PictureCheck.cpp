@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -35,13 +37,21 @@ public:
     }
 
 private:
-    static constexpr std::array kApertures{1.0, 0.5};
+    static constexpr double kWhole = 1.0;
+    static constexpr double kHalf = 0.5;
+    static constexpr double kMiddle = 0.7;  // of the pixel
 
-    [[nodiscard]] Candidate candidate(double aperture, double spread) const {
+    static Reading readingOf(double aperture, double spread) {
         Reading reading;
         reading.apertureFactor = aperture;
         reading.pixelSpread = spread;
-        return candidateOf(asked_, seen_, reading, seed_);
+        return reading;
+    }
+    [[nodiscard]] Candidate candidate(double aperture, double spread) const {
+        return candidateOf(asked_, seen_, readingOf(aperture, spread), seed_);
+    }
+    [[nodiscard]] double rough(double aperture, double spread) const {
+        return roughMisfit(asked_, seen_, readingOf(aperture, spread), seed_);
     }
 
     bool fits(const Candidate& candidate) {
@@ -57,12 +67,18 @@ private:
     }
 
     bool fitsHandout() {
-        for (const double aperture : kApertures) {
-            const Candidate one = candidate(aperture, 0.0);
-            misfit_ = std::min(misfit_, one.misfit);
-            if (fits(one)) return true;
-        }
-        return false;
+        const Candidate whole = candidate(kWhole, 0.0);
+        misfit_ = whole.misfit;
+        if (fits(whole)) return true;
+        // A reading that is this much worse than another one is neither right nor the least bad.
+        constexpr double kHopeless = 3.0;
+        const double roughWhole = rough(kWhole, 0.0);
+        const double roughHalf = rough(kHalf, 0.0);
+        roughMisfit_ = std::min(roughWhole, roughHalf);
+        if (roughHalf > kHopeless * roughWhole) return false;
+        const Candidate half = candidate(kHalf, 0.0);
+        misfit_ = std::min(misfit_, half.misfit);
+        return fits(half);
     }
 
     // Rays through all of their pixel have a misfit of 0.5 to 0.8, those through its middle half 5
@@ -73,32 +89,55 @@ private:
         constexpr double kFar = 6.0;
         return antialiased.misfit <= std::min(kNearer * misfit_, kFar);
     }
+    // False only for what is not near by far. Rough misfits lie closer together than real ones.
+    [[nodiscard]] bool mayBeNear(double roughAntialiased) const {
+        constexpr double kNearer = 0.9;
+        constexpr double kFar = 9.0;
+        return roughAntialiased <= std::min(kNearer * roughMisfit_, kFar);
+    }
 
     // @return  Whether the best is some antialiasing, but not of the usual kind.
     bool isNearerAntialiased() {
         bool isNearer = false;
-        for (const double aperture : kApertures) {
-            const Candidate whole = candidate(aperture, 1.0);
-            if (isNear(whole)) {
-                if (fits(whole)) return false;
-                nearest_ = std::min(nearest_, whole.misfit);
+        for (const double aperture : {kWhole, kHalf}) {
+            if (mayBeNear(rough(aperture, 1.0))) {
+                const Candidate whole = candidate(aperture, 1.0);
+                if (isNear(whole)) {
+                    if (fits(whole)) return false;
+                    nearest_ = std::min(nearest_, whole.misfit);
+                    isNearer = true;
+                }
             }
-            isNearer = isNearer || isNear(whole) || isNear(candidate(aperture, 0.7));
+            isNearer = isNearer || (mayBeNear(rough(aperture, kMiddle)) &&
+                                    isNear(candidate(aperture, kMiddle)));
         }
         return isNearer;
     }
 
     // Filters that favour the middle of a pixel (tent, bell, disc, grid) look like a smaller square
-    // of the same variance. Half a step of these sizes is z = 4 at most.
+    // of the same variance. A quarter of a step of these sizes is z = 2 at most.
     void tryInsideOfPixels() {
+        constexpr std::array kSizes{1.0, 0.93, 0.86, 0.78, kMiddle, 0.6, 0.5};
+        const double aperture = rough(kHalf, kMiddle) < rough(kWhole, kMiddle) ? kHalf : kWhole;
+        std::array<double, kSizes.size()> misfits{};
+        std::ranges::transform(kSizes, misfits.begin(),
+                               [&](double size) { return rough(aperture, size); });
+        const auto place =
+            static_cast<std::size_t>(std::ranges::min_element(misfits) - misfits.begin());
+        const double size = kSizes.at(place);
+        std::vector<double> sizes{size};
+        if (place > 0) sizes.push_back(std::midpoint(kSizes.at(place - 1), size));
+        if (place + 1 < kSizes.size()) sizes.push_back(std::midpoint(kSizes.at(place + 1), size));
+        tryNearest(aperture, sizes);
+    }
+    void tryNearest(double aperture, const std::vector<double>& sizes) {
         std::optional<Candidate> nearest;
-        for (const double spread : {0.93, 0.86, 0.78, 0.7, 0.6, 0.5})
-            for (const double aperture : kApertures) {
-                Candidate one = candidate(aperture, spread);
-                if (one.misfit >= nearest_) continue;
-                nearest_ = one.misfit;
-                nearest = std::move(one);
-            }
+        for (const double size : sizes) {
+            Candidate one = candidate(aperture, size);
+            if (one.misfit >= nearest_) continue;
+            nearest_ = one.misfit;
+            nearest = std::move(one);
+        }
         if (nearest) fits(*nearest);
     }
 
@@ -106,7 +145,8 @@ private:
     const SeenPictures& seen_;
     std::uint64_t seed_;
     std::optional<Trial> best_;
-    double misfit_ = std::numeric_limits<double>::infinity();   // least, without antialiasing
+    double misfit_ = 0.0;                                       // least, without antialiasing
+    double roughMisfit_ = 0.0;                                  // likewise, from rough pictures
     double nearest_ = std::numeric_limits<double>::infinity();  // least, with antialiasing
 };
 
@@ -159,8 +199,14 @@ bool followsPixels(const probe::RenderQuestion& asked, const probe::RenderAnswer
     const SeenPictures seen = readPictures(answer);
     Reading ofOwnLength = reading;
     ofOwnLength.pixelSpread *= static_cast<double>(kFineWidth) / kPictureWidth;
-    return seen.isFinite() && candidateOf(asked, seen, reading, seed).misfit <=
-                                  candidateOf(asked, seen, ofOwnLength, seed).misfit;
+    if (!seen.isFinite()) return false;
+    // Rough misfits settle it where they are this far apart.
+    constexpr double kClearly = 1.25;
+    const double rough = roughMisfit(asked, seen, reading, seed);
+    const double roughOwn = roughMisfit(asked, seen, ofOwnLength, seed);
+    if (std::max(rough, roughOwn) > kClearly * std::min(rough, roughOwn)) return rough < roughOwn;
+    return candidateOf(asked, seen, reading, seed).misfit <=
+           candidateOf(asked, seen, ofOwnLength, seed).misfit;
 }
 
 }  // namespace ticker::tasks

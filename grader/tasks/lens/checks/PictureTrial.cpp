@@ -78,6 +78,11 @@ Candidate candidateOf(const probe::RenderQuestion& asked, const SeenPictures& se
     return made;
 }
 
+double roughMisfit(const probe::RenderQuestion& asked, const SeenPictures& seen,
+                   const oracle::Reading& reading, std::uint64_t seed) {
+    return meanSquaredZ(seen, expectedPicture(asked, reading, seed, Exactness::rough));
+}
+
 Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen,
                  const Candidate& candidate, std::uint64_t seed) {
     const auto& [reading, expected, misfit] = candidate;

@@ -52,6 +52,16 @@ TEST(AntialiasedPictures, AreAcceptedWithEitherApertureInAllOrAPartOfThePixel) {
     }
 }
 
+// The square is found to a quarter of the search's first step, so that it leaves room for the
+// noise, whose z exceeds 4.5 with a chance below 1e-4 in each.
+TEST(AntialiasedPictures, LeaveRoomBetweenTwoSizesOfTheSearch) {
+    for (const double spread : {0.55, 0.65, 0.74}) {
+        const PictureVerdict verdict = verdictOn(antialiasing(spread, 0.5), {}, 12);
+        EXPECT_LT(verdict.timesTheLimit, 0.75) << spread;
+        EXPECT_NEAR(verdict.reading.pixelSpread, spread, 0.045);
+    }
+}
+
 TEST(AntialiasedPictures, AreNoOthers) {
     EXPECT_EQ(verdictOn({}, {}, 4).reading.pixelSpread, 0.0);
 }
