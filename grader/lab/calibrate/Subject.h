@@ -50,8 +50,8 @@ inline constexpr std::array<std::string_view, 2> kRightAndSmaller{"T2.1/accepted
                                                                   "T2.1/light-size-0.36"};
 inline constexpr std::array<std::string_view, 2> kRightAndHard{"T2.1/accepted-per-sample",
                                                                "T2.1/hard-centre"};
-/// Right ones that get `dof.antialiased` or `shadow.view-from-eye`, which explains their pictures,
-/// though no expectation names it.
+/// Right ones that get `dof.antialiased`, `shadow.view-from-eye` or `shadow.near-side-falloff`,
+/// which explains their pictures, though no expectation names it.
 inline constexpr std::array<std::string_view, 2> kOtherPictures{
     "right/antialiased-pixels", "T2.1/accepted-own-intersection-per-sample-eye"};
 /// Mistakes that a doubt about pictures must find every time, and those where it is only measured.

@@ -2,6 +2,8 @@
 #include <grader/tasks/shadows/JudgeSoftShadows.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/ShadowStages.h>
+#include <grader/tasks/shadows/checks/ShadowChecks.h>
+#include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/support/FindingOrder.h>
 #include <grader/tasks/support/RunEnd.h>
 
@@ -13,6 +15,21 @@
 
 namespace ticker::tasks {
 namespace {
+
+// Takes a warning about an accepted reading out of a stage: it is no failure that has to repeat.
+std::optional<Finding> takeWarning(Stage& stage) {
+    if (!stage.failure || stage.failure->severity == Severity::fail) return std::nullopt;
+    return std::exchange(stage.failure, std::nullopt);
+}
+
+// Where illuminate shows no more than a ray to each light's centre, beside an intersection of its
+// own, a render shows no more either.
+VisibleRays visibleRays(const ShadowOutcome& outcome, const std::vector<ShadowLog>& logs) {
+    VisibleRays visible{.all = !outcome.rayless};
+    if (outcome.onlyExtra)
+        visible.toALight = countRays(ShadowLogs{logs}.atHandoutSettings()).fewest;
+    return visible;
+}
 
 // Judges by values and renders what the rays leave open.
 // @return  Whether the submission needs review.
@@ -29,11 +46,15 @@ bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOut
             "and gives fractions of the light all the same";
     if (cut) reason = "illuminate casts far more rays than asked for, so not all were followed";
     outcome.findings.push_back(unseenRays(kShadowUnseenRays, reason));
+    std::optional<Finding> warning;
     const bool needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
-        return judgePenumbra(examinee, seed, stage);
+        Stage judged = judgePenumbra(examinee, seed, stage);
+        warning = takeWarning(judged);
+        return judged;
     });
     // If full shadow is lit, its edge has no fractions either; the edge is then not the fault.
     if (unexplained && is(outcome.findings.back(), kShadowHard)) outcome.findings.pop_back();
+    if (warning && !hasFailure(outcome.findings)) outcome.findings.push_back(*std::move(warning));
     return needsReview;
 }
 
@@ -53,13 +74,13 @@ TaskJudgement judgeShadows(probe::Examinee& examinee, std::uint64_t seed) {
         logs.push_back(readShadowLog(asked[i], std::get<probe::IlluminateAnswer>(run.answers[i])));
     ShadowOutcome outcome = judgeSoftShadows(logs);
     bool needsReview = judgeUnseenShadows(examinee, seed, outcome);
-    if (outcome.reading && !outcome.cut && !hasFailure(outcome.findings))
-        needsReview =
-            keepRepeated(outcome.findings,
-                         [&](std::uint64_t stage) {
-                             return judgeLitRender(examinee, seed, stage, !outcome.rayless);
-                         }) ||
-            needsReview;
+    if (outcome.reading && !outcome.cut && !hasFailure(outcome.findings)) {
+        const VisibleRays visible = visibleRays(outcome, logs);
+        const bool inRenders = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
+            return judgeLitRender(examinee, seed, stage, visible);
+        });
+        needsReview = needsReview || inRenders;
+    }
     // Review: steps at the edges of shadows.
     needsReview = needsReview || std::ranges::any_of(outcome.findings, [](const Finding& finding) {
                       return is(finding, kShadowFixedSamples);

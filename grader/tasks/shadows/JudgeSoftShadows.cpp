@@ -81,6 +81,10 @@ Result viewer(ShadowSeen& seen) {
         "the world.");
 }
 
+Result nearSide(ShadowSeen& seen) {
+    return seen.reading ? checkNearSide(seen.logs) : std::nullopt;
+}
+
 Result horizon(ShadowSeen& seen) {
     return seen.reading ? checkHorizon(seen.logs, seen.aims, *seen.reading) : std::nullopt;
 }
@@ -125,6 +129,7 @@ const std::vector<ShadowCheck>& checksOfRays() {
         {.run = horizon, .ifNothingFails = true},
         {.run = contact, .ifNothingFails = true},
         {.run = viewer},
+        {.run = nearSide, .ifNothingFails = true},
         {.run = otherSettings, .ifNothingFails = true}};
     return kChecks;
 }

@@ -164,6 +164,19 @@ inline constexpr FindingText kShadowViewFromEye{
         "wrong.",
     .section = "Soft shadows (T2.1), step 3"};
 
+inline constexpr FindingText kShadowNearSideFalloff{
+    .id = "shadow.near-side-falloff",
+    .words = "measured the falloff to the light's surface",
+    .meaning =
+        "warn: the distance in the falloff ends at the near side of the light's ball, which makes "
+        "the light brighter, by about (d / (d - r))^2",
+    .hint =
+        "The light is a ball around light.position(), of radius r = settings().lightSize. Measured "
+        "to the near side of its surface, the distance d is up to r too short, so that light is up "
+        "to (d / (d - r))^2 times as bright. The handout means the distance to the light's centre, "
+        "(light.position() - P).magnitude(); that to a random point in the ball is right, too.",
+    .section = "Soft shadows (T2.1), step 3"};
+
 inline constexpr FindingText kShadowThreadsMixed{
     .id = "shadow.threads-mixed",
     .words = "let several threads share what a light adds up",
@@ -226,6 +239,7 @@ inline constexpr std::array kShadowFindings{&kShadowHard,
                                             &kShadowNotABall,
                                             &kShadowClustered,
                                             &kShadowViewFromEye,
+                                            &kShadowNearSideFalloff,
                                             &kShadowThreadsMixed,
                                             &kShadowNotInRenders,
                                             &kShadowWrong,

@@ -1,6 +1,5 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/ShadowStages.h>
-#include <grader/tasks/shadows/checks/LitRender.h>
 #include <grader/tasks/shadows/checks/PenumbraCheck.h>
 #include <grader/tasks/support/FindingOrder.h>
 
@@ -23,7 +22,7 @@ Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t
 }
 
 Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage,
-                     bool visible) {
+                     const VisibleRays& visible) {
     const std::uint64_t own = seedOf(seed, stage);
     const std::array asked{drawLitQuestion(own, 1), drawLitQuestion(own, 2)};
     const probe::Run run = examinee.ask({asked[0], asked[1]});

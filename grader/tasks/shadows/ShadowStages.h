@@ -1,6 +1,7 @@
 #ifndef TICKER_TASKS_SHADOWS_SHADOWSTAGES_H
 #define TICKER_TASKS_SHADOWS_SHADOWSTAGES_H
 
+#include <grader/tasks/shadows/checks/LitRender.h>
 #include <grader/tasks/support/Stage.h>
 
 namespace ticker::tasks {
@@ -12,9 +13,9 @@ namespace ticker::tasks {
                                   std::uint64_t stage);
 /// Judges `illuminate` inside of `render`. With one thread a difference from single points needs
 /// review; with two threads a difference from one thread fails.
-/// @param visible  Whether all shadow rays are visible, and not only one beside others.
+/// @param visible  What single points showed: a render is expected to show as much.
 [[nodiscard]] Stage judgeLitRender(probe::Examinee& examinee, std::uint64_t seed,
-                                   std::uint64_t stage, bool visible);
+                                   std::uint64_t stage, const VisibleRays& visible);
 
 }  // namespace ticker::tasks
 

@@ -196,8 +196,8 @@ TEST(DoubtPicture, AllowsMoreToOnePatternForAllPixels) {
     EXPECT_TRUE(tasks[1].needsReview);
 }
 
-TEST(DoubtPicture, IsContentWithHighlightsAsSeenFromTheEyeAndWithAntialiasing) {
-    for (const char* id : {"shadow.view-from-eye", "dof.antialiased"}) {
+TEST(DoubtPicture, IsContentWithReadingsThatExplainAnotherPicture) {
+    for (const char* id : {"shadow.view-from-eye", "shadow.near-side-falloff", "dof.antialiased"}) {
         std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
         tasks[0].findings.push_back({});
         tasks[0].findings[0].id = id;

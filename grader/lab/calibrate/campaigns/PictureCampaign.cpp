@@ -30,8 +30,9 @@ constexpr std::uint64_t kRendersPerUnit = 10;
 // The warning explains their pictures, or their lens points are shared by all pixels, so that their
 // noise cannot be measured.
 bool isCompared(const Subject& subject) {
-    constexpr std::array kOthers{&tasks::kShadowViewFromEye, &tasks::kDofAntialiased,
-                                 &tasks::kShadowFixedSamples, &tasks::kDofReusedPattern};
+    constexpr std::array kOthers{&tasks::kShadowViewFromEye, &tasks::kShadowNearSideFalloff,
+                                 &tasks::kDofAntialiased, &tasks::kShadowFixedSamples,
+                                 &tasks::kDofReusedPattern};
     return !isAmong(kOtherPictures, subject) &&
            std::ranges::none_of(kOthers, [&](const FindingText* text) {
                return text->id == subject.expect.finding();

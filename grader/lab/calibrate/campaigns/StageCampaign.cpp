@@ -46,7 +46,8 @@ Stage shadowStage(probe::Examinee& examinee, std::uint64_t seed) {
     const tasks::PenumbraQuestion asked = tasks::drawPenumbraQuestion(seed);
     const tasks::PenumbraVerdict verdict =
         tasks::checkPenumbra(asked, answerOf<probe::IlluminateAnswer>(examinee, asked.question));
-    return {verdict.finding.has_value() || verdict.ambiguous, verdict.timesTheBound};
+    const bool fails = verdict.finding && verdict.finding->severity == Severity::fail;
+    return {fails || verdict.ambiguous, verdict.timesTheBound};
 }
 
 Stage pictureStage(probe::Examinee& examinee, std::uint64_t seed) {

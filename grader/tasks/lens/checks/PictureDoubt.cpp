@@ -27,10 +27,10 @@ bool hasFinding(const std::vector<TaskReport>& tasks,
     });
 }
 
-// Highlights computed for the eye change every reflection, antialiasing changes every edge: both
-// are accepted.
+// Highlights computed for the eye change every reflection, the falloff of the light's near side all
+// light, antialiasing every edge: all are accepted.
 bool isExplained(const std::vector<TaskReport>& tasks) {
-    return hasFinding(tasks, {&kShadowViewFromEye, &kDofAntialiased});
+    return hasFinding(tasks, {&kShadowViewFromEye, &kShadowNearSideFalloff, &kDofAntialiased});
 }
 
 // Lens points that all pixels share move the picture as a whole: one pattern of fifty gave 1.13.

@@ -11,6 +11,13 @@ namespace {
 using Phong = ShadowReading::Phong;
 using Terms = ShadowReading::Terms;
 
+// Whether a sample on the half of the surface that faces the point lies where its line enters the
+// ball: beside the rim the line leaves through this half, too, but its chord is short there.
+bool entersAlone(double half, double radius, double centre) {
+    constexpr double kBias = 1.05;  // rays start beside the point
+    return half > kBias * radius * radius / centre;
+}
+
 // The sample lies anywhere on the chord of the line in the light.
 SampleTerms termsOf(const Setting& at, const AimLine& line) {
     const double centre = (at.light.position() - at.point.point.position).magnitude();
@@ -25,6 +32,8 @@ SampleTerms termsOf(const Setting& at, const AimLine& line) {
                                 ? line.direction
                                 : (at.light.position() - at.point.point.position) / centre;
     const PhongTerms near = at.terms(towards, std::max(along - half, 0.1 * centre));
+    if (at.reading.nearSide && entersAlone(half, radius, centre))
+        return {{near.diffuse, near.diffuse}, {near.specular, near.specular}};
     const PhongTerms far = at.terms(towards, std::max(along + half, 0.1 * centre));
     return {{far.diffuse, near.diffuse}, {far.specular, near.specular}};
 }

@@ -24,9 +24,9 @@ bool isLikeAnotherSize(AimShape shape) {
 constexpr std::array kByDensity{AimShape::uniformRadius, AimShape::rootRadius, AimShape::ball,
                                 AimShape::flatDisc, AimShape::surface};
 
-/// The best of all Phong readings for a density between two: means are linear in the density.
-double excessOf(const std::vector<PenumbraSamples>& seen, const Expected& first,
-                const Expected& second, double part) {
+/// Tries all Phong readings for a density between two: means are linear in the density.
+void tryDensity(const std::vector<PenumbraSamples>& seen, const Expected& first,
+                const Expected& second, double part, PenumbraFit& fit) {
     const auto mixed = [&](auto valueOf) {
         std::vector<double> values;
         for (std::size_t i = 0; i < first.size(); ++i)
@@ -34,14 +34,22 @@ double excessOf(const std::vector<PenumbraSamples>& seen, const Expected& first,
         return values;
     };
     const std::vector<double> open = mixed([](const ExpectedShares& at) { return at.open; });
-    double best = 1e9;
     for (const std::size_t eye : {0U, 1U})
-        for (std::size_t phong = 0; phong < ExpectedShares::kPhongReadings; ++phong)
-            best = std::min(best, worstExcess(seen, mixed([=](const ExpectedShares& at) {
-                                                  return at.share[eye][phong];
-                                              }),
-                                              open));
-    return best;
+        for (std::size_t phong = 0; phong < ExpectedShares::kPhongReadings; ++phong) {
+            const auto shares =
+                mixed([=](const ExpectedShares& at) { return at.share[eye][phong]; });
+            double& best =
+                ExpectedShares::isNearSide(phong) ? fit.excessOfNearSide : fit.excessOfOthers;
+            best = std::min(best, worstExcess(seen, shares, open));
+        }
+}
+
+// A fit of the near side's falloff is not enough where another reading may still fit as well: a
+// warning says that none does.
+bool isDecided(const PenumbraFit& fit) {
+    const bool mayBeNearSide =
+        fit.excessOfNearSide < fit.excessOfOthers && fit.excessOfOthers > PenumbraFit::kSurely;
+    return fit.excess() <= 1.0 && !mayBeNearSide;
 }
 
 }  // namespace
@@ -56,20 +64,20 @@ PenumbraFit fitAcceptedShapes(const probe::IlluminateQuestion& asked, const Surf
     };
     PenumbraFit fit;
     for (const AimShape shape : kAcceptedAimShapes) {
-        if (isLikeAnotherSize(shape) && (sizeIsInDoubt || fit.excess <= 1.0)) continue;
+        if (isLikeAnotherSize(shape) && (sizeIsInDoubt || isDecided(fit))) continue;
         const Expected expected = expectedOf(shape);
-        fit.excess = std::min(fit.excess, excessOf(seen, expected, expected, 0.0));
+        tryDensity(seen, expected, expected, 0.0, fit);
         if (shape == AimShape::ball)
             for (const ExpectedShares& at : expected)
                 fit.openInBall.push_back(at.open);
     }
-    if (sizeIsInDoubt || fit.excess <= 1.0) return fit;
+    if (sizeIsInDoubt || isDecided(fit)) return fit;
     Expected last;
     for (const AimShape shape : kByDensity) {
         Expected next = expectedOf(shape);
         if (!last.empty())
             for (const double part : {0.25, 0.5, 0.75})
-                fit.excess = std::min(fit.excess, excessOf(seen, last, next, part));
+                tryDensity(seen, last, next, part, fit);
         last = std::move(next);
     }
     return fit;

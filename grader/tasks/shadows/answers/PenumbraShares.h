@@ -28,6 +28,8 @@ struct ExpectedShares {
     /// centre's distance, of the aim's, or of the nearest point of the light on the aim's line, as
     /// sampling of the light's solid angle gives it. Index 0: central, with the centre's distance.
     static constexpr std::size_t kPhongReadings = 6;
+    /// Whether a reading has the falloff of the nearest points.
+    [[nodiscard]] static constexpr bool isNearSide(std::size_t phong) { return phong % 3 == 2; }
 
     double open = 0.0;                                          ///< share of aims in sight
     std::array<std::array<double, kPhongReadings>, 2> share{};  ///< [viewer is the eye][Phong]

@@ -25,6 +25,9 @@ struct ShadowReading {
     /// turns.
     enum class Terms { together, halves, inTurns };
     Terms terms = Terms::together;
+    /// Every sample lies on the half of the light's surface that faces the point. No reading of
+    /// acceptedShadowReadings: those with the distance of each sample include it.
+    bool nearSide = false;
 };
 
 /// What the code does with the shares: `right`, or a named mistake.

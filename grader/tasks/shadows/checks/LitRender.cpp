@@ -131,25 +131,28 @@ FitCount bestFit(const ShadowLog& log) {
     return best;
 }
 
-std::size_t raysFor(const LitRender& lit, std::size_t points) {
-    return points * lit.asked.question.scene.pointLights.size() *
-           static_cast<std::size_t>(lit.asked.question.settings.shadowRayCount);
+std::size_t raysAsked(const LitRender& lit) {
+    return static_cast<std::size_t>(lit.asked.question.settings.shadowRayCount);
+}
+
+std::size_t raysFor(const LitRender& lit, std::size_t points, std::size_t toALight) {
+    return points * lit.asked.question.scene.pointLights.size() * toALight;
 }
 
 // True if illuminate has threads of its own, whose rays cannot be assigned to a point.
 bool helpersCastTheRest(const LitRender& lit) {
     const std::size_t rays = lit.answer.events.size() + lit.looseRays;
-    return lit.looseRays > 0 && rays >= raysFor(lit, lit.answer.colours.size());
+    return lit.looseRays > 0 && rays >= raysFor(lit, lit.answer.colours.size(), raysAsked(lit));
 }
 
-// True if render lights its points in code of its own.
-std::optional<std::string> looseDifference(const LitRender& lit) {
-    const int asked = lit.asked.question.settings.shadowRayCount;
-    const std::size_t expected = raysFor(lit, lit.lensRays);
+// For a render that lights its points in code of its own.
+std::optional<std::string> looseDifference(const LitRender& lit, const VisibleRays& visible) {
+    const std::size_t toALight = visible.toALight.value_or(raysAsked(lit));
+    const std::size_t expected = raysFor(lit, lit.lensRays, toALight);
     if (lit.looseRays == 0 || lit.looseRays >= expected) return std::nullopt;
     const double share = static_cast<double>(lit.looseRays) / static_cast<double>(expected);
     return fmt::format("a point gets {:.2g} of {} shadow rays to a light, in the mean",
-                       share * asked, asked);
+                       share * static_cast<double>(toALight), toALight);
 }
 
 }  // namespace
@@ -162,11 +165,11 @@ LitRender readLitRender(const probe::RenderQuestion& asked, const probe::RenderA
     return std::move(reader).take();
 }
 
-std::optional<std::string> litDifference(const LitRender& lit, bool visible) {
-    if (lit.answer.colours.empty()) return looseDifference(lit);
-    if (!visible || lit.answer.events.empty() || helpersCastTheRest(lit)) return std::nullopt;
+std::optional<std::string> litDifference(const LitRender& lit, const VisibleRays& visible) {
+    if (lit.answer.colours.empty()) return looseDifference(lit, visible);
+    if (!visible.all || lit.answer.events.empty() || helpersCastTheRest(lit)) return std::nullopt;
     const ShadowLog log = readShadowLog(lit.asked, lit.answer);
-    const auto asked = static_cast<std::size_t>(log.settings().shadowRayCount);
+    const std::size_t asked = raysAsked(lit);
     if (const RayCounts counts = countRays({&log}); counts.fewest < asked)
         return fmt::format("some points get {} of {} shadow rays to a light", counts.fewest, asked);
     if (goAstray(log)) return "some shadow rays start at another point, or pass the light";

@@ -27,10 +27,18 @@ struct LitRender {
 [[nodiscard]] LitRender readLitRender(const probe::RenderQuestion& asked,
                                       const probe::RenderAnswer& answer);
 
+/// The shadow rays that the same code shows when it is asked about single points.
+struct VisibleRays {
+    bool all = true;  ///< if not, only loose rays are counted
+    /// Rays from a point to a light, if these are all that a render can show; empty: as many as the
+    /// settings ask for.
+    std::optional<std::size_t> toALight = {};
+};
+
 /// Words for a difference between the shadows of a render and those of single points; empty if they
 /// agree, or if too little is visible. Exact: one accepted reading must fit every point.
-/// @param visible  Whether all shadow rays are visible. If not, only loose rays are counted.
-[[nodiscard]] std::optional<std::string> litDifference(const LitRender& lit, bool visible = true);
+[[nodiscard]] std::optional<std::string> litDifference(const LitRender& lit,
+                                                       const VisibleRays& visible = {});
 
 }  // namespace ticker::tasks
 

@@ -3,6 +3,7 @@
 #include <grader/tasks/shadows/answers/PenumbraHits.h>
 #include <grader/tasks/shadows/answers/PenumbraShares.h>
 #include <grader/tasks/shadows/checks/PenumbraCheck.h>
+#include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>
@@ -186,7 +187,7 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
     const PenumbraFit fit =
         fitAcceptedShapes(asked.question, surfaces, seen, darkRim || brightBeyond);
     PenumbraVerdict verdict;
-    verdict.timesTheBound = fit.excess;
+    verdict.timesTheBound = fit.excess();
     verdict.finding = checkFractions(seen, fit.openInBall);
     if (verdict.finding) return verdict;
     verdict.ambiguous = sameEveryCall(seen);
@@ -197,8 +198,10 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
         verdict.finding = explain(asked.question, surfaces, seen, verdict.timesTheBound);
     // Of 90000 rays to the very rim at least 27 are expected for every accepted shape. Without any,
     // the light is smaller, or a table of a few hundred aims has no sample there.
-    else
-        verdict.ambiguous = darkRim;
+    else if (darkRim)
+        verdict.ambiguous = true;
+    else if (fit.isNearSideAlone())
+        verdict.finding = nearSideFalloff();
     return verdict;
 }
 

@@ -9,6 +9,7 @@
 namespace ticker::tasks {
 
 struct PenumbraVerdict {
+    /// Fails, or warns of an accepted reading whose pictures differ from the handout's.
     std::optional<Finding> finding;
     /// Largest deviation of a mean under the best accepted reading, in units of Bernstein's bound.
     double timesTheBound = 0.0;

@@ -63,6 +63,10 @@ struct ArithmeticVerdict {
 };
 [[nodiscard]] ArithmeticVerdict checkArithmetic(const ShadowLogs& logs);
 
+/// Whether light falls off over the distance of the light's near side, and of nothing else.
+[[nodiscard]] std::optional<Finding> checkNearSide(const ShadowLogs& logs);
+[[nodiscard]] Finding nearSideFalloff();
+
 /// Judges values if no ray was logged: points in full light and in full shadow.
 [[nodiscard]] ArithmeticVerdict checkValues(const ShadowLogs& logs);
 

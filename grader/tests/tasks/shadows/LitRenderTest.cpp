@@ -1,5 +1,6 @@
 // Shadows inside of a render: the rays of a thread between the beginning and the end of a point's
 // lighting must explain the point's colour.
+#include <grader/tasks/shadows/JudgeShadows.h>
 #include <grader/tasks/shadows/checks/LitRender.h>
 #include <grader/tests/support/LocalExaminee.h>
 #include <grader/tests/tasks/support/AlteredExaminee.h>
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <variant>
 
@@ -21,13 +23,66 @@ probe::RenderAnswer render(const probe::RenderQuestion& asked, probe::Examinee& 
 
 /// The reference's picture with changed events.
 template <class Change>
-std::optional<std::string> differenceAfter(const Change& change) {
+std::optional<std::string> differenceAfter(const Change& change, const VisibleRays& visible = {}) {
     tests::LocalExaminee reference;
     const probe::RenderQuestion asked = drawLitQuestion(3, 1);
     probe::RenderAnswer answer = render(asked, reference);
     change(answer);
-    return litDifference(readLitRender(asked, answer));
+    return litDifference(readLitRender(asked, answer), visible);
 }
+
+/// The picture of a recursion of the code's own, which lights points without `illuminate` and casts
+/// this many of the reference's shadow rays for each.
+auto unobserved(int kept) {
+    return [=](probe::RenderAnswer& answer) {
+        std::map<std::uint32_t, int> rays;  // by thread
+        std::erase_if(answer.events, [&](const Event& event) {
+            if (event.kind == Event::Kind::traceBegan) rays[event.thread] = 0;
+            if (event.kind == Event::Kind::rayCast) return rays[event.thread]++ > kept;
+            return event.kind == Event::Kind::illuminateBegan ||
+                   event.kind == Event::Kind::illuminateEnded;
+        });
+    };
+}
+
+/// One ray to each light's centre, as of code that casts the others by an intersection of its own.
+void showOneRay(const raytracer::SceneDescription& scene, const probe::LitPoint& point,
+                std::uint32_t number, std::vector<Event>& events) {
+    for (const raytracer::PointLight& light : scene.pointLights) {
+        Event ray;
+        ray.ask = number;
+        ray.a = point.position + point.normal * 1e-4;
+        ray.b = light.position() - ray.a;
+        events.push_back(ray);
+    }
+}
+
+/// The reference, with a recursion of its own. Its renders show one shadow ray to each light, and
+/// so do single points, or they show all.
+class OneRayInRenders final : public probe::Examinee {
+public:
+    explicit OneRayInRenders(bool alsoInPoints) : alsoInPoints_(alsoInPoints) {}
+
+    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run = reference_.ask(questions);
+        for (std::size_t i = 0; i < run.answers.size(); ++i) {
+            if (auto* picture = std::get_if<probe::RenderAnswer>(&run.answers[i]))
+                unobserved(2)(*picture);
+            const auto* asked = std::get_if<probe::IlluminateQuestion>(&questions[i]);
+            if (!alsoInPoints_ || asked == nullptr) continue;
+            auto& events = std::get<probe::IlluminateAnswer>(run.answers[i]).events;
+            events.clear();
+            for (std::size_t point = 0; point < asked->points.size(); ++point)
+                showOneRay(asked->scene, asked->points[point], static_cast<std::uint32_t>(point),
+                           events);
+        }
+        return run;
+    }
+
+private:
+    tests::LocalExaminee reference_;
+    bool alsoInPoints_;
+};
 
 // Exact: no seed may differ.
 TEST(LitRender, IsAsTheQuestionsWhereRenderIsRight) {
@@ -93,23 +148,34 @@ TEST(LitRender, SaysThatRaysStartAtAnotherThreadsPoint) {
     EXPECT_NE(said->find("start at another point"), std::string::npos) << *said;
 }
 
-// The code's own recursion, which lights points without `illuminate`.
 TEST(LitRender, CountsTheRaysOfARecursionOfOnesOwn) {
-    const auto unobserved = [](int kept) {
-        return [=](probe::RenderAnswer& answer) {
-            int ray = 0;
-            std::erase_if(answer.events, [&](const Event& event) {
-                if (event.kind == Event::Kind::traceBegan) ray = 0;
-                if (event.kind == Event::Kind::rayCast) return ray++ > kept;
-                return event.kind == Event::Kind::illuminateBegan ||
-                       event.kind == Event::Kind::illuminateEnded;
-            });
-        };
-    };
     EXPECT_FALSE(differenceAfter(unobserved(20)));
     EXPECT_EQ(differenceAfter(unobserved(2)),
               "a point gets 1 of 10 shadow rays to a light, in the mean");
     EXPECT_FALSE(differenceAfter(unobserved(0))) << "its shadow rays cannot be seen";
+}
+
+TEST(LitRender, ExpectsAsManyRaysAsSinglePointsShow) {
+    const VisibleRays one{.all = false, .toALight = 1};
+    EXPECT_FALSE(differenceAfter(unobserved(2), one));
+    EXPECT_EQ(differenceAfter(unobserved(1), one),
+              "a point gets 0.5 of 1 shadow rays to a light, in the mean");
+    EXPECT_TRUE(differenceAfter(unobserved(2), {.all = false})) << "they showed none";
+}
+
+// Judged by its values alone, right code fails a stage with a chance below 1e-7, and must fail two.
+TEST(JudgeShadows, PassesOneVisibleRayToALightInRendersIfPointsShowNoMore) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        OneRayInRenders both{true};
+        const TaskJudgement same = judgeShadows(both, seed);
+        EXPECT_EQ(same.state, TaskState::passed) << seed;
+        EXPECT_FALSE(same.needsReview) << seed << ' ' << same.findings.front().message;
+        OneRayInRenders rendersAlone{false};
+        const TaskJudgement fewer = judgeShadows(rendersAlone, seed);
+        EXPECT_TRUE(fewer.needsReview) << seed;
+        ASSERT_EQ(fewer.findings.size(), 1U);
+        EXPECT_EQ(fewer.findings[0].id, "shadow.not-in-renders");
+    }
 }
 
 TEST(LitRender, SaysNothingOfRaysThatTheLogHadNoRoomFor) {

@@ -140,13 +140,19 @@ TEST(CheckPenumbra, AcceptsEveryShapeAndNoneOfThemATenthSmaller) {
     }
 }
 
-TEST(CheckPenumbra, AcceptsEveryPhongReadingWithEveryFalloff) {
+TEST(CheckPenumbra, AcceptsEveryPhongReadingWithEveryFalloffAndWarnsOfTheNearSides) {
     for (std::size_t phong = 0; phong < ExpectedShares::kPhongReadings; ++phong)
         for (const AimShape shape : {AimShape::ball, AimShape::surface, AimShape::flatDisc})
             for (const bool viewerIsEye : {false, true}) {
                 const PenumbraVerdict verdict =
                     judge(rays(10), {.shape = shape, .phong = phong, .viewerIsEye = viewerIsEye});
-                EXPECT_FALSE(verdict.finding || verdict.ambiguous) << phong << ' ' << viewerIsEye;
+                const bool nearSide = ExpectedShares::isNearSide(phong);
+                EXPECT_EQ(idOf(verdict.finding), nearSide ? "shadow.near-side-falloff" : "")
+                    << phong << ' ' << viewerIsEye;
+                EXPECT_FALSE(verdict.ambiguous);
+                if (verdict.finding) {
+                    EXPECT_EQ(verdict.finding->severity, Severity::warn);
+                }
             }
 }
 

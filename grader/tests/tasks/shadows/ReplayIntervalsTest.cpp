@@ -167,8 +167,8 @@ TEST(ReplayReadings, CastForEachTermApartWithAnyPhongTermAndAnExtraRay) {
 /// One ray that passes the light's centre at 0.2 of its radius of 0.4.
 class OneRay {
 public:
-    OneRay() {
-        made_.answer({0.2}, {});
+    explicit OneRay(double x = 0.2) {
+        made_.answer({x}, {});
         line().toLight = Sight::open;
     }
     [[nodiscard]] AimLine& line() { return made_.log.points[0].lines[0][0]; }
@@ -179,8 +179,8 @@ public:
                                             {0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}, towards, distance);
         return kAmbient + terms.diffuse + terms.specular;
     }
-    [[nodiscard]] bool fits(const ColourRGB& colour, Phong phong) const {
-        return fitsIn(made_, colour, ShadowArithmetic::right, {phong, false, false, {}});
+    [[nodiscard]] bool fits(const ColourRGB& colour, Phong phong, bool nearSide = false) const {
+        return fitsIn(made_, colour, ShadowArithmetic::right, {phong, false, false, {}, nearSide});
     }
 
 private:
@@ -209,6 +209,23 @@ TEST(ReplayReadings, LeaveTheSamplesPlaceOnItsLineOpen) {
         for (const double place : {-1.1, 1.1})
             EXPECT_FALSE(ray.fits(ray.lit(towards, along + place * half), phong)) << place;
     }
+}
+
+// The half of the surface that faces the point ends where a chord's half is radius^2 / distance.
+TEST(ReplayReadings, HoldTheSamplesToTheSideThatFacesThePoint) {
+    const auto fitsAt = [](double x, double place) {
+        OneRay ray{x};
+        const double miss = ray.line().miss;
+        const double distance =
+            std::sqrt(16.0 - miss * miss) + place * std::sqrt(0.16 - miss * miss);
+        return ray.fits(ray.lit(ray.line().direction, distance), Phong::perSample, true);
+    };
+    for (const double x : {0.2, 0.397, 0.4})
+        EXPECT_TRUE(fitsAt(x, -1.0)) << x;
+    for (const double place : {0.0, 1.0})
+        EXPECT_FALSE(fitsAt(0.2, place)) << place;
+    EXPECT_FALSE(fitsAt(0.397, 1.0));
+    EXPECT_TRUE(fitsAt(0.4, 1.0)) << "the line leaves through this half, too";
 }
 
 TEST(Unshadowed, IsTheLightOfTheCentreForEitherViewer) {

@@ -20,15 +20,31 @@ public:
             made_.cast({4.0, 0.11 + 0.01 * i, 0.0});
         for (int i = 0; i < below; ++i)
             made_.cast({4.0, -0.11 - 0.01 * i, 0.0}).toLight = Sight::blocked;
+        return light(share);
+    }
+    /// Likewise, with this many rays to aims on the horizon, where the floor seems to be before the
+    /// light's centre or behind it.
+    Horizon& addLevel(int above, int before, int behind, double share) {
+        add(above, 0, 0.0);
+        for (int i = 0; i < before; ++i)
+            made_.cast({3.9, 0.0, 0.01 * i}).toLight = Sight::blocked;
+        for (int i = 0; i < behind; ++i)
+            made_.cast({4.1, 0.0, 0.01 * i});
+        return light(share);
+    }
+    /// The last point has this share of the light.
+    Horizon& light(double share) {
+        PointLog& point = made_.last().points.back();
         point.colour = ambientPart(point, made_.last().scene()) +
                        unshadowed(point, made_.last().scene(), 0, false) * share;
         return *this;
     }
-    [[nodiscard]] std::optional<Finding> judge(std::size_t distinct = 2000) const {
+    [[nodiscard]] std::optional<Finding> judge(std::size_t distinct = 2000,
+                                               const ShadowReading& reading = {}) const {
         AimVerdict aims;
         aims.lines = 2010;
         aims.distinct = distinct;
-        return checkHorizon(made_.logs(), aims, {});
+        return checkHorizon(made_.logs(), aims, reading);
     }
 
 private:
@@ -60,6 +76,45 @@ TEST(CheckHorizon, FindsAimsThatAllLieAbove) {
         spared.add(12, 0, 0.6);
     EXPECT_FALSE(spared.judge()) << "twenty rays, of which those below are not cast";
     EXPECT_FALSE(all.add(9, 1, 0.9).judge());
+}
+
+// One in a hundred drawings of the question has an aim this near to the horizon.
+TEST(CheckHorizon, LetsNoAimNextToTheHorizonHideWhatTheOthersShow) {
+    Horizon mirrored;
+    for (int i = 0; i < 20; ++i)
+        mirrored.addLevel(10, 0, 0, 1.0);
+    EXPECT_EQ(idOf(mirrored.addLevel(9, 1, 0, 1.0).judge()), "shadow.wrong");
+    const auto left = Horizon{}.add(8, 0, 1.0).addLevel(6, 1, 0, 1.0).judge();
+    ASSERT_EQ(idOf(left), "shadow.wrong");
+    EXPECT_NE(left->message.find("there is 7/7 of the light"), std::string::npos) << left->message;
+    EXPECT_FALSE(Horizon{}.addLevel(6, 1, 0, 0.7).addLevel(6, 1, 0, 0.6).judge()) << "spared";
+}
+
+// The floor is as far as the aim, so that rounding decides which of these rays arrive.
+TEST(CheckHorizon, FindsAimsThatAreMovedOntoTheHorizon) {
+    Horizon moved;
+    Horizon open;
+    Horizon blocked;
+    for (int i = 0; i < 20; ++i) {
+        moved.addLevel(6, 2, 2, i % 2 == 0 ? 0.8 : 0.9);
+        open.addLevel(6, 2, 2, 1.0);
+        blocked.addLevel(6, 2, 2, 0.6);
+    }
+    EXPECT_EQ(idOf(moved.judge()), "shadow.wrong");
+    EXPECT_EQ(idOf(open.judge()), "shadow.wrong");
+    EXPECT_FALSE(blocked.judge()) << "the share is right";
+}
+
+TEST(CheckHorizon, FindsAimsThatAllLieAboveForEachTermOfItsOwn) {
+    const ShadowReading apart{.terms = ShadowReading::Terms::halves};
+    Horizon all;
+    for (int i = 0; i < 20; ++i)
+        all.add(20, 0, 1.0);
+    EXPECT_EQ(idOf(all.judge(2000, apart)), "shadow.wrong");
+    Horizon spared;
+    for (int i = 0; i < 20; ++i)
+        spared.add(13, 0, 0.65);
+    EXPECT_FALSE(spared.judge(2000, apart)) << "those below are not cast";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <grader/tasks/support/Bounds.h>
 #include <grader/tests/support/SlowRun.h>
-#include <grader/tests/tasks/shadows/AimsByHand.h>
+#include <grader/tests/tasks/shadows/answers/AimsByHand.h>
 
 #include <gtest/gtest.h>
 

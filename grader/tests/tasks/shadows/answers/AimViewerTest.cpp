@@ -1,6 +1,6 @@
 #include <grader/tasks/shadows/answers/AimViewer.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
-#include <grader/tests/tasks/shadows/AimsByHand.h>
+#include <grader/tests/tasks/shadows/answers/AimsByHand.h>
 
 #include <gtest/gtest.h>
 

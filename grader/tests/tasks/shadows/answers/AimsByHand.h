@@ -1,5 +1,5 @@
-#ifndef TICKER_TESTS_TASKS_SHADOWS_AIMSBYHAND_H
-#define TICKER_TESTS_TASKS_SHADOWS_AIMSBYHAND_H
+#ifndef TICKER_TESTS_TASKS_SHADOWS_ANSWERS_AIMSBYHAND_H
+#define TICKER_TESTS_TASKS_SHADOWS_ANSWERS_AIMSBYHAND_H
 
 #include <grader/tasks/shadows/answers/ShadowAims.h>
 #include <grader/tasks/support/Draw.h>

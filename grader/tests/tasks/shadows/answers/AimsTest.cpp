@@ -1,4 +1,4 @@
-#include <grader/tests/tasks/shadows/AimsByHand.h>
+#include <grader/tests/tasks/shadows/answers/AimsByHand.h>
 
 #include <gtest/gtest.h>
 
