@@ -7,10 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
-#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -115,30 +114,37 @@ private:
     }
 
     // Filters that favour the middle of a pixel (tent, bell, disc, grid) look like a smaller square
-    // of the same variance. A quarter of a step of these sizes is z = 2 at most.
+    // of the same variance. Half a step of these sizes is z = 2 at most. Rough misfits may be least
+    // a few steps aside.
     void tryInsideOfPixels() {
-        constexpr std::array kSizes{1.0, 0.93, 0.86, 0.78, kMiddle, 0.6, 0.5};
+        constexpr std::array kSizes{1.0,  0.965,   0.93, 0.895, 0.86, 0.82, 0.78,
+                                    0.74, kMiddle, 0.65, 0.6,   0.55, 0.5};
         const double aperture = rough(kHalf, kMiddle) < rough(kWhole, kMiddle) ? kHalf : kWhole;
-        std::array<double, kSizes.size()> misfits{};
-        std::ranges::transform(kSizes, misfits.begin(),
-                               [&](double size) { return rough(aperture, size); });
-        const auto place =
-            static_cast<std::size_t>(std::ranges::min_element(misfits) - misfits.begin());
-        const double size = kSizes.at(place);
-        std::vector<double> sizes{size};
-        if (place > 0) sizes.push_back(std::midpoint(kSizes.at(place - 1), size));
-        if (place + 1 < kSizes.size()) sizes.push_back(std::midpoint(kSizes.at(place + 1), size));
-        tryNearest(aperture, sizes);
-    }
-    void tryNearest(double aperture, const std::vector<double>& sizes) {
-        std::optional<Candidate> nearest;
-        for (const double size : sizes) {
-            Candidate one = candidate(aperture, size);
-            if (one.misfit >= nearest_) continue;
-            nearest_ = one.misfit;
-            nearest = std::move(one);
+        std::size_t place = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < kSizes.size(); i += 2) {
+            const double misfit = rough(aperture, kSizes.at(i));
+            if (misfit >= least) continue;
+            least = misfit;
+            place = i;
         }
-        if (nearest) fits(*nearest);
+        tryDownhillFrom(place, aperture, kSizes);
+    }
+    void tryDownhillFrom(std::size_t place, double aperture, std::span<const double> sizes) {
+        Candidate least = candidate(aperture, sizes[place]);
+        const auto isBetterAt = [&](std::size_t next) {
+            Candidate one = candidate(aperture, sizes[next]);
+            if (one.misfit >= least.misfit) return false;
+            least = std::move(one);
+            return true;
+        };
+        std::size_t up = place;
+        while (up > 0 && isBetterAt(up - 1))
+            --up;
+        if (up == place)
+            while (place + 1 < sizes.size() && isBetterAt(place + 1))
+                ++place;
+        if (least.misfit < nearest_) fits(least);
     }
 
     const probe::RenderQuestion& asked_;
@@ -149,6 +155,31 @@ private:
     double roughMisfit_ = 0.0;                                  // likewise, from rough pictures
     double nearest_ = std::numeric_limits<double>::infinity();  // least, with antialiasing
 };
+
+void addSphere(raytracer::SceneDescription& scene, Draw& draw, const Vector3& centre,
+               double radius) {
+    raytracer::Material material;
+    material.colour = draw.colour(0.05, 1.0);
+    material.reflectivity = draw.between(0.1, 0.4);
+    scene.spheres.push_back({centre, radius, material, nullptr});
+}
+
+// A wall that faces the eye.
+raytracer::PlaneDescription wallAt(double z, Draw& draw) {
+    raytracer::Material material;
+    material.colour = draw.colour(0.2, 0.8);
+    return {{0.0, 0.0, z}, {0.0, 0.0, z > 0.0 ? -1.0 : 1.0}, material};
+}
+
+// What only mirrored rays meet: a recursion of one's own may fail where nothing but it can tell.
+void addBehindTheEye(raytracer::SceneDescription& scene, Draw& draw) {
+    for (int i = 0; i < 8; ++i) {
+        const double z = draw.between(-6.0, -2.5);
+        const double x = draw.between(-0.8, 0.8) * z;
+        addSphere(scene, draw, {x, draw.between(-0.8, 0.8) * z, z}, draw.between(-0.3, -0.15) * z);
+    }
+    scene.planes.push_back(wallAt(-8.0, draw));
+}
 
 }  // namespace
 
@@ -161,17 +192,13 @@ probe::RenderQuestion drawPictureQuestion(std::uint64_t seed, bool onePicture) {
     question.repetitions = onePicture ? 1 : kPictureRepetitions;
     question.scene.ambientLighting = ColourRGB{1.0};
     for (int i = 0; i < 40; ++i) {
-        raytracer::Material material;
-        material.colour = draw.colour(0.05, 1.0);
-        material.reflectivity = draw.between(0.1, 0.4);
         const double z = draw.between(1.8, 9.0);
         const double x = draw.between(-0.42, 0.42) * z;
-        const Vector3 centre{x, draw.between(-0.32, 0.32) * z, z};
-        question.scene.spheres.push_back({centre, draw.between(0.02, 0.06) * z, material, nullptr});
+        addSphere(question.scene, draw, {x, draw.between(-0.32, 0.32) * z, z},
+                  draw.between(0.02, 0.06) * z);
     }
-    raytracer::Material wall;
-    wall.colour = draw.colour(0.2, 0.8);
-    question.scene.planes.push_back({{0.0, 0.0, 12.0}, {0.0, 0.0, -1.0}, wall});
+    question.scene.planes.push_back(wallAt(12.0, draw));
+    addBehindTheEye(question.scene, draw);
     return question;
 }
 

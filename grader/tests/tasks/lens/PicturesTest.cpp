@@ -34,6 +34,16 @@ TEST(Pictures, JudgeCodeThatRepeatsItselfByOneLargePicture) {
     EXPECT_EQ(verdict.finding->id, "dof.disc");
 }
 
+// Missed with a chance below 1e-6.
+TEST(Pictures, JudgeMirroredRaysThatLeaveTowardsTheEye) {
+    const probe::RenderQuestion asked = drawPictureQuestion(5);
+    probe::RenderQuestion halfBlind = asked;
+    std::erase_if(halfBlind.scene.spheres,
+                  [](const auto& sphere) { return sphere.centre.z < 0.0; });
+    ASSERT_NE(halfBlind.scene.spheres.size(), asked.scene.spheres.size());
+    EXPECT_TRUE(judgePictures(asked, answerOf(halfBlind, 8), 5).finding);
+}
+
 // Fifty lens points that all pixels of a picture share: each picture is the mean of fifty sharp
 // ones.
 probe::RenderAnswer sharedAnswerOf(const probe::RenderQuestion& asked, std::uint64_t seed) {
