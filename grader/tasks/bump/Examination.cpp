@@ -149,6 +149,7 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.edges = readEdges(plan.edges, answers, parametrisation);
     examination.letters = readLetters(plan.letters, answers, parametrisation, *ramps.response);
     examination.fineness = readFineness(plan.fineness, answers, ramps);
+    examination.balance = readBalance(plan.proportion, answers, ramps);
     return examination;
 }
 

@@ -63,6 +63,7 @@ struct Examination {
     std::optional<MapEdges> edges;
     std::optional<LetterReading> letters;
     std::optional<Fineness> fineness;
+    std::optional<StepBalance> balance;
 
     [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }
     /// All other maps agree with the ramps.

@@ -3,6 +3,7 @@
 #include <grader/tasks/bump/questions/Numbers.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -42,6 +43,21 @@ double middleLength(const std::vector<Vector3>& tilts) {
     return std::max(median(std::move(lengths)), kSomeTilt);
 }
 
+/// The mean of values over the mean of their sizes.
+class SignedShare {
+public:
+    void add(double value) {
+        if (!std::isfinite(value)) return;
+        sum_ += value;
+        size_ += std::abs(value);
+    }
+    [[nodiscard]] double value() const { return size_ > 0.0 ? sum_ / size_ : 0.0; }
+
+private:
+    double sum_ = 0.0;
+    double size_ = 0.0;
+};
+
 }  // namespace
 
 ProportionPlan planProportion(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
@@ -80,6 +96,26 @@ Proportion readProportion(const ProportionPlan& plan, const Answers& answers) {
         return proportion;
     proportion.growth = median(growth);
     return proportion;
+}
+
+StepBalance readBalance(const ProportionPlan& plan, const Answers& answers,
+                        const RampJudgement& ramps) {
+    const Parametrisation& parametrisation = ramps.fit->parametrisation;
+    const AxisResponse& onU = ramps.response->u;
+    const AxisResponse& onV = ramps.response->v;
+    const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.flat, plan.gentle);
+    if (!(middleLength(tilts) > kSomeTilt)) return {};
+    SignedShare alongU;
+    SignedShare alongV;
+    for (std::size_t i = 0; i < tilts.size(); ++i) {
+        const Vector3& n = plan.directions[i];
+        if (!isOrdinary(parametrisation, n)) continue;
+        // The code's own strength may grow towards the poles: all points shall weigh alike.
+        const double v = parametrisation.v(n);
+        alongU.add(-onU.sign() * tilts[i].dot(parametrisation.alongU(n)) / strengthAt(onU, v));
+        alongV.add(-onV.sign() * tilts[i].dot(parametrisation.alongV(n)) / strengthAt(onV, v));
+    }
+    return {alongU.value(), alongV.value()};
 }
 
 }  // namespace ticker::tasks::bump

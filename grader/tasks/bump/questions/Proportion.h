@@ -1,6 +1,7 @@
 #ifndef TICKER_TASKS_BUMP_PROPORTION_H
 #define TICKER_TASKS_BUMP_PROPORTION_H
 
+#include <grader/tasks/bump/answers/RampJudgement.h>
 #include <grader/tasks/bump/questions/Draws.h>
 #include <grader/tasks/bump/questions/Tilt.h>
 
@@ -52,6 +53,31 @@ struct Proportion {
 };
 
 [[nodiscard]] Proportion readProportion(const ProportionPlan& plan, const Answers& answers);
+
+/// Rising against falling slopes on the gentle random texels, along either axis: the mean of the
+/// slopes that the tilts show, over the mean of their sizes. Rises and falls are alike in random
+/// texels, so that any difference, weighted sum or interpolation of texels gives 0 but for chance.
+/// The larger of the differences to both sides, with its sign, gives 0.85 to 0.92: beside an edge
+/// one of the two is 0, so that a falling edge leaves no slope. The smaller one gives as much below
+/// 0.
+struct StepBalance {
+    double u = 0.0;
+    double v = 0.0;
+
+    [[nodiscard]] bool goodU() const { return isEven(u); }
+    [[nodiscard]] bool goodV() const { return isEven(v); }
+    [[nodiscard]] bool good() const { return goodU() && goodV(); }
+
+private:
+    /// About 500 points leave a standard deviation of 0.05 to 0.055: chance passes seven of them
+    /// less than once in 10^11 times.
+    static bool isEven(double balance) { return balance >= -0.4 && balance <= 0.4; }
+};
+
+/// Returns 0 if gentle slopes tilt hardly any point, which other checks report.
+/// @param ramps  The ramps' judgement, with the parametrisation.
+[[nodiscard]] StepBalance readBalance(const ProportionPlan& plan, const Answers& answers,
+                                      const RampJudgement& ramps);
 
 }  // namespace ticker::tasks::bump
 

@@ -138,6 +138,8 @@ constexpr std::array kRightRamps{
          [](const Examination& e) { return e.edges && !e.edges->goodSeam(); }},
     Rule{WrongReason::coordinatesRounded,
          [](const Examination& e) { return e.fineness && !e.fineness->good(); }},
+    Rule{WrongReason::stepsLost,
+         [](const Examination& e) { return e.balance && !e.balance->good(); }},
     Rule{WrongReason::lettersDiffer,
          [](const Examination& e) { return !e.letters || !e.letters->good(); }},
 };

@@ -51,6 +51,7 @@ enum class WrongReason {
     slopesDiffer,
     wallAtSeam,          ///< heights that the map does not have, beyond its last column
     coordinatesRounded,  ///< u or v, coarsely
+    stepsLost,           ///< where the map falls, or where it rises
     lettersDiffer
 };
 

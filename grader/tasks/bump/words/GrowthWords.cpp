@@ -30,6 +30,15 @@ Words strengthWords(const Response& response) {
             "Option 1: What to do, steps 3 and 4"};
 }
 
+/// The edges that are lost: "that fall along u and v".
+std::string lostEdges(const StepBalance& balance) {
+    const auto lost = [](double along) { return along > 0.0 ? "that fall" : "that rise"; };
+    if (balance.goodV()) return fmt::format("{} along u", lost(balance.u));
+    if (balance.goodU()) return fmt::format("{} along v", lost(balance.v));
+    if (balance.u * balance.v > 0.0) return fmt::format("{} along u and v", lost(balance.u));
+    return fmt::format("{} along u and those {} along v", lost(balance.u), lost(balance.v));
+}
+
 }  // namespace
 
 Words longitudeWords(const Examination& examination) {
@@ -98,6 +107,19 @@ Words horizonWords(const Proportion& proportion) {
         "the polar angle. Add Bu and Bv times tangents to n and normalise the sum, Equation (1); "
         "or turn the normal by std::atan(slope).",
         "Option 1: Theory"};
+}
+
+Words lostStepsWords(const StepBalance& balance) {
+    return {fmt::format("Edges of the map {} leave hardly any slope. On random texels, where rises "
+                        "and falls are alike, rising slopes make up {} of the tilts along u and {} "
+                        "of those along v (right code: about 50 %).",
+                        lostEdges(balance), percent(0.5 + 0.5 * balance.u),
+                        percent(0.5 + 0.5 * balance.v)),
+            "Bu and Bv are one difference each, with its sign: the next texel minus this one. "
+            "std::max of the differences to both sides takes the rise beside every fall, and "
+            "std::min the fall beside every rise. If both sides should count, take their mean: "
+            "half of the next texel minus the one before.",
+            "Option 1: What to do, step 3"};
 }
 
 Words normalMissingWords() {

@@ -16,6 +16,8 @@ namespace ticker::tasks::bump {
 [[nodiscard]] Words horizonWords(const Proportion& proportion);
 /// The same slope tilts more, or less, where the map is bright.
 [[nodiscard]] Words heightsBentWords(const Proportion& proportion);
+/// Edges that fall, or edges that rise, leave hardly any slope.
+[[nodiscard]] Words lostStepsWords(const StepBalance& balance);
 /// The gentlest slope turns the normal by 90 degrees.
 [[nodiscard]] Words normalMissingWords();
 

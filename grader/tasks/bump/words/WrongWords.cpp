@@ -226,6 +226,8 @@ constexpr std::array kReasons{
               [](const Seen& told) { return seamWords(*told.examination.edges); }},
     ReasonRow{WrongReason::coordinatesRounded,
               [](const Seen& told) { return roundedWords(*told.examination.fineness); }},
+    ReasonRow{WrongReason::stepsLost,
+              [](const Seen& told) { return lostStepsWords(*told.examination.balance); }},
     ReasonRow{WrongReason::lettersDiffer,
               [](const Seen& told) { return lettersWords(*told.examination.letters); }},
 };
