@@ -46,8 +46,9 @@ TEST(AntialiasedPictures, AreAcceptedWithEitherApertureInAllOrAPartOfThePixel) {
             verdictOn(antialiasing(one.spread, one.factor), {}, 3, one.onePicture);
         EXPECT_EQ(idOf(verdict.finding), "") << one.factor;
         EXPECT_FALSE(verdict.ambiguous);
-        if (!one.onePicture) {  // whose noise may hide the spread
-            EXPECT_NEAR(verdict.reading.pixelSpread, one.spread, 0.1);
+        // The noise of one picture may hide that a part of the pixel is used.
+        if (!one.onePicture || one.spread == 1.0) {
+            EXPECT_NEAR(verdict.reading.pixelSpread, one.spread, one.onePicture ? 0.2 : 0.1);
         }
         EXPECT_EQ(verdict.reading.apertureFactor, one.factor);
         EXPECT_LT(verdict.timesTheLimit, one.spread == 1.0 ? 0.8 : 1.0);
