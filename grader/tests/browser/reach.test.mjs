@@ -1,0 +1,45 @@
+// What of the ticking session is seen and reached: in narrow columns, on a phone, by the keyboard alone.
+// TICKER is the program, TICKER_CLASS a graded class.
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { after, before, test } from "node:test";
+import { launchBrowser, openPage, overflow } from "./harness.mjs";
+import { killSessions, makeClass, openSession, saved, showing, shown, startSession } from "./session.mjs";
+
+let browser;
+let out;
+let session;
+before(async () => {
+  browser = await launchBrowser();
+  out = makeClass(5);
+  session = await startSession(out);
+});
+after(async () => {
+  await browser.close();
+  killSessions();
+});
+
+const inverted = "Jürgen, jr_1000";
+const offCentre = "O'Neill #1? 100%_1001";
+
+/// Opens a submission at a size of the window.
+async function openAt(name, width, height) {
+  const { page } = await openSession(browser, session, { width, height });
+  await shown(page);
+  await page.evaluate((one) => { location.hash = `at=${encodeURIComponent(one)}`; }, name);
+  await showing(page, name);
+  return page;
+}
+
+test("a drawing has the width of its column where that is narrow, and its words stand below", async () => {
+  const page = await openAt(inverted, 1280, 800);
+  const widthOf = async (what) => (await page.locator(`.ray-figure ${what}`).first().boundingBox()).width;
+  const whole = (await page.locator(".ray-figure").first().boundingBox()).width;
+  assert.ok(whole < 500, "the code stands beside it");
+  assert.ok(await widthOf(".ray-stage") > 0.95 * whole);
+  assert.ok(await widthOf(".ray-story") > 0.95 * whole);
+  await page.setViewportSize({ width: 1200, height: 800 }); // the code stands below, and the words beside the drawing
+  assert.ok(await widthOf(".ray-stage") > 1.4 * await widthOf(".ray-story"));
+  await page.close();
+});
