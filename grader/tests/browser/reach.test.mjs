@@ -43,3 +43,25 @@ test("a drawing has the width of its column where that is narrow, and its words 
   assert.ok(await widthOf(".ray-stage") > 1.4 * await widthOf(".ray-story"));
   await page.close();
 });
+
+test("what has the focus is never under the bars", async () => {
+  for (const [width, height] of [[1280, 800], [390, 844]]) {
+    const page = await openAt(offCentre, width, height);
+    const hidden = [];
+    for (const key of ["Tab", "Shift+Tab"])
+      for (let i = 0; i < 45; ++i) {
+        await page.keyboard.press(key);
+        hidden.push(await page.evaluate(async () => {
+          await new Promise((done) => requestAnimationFrame(done));
+          const one = document.activeElement;
+          if (!one.closest("main") || one.matches("main")) return "";
+          const [box, top, bottom] = [one, document.querySelector(".top"), document.querySelector(".decide")]
+            .map((each) => each.getBoundingClientRect());
+          const seen = Math.min(box.bottom, bottom.top) - Math.max(box.top, top.bottom);
+          return seen < Math.min(box.height, 20) ? one.outerHTML.slice(0, 80) : "";
+        }));
+      }
+    assert.deepEqual(hidden.filter(Boolean), [], `${width} x ${height}`);
+    await page.close();
+  }
+});
