@@ -65,3 +65,15 @@ test("what has the focus is never under the bars", async () => {
     await page.close();
   }
 });
+
+test("on a phone the keys begin at their heading, and the footer cuts no words off", async () => {
+  const page = await openAt(inverted, 390, 700);
+  await page.locator("[data-act=help]").click();
+  assert.ok((await page.getByRole("heading", { name: "Keys" }).boundingBox()).y > 0);
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => { location.hash = "view=sheet"; });
+  await page.locator(".standing", { hasText: "not looked at yet: scroll on" }).waitFor();
+  assert.ok(await page.locator(".standing").evaluate((one) =>
+    one.scrollWidth <= one.clientWidth && one.scrollHeight <= one.clientHeight), "all of it is seen");
+  await page.close();
+});
