@@ -77,3 +77,20 @@ test("on a phone the keys begin at their heading, and the footer cuts no words o
     one.scrollWidth <= one.clientWidth && one.scrollHeight <= one.clientHeight), "all of it is seen");
   await page.close();
 });
+
+test("a long word of a comment on a line does not widen the student's page", async () => {
+  const page = await openAt(inverted, 1280, 800);
+  await page.getByLabel("You are").fill("ann");
+  await page.locator("main").focus();
+  await page.keyboard.press("l");
+  await page.keyboard.press("Enter");
+  await page.locator("#comment textarea").fill(`- ${"averylongword".repeat(20)}`);
+  await page.keyboard.press("Control+Enter");
+  await saved(page);
+  await page.close();
+  await session.kill("SIGTERM");
+  const { page: student } = await openPage(browser, pathToFileURL(join(out, inverted, "student.html")).href, { width: 390 });
+  await student.getByText("Your ticker about your code").waitFor();
+  assert.equal(await overflow(student), 0, "scrolls sideways");
+  await student.close();
+});
