@@ -59,7 +59,9 @@ std::string task(const SubmissionResult& result, const TaskReport& task,
     if (const TaskReport* before = report::saidBefore(result, task))
         return html +
                fmt::format("<p>The same as for {}.</p></section>", escapeHtml(before->title));
-    if (!task.reason.empty()) html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
+    // Findings are clearer than the reason.
+    if (task.findings.empty() && !task.reason.empty())
+        html += fmt::format("<p>{}</p>", escapeHtml(report::sentence(task.reason)));
     for (const Finding& finding : task.findings)
         html += report::findingCard(finding, album, "");
     html += report::repairSection(result, task);

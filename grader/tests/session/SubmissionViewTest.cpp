@@ -86,6 +86,16 @@ TEST(SubmissionHtml, MarksTheLineOfAProvenEditInTheCode) {
         << html;
 }
 
+TEST(SubmissionHtml, SaysAReasonOnlyWhereNoFindingSaysIt) {
+    const tests::ClassOnDisk onDisk{{"bob"}};
+    SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
+    result.tasks.at(0).reason = "the same in short";
+    const std::filesystem::path code = onDisk.out() / "bob" / "code";
+    EXPECT_EQ(submissionHtml(result, code).find("he same in short"), std::string::npos);
+    result.tasks.at(0).findings.clear();
+    EXPECT_NE(submissionHtml(result, code).find("<p>The same in short</p>"), std::string::npos);
+}
+
 TEST(SubmissionHtml, NamesTheOtherLineOfAnEditAtTwoPlaces) {
     const tests::ClassOnDisk onDisk{{"bob"}};
     SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
