@@ -13,6 +13,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <system_error>
 #include <vector>
 
@@ -59,8 +60,9 @@ std::string task(const SubmissionResult& result, const TaskReport& task,
     if (const TaskReport* before = report::saidBefore(result, task))
         return html +
                fmt::format("<p>The same as for {}.</p></section>", escapeHtml(before->title));
-    // Findings are clearer than the reason.
-    if (task.findings.empty() && !task.reason.empty())
+    const bool isSaid =
+        std::ranges::find(task.findings, task.reason, &Finding::message) != task.findings.end();
+    if (!task.reason.empty() && !isSaid)
         html += fmt::format("<p>{}</p>", escapeHtml(report::sentence(task.reason)));
     for (const Finding& finding : task.findings)
         html += report::findingCard(finding, album, "");

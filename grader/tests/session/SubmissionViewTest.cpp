@@ -89,11 +89,13 @@ TEST(SubmissionHtml, MarksTheLineOfAProvenEditInTheCode) {
 TEST(SubmissionHtml, SaysAReasonOnlyWhereNoFindingSaysIt) {
     const tests::ClassOnDisk onDisk{{"bob"}};
     SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
-    result.tasks.at(0).reason = "the same in short";
+    TaskReport& task = result.tasks.at(0);
+    task.reason = task.findings.at(0).message = "it does not compile";
     const std::filesystem::path code = onDisk.out() / "bob" / "code";
-    EXPECT_EQ(submissionHtml(result, code).find("he same in short"), std::string::npos);
-    result.tasks.at(0).findings.clear();
-    EXPECT_NE(submissionHtml(result, code).find("<p>The same in short</p>"), std::string::npos);
+    EXPECT_EQ(submissionHtml(result, code).find("<p>It does not compile</p>"), std::string::npos);
+    EXPECT_EQ(submissionHtml(result, code).find("<p>it does not compile</p>"), std::string::npos);
+    task.reason = "why it is in doubt";
+    EXPECT_NE(submissionHtml(result, code).find("<p>Why it is in doubt</p>"), std::string::npos);
 }
 
 TEST(SubmissionHtml, NamesTheOtherLineOfAnEditAtTwoPlaces) {
