@@ -78,6 +78,15 @@ test("on a phone the keys begin at their heading, and the footer cuts no words o
   await page.close();
 });
 
+test("the list says by which finding it was made shorter where its filters are folded", async () => {
+  const page = await openAt(inverted, 1280, 800);
+  await page.evaluate(() => { location.hash = "view=summary"; });
+  await page.getByRole("button", { name: "dof.off-centre", exact: true }).click();
+  assert.ok(await page.locator("#finding").isHidden());
+  assert.equal(await page.locator(".shown").textContent(), "1 of 5 shown: dof.off-centre");
+  await page.close();
+});
+
 test("a long word of a comment on a line does not widen the student's page", async () => {
   const page = await openAt(inverted, 1280, 800);
   await page.getByLabel("You are").fill("ann");
