@@ -225,6 +225,9 @@ test("a viewer that is killed leaves no process behind, and its page says that i
   await viewer.end("SIGKILL");
   viewer = null;
   await showing(page, "status", "has ended");
+  await page.locator("#picture").click();
+  await page.waitForTimeout(300);
+  assert.match(await text(page, "status"), /has ended/, "whatever is tried then");
   for (let tries = 0; tries < 100 && processesOfTheKit().length > 0; ++tries) await page.waitForTimeout(50);
   await page.close();
 });

@@ -23,8 +23,10 @@ function element(name, properties = {}, ...children) {
   return made;
 }
 
+const ended = "The viewer has ended. Start it again: it prints a new address.";
+
 async function request(path, options) {
-  const response = await fetch(path, options);
+  const response = await fetch(path, options).catch(() => { throw new Error(ended); });
   if (!response.ok) throw new Error(await response.text());
   return response;
 }
@@ -223,7 +225,7 @@ async function follow() {
     const news = await newsAfter(version);
     if (news && version === 0) tell("");
     if (news) { version = news.version; show(news); continue; }
-    tell("The viewer has ended. Start it again: it prints a new address.");
+    tell(ended);
     await new Promise((done) => setTimeout(done, 2000));
   }
 }
