@@ -160,9 +160,9 @@ std::string intro(std::string_view pictures) {
            (isAlone
                 ? ""
                 : " <span class=\"screen-only\"><kbd>B</kbd> blinks between expected and "
-                  "submitted, <kbd>O</kbd> lays one over the other with a slider, <kbd>S</kbd> puts "
-                  "them side by side; <kbd>+</kbd> <kbd>&minus;</kbd> or a double click zoom all "
-                  "pictures of a scene, dragging or the arrow keys move them.</span>") +
+                  "submitted, <kbd>O</kbd> lays one over the other with a slider, <kbd>S</kbd> "
+                  "puts them side by side; <kbd>+</kbd> <kbd>&minus;</kbd> or a double click zoom "
+                  "all pictures of a scene, dragging or the arrow keys move them.</span>") +
            "</p>";
 }
 
