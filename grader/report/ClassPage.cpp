@@ -104,7 +104,16 @@ std::string thumbnails(const SubmissionResult& result) {
     return html;
 }
 
-std::string row(const SubmissionResult& result, const std::vector<std::string>& tasks) {
+/// What a person decided, below what is proposed; empty if nobody did.
+std::string decided(const std::vector<Decision>& decisions, const std::string& submission) {
+    const auto found = std::ranges::find(decisions, submission, &Decision::submission);
+    if (found == decisions.end() || found->ruling == Ruling::undecided) return "";
+    return fmt::format("<span class=\"ruled soft\">decided: {}</span>",
+                       found->ruling == Ruling::awarded ? "awarded" : "not yet");
+}
+
+std::string row(const SubmissionResult& result, const std::vector<std::string>& tasks,
+                const std::vector<Decision>& decisions) {
     std::string ids;
     std::string list;
     for (const std::string& id : findingIds(result)) {
@@ -117,11 +126,11 @@ std::string row(const SubmissionResult& result, const std::vector<std::string>& 
         "<tr data-verdict=\"{0}\" data-findings=\"{1}\"><th scope=\"row\" class=\"name\">"
         "<a href=\"{2}#class\">{3}</a> <a class=\"student soft\" href=\"{6}\" "
         "aria-label=\"for the student: {3}\">for the student</a></th>"
-        "<td data-key=\"{4}\">{5}</td>",
+        "<td data-key=\"{4}\">{5}{7}</td>",
         toString(result.verdict), ids, address(result.submission + "/report.html"),
         escapeHtml(result.submission), static_cast<int>(result.verdict),
         badge(toString(result.verdict), wordsFor(result.verdict)),
-        address(result.submission + "/student.html"));
+        address(result.submission + "/student.html"), decided(decisions, result.submission));
     for (const std::string& task : tasks)
         html += stateCell(result, task);
     return html +
@@ -146,7 +155,7 @@ std::string heading(std::string_view text) {
 }
 
 std::string table(const std::vector<SubmissionResult>& results,
-                  const std::vector<std::string>& tasks) {
+                  const std::vector<std::string>& tasks, const std::vector<Decision>& decisions) {
     std::string html =
         "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of submissions\">"
         "<table><caption>A heading sorts, a name opens the report for staff; &ndash; means not "
@@ -157,7 +166,7 @@ std::string table(const std::vector<SubmissionResult>& results,
         html += heading(sentence(task));
     html += heading("What was found") + "<th scope=\"col\">Pictures</th></tr></thead><tbody>\n";
     for (const SubmissionResult& result : results)
-        html += row(result, tasks);
+        html += row(result, tasks, decisions);
     return html + "</tbody></table></div>";
 }
 
@@ -175,7 +184,7 @@ std::string classPage(const std::vector<SubmissionResult>& results, const Exerci
                             escapeHtml(exercise.title), title, verdictBar(tally),
                             decidedCounts(decisions, results.size()), taskCounts(tally),
                             findingCounts(tally, results.size()), filters(tally, results.size()),
-                            table(results, exercise.reported())));
+                            table(results, exercise.reported(), decisions)));
 }
 
 std::string classPage(const std::vector<SubmissionResult>& results,

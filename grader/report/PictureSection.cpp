@@ -151,6 +151,21 @@ std::string ofScreenshot(const SubmissionResult& result, const Album& album, Pic
     return viewer("screenshot.png", "", {expected, submitted}, "screenshot.png", keys);
 }
 
+/// What the pictures are for, and the keys where there is something to compare.
+std::string intro(std::string_view pictures) {
+    const bool isAlone = pictures.find("class=\"viewer\"") == std::string_view::npos;
+    return std::string{
+               "<p class=\"soft\">They explain and decide nothing: accepted readings of the "
+               "handout differ in many pixels, and a mistake may differ in few."} +
+           (isAlone
+                ? ""
+                : " <span class=\"screen-only\"><kbd>B</kbd> blinks between expected and "
+                  "submitted, <kbd>O</kbd> lays one over the other with a slider, <kbd>S</kbd> "
+                  "puts them side by side; <kbd>+</kbd> <kbd>&minus;</kbd> or a double click zoom "
+                  "all pictures of a scene, dragging or the arrow keys move them.</span>") +
+           "</p>";
+}
+
 }  // namespace
 
 std::string picturesSection(const SubmissionResult& result, const Album& album, PictureKeys keys) {
@@ -159,16 +174,9 @@ std::string picturesSection(const SubmissionResult& result, const Album& album, 
         html += ofRender(render, album, keys);
     html += ofScreenshot(result, album, keys, exerciseOf(result));
     if (html.empty()) return "";
-    const std::string intro =
-        "<p class=\"soft\">They explain and decide nothing: accepted readings of the "
-        "handout differ in many pixels, and a mistake may differ in few. <span "
-        "class=\"screen-only\"><kbd>B</kbd> "
-        "blinks between expected and submitted, <kbd>O</kbd> lays one over the other with a "
-        "slider, <kbd>S</kbd> puts them side by side; <kbd>+</kbd> <kbd>&minus;</kbd> or a double "
-        "click zoom all pictures of a scene, dragging or the arrow keys move them.</span></p>";
     return "<section id=\"pictures\" aria-labelledby=\"pictures-head\">"
            "<h2 id=\"pictures-head\">Pictures</h2>" +
-           (keys == PictureKeys::all ? intro : "") + html + "</section>";
+           (keys == PictureKeys::all ? intro(html) : "") + html + "</section>";
 }
 
 }  // namespace ticker::report

@@ -13,6 +13,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <system_error>
 #include <vector>
 
@@ -59,7 +60,10 @@ std::string task(const SubmissionResult& result, const TaskReport& task,
     if (const TaskReport* before = report::saidBefore(result, task))
         return html +
                fmt::format("<p>The same as for {}.</p></section>", escapeHtml(before->title));
-    if (!task.reason.empty()) html += fmt::format("<p>{}</p>", escapeHtml(task.reason));
+    const bool isSaid =
+        std::ranges::find(task.findings, task.reason, &Finding::message) != task.findings.end();
+    if (!task.reason.empty() && !isSaid)
+        html += fmt::format("<p>{}</p>", escapeHtml(report::sentence(task.reason)));
     for (const Finding& finding : task.findings)
         html += report::findingCard(finding, album, "");
     html += report::repairSection(result, task);

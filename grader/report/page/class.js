@@ -7,12 +7,16 @@ const shown = document.getElementById("shown");
 const chips = [...document.querySelectorAll("button[data-verdict], button[data-finding]")];
 const kindOf = (chip) => (chip.dataset.finding ? "finding" : "verdict");
 
+/// What the search looks through: not the words that stand in every row.
+const textOf = (row) => [...row.cells].map((cell) => (cell.querySelector("a") ?? cell).textContent)
+  .concat(row.dataset.findings).join(" ").toLowerCase();
+
 function filter() {
   const { search, verdict, finding } = controls;
   const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
   let count = 0;
   for (const row of rows) {
-    const text = `${row.textContent} ${row.dataset.findings}`.toLowerCase();
+    const text = textOf(row);
     row.hidden = !(words.every((word) => text.includes(word)) &&
       (!verdict.value || row.dataset.verdict === verdict.value) &&
       (!finding.value || row.dataset.findings.split(" ").includes(finding.value)));

@@ -99,6 +99,10 @@ function arrange() {
   if (rows.length !== list.children.length || rows.some((row, i) => row !== list.children[i])) list.replaceChildren(...rows);
 }
 
+/// What is chosen in the part that may be folded.
+const folded = () => ["finding", "task", "by"].filter((key) => filter[key])
+  .map((key) => controls[key].selectedOptions[0]?.textContent ?? filter[key]).join(", ");
+
 export function filterList() {
   let shown = 0;
   for (const name of order) {
@@ -106,7 +110,8 @@ export function filterList() {
     entry.row.hidden = !fits(entry);
     shown += entry.row.hidden ? 0 : 1;
   }
-  setText($(".shown"), shown === order.length ? "" : `${shown} of ${order.length} shown`);
+  const why = folded();
+  setText($(".shown"), shown === order.length ? "" : `${shown} of ${order.length} shown${why && `: ${why}`}`);
   $("#whole").hidden = Object.keys(whole).every((key) => filter[key] === whole[key]);
   $("#group").hidden = !filter.group;
   setText($("#group span"), findingsOfGroup(filter.group).join(" ") || "no findings");

@@ -68,7 +68,7 @@ const acts = {
   earlier: () => $("#earlier h2").focus(),
   wholeList,
   list: () => toggleList(),
-  help: () => $("#help").showModal(),
+  help: () => { $("#help").showModal(); $("#help").scrollTop = 0; }, // its only button is at its end
   find: () => { toggleList(true); $("#find").focus(); $("#find").select(); },
   report: () => model.current !== null && window.open(`report?name=${encodeURIComponent(model.current)}`, "_blank", "noopener"),
 };

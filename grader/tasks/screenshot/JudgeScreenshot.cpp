@@ -112,8 +112,9 @@ private:
 
     [[nodiscard]] TaskJudgement accept(const Verification& verification) const {
         if (verification.kind == Verification::Kind::unknown)
-            return verification.why.empty() ? notChecked("there is no code to compare it with")
-                                            : passed({unverified(verification.why)});
+            return verification.why.empty()
+                       ? notChecked("there is no code that runs to compare it with")
+                       : passed({unverified(verification.why)});
         if (verification.agreement.isLossy) {
             std::optional<TaskJudgement> slight = judgeSlightColours(verification);
             return slight ? *std::move(slight) : passed({savedAgain(verification.agreement)});

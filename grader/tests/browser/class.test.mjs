@@ -34,6 +34,11 @@ test("words in the search find submissions by any text and by finding", async ()
   assert.deepEqual(await names(), all);
 });
 
+test("the search does not look through words that stand in every row", async () => {
+  await page.getByLabel("Search").fill("for the student");
+  assert.deepEqual(await names(), []);
+});
+
 test("verdicts and findings filter, by list and by button, and together", async () => {
   await page.getByLabel("Verdict").selectOption("notAwarded");
   assert.deepEqual(await names(), ["bump-inverted-u", "distributed-off-centre", "does-not-compile"]);
@@ -77,4 +82,6 @@ test("the page is whole, accessible, and fits a telephone", async () => {
   assert.deepEqual(await accessibilityFaults(page), []);
   await page.setViewportSize({ width: 360, height: 740 });
   assert.equal(await overflow(page), 0, "only the table may scroll sideways");
+  const caption = await page.locator("caption").boundingBox();
+  assert.ok(caption.x + caption.width <= 360, "its caption does not");
 });

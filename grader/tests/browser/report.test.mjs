@@ -61,6 +61,29 @@ test("a report draws the rays of one pixel, with a line for each", () =>
     assert.ok((await page.content()).length < 3_000_000);
   }));
 
+test("names in a drawing are not cut off at its edge", () =>
+  withReport(graded("distributed-off-centre"), async (page) => {
+    await page.evaluate(() => {
+      window.cut = [];
+      window.names = 0;
+      const { fillText } = CanvasRenderingContext2D.prototype;
+      CanvasRenderingContext2D.prototype.fillText = function (words, x, y) {
+        const { width } = this.canvas.getBoundingClientRect();
+        window.names += 1;
+        if (x < width && x + this.measureText(words).width > width) window.cut.push(words);
+        return fillText.call(this, words, x, y);
+      };
+    });
+    for (const width of [390, 800]) {
+      await page.setViewportSize({ width, height: 800 });
+      await page.waitForTimeout(200);
+    }
+    for (const button of await page.getByRole("button", { name: "Nearer" }).all()) await button.click();
+    await page.waitForTimeout(200);
+    assert.ok(await page.evaluate(() => window.names) > 10);
+    assert.deepEqual(await page.evaluate(() => window.cut), []);
+  }));
+
 test("a report draws the normals of a failed T1 beside what was expected; the student's has none of these", async () => {
   await withReport(graded("bump-inverted-u"), async (page) => {
     const drawing = page.locator(".ray-figure").first();

@@ -117,6 +117,19 @@ test("a slider renders again, and a value out of range is refused with words", (
     assert.match(problems.splice(0).join(), /^console: .*400/, "Chromium notes the refusal, and nothing else");
   }));
 
+test("a field that is emptied on the way to another number changes nothing, and shows what is in force when left", () =>
+  withPage(async (page) => {
+    await finished(page);
+    const number = page.getByRole("spinbutton", { name: "Shadow rays" });
+    await number.fill("");
+    await page.waitForTimeout(300);
+    assert.doesNotMatch(await text(page, "status"), /expected/);
+    await number.blur();
+    assert.equal(await number.inputValue(), "10");
+    await number.fill("5");
+    await page.waitForFunction(() => settings.shadowRays === "5");
+  }));
+
 test("the settings of the start come back, in every page", () =>
   withPage(async (page) => {
     await finished(page);
@@ -212,6 +225,9 @@ test("a viewer that is killed leaves no process behind, and its page says that i
   await viewer.end("SIGKILL");
   viewer = null;
   await showing(page, "status", "has ended");
+  await page.locator("#picture").click();
+  await page.waitForTimeout(300);
+  assert.match(await text(page, "status"), /has ended/, "whatever is tried then");
   for (let tries = 0; tries < 100 && processesOfTheKit().length > 0; ++tries) await page.waitForTimeout(50);
   await page.close();
 });

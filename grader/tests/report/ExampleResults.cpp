@@ -305,10 +305,11 @@ SubmissionResult saidTwiceExample() {
     result.verdict = Verdict::notAwarded;
     result.option = "T2";
     const std::string message = "Renderer.cpp does not compile: error: expected ';'";
-    result.tasks = {
-        task("T1", TaskState::notAttempted, "there is no BumpySphere.cpp"),
-        task("T2.1", TaskState::blocked, message), task("T2.2", TaskState::blocked, message),
-        task("screenshot", TaskState::blocked, "not checked: there is no code to compare it with")};
+    result.tasks = {task("T1", TaskState::notAttempted, "there is no BumpySphere.cpp"),
+                    task("T2.1", TaskState::blocked, message),
+                    task("T2.2", TaskState::blocked, message),
+                    task("screenshot", TaskState::blocked,
+                         "not checked: there is no code that runs to compare it with")};
     for (const std::size_t i : {1U, 2U})
         result.tasks[i].findings = {oneOf("build.failed", message.c_str())};
     result.diagnostics = {{"Renderer.cpp", "Renderer.cpp:7:3: error: expected ';'\n"}};

@@ -256,6 +256,31 @@ TEST(ReportPage, ShowsTheScreenshotsSceneWhateverTheOptionIsCalled) {
     EXPECT_EQ(count(html, "class=\"viewer"), count(usual, "class=\"viewer"));
 }
 
+TEST(ReportPage, NamesKeysForPicturesWhereThereAreSomeToCompare) {
+    SubmissionResult result = failedBumpExample();
+    EXPECT_NE(reportPage(result).find("blinks between"), std::string::npos);
+    result.renders.clear();
+    const std::string html = reportPage(result);
+    ASSERT_NE(html.find("They explain and decide nothing"), std::string::npos);
+    EXPECT_EQ(html.find("class=\"viewer\""), std::string::npos);
+    EXPECT_EQ(html.find("blinks between"), std::string::npos);
+}
+
+TEST(ClassPage, SaysWithAProposalWhatWasDecided) {
+    const SubmissionResult result = failedBumpExample();
+    Decision decision;
+    decision.submission = result.submission;
+    decision.ruling = Ruling::awarded;
+    const std::string html = classPage({result}, {decision});
+    expectBalanced(html);
+    EXPECT_NE(html.find("not awarded</span><span class=\"ruled soft\">decided: awarded</span>"),
+              std::string::npos);
+    decision.ruling = Ruling::notYet;
+    EXPECT_NE(classPage({result}, {decision}).find(">decided: not yet<"), std::string::npos);
+    decision.ruling = Ruling::undecided;
+    EXPECT_EQ(classPage({result}, {decision}).find(">decided: "), std::string::npos);
+}
+
 TEST(ClassPage, LinksToTheReportOfStaffAndToThePageOfTheStudent) {
     const std::string html = classPage({passedExample()});
     EXPECT_NE(html.find("href=\"Ada%20Lovelace/report.html#class\""), std::string::npos);

@@ -140,7 +140,7 @@ TEST(ApplyRubric, TakesAFileThatWasNeverHandedInForNoAttempt) {
 
 TEST(ApplyRubric, AsksForNoReviewOfAPictureWithNothingToCompare) {
     TaskReport picture = task("screenshot", TaskState::blocked);
-    picture.reason = "not checked: there is no code to compare it with";
+    picture.reason = "not checked: there is no code that runs to compare it with";
     EXPECT_EQ(apply({task("T1", kPassed), picture}).verdict, Verdict::awarded);
     picture.reason = "screenshot.png is a link";
     EXPECT_EQ(apply({task("T1", kPassed), picture}).verdict, Verdict::needsReview);

@@ -86,6 +86,18 @@ TEST(SubmissionHtml, MarksTheLineOfAProvenEditInTheCode) {
         << html;
 }
 
+TEST(SubmissionHtml, SaysAReasonOnlyWhereNoFindingSaysIt) {
+    const tests::ClassOnDisk onDisk{{"bob"}};
+    SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
+    TaskReport& task = result.tasks.at(0);
+    task.reason = task.findings.at(0).message = "it does not compile";
+    const std::filesystem::path code = onDisk.out() / "bob" / "code";
+    EXPECT_EQ(submissionHtml(result, code).find("<p>It does not compile</p>"), std::string::npos);
+    EXPECT_EQ(submissionHtml(result, code).find("<p>it does not compile</p>"), std::string::npos);
+    task.reason = "why it is in doubt";
+    EXPECT_NE(submissionHtml(result, code).find("<p>Why it is in doubt</p>"), std::string::npos);
+}
+
 TEST(SubmissionHtml, NamesTheOtherLineOfAnEditAtTwoPlaces) {
     const tests::ClassOnDisk onDisk{{"bob"}};
     SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);

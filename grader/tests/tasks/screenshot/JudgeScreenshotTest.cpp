@@ -322,7 +322,7 @@ TEST(JudgeScreenshot, JudgesTheSceneAloneWhereThereIsNoCode) {
     const TaskJudgement right =
         judgeAlone(ScreenshotStudent{scenes(), true, other}.render(640, kSeed));
     EXPECT_EQ(right.state, TaskState::blocked);
-    EXPECT_EQ(right.reason, "not checked: there is no code to compare it with");
+    EXPECT_EQ(right.reason, "not checked: there is no code that runs to compare it with");
     EXPECT_TRUE(right.findings.empty());
     EXPECT_EQ(firstId(judgeAlone(photograph(640, 480, kSeed))), "screenshot.not-this-scene");
 }

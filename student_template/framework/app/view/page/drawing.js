@@ -122,9 +122,12 @@ class RayDrawing {
     this.pen.font = "12px system-ui, sans-serif";
     this.pen.lineWidth = 3;
     this.pen.strokeStyle = this.isDark ? "#14171b" : "#fbfaf7";
-    this.pen.strokeText(text, at[0] + 5, at[1] - 5);
+    // Of what is in sight, the name is, too.
+    const most = at[0] < this.orbit.width ? this.orbit.width - this.pen.measureText(text).width - 3 : Infinity;
+    const x = Math.min(at[0] + 5, most);
+    this.pen.strokeText(text, x, at[1] - 5);
     this.pen.fillStyle = colour;
-    this.pen.fillText(text, at[0] + 5, at[1] - 5);
+    this.pen.fillText(text, x, at[1] - 5);
   }
 
   ink() { return this.isDark ? "#a5afba" : "#57616b"; }

@@ -6,6 +6,7 @@ class RayView {
   constructor(root, { onPoint } = {}) {
     this.onPoint = onPoint;
     root.classList.add("ray-view");
+    root.parentElement.classList.add("ray-room");
     root.innerHTML = `<div class="ray-stage"><canvas tabindex="0" role="application"></canvas></div>
       <div class="ray-tools" role="group" aria-label="View"></div>
       <fieldset class="ray-legend"><legend>Shown</legend></fieldset>

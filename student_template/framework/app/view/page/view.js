@@ -23,13 +23,22 @@ function element(name, properties = {}, ...children) {
   return made;
 }
 
+const ended = "The viewer has ended. Start it again: it prints a new address.";
+
 async function request(path, options) {
-  const response = await fetch(path, options);
+  const response = await fetch(path, options).catch(() => { throw new Error(ended); });
   if (!response.ok) throw new Error(await response.text());
   return response;
 }
 
 // ---- settings
+
+/// A field that is empty while a number is typed changes nothing, and who leaves it finds what is in force.
+function listenTo(input, name) {
+  input.dataset.setting = name;
+  input.addEventListener("input", () => input.value && change({ [name]: input.value }));
+  input.addEventListener("blur", () => { if (settings && !isSending) input.value = settings[name]; });
+}
 
 function addControls() {
   for (const [name, words, min, max, step] of controls) {
@@ -37,18 +46,14 @@ function addControls() {
     number.removeAttribute("max"); // the program says what is too much
     range.setAttribute("aria-label", `${words}, as a slider`);
     number.setAttribute("aria-label", words);
-    for (const input of [range, number]) {
-      input.dataset.setting = name;
-      input.addEventListener("input", () => change({ [name]: input.value }));
-    }
+    for (const input of [range, number]) listenTo(input, name);
     const parts = [element("span", { textContent: words }), range, number];
     if (name !== "bounces") for (const part of parts) part.dataset.of = "lens";
     byId("settings").append(...parts);
   }
   const seed = element("input", { type: "number", min: 0, step: 1, className: "wide" });
   seed.setAttribute("aria-label", "Seed");
-  seed.dataset.setting = "seed";
-  seed.addEventListener("input", () => seed.value && change({ seed: seed.value }));
+  listenTo(seed, "seed");
   byId("settings").append(element("span", { textContent: "Seed" }), seed);
   byId("scene").addEventListener("change", () => change({ scene: byId("scene").value }));
   byId("defaults").addEventListener("click", () => change(firstSettings));
@@ -66,7 +71,10 @@ async function change(changes) {
     waiting = null;
     try {
       await request("settings", { method: "POST", body, headers: { "X-Ticker": token } });
-    } catch (error) { tell(error.message); }
+    } catch (error) {
+      tell(error.message);
+      if (settings) showSettings(settings);
+    }
   }
   isSending = false;
 }
@@ -217,7 +225,7 @@ async function follow() {
     const news = await newsAfter(version);
     if (news && version === 0) tell("");
     if (news) { version = news.version; show(news); continue; }
-    tell("The viewer has ended. Start it again: it prints a new address.");
+    tell(ended);
     await new Promise((done) => setTimeout(done, 2000));
   }
 }
