@@ -7,7 +7,7 @@ const shown = document.getElementById("shown");
 const chips = [...document.querySelectorAll("button[data-verdict], button[data-finding]")];
 const kindOf = (chip) => (chip.dataset.finding ? "finding" : "verdict");
 
-/// What the search looks through: not the words that stand in every row.
+/// The text that the search looks through, without the words that every row has.
 const textOf = (row) => [...row.cells].map((cell) => (cell.querySelector("a") ?? cell).textContent)
   .concat(row.dataset.findings).join(" ").toLowerCase();
 

@@ -99,7 +99,7 @@ function arrange() {
   if (rows.length !== list.children.length || rows.some((row, i) => row !== list.children[i])) list.replaceChildren(...rows);
 }
 
-/// What is chosen in the part that may be folded.
+/// The choices in the part that may be folded.
 const folded = () => ["finding", "task", "by"].filter((key) => filter[key])
   .map((key) => controls[key].selectedOptions[0]?.textContent ?? filter[key]).join(", ");
 

@@ -122,7 +122,7 @@ class RayDrawing {
     this.pen.font = "12px system-ui, sans-serif";
     this.pen.lineWidth = 3;
     this.pen.strokeStyle = this.isDark ? "#14171b" : "#fbfaf7";
-    // Of what is in sight, the name is, too.
+    // The name of a point in sight is not cut off at the right edge.
     const most = at[0] < this.orbit.width ? this.orbit.width - this.pen.measureText(text).width - 3 : Infinity;
     const x = Math.min(at[0] + 5, most);
     this.pen.strokeText(text, x, at[1] - 5);

@@ -33,7 +33,7 @@ async function request(path, options) {
 
 // ---- settings
 
-/// A field that is empty while a number is typed changes nothing, and who leaves it finds what is in force.
+/// An empty field changes nothing; when it loses the focus, it shows the setting in force again.
 function listenTo(input, name) {
   input.dataset.setting = name;
   input.addEventListener("input", () => input.value && change({ [name]: input.value }));
