@@ -55,7 +55,16 @@ struct ShadeCase {
 [[nodiscard]] std::vector<ShadeCase> drawShadeCases(std::uint64_t seed);
 
 /// What an answer equals, other than the right value.
-enum class Shown : std::uint8_t { right, lit, dark, black, specular, diffuse, other };
+enum class Shown : std::uint8_t {
+    right,
+    lit,
+    dark,
+    black,
+    specular,
+    diffuse,
+    ambientAgain,  ///< right but for ambient light that is added again
+    other
+};
 
 /// What the same code gives with and without what stands around the point.
 struct ShadeSeen {

@@ -112,11 +112,24 @@ Name nameOfColour(const Seen& seen, Occluder place) {
     if (shows(Shown::black)) return {&kShadeAmbient, ""};
     if (shows(Shown::specular)) return {&kShadeSpecular, ""};
     if (shows(Shown::diffuse)) return {&kShadeDiffuse, ""};
+    if (shows(Shown::ambientAgain))
+        return {&kShadeWrong,
+                "Ambient light is added more than once: it is there since before the loop over the "
+                "lights, so that a light that is hidden adds nothing (continue)."};
     if (allShow(seen, Shown::lit, Occluder::before))
         return {&kShadeWrong,
                 "What is hidden comes out lit. Look at the direction of the ray, L, and at the "
                 "comparison: a hit nearer than the light shades."};
     return {&kShadeWrong, ""};
+}
+
+/// Right but for ambient light, which is there once more, or once more for each light.
+bool hasAmbientAgain(const ShadeSeen& seen) {
+    const raytracer::SceneDescription& scene = seen.asked->asked.scene;
+    const ColourRGB ambient = scene.spheres[0].material.colour * scene.ambientLighting;
+    const auto lights = static_cast<double>(scene.pointLights.size());
+    return isNear(seen.given, seen.expected() + ambient) ||
+           isNear(seen.given, seen.expected() + ambient * lights);
 }
 
 }  // namespace
@@ -132,7 +145,8 @@ Shown ShadeSeen::shown() const {
     if (isDark) return Shown::dark;
     if (isNear(given, ColourRGB{0.0})) return Shown::black;
     if (isNear(given, specular)) return Shown::specular;
-    return isNear(given, diffuse) ? Shown::diffuse : Shown::other;
+    if (isNear(given, diffuse)) return Shown::diffuse;
+    return hasAmbientAgain(*this) ? Shown::ambientAgain : Shown::other;
 }
 
 Name nameOf(const Seen& seen, const ShadeSeen& first) {

@@ -71,6 +71,16 @@ constexpr const char* kNoFarRoot =
     "Where (-b - root) / (2 a) is not positive, the ray may start inside: try (-b + root) / (2 a) "
     "before you give up.";
 
+constexpr const char* kLimitBelowZero =
+    "A limit below 0 takes a near root that lies a little behind the ray, as that of a ray that "
+    "starts just inside: compare (-b - root) / (2 a) with 0.";
+
+/// A near root that is this far behind counts.
+constexpr double kBehind = -0.05;
+double nearRootBehind(const Q& q) {
+    return kBehind < q.near() ? q.near() : q.far();
+}
+
 constexpr HitMistake kSphereMistakes[] = {
     {&kSphereFarRoot, chosen<[](const Q& q) { return ifAhead(q.far()); }>},
     {&kSphereInside, chosen<[](const Q& q) { return ifAhead(q.near()); }>, kNoFarRoot},
@@ -82,6 +92,12 @@ constexpr HitMistake kSphereMistakes[] = {
     {&kSphereInside,
      chosen<[](const Q& q) { return 0.0 < q.far() ? Distance{q.near()} : Distance{}; }>,
      kSmallerRoot},
+    {&kSphereInside, chosen<[](const Q& q) { return ifAhead(nearRootBehind(q)); }>,
+     kLimitBelowZero},
+    {&kSphereInside, chosen<[](const Q& q) {
+         return kBehind < nearRootBehind(q) ? Distance{nearRootBehind(q)} : Distance{};
+     }>,
+     kLimitBelowZero},
     {&kSphereBehind, chosen<[](const Q& q) { return Distance{q.near()}; }>},
     {&kSphereBehind, chosen<[](const Q& q) { return Distance{std::abs(q.smaller())}; }>},
     {&kSphereBehind, chosen<[](const Q& q) { return Distance{std::abs(q.near())}; }>},

@@ -96,6 +96,12 @@ TEST(MainTickCatalogue, NeverFailsRightShadowsThatNeedNoBias) {
         TaskState::passed);
 }
 
+TEST(MainTickCatalogue, NeverPassesHitsALittleBehindTheRay) {
+    expectUnderSeeds(60,
+                     entriesOf("mistakes", {"M1/inside-negative-hit", "M1/inside-negative-limit"}),
+                     TaskState::failed);
+}
+
 TEST(MainTickCatalogue, NeverPassesShadowsThatRoundingDecides) {
     expectUnderSeeds(12,
                      entriesOf("mistakes", {"M3.2/closest-skips-near", "M3.2/closest-skips-own",

@@ -102,6 +102,25 @@ TEST(JudgeHits, AsksOnBothSidesOfTheCameraUnderEverySeed) {
     }
 }
 
+// The near root of a ray that starts inside is a little below 0.
+TEST(JudgeHits, AsksInsideNearTheSurfaceUnderEverySeed) {
+    const auto behindCounts = [](bool isHit) {
+        return [=](probe::Hit& hit, const Asked& asked, const probe::CastRay& ray) {
+            const auto& sphere = asked.scene.spheres[static_cast<std::size_t>(ray.object)];
+            const raytracer::Ray backwards{ray.origin, -ray.direction};
+            const auto back = meet(sphere, backwards);
+            if (!hit.isHit || !back || back->distance > 0.05) return;
+            hit.isHit = isHit;
+            hit.distance = -back->distance;
+        };
+    };
+    for (std::uint64_t seed = 1; seed <= 60; ++seed)
+        for (const bool isHit : {false, true}) {
+            AltersHits examinee{behindCounts(isHit)};
+            expectOne(judgeSpheres(examinee, seed).findings, "sphere.inside", "limit below 0");
+        }
+}
+
 TEST(JudgeHits, NotesOtherLocationsOfLongDirectionsWithoutFailing) {
     const Change moved = [](probe::Hit& hit, const Asked&, const probe::CastRay& ray) {
         if (isLong(ray)) hit.location = hit.location + Vector3{0.1, 0.0, 0.0};

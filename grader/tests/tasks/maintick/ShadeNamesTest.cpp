@@ -18,7 +18,7 @@ using maintick::Occluder;
 using maintick::phong;
 using maintick::ShadeCase;
 
-enum class Look { right, lit, dark, black, specular, diffuse };
+enum class Look { right, lit, dark, black, specular, diffuse, ambientAgain, ambientOfAll };
 using Looks = std::map<Occluder, Look>;
 constexpr std::size_t kQuestionsEach = 7;
 
@@ -73,6 +73,11 @@ private:
         if (look == Look::black) return ColourRGB{0.0};
         if (look == Look::specular) material.phongKD = 0.0;
         if (look == Look::diffuse) material.phongKS = 0.0;
+        const ColourRGB ambient = material.colour * setup.scene.ambientLighting;
+        if (look == Look::ambientAgain) return phong(shade.without) + ambient;
+        if (look == Look::ambientOfAll)
+            return phong(shade.without) +
+                   ambient * static_cast<double>(setup.scene.pointLights.size());
         const bool isDark = look == Look::dark || (look == Look::right && shade.isShaded());
         return phong(isDark ? shade.without : setup);
     }
@@ -168,6 +173,18 @@ TEST(ShadeNames, NameWhatAllHiddenPlacesShow) {
                  {hidden(black), "shade.ambient"},
                  {hidden(specular), "shade.specular"},
                  {hidden(diffuse), "shade.diffuse"}});
+}
+
+TEST(ShadeNames, SayThatAmbientLightIsAddedAgainInShadow) {
+    using enum Look;
+    const auto withAcne = [](Looks looks) {
+        return with(std::move(looks), {{Occluder::itself, dark}});
+    };
+    expectNamed({{hidden(ambientAgain), "shade.wrong", "more than once"},
+                 {hidden(ambientOfAll), "shade.wrong", "more than once"},
+                 {withAcne(hidden(ambientAgain)), "shade.wrong", "more than once"},
+                 {with(hidden(ambientAgain), {{Occluder::before, black}}), "shade.ambient"},
+                 {{{Occluder::backwards, ambientAgain}}, "shade.wrong", "Cast Ray"}});
 }
 
 TEST(ShadeNames, SayWhereRaysLeadThatMissTheLight) {

@@ -46,6 +46,8 @@ TEST(SphereMistakes, AnswerWhatTheirCodeWould) {
         {3.0, kMiss, kMiss, kMiss},                          // the smaller one, ahead
         {3.0, 1.0, kMiss, kMiss},                            // its size
         {3.0, -1.0, kMiss, kMiss},                           // the near one if the far one is ahead
+        {3.0, 3.0, kMiss, kMiss},                            // the near one a little behind, lost,
+        {3.0, 3.0, kMiss, kMiss},                            // or taken
         {3.0, -1.0, -6.0, kMiss},                            // the near one always
         {3.0, 1.0, 2.0, kMiss},                              // the smaller one's size always
         {3.0, 1.0, 6.0, kMiss},                              // the near one's size
@@ -77,6 +79,20 @@ TEST(SphereMistakes, AnswerWhatTheirCodeWould) {
     for (std::size_t i = 0; i < wanted.size(); ++i)
         for (std::size_t k = 0; k < kRays.size(); ++k)
             expectSame(mistakes[i].distance(twoBalls(), 1, kRays[k]), wanted[i][k], i, k);
+}
+
+TEST(SphereMistakes, TakeTheNearRootALittleBehindTheRay) {
+    const auto mistakes = sphereMistakes();
+    constexpr std::size_t kLost = 5;
+    const auto asked = [&](std::size_t mistake, double z) {
+        return mistakes[mistake].distance(twoBalls(), 1, {{0.0, 0.0, z}, kForwards});
+    };
+    expectSame(asked(kLost, 3.04), kMiss, kLost, 0);
+    expectSame(asked(kLost, 3.06), 3.94, kLost, 1);
+    expectSame(asked(kLost + 1, 3.04), -0.04, kLost + 1, 0);
+    expectSame(asked(kLost + 1, 3.06), 3.94, kLost + 1, 1);
+    expectSame(asked(kLost + 1, 7.04), -0.04, kLost + 1, 2);
+    expectSame(asked(kLost + 1, 7.06), kMiss, kLost + 1, 3);
 }
 
 TEST(SphereMistakes, LeaveOutWhatTheirLimitsLeaveOut) {
