@@ -16,14 +16,14 @@ namespace {
 
 using pipeline::SpecScene;
 
-const std::vector<SpecScene>& scenes() {
+const std::vector<SpecScene>& specScenes() {
     static const std::vector<SpecScene> read =
         pipeline::readSpecScenes(std::filesystem::path{TICKER_SOURCE_DIR} / "scenes",
                                  std::filesystem::path{TICKER_SOURCE_DIR} / "assets");
     return read;
 }
 
-std::string firstId(const TaskJudgement& judgement) {
+std::string idOf(const TaskJudgement& judgement) {
     return judgement.findings.empty() ? "" : judgement.findings.front().id;
 }
 
@@ -67,7 +67,7 @@ TEST(JudgeScreenshotOfWrongParts, BlamesNobodyWhoseCodeRendersRegionsOtherwise) 
     std::uint64_t seed = 1;
     for (const WrongParts::Change change : kWrongParts) {
         WrongParts code{change};
-        const ScreenshotStudent student{scenes(), false, code};
+        const ScreenshotStudent student{specScenes(), false, code};
         double unused = 0.0;
         const TaskJudgement judgement = student.handIn(student.render(320, 77), seed++, unused);
         EXPECT_EQ(judgement.state, TaskState::passed);
@@ -81,7 +81,7 @@ TEST(JudgeScreenshotOfWrongParts, BlamesNobodyWhoseCodeRendersRegionsOtherwise) 
 
 TEST(JudgeScreenshotOfWrongParts, FindsEditsAndOtherScenesWhereCodeRendersRegionsOtherwise) {
     WrongParts code{kWrongParts[0]};
-    const ScreenshotStudent student{scenes(), false, code};
+    const ScreenshotStudent student{specScenes(), false, code};
     const Picture picture = student.render(320, 11);
     Picture negative = picture;
     for (std::uint8_t& byte : negative.rgb)
@@ -92,12 +92,12 @@ TEST(JudgeScreenshotOfWrongParts, FindsEditsAndOtherScenesWhereCodeRendersRegion
             covered.rgb[3 * (320 * y + 60) + x] = 255;
     double unused = 0.0;
     const auto handIn = [&](const Picture& other) { return student.handIn(other, 11, unused); };
-    EXPECT_EQ(firstId(handIn(metrics::mirrored(picture.view(), metrics::Mirror::leftRight))),
+    EXPECT_EQ(idOf(handIn(metrics::mirrored(picture.view(), metrics::Mirror::leftRight))),
               "screenshot.edited");
-    EXPECT_EQ(firstId(handIn(negative)), "screenshot.edited");
-    EXPECT_EQ(firstId(handIn(photograph(320, 240, 11))), "screenshot.not-this-scene");
+    EXPECT_EQ(idOf(handIn(negative)), "screenshot.edited");
+    EXPECT_EQ(idOf(handIn(photograph(320, 240, 11))), "screenshot.not-this-scene");
     const TaskJudgement judgement = handIn(covered);
-    EXPECT_EQ(firstId(judgement), "screenshot.not-from-this-code");
+    EXPECT_EQ(idOf(judgement), "screenshot.not-from-this-code");
     EXPECT_TRUE(judgement.needsReview);
 }
 
