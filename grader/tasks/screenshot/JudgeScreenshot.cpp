@@ -1,6 +1,7 @@
 #include <grader/tasks/screenshot/JudgeScreenshot.h>
 
 #include <grader/tasks/screenshot/Edits.h>
+#include <grader/tasks/screenshot/Parts.h>
 #include <grader/tasks/screenshot/Relief.h>
 #include <grader/tasks/screenshot/Repetition.h>
 #include <grader/tasks/screenshot/ScreenshotWords.h>
@@ -51,19 +52,36 @@ public:
     [[nodiscard]] TaskJudgement judge() const {
         if (!isSensibleSize(picture_.width, picture_.height)) return judgeOtherSize();
         const Verification verification = verify(picture_, scene_, seed_);
-        if (verification.kind == Verification::Kind::ourFault)
-            return {TaskState::notGraded, verification.why, {}, false};
+        if (verification.kind == Verification::Kind::ourFault) return withoutWindows(verification);
         const TileDifference whole = tileDifference(scene_.likeliest(), picture_);
         const bool looksRight = scene_.hasOwn()
                                     ? whole.worst <= kMostTileDifference
                                     : likeness(scene_.expected(), picture_) >= kSameScene;
         if (verification.kind != Verification::Kind::different && looksRight)
             return accept(verification);
+        const std::optional<Verification> doubt =
+            scene_.whyUnlikeItself.empty() ? doubtOf(verification) : std::nullopt;
+        if (doubt && (looksRight || doubt->kind == Verification::Kind::ourFault))
+            return withoutWindows(*doubt);
         const std::string why = whyNotRepeated(scene_, picture_.width, picture_.height, seed_ + 2);
-        return why.empty() ? explain(verification, whole) : excuse(why);
+        return why.empty() ? explain(doubt ? *doubt : verification, whole) : excuse(why);
     }
 
 private:
+    /// Empty if windows, if there are any, may count against the picture.
+    [[nodiscard]] std::optional<Verification> doubtOf(const Verification& verification) const {
+        return verification.own ? doubtOfWindows(scene_, seed_ + 3) : std::nullopt;
+    }
+
+    /// The judgement of a picture that looks right from far away.
+    [[nodiscard]] TaskJudgement withoutWindows(const Verification& verification) const {
+        if (verification.kind == Verification::Kind::ourFault)
+            return {TaskState::notGraded, verification.why, {}, false};
+        return verification.why.empty()
+                   ? notChecked("there is no code that runs to compare it with")
+                   : passed({unverified(verification.why)});
+    }
+
     [[nodiscard]] double likenessTo(const Scene& scene) const {
         const double expected = likeness(scene.expected(), picture_);
         return scene.hasOwn() ? std::max(expected, likeness(scene.own, picture_)) : expected;
@@ -111,10 +129,7 @@ private:
     }
 
     [[nodiscard]] TaskJudgement accept(const Verification& verification) const {
-        if (verification.kind == Verification::Kind::unknown)
-            return verification.why.empty()
-                       ? notChecked("there is no code that runs to compare it with")
-                       : passed({unverified(verification.why)});
+        if (!verification.own) return withoutWindows(verification);
         if (verification.agreement.isLossy) {
             std::optional<TaskJudgement> slight = judgeSlightColours(verification);
             return slight ? *std::move(slight) : passed({savedAgain(verification.agreement)});
@@ -123,7 +138,9 @@ private:
         const Picture windows = cutOut(picture_, verification.own->windows);
         const std::optional<double> noise =
             noiseRatio(windows.view(), verification.own->pixels.view());
-        return noise && *noise < kNoNoise ? passedInDoubt(isTheReference(*noise)) : passed({});
+        if (!noise || *noise >= kNoNoise) return passed({});
+        const std::optional<Verification> doubt = doubtOf(verification);
+        return doubt ? withoutWindows(*doubt) : passedInDoubt(isTheReference(*noise));
     }
 
     // Code that does not repeat itself may have drawn any picture that shows the scene.

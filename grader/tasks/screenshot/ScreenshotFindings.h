@@ -61,11 +61,12 @@ inline constexpr FindingText kScreenshotUnverified{
     .id = "screenshot.unverified",
     .words = "handed in a screenshot that could not be compared",
     .meaning =
-        "note: the code renders whole frames only, did not finish when it was asked for parts, or "
-        "does not draw the same picture again under the same seed (threads that meet, points drawn "
-        "anew or shared by all pixels); the message says which. warn, a person should look: it "
-        "shows what this code renders, but scaled, saved as JPEG, cut by a few pixels or (option "
-        "1) softer, as with a solved Renderer.cpp that was not handed in"};
+        "note: the code renders whole frames only, or parts otherwise than the whole frame, did "
+        "not finish when it was asked for parts, or does not draw the same picture again under "
+        "the same seed (threads that meet, points drawn anew or shared by all pixels); the "
+        "message says which. warn, a person should look: it shows what this code renders, but "
+        "scaled, saved as JPEG, cut by a few pixels or (option 1) softer, as with a solved "
+        "Renderer.cpp that was not handed in"};
 
 /// In the order in which they are reported.
 inline constexpr std::array kScreenshotFindings{

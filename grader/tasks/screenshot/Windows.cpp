@@ -73,13 +73,6 @@ raytracer::RenderSettings settingsFor(const Windows& windows, const metrics::Box
     return settings;
 }
 
-bool isWhole(const probe::RenderAnswer& answer) {
-    return answer.state == probe::AnswerState::answered && !answer.wrongSize &&
-           answer.images.size() == 1 &&
-           std::ranges::none_of(answer.images.front(),
-                                [](const auto& pixel) { return probe::isUnanswered(pixel); });
-}
-
 }  // namespace
 
 bool isSensibleSize(int width, int height) {
@@ -134,6 +127,13 @@ std::vector<probe::Question> firstQuestions(const raytracer::SceneDescription& d
     Scene scene;
     scene.description = &description;
     return questionsFor(scene, drawWindows(!isRandom, width, height, seed), seed);
+}
+
+bool isWhole(const probe::RenderAnswer& answer) {
+    return answer.state == probe::AnswerState::answered && !answer.wrongSize &&
+           answer.images.size() == 1 &&
+           std::ranges::none_of(answer.images.front(),
+                                [](const auto& pixel) { return probe::isUnanswered(pixel); });
 }
 
 OwnRender askForWindows(const Scene& scene, const Windows& windows, std::uint64_t seed) {

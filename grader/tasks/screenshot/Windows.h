@@ -50,6 +50,9 @@ struct Windows {
     const raytracer::SceneDescription& description, bool isRandom, int width, int height,
     std::uint64_t seed);
 
+/// True if the answer holds one image with every pixel.
+[[nodiscard]] bool isWhole(const probe::RenderAnswer& answer);
+
 /// A submission's render of windows.
 struct OwnRender {
     std::optional<Picture> windows;  ///< one below the other; empty if a part is missing
