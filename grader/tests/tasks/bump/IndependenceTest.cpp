@@ -40,55 +40,69 @@ Both bothOf(const selftest::NormalFunction& function, std::uint64_t seed) {
     return {readIndependence(proportion, answers, ramps), readStripes(stripes, answers, ramps)};
 }
 
-/// Factors of the tilts along u and along v, from both slopes in heights per texel.
-using Coupling = std::pair<double, double> (*)(double onU, double onV);
+/// The normal from the smooth one and the tilts along u and along v.
+using Sum = Vector3 (*)(const Vector3& n, const Vector3& onU, const Vector3& onV);
 
-selftest::NormalFunction coupled(Coupling coupling) {
-    return inProportion(kParametrisation, [coupling](const Place& at, const Point&) {
-        return coupling(at.alongU, at.alongV);
-    });
+Vector3 plainSum(const Vector3& n, const Vector3& onU, const Vector3& onV) {
+    return (n - onU - onV).normalised();
 }
 
-std::pair<double, double> normalisedAfterU(double onU, double /*onV*/) {
-    return {1.0, std::hypot(1.0, onU)};
+Vector3 normalisedAfterU(const Vector3& n, const Vector3& onU, const Vector3& onV) {
+    return ((n - onU).normalised() - onV).normalised();
 }
 
-std::pair<double, double> normalisedAfterV(double /*onU*/, double onV) {
-    return {std::hypot(1.0, onV), 1.0};
+Vector3 normalisedAfterV(const Vector3& n, const Vector3& onU, const Vector3& onV) {
+    return ((n - onV).normalised() - onU).normalised();
 }
 
 /// Each axis by itself: the arctangent of its slope.
-std::pair<double, double> bentAlone(double onU, double onV) {
-    const auto factor = [](double slope) { return slope == 0.0 ? 1.0 : std::atan(slope) / slope; };
-    return {factor(onU), factor(onV)};
+Vector3 bentAlone(const Vector3& n, const Vector3& onU, const Vector3& onV) {
+    const auto bent = [](const Vector3& tilt) {
+        const double slope = tilt.magnitude();
+        return slope > 0.0 ? tilt * (std::atan(slope) / slope) : tilt;
+    };
+    return (n - bent(onU) - bent(onV)).normalised();
 }
 
-/// Forward differences of heights that are interpolated between the middles of texels.
-/// `fractions` gives those of the column and the row that are used from those of the point.
+/// The fractions of the column and the row that are used, from those of the point.
 using Fractions = std::pair<double, double> (*)(double column, double row);
 
-selftest::NormalFunction bilinear(Fractions fractions) {
-    return [fractions](const Point& point) {
-        const Vector3 n = smooth(point);
-        const selftest::HeightMap& map = point.map;
-        const auto height = [&](double x, double y) {
-            const auto [fx, fy] = fractions(x - std::floor(x), y - std::floor(y));
-            const auto texel = [&](double c, double r) {
-                const int column = (static_cast<int>(c) + map.width()) % map.width();
-                return map.at(column, std::clamp(static_cast<int>(r), 0, map.height() - 1));
-            };
-            const double c = std::floor(x);
-            const double r = std::floor(y);
-            return (1.0 - fy) * ((1.0 - fx) * texel(c, r) + fx * texel(c + 1.0, r)) +
-                   fy * ((1.0 - fx) * texel(c, r + 1.0) + fx * texel(c + 1.0, r + 1.0));
-        };
-        const double x = kParametrisation.u(n) * map.width() - 0.5;
-        const double y = kParametrisation.v(n) * map.height() - 0.5;
-        const double here = height(x, y);
-        return (n - (height(x + 1.0, y) - here) * kParametrisation.alongU(n) -
-                (height(x, y + 1.0) - here) * kParametrisation.alongV(n))
-            .normalised();
+/// The height at a place in texels, interpolated between the middles of four texels.
+double heightAt(const selftest::HeightMap& map, double x, double y, Fractions fractions) {
+    const auto [fx, fy] = fractions(x - std::floor(x), y - std::floor(y));
+    const auto texel = [&map](double c, double r) {
+        const int column = (static_cast<int>(c) + map.width()) % map.width();
+        return map.at(column, std::clamp(static_cast<int>(r), 0, map.height() - 1));
     };
+    const double c = std::floor(x);
+    const double r = std::floor(y);
+    return (1.0 - fy) * ((1.0 - fx) * texel(c, r) + fx * texel(c + 1.0, r)) +
+           fy * ((1.0 - fx) * texel(c, r + 1.0) + fx * texel(c + 1.0, r + 1.0));
+}
+
+/// Forward differences.
+selftest::NormalFunction submission(Fractions fractions, Sum sum) {
+    return [fractions, sum](const Point& point) {
+        const Vector3 n = smooth(point);
+        const double x = kParametrisation.u(n) * point.map.width() - 0.5;
+        const double y = kParametrisation.v(n) * point.map.height() - 0.5;
+        const double here = heightAt(point.map, x, y, fractions);
+        const double onU = heightAt(point.map, x + 1.0, y, fractions) - here;
+        const double onV = heightAt(point.map, x, y + 1.0, fractions) - here;
+        return sum(n, onU * kParametrisation.alongU(n), onV * kParametrisation.alongV(n));
+    };
+}
+
+std::pair<double, double> nearest(double /*column*/, double /*row*/) {
+    return {0.0, 0.0};
+}
+
+selftest::NormalFunction summed(Sum sum) {
+    return submission(nearest, sum);
+}
+
+selftest::NormalFunction bilinear(Fractions fractions) {
+    return submission(fractions, plainSum);
 }
 
 std::pair<double, double> ownFractions(double column, double row) {
@@ -121,17 +135,17 @@ TEST(ReadIndependence, IsGoodForAcceptedReadings) {
 
 TEST(ReadIndependence, SeesAnAxisThatCountsByTheOther) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        const AxisIndependence afterU = bothOf(coupled(normalisedAfterU), seed).independence;
+        const AxisIndependence afterU = bothOf(summed(normalisedAfterU), seed).independence;
         EXPECT_FALSE(afterU.goodV()) << afterU.v;
         EXPECT_NEAR(afterU.u, 1.0, 1e-3);
-        const AxisIndependence afterV = bothOf(coupled(normalisedAfterV), seed).independence;
+        const AxisIndependence afterV = bothOf(summed(normalisedAfterV), seed).independence;
         EXPECT_FALSE(afterV.goodU()) << afterV.u;
         EXPECT_NEAR(afterV.v, 1.0, 1e-3);
     }
 }
 
 TEST(ReadIndependence, LeavesEachAxisItsOwnCurve) {
-    const AxisIndependence bent = bothOf(coupled(bentAlone), 3).independence;
+    const AxisIndependence bent = bothOf(summed(bentAlone), 3).independence;
     EXPECT_NEAR(bent.u, 1.0, 0.02);
     EXPECT_NEAR(bent.v, 1.0, 0.02);
 }
@@ -169,9 +183,9 @@ void expectWords(const selftest::NormalFunction& function, const std::string& me
 }
 
 TEST(JudgeBump, SaysThatAnAxisDependsOnTheOther) {
-    expectWords(coupled(normalisedAfterU), "the tilt along v depends on the slope along u",
+    expectWords(summed(normalisedAfterU), "the tilt along v depends on the slope along u",
                 "Normalise once, at the end");
-    expectWords(coupled(normalisedAfterV), "the tilt along u depends on the slope along v",
+    expectWords(summed(normalisedAfterV), "the tilt along u depends on the slope along v",
                 "Normalise once, at the end");
 }
 
