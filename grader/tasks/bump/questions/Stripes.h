@@ -9,8 +9,8 @@
 
 namespace ticker::tasks::bump {
 
-/// Random stripes: a map whose columns are each of one grey, and one whose rows are. Pairs of points
-/// are asked for that lie at the same place across the stripes and at two places along them.
+/// Random stripes: a map whose columns are each of one grey, and one whose rows are. Pairs of
+/// points are asked for that lie at the same place across the stripes and at two places along them.
 struct StripePlan {
     std::vector<Vector3> pairsU;  ///< one pair after the other: as far above the equator as below
     std::vector<Vector3> pairsV;  ///< of one polar angle
