@@ -42,8 +42,8 @@ Words regionWords(const RegionAgreement& regions) {
 Words mixedWords(const StripeAgreement& stripes) {
     const bool rows = !stripes.goodV();
     return {fmt::format("On a map whose {0} are each of one grey the tilt along {1} changes along "
-                        "the {0}, where the heights do not: an interpolation between texels takes "
-                        "the fraction of the {2} for that of the {3}.",
+                        "the {0}, where the heights do not. An interpolation between texels that "
+                        "takes the fraction of the {2} for that of the {3} does this.",
                         rows ? "rows" : "columns", rows ? "v" : "u", rows ? "column" : "row",
                         rows ? "row" : "column"),
             "Each axis has a fraction of its own. Between columns weigh with fx = x - "
