@@ -87,6 +87,7 @@ MainPlan planMain(std::uint64_t seed) {
     plan.proportion = planProportion(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.conduct.steep = plan.proportion.steep;
     plan.edges = planEdges(plan.questionnaire, draws, drawBall(draws, -1.0));
+    plan.stripes = planStripes(plan.questionnaire, draws, drawBall(draws, 1.0));
     return plan;
 }
 
@@ -150,6 +151,8 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.letters = readLetters(plan.letters, answers, parametrisation, *ramps.response);
     examination.fineness = readFineness(plan.fineness, answers, ramps);
     examination.balance = readBalance(plan.proportion, answers, ramps);
+    examination.independence = readIndependence(plan.proportion, answers, ramps);
+    examination.stripes = readStripes(plan.stripes, answers, ramps);
     return examination;
 }
 

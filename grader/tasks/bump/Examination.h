@@ -10,6 +10,7 @@
 #include <grader/tasks/bump/questions/RampLadder.h>
 #include <grader/tasks/bump/questions/Regions.h>
 #include <grader/tasks/bump/questions/Slopes.h>
+#include <grader/tasks/bump/questions/Stripes.h>
 #include <grader/tasks/bump/questions/Tilt.h>
 
 #include <cstddef>
@@ -29,6 +30,7 @@ struct MainPlan {
     LetterPlan letters;
     ConductPlan conduct;
     FinenessPlan fineness;
+    StripePlan stripes;
 };
 
 [[nodiscard]] MainPlan planMain(std::uint64_t seed);
@@ -64,6 +66,8 @@ struct Examination {
     std::optional<LetterReading> letters;
     std::optional<Fineness> fineness;
     std::optional<StepBalance> balance;
+    std::optional<AxisIndependence> independence;
+    std::optional<StripeAgreement> stripes;
 
     [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }
     /// All other maps agree with the ramps.

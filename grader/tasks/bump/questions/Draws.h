@@ -16,6 +16,12 @@ namespace ticker::tasks::bump {
 
 using raytracer::Vector3;
 
+/// The direction at an angle round the sphere, 0 in front, and an angle from its top.
+[[nodiscard]] inline Vector3 directionAt(double longitude, double polarAngle) {
+    const double ring = std::sin(polarAngle);
+    return {ring * std::sin(longitude), std::cos(polarAngle), -ring * std::cos(longitude)};
+}
+
 /// Random numbers of the hidden questions. Equal seeds give equal draws on every machine
 /// (splitmix64; the standard library's distributions may differ between systems).
 class Draws {

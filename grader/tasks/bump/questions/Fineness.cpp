@@ -22,11 +22,6 @@ std::vector<double> zigzag(int count) {
     return heights;
 }
 
-Vector3 at(double longitude, double polarAngle) {
-    const double ring = std::sin(polarAngle);
-    return {ring * std::sin(longitude), std::cos(polarAngle), -ring * std::cos(longitude)};
-}
-
 /// Neighbours at the map's edge may be clamped, wrapped or mirrored. A wide difference is 0 on the
 /// zigzag except at the seam, where this choice shows: pairs near the seam are not compared.
 bool isAwayFromSeam(double u) {
@@ -66,10 +61,10 @@ FinenessPlan planFineness(Questionnaire& questionnaire, Draws& draws, const Ball
     for (int i = 0; i < kPairs; ++i) {
         const double longitude = draws.uniform(0.0, 2.0 * kPi);
         const double polarAngle = draws.uniform(0.25, 0.75) * kPi;
-        plan.pairsU.push_back(at(longitude, polarAngle));
-        plan.pairsU.push_back(at(longitude + kStepU, polarAngle));
-        plan.pairsV.push_back(at(longitude, polarAngle));
-        plan.pairsV.push_back(at(longitude, polarAngle + kStepV));
+        plan.pairsU.push_back(directionAt(longitude, polarAngle));
+        plan.pairsU.push_back(directionAt(longitude + kStepU, polarAngle));
+        plan.pairsV.push_back(directionAt(longitude, polarAngle));
+        plan.pairsV.push_back(directionAt(longitude, polarAngle + kStepV));
     }
     const std::vector<double> level = raytracer::questions::level(kAcross);
     plan.zigzagU = questionnaire.addPair(

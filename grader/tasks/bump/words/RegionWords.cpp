@@ -39,4 +39,17 @@ Words regionWords(const RegionAgreement& regions) {
         "Option 1: What to do, step 3"};
 }
 
+Words mixedWords(const StripeAgreement& stripes) {
+    const bool rows = !stripes.goodV();
+    return {fmt::format("On a map whose {0} are each of one grey the tilt along {1} changes along "
+                        "the {0}, where the heights do not. An interpolation between texels that "
+                        "takes the fraction of the {2} for that of the {3} does this.",
+                        rows ? "rows" : "columns", rows ? "v" : "u", rows ? "column" : "row",
+                        rows ? "row" : "column"),
+            "Each axis has a fraction of its own. Between columns weigh with fx = x - "
+            "std::floor(x), between rows with fy = y - std::floor(y): look for an x where y "
+            "belongs, or a y where x belongs. One texel without interpolation is enough, too.",
+            "Option 1: What to do, step 3"};
+}
+
 }  // namespace ticker::tasks::bump
