@@ -1,13 +1,13 @@
 #include <grader/tasks/screenshot/JudgeScreenshot.h>
 
 #include <grader/tasks/screenshot/Edits.h>
-#include <grader/tasks/screenshot/Parts.h>
 #include <grader/tasks/screenshot/Relief.h>
 #include <grader/tasks/screenshot/Repetition.h>
 #include <grader/tasks/screenshot/ScreenshotWords.h>
 #include <grader/tasks/screenshot/SeenMistake.h>
 #include <grader/tasks/screenshot/Verification.h>
 #include <grader/tasks/screenshot/Whole.h>
+#include <grader/tasks/screenshot/WindowDoubt.h>
 #include <grader/tasks/screenshot/Windows.h>
 
 #include <algorithm>

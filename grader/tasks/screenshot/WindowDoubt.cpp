@@ -1,4 +1,4 @@
-#include <grader/tasks/screenshot/Parts.h>
+#include <grader/tasks/screenshot/WindowDoubt.h>
 
 #include <grader/tasks/screenshot/Agreement.h>
 #include <grader/tasks/screenshot/Windows.h>

@@ -1,5 +1,5 @@
 // Only code that renders a region as that place of a whole frame can disprove a picture by windows.
-#include <grader/tasks/screenshot/Parts.h>
+#include <grader/tasks/screenshot/WindowDoubt.h>
 
 #include <gtest/gtest.h>
 

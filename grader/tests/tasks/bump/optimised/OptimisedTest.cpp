@@ -1,6 +1,6 @@
 #include <grader/lab/selftest/BumpTables.h>
 #include <grader/tasks/bump/JudgeBump.h>
-#include <grader/tests/tasks/bump/Optimised.h>
+#include <grader/tests/tasks/bump/optimised/Optimised.h>
 
 #include <gtest/gtest.h>
 

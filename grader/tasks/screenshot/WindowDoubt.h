@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_SCREENSHOT_PARTS_H
-#define TICKER_TASKS_SCREENSHOT_PARTS_H
+#ifndef TICKER_TASKS_SCREENSHOT_WINDOWDOUBT_H
+#define TICKER_TASKS_SCREENSHOT_WINDOWDOUBT_H
 
 #include <grader/tasks/screenshot/ShownScene.h>
 #include <grader/tasks/screenshot/Verification.h>

@@ -1,6 +1,6 @@
 // The model, compiled with -O0 (see CMakeLists.txt).
 #include <grader/lab/selftest/BumpModel.inc.h>
-#include <grader/tests/tasks/bump/Optimised.h>
+#include <grader/tests/tasks/bump/optimised/Optimised.h>
 
 namespace ticker::tests {
 
