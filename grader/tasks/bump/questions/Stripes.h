@@ -22,7 +22,7 @@ struct StripePlan {
 
 /// Correlation of the two tilts of a pair across the stripes. Whatever the difference,
 /// interpolation and strength, it is 1: only the place along the stripes differs. An interpolation
-/// that weighs rows with the fraction of the column gives 0 to 0.6.
+/// that weighs rows with the fraction of the column gives 0 to 0.75 on average.
 struct StripeAgreement {
     double u = 1.0;
     double v = 1.0;
