@@ -151,7 +151,6 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.letters = readLetters(plan.letters, answers, parametrisation, *ramps.response);
     examination.fineness = readFineness(plan.fineness, answers, ramps);
     examination.balance = readBalance(plan.proportion, answers, ramps);
-    examination.independence = readIndependence(plan.proportion, answers, ramps);
     examination.stripes = readStripes(plan.stripes, answers, ramps);
     return examination;
 }

@@ -66,7 +66,6 @@ struct Examination {
     std::optional<LetterReading> letters;
     std::optional<Fineness> fineness;
     std::optional<StepBalance> balance;
-    std::optional<AxisIndependence> independence;
     std::optional<StripeAgreement> stripes;
 
     [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }

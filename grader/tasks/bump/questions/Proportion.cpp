@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -58,36 +57,6 @@ private:
     double sum_ = 0.0;
     double size_ = 0.0;
 };
-
-/// A point's tilts along one axis, and the gentle one along the other axis.
-struct CrossTilt {
-    double own = 0.0;     ///< length on the gentle map, in steps
-    double growth = 0.0;  ///< from the gentle map to the steep one
-    double other = 0.0;   ///< length on the gentle map
-};
-
-/// Length of a tilt, in steps of 2 %. A steep other slope may change it by less than that on the
-/// gentle map, too: such points must not be sorted by it.
-double lengthStep(double tilt) {
-    constexpr double kStepsPerUnit = 50.0;
-    return std::round(kStepsPerUnit * std::log(std::abs(tilt)));
-}
-
-/// Growth where the other slope is steep over growth where it is gentle. Points of about the same
-/// own tilt form a group; the median is over pairs of its thirds with steep and with gentle others.
-double steepOverGentle(std::vector<CrossTilt> tilts) {
-    constexpr std::ptrdiff_t kThird = 8;
-    const auto byOwn = [](const CrossTilt& a, const CrossTilt& b) { return a.own < b.own; };
-    const auto byOther = [](const CrossTilt& a, const CrossTilt& b) { return a.other < b.other; };
-    std::stable_sort(tilts.begin(), tilts.end(), byOwn);
-    std::vector<double> ratios;
-    for (auto group = tilts.begin(); tilts.end() - group >= 3 * kThird; group += 3 * kThird) {
-        std::sort(group, group + 3 * kThird, byOther);
-        for (auto gentle = group; gentle != group + kThird; ++gentle)
-            ratios.push_back((gentle + 2 * kThird)->growth / gentle->growth);
-    }
-    return ratios.empty() ? 1.0 : median(std::move(ratios));
-}
 
 }  // namespace
 
@@ -147,29 +116,6 @@ StepBalance readBalance(const ProportionPlan& plan, const Answers& answers,
         alongV.add(-onV.sign() * tilts[i].dot(parametrisation.alongV(n)) / strengthAt(onV, v));
     }
     return {alongU.value(), alongV.value()};
-}
-
-AxisIndependence readIndependence(const ProportionPlan& plan, const Answers& answers,
-                                  const RampJudgement& ramps) {
-    const Parametrisation& parametrisation = ramps.fit->parametrisation;
-    const std::vector<Vector3> gentle = answers.tiltsBeyond(plan.flat, plan.gentle);
-    const std::vector<Vector3> steep = answers.tiltsBeyond(plan.flat, plan.steep);
-    std::vector<CrossTilt> onU;
-    std::vector<CrossTilt> onV;
-    const auto add = [](std::vector<CrossTilt>& to, double own, double grown, double other) {
-        const double growth = grown / own;
-        if (std::abs(own) > kSomeTilt && std::isfinite(growth) && std::isfinite(other))
-            to.push_back({lengthStep(own), growth, std::abs(other)});
-    };
-    for (std::size_t i = 0; i < gentle.size(); ++i) {
-        const Vector3& n = plan.directions[i];
-        if (!isOrdinary(parametrisation, n)) continue;
-        const Vector3 alongU = parametrisation.alongU(n);
-        const Vector3 alongV = parametrisation.alongV(n);
-        add(onU, gentle[i].dot(alongU), steep[i].dot(alongU), gentle[i].dot(alongV));
-        add(onV, gentle[i].dot(alongV), steep[i].dot(alongV), gentle[i].dot(alongU));
-    }
-    return {steepOverGentle(std::move(onU)), steepOverGentle(std::move(onV))};
 }
 
 }  // namespace ticker::tasks::bump

@@ -79,29 +79,6 @@ private:
 [[nodiscard]] StepBalance readBalance(const ProportionPlan& plan, const Answers& answers,
                                       const RampJudgement& ramps);
 
-/// Whether the tilt along one axis depends on the slope along the other. `v` compares points whose
-/// slopes along v are alike: how many times as far the steep map tilts them along v where its slope
-/// along u is steep as where it is gentle (median). The growth from the gentle map to the steep one
-/// counts, so that differences, interpolation and strength cancel out: a sum of two tilts gives 1.
-struct AxisIndependence {
-    double u = 1.0;
-    double v = 1.0;
-
-    [[nodiscard]] bool goodU() const { return isAlike(u); }
-    [[nodiscard]] bool goodV() const { return isAlike(v); }
-    [[nodiscard]] bool good() const { return goodU() && goodV(); }
-
-private:
-    /// A normal that is normalised between its two tilts gives 1.55 to 1.75. Accepted readings give
-    /// 1, the displaced unit sphere with a standard deviation of 0.012. Angles that are changed by
-    /// 0.3 of the slopes give 1.07 (0.012) along v and 0.92 (0.034) along u.
-    static bool isAlike(double ratio) { return ratio >= 0.6 && ratio <= 1.4; }
-};
-
-/// Returns 1 if gentle slopes tilt hardly any point, which other checks report.
-[[nodiscard]] AxisIndependence readIndependence(const ProportionPlan& plan, const Answers& answers,
-                                                const RampJudgement& ramps);
-
 }  // namespace ticker::tasks::bump
 
 #endif

@@ -140,8 +140,6 @@ constexpr std::array kRightRamps{
          [](const Examination& e) { return e.fineness && !e.fineness->good(); }},
     Rule{WrongReason::stepsLost,
          [](const Examination& e) { return e.balance && !e.balance->good(); }},
-    Rule{WrongReason::axesCoupled,
-         [](const Examination& e) { return e.independence && !e.independence->good(); }},
     Rule{WrongReason::fractionsMixed,
          [](const Examination& e) { return e.stripes && !e.stripes->good(); }},
     Rule{WrongReason::lettersDiffer,

@@ -52,7 +52,6 @@ enum class WrongReason {
     wallAtSeam,          ///< heights that the map does not have, beyond its last column
     coordinatesRounded,  ///< u or v, coarsely
     stepsLost,           ///< where the map falls, or where it rises
-    axesCoupled,         ///< a slope counts by how steep the other one is
     fractionsMixed,      ///< the tilt across stripes changes along them
     lettersDiffer
 };

@@ -122,18 +122,6 @@ Words lostStepsWords(const StepBalance& balance) {
             "Option 1: What to do, step 3"};
 }
 
-Words coupledWords(const AxisIndependence& independence) {
-    const bool onV = std::abs(std::log(independence.v)) > std::abs(std::log(independence.u));
-    return {fmt::format("The same slope along {0} tilts the normal {2:.2g} times as far where the "
-                        "map is steep along {1} as where it is gentle along {1}: the tilt along "
-                        "{0} depends on the slope along {1}.",
-                        onV ? "v" : "u", onV ? "u" : "v", onV ? independence.v : independence.u),
-            "Both terms are added to the same n, the smooth unit normal. Normalise once, at the "
-            "end: return (n - Bu Pu - Bv Pv).normalised(), without a normalised() between the two "
-            "terms, and without a length, a limit or an average that they share.",
-            "Option 1: What to do, step 4"};
-}
-
 Words normalMissingWords() {
     return {
         "Wherever the map slopes at all, the normal lies flat in the surface: however gentle "

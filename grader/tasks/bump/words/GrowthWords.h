@@ -18,8 +18,6 @@ namespace ticker::tasks::bump {
 [[nodiscard]] Words heightsBentWords(const Proportion& proportion);
 /// Edges that fall, or edges that rise, leave hardly any slope.
 [[nodiscard]] Words lostStepsWords(const StepBalance& balance);
-/// The tilt along one axis depends on the slope along the other.
-[[nodiscard]] Words coupledWords(const AxisIndependence& independence);
 /// The gentlest slope turns the normal by 90 degrees.
 [[nodiscard]] Words normalMissingWords();
 

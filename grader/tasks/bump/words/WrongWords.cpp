@@ -228,8 +228,6 @@ constexpr std::array kReasons{
               [](const Seen& told) { return roundedWords(*told.examination.fineness); }},
     ReasonRow{WrongReason::stepsLost,
               [](const Seen& told) { return lostStepsWords(*told.examination.balance); }},
-    ReasonRow{WrongReason::axesCoupled,
-              [](const Seen& told) { return coupledWords(*told.examination.independence); }},
     ReasonRow{WrongReason::fractionsMixed,
               [](const Seen& told) { return mixedWords(*told.examination.stripes); }},
     ReasonRow{WrongReason::lettersDiffer,

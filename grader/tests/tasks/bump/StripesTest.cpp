@@ -1,6 +1,5 @@
-// Slopes and interpolations that must not depend on the other axis, on submissions made by hand.
+// Interpolations that must not depend on the other axis, on submissions made by hand.
 #include <grader/lab/selftest/BumpReadings.h>
-#include <grader/tasks/bump/questions/Proportion.h>
 #include <grader/tasks/bump/questions/RampLadder.h>
 #include <grader/tasks/bump/questions/Stripes.h>
 #include <grader/tests/tasks/bump/Asked.h>
@@ -19,49 +18,18 @@
 namespace ticker::tests {
 namespace {
 
-using tasks::bump::AxisIndependence;
 using tasks::bump::StripeAgreement;
 
-struct Both {
-    AxisIndependence independence;
-    StripeAgreement stripes;
-};
-
-Both bothOf(const selftest::NormalFunction& function, std::uint64_t seed) {
+StripeAgreement stripesOf(const selftest::NormalFunction& function, std::uint64_t seed) {
     Questionnaire questionnaire;
     tasks::bump::Draws draws(seed);
     const tasks::bump::Ball ball{{0.0, 0.0, 20.0}, 12.0};
     const auto ladder = planLadder(questionnaire, draws, ball, draws.directions(400));
-    const auto proportion = planProportion(questionnaire, draws, ball);
     const auto stripes = planStripes(questionnaire, draws, ball);
     const Answers answers = answersOf(questionnaire, function);
     const tasks::bump::RampJudgement ramps = judgeLadder(ladder, answers).ramps;
     if (!ramps.response) return {};
-    return {readIndependence(proportion, answers, ramps), readStripes(stripes, answers, ramps)};
-}
-
-/// The normal from the smooth one and the tilts along u and along v.
-using Sum = Vector3 (*)(const Vector3& n, const Vector3& onU, const Vector3& onV);
-
-Vector3 plainSum(const Vector3& n, const Vector3& onU, const Vector3& onV) {
-    return (n - onU - onV).normalised();
-}
-
-Vector3 normalisedAfterU(const Vector3& n, const Vector3& onU, const Vector3& onV) {
-    return ((n - onU).normalised() - onV).normalised();
-}
-
-Vector3 normalisedAfterV(const Vector3& n, const Vector3& onU, const Vector3& onV) {
-    return ((n - onV).normalised() - onU).normalised();
-}
-
-/// Each axis by itself: the arctangent of its slope.
-Vector3 bentAlone(const Vector3& n, const Vector3& onU, const Vector3& onV) {
-    const auto bent = [](const Vector3& tilt) {
-        const double slope = tilt.magnitude();
-        return slope > 0.0 ? tilt * (std::atan(slope) / slope) : tilt;
-    };
-    return (n - bent(onU) - bent(onV)).normalised();
+    return readStripes(stripes, answers, ramps);
 }
 
 /// The fractions of the column and the row that are used, from those of the point.
@@ -81,28 +49,17 @@ double heightAt(const selftest::HeightMap& map, double x, double y, Fractions fr
 }
 
 /// Forward differences.
-selftest::NormalFunction submission(Fractions fractions, Sum sum) {
-    return [fractions, sum](const Point& point) {
+selftest::NormalFunction bilinear(Fractions fractions) {
+    return [fractions](const Point& point) {
         const Vector3 n = smooth(point);
         const double x = kParametrisation.u(n) * point.map.width() - 0.5;
         const double y = kParametrisation.v(n) * point.map.height() - 0.5;
         const double here = heightAt(point.map, x, y, fractions);
         const double onU = heightAt(point.map, x + 1.0, y, fractions) - here;
         const double onV = heightAt(point.map, x, y + 1.0, fractions) - here;
-        return sum(n, onU * kParametrisation.alongU(n), onV * kParametrisation.alongV(n));
+        return (n - onU * kParametrisation.alongU(n) - onV * kParametrisation.alongV(n))
+            .normalised();
     };
-}
-
-std::pair<double, double> nearest(double /*column*/, double /*row*/) {
-    return {0.0, 0.0};
-}
-
-selftest::NormalFunction summed(Sum sum) {
-    return submission(nearest, sum);
-}
-
-selftest::NormalFunction bilinear(Fractions fractions) {
-    return submission(fractions, plainSum);
 }
 
 std::pair<double, double> ownFractions(double column, double row) {
@@ -117,58 +74,32 @@ std::pair<double, double> rowTwice(double /*column*/, double row) {
     return {row, row};
 }
 
-TEST(ReadIndependence, IsGoodForAcceptedReadings) {
+TEST(ReadStripes, AgreeForAcceptedReadings) {
     constexpr std::size_t kStep = 7;
     const std::vector<selftest::Reading> readings = selftest::acceptedReadings(1);
     for (std::size_t i = 0; i < readings.size(); i += kStep) {
-        const Both both = bothOf(
+        const StripeAgreement stripes = stripesOf(
             [&](const Point& point) {
                 return modelNormal(readings[i], selftest::Mistake::none, point);
             },
             i);
-        EXPECT_NEAR(both.independence.u, 1.0, 0.12) << describe(readings[i]);
-        EXPECT_NEAR(both.independence.v, 1.0, 0.12) << describe(readings[i]);
-        EXPECT_NEAR(both.stripes.u, 1.0, 0.01) << describe(readings[i]);
-        EXPECT_NEAR(both.stripes.v, 1.0, 0.01) << describe(readings[i]);
+        EXPECT_NEAR(stripes.u, 1.0, 0.01) << describe(readings[i]);
+        EXPECT_NEAR(stripes.v, 1.0, 0.01) << describe(readings[i]);
     }
 }
 
-TEST(ReadIndependence, SeesAnAxisThatCountsByTheOther) {
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        const AxisIndependence afterU = bothOf(summed(normalisedAfterU), seed).independence;
-        EXPECT_FALSE(afterU.goodV()) << afterU.v;
-        EXPECT_NEAR(afterU.u, 1.0, 1e-3);
-        const AxisIndependence afterV = bothOf(summed(normalisedAfterV), seed).independence;
-        EXPECT_FALSE(afterV.goodU()) << afterV.u;
-        EXPECT_NEAR(afterV.v, 1.0, 1e-3);
-    }
-}
-
-TEST(ReadIndependence, LeavesEachAxisItsOwnCurve) {
-    const AxisIndependence bent = bothOf(summed(bentAlone), 3).independence;
-    EXPECT_NEAR(bent.u, 1.0, 0.02);
-    EXPECT_NEAR(bent.v, 1.0, 0.02);
-}
-
-TEST(ReadIndependence, AllowsWhatAcceptedReadingsGive) {
-    EXPECT_TRUE((AxisIndependence{0.62, 1.38}.good()));
-    EXPECT_FALSE((AxisIndependence{0.58, 1.0}.goodU()));
-    EXPECT_FALSE((AxisIndependence{1.0, 1.42}.goodV()));
-}
-
-TEST(ReadIndependence, LeavesSmoothSpheresToOthers) {
-    EXPECT_TRUE(bothOf(smooth, 4).independence.good());
-    EXPECT_TRUE(bothOf(smooth, 4).stripes.good());
+TEST(ReadStripes, LeaveSmoothSpheresToOthers) {
+    EXPECT_TRUE(stripesOf(smooth, 4).good());
 }
 
 TEST(ReadStripes, TellWhichFractionIsWrong) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        const StripeAgreement right = bothOf(bilinear(ownFractions), seed).stripes;
+        const StripeAgreement right = stripesOf(bilinear(ownFractions), seed);
         EXPECT_GT(std::min(right.u, right.v), 0.999);
-        const StripeAgreement column = bothOf(bilinear(columnTwice), seed).stripes;
+        const StripeAgreement column = stripesOf(bilinear(columnTwice), seed);
         EXPECT_TRUE(column.goodU()) << column.u;
         EXPECT_FALSE(column.goodV()) << column.v;
-        const StripeAgreement row = bothOf(bilinear(rowTwice), seed).stripes;
+        const StripeAgreement row = stripesOf(bilinear(rowTwice), seed);
         EXPECT_FALSE(row.goodU()) << row.u;
         EXPECT_TRUE(row.goodV()) << row.v;
     }
@@ -180,13 +111,6 @@ void expectWords(const selftest::NormalFunction& function, const std::string& me
     ASSERT_EQ(firstId(judgement), "bump.wrong");
     EXPECT_NE(judgement.reason.find(message), std::string::npos) << judgement.reason;
     EXPECT_NE(judgement.findings.front().hint.find(hint), std::string::npos);
-}
-
-TEST(JudgeBump, SaysThatAnAxisDependsOnTheOther) {
-    expectWords(summed(normalisedAfterU), "the tilt along v depends on the slope along u",
-                "Normalise once, at the end");
-    expectWords(summed(normalisedAfterV), "the tilt along u depends on the slope along v",
-                "Normalise once, at the end");
 }
 
 TEST(JudgeBump, SaysWhichFractionWeighsTheWrongAxis) {
