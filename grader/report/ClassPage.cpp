@@ -104,7 +104,7 @@ std::string thumbnails(const SubmissionResult& result) {
     return html;
 }
 
-/// The decision of a person, shown below the proposal; empty if there is none.
+/// What was decided in a session, shown below the proposal; empty if nothing was.
 std::string decided(const std::vector<Decision>& decisions, const std::string& submission) {
     const auto found = std::ranges::find(decisions, submission, &Decision::submission);
     if (found == decisions.end() || found->ruling == Ruling::undecided) return "";

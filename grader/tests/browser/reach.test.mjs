@@ -1,4 +1,4 @@
-// What of the ticking session is seen and reached: in narrow columns, on a phone, by the keyboard alone.
+// The ticking session in narrow columns, on a phone and by the keyboard alone.
 // TICKER is the program, TICKER_CLASS a graded class.
 import assert from "node:assert/strict";
 import { join } from "node:path";

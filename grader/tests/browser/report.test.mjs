@@ -75,11 +75,15 @@ test("names in a drawing are not cut off at its edge", () =>
       };
     });
     for (const width of [390, 800]) {
+      const before = await page.evaluate(() => window.names);
       await page.setViewportSize({ width, height: 800 });
-      await page.waitForTimeout(200);
+      await page.waitForFunction((drawn) => window.names > drawn, before);
     }
-    for (const button of await page.getByRole("button", { name: "Nearer" }).all()) await button.click();
-    await page.waitForTimeout(200);
+    for (const button of await page.getByRole("button", { name: "Nearer" }).all()) {
+      const before = await page.evaluate(() => window.names);
+      await button.click();
+      await page.waitForFunction((drawn) => window.names > drawn, before);
+    }
     assert.ok(await page.evaluate(() => window.names) > 10);
     assert.deepEqual(await page.evaluate(() => window.cut), []);
   }));
