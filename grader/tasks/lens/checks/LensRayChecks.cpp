@@ -31,9 +31,12 @@ std::set<Key> originsOf(const LensPixel& pixel) {
     return keys;
 }
 
+bool isFromEye(const LensRay& ray) {
+    return ray.origin.magnitude() < 1e-7;
+}
+
 bool startsAtEye(const LensPixel& pixel) {
-    return std::ranges::all_of(pixel.rays,
-                               [](const LensRay& ray) { return ray.origin.magnitude() < 1e-7; });
+    return std::ranges::all_of(pixel.rays, isFromEye);
 }
 
 // A finding if the rays of some pixels, but not of all, start at the eye.
@@ -80,6 +83,31 @@ Finding tooFewRays(const LensLog& log, std::size_t asked) {
         finding.hint +=
             " Do not leave the loop early and do not skip it for some pixels (background, nearly "
             "sharp, calm colours).";
+    return finding;
+}
+
+// A finding if the ray straight from the eye takes the place of a ray of the lens in every pixel.
+// Beside `asked` rays of the lens it is accepted, and so is a pattern of many points that contains
+// the eye. No random point is the eye in every pixel.
+std::optional<Finding> eyeAmongRays(const LensLog& log, std::size_t asked) {
+    const auto fromEye = [](const LensPixel& pixel) {
+        return static_cast<std::size_t>(std::ranges::count_if(pixel.rays, isFromEye));
+    };
+    const bool inEveryPixel = std::ranges::all_of(log.pixels, [&](const LensPixel& pixel) {
+        const std::size_t straight = fromEye(pixel);
+        return straight > 0 && pixel.rays.size() - straight < asked;
+    });
+    if (!inEveryPixel || log.cut || checkPattern(log)) return std::nullopt;
+    const LensPixel& first = log.pixels.front();
+    Finding finding = distributedFinding(
+        kDofTooFewRays, Severity::fail,
+        fmt::format("{} rays from random points of the aperture were expected for each pixel; in "
+                    "every pixel {} of the {} rays starts exactly at the eye.",
+                    asked, fromEye(first), first.rays.size()));
+    finding.hint =
+        "Every ray of the loop starts at a random point of the aperture, the first and the last as "
+        "well. The pinhole ray only finds the focal point: take its colour out of the sum, and "
+        "cast settings().dofRayCount rays from the lens.";
     return finding;
 }
 
@@ -136,6 +164,8 @@ std::optional<Finding> checkLensCounts(const LensLog& log) {
     } else if (fewestDistinct <= asked / 2) {
         finding = someAtEye(log);
         if (!finding) finding = sharedSamples(asked, fewestDistinct);
+    } else {
+        finding = eyeAmongRays(log, asked);
     }
     if (finding) {
         finding->evidence.emplace_back("raysExpected", static_cast<double>(asked));

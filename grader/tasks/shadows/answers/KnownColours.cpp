@@ -211,6 +211,20 @@ Finding hitsMistaken() {
     return finding;
 }
 
+Finding nearLightMissed() {
+    Finding finding = distributedFinding(
+        kShadowWrong, Severity::fail,
+        "Objects far from the light cast the shadows that were expected; one that stands close "
+        "before the light, just outside of its ball, was expected to keep all of its light away, "
+        "and does not.");
+    finding.hint =
+        "A hit stops a shadow ray wherever it lies before the point that the ray aims at, however "
+        "close to the light: compare occluder->distance with (target - start).magnitude() as it "
+        "is, without a factor and with nothing taken from it.";
+    finding.section = "Soft shadows (T2.1), step 1";
+    return finding;
+}
+
 Finding planesCastNothing() {
     Finding finding = distributedFinding(
         kShadowWrong, Severity::fail,

@@ -40,6 +40,9 @@ namespace ticker::tasks {
 /// One object in front of the light casts its shadow, but several in line do not.
 [[nodiscard]] Finding hitsMistaken();
 
+/// Objects cast their shadows, except those close to the light.
+[[nodiscard]] Finding nearLightMissed();
+
 /// Planes cast no shadow, but spheres do.
 [[nodiscard]] Finding planesCastNothing();
 

@@ -84,7 +84,8 @@ bool aimBesideTheLight(const Logs& logs) {
     });
 }
 
-// Checks what can be wrong by itself: several lights, a light with an object behind it, a wall.
+// Checks what can be wrong by itself: several lights, a light with an object behind it or just
+// before it, a wall.
 std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& reading) {
     if (!allFit(logs.beyondLight, reading, ShadowArithmetic::right)) {
         Finding finding = distributedFinding(
@@ -118,6 +119,11 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
         return finding;
     }
     if (!allFit(logs.lightBehind, reading, ShadowArithmetic::right)) return lightsLostBehind();
+    if (!allFit(logs.nearLight, reading, ShadowArithmetic::right)) {
+        Finding finding = nearLightMissed();
+        addWorstPoint(logs.nearLight, finding);
+        return finding;
+    }
     if (!allFit(logs.farLight, reading, ShadowArithmetic::right))
         return unexplainedShadows(logs.farLight);
     return std::nullopt;

@@ -23,6 +23,7 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> contact;
     std::vector<const ShadowLog*> horizon;
     std::vector<const ShadowLog*> lowLight;
+    std::vector<const ShadowLog*> nearLight;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
     /// All questions except otherSettings and horizon, where code may cast fewer rays, and contact,

@@ -80,6 +80,8 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
                 return contact;
             case Purpose::lowLight:
                 return lowLight;
+            case Purpose::nearLight:
+                return nearLight;
             case Purpose::horizon:
                 break;
         }
@@ -92,7 +94,7 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
 std::vector<const ShadowLog*> ShadowLogs::atHandoutSettings() const {
     std::vector<const ShadowLog*> all;
     for (const auto* some : {&oneLight, &severalLights, &beyondLight, &planeShadow, &farLight,
-                             &lightBehind, &inLine, &lowLight})
+                             &lightBehind, &inLine, &lowLight, &nearLight})
         all.insert(all.end(), some->begin(), some->end());
     return all;
 }

@@ -123,6 +123,7 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
         if (!allNearKnown(logs.planeShadow, false)) return planesCastNothing();
         if (!allNearKnown(logs.lightBehind, false)) return lightsLostBehind();
         if (!allNearKnown(logs.inLine, false)) return hitsMistaken();
+        if (!allNearKnown(logs.nearLight, false)) return nearLightMissed();
         if (!allNearKnown(logs.farLight, false))
             return distributedFinding(
                 kShadowWrong, Severity::fail,

@@ -61,6 +61,11 @@ void setCapacity(ShadowQuestion& question);
 /// below -0.5, and there is no highlight.
 [[nodiscard]] ShadowQuestion drawLowLight(Draw& draw);
 
+/// A floor under a light with a plane just before it, 1.2 to 1.3 times the light's radius from its
+/// centre: no ray of any accepted reading arrives. The light is 20 to 30 away, so that a hit is
+/// only some hundredths nearer than the light.
+[[nodiscard]] ShadowQuestion drawNearLight(Draw& draw);
+
 }  // namespace ticker::tasks
 
 #endif

@@ -24,7 +24,8 @@ struct ShadowQuestion {
         inLine,         ///< spheres one behind the other, before the light and beyond it
         contact,        ///< a ball that rests on the floor, and points close to where it does
         horizon,        ///< a light so low above a floor that part of it is below the horizon
-        lowLight        ///< viewers on the side of a low light, where R.V is below 0: no highlight
+        lowLight,       ///< viewers on the side of a low light, where R.V is below 0: no highlight
+        nearLight       ///< a plane just before the light hides it from all points
     };
     Purpose purpose = Purpose::oneLight;
     probe::IlluminateQuestion question;

@@ -67,6 +67,37 @@ TEST(LensCounts, FindNoLensWhereEveryRayStartsAtTheEye) {
     EXPECT_EQ(idOf(checkLensCounts(lens.log)), "dof.too-few-rays");
 }
 
+/// Two pixels of `ofLens` rays from the lens and one from the eye.
+LensByHand& addWithEye(LensByHand& lens, int ofLens, bool samePattern = false) {
+    for (int pixel = 0; pixel < 2; ++pixel) {
+        add(lens, ofLens, ofLens);
+        std::vector<LensRay>& rays = lens.log.pixels.back().rays;
+        rays.push_back(rayThrough({}, {0.0, 0.0, 3.5}));
+        if (!samePattern) rays.front() = rayThrough({0.0, 0.1 + pixel, 0.0}, {0.0, 0.0, 3.5});
+    }
+    return lens;
+}
+
+TEST(LensCounts, CountARayFromTheEyeOnlyBesideAllRaysOfTheLens) {
+    LensByHand among;
+    const auto finding = checkLensCounts(addWithEye(among, 49).log);
+    ASSERT_EQ(idOf(finding), "dof.too-few-rays");
+    EXPECT_NE(finding->message.find("1 of the 50 rays starts exactly at the eye"),
+              std::string::npos)
+        << finding->message;
+    EXPECT_NE(finding->hint.find("out of the sum"), std::string::npos);
+    LensByHand beside;
+    EXPECT_FALSE(checkLensCounts(addWithEye(beside, 50).log));
+    LensByHand pattern;
+    EXPECT_FALSE(checkLensCounts(addWithEye(pattern, 49, true).log)) << "a pattern with the eye";
+    LensByHand cut;
+    addWithEye(cut, 49).log.cut = true;
+    EXPECT_FALSE(checkLensCounts(cut.log));
+    LensByHand once;
+    addWithEye(once, 49).log.pixels.front().rays.back().origin = {0.3, 0.0, 0.0};
+    EXPECT_FALSE(checkLensCounts(once.log)) << "one random point may be the eye";
+}
+
 TEST(LensCounts, TellPixelsWithoutALens) {
     LensByHand lens;
     add(lens, 50, 50);

@@ -38,8 +38,10 @@ void expectZone(const ShadowQuestion& drawn, std::size_t at, std::size_t light) 
     const Surfaces surfaces{drawn.question.scene};
     const probe::LitPoint& point = drawn.question.points[at];
     const Zone zone = drawn.zones[at][light];
-    const bool hemmed = drawn.purpose == ShadowQuestion::Purpose::beyondLight;
-    const double radius = drawn.question.settings.lightSize * (hemmed                   ? 1.08
+    const bool hemmed = drawn.purpose == Purpose::beyondLight;
+    const bool shut = drawn.purpose == Purpose::nearLight;
+    // The nearest plane before a light is 1.2 radii from its centre and leans by 0.1.
+    const double radius = drawn.question.settings.lightSize * (hemmed || shut           ? 1.08
                                                                : zone == Zone::penumbra ? 1.34
                                                                                         : 1.25);
     Draw draw{at, 9};
@@ -231,6 +233,25 @@ TEST(ShadowQuestions, OfALowLightHaveViewersThatSeeNoHighlight) {
             EXPECT_LT(towards.reflectIn(point.normal).dot(eye), -0.5);
             EXPECT_GT(viewer.dot(point.normal), 0.2);
             EXPECT_GT(towards.dot(point.normal), 0.3);
+        }
+    });
+}
+
+TEST(ShadowQuestions, OfANearLightHaveAPlaneJustOutsideOfItsBall) {
+    forEach(Purpose::nearLight, [](const ShadowQuestion& question) {
+        const auto& scene = question.question.scene;
+        const double size = question.question.settings.lightSize;
+        ASSERT_EQ(question.question.points.size(), 8U);
+        ASSERT_EQ(scene.planes.size(), 2U);
+        const raytracer::PlaneDescription& plane = scene.planes[1];
+        EXPECT_GT(std::abs((lightOf(question) - plane.point).dot(plane.normal)), 1.19 * size);
+        for (const probe::LitPoint& point : question.question.points) {
+            const Vector3 way = lightOf(question) - point.position;
+            const double hit = (plane.point - point.position).dot(plane.normal) /
+                               way.normalised().dot(plane.normal);
+            EXPECT_TRUE(hit < way.magnitude() - 1.19 * size && hit > way.magnitude() - 1.4 * size)
+                << way.magnitude() - hit;
+            EXPECT_GT(hit, 0.97 * way.magnitude());
         }
     });
 }
