@@ -52,6 +52,23 @@ bool areScaled(const std::vector<PixelMean>& pixels, double& least, double& most
     return most > 0.0;
 }
 
+// The number at which every value ends that would be greater; 0 if another value differs from its
+// mean, or none would be greater.
+double cutOffAt(const std::vector<PixelMean>& pixels) {
+    constexpr double kSame = 1e-5;
+    double most = 0.0;
+    for (const PixelMean& pixel : pixels)
+        most = std::max({most, pixel.colour.r, pixel.colour.g, pixel.colour.b});
+    bool cuts = false;
+    for (const PixelMean& pixel : pixels) {
+        const ColourRGB ended{std::min(pixel.mean.r, most), std::min(pixel.mean.g, most),
+                              std::min(pixel.mean.b, most)};
+        if (!isNear(pixel.colour, ended)) return 0.0;
+        cuts = cuts || sumOf(pixel.mean) > sumOf(ended) + kSame;
+    }
+    return cuts && most > kSame ? most : 0.0;
+}
+
 // Whether a greater mean never has a smaller value, over all channels of all pixels, and values are
 // many.
 bool followACurve(const std::vector<PixelMean>& pixels) {
@@ -97,10 +114,13 @@ std::optional<Finding> changeOfMeans(const std::vector<PixelMean>& pixels) {
                                         least, most),
                             "Add the colours of all rays of the pixel and divide by their number, "
                             "no more.");
+    if (const double end = cutOffAt(pixels); end > 0.0)
+        return meansFinding(kDofWrong, fmt::format("it is their mean, cut off at {:.3g}", end),
+                            "Set the mean as it is, also where it is greater: no std::min and no "
+                            "std::clamp. The tone curve is applied when the picture is written.");
     if (followACurve(pixels))
         return meansFinding(kDofWrong,
-                            "it is their mean, changed by a curve (a power, a root, rounding) or "
-                            "cut off",
+                            "it is their mean, changed by a curve (a power, a root, rounding)",
                             "Set the mean as it is: the tone curve is applied when the picture is "
                             "written.");
     return std::nullopt;

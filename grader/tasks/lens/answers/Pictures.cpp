@@ -16,7 +16,8 @@ constexpr probe::ColourRGB kWeights{0.35, 0.4, 0.25};
 // Lens paths of each pixel, at least. One picture has more noise of its own than several.
 constexpr int kPaths = 4096;
 constexpr int kPathsForOne = 1024;
-constexpr int kRoughly = 8;  // times fewer
+constexpr int kRoughly = 8;     // times fewer
+constexpr int kOfTemplate = 8;  // likewise
 
 int leastPaths(int repetitions, Exactness exactness) {
     const int paths = repetitions > 1 ? kPaths : kPathsForOne;
@@ -87,6 +88,7 @@ ExpectedPicture expectedPicture(const probe::RenderQuestion& asked, const oracle
     precision.share = exactness == Exactness::rough ? 0.4 : 0.04;
     precision.renders = asked.repetitions;
     precision.minLensPaths = leastPaths(asked.repetitions, exactness);
+    if (exactness == Exactness::rough) precision.maxLensPaths = precision.minLensPaths;
     const oracle::Moments moments =
         oracle::Oracle{asked.scene, asked.settings, reading}.moments(seed, precision);
     ExpectedPicture expected;
@@ -105,10 +107,11 @@ ExpectedPicture expectedPicture(const probe::RenderQuestion& asked, const oracle
 }
 
 Plane mistakenPicture(const probe::RenderQuestion& asked, const oracle::Reading& reading,
-                      const oracle::Mistake& mistake, std::uint64_t seed) {
+                      const oracle::Mistake& mistake, std::uint64_t seed, Exactness exactness) {
     oracle::Precision precision;
-    precision.share = 0.4;
-    precision.renders = asked.repetitions;
+    // As many for each pixel: a pilot that distributes them would cost as much.
+    precision.minLensPaths = leastPaths(asked.repetitions, exactness) / kOfTemplate;
+    precision.maxLensPaths = precision.minLensPaths;
     const oracle::Moments moments =
         oracle::Oracle{asked.scene, asked.settings, reading, mistake}.moments(seed, precision);
     Plane plane;

@@ -41,10 +41,11 @@ enum class Exactness {
 [[nodiscard]] ExpectedPicture expectedPicture(const probe::RenderQuestion& asked,
                                               const oracle::Reading& reading, std::uint64_t seed,
                                               Exactness exactness = Exactness::judging);
-/// The mean under a mistake, as a template. Its noise costs power, but no validity.
+/// The mean under a mistake, as a template. Its noise costs power, but no validity. Templates have
+/// a tenth of the exactness of expected pictures.
 [[nodiscard]] Plane mistakenPicture(const probe::RenderQuestion& asked,
                                     const oracle::Reading& reading, const oracle::Mistake& mistake,
-                                    std::uint64_t seed);
+                                    std::uint64_t seed, Exactness exactness = Exactness::judging);
 
 /// Matched filter for a difference between two pictures (Neyman and Pearson 1933).
 struct Match {

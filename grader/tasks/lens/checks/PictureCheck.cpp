@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -32,7 +34,9 @@ public:
 
     PictureVerdict verdict() {
         if (!fitsHandout() && isNearerAntialiased()) tryInsideOfPixels();
-        return best_->verdict;
+        if (!fitting_) tryUnlikely();
+        if (!fitting_) chooseLeastBad();
+        return fitting_ ? fitting_->verdict : leastBad_->verdict;
     }
 
 private:
@@ -49,35 +53,58 @@ private:
     [[nodiscard]] Candidate candidate(double aperture, double spread) const {
         return candidateOf(asked_, seen_, readingOf(aperture, spread), seed_);
     }
-    [[nodiscard]] double rough(double aperture, double spread) const {
-        return roughMisfit(asked_, seen_, readingOf(aperture, spread), seed_);
+    double rough(double aperture, double spread) {
+        const auto [known, isNew] = rough_.try_emplace({aperture, spread}, 0.0);
+        if (isNew) known->second = roughMisfit(asked_, seen_, readingOf(aperture, spread), seed_);
+        return known->second;
     }
 
-    bool fits(const Candidate& candidate) {
-        Trial trial = tryReading(asked_, seen_, candidate, seed_);
-        const bool isFit = trial.fits();
-        // What may be the noise of shared lens points is no failure of antialiasing, and a mistake
-        // that has a name without it does not lose that name.
-        const bool isUnnamed = trial.verdict.finding && is(*trial.verdict.finding, kDofWrong);
-        const bool isOpen =
-            candidate.reading.pixelSpread > 0.0 && best_ && (best_->verdict.ambiguous || isUnnamed);
-        if (isFit || !best_ || (!isOpen && trial.total < best_->total)) best_ = std::move(trial);
-        return isFit;
+    // The trial of an unlikely reading is only needed if no other one fits.
+    bool fits(Candidate candidate) {
+        Tried& tried = tried_.emplace_back(std::move(candidate));
+        if (isUnlikely(tried.candidate.misfit)) return false;
+        Trial trial = tryReading(asked_, seen_, tried.candidate, seed_);
+        if (trial.fits()) fitting_ = trial;
+        tried.trial = std::move(trial);
+        return fitting_.has_value();
+    }
+
+    void tryUnlikely() {
+        for (Tried& tried : tried_) {
+            if (tried.trial) continue;
+            tried.trial = tryReading(asked_, seen_, tried.candidate, seed_);
+            if (!tried.trial->fits()) continue;
+            fitting_ = tried.trial;
+            return;
+        }
+    }
+
+    void chooseLeastBad() {
+        for (const Tried& tried : tried_) {
+            // What may be the noise of shared lens points is no failure of antialiasing, and a
+            // mistake that has a name without it does not lose that name.
+            const PictureVerdict& verdict = tried.trial->verdict;
+            const bool isUnnamed = verdict.finding && is(*verdict.finding, kDofWrong);
+            const bool isOpen = verdict.reading.pixelSpread > 0.0 && leastBad_ &&
+                                (leastBad_->verdict.ambiguous || isUnnamed);
+            if (!leastBad_ || (!isOpen && tried.trial->total < leastBad_->total))
+                leastBad_ = tried.trial;
+        }
     }
 
     bool fitsHandout() {
-        const Candidate whole = candidate(kWhole, 0.0);
+        Candidate whole = candidate(kWhole, 0.0);
         misfit_ = whole.misfit;
-        if (fits(whole)) return true;
+        if (fits(std::move(whole))) return true;
         // A reading that is this much worse than another one is neither right nor the least bad.
         constexpr double kHopeless = 3.0;
         const double roughWhole = rough(kWhole, 0.0);
         const double roughHalf = rough(kHalf, 0.0);
         roughMisfit_ = std::min(roughWhole, roughHalf);
         if (roughHalf > kHopeless * roughWhole) return false;
-        const Candidate half = candidate(kHalf, 0.0);
+        Candidate half = candidate(kHalf, 0.0);
         misfit_ = std::min(misfit_, half.misfit);
-        return fits(half);
+        return fits(std::move(half));
     }
 
     // Rays through all of their pixel have a misfit of 0.5 to 0.8, those through its middle half 5
@@ -100,10 +127,10 @@ private:
         bool isNearer = false;
         for (const double aperture : {kWhole, kHalf}) {
             if (mayBeNear(rough(aperture, 1.0))) {
-                const Candidate whole = candidate(aperture, 1.0);
+                Candidate whole = candidate(aperture, 1.0);
                 if (isNear(whole)) {
-                    if (fits(whole)) return false;
                     nearest_ = std::min(nearest_, whole.misfit);
+                    if (fits(std::move(whole))) return false;
                     isNearer = true;
                 }
             }
@@ -144,13 +171,21 @@ private:
         if (up == place)
             while (place + 1 < sizes.size() && isBetterAt(place + 1))
                 ++place;
-        if (least.misfit < nearest_) fits(least);
+        if (least.misfit < nearest_) fits(std::move(least));
     }
+
+    struct Tried {
+        Candidate candidate;
+        std::optional<Trial> trial;
+    };
 
     const probe::RenderQuestion& asked_;
     const SeenPictures& seen_;
     std::uint64_t seed_;
-    std::optional<Trial> best_;
+    std::vector<Tried> tried_;  // in the order of preference
+    std::optional<Trial> fitting_;
+    std::optional<Trial> leastBad_;
+    std::map<std::pair<double, double>, double> rough_;         // by aperture and pixel spread
     double misfit_ = 0.0;                                       // least, without antialiasing
     double roughMisfit_ = 0.0;                                  // likewise, from rough pictures
     double nearest_ = std::numeric_limits<double>::infinity();  // least, with antialiasing

@@ -21,9 +21,10 @@ Reading withAperture(Reading reading, double times) {
 }
 
 // The expected mean under this mistake.
-Plane pictureOf(const PictureMistake& mistake, probe::RenderQuestion asked, std::uint64_t seed) {
+Plane pictureOf(const PictureMistake& mistake, probe::RenderQuestion asked, std::uint64_t seed,
+                Exactness exactness) {
     if (mistake.withoutBounces) asked.settings.bounces = 0;
-    return mistakenPicture(asked, mistake.reading, mistake.mistake, seed);
+    return mistakenPicture(asked, mistake.reading, mistake.mistake, seed, exactness);
 }
 
 struct Tried {
@@ -99,11 +100,12 @@ std::vector<PictureMistake> pictureMistakes(const Reading& accepted) {
 }
 
 Bank tryAll(const std::vector<PictureMistake>& mistakes, const probe::RenderQuestion& asked,
-            const SeenPictures& seen, const ExpectedPicture& expected, std::uint64_t seed) {
+            const SeenPictures& seen, const ExpectedPicture& expected, std::uint64_t seed,
+            Exactness exactness) {
     Bank bank;
     std::vector<Tried> tried;
     for (const PictureMistake& mistake : mistakes) {
-        const Plane mistaken = pictureOf(mistake, asked, seed);
+        const Plane mistaken = pictureOf(mistake, asked, seed, exactness);
         const Match match = matchOf(seen, expected, mistaken);
         bank.largest = std::max(bank.largest, std::abs(match.z));
         bank.beyond = std::max(bank.beyond, beyondNegligible(match));

@@ -34,10 +34,12 @@ struct Bank {
     double squares = 0.0;     ///< sum of all z^2
     double spread = 0.0;      ///< largest `Match::spread`
 };
-/// @param mistakes  Must outlive the result.
+/// @param mistakes   Must outlive the result.
+/// @param exactness  Of the templates.
 [[nodiscard]] Bank tryAll(const std::vector<PictureMistake>& mistakes,
                           const probe::RenderQuestion& asked, const SeenPictures& seen,
-                          const ExpectedPicture& expected, std::uint64_t seed);
+                          const ExpectedPicture& expected, std::uint64_t seed,
+                          Exactness exactness = Exactness::judging);
 
 }  // namespace ticker::tasks
 

@@ -87,7 +87,10 @@ Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen,
                  const Candidate& candidate, std::uint64_t seed) {
     const auto& [reading, expected, misfit] = candidate;
     const std::vector<PictureMistake> mistakes = pictureMistakes(reading);
-    const Bank bank = tryAll(mistakes, asked, seen, expected, seed + 1);
+    // Rough templates name what is this clear.
+    constexpr double kClear = 25.0;
+    const Exactness exactness = misfit > kClear ? Exactness::rough : Exactness::judging;
+    const Bank bank = tryAll(mistakes, asked, seen, expected, seed + 1, exactness);
     const double tile = largestTileZ(seen, expected);
     const Excess excess = excessVariance(seen, expected);
     const bool scaled = isScaled(seen, expected, bank);

@@ -18,6 +18,12 @@ struct Candidate {
 [[nodiscard]] Candidate candidateOf(const probe::RenderQuestion& asked, const SeenPictures& seen,
                                     const oracle::Reading& reading, std::uint64_t seed);
 
+/// Whether another reading is tried first: pixels differ by two standard deviations in the root
+/// mean square, those of right code by one at most.
+[[nodiscard]] constexpr bool isUnlikely(double misfit) {
+    return misfit > 4.0;
+}
+
 /// The misfit from a rough picture, an eighth of the time: smaller than the real one, and the more
 /// so the larger that is.
 [[nodiscard]] double roughMisfit(const probe::RenderQuestion& asked, const SeenPictures& seen,

@@ -160,7 +160,10 @@ std::optional<Finding> highlightAlone(const std::vector<const ShadowLog*>& logs)
             const std::optional<double> share = shareAt(point);
             if (!share) continue;
             const std::optional<Parts> seen = partsSeen(point, *log);
-            if (!seen || std::abs(seen->diffuse - *share) > kRight) return std::nullopt;
+            if (!seen) return std::nullopt;
+            // A highlight of 1e14 leaves the sum's last digits for the diffuse light.
+            const double rounding = 1e-13 * std::abs(seen->highlight);
+            if (std::abs(seen->diffuse - *share) > kRight + rounding) return std::nullopt;
             ++points;
             const double here = *share * seen->fullHighlight;
             lengths.look(*seen, here);

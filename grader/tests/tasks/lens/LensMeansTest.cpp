@@ -60,10 +60,18 @@ TEST(ChangeOfMeans, IsAnotherFactorForEachPixel) {
     EXPECT_EQ(seenIn(pixels), "");
 }
 
+TEST(ChangeOfMeans, IsACutEvenWhereFewValuesStayBelow) {
+    EXPECT_TRUE(says(seenIn(through([](double v) { return std::min(v, 1.0); })), "dof.wrong",
+                     "cut off at 1."));
+    Pixels pixels = through([](double v) { return std::min(v, 0.02); });
+    EXPECT_TRUE(says(seenIn(pixels), "dof.wrong", "cut off at 0.02."));
+    pixels[5].colour.b = 0.01;
+    EXPECT_EQ(seenIn(pixels), "");
+}
+
 TEST(ChangeOfMeans, IsACurve) {
     for (const std::function<double(double)>& curve :
          {std::function<double(double)>{[](double v) { return std::sqrt(v); }},
-          std::function<double(double)>{[](double v) { return std::min(v, 1.0); }},
           std::function<double(double)>{[](double v) { return std::floor(255.0 * v) / 255.0; }}}) {
         Pixels pixels = through(curve);
         EXPECT_TRUE(says(seenIn(pixels), "dof.wrong", "curve")) << seenIn(pixels);

@@ -100,6 +100,12 @@ TEST(HighlightAlone, AllowsAHundredthOfTheDiffuseLightAndOfTheHighlight) {
     EXPECT_TRUE(highlightOf(scaled(1.0, 0.9)));
 }
 
+// As where the way to the light, not its direction, is raised to a high power.
+TEST(HighlightAlone, MayBeSoLargeThatRoundingTakesTheDiffuseLight) {
+    for (const double times : {1e13, 1e14, 1e15, 1e16})
+        EXPECT_TRUE(highlightOf(scaled(1.0, times))) << times;
+}
+
 TEST(HighlightAlone, SaysNothingOfColoursThatNoTwoPartsExplain) {
     const auto tinted = [](double share) {
         return [=](PointLog& point, const Parts& parts, int) {
