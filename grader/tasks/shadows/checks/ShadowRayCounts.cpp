@@ -110,7 +110,7 @@ std::optional<Finding> checkRayCounts(const ShadowLogs& logs, bool fixed) {
         finding = distributedFinding(
             kShadowTooFewRays, Severity::fail,
             fmt::format("{} different shadow rays for each point and light were expected; at some "
-                        "points only {} of them differ.",
+                        "points enough are cast, but the number of different ones is {}.",
                         asked, counts.fewestDistinct));
     }
     if (finding) {
@@ -128,12 +128,12 @@ std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed) {
     const RayCounts counts = countRays(logs.severalLights, false);
     const bool copies = counts.fewest >= asked && counts.repeats(asked) && !fixed;
     if (counts.fewest >= asked && !copies) return std::nullopt;
-    Finding finding = distributedFinding(
-        kShadowTooFewRays, Severity::fail,
-        fmt::format("{} {}shadow rays to each light were expected; with three lights in the scene, "
-                    "some light gets {}.",
-                    asked, copies ? "different " : "",
-                    copies ? counts.fewestDistinct : counts.fewest));
+    Finding finding =
+        distributedFinding(kShadowTooFewRays, Severity::fail,
+                           fmt::format("{0} {1}shadow rays to each light were expected; with three "
+                                       "lights in the scene, some light gets fewer {1}rays: {2}.",
+                                       asked, copies ? "different " : "",
+                                       copies ? counts.fewestDistinct : counts.fewest));
     finding.evidence.emplace_back("raysExpected", static_cast<double>(asked));
     finding.evidence.emplace_back("fewestRays", static_cast<double>(counts.fewest));
     finding.evidence.emplace_back("fewestDistinctRays", static_cast<double>(counts.fewestDistinct));

@@ -141,13 +141,13 @@ TEST(CheckSeveralCounts, WantsTenDifferentRaysToEachLightThatGetsAny) {
     ASSERT_TRUE(few);
     EXPECT_EQ(numberIn(*few, "fewestRays"), 9.0);
     EXPECT_NE(few->message.find("10 shadow rays"), std::string::npos);
-    EXPECT_NE(few->message.find("gets 9"), std::string::npos);
+    EXPECT_NE(few->message.find("gets fewer rays: 9"), std::string::npos);
     const auto copies = judgeSeveral(10, 4);
     ASSERT_TRUE(copies);
     EXPECT_NE(copies->message.find("different"), std::string::npos);
-    EXPECT_NE(copies->message.find("gets 4"), std::string::npos);
+    EXPECT_NE(copies->message.find("gets fewer different rays: 4"), std::string::npos);
     EXPECT_FALSE(judgeSeveral(10, 4, true));
-    EXPECT_NE(judgeSeveral(6, 3)->message.find("gets 6"), std::string::npos);
+    EXPECT_NE(judgeSeveral(6, 3)->message.find("gets fewer rays: 6"), std::string::npos);
 }
 
 /// Two lights, the second of which gets `rays` rays that pass it at `off`.
