@@ -24,8 +24,10 @@ inline constexpr FindingText kShadowTooFewRays{
     .words = "cast too few shadow rays",
     .meaning = "fewer than `shadowRayCount` for a point and light",
     .hint =
-        "Cast settings().shadowRayCount rays for every light, each to a new point within lightSize "
-        "of that light, do not leave the loop early, and divide by the same number.",
+        "Cast settings().shadowRayCount rays for every light, and divide by the same number: do "
+        "not leave the loop early, and count no ray that was not cast. Draw a new point within "
+        "lightSize of that light for each ray, inside of the loop over the rays, for every light "
+        "alike.",
     .section = "Soft shadows (T2.1), step 1"};
 
 inline constexpr FindingText kShadowFixedSamples{
@@ -36,7 +38,9 @@ inline constexpr FindingText kShadowFixedSamples{
         "edges of shadows come in steps",
     .hint =
         "Draw a new point for every ray, inside of the loop over the rays, and keep none in a "
-        "static variable. A generator must not be started again with the same seed for each point.",
+        "static variable. Vector3::randomInsideUnitSphere() goes on from call to call: use it, and "
+        "do not start it again with seedRandom. A generator of your own must go on as well: make "
+        "it thread_local.",
     .section = "Soft shadows (T2.1), step 1"};
 
 inline constexpr FindingText kShadowInverted{.id = "shadow.inverted",
@@ -87,10 +91,11 @@ inline constexpr FindingText kShadowLightsMixed{
         "sums shared between lights, ambient light once for each light, lights lost where one "
         "shines from behind, or one of several objects that casts its shadow alone",
     .hint =
-        "Start counts and sums anew for each light, inside of the loop over the lights, aim at "
-        "that light's own position, and divide by the number of its rays alone, not by that of the "
-        "lights. Add to the colour with +=; no return before every light has had its turn. Every "
-        "object of the scene may stand in the way: findClosestIntersection asks all.",
+        "What you count, multiply or add up for one light starts anew inside of the loop over the "
+        "lights. Add to the colour with +=, and only this light's diffuse and specular light, not "
+        "the ambient light. Aim at this light's own position, and divide by the number of its "
+        "rays, not by that of the lights. No return before every light has had its turn. Every "
+        "object may stand in the way: findClosestIntersection asks all.",
     .section = "Soft shadows (T2.1), step 2"};
 
 inline constexpr FindingText kShadowBeyondLight{
@@ -109,8 +114,9 @@ inline constexpr FindingText kShadowPointJittered{
     .words = "moved the lit point instead of the light",
     .meaning = "the origin of the shadow rays was moved",
     .hint =
-        "All shadow rays start at P + N * kShadowBias. The random offset belongs to their target: "
-        "light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize.",
+        "All shadow rays start at P + N * kShadowBias, and their direction is target - start, from "
+        "that same start. The random offset belongs to their target: light.position() + "
+        "Vector3::randomInsideUnitSphere() * settings().lightSize.",
     .section = "Soft shadows (T2.1), step 1"};
 
 inline constexpr FindingText kShadowDirectionOffset{
@@ -128,8 +134,8 @@ inline constexpr FindingText kShadowLightSize{
     .words = "gave the light another size",
     .meaning = "the right shape with a wrong radius",
     .hint =
-        "A point in the light is light.position() + Vector3::randomInsideUnitSphere() * "
-        "settings().lightSize: lightSize is the radius.",
+        "A point in a light is light.position() + Vector3::randomInsideUnitSphere() * "
+        "settings().lightSize, for every light alike: lightSize is the radius.",
     .section = "Soft shadows (T2.1), step 1"};
 
 inline constexpr FindingText kShadowNotABall{
@@ -141,11 +147,11 @@ inline constexpr FindingText kShadowNotABall{
         "in the "
         "middle than the original's helper nor denser at the rim than a surface is accepted",
     .hint =
-        "The light is a ball around light.position(): take Vector3::randomInsideUnitSphere() as it "
-        "is, without normalised(), a turned sign or anything added, times settings().lightSize. "
-        "Numbers of your own must go from -1 to 1 in x, y and z, not from 0 to 1, each drawn anew, "
-        "and what lies outside of the unit ball is drawn again; two angles need a random number "
-        "each.",
+        "Replace what you add to light.position() by Vector3::randomInsideUnitSphere() * "
+        "settings().lightSize, as it is: no sign turned, nothing added. Numbers of your own go "
+        "from -1 to 1 in x, y and z, each drawn anew, and all three are drawn again while the "
+        "point is outside of the unit ball; two angles need a random number each. Of flat shapes "
+        "only a round disc that faces the point P will do: no square, no ellipse, not turned to N.",
     .section = "Soft shadows (T2.1), step 1"};
 
 inline constexpr FindingText kShadowClustered{
@@ -217,9 +223,11 @@ inline constexpr FindingText kShadowWrong{
         "their number",
     .hint =
         "Compare with the steps of the handout. A ray runs from the point to the light and is "
-        "blocked if any object is nearer than its target. Diffuse and specular light are added "
-        "once for each light (not for each ray), times one share: the number of rays that arrive, "
-        "divided once by the number of rays that the loop casts. Nothing else depends on them.",
+        "blocked if any object is nearer than its target (in a loop over the objects the next one "
+        "must not set that back). Diffuse and specular light are added once for each light (not "
+        "for each ray), both times the same share: the number of rays that arrive, divided once, "
+        "as double, by the number of rays that the loop casts. Nothing else depends on them: "
+        "neither share nor 1 - share scales the ambient light.",
     .section = "Soft shadows (T2.1), step 3"};
 
 /// In the order in which they are reported.

@@ -180,7 +180,7 @@ Finding ambientForEachLight() {
         "once, and it is there three times.");
     finding.hint =
         "The ambient light belongs to the scene, not to a light: add it once, before the loop over "
-        "the lights.";
+        "the lights, and not times their number.";
     finding.section = "Soft shadows (T2.1), step 3";
     return finding;
 }
@@ -233,7 +233,7 @@ Finding planesCastNothing() {
     finding.hint =
         "Whatever a shadow ray hits before the light stops it, planes as well: ask "
         "scene.findClosestIntersection(shadowRay), which looks at every object, not the first "
-        "object alone nor the spheres alone.";
+        "object alone nor the spheres alone, and do not ask what kind of object it hit.";
     return finding;
 }
 

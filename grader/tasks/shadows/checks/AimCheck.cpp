@@ -64,7 +64,8 @@ std::optional<Finding> shapeOrSize(const AimVerdict& aims, double radius) {
         return distributedFinding(
             kShadowNotABall, Severity::fail,
             "A new random point of the light was expected for each shadow ray; the rays of one "
-            "point all go to one side of the light, or lie along one line.");
+            "point all go to one side of the light, or lie along one line or in one plane (as a "
+            "flat disc seen from its edge).");
     if (aims.turnsWithViewer) return turnedWithViewer();
     if (aims.offCentre || (!aims.shapeIsRight() && (!aims.scaledShape || asWide)))
         return distributedFinding(

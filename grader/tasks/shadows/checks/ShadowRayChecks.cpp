@@ -116,13 +116,14 @@ std::optional<Finding> checkFixedSamples(const ShadowLogs& logs) {
     const std::size_t distinct = distinctRays(logs.oneLight[0]->points[0].lines[0]);
     Finding finding = distributedFinding(
         kShadowFixedSamples, distinct <= 2 ? Severity::fail : Severity::warn,
-        fmt::format("New random points of the light were expected for every point that is lit; "
-                    "the same {} are used at all of them{}.",
+        fmt::format("New random points of the light were expected for every point that is lit; all "
+                    "of them get the same ones, whose number is {}{}.",
                     distinct, distinct <= 2 ? "" : ", so that the edges of shadows come in steps"));
     if (distinct == 1)
         finding.hint =
-            "Every ray has the same aim: it is drawn once and kept, or the generator starts again "
-            "for each, or random numbers are cut (rand() / RAND_MAX is 0: divide as double).";
+            "Draw a new point for every ray, inside of the loop over the rays: none kept from "
+            "before it, none static, and no generator that starts again there. With rand() divide "
+            "as double: rand() / RAND_MAX, of whole numbers, is 0.";
     finding.evidence.emplace_back("distinctAims", static_cast<double>(distinct));
     return finding;
 }
