@@ -35,7 +35,9 @@ std::optional<Finding> checkComplete(const LensLog& log) {
         fmt::format("Every pixel was expected to be set; {} of {} have no ray and stay black, the "
                     "first in {}.",
                     black, log.pixels.size(), placeOf(log, first - log.pixels.begin())));
-    finding.hint = "Go through all columns from 0 and all rows from 0 to the last, and set each.";
+    finding.hint =
+        "Set every pixel, all columns and all rows from 0 to the last: take out a return, or an "
+        "end of a loop, that leaves some out.";
     return finding;
 }
 

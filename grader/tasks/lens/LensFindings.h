@@ -75,8 +75,8 @@ inline constexpr FindingText kDofFocalPlane{
     .hint =
         "All rays of a pixel must meet the pinhole ray at z = settings().dofFocalPlane, in every "
         "pixel and whatever the scene shows: aim each exactly at that point, with nothing random "
-        "added to it. The length "
-        "along the pinhole ray is dofFocalPlane divided by direction.z, not multiplied by it.",
+        "added to it. The length along the pinhole ray is dofFocalPlane divided by direction.z, "
+        "not multiplied by it, and with no other factor.",
     .section = "Depth of field (T2.2), step 1"};
 
 inline constexpr FindingText kDofOffCentre{
@@ -84,9 +84,9 @@ inline constexpr FindingText kDofOffCentre{
     .words = "put the aperture off the eye",
     .meaning = "the aperture is not centred on the eye",
     .hint =
-        "The aperture is centred on the eye: random numbers between -1 and 1, not between 0 and 1. "
-        "Where it is divided into cells, every cell needs its ray: 50 rays leave cells of 8 x 8 "
-        "empty.",
+        "The aperture is centred on the eye: x and y each from -settings().dofAmount to "
+        "settings().dofAmount, not from 0, and with nothing added to them. Where it is divided "
+        "into cells, every cell needs its ray: 50 rays leave cells of 8 x 8 empty.",
     .section = "Depth of field (T2.2), step 2"};
 
 inline constexpr FindingText kDofDisc{
@@ -95,8 +95,9 @@ inline constexpr FindingText kDofDisc{
     .meaning = "a disc, or any other shape than a square",
     .hint =
         "The aperture is a square in the xy-plane: x and y are two random numbers, each even over "
-        "[-dofAmount, dofAmount] (no radius and angle, no product, no normal distribution), both "
-        "drawn inside of the loop over the rays, and z is 0.",
+        "[-dofAmount, dofAmount] (no radius and angle, no point of a disc or of "
+        "randomInsideUnitSphere, no product, no normal distribution), both drawn inside of the "
+        "loop over the rays, and z is 0.",
     .section = "Depth of field (T2.2), step 2"};
 
 inline constexpr FindingText kDofApertureSize{
@@ -110,7 +111,9 @@ inline constexpr FindingText kDofReusedPattern{
     .id = "dof.reused-pattern",
     .words = "used one pattern of rays for all pixels",
     .meaning = "warn: one pattern of many points for every pixel, or for every one of a row",
-    .hint = "Draw new points of the aperture for every pixel.",
+    .hint =
+        "Draw new points of the aperture for every pixel, and start no generator again (with "
+        "seedRandom, say): forEachPixel does so for each pixel.",
     .section = "Depth of field (T2.2), step 2"};
 
 inline constexpr FindingText kDofAntialiased{

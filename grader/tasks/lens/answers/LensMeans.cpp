@@ -104,7 +104,7 @@ std::optional<Finding> changeOfMeans(const std::vector<PixelMean>& pixels) {
     if (areCarriedOn(pixels, false) || areCarriedOn(pixels, true))
         return meansFinding(kDofNotAveraged, "what other pixels gave is added to it",
                             "Start the sum anew for every pixel: declare it inside of the loop "
-                            "over the pixels.");
+                            "over the pixels, without static.");
     double least = 0.0;
     double most = 0.0;
     if (areScaled(pixels, least, most))

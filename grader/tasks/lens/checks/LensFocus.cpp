@@ -32,7 +32,7 @@ std::optional<Finding> checkHeading(const LensLog& log) {
                     away, log.rayCount()));
     finding.hint =
         "The direction is the focal point minus the lens point: (focalPoint - "
-        "lensPoint).normalised().";
+        "lensPoint).normalised(), for every ray, with no sign that changes.";
     finding.section = "Depth of field (T2.2), step 2";
     finding.evidence.emplace_back("raysAway", static_cast<double>(away));
     return finding;
