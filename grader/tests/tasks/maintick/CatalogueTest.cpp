@@ -98,7 +98,8 @@ TEST(MainTickCatalogue, NeverFailsRightShadowsThatNeedNoBias) {
 
 TEST(MainTickCatalogue, NeverPassesHitsALittleBehindTheRay) {
     expectUnderSeeds(60,
-                     entriesOf("mistakes", {"M1/inside-negative-hit", "M1/inside-negative-limit"}),
+                     entriesOf("mistakes", {"M1/behind-far-limit", "M1/inside-negative-hit",
+                                            "M1/inside-negative-limit"}),
                      TaskState::failed);
 }
 
