@@ -46,6 +46,14 @@ TEST(MainTickCatalogue, FindsVariablesThatThreadsShare) {
         expectJudgedAsTheySay(entries, seed);
 }
 
+TEST(MainTickCatalogue, NamesTheseMistakesAlikeWhateverTheSeed) {
+    const auto entries =
+        entriesOf("mistakes", {"M1/root-not-taken", "M2/intensity-alone", "M3.1/static-point",
+                               "M3.2/bias-whole-normal", "M3.2/from-viewer", "M4/two-lower"});
+    for (const std::uint64_t seed : {1U, 2U})
+        expectJudgedAsTheySay(entries, seed);
+}
+
 TEST(MainTickCatalogue, AnEntryMayNameWhatItDoesToAnotherTask) {
     expectJudgedAsTheySay(entriesOf("mistakes", {"M2/ambient-only", "M3.2/inverted"}), 1);
 }
