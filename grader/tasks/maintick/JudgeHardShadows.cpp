@@ -16,9 +16,11 @@ namespace {
 using maintick::isNear;
 using maintick::LitSetup;
 using maintick::Occluder;
+using maintick::RayStart;
 using maintick::ShadeCase;
 using maintick::ShadeSeen;
 using maintick::Shown;
+using raytracer::Vector3;
 
 using Seen = std::vector<ShadeSeen>;
 constexpr std::size_t kQuestionsEach = 7;
@@ -49,15 +51,27 @@ probe::IlluminateQuestion freeWith(const ShadeCase& shade, double kd, double ks)
     return onSurface(shade, setup);
 }
 
-/// What is known of the shadow rays: `bias` and `aim`. Rays that start at the light, and look at
-/// the point from there, are right as well.
+RayStart rayStartOf(const Vector3& origin, const LitSetup& asked) {
+    constexpr double kNear = 0.3;
+    constexpr double kAside = 0.01;
+    const Vector3 offset = origin - asked.P;
+    if (offset.magnitude() < kNear) return RayStart::nearPoint;
+    for (const raytracer::PointLight& light : asked.scene.pointLights)
+        if ((origin - light.position()).magnitude() < kNear) return RayStart::nearLight;
+    return offset.cross(asked.N).magnitude() < kAside * offset.magnitude() ? RayStart::alongNormal
+                                                                           : RayStart::elsewhere;
+}
+
+/// What is known of the shadow rays: `bias`, `aim` and `start`. Rays that start at the light, and
+/// look at the point from there, are right as well.
 void readRays(ShadeSeen& seen, const std::vector<probe::Event>& events) {
-    constexpr double kNearPoint = 0.3;
     const LitSetup& asked = seen.asked->asked;
     for (const probe::Event& event : events) {
-        const double away = (event.a - asked.P).magnitude();
-        if (event.kind != probe::Event::Kind::rayCast || !(away < kNearPoint)) continue;
-        seen.bias = std::max(seen.bias, away);
+        if (event.kind != probe::Event::Kind::rayCast) continue;
+        const RayStart start = rayStartOf(event.a, asked);
+        seen.start = std::min(seen.start, start);
+        if (start != RayStart::nearPoint) continue;
+        seen.bias = std::max(seen.bias, (event.a - asked.P).magnitude());
         for (const raytracer::PointLight& light : asked.scene.pointLights) {
             const Vector3 L = (light.position() - asked.P).normalised();
             const double cosine = L.dot(event.b.normalised());

@@ -123,9 +123,8 @@ std::optional<Finding> checkLit(const MirrorQuestion& asked, const probe::Run& r
             fmt::format("{}: expected {}, got {}, though what illuminate gives of each surface was "
                         "asked before.",
                         askedOf(asked, i), words(wanted), words(given[i])),
-            "Colours above 1 are not cut off. The light of each surface is illuminate(scene, "
-            "object, P, N, ray.origin): the viewer is where this ray starts, behind a mirror, "
-            "too.");
+            "The light of each surface is illuminate(scene, object, P, N, ray.origin): the viewer "
+            "is where this ray starts, behind a mirror, too. And colours above 1 are not cut off.");
     }
     return std::nullopt;
 }

@@ -20,13 +20,14 @@ inline constexpr FindingText kPhongAmbient{
     kPhongSection};
 inline constexpr FindingText kPhongDiffuse{
     "phong.diffuse", "got diffuse light wrong", "a surface without highlights has another colour",
-    "The diffuse term is object.colour() * I * (object.phongKD() * max(0, N.L)), with N and L of "
-    "length 1.",
+    "The diffuse term is object.colour() * I * (object.phongKD() * max(0, N.L)), where I is "
+    "light.illuminationAt((light.position() - P).magnitude()), and N and L have length 1.",
     kPhongSection};
 inline constexpr FindingText kPhongSpecular{
     "phong.specular", "got highlights wrong", "a surface without diffuse light has another colour",
     "The specular term is light.colour() * I * (object.phongKS() * pow(max(0, R.V), "
-    "object.phongAlpha())), with R and V of length 1.",
+    "object.phongAlpha())), where I is light.illuminationAt((light.position() - P).magnitude()), "
+    "and R and V have length 1.",
     kPhongSection};
 inline constexpr FindingText kPhongViewer{
     "phong.viewer", "looked from another place than O", "V does not point from P to O",
@@ -56,8 +57,9 @@ inline constexpr FindingText kPhongRange{
 inline constexpr FindingText kPhongUnlit{
     "phong.unlit", "gave no light of point lights",
     "point lights add nothing, or the flat colours of the stub are there still",
-    "For every light of scene.pointLights() add the diffuse and the specular term. If M3.2 is "
-    "there already, see whether isShadowed is true where nothing is in the way.",
+    "Add the diffuse and the specular term of every light of scene.pointLights() to one colour, "
+    "and return that colour. If M3.2 is there already, see whether isShadowed is true where "
+    "nothing is in the way.",
     kPhongSection};
 inline constexpr FindingText kPhongWrong{
     "phong.wrong", "got colours wrong", "terms are right one by one and wrong together",
@@ -101,7 +103,9 @@ inline constexpr FindingText kShadeDistance{
     kShadeSection};
 inline constexpr FindingText kShadeAmbient{
     "shade.ambient", "shadowed the ambient light, too", "a point in shadow loses ambient light",
-    "Ambient light is added before the loop over the lights, whatever is in the way of them.",
+    "A light that is hidden adds nothing, and what is there stays: go on with the next light "
+    "(continue), and do not return or assign black. Ambient light is added before the loop over "
+    "the lights, whatever is in the way of them.",
     kShadeSection};
 inline constexpr FindingText kShadeSpecular{
     "shade.specular", "let highlights shine in shadow", "the specular term is not shadowed",

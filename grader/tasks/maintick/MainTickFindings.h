@@ -41,13 +41,16 @@ inline constexpr FindingText kSphereInside{
 inline constexpr FindingText kSphereDistance{
     "sphere.distance", "got distances to spheres wrong",
     "another distance, by a mistake in the quadratic formula or by none that is known",
-    "Write a = D.D, b = 2 D.(O - C) and c = (O - C).(O - C) - r * r out for the ray above and "
-    "compare each with what your code has.",
+    "Work out for the ray above, one by one, and compare each with what your code has: a = D.D, b "
+    "= 2 D.(O - C), c = (O - C).(O - C) - r * r, root = std::sqrt(b * b - 4 a c), s = (-b - root) "
+    "/ (2 a), or (-b + root) / (2 a) where that is not positive, and what RaycastHit is given. The "
+    "first that differs is the mistake.",
     kSphereSection};
 inline constexpr FindingText kSphereLocation{
     "sphere.location", "put hits of spheres in a wrong place",
     "the distance is right and the location is not",
-    "The location is the point of the ray at that distance: ray.evaluateAt(distance).",
+    "The location is the point of the ray at that distance: ray.evaluateAt(distance). The normal "
+    "is made of it: getNormalAt(location).",
     kSphereSection};
 inline constexpr FindingText kSphereNormal{
     "sphere.normal", "got normals of spheres wrong",
@@ -83,7 +86,9 @@ inline constexpr FindingText kPlaneBehind{
     "A negative s lies behind the origin of the ray: return std::nullopt.", kPlaneSection};
 inline constexpr FindingText kPlaneDistance{
     "plane.distance", "got distances to planes wrong", "another distance",
-    "s = (Q - O).N / D.N: Q is a point of the plane, O the origin of the ray.", kPlaneSection};
+    "s = (Q - O).N / D.N: Q is point() and N is normal() of this plane, O the origin of this ray. "
+    "Read all of them in each call: a static variable keeps those of the first.",
+    kPlaneSection};
 inline constexpr FindingText kPlaneLocation{
     "plane.location", "put hits of planes in a wrong place",
     "the distance is right and the location is not",

@@ -50,8 +50,10 @@ inline constexpr FindingText kMirrorBounces{
     "Call trace with bouncesLeft - 1; it ends where bouncesLeft is 0.", kMirrorSection};
 inline constexpr FindingText kMirrorWrong{
     "mirror.wrong", "got reflections wrong", "no known mistake gives these colours",
-    "R = (-ray.direction).reflectIn(N), start P + N * kShadowBias, colour direct * (1 - rho) + "
-    "trace(...) * rho, where rho is object.reflectivity() as it is, read in each call.",
+    "R = (-ray.direction).reflectIn(N), reflected = Ray{P + N * kShadowBias, R}, colour direct * "
+    "(1 - rho) + trace(scene, reflected, bouncesLeft - 1) * rho, where rho is "
+    "object.reflectivity() as it is, in a variable of this call (const double, not static or "
+    "global: the trace of the mirrored ray would change it).",
     kMirrorSection};
 
 inline constexpr FindingText kMirrorThreadsMixed{

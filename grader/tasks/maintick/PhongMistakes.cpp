@@ -46,6 +46,10 @@ void endAfterLightWithoutHighlight(Terms& t) {
     endAt(t, t.light, [&](const Vector3& L) { return L.reflectIn(t.setup.N).dot(t.V) <= 0.0; });
 }
 
+constexpr const char* kFadesNot =
+    "The light does not fade: I is light.illuminationAt(d), where d is the distance between P and "
+    "the light, (light.position() - P).magnitude().";
+
 constexpr PhongMistake kPhongMistakes[] = {
     {&kPhongUnlit, Step::colour, [](Terms& t) { t.colour = t.material.colour; }},
     {&kPhongUnlit, Step::colour, [](Terms& t) { t.colour = t.ambient; }},
@@ -54,6 +58,10 @@ constexpr PhongMistake kPhongMistakes[] = {
     {&kPhongAmbient, Step::colour,
      [](Terms& t) { t.colour += t.ambient * (static_cast<double>(t.light) - 1.0); },
      "Ambient light is added once for each point light: add it before the loop."},
+    {&kPhongAmbient, Step::colour,
+     [](Terms& t) { t.colour += t.ambient * static_cast<double>(t.light); },
+     "Ambient light is added before the loop and once more for each light: add it before the loop "
+     "alone."},
     {&kPhongAmbient, Step::material, [](Terms& t) { t.ambient *= t.material.phongKD; },
      "Ambient light has no coefficient: leave phongKD() out of it."},
     {&kPhongAmbient, Step::material, [](Terms& t) { t.ambient = t.setup.scene.ambientLighting; },
@@ -146,9 +154,9 @@ constexpr PhongMistake kPhongMistakes[] = {
      "Lights that are far away count as well: leave no light out for its distance."},
     {&kPhongLights, Step::light, [](Terms& t) { t.specular = {}; },
      "Only the last light has a highlight: add (+=) the specular terms as well."},
-    {&kPhongFalloff, Step::ways, [](Terms& t) { t.distance = 1.0; },
-     "The light does not fade: I is light.illuminationAt(d), where d is the distance between P "
-     "and the light, (light.position() - P).magnitude()."},
+    {&kPhongFalloff, Step::ways, [](Terms& t) { t.distance = 1.0; }, kFadesNot},
+    {&kPhongFalloff, Step::ways,
+     [](Terms& t) { t.distance = 1.0 / std::sqrt(4.0 * std::numbers::pi); }, kFadesNot},
     {&kPhongFalloff, Step::ways, [](Terms& t) { t.distance = std::sqrt(t.distance); }},
     {&kPhongFalloff, Step::ways, [](Terms& t) { t.distance *= t.distance; },
      "illuminationAt squares the distance itself: hand it d, not d * d."},
@@ -169,7 +177,8 @@ constexpr PhongMistake kPhongMistakes[] = {
      "A light without a highlight (R.V <= 0) ends the loop, and later lights are lost: go on with "
      "the next one (continue, not break or return)."},
     {&kPhongLights, Step::light, [](Terms& t) { t.diffuse = t.specular = {}; },
-     "Only the last light counts: add its terms (+=) instead of assigning them (=)."},
+     "Only the last light counts: add (+=) its diffuse and its specular term alone, and add "
+     "ambient light once, before the loop."},
     {&kPhongLights, Step::colour,
      [](Terms& t) {
          const double lights = std::max(1.0, static_cast<double>(t.light));

@@ -11,6 +11,7 @@ struct Fraction {
     double ofPoint = 0.0;   ///< Q.N
     double ofOrigin = 0.0;  ///< O.N
     double ofFirst = 0.0;   ///< Q.N of the first plane
+    double atFirst = 0.0;   ///< Q.N, Q of the first plane
 
     [[nodiscard]] double s() const { return height / slope; }
     /// The right distance where this holds.
@@ -25,12 +26,16 @@ Distance met(const raytracer::SceneDescription& scene, int object, const Ray& ra
     const auto& first = scene.planes[0];
     return Solve(Fraction{(plane.point - ray.origin).dot(normal), ray.direction.dot(normal),
                           plane.point.dot(normal), ray.origin.dot(normal),
-                          first.point.dot(first.normal.normalised())});
+                          first.point.dot(first.normal.normalised()), first.point.dot(normal)});
 }
 
 Distance planeBeforeCamera(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
     return ifBeforeCamera(ray, met<[](const F& f) { return ifAhead(f.s()); }>(scene, object, ray));
 }
+
+constexpr const char* kFirstPoint =
+    "The point of another plane is used here: a static or global variable keeps the first. Work "
+    "everything out in each call.";
 
 constexpr HitMistake kPlaneMistakes[] = {
     {&kPlaneDistance, met<[](const F& f) { return ifAhead(-f.s()); }>,
@@ -63,8 +68,9 @@ constexpr HitMistake kPlaneMistakes[] = {
      "That is how far the origin is from the plane. The distance is s, along the ray: s = (Q - "
      "O).N / D.N."},
     {&kPlaneDistance, met<[](const F& f) { return ifAhead((f.ofFirst - f.ofOrigin) / f.slope); }>,
-     "The point of another plane is used here: a static or global variable keeps the first. Work "
-     "everything out in each call."},
+     kFirstPoint},
+    {&kPlaneDistance, met<[](const F& f) { return ifAhead((f.atFirst - f.ofOrigin) / f.slope); }>,
+     kFirstPoint},
     {&kPlaneMissed, planeBeforeCamera, kBehindCameraHint},
     {&kPlaneMissed, met<[](const F& f) { return f.hitIf(f.s() <= 1000.0); }>,
      "A limit cuts far hits off: every positive s is a hit, however large it is."},

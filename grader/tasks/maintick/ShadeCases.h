@@ -66,6 +66,9 @@ enum class Shown : std::uint8_t {
     other
 };
 
+/// Where a ray starts; of several, the first of these.
+enum class RayStart : std::uint8_t { nearPoint, nearLight, alongNormal, elsewhere, unseen };
+
 /// What the same code gives with and without what stands around the point.
 struct ShadeSeen {
     const ShadeCase* asked = nullptr;
@@ -80,6 +83,7 @@ struct ShadeSeen {
     /// The largest cosine between a ray that starts near the point and the way to a light; empty:
     /// no such ray was seen.
     std::optional<double> aim{};
+    RayStart start = RayStart::unseen;
 
     [[nodiscard]] ColourRGB expected() const;
     [[nodiscard]] Shown shown() const;

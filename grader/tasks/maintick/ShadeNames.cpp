@@ -56,6 +56,31 @@ std::optional<Name> nameOfAim(const Seen& seen) {
     return std::nullopt;
 }
 
+/// More than half of the points that see a ray have one of these starts.
+bool mostStart(const Seen& seen, RayStart first, RayStart last) {
+    std::ptrdiff_t seenRays = 0;
+    std::ptrdiff_t there = 0;
+    for (const ShadeSeen& one : seen) {
+        if (one.start == RayStart::unseen) continue;
+        ++seenRays;
+        if (one.start >= first && one.start <= last) ++there;
+    }
+    return 2 * there > seenRays;
+}
+
+/// Most points see no ray that starts near them, nor near a light.
+std::optional<Name> nameOfStart(const Seen& seen) {
+    if (mostStart(seen, RayStart::alongNormal, RayStart::alongNormal))
+        return Name{&kShadeBias,
+                    "The ray starts far from P: start it at P + N * kShadowBias. N alone is 1 "
+                    "long."};
+    if (mostStart(seen, RayStart::alongNormal, RayStart::elsewhere))
+        return Name{&kShadeWrong,
+                    "The ray does not start at P: start it at P + N * kShadowBias, and look at "
+                    "what the call hands to isShadowed, (scene, light, P, N)."};
+    return std::nullopt;
+}
+
 /// Nothing is wrong but that points below their surface are lit where they are hidden.
 bool isLeak(const Seen& seen) {
     const auto isHiddenAndSunk = [](const ShadeCase& shade) {
@@ -77,12 +102,17 @@ Name nameOfNoShadows(const Seen& seen) {
     return {&kShadeNone, ""};
 }
 
+constexpr const char* kFromLight =
+    "The ray from the light meets the surface of P itself, at about the distance of P. Cast it the "
+    "other way: Ray{P + N * kShadowBias, (light.position() - P).normalised()}.";
+
 /// Of code that is right where something stands between the point and a light that is 3 away.
 std::optional<Name> nameOfPlace(const Seen& seen) {
     if (anyIs(seen, [](const ShadeSeen& one) {
             return one.asked->place == Occluder::itself && one.shown() != Shown::right;
         }))
-        return Name{&kShadeAcne, ""};
+        return Name{&kShadeAcne,
+                    mostStart(seen, RayStart::nearLight, RayStart::nearLight) ? kFromLight : ""};
     if (!isRight(seen, Occluder::near) && isRight(seen, Occluder::farBeyond) &&
         isRight(seen, Occluder::between))
         return Name{&kShadeBias, ""};
@@ -118,8 +148,9 @@ Name nameOfColour(const Seen& seen, Occluder place) {
                 "lights, so that a light that is hidden adds nothing (continue)."};
     if (allShow(seen, Shown::lit, Occluder::before))
         return {&kShadeWrong,
-                "What is hidden comes out lit. Look at the direction of the ray, L, and at the "
-                "comparison: a hit nearer than the light shades."};
+                "What is hidden comes out lit. Look at four things: what the call hands to "
+                "isShadowed (P, not O), the start P + N * kShadowBias, the direction to the light, "
+                "and the comparison: a hit nearer than the light shades."};
     return {&kShadeWrong, ""};
 }
 
@@ -151,6 +182,7 @@ Shown ShadeSeen::shown() const {
 
 Name nameOf(const Seen& seen, const ShadeSeen& first) {
     if (auto name = nameOfAim(seen)) return *std::move(name);
+    if (auto name = nameOfStart(seen)) return *std::move(name);
     if (isLeak(seen))
         return {&kShadeWrong,
                 "Rounding puts P a little below its surface half of the time. From there the "

@@ -25,7 +25,10 @@ struct Quadratic {
     }
     /// The right choice of a root.
     [[nodiscard]] Distance hit() const {
-        return isMissed() ? Distance{} : ifAhead(near() > 0.0 ? near() : far());
+        return isMissed() ? Distance{} : firstAhead(near(), far());
+    }
+    [[nodiscard]] static Distance firstAhead(double first, double second) {
+        return ifAhead(first > 0.0 ? first : second);
     }
     [[nodiscard]] Distance hitWith(double otherB, double otherC) const {
         return Quadratic{otherB, otherC}.hit();
@@ -71,11 +74,22 @@ constexpr const char* kNoFarRoot =
     "Where (-b - root) / (2 a) is not positive, the ray may start inside: try (-b + root) / (2 a) "
     "before you give up.";
 
+constexpr const char* kNeitherTested =
+    "A negative distance lies behind the ray, however small it is. Take (-b - root) / (2 a) where "
+    "it is positive, else (-b + root) / (2 a), and return std::nullopt where neither is.";
+constexpr const char* kAbsoluteRoot =
+    "The absolute value brings what lies behind the ray before it: leave it out. Take (-b - root) "
+    "/ (2 a) where it is positive, else (-b + root) / (2 a), and return std::nullopt where neither "
+    "is.";
+constexpr const char* kRootMissing =
+    "That is the point of the ray that is nearest to the centre: the root of the discriminant is "
+    "missing, (-b - std::sqrt(discriminant)) / (2 a).";
+
 constexpr const char* kLimitBelowZero =
     "A limit below 0 takes a near root that lies a little behind the ray, as that of a ray that "
-    "starts just inside: compare (-b - root) / (2 a) with 0.";
+    "starts just inside: compare (-b - root) / (2 a) with 0, and (-b + root) / (2 a) as well.";
 
-/// A near root that is this far behind counts.
+/// A root that is this far behind counts.
 constexpr double kBehind = -0.05;
 double nearRootBehind(const Q& q) {
     return kBehind < q.near() ? q.near() : q.far();
@@ -98,10 +112,21 @@ constexpr HitMistake kSphereMistakes[] = {
          return kBehind < nearRootBehind(q) ? Distance{nearRootBehind(q)} : Distance{};
      }>,
      kLimitBelowZero},
-    {&kSphereBehind, chosen<[](const Q& q) { return Distance{q.near()}; }>},
-    {&kSphereBehind, chosen<[](const Q& q) { return Distance{std::abs(q.smaller())}; }>},
-    {&kSphereBehind, chosen<[](const Q& q) { return Distance{std::abs(q.near())}; }>},
-    {&kSphereBehind, chosen<[](const Q& q) { return Distance{q.smaller()}; }>},
+    {&kSphereInside,
+     chosen<[](const Q& q) { return kBehind < q.near() ? Distance{q.near()} : ifAhead(q.far()); }>,
+     kLimitBelowZero},
+    {&kSphereBehind, chosen<[](const Q& q) {
+         if (0.0 < q.near()) return Distance{q.near()};
+         return kBehind < q.far() ? Distance{q.far()} : Distance{};
+     }>,
+     "A limit below 0 takes a far side that lies a little behind the ray: compare (-b + root) / (2 "
+     "a) with 0."},
+    {&kSphereBehind, chosen<[](const Q& q) { return Distance{q.near()}; }>, kNeitherTested},
+    {&kSphereBehind, chosen<[](const Q& q) { return Distance{std::abs(q.smaller())}; }>,
+     kAbsoluteRoot},
+    {&kSphereBehind, chosen<[](const Q& q) { return Distance{std::abs(q.near())}; }>,
+     kAbsoluteRoot},
+    {&kSphereBehind, chosen<[](const Q& q) { return Distance{q.smaller()}; }>, kNeitherTested},
     {&kSphereBehind,
      chosen<[](const Q& q) { return Distance{0.0 < q.near() ? q.near() : q.far()}; }>},
     {&kSpherePhantom, solved<[](const Q& q) {
@@ -117,7 +142,8 @@ constexpr HitMistake kSphereMistakes[] = {
      "The radius is squared in c: c = (O - C).(O - C) - radius() * radius()."},
     {&kSphereDistance, solved<[](const Q& q) { return q.hitWith(q.b, q.c + q.radius * q.radius); }>,
      "No ray hits, as if c lacked the radius: c = (O - C).(O - C) - radius() * radius(). If "
-     "the radius is there, the discriminant is wrong, or no hit is returned."},
+     "the radius is there, look at O - C (ray.origin - centre(), in b and in c), then at the "
+     "discriminant, b * b - 4 a c, and at what is returned."},
     {&kSphereDistance,
      solved<[](const Q& q) { return q.hitWith(q.b, q.c + 2.0 * q.radius * q.radius); }>,
      "The squared radius is subtracted in c, not added."},
@@ -131,9 +157,18 @@ constexpr HitMistake kSphereMistakes[] = {
     {&kSphereDistance,
      solved<[](const Q& q) { return q.hit() ? Distance{2.0 * *q.hit()} : Distance{}; }>,
      "The roots are divided by 2 a, not by a: (-b - root) / (2 * a)."},
-    {&kSphereDistance, chosen<[](const Q& q) { return ifAhead(-q.b / 2.0); }>,
-     "That is the point of the ray that is nearest to the centre: the root of the discriminant is "
-     "missing, (-b - std::sqrt(discriminant)) / (2 a)."},
+    {&kSphereDistance, chosen<[](const Q& q) { return ifAhead(-q.b / 2.0); }>, kRootMissing},
+    {&kSphereDistance, chosen<[](const Q& q) { return Q::firstAhead(-q.b / 2.0, q.far()); }>,
+     kRootMissing},
+    {&kSphereDistance, chosen<[](const Q& q) {
+         const double root = q.discriminant();
+         return Q::firstAhead((-q.b - root) / 2.0, (-q.b + root) / 2.0);
+     }>,
+     "The square root is missing: root = std::sqrt(b * b - 4 a c), and the distance is (-b - root) "
+     "/ (2 a)."},
+    {&kSphereDistance,
+     solved<[](const Q& q) { return q.hit() ? Distance{*q.hit() * *q.hit()} : Distance{}; }>,
+     "That is the square of the distance: hand s itself to RaycastHit."},
     {&kSphereDistance, distanceOfLocation,
      "That is how far the hit is from the origin of the world. The distance is s, along the ray: a "
      "shadow ray or a mirrored one starts elsewhere."},

@@ -45,6 +45,9 @@ constexpr TraceMistake kTraceMistakes[] = {
      {.most = 0},
      "Mirrors in mirrors show nothing: follow the mirrored ray with trace itself, with bouncesLeft "
      "- 1."},
+    {&kMirrorBounces,
+     {.spent = 2},
+     "Each mirror spends one bounce: hand bouncesLeft - 1 on to trace."},
     {&kMirrorBlend,
      {.blend = [](const At& at) { return at.own + at.seen; }},
      "Both colours are added whole: direct * (1 - rho) + reflected * rho, with rho = "

@@ -18,6 +18,16 @@
 namespace ticker::tasks::bump {
 namespace {
 
+/// True of columns below -1, which no neighbour on the left has.
+bool isFarLeft(const std::string& message) {
+    return message.find("column -") != std::string::npos &&
+           message.find("column -1,") == std::string::npos;
+}
+
+constexpr const char* kNegativeU =
+    "u is negative there: std::atan2 gives a longitude between -pi and pi, so that u is the "
+    "longitude over 2 pi plus 0.5. ";
+
 Words threwWords(const Offence& offence) {
     const bool lookUp = offence.message.find("outside the map") != std::string::npos;
     // The value of a NaN or of a far too large double as an int.
@@ -32,6 +42,7 @@ Words threwWords(const Offence& offence) {
             "value beyond 1 (divide by the radius, or normalise, first).";
     else if (lookUp)
         words.hint =
+            std::string{isFarLeft(offence.message) ? kNegativeU : ""} +
             "Look at the line that turns (u, v) into a column and a row, and at the neighbours: "
             "columns end at width() - 1 and rows at height() - 1. Let columns go round with "
             "(column + 1) % width() to the right and (column - 1 + width()) % width() to the left "
@@ -49,7 +60,8 @@ Words notFiniteWords(const Offence& offence) {
                         pointsOf(offence), firstAt(offence)),
             "Look for an acos or asin of a value beyond 1 (divide by the radius, or normalise, "
             "first), a division by a slope or a sine that can be zero, and a vector of length zero "
-            "that is normalised, such as a sum without n where the map is level.",
+            "that is normalised, such as a sum without n where the map is level: normalise nothing "
+            "but the whole sum with n, as a test for zero only hides this.",
             "Option 1: What to do, steps 1 and 4"};
 }
 
@@ -82,10 +94,11 @@ Words swappedWords(const Examination& examination, const std::optional<Hints>& h
     return {
         "The axes are exchanged: a slope along u tilts the normal along v, and a slope along v "
         "tilts it along u.",
-        "Bu goes with Pu and Bv with Pv, Equation (1); with cross products Bu goes with n x Pv and "
-        "Bv with n x Pu. Where these pairs are right by name, the tangents themselves are "
-        "exchanged: Pu is the derivative by the angle that chooses the column, along the circle of "
-        "latitude, and Pv that by the angle that chooses the row, along the meridian.",
+        "Bu goes with Pu and Bv with Pv: write Equation (1) as it stands, signs too, n - Bu Pu - "
+        "Bv Pv. With cross products Bu goes with n x Pv and Bv with n x Pu. Where these pairs are "
+        "right by name, the tangents themselves are exchanged: Pu is the derivative by the angle "
+        "that chooses the column, along the circle of latitude, and Pv that by the angle that "
+        "chooses the row, along the meridian.",
         "Option 1: The sign trap; What to do, step 2"};
 }
 

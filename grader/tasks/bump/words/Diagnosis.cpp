@@ -136,10 +136,12 @@ constexpr std::array kRightRamps{
          [](const Examination& e) { return e.conduct.memory > kSomeChange; }},
     Rule{WrongReason::wallAtSeam,
          [](const Examination& e) { return e.edges && !e.edges->goodSeam(); }},
-    Rule{WrongReason::coordinatesRounded,
-         [](const Examination& e) { return e.fineness && !e.fineness->good(); }},
+    // Slopes that lose a step make pairs of the zigzag equal, too; rounded coordinates leave rises
+    // and falls in balance.
     Rule{WrongReason::stepsLost,
          [](const Examination& e) { return e.balance && !e.balance->good(); }},
+    Rule{WrongReason::coordinatesRounded,
+         [](const Examination& e) { return e.fineness && !e.fineness->good(); }},
     Rule{WrongReason::fractionsMixed,
          [](const Examination& e) { return e.stripes && !e.stripes->good(); }},
     Rule{WrongReason::lettersDiffer,

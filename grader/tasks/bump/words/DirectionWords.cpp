@@ -112,10 +112,24 @@ std::string farthestHint(const Response& response, const Vector3& worst) {
     const double row = std::acos(std::min(std::abs(worst.y), 1.0)) / std::numbers::pi;
     return fmt::format(
         "Most points are right; the farthest off is {}, in the rows near a pole, within {} of the "
-        "map's height from its edge. Look for a comparison that builds the tangents from another "
-        "axis there: Pu is always the y axis crossed with n, or its opposite, and Pv follows.",
+        "map's height from its edge. First check that u and v are made from the smooth normal, or "
+        "from position - centre() in x, y and z alike: a position.x alone is wrong the most near "
+        "the poles. Then look for a comparison that builds the tangents from another axis there: "
+        "Pu is always the y axis crossed with n, or its opposite, and Pv follows.",
         place, percent(row));
 }
+
+/// True for code that is right on a sphere of radius 1 around the origin and nowhere else.
+bool isRightAtTheOriginAlone(const std::optional<Hints>& hints) {
+    return hints && hints->unitSphere.kind == RampKind::right &&
+           hints->square.kind != RampKind::right && hints->asideSphere.kind != RampKind::right;
+}
+
+constexpr const char* kCentre =
+    "On a sphere of radius 1 around the origin every tilt is right: somewhere the centre is not "
+    "subtracted, or the radius not divided out. Make u, v and the tangents from the smooth unit "
+    "normal, or from position - centre(), in x, y and z alike: look for a position.x, position.y "
+    "or position.z without the centre's.";
 
 /// Where to look first; empty if the shares do not tell.
 std::string hintOf(const Response& response) {
@@ -124,8 +138,9 @@ std::string hintOf(const Response& response) {
                "sign of Bu or Bv; if there is none, compare the tangents: with polar angle t and "
                "longitude p, Pv is (sin p cos t, -sin t, -cos p cos t) where rows grow downwards, "
                "so that its y is negative on both halves and cos t changes sign at the equator. "
-               "Pu has no polar angle in it. In a cross product of your own the middle component "
-               "is a.z * b.x - a.x * b.z, the other way round than the other two suggest.";
+               "Pu has no polar angle in it. An angle in degrees (180 / pi) changes signs as "
+               "well. In a cross product of your own the middle component is a.z * b.x - a.x * "
+               "b.z, the other way round than the other two suggest.";
     // With angles in degrees few tilts are right, all over the sphere.
     if (response.tangentsInDegrees && !isMostlyRight(response))
         return "The tangents are those of angles in degrees: std::sin and std::cos take radians, "
@@ -167,7 +182,7 @@ std::string halfOf(const AxisResponse& axis) {
 
 }  // namespace
 
-Words directionWords(const Response& response) {
+Words directionWords(const Response& response, const std::optional<Hints>& hints) {
     if (tiltsAlongBoth(response.u, response.v))
         return diagonalWords("u", "v", "column", "at(column, row) and at(column, row + 1)");
     if (tiltsAlongBoth(response.v, response.u))
@@ -175,7 +190,7 @@ Words directionWords(const Response& response) {
     const AxisResponse& farthest =
         std::abs(response.u.worstDirection) > std::abs(response.v.worstDirection) ? response.u
                                                                                   : response.v;
-    std::string hint = hintOf(response);
+    std::string hint = isRightAtTheOriginAlone(hints) ? kCentre : hintOf(response);
     if (hint.empty()) hint = farthestHint(response, farthest.worst);
     return {fmt::format("The tilt fits no reading of Equation (1). A slope along u tilts the "
                         "normal: {}. A slope along v: {}.",

@@ -57,7 +57,7 @@ Words longitudeWords(const Examination& examination) {
     words.hint =
         "Pu and Pv must come from the same angles, with the same axis and the same origin, as the "
         "(u, v) that you look up: write the point with your own longitude and polar angle, and "
-        "differentiate that.";
+        "differentiate that. They have no abs in them, and no fixed vector.";
     words.section = "Option 1: What to do, step 2";
     return words;
 }
@@ -65,17 +65,24 @@ Words longitudeWords(const Examination& examination) {
 Words smallSlopesWords() {
     return {"Steps of the map tilt the normal, but even slopes tilt nothing.",
             "Heights are fractions from 0 to 5: look for an int that cuts a difference off, for a "
-            "threshold, or for a step that reads the same texel twice.",
+            "threshold, for a step that reads the same texel twice, or for a sum in which an even "
+            "slope cancels, such as right + left - 2 times this texel. Bu is one difference: the "
+            "next texel minus this one.",
             "Option 1: What to do, step 3"};
 }
 
 Words growthWords(const Examination& examination) {
+    // A tilt is measured against the part along n: past the horizon that part is negative.
+    const Proportion& proportion = examination.proportion;
+    if (examination.ladder.growsWithSlope && proportion.growth < 0.0 &&
+        !proportion.staysAboveHorizon())
+        return horizonWords(proportion);
     const std::string seen =
         examination.ladder.growsWithSlope
             ? fmt::format(
                   "Slopes that are {} times as steep tilt the normal only {:.2g} times as "
                   "far (median): gentle bumps look as steep as strong ones.",
-                  ProportionPlan::kTimes, std::max(0.0, examination.proportion.growth))
+                  ProportionPlan::kTimes, proportion.growth)
             : "A slope that is 50 times as steep tilts the normal hardly more.";
     return {seen,
             "Bu and Bv are differences of heights as they are: do not normalise them, do not cut "
@@ -104,8 +111,9 @@ Words horizonWords(const Proportion& proportion) {
                     "and into the sphere.",
                     percent(proportion.pastHorizon)),
         "A slope is no angle: do not turn the normal by it, and do not add it to the longitude or "
-        "the polar angle. Add Bu and Bv times tangents to n and normalise the sum, Equation (1); "
-        "or turn the normal by std::atan(slope).",
+        "the polar angle. Add Bu and Bv times tangents to n and return the normalised sum, "
+        "Equation (1), itself: do not reflect n or the sum in anything, as 2 (n.m) m - n doubles "
+        "the angle. Or turn the normal by std::atan(slope).",
         "Option 1: Theory"};
 }
 

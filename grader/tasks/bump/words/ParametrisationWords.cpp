@@ -10,7 +10,8 @@ namespace {
 constexpr const char* kSection = "Option 1: What to do, step 1";
 constexpr const char* kCheckAngles =
     "Check u and v: with the smooth unit normal n, the polar angle is acos(n.y) and the longitude "
-    "an atan2 of n.x and n.z; u is the longitude over 2 pi, v the polar angle over pi.";
+    "an atan2 of n.x and n.z; u is the longitude over 2 pi, from 0 to 1 (plus 0.5 where atan2 "
+    "gives -pi to pi), v the polar angle over pi.";
 
 Words endWords(const std::string& axis, const std::string& what, const std::string& hint) {
     return {fmt::format("The last {} of the map lie nowhere on the sphere: {} does not go from 0 "
@@ -54,6 +55,20 @@ std::string hintFromSpheres(const Hints& hints) {
 
 }  // namespace
 
+bool isWrongAsideAlone(const std::optional<Hints>& hints) {
+    return hints && hints->square.kind == RampKind::right &&
+           hints->asideSphere.kind != RampKind::right;
+}
+
+Words asideWords() {
+    return {
+        "On a sphere ahead of the camera the map lies where it should, but not on one that lies "
+        "far to the side and below: there texels are not read where they lie.",
+        "Make u and v from the smooth normal, or from position - centre(), in x, y and z alike: "
+        "somewhere position.x or position.y is used without the centre's.",
+        kSection};
+}
+
 Words sizeWords() {
     return {
         "On square maps of about 400 texels a side the tilt is right, on maps that are much larger "
@@ -69,6 +84,8 @@ Words landingWords(const Examination& examination, const std::optional<Hints>& h
     const RampJudgement& ramps = examination.ramps();
     const bool lost = ramps.kind == RampKind::signLost;
     if (!hints) return lost ? lostSignWords() : Words{strayMessage(ramps), kCheckAngles, kSection};
+    // The sphere aside has a square map as well, so that its size is not what is wrong there.
+    if (isWrongAsideAlone(hints)) return asideWords();
     if (hints->square.kind == RampKind::right) return sizeWords();
     const std::string spheres = hintFromSpheres(*hints);
     if (!spheres.empty()) return {strayMessage(ramps), spheres + kCheckAngles, kSection};

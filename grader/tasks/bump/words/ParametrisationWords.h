@@ -12,6 +12,11 @@ namespace ticker::tasks::bump {
 /// right) tell the cause.
 [[nodiscard]] Words landingWords(const Examination& examination, const std::optional<Hints>& hints);
 
+/// True for code that is right on a square map, but not on a sphere far to the side and below.
+[[nodiscard]] bool isWrongAsideAlone(const std::optional<Hints>& hints);
+/// Words of bump.wrong for such code.
+[[nodiscard]] Words asideWords();
+
 /// Words of bump.wrong for code that is right on square maps of one size.
 [[nodiscard]] Words sizeWords();
 

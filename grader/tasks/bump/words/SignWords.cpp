@@ -11,16 +11,28 @@ constexpr const char* kOneSign =
     " Two cross products with the same sign before both always invert one axis: Equations (2) and "
     "(3) have a plus and a minus.";
 
+constexpr const char* kRowZero =
+    "Row 0 is the top of the picture: v must be 0 at the top of the sphere (the largest y) and 1 "
+    "at the bottom";
+
 /// The name of an inverted axis, and the edges of a letter that show it.
 struct AxisNames {
     const char* axis;
     const char* other;
+    const char* reversed;  ///< another place for the sign
     const char* rise;
     const char* wrongEdges;
     const char* rightEdges;
 };
-constexpr AxisNames kAxisU{"u", "v", "to the right", "left and right", "upper and lower"};
-constexpr AxisNames kAxisV{"v", "u", "downwards", "upper and lower", "left and right"};
+// Not for v: where 1 - v puts row 0 at the top, v alone would turn the map round.
+constexpr AxisNames kAxisU{
+    "u",
+    "v",
+    " Is there a 1 - u, so that columns run against Pu? Then write u instead of either.",
+    "to the right",
+    "left and right",
+    "upper and lower"};
+constexpr AxisNames kAxisV{"v", "u", "", "downwards", "upper and lower", "left and right"};
 
 Words invertedAxisWords(const AxisNames& names) {
     return {
@@ -29,8 +41,8 @@ Words invertedAxisWords(const AxisNames& names) {
                     "the {3} edges of an H look lowered, and its {4} edges raised.",
                     names.axis, names.other, names.rise, names.wrongEdges, names.rightEdges),
         fmt::format("One sign is wrong: either in the difference that makes B{0}, or before the "
-                    "term with B{0}. Change one of the two, and leave B{1} alone.{2}",
-                    names.axis, names.other, kOneSign),
+                    "term with B{0}. Change one of the two, and leave B{1} alone.{2}{3}",
+                    names.axis, names.other, names.reversed, kOneSign),
         "Option 1: The sign trap; What to do, step 3"};
 }
 
@@ -60,18 +72,21 @@ Words upsideDownWords() {
     return {
         "The map stands on its head: its top row lies at the bottom of the sphere. Bumps and "
         "hollows are right.",
-        "Row 0 is the top of the picture: v must be 0 at the top of the sphere (the largest y) "
-        "and 1 at the bottom. Pv points where v grows, so it turns round with v.",
+        std::string{kRowZero} +
+            ": look for 1 - v. Then the sign of the term with Bv must turn round once. If your Pv "
+            "points upwards and you use Equation (1), turn Pv. If it points downwards already, or "
+            "with cross products, change the sign before the term with Bv.",
         "Option 1: What to do, step 1"};
 }
 
 Words signOnItsHeadWords(Words sign) {
-    const Words place = upsideDownWords();
     sign.message +=
         " The map stands on its head as well: its top row lies at the bottom of the "
         "sphere.";
-    sign.hint = "Turn the map round first, and check again. " + place.hint +
-                " That may mend the sign, too; if it does not: " + sign.hint;
+    sign.hint = std::string{"Turn the map round first, and check again. "} + kRowZero +
+                ". Pv points where v grows, so it turns round with v. That may mend the sign, too; "
+                "if it does not: " +
+                sign.hint;
     sign.section = "Option 1: What to do, steps 1 to 3; The sign trap";
     return sign;
 }

@@ -16,12 +16,19 @@
 namespace ticker::tasks::bump {
 namespace {
 
-Words inwardWords(const Offence& inward) {
+Words inwardWords(const Examination& examination) {
+    const Offence& inward = examination.conduct.inward;
+    const char* const ofAll =
+        pointsInwards(examination)
+            ? " If the smooth normal is right, all terms of the sum have the wrong sign: return n "
+              "- Bu Pu - Bv Pv, Equation (1)."
+            : "";
     return {fmt::format("The normal points into the sphere at {}; the first is {}.",
                         pointsOf(inward), firstAt(inward)),
-            "The smooth normal is position minus centre, not the other way round; with a cross "
-            "product of two tangents, mind their order. Do not turn the normal towards the camera: "
-            "mirrors see the far side.",
+            std::string{"The smooth normal is position minus centre, not the other way round; with "
+                        "a cross product of two tangents, mind their order. Do not turn the normal "
+                        "towards the camera: mirrors see the far side."} +
+                ofAll,
             "Option 1: What to do, step 1"};
 }
 
@@ -30,8 +37,9 @@ Words flatTiltedWords(double tilt) {
         fmt::format("On a map without any slope the normal should be the smooth sphere's, but "
                     "it is tilted by {:.0f} degrees (median).",
                     std::atan(tilt) * kDegrees),
-        "The tilt must come from differences of heights, not from heights, and must be added to "
-        "the unit normal, (position - centre) / radius.",
+        "The tilt must come from differences of heights, not from heights: return n - Bu Pu - Bv "
+        "Pv, normalised, Equation (1), with the unit normal n = (position - centre) / radius. A "
+        "fixed vector such as (-Bu, Bv, -1) belongs to a flat picture.",
         "Option 1: What to do, steps 1 and 3"};
 }
 
@@ -132,23 +140,13 @@ Words teethWords(const SlopeAgreement& slopes) {
                         "points along u and {} along v keep to it (right code: more than 90 %).",
                         percent(slopes.sawtoothU), percent(slopes.sawtoothV)),
             "Check that Bu and Bv compare texels that are next to each other, and that nothing "
-            "depends on how bright the texels are.",
+            "depends on how bright the texels are: no abs, and no type that is too small for a "
+            "height (int8_t, char, uint8_t).",
             "Option 1: What to do, step 3"};
 }
 
-Words asideWords() {
-    return {
-        "On a sphere ahead of the camera the map lies where it should, but not on one that lies "
-        "far to the side and below: there texels are not read where they lie.",
-        "Make u and v from the smooth normal, or from position - centre(), in x, y and z alike: "
-        "somewhere position.x or position.y is used without the centre's.",
-        "Option 1: What to do, step 1"};
-}
-
 Words slopesWords(const SlopeAgreement& slopes, const std::optional<Hints>& hints) {
-    if (hints && hints->square.kind == RampKind::right &&
-        hints->asideSphere.kind != RampKind::right)
-        return asideWords();
+    if (isWrongAsideAlone(hints)) return asideWords();
     if (slopes.fieldAgrees()) return teethWords(slopes);
     return {
         fmt::format("On pictures the tilt is not what it is on even ramps: on a smooth random map "
@@ -158,7 +156,8 @@ Words slopesWords(const SlopeAgreement& slopes, const std::optional<Hints>& hint
         "Check that Bu compares two neighbouring texels of the point's own row, and Bv two of its "
         "own column; that columns are counted by width() and rows by height(); that u and v are "
         "made from position - centre() in x, y and z alike, for every sphere; and that nothing "
-        "depends on how bright or how steep the texels are.",
+        "depends on how bright or how steep the texels are: no abs, and no type that is too small "
+        "for a height (int8_t, char, uint8_t).",
         "Option 1: What to do, step 3"};
 }
 
@@ -189,8 +188,7 @@ constexpr std::array kReasons{
     ReasonRow{WrongReason::mapIgnored, [](const Seen&) { return mapIgnoredWords(); }},
     ReasonRow{WrongReason::remembers, [](const Seen&) { return remembersWords(); }},
     ReasonRow{WrongReason::normalMissing, [](const Seen&) { return normalMissingWords(); }},
-    ReasonRow{WrongReason::inward,
-              [](const Seen& told) { return inwardWords(told.examination.conduct.inward); }},
+    ReasonRow{WrongReason::inward, [](const Seen& told) { return inwardWords(told.examination); }},
     ReasonRow{WrongReason::flatTilted,
               [](const Seen& told) { return flatTiltedWords(told.examination.ladder.flatTilt); }},
     ReasonRow{
@@ -205,11 +203,16 @@ constexpr std::array kReasons{
     ReasonRow{WrongReason::smallSlopesLost, [](const Seen&) { return smallSlopesWords(); }},
     ReasonRow{WrongReason::patchy,
               [](const Seen& told) {
+                  if (isWrongAsideAlone(told.hints)) return asideWords();
                   if (told.hints && told.hints->square.kind == RampKind::right) return sizeWords();
                   return patchyWords(*told.examination.ramps().response);
               }},
     ReasonRow{WrongReason::strangeDirection,
-              [](const Seen& told) { return directionWords(*told.examination.ramps().response); }},
+              [](const Seen& told) {
+                  return isWrongAsideAlone(told.hints)
+                             ? asideWords()
+                             : directionWords(*told.examination.ramps().response, told.hints);
+              }},
     ReasonRow{WrongReason::doesNotGrow,
               [](const Seen& told) { return growthWords(told.examination); }},
     ReasonRow{WrongReason::heightsBent,

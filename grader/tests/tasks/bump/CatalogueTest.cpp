@@ -66,7 +66,22 @@ TEST(BumpCatalogue, TellsTheseMistakesInWordsThatMendThem) {
         {"swapped-tangents", "The axes are exchanged", "the tangents themselves are exchanged"},
         {"column-beyond-the-last", "outside the map", "(-1 % width() stays -1)"},
         {"crash-beside-inverted-u", "another mistake shows: Along u the bumps are inverted",
-         "Then: One sign is wrong"}};
+         "Then: One sign is wrong"},
+        {"second-difference", "even slopes tilt nothing", "right + left - 2 times this texel"},
+        {"slope-as-angle-doubled", "leans 90 degrees or more", "doubles the angle"},
+        {"smaller-step-wins", "leave hardly any slope", "std::min the fall"},
+        {"larger-step-wins", "leave hardly any slope", "std::max of the differences"},
+        {"upside-down", "stands on its head", "look for 1 - v. Then the sign of the term with Bv"},
+        {"tangent-space-normal", "without any slope", "belongs to a flat picture"},
+        {"cross-products-left-out", "The axes are exchanged", "signs too, n - Bu Pu - Bv Pv"},
+        {"points-inwards", "points into the sphere", "all terms of the sum have the wrong sign"},
+        {"half-the-columns-negative", "outside the map", "u is negative there"},
+        {"columns-turned-but-not-tangent", "Along u the bumps", "Is there a 1 - u"},
+        {"unit-gradient", "not a number", "nothing but the whole sum"},
+        {"signed-bytes", "", "int8_t"},
+        {"dark-half-inverted", "", "no abs"},
+        {"u-inverted-behind", "", "no abs in them"},
+        {"longer-side-for-both", "", "the larger of both"}};
     for (const Told& told : wanted) {
         SCOPED_TRACE(told.id);
         const auto mistake = std::ranges::find(compiledCatalogue(), told.id, &CompiledMistake::id);
@@ -76,6 +91,18 @@ TEST(BumpCatalogue, TellsTheseMistakesInWordsThatMendThem) {
         const Finding& finding = judgement.findings.front();
         EXPECT_NE(finding.message.find(told.message), std::string::npos) << finding.message;
         EXPECT_NE(finding.hint.find(told.hint), std::string::npos) << finding.hint;
+    }
+}
+
+TEST(BumpCatalogue, SaysUnderEverySeedThatPartOfTheCentreIsMissing) {
+    const auto mistake =
+        std::ranges::find(compiledCatalogue(), "centre-x-left-out", &CompiledMistake::id);
+    ASSERT_NE(mistake, compiledCatalogue().end());
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        const TaskJudgement judgement = judgeCompiled(*mistake, seed);
+        ASSERT_FALSE(judgement.findings.empty());
+        const std::string& hint = judgement.findings.front().hint;
+        EXPECT_NE(hint.find("position - centre()"), std::string::npos) << seed << ": " << hint;
     }
 }
 

@@ -134,15 +134,16 @@ TEST(FindWrong, NamesTheMapThatDisagrees) {
         e.ladder.ramps.kind = RampKind::longitudeDependent;
         e.slopes.reset();
     }));
-    EXPECT_EQ(reasonAfter([](Examination& e) {
-                  e.fineness = Fineness{-0.01, 1.0};
-              }),
-              WrongReason::coordinatesRounded);
-    EXPECT_EQ(reasonAfter([](Examination& e) {
-                  e.fineness = Fineness{1.0, -0.01};
-              }),
-              WrongReason::coordinatesRounded);
-    EXPECT_FALSE(reasonAfter([](Examination& e) { e.fineness = Fineness{0.01, 0.01}; }));
+    const auto withFineness = [](const Fineness& fineness, double balance = 0.0) {
+        return reasonAfter([=](Examination& e) {
+            e.fineness = fineness;
+            e.balance = StepBalance{balance, balance};
+        });
+    };
+    EXPECT_EQ(withFineness({-0.01, 1.0}), WrongReason::coordinatesRounded);
+    EXPECT_EQ(withFineness({1.0, -0.01}), WrongReason::coordinatesRounded);
+    EXPECT_FALSE(withFineness({0.01, 0.01}));
+    EXPECT_EQ(withFineness({-0.01, 1.0}, -0.9), WrongReason::stepsLost);
     EXPECT_EQ(reasonAfter([](Examination& e) { e.letters.reset(); }), WrongReason::lettersDiffer);
     EXPECT_EQ(reasonAfter([](Examination& e) {
                   e.letters->l.alongV = {8, 1, 0};
@@ -151,17 +152,16 @@ TEST(FindWrong, NamesTheMapThatDisagrees) {
     EXPECT_FALSE(reasonAfter([](Examination& e) { e.letters->l.alongV = {9, 1, 0}; }));
 }
 
-std::vector<std::string> idsAfter(const std::function<void(Examination&)>& change,
-                                  const std::optional<Hints>& hints = {}) {
+using Ids = std::vector<std::string>;
+Ids idsAfter(const std::function<void(Examination&)>& change,
+             const std::optional<Hints>& hints = {}) {
     Examination examination = fine();
     change(examination);
-    std::vector<std::string> ids;
+    Ids ids;
     for (const Fault fault : diagnose(examination, hints).faults)
         ids.emplace_back(textOf(fault).id);
     return ids;
 }
-
-using Ids = std::vector<std::string>;
 
 TEST(Diagnose, ListsWhatIsVisible) {
     EXPECT_EQ(idsAfter([](Examination& e) { e.conduct.largestTilt = 0.9e-3; }), Ids{"bump.flat"});

@@ -1,5 +1,7 @@
 #include <grader/tasks/bump/words/DirectionWords.h>
+#include <grader/tasks/bump/words/GrowthWords.h>
 #include <grader/tasks/bump/words/ParametrisationWords.h>
+#include <grader/tasks/bump/words/WrongWords.h>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +36,7 @@ TEST(DirectionWords, SayInWhichRowsASignIsWrong) {
     EXPECT_TRUE(says(response, "inverted from 25 % to 62 %"));
     EXPECT_NE(directionWords(response).hint.find("A sign changes"), std::string::npos);
     EXPECT_NE(directionWords(response).hint.find("a.z * b.x - a.x * b.z"), std::string::npos);
+    EXPECT_NE(directionWords(response).hint.find("An angle in degrees"), std::string::npos);
     response.v.bandDirection[6] = 31.0;
     EXPECT_FALSE(says(response, "inverted from")) << "neither right nor inverted";
     response.v.bandDirection[6] = 149.0;
@@ -69,6 +72,55 @@ TEST(DirectionWords, SayThatOneDifferenceContainsTheOtherOne) {
     response.u.bandDirection.fill(45.0);
     response.v.bandDirection.fill(45.0);
     EXPECT_FALSE(says(response, "contains")) << "both are turned";
+}
+
+/// The hints of code that is right on these spheres alone.
+Hints rightOn(bool square, bool unitSphere, bool aside) {
+    const auto kindOf = [](bool isRight) {
+        return isRight ? RampKind::right : RampKind::strangeDirection;
+    };
+    Hints hints;
+    hints.square.kind = kindOf(square);
+    hints.unitSphere.kind = kindOf(unitSphere);
+    hints.asideSphere.kind = kindOf(aside);
+    return hints;
+}
+
+TEST(DirectionWords, SayThatTheCentreIsMissingWhereASphereAtTheOriginIsRight) {
+    const auto hintWith = [](const Hints& hints) { return directionWords({}, hints).hint; };
+    EXPECT_EQ(hintWith(rightOn(false, true, false)).rfind("On a sphere of radius 1", 0), 0U);
+    const std::string plain = directionWords({}).hint;
+    EXPECT_EQ(hintWith(rightOn(false, false, false)), plain);
+    EXPECT_EQ(hintWith(rightOn(true, true, false)), plain);
+    EXPECT_EQ(hintWith(rightOn(false, true, true)), plain);
+}
+
+TEST(LandingWords, AskTheSphereAsideBeforeTheSize) {
+    Examination examination;
+    examination.ladder.ramps.kind = RampKind::strangeParametrisation;
+    const auto says = [&](const Hints& hints, const char* part) {
+        return landingWords(examination, hints).message.find(part) != std::string::npos;
+    };
+    EXPECT_TRUE(says(rightOn(true, true, false), "far to the side and below"));
+    EXPECT_TRUE(says(rightOn(true, true, true), "On square maps"));
+    for (const WrongReason reason : {WrongReason::patchy, WrongReason::strangeDirection}) {
+        examination.ladder.ramps.response = Response{};
+        const std::string message =
+            wrongWords(reason, examination, rightOn(true, true, false)).message;
+        EXPECT_NE(message.find("far to the side and below"), std::string::npos) << message;
+    }
+}
+
+TEST(GrowthWords, SayThatAReversedTiltIsPastTheHorizon) {
+    Examination examination;
+    examination.ladder.growsWithSlope = true;
+    examination.proportion.growth = -8.6;
+    const auto message = [&] { return growthWords(examination).message; };
+    EXPECT_NE(message().find("only -8.6 times"), std::string::npos) << message();
+    examination.proportion.pastHorizon = 0.6;
+    EXPECT_NE(message().find("leans 90 degrees or more, at 60 %"), std::string::npos) << message();
+    examination.proportion.growth = 8.6;
+    EXPECT_NE(message().find("only 8.6 times"), std::string::npos) << message();
 }
 
 TEST(LandingWords, NameWhatTakesTheSignOffADifference) {

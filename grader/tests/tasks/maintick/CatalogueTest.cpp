@@ -46,6 +46,14 @@ TEST(MainTickCatalogue, FindsVariablesThatThreadsShare) {
         expectJudgedAsTheySay(entries, seed);
 }
 
+TEST(MainTickCatalogue, NamesTheseMistakesAlikeWhateverTheSeed) {
+    const auto entries =
+        entriesOf("mistakes", {"M1/root-not-taken", "M2/intensity-alone", "M3.1/static-point",
+                               "M3.2/bias-whole-normal", "M3.2/from-viewer", "M4/two-lower"});
+    for (const std::uint64_t seed : {1U, 2U})
+        expectJudgedAsTheySay(entries, seed);
+}
+
 TEST(MainTickCatalogue, AnEntryMayNameWhatItDoesToAnotherTask) {
     expectJudgedAsTheySay(entriesOf("mistakes", {"M2/ambient-only", "M3.2/inverted"}), 1);
 }
@@ -98,7 +106,8 @@ TEST(MainTickCatalogue, NeverFailsRightShadowsThatNeedNoBias) {
 
 TEST(MainTickCatalogue, NeverPassesHitsALittleBehindTheRay) {
     expectUnderSeeds(60,
-                     entriesOf("mistakes", {"M1/inside-negative-hit", "M1/inside-negative-limit"}),
+                     entriesOf("mistakes", {"M1/behind-far-limit", "M1/inside-negative-hit",
+                                            "M1/inside-negative-limit"}),
                      TaskState::failed);
 }
 

@@ -121,6 +121,22 @@ TEST(JudgeHits, AsksInsideNearTheSurfaceUnderEverySeed) {
         }
 }
 
+// The far root of a ray that starts just past a sphere is a little below 0.
+TEST(JudgeHits, AsksJustPastTheFarSideUnderEverySeed) {
+    const Change behindCounts = [](probe::Hit& hit, const Asked& asked, const probe::CastRay& ray) {
+        const auto& sphere = asked.scene.spheres[static_cast<std::size_t>(ray.object)];
+        const Vector3 fromCentre = ray.origin - sphere.centre;
+        const auto back = meet(sphere, {ray.origin, -ray.direction});
+        if (fromCentre.magnitude() < sphere.radius || !back || back->distance > 0.05) return;
+        hit.isHit = true;
+        hit.distance = -back->distance;
+    };
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        AltersHits examinee{behindCounts};
+        expectOne(judgeSpheres(examinee, seed).findings, "sphere.behind", "limit below 0");
+    }
+}
+
 TEST(JudgeHits, NotesOtherLocationsOfLongDirectionsWithoutFailing) {
     const Change moved = [](probe::Hit& hit, const Asked&, const probe::CastRay& ray) {
         if (isLong(ray)) hit.location = hit.location + Vector3{0.1, 0.0, 0.0};

@@ -70,6 +70,7 @@ TEST(PhongModel, GivesEveryMistakeItsValueOfOneLight) {
                                {ambientTimesKd, A * 0.5, D, S},
                                {ambientColourless, 0.25, D, S},
                                {ambientPerLight, A, D, S},
+                               {ambientAgainPerLight, 2.0 * A, D, S},
                                {diffuseMissing, A, 0.0, S},
                                {diffuseColourless, A, D / 0.4, S},
                                {diffuseWithoutI, A, D / 2.0, S},
@@ -148,6 +149,7 @@ TEST(PhongModel, GivesEveryWrongFalloffItsShare) {
     const double both = kDiffusePart + kSpecularPart;
     // I = 2 is 16 / 4 / 2: divided by the square of the distance 2.
     expectWorked(litByHand(), {{falloffMissing, kAmbientPart, both * 4.0, 0.0},
+                               {intensityAlone, kAmbientPart, both * 16.0 * std::numbers::pi, 0.0},
                                {falloffLinear, kAmbientPart, both * 2.0, 0.0},
                                {falloffSquaredAgain, kAmbientPart, both / 4.0, 0.0},
                                {falloffFromViewer, kAmbientPart, both * 4.0 / 21.96, 0.0},
@@ -166,6 +168,7 @@ TEST(PhongModel, GivesEveryMistakeItsSumOfTwoLights) {
         expectWorked(withLightAbove(distance),
                      {{none, A, D, S},
                       {ambientPerLight, 2.0 * A, D, S},
+                      {ambientAgainPerLight, 3.0 * A, D, S},
                       {firstLightOnly, A, kDiffusePart, kSpecularPart},
                       {lastLightOnly, A, kDiffuseAbove, kSpecularAbove},
                       {lastHighlightOnly, A, D, kSpecularAbove},

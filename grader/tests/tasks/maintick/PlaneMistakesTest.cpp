@@ -12,7 +12,7 @@ namespace {
 constexpr Distance kPasses = std::nullopt;
 
 /// The plane asked about is z = 5 with a normal towards the origin; the first one of the scene has
-/// another point and normal.
+/// another point, and a normal the other way.
 Distance askedOfPlane(const HitMistake& mistake, const Ray& ray) {
     raytracer::SceneDescription scene;
     scene.planes.push_back({{0.0, 0.0, 8.0}, {0.0, 0.0, 3.0}, {}});
@@ -49,7 +49,8 @@ TEST(PlaneMistakes, AnswerWhatTheirCodeWould) {
         {5.0, kPasses, -4.0},       // from the front, behind as well
         {kPasses, 5.0, 4.0},        // |D.N|
         {4.0, 4.0, kPasses},        // the height above the plane
-        {kPasses, 21.25, kPasses},  // the first plane's point
+        {kPasses, 21.25, kPasses},  // the first plane's point and normal,
+        {8.75, 1.25, kPasses},      // or its point alone
         {5.0, 5.0, kPasses},        // nothing behind the camera
         {5.0, 5.0, kPasses},        // a limit of what is far,
         {5.0, 5.0, kPasses},        // of the slope,

@@ -1,128 +1,13 @@
-#include <grader/tasks/maintick/JudgeMainTick.h>
-#include <grader/tasks/maintick/ShadeCases.h>
+#include <grader/tests/tasks/maintick/ShadesByTable.h>
 
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
-#include <variant>
-#include <vector>
 
 namespace ticker::tasks {
 namespace {
-
-using maintick::LitSetup;
-using maintick::Occluder;
-using maintick::phong;
-using maintick::ShadeCase;
-
-enum class Look { right, lit, dark, black, specular, diffuse, ambientAgain, ambientOfAll };
-using Looks = std::map<Occluder, Look>;
-constexpr std::size_t kQuestionsEach = 7;
-
-struct Habits {
-    probe::Event
-        event{};  ///< of each place; `a` from the point, `b` is added to the way to the light
-    double towardsLight = 1.0;  ///< times that way, of length 1
-    bool leaks = false;         ///< lit, if hidden, where the point is below its surface
-};
-
-/// Lights points as the handout does, and answers about places with other things around them by a
-/// table; what the table leaves out is right.
-class ShadesByTable final : public probe::Examinee {
-public:
-    ShadesByTable(std::uint64_t seed, Looks looks, const Habits& habits)
-        : cases_(maintick::drawShadeCases(seed)), looks_(std::move(looks)), habits_(habits) {}
-
-    [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
-        probe::Run run;
-        if (!std::holds_alternative<probe::IlluminateQuestion>(questions.front())) return run;
-        for (std::size_t i = 0; i < questions.size(); ++i) {
-            const auto& asked = std::get<probe::IlluminateQuestion>(questions[i]);
-            probe::IlluminateAnswer answer;
-            answer.state = probe::AnswerState::answered;
-            const ShadeCase& shade = cases_.at(i / kQuestionsEach);
-            const bool isAsked = i % kQuestionsEach == 0;
-            if (isAsked) answer.events = {castFrom(shade.asked)};
-            answer.colours = {isAsked ? shown(shade) : litBy(asked)};
-            run.answers.emplace_back(answer);
-        }
-        return run;
-    }
-
-private:
-    static ColourRGB litBy(const probe::IlluminateQuestion& asked) {
-        const probe::LitPoint& point = asked.points[0];
-        return phong({asked.scene, point.position, point.normal, point.viewer});
-    }
-    [[nodiscard]] probe::Event castFrom(const LitSetup& setup) const {
-        probe::Event event = habits_.event;
-        event.a = setup.P + event.a;
-        const Vector3 L = (setup.scene.pointLights.at(0).position() - setup.P).normalised();
-        event.b = event.b + L * habits_.towardsLight;
-        return event;
-    }
-    [[nodiscard]] ColourRGB shown(const ShadeCase& shade) const {
-        const auto row = looks_.find(shade.place);
-        const Look look = row == looks_.end() ? Look::right : row->second;
-        LitSetup setup = shade.free;
-        raytracer::Material& material = setup.scene.spheres[0].material;
-        if (habits_.leaks && shade.isSunk && shade.isShaded()) return phong(setup);
-        if (look == Look::black) return ColourRGB{0.0};
-        if (look == Look::specular) material.phongKD = 0.0;
-        if (look == Look::diffuse) material.phongKS = 0.0;
-        const ColourRGB ambient = material.colour * setup.scene.ambientLighting;
-        if (look == Look::ambientAgain) return phong(shade.without) + ambient;
-        if (look == Look::ambientOfAll)
-            return phong(shade.without) +
-                   ambient * static_cast<double>(setup.scene.pointLights.size());
-        const bool isDark = look == Look::dark || (look == Look::right && shade.isShaded());
-        return phong(isDark ? shade.without : setup);
-    }
-
-    std::vector<ShadeCase> cases_;
-    Looks looks_;
-    Habits habits_;
-};
-
-constexpr std::uint64_t kSeed = 4;
-
-TaskJudgement judgeLooks(const Looks& looks, const Habits& habits = {}) {
-    ShadesByTable examinee{kSeed, looks, habits};
-    return judgeHardShadows(examinee, kSeed);
-}
-
-Looks hidden(Look look) {
-    Looks looks;
-    for (const ShadeCase& shade : maintick::drawShadeCases(kSeed))
-        if (shade.isShaded()) looks[shade.place] = look;
-    return looks;
-}
-
-Looks with(Looks looks, const Looks& others) {
-    for (const auto& [place, look] : others)
-        looks[place] = look;
-    return looks;
-}
-
-struct Named {
-    Looks looks;
-    const char* id;
-    const char* hint = "";  ///< words of it
-    Habits habits{};
-};
-
-void expectNamed(const std::vector<Named>& rows) {
-    for (const Named& row : rows) {
-        const TaskJudgement judgement = judgeLooks(row.looks, row.habits);
-        ASSERT_EQ(judgement.findings.size(), 1U) << row.id;
-        EXPECT_EQ(judgement.findings[0].id, row.id) << row.hint << judgement.findings[0].message;
-        EXPECT_NE(judgement.findings[0].hint.find(row.hint), std::string::npos)
-            << judgement.findings[0].hint;
-    }
-}
 
 TEST(ShadeNames, SayNothingOfRightShadows) {
     const TaskJudgement judgement = judgeLooks({});
@@ -199,6 +84,38 @@ TEST(ShadeNames, SayWhereRaysLeadThatMissTheLight) {
     expectNamed({{looks, "shade.wrong", "leaves away from the light", away},
                  {looks, "shade.wrong", "in another direction", aside},
                  {looks, "shade.wrong", "in another direction", nowhere}});
+}
+
+TEST(ShadeNames, SayThatRaysStartFarFromThePoint) {
+    using enum Look;
+    const auto startingAt = [](const Vector3& away, double alongNormal) {
+        Habits habits;
+        habits.event.a = away;
+        habits.alongNormal = alongNormal;
+        return habits;
+    };
+    const Looks looks{{Occluder::before, lit}, {Occluder::itself, dark}};
+    const Looks anyLooks{{Occluder::wall, lit}};
+    const char* const farAlong = "The ray starts far from P";
+    const char* const elsewhere = "what the call hands to isShadowed, (scene, light, P, N)";
+    expectNamed({{looks, "shade.bias", farAlong, startingAt({}, 1.0)},
+                 {looks, "shade.bias", farAlong, startingAt({}, -0.4)},
+                 {anyLooks, "shade.bias", farAlong, startingAt({}, 1.0)},
+                 {looks, "shade.wrong", elsewhere, startingAt({20.0, -30.0, 7.0}, 0.0)},
+                 {anyLooks, "shade.wrong", elsewhere, startingAt({20.0, -30.0, 7.0}, 0.0)},
+                 {anyLooks, "shade.wrong", "Planes cast shadows", startingAt({}, 0.29)}});
+    Habits unseen = startingAt({}, 1.0);
+    unseen.event.kind = probe::Event::Kind::traceBegan;
+    expectNamed({{anyLooks, "shade.wrong", "Planes cast shadows", unseen}});
+}
+
+TEST(ShadeNames, SayThatARayFromTheLightMeetsTheSurfaceOfThePoint) {
+    Habits fromLight;
+    fromLight.isFromLight = true;
+    const Looks acne{{Occluder::itself, Look::dark}};
+    expectNamed({{acne, "shade.acne", "Cast it the other way", fromLight},
+                 {acne, "shade.acne", "Start the ray a little above the surface"},
+                 {{{Occluder::wall, Look::lit}}, "shade.wrong", "Planes cast", fromLight}});
 }
 
 TEST(ShadeNames, SayThatTheOwnSurfaceHidesWhatStandsBehindIt) {

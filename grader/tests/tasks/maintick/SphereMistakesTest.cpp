@@ -47,7 +47,9 @@ TEST(SphereMistakes, AnswerWhatTheirCodeWould) {
         {3.0, 1.0, kMiss, kMiss},                            // its size
         {3.0, -1.0, kMiss, kMiss},                           // the near one if the far one is ahead
         {3.0, 3.0, kMiss, kMiss},                            // the near one a little behind, lost,
-        {3.0, 3.0, kMiss, kMiss},                            // or taken
+        {3.0, 3.0, kMiss, kMiss},                            // taken with the far one,
+        {3.0, 3.0, kMiss, kMiss},                            // or alone
+        {3.0, 3.0, kMiss, kMiss},                            // the far one a little behind
         {3.0, -1.0, -6.0, kMiss},                            // the near one always
         {3.0, 1.0, 2.0, kMiss},                              // the smaller one's size always
         {3.0, 1.0, 6.0, kMiss},                              // the near one's size
@@ -65,7 +67,10 @@ TEST(SphereMistakes, AnswerWhatTheirCodeWould) {
         {(10.0 - root(79.0)) / 2.0, (2.0 + root(7.0)) / 2.0,  // b * b - c
          kMiss, (10.0 - root(70.0)) / 2.0},
         {6.0, 6.0, kMiss, kMiss},  // not divided by 2
-        {5.0, 1.0, kMiss, kMiss},  // no root at all
+        {5.0, 1.0, kMiss, kMiss},  // no root at all,
+        {5.0, 1.0, kMiss, kMiss},  // or none for the near side
+        {13.0, 9.0, 4.0, kMiss},   // the discriminant itself, 16
+        {9.0, 9.0, kMiss, kMiss},  // squared
         {3.0, 7.0, kMiss, kMiss},  // of the location, from the world's origin
         {4.0, 2.0, kMiss, kMiss},  // the first radius
         {3.0, 3.0, kMiss, kMiss},  // nothing nearer than 1
@@ -93,6 +98,29 @@ TEST(SphereMistakes, TakeTheNearRootALittleBehindTheRay) {
     expectSame(asked(kLost + 1, 3.06), 3.94, kLost + 1, 1);
     expectSame(asked(kLost + 1, 7.04), -0.04, kLost + 1, 2);
     expectSame(asked(kLost + 1, 7.06), kMiss, kLost + 1, 3);
+    expectSame(asked(kLost + 2, 3.04), -0.04, kLost + 2, 0);
+    expectSame(asked(kLost + 2, 7.04), kMiss, kLost + 2, 1);
+}
+
+TEST(SphereMistakes, TakeTheFarRootALittleBehindTheRay) {
+    const auto mistakes = sphereMistakes();
+    constexpr std::size_t kFarBehind = 8;
+    const auto asked = [&](double z) {
+        return mistakes[kFarBehind].distance(twoBalls(), 1, {{0.0, 0.0, z}, kForwards});
+    };
+    expectSame(asked(3.04), 3.96, kFarBehind, 0);
+    expectSame(asked(7.04), -0.04, kFarBehind, 1);
+    expectSame(asked(7.06), kMiss, kFarBehind, 2);
+}
+
+TEST(SphereMistakes, TakeTheFarSideWhereThePointNearestToTheCentreIsBehind) {
+    const auto mistakes = sphereMistakes();
+    constexpr std::size_t kNearestPoint = 24;
+    const auto asked = [&](std::size_t mistake, double z) {
+        return mistakes[mistake].distance(twoBalls(), 1, {{0.0, 0.0, z}, kForwards});
+    };
+    expectSame(asked(kNearestPoint, 6.0), kMiss, kNearestPoint, 0);
+    expectSame(asked(kNearestPoint + 1, 6.0), 1.0, kNearestPoint + 1, 1);
 }
 
 TEST(SphereMistakes, LeaveOutWhatTheirLimitsLeaveOut) {

@@ -25,6 +25,7 @@ enum class Way : std::size_t {
     oneLess,
     oneMore,
     once,
+    twoSpent,
     plusWhole,
     sharesExchanged,
     wholeDirect,
@@ -83,6 +84,10 @@ TEST(TraceModel, GivesEveryMistakeOfBouncesItsDepth) {
     facing.expect(oneMore, 0, one);
     facing.expect(oneMore, 1, two);
     facing.expect(once, 2, one);
+    facing.expect(once, 3, one);
+    facing.expect(twoSpent, 1, one);
+    facing.expect(twoSpent, 2, one);
+    facing.expect(twoSpent, 3, two);
     facing.expect(baseReduced, 0, kRed * 0.7);
     facing.expect(baseReduced, 1, kRed * 0.7 + kGreen * (0.9 * 0.3));
     facing.expect(startAtOrigin, 1, one);
