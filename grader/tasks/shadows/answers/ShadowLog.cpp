@@ -22,8 +22,8 @@ AimLine readLine(const Surfaces& surfaces, const Vector3& centre, const Vector3&
     line.miss = line.foot.magnitude();
     const NearestHits hits = surfaces.hitsAlong(origin, direction);
     line.endlessly = hits.sightUpTo(std::numeric_limits<double>::infinity());
-    // No question has objects in or near a light, so that the distance to the centre and the
-    // distance to the sample give the same result.
+    // No question has an object that reaches into a light's ball, so that the distance to the
+    // centre and the distance to the sample give the same result.
     line.toLight = hits.sightUpTo((centre - origin).magnitude());
     return line;
 }
