@@ -36,13 +36,14 @@ struct ExpectedPicture {
 /// How exact an expected picture is.
 enum class Exactness {
     judging,  ///< the error of its mean adds a 25th to the variance of the mean of all renders
-    rough     ///< it adds up to two fifths, for an eighth of the time: to rule readings out
+    rough     ///< an eighth of the least number of paths, for each pixel: to rule readings out
 };
 [[nodiscard]] ExpectedPicture expectedPicture(const probe::RenderQuestion& asked,
                                               const oracle::Reading& reading, std::uint64_t seed,
                                               Exactness exactness = Exactness::judging);
-/// The mean under a mistake, as a template. Its noise costs power, but no validity. Templates have
-/// a tenth of the exactness of expected pictures.
+/// The mean under a mistake, as a template. Its noise costs power, but no validity. It has an
+/// eighth of the paths that an expected picture of the same exactness has at least, as many for
+/// each pixel.
 [[nodiscard]] Plane mistakenPicture(const probe::RenderQuestion& asked,
                                     const oracle::Reading& reading, const oracle::Mistake& mistake,
                                     std::uint64_t seed, Exactness exactness = Exactness::judging);
