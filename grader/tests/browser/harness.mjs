@@ -23,6 +23,7 @@ export async function launchBrowser(settings = {}) {
     chromiumSandbox: process.getuid() !== 0, // Chromium refuses its sandbox to root
     args: switches,
     viewport: { width: 1280, height: 900 },
+    timeout: 120_000, // the first start on a machine reads some 350 MB from its disk
     ...settings,
   });
   context.setDefaultTimeout(60_000);
