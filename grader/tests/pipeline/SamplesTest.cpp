@@ -1,6 +1,6 @@
-#include <grader/corpus/Entry.h>
 #include <grader/intake/Intake.h>
 #include <grader/result/Names.h>
+#include <grader/tests/pipeline/ShareOfCorpus.h>
 #include <grader/tests/pipeline/TestGrader.h>
 
 #include <gtest/gtest.h>
@@ -50,8 +50,7 @@ TEST_P(Sample, GetsTheVerdictOfItsFolderForTheReasonsThatItNames) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(EverySample, Sample,
-                         testing::ValuesIn(corpus::readEntries(TICKER_SOURCE_DIR, {"samples"})),
+INSTANTIATE_TEST_SUITE_P(EverySample, Sample, testing::ValuesIn(tests::shareOf("samples")),
                          sampleName);
 
 }  // namespace

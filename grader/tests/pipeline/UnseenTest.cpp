@@ -1,12 +1,13 @@
-#include <grader/corpus/Entry.h>
 #include <grader/intake/Intake.h>
 #include <grader/result/Names.h>
+#include <grader/tests/pipeline/ShareOfCorpus.h>
 #include <grader/tests/pipeline/TestGrader.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
 // Right and wrong solutions that were written without knowledge of the checks.
 namespace ticker::pipeline {
@@ -38,8 +39,7 @@ TEST_P(Unseen, GetsItsStateAndOneOfItsFindings) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(EverySolution, Unseen,
-                         ::testing::ValuesIn(corpus::readEntries(TICKER_SOURCE_DIR, {"unseen"})),
+INSTANTIATE_TEST_SUITE_P(EverySolution, Unseen, ::testing::ValuesIn(tests::shareOf("unseen")),
                          unseenName);
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <grader/corpus/Entry.h>
 #include <grader/lab/selftest/MistakeTables.h>
 #include <grader/tasks/Tasks.h>
+#include <grader/tests/support/SlowRun.h>
 
 #include <gtest/gtest.h>
 
@@ -62,12 +63,13 @@ TEST(MainTickCatalogue, AnEntryMayBeWholeFilesOfWhichTheTasksOwnIsJudged) {
     expectJudgedAsTheySay(entriesOf("unseen", {"M4/highlights-from-first-viewer"}), 1);
 }
 
-/// Judges each entry's own task under the first seeds.
+/// Judges each entry's own task under the first seeds; a quarter of them if this is no slow run.
 void expectUnderSeeds(std::uint64_t seeds, const std::vector<corpus::Entry>& entries,
                       TaskState state) {
     const build::Kit kit = build::Kit::besideProgram(mainTick());
     const sandbox::Sandbox sandbox = sandbox::Sandbox::best();
     const sandbox::Limits limits;
+    const std::uint64_t end = tests::isSlowRun() ? seeds : seeds / 4;
     for (const corpus::Entry& entry : entries) {
         const std::string file{mainTick().fileOf(entry.task())};
         const build::BuildResult built =
@@ -76,7 +78,7 @@ void expectUnderSeeds(std::uint64_t seeds, const std::vector<corpus::Entry>& ent
         build::SandboxedExaminee examinee{*built.program, sandbox, limits};
         for (const auto& task : tasks::tasksOf(mainTick().name)) {
             if (task.id != entry.task()) continue;
-            for (std::uint64_t seed = 0; seed < seeds; ++seed)
+            for (std::uint64_t seed = 0; seed < end; ++seed)
                 EXPECT_EQ(task.judge(examinee, seed).state, state)
                     << entry.name << ", seed " << seed;
         }
