@@ -35,14 +35,15 @@ std::size_t differing(const std::vector<std::string_view>& a,
 }
 
 // Of kinds that put something in beside what was there.
-constexpr std::size_t kLastRank = 3;
+constexpr std::size_t kLastRank = 4;
 
-/// The more a kind of edit puts in beside what was there, the later it comes among equals.
+/// What takes something away comes first among equals; the more a kind puts in beside what was
+/// there, the later it comes among equals.
 std::size_t rankOf(const Atom& atom) {
     static const std::map<std::string, std::size_t> kRanks{
-        {"operator", 0},  {"function", 0}, {"member", 0},   {"drop", 0},
-        {"unwrap", 0},    {"number", 1},   {"exchange", 1}, {"sign", 1},
-        {"normalise", 1}, {"name", 2},     {"jump", 2}};
+        {"operator", 1}, {"function", 1},  {"member", 1}, {"drop", 0},
+        {"left-out", 0}, {"unwrap", 1},    {"number", 2}, {"exchange", 2},
+        {"sign", 2},     {"normalise", 2}, {"name", 3},   {"jump", 3}};
     const auto found = kRanks.find(atom.kind);
     return found == kRanks.end() ? kLastRank : found->second;
 }
@@ -59,9 +60,12 @@ bool putsIn(std::string_view source, const Atom& atom) {
 }
 
 /// Whether an edit says one thing in many words. A file has few of these.
-bool isOneThought(const Atom& atom, bool isAtSeveralPlaces) {
-    return atom.kind == "draw" || atom.kind == "jump" || atom.kind == "limit" ||
-           (isAtSeveralPlaces && atom.kind == "left-out");
+bool isOneThought(std::string_view source, const Atom& atom, bool isAtSeveralPlaces) {
+    // A condition with all that depends on it.
+    if (atom.kind == "left-out" && source.substr(atom.edits.front().begin).starts_with("if"))
+        return true;
+    return atom.kind == "drop" || atom.kind == "draw" || atom.kind == "jump" ||
+           atom.kind == "limit" || (isAtSeveralPlaces && atom.kind == "left-out");
 }
 
 /// Bytes of the text that an edit puts something beside: where the same words are put in, the
@@ -88,12 +92,12 @@ std::size_t tokensChanged(std::string_view source, const Candidates& candidates,
 
 std::vector<EditSet> simplestFirst(std::string_view source, const Candidates& candidates,
                                    std::vector<EditSet> sets, bool isOne) {
-    constexpr std::size_t kRanks = 8;
+    constexpr std::size_t kRanks = 10;
     std::vector<std::size_t> costOf;
     for (std::size_t i = 0; i < candidates.atoms.size(); ++i) {
         const Atom& atom = candidates.atoms[i];
         const std::size_t tokens =
-            isOneThought(atom, isOne)
+            isOneThought(source, atom, isOne)
                 ? 1
                 : tokensChanged(source, candidates, {static_cast<std::uint16_t>(i)});
         costOf.push_back(kRanks * tokens + 2 * rankOf(atom) + (putsIn(source, atom) ? 1 : 0));

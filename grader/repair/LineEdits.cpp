@@ -49,8 +49,10 @@ std::vector<RepairEdit> lineEdits(std::string_view source, const std::vector<Tex
             end = std::max(end, endOfLine(source, sorted[i].end));
         }
         const std::string_view from = source.substr(begin, end - begin);
-        if (const auto to = withEdits(from, together))
+        if (auto to = withEdits(from, together)) {
+            if (to->find_first_not_of(" \t\r\n") == std::string::npos) to->clear();
             lines.push_back({lineOf(source, begin), std::string{from}, *to});
+        }
     }
     return lines;
 }

@@ -38,7 +38,7 @@ std::string change(const Repair& repair) {
         html += fmt::format("<p>{}, line {}</p><pre class=\"source diff\"><code>{}{}</code></pre>",
                             escapeHtml(repair.file), edit.line,
                             linesAs("del", '-', edit.line, edit.from),
-                            linesAs("ins", '+', edit.line, edit.to));
+                            edit.to.empty() ? "" : linesAs("ins", '+', edit.line, edit.to));
     const std::string passes = repair.edits.size() > 1
                                    ? "Proven: together they pass all questions under three seeds."
                                    : "Proven: passes all questions under three seeds.";

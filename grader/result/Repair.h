@@ -10,7 +10,7 @@ namespace ticker {
 struct RepairEdit {
     int line = 0;      ///< the first of the old lines; 1 for the file's first
     std::string from;  ///< untrusted: the student's text
-    std::string to;
+    std::string to;    ///< empty: the lines are left out
 };
 
 /// An edit of a submission that was proven to mend a failed task.

@@ -55,6 +55,13 @@ std::string besides(const ProvenLine& one, const std::vector<ProvenLine>& all) {
     return others.empty() ? "" : " this" + others;
 }
 
+std::string wordsOf(const ProvenLine& proven, const std::vector<ProvenLine>& all) {
+    const std::string beside = besides(proven, all);
+    if (proven.to.empty())
+        return proven.task + " passes without" + (beside.empty() ? " this line" : beside);
+    return fmt::format("{} passes with{}: {}", proven.task, beside, proven.to);
+}
+
 }  // namespace
 
 std::vector<MarkedLine> markedLines(const SubmissionResult& result) {
@@ -65,9 +72,7 @@ std::vector<MarkedLine> markedLines(const SubmissionResult& result) {
                               fmt::format("{}: {}", remark.kind, remark.message)});
     const std::vector<ProvenLine> all = provenLines(result);
     for (const ProvenLine& proven : all)
-        marked.push_back(
-            {proven.file, proven.line, "proven",
-             fmt::format("{} passes with{}: {}", proven.task, besides(proven, all), proven.to)});
+        marked.push_back({proven.file, proven.line, "proven", wordsOf(proven, all)});
     return marked;
 }
 

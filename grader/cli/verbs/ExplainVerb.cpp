@@ -40,7 +40,7 @@ void print(const Repair& repair) {
     for (const RepairEdit& edit : repair.edits) {
         fmt::print("  {}, line {}\n", repair.file, edit.line);
         printLines('-', edit.from);
-        printLines('+', edit.to);
+        if (!edit.to.empty()) printLines('+', edit.to);
     }
     if (repair.next.empty())
         fmt::print("  proven: passes all questions under three seeds\n");

@@ -53,6 +53,30 @@ int assignedAt(const Tree& tree, int node) {
     return site;
 }
 
+const std::set<std::string> kComparing{"=", "==", "!=", "<", "<=", ">", ">="};
+
+/// A part's text after edits within it.
+std::string editedText(const Edits& edits, int part, const Atom& atom) {
+    const Range& range = edits.tree().at(part).range;
+    std::vector<Replacement> within;
+    for (const Replacement& edit : atom.edits)
+        if (range.holds(edit.range)) within.push_back(edit);
+    return applied(edits.text(part), range.begin, std::move(within));
+}
+
+/// Whether an edit leaves `x = x` or `x < x`, which says less than what stood there.
+bool saysNothing(const Edits& edits, const Atom& atom) {
+    const Tree& tree = edits.tree();
+    for (int at = atom.site; at >= 0 && tree.at(at).isExpression; at = tree.at(at).parent) {
+        const Node& node = tree.at(at);
+        if (node.kind == NodeKind::binary && kComparing.contains(node.name) &&
+            editedText(edits, node.children.front(), atom) ==
+                editedText(edits, node.children.back(), atom))
+            return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::string Edits::bareText(int node) const {
@@ -82,6 +106,7 @@ void Edits::insert(Atom atom) {
             return tree_.at(atom.site).range.holds(edit.range);
         }))
         return;
+    if (!atom.isInstead && !atom.isBefore && saysNothing(*this, atom)) return;
     // Two edits that make the same text are one.
     std::string key;
     for (const Replacement& edit : atom.edits) {

@@ -36,6 +36,14 @@ Range operatorOf(const Edits& edits, const Node& node) {
         .front();
 }
 
+/// Whether a condition is `x == a || x == b`: both at once is never true.
+bool askForTwoValues(const Edits& edits, const Node& node) {
+    const Node& left = edits.tree().at(node.children[0]);
+    const Node& right = edits.tree().at(node.children[1]);
+    return left.name == "==" && right.name == "==" &&
+           edits.text(left.children.front()) == edits.text(right.children.front());
+}
+
 void dropOneSide(Edits& edits, int index, const Node& node) {
     const int left = node.children[0];
     const int right = node.children[1];
@@ -52,10 +60,11 @@ void editBinary(Edits& edits, int index, const Node& node) {
     const int right = node.children[1];
     const Range sign = operatorOf(edits, node);
     for (const Exchange& exchange : kOperators)
-        if (node.name == exchange.from)
+        if (node.name == exchange.from && !(exchange.to == "&&" && askForTwoValues(edits, node)))
             edits.add("operator", index, {{sign, std::string{exchange.to}}});
     // One of both, not both.
-    if (node.name == "||" && edits.isType(left, "bool") && edits.isType(right, "bool"))
+    if (node.name == "||" && edits.isType(left, "bool") && edits.isType(right, "bool") &&
+        tree.at(left).kind != NodeKind::binary && tree.at(right).kind != NodeKind::binary)
         edits.add("operator", index, {{sign, "!="}});
     dropOneSide(edits, index, node);
     if (isOneOf(node.name, {"-", "/"}))

@@ -32,6 +32,40 @@ void exchangeNames(Edits& edits, int index, const Node& node) {
     }
 }
 
+/// Whether a declaration is of a constant, or gives a variable a number.
+bool isOfConstant(const Tree& tree, const Node& declaration) {
+    return declaration.kind == NodeKind::declaration &&
+           (declaration.isConstant ||
+            (!declaration.children.empty() &&
+             tree.at(declaration.children.back()).kind == NodeKind::number));
+}
+
+bool isConstant(const Tree& tree, int index) {
+    const Node& node = tree.at(index);
+    if (node.kind == NodeKind::number) return true;
+    return node.kind == NodeKind::name && std::ranges::any_of(tree.nodes, [&](const Node& one) {
+               return one.declared == node.declared && isOfConstant(tree, one);
+           });
+}
+
+/// Whether a node is compared with a constant: another constant in its place decides nothing.
+bool isComparedWithConstant(const Tree& tree, int index) {
+    static constexpr std::array kComparing{"<", "<=", ">", ">=", "==", "!="};
+    const Node& around = tree.at(std::max(0, tree.at(index).parent));
+    if (around.kind != NodeKind::binary || std::ranges::count(kComparing, around.name) == 0)
+        return false;
+    const bool isLeft = around.children.front() == index;
+    return isConstant(tree, isLeft ? around.children.back() : around.children.front());
+}
+
+/// The other x of `x * x`; -1: a node is not the first of such.
+int twinInSquare(const Edits& edits, int index) {
+    const Node& around = edits.tree().at(std::max(0, edits.tree().at(index).parent));
+    if (around.kind != NodeKind::binary || around.name != "*") return -1;
+    const int twin = around.children.back();
+    return around.children.front() == index && edits.text(twin) == edits.text(index) ? twin : -1;
+}
+
 std::string negated(const std::string& text) {
     return text.starts_with('-') ? text.substr(1) : "-" + text;
 }
@@ -52,21 +86,27 @@ void addNumberEdits(Edits& edits, int index) {
         return (isTerm && (other == "0" || other == "0.0")) ||
                (isFactor && (other == "1" || other == "1.0"));
     };
+    // "0" instead of "-0".
+    const bool isNegative = around.kind == NodeKind::unary && around.name == "-";
     static constexpr std::array kReals{"0.0", "0.5", "1.0", "2.0"};
     static constexpr std::array kWhole{"0", "1", "2"};
     if (edits.isInteger(index)) {
-        for (const char* other : kWhole)
-            if (!isIdle(other)) edits.replace("number", index, other, true);
+        for (const std::string_view other : kWhole)
+            if (!isIdle(other))
+                edits.replace("number", isNegative && other == "0" ? node.parent : index,
+                              std::string{other}, true);
         int value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error == std::errc{} && end == text.data() + text.size() && value < 100'000) {
             edits.replace("number", index, std::to_string(value + 1), true);
-            if (value > 0 && !isIdle(std::to_string(value - 1)))
+            if (value > (isNegative ? 1 : 0) && !isIdle(std::to_string(value - 1)))
                 edits.replace("number", index, std::to_string(value - 1), true);
         }
     } else {
-        for (const char* other : kReals)
-            if (!isIdle(other)) edits.replace("number", index, other, true);
+        for (const std::string_view other : kReals)
+            if (!isIdle(other))
+                edits.replace("number", isNegative && other == "0.0" ? node.parent : index,
+                              std::string{other}, true);
         edits.replace("number", index, "std::numbers::pi", true);
     }
     edits.replace("sign", index, negated(text), false);
@@ -80,10 +120,20 @@ void addNameEdits(Edits& edits, int index) {
     if (!edits.isNumber(index) && !node.type.starts_with("raytracer::")) return;
     constexpr std::size_t kMost = 6;
     std::vector<int> others = visibleVariables(edits.tree(), index);
-    std::erase_if(others, [&](int other) { return edits.tree().at(other).type != node.type; });
+    const bool needsVariable = isComparedWithConstant(edits.tree(), index);
+    std::erase_if(others, [&](int other) {
+        const Node& one = edits.tree().at(other);
+        return one.type != node.type || (needsVariable && isOfConstant(edits.tree(), one));
+    });
     const std::size_t skipped = others.size() > kMost ? others.size() - kMost : 0;
-    for (std::size_t i = skipped; i < others.size(); ++i)
-        edits.replace("name", index, edits.tree().at(others[i]).name, true);
+    const int twin = twinInSquare(edits, index);
+    for (std::size_t i = skipped; i < others.size(); ++i) {
+        const std::string& name = edits.tree().at(others[i]).name;
+        edits.replace("name", index, name, true);
+        if (twin >= 0)
+            edits.add("name", node.parent,
+                      {{node.range, name}, {edits.tree().at(twin).range, name}});
+    }
     exchangeNames(edits, index, node);
 }
 

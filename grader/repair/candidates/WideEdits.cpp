@@ -36,7 +36,8 @@ bool isTerm(const Edits& edits, int index) {
 
 void addReplacements(Edits& edits, int index, const Vocabulary& words) {
     const Node& node = edits.tree().at(index);
-    constexpr std::size_t kMostTokens = 6;
+    // A point may take more words: `lights.front().position()`.
+    const std::size_t mostTokens = edits.isType(index, "raytracer::Vector3") ? 9 : 6;
     const bool isSmall = node.kind == NodeKind::number || node.kind == NodeKind::name ||
                          node.kind == NodeKind::member || node.kind == NodeKind::call ||
                          node.kind == NodeKind::unary ||
@@ -46,7 +47,7 @@ void addReplacements(Edits& edits, int index, const Vocabulary& words) {
     if (isNew && node.kind == NodeKind::binary && edits.isType(index, "raytracer::ColourRGB"))
         for (const std::string& call : words.calls(node.type))
             edits.replace("word", index, call, true);
-    if (!isSmall || edits.source().tokensIn(node.range).size() > kMostTokens) return;
+    if (!isSmall || edits.source().tokensIn(node.range).size() > mostTokens) return;
     const bool isPoint = edits.isType(index, "raytracer::Vector3");
     for (const std::string& word : isPoint ? words.points() : words.all(node.type))
         edits.replace("word", index, word, true);
@@ -97,6 +98,18 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
                 edits.replace("factor", index, operand + " / " + factor, holds);
 }
 
+/// Another divisor: a component of a point or direction, as where a plane is met.
+void addDivisors(Edits& edits, int index, const Vocabulary& words) {
+    const Node& node = edits.tree().at(index);
+    const Node& around = edits.tree().at(node.parent);
+    const bool divides =
+        around.kind == NodeKind::binary && around.name == "/" && around.children.back() == index;
+    if (!divides || node.kind == NodeKind::number || !edits.isType(index, "double")) return;
+    for (const std::string& point : words.places())
+        for (const char* axis : {".x", ".y", ".z"})
+            edits.replace("word", index, point + axis, true);
+}
+
 /// A point that is moved a little along a direction.
 void addSteps(Edits& edits, int index, const Vocabulary& words) {
     constexpr std::size_t kMostTokens = 6;
@@ -136,7 +149,7 @@ void addTerms(Edits& edits, int index, const Vocabulary& words) {
 /// What the function has computed and does not use, and angles as shares of a turn.
 void addIdle(Edits& edits, int index, const Vocabulary& words) {
     const Node& node = edits.tree().at(index);
-    constexpr std::size_t kMostTokens = 12;
+    constexpr std::size_t kMostTokens = 16;
     if (!standsAlone(edits.tree(), index)) return;
     if (edits.source().tokensIn(node.range).size() > kMostTokens) return;
     for (const std::string& word : words.idle(node.type))
@@ -186,6 +199,7 @@ void addWideEdits(Edits& edits, int index) {
     if (!edits.isNumber(index) && !edits.isVector(index)) return;
     const Vocabulary words{edits, index};
     addReplacements(edits, index, words);
+    addDivisors(edits, index, words);
     addIdle(edits, index, words);
     addChoices(edits, index, words);
     addFunctions(edits, index);

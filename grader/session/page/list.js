@@ -30,7 +30,7 @@ const sorts = {
 };
 
 /// What proven edits change: "before → after".
-export const changesOf = ({ proven = [] }) => proven.map(({ from, to }) => `${from} → ${to}`);
+export const changesOf = ({ proven = [] }) => proven.map(({ from, to }) => `${from} → ${to || "left out"}`);
 
 /// The key of an entry's group: verdict, option and findings, and what proven edits change.
 export const groupOf = (entry) => [[entry.verdict, entry.option, ...[...new Set(entry.findings)].sort()].join(" "),

@@ -2,6 +2,7 @@
 // into the reference solution.
 #include <grader/corpus/Entry.h>
 #include <grader/tests/repair/FoundEdits.h>
+#include <grader/tests/support/Files.h>
 #include <grader/tests/support/RunCommand.h>
 #include <grader/tests/support/TemporaryFolder.h>
 
@@ -88,6 +89,34 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{kMain, "direct-lost", Reach::wide, "illuminate,isShadowed,"},
                     Case{kMain, "direct-whole", Reach::wide, "illuminate,isShadowed,"},
                     Case{kMain, "seen-from-camera", Reach::wide, "illuminate,isShadowed,"}));
+
+/// How many edits of the reference's T1 with another end give a text that holds these words.
+std::size_t editsThatGive(const std::string& end, const std::string& words) {
+    std::string text = tests::readFile("reference_solution/exercise/BumpySphere.cpp");
+    const std::string last = "    return (normal + Bu";
+    text.replace(text.find(last), text.find(";\n", text.find(last)) + 1 - text.find(last), end);
+    const Candidates candidates =
+        tests::found(kStarred, "BumpySphere.cpp", text, Reach::simple, "");
+    return static_cast<std::size_t>(std::ranges::count_if(candidates.atoms, [&](const Atom& atom) {
+        return withEdits(text, atom.edits).value_or("").find(words) != std::string::npos;
+    }));
+}
+
+TEST(SimpleEdits, LeaveAStatementOutWhereALessOneWouldAssignAVariableToItself) {
+    const std::string turned =
+        "Vector3 bumped = normal + Bu * Pu;\n"
+        "    if (bumped.dot(position) > 0.0) bumped = -bumped;\n    return bumped;";
+    EXPECT_EQ(editsThatGive(turned, "bumped = bumped"), 0U);
+    EXPECT_GT(editsThatGive(turned, "Bu * Pu;\n    \n    return"), 0U);
+}
+
+TEST(SimpleEdits, CompareNoConstantWithAConstant) {
+    const std::string limited =
+        "constexpr double kLow = 0.0;\n    const double kHigh = 9.0;\n"
+        "    if (v > kHigh) return normal * kLow;\n    return Pu;";
+    EXPECT_EQ(editsThatGive(limited, "kLow > kHigh"), 0U);
+    EXPECT_GT(editsThatGive(limited, "u > kHigh"), 0U);
+}
 
 // As it is where Clang's own headers are not installed.
 TEST(PrecompiledHeader, IsNotMadeOfHeadersThatCannotBeFound) {

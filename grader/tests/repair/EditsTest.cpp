@@ -120,6 +120,13 @@ TEST(LineEdits, ShowsWholeLinesBeforeAndAfter) {
     EXPECT_EQ(lines[1].to, "c = a + b;");
 }
 
+TEST(LineEdits, LeavesNothingOfALineWhoseOnlyStatementIsLeftOut) {
+    const auto lines = lineEdits("a = 1;\n  b = a;\n", {{9, 15, ""}});
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].from, "  b = a;");
+    EXPECT_EQ(lines[0].to, "");
+}
+
 TEST(LineEdits, NamesTheLineThatChangesWithinALongStatement) {
     const auto lines = lineEdits("f(a,\n  b);", {{0, 9, "f(a,\n  c)"}});
     ASSERT_EQ(lines.size(), 1U);

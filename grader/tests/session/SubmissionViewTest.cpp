@@ -98,6 +98,14 @@ TEST(SubmissionHtml, SaysAReasonOnlyWhereNoFindingSaysIt) {
     EXPECT_NE(submissionHtml(result, code).find("<p>Why it is in doubt</p>"), std::string::npos);
 }
 
+TEST(SubmissionHtml, SaysOfALineThatIsLeftOutWhatPassesWithoutIt) {
+    const tests::ClassOnDisk onDisk{{"bob"}};
+    SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
+    result.repairs = {{"T1", "bump.inverted-u", "BumpySphere.cpp", {{1, "int x;", ""}}, true, ""}};
+    const std::string html = submissionHtml(result, onDisk.out() / "bob" / "code");
+    EXPECT_NE(html.find("T1 passes without this line<"), std::string::npos) << html;
+}
+
 TEST(SubmissionHtml, NamesTheOtherLineOfAnEditAtTwoPlaces) {
     const tests::ClassOnDisk onDisk{{"bob"}};
     SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
