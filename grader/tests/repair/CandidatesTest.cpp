@@ -110,6 +110,13 @@ TEST(SimpleEdits, LeaveAStatementOutWhereALessOneWouldAssignAVariableToItself) {
     EXPECT_GT(editsThatGive(turned, "Bu * Pu;\n    \n    return"), 0U);
 }
 
+TEST(SimpleEdits, KeepTheFractionsOfBothSlopesTogether) {
+    const std::string cut =
+        "const int slopeU = Bu;\n    const int slopeV = Bv;\n"
+        "    return normal + slopeU * Pu + slopeV * Pv;";
+    EXPECT_GT(editsThatGive(cut, "const double slopeU = Bu;\n    const double slopeV = Bv;"), 0U);
+}
+
 TEST(SimpleEdits, CompareNoConstantWithAConstant) {
     const std::string limited =
         "constexpr double kLow = 0.0;\n    const double kHigh = 9.0;\n"
