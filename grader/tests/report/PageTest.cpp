@@ -233,6 +233,20 @@ TEST(ReportPage, ShowsWhatWasNotCheckedAsThatAndNotAsPassed) {
     EXPECT_NE(summary.find(",notChecked,"), std::string::npos);
 }
 
+TEST(ReportPage, ShowsTasksThatPassedAfterTheOthers) {
+    SubmissionResult result = everyExample().front();
+    result.tasks.assign(2, TaskReport{});
+    result.tasks[0].id = "T2.1";
+    result.tasks[1].id = "T2.2";
+    result.tasks[0].state = TaskState::passed;
+    result.tasks[1].state = TaskState::failed;
+    const std::string html = reportPage(result);
+    EXPECT_LT(html.find("<section id=\"task-T2-2\""), html.find("<section id=\"task-T2-1\""));
+    result.tasks[1].state = TaskState::passed;
+    const std::string right = reportPage(result);
+    EXPECT_LT(right.find("<section id=\"task-T2-1\""), right.find("<section id=\"task-T2-2\""));
+}
+
 TEST(ReportPage, SaysOnceWhatIsTheSameForSeveralTasks) {
     const std::string html = reportPage(textOnlyExample());
     expectBalanced(html);
