@@ -115,9 +115,8 @@ const ShadeSeen* firstThat(const Seen& seen, auto&& fits) {
 std::string describe(const ShadeSeen& seen) {
     if (seen.isUnlit)
         return fmt::format(
-            "illuminate was asked about P = {}, where {}: expected more than without the light, "
-            "got "
-            "the same, {}.",
+            "illuminate was asked about P = {}, where {}: expected more than without the "
+            "light, got the same, {}.",
             maintick::words(seen.asked->asked.P), wordsOf(seen.asked->place),
             maintick::words(seen.given));
     return fmt::format("illuminate was asked about P = {}, where {}: expected {}, got {}.",

@@ -90,8 +90,9 @@ void addLeaning(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& aske
             const int object = static_cast<int>(scene.planes.size());
             scene.planes.push_back({point, normal, {}});
             const Vector3 foot = point + slope * draw.between(1.5, 2.5);
-            asked.push_back(hitAt(foot, scene, object, Place::outside,
-                                  draw.directionAround(-normal, 1.1), draw.between(1.0, 5.0)));
+            const Vector3 down = draw.directionAround(-normal, 1.1);
+            asked.push_back(
+                hitAt(foot, scene, object, Place::outside, down, draw.between(1.0, 5.0)));
         }
 }
 
