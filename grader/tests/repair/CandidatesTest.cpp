@@ -117,6 +117,12 @@ TEST(SimpleEdits, KeepTheFractionsOfBothSlopesTogether) {
     EXPECT_GT(editsThatGive(cut, "const double slopeU = Bu;\n    const double slopeV = Bv;"), 0U);
 }
 
+TEST(SimpleEdits, KeepBothSidesOfOneOfBothTogether) {
+    EXPECT_GT(editsThatGive("if (u < 0.0 || v < 0.0) return normal;\n    return Pu;",
+                            "if ((u < 0.0) != (v < 0.0)) return"),
+              0U);
+}
+
 TEST(SimpleEdits, CompareNoConstantWithAConstant) {
     const std::string limited =
         "constexpr double kLow = 0.0;\n    const double kHigh = 9.0;\n"
