@@ -349,6 +349,14 @@ TEST(ReportPage, ShowsAProvenEditAsLinesBeforeAndAfter) {
     EXPECT_NE(html.find("passes all questions under three seeds"), std::string::npos);
 }
 
+TEST(ReportPage, ShowsOfALineThatIsLeftOutTheLineAlone) {
+    SubmissionResult result = failedBumpExample();
+    result.repairs = {{"T1", "bump.inverted-u", "BumpySphere.cpp", {{3, "int x;", ""}}, true, ""}};
+    const std::string html = reportPage(result);
+    EXPECT_EQ(tagsOf(html, "del").size(), 1U);
+    EXPECT_TRUE(tagsOf(html, "ins").empty());
+}
+
 TEST(ReportPage, NeverShowsAnEditThatIsNotProven) {
     const std::string html = reportPage(withRepair(false));
     EXPECT_EQ(html.find("return a + b;"), std::string::npos);
