@@ -15,7 +15,8 @@ class Guards : public testing::Test {
 protected:
     [[nodiscard]] CommandResult runWith(const std::string& table,
                                         const std::string& environment = "") const {
-        folder_.write("tools/guards/guards.tsv", "# name\tcommand\tfigure\tleft out\n" + table);
+        folder_.write("tools/guards/guards.tsv",
+                      "# name\tcommand\tfigure\tignores\tleft out\n" + table);
         return runIn(
             "git add -A && git -c user.name=t -c user.email=t@example.org commit -qm all; " +
             environment + " tools/guards/guards 2>/dev/null");
@@ -40,8 +41,8 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST_F(Guards, PrintOneTableWithFiguresAndWhatIsLeftOut) {
     const CommandResult ran = runWith(
-        "count\techo 17 tests passed\t[0-9]+ tests\tthe rest\n"
-        "look\ttrue\t-\tnothing\n");
+        "count\techo 17 tests passed\t[0-9]+ tests\t-\tthe rest\n"
+        "look\ttrue\t-\t-\tnothing\n");
     EXPECT_EQ(ran.status, 0) << ran.output;
     EXPECT_TRUE(has(ran.output, "| count | ") && has(ran.output, "| 17 tests | the rest |"))
         << ran.output;
@@ -49,14 +50,14 @@ TEST_F(Guards, PrintOneTableWithFiguresAndWhatIsLeftOut) {
 }
 
 TEST_F(Guards, GoOnAfterAFailureAndReportIt) {
-    const CommandResult ran = runWith("bad\texit 3\t-\tnothing\ngood\ttrue\t-\tnothing\n");
+    const CommandResult ran = runWith("bad\texit 3\t-\t-\tnothing\ngood\ttrue\t-\t-\tnothing\n");
     EXPECT_EQ(ran.status, 1);
     EXPECT_TRUE(has(ran.output, "failed (3)")) << ran.output;
     EXPECT_TRUE(has(ran.output, "| good | ")) << ran.output;
 }
 
 TEST_F(Guards, ThatPassedOnThisCommitAreNotRunAgain) {
-    const std::string table = "count\techo x >> build/times\t-\tnothing\n";
+    const std::string table = "count\techo x >> build/times\t-\t-\tnothing\n";
     EXPECT_EQ(runWith(table).status, 0);
     EXPECT_EQ(runWith(table).status, 0);
     EXPECT_EQ(runIn("wc -l < build/times").output, "1\n");
@@ -65,8 +66,21 @@ TEST_F(Guards, ThatPassedOnThisCommitAreNotRunAgain) {
     EXPECT_EQ(runIn("wc -l < build/times").output, "2\n") << "another commit";
 }
 
+TEST_F(Guards, ThatIgnoreDocumentsAreNotRunAgainAfterAChangeOfOne) {
+    const std::string table = "count\techo x >> build/times\t-\t*.md\tnothing\n";
+    EXPECT_EQ(runWith(table).status, 0);
+    folder_.write("docs/notes.md", "a change");
+    const CommandResult kept = runWith(table);
+    EXPECT_EQ(kept.status, 0);
+    EXPECT_TRUE(has(kept.output, "| count | ")) << kept.output;
+    EXPECT_EQ(runIn("wc -l < build/times").output, "1\n");
+    folder_.write("docs/notes.cpp", "a change");
+    EXPECT_EQ(runWith(table).status, 0);
+    EXPECT_EQ(runIn("wc -l < build/times").output, "2\n") << "not a document";
+}
+
 TEST_F(Guards, RefuseANameThatTheTableLacks) {
-    folder_.write("tools/guards/guards.tsv", "good\ttrue\t-\tnothing\n");
+    folder_.write("tools/guards/guards.tsv", "good\ttrue\t-\t-\tnothing\n");
     const CommandResult ran = runIn(
         "git add -A; git -c user.name=t -c user.email=t@example.org "
         "commit -qm all; tools/guards/guards bad");
