@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <tuple>
 #include <utility>
 
 namespace ticker::repair {
@@ -37,6 +38,12 @@ std::size_t offsetOf(const JsonValue& value, std::size_t most) {
     return static_cast<std::size_t>(number);
 }
 
+std::pair<std::size_t, std::size_t> rangeOf(const JsonValue& value, std::size_t most) {
+    const auto ends = value.items();
+    if (ends.size() != 2) value.expect("a beginning and an end");
+    return {offsetOf(ends[0], most), offsetOf(ends[1], most)};
+}
+
 TextEdit readEdit(const JsonValue& value, std::size_t size) {
     const auto items = value.items();
     if (items.size() != 3) value.expect("a beginning, an end and a text");
@@ -57,10 +64,8 @@ Candidates readReply(std::string text, std::size_t size) {
         atom.kind = item.at("kind").text();
         atom.function = item.at("function").text();
         atom.isApart = item.at("apart").flag();
-        const auto statement = item.at("statement").items();
-        if (statement.size() != 2) item.expect("the range of a statement");
-        atom.statementBegin = offsetOf(statement[0], size);
-        atom.statementEnd = offsetOf(statement[1], size);
+        std::tie(atom.statementBegin, atom.statementEnd) = rangeOf(item.at("statement"), size);
+        std::tie(atom.siteBegin, atom.siteEnd) = rangeOf(item.at("site"), size);
         for (const JsonValue& edit : item.at("edits").items())
             atom.edits.push_back(readEdit(edit, size));
         std::ranges::sort(atom.edits, {}, &TextEdit::begin);

@@ -28,6 +28,8 @@ struct Atom {
     std::vector<TextEdit> edits;     ///< in the order of the file
     std::size_t statementBegin = 0;  ///< bytes of the statement that they stand in
     std::size_t statementEnd = 0;
+    std::size_t siteBegin = 0;  ///< bytes that its switch replaces, with all other switches in them
+    std::size_t siteEnd = 0;
     bool isApart = false;  ///< has no switch in `Candidates::program`
 };
 

@@ -18,7 +18,10 @@ bool touch(const TextEdit& a, const TextEdit& b) {
     return a.begin <= b.end && b.begin <= a.end;
 }
 
+/// Whether both cannot be made at once: they change the same text, or the switch of one replaces
+/// that of the other.
 bool touch(const Atom& a, const Atom& b) {
+    if (a.siteBegin < b.siteEnd && b.siteBegin < a.siteEnd) return true;
     return std::ranges::any_of(a.edits, [&](const TextEdit& one) {
         return std::ranges::any_of(b.edits,
                                    [&](const TextEdit& other) { return touch(one, other); });
@@ -76,6 +79,15 @@ std::string replacementOf(std::string_view source, const Atom& atom) {
 /// The same within one statement.
 std::string inStatement(std::string_view source, const Atom& atom) {
     return replacementOf(source, atom) + "|" + std::to_string(atom.statementBegin);
+}
+
+/// Likewise, of what differs in its names alone: the components of one colour.
+std::string alikeInStatement(std::string_view source, const Atom& atom) {
+    std::string text = "alike|" + atom.kind + "|" + std::to_string(atom.statementBegin);
+    for (const TextEdit& edit : atom.edits)
+        text += "|" + shapeOf(source.substr(edit.begin, edit.end - edit.begin)) + ">" +
+                shapeOf(edit.text);
+    return text;
 }
 
 /// All of a group together, and each two and three of it.
@@ -150,6 +162,7 @@ std::vector<EditSet> twins(std::string_view source, const Candidates& candidates
         groups[replacementOf(source, candidates.atoms[number])].push_back(number);
         groups[placeOf(source, candidates.atoms[number])].push_back(number);
         groups[inStatement(source, candidates.atoms[number])].push_back(number);
+        groups[alikeInStatement(source, candidates.atoms[number])].push_back(number);
         if (const std::string& kind = candidates.atoms[number].kind; kAlike.contains(kind))
             groups[kind].push_back(number);
     }

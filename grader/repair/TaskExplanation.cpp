@@ -40,8 +40,8 @@ std::vector<Repair> TaskExplanation::run(double endMs) {
         {limits.twins, [this] { return notCutOff(); }},
         {limits.twins, [this] { return anyOf(Reach::simple, twins); }},
         {limits.twins, [this] { return anyOf(Reach::wide, twins); }},
-        {limits.pairs, [this] { return anyOf(Reach::simple, pairs); }},
         {limits.pairs, [this] { return anyOf(Reach::simple, linked); }},
+        {limits.pairs, [this] { return anyOf(Reach::simple, pairs); }},
         {limits.twoMistakes, [this] { return twoMistakes(); }},
         {1.0, [this] { return compiledApart(); }}};
     for (const auto& [share, step] : steps) {

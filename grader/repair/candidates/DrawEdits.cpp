@@ -32,6 +32,24 @@ bool isProductOfTwo(const Node& node) {
     return node.kind == NodeKind::binary && (node.name == "*" || node.name == "/");
 }
 
+/// `(a + b + c) * s` as `a + (b + c) * s` and `a + b + c * s`: what stands in front is not scaled.
+/// @param sum  What stands in the parentheses.
+void takeTermsOut(Edits& edits, int product, int sum) {
+    const Tree& tree = edits.tree();
+    const std::size_t end = tree.at(sum).range.end;
+    const std::string scale =
+        " " + tree.at(product).name + " " + edits.text(tree.at(product).children[1]);
+    for (int at = sum; isSumOfTwo(tree.at(at)); at = tree.at(at).children.front()) {
+        const Node& node = tree.at(at);
+        const std::size_t begin = tree.at(node.children[1]).range.begin;
+        const std::string inner = at == sum
+                                      ? edits.operand(node.children[1])
+                                      : "(" + std::string{edits.source().in({begin, end})} + ")";
+        edits.replace("regroup", product,
+                      edits.text(node.children[0]) + " " + node.name + " " + inner + scale, false);
+    }
+}
+
 }  // namespace
 
 void addDrawEdits(Edits& edits, int index) {
@@ -49,7 +67,8 @@ void addDrawEdits(Edits& edits, int index) {
 void addGroupingEdits(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
-    if (node.kind != NodeKind::binary || !edits.isType(index, "double")) return;
+    if (node.kind != NodeKind::binary || !(edits.isType(index, "double") || edits.isVector(index)))
+        return;
     const Node& left = tree.at(node.children[0]);
     const Node& right = tree.at(node.children[1]);
     const auto text = [&](int child) { return edits.text(child); };
@@ -61,13 +80,7 @@ void addGroupingEdits(Edits& edits, int index) {
                       false);
     if (!isProductOfTwo(node) || left.kind != NodeKind::parentheses || left.children.size() != 1)
         return;
-    const Node& sum = tree.at(left.children.front());
-    if (isSumOfTwo(sum))
-        edits.replace("regroup", index,
-                      text(sum.children[0]) + " " + sum.name + " " +
-                          edits.operand(sum.children[1]) + " " + node.name + " " +
-                          text(node.children[1]),
-                      false);
+    takeTermsOut(edits, index, left.children.front());
 }
 
 }  // namespace ticker::candidates

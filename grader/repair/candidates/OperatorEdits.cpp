@@ -36,6 +36,20 @@ Range operatorOf(const Edits& edits, const Node& node) {
         .front();
 }
 
+/// All signs of a sum of three terms or more at once: `N - u - v` for `N + u + v`. Two edits of one
+/// sum cannot be switched one by one, since one of them stands inside of the other.
+void turnSigns(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const int around = tree.at(index).parent;
+    const bool isWhole =
+        around < 0 || !isSum(tree.at(around)) || tree.at(around).children.front() != index;
+    if (!isWhole) return;
+    std::vector<Replacement> signs;
+    for (int at = index; isSum(tree.at(at)); at = tree.at(at).children.front())
+        signs.push_back({operatorOf(edits, tree.at(at)), tree.at(at).name == "+" ? "-" : "+"});
+    if (signs.size() >= 2) edits.add("operator", index, std::move(signs));
+}
+
 /// Whether a condition is `x == a || x == b`: both at once is never true.
 bool askForTwoValues(const Edits& edits, const Node& node) {
     const Node& left = edits.tree().at(node.children[0]);
@@ -75,6 +89,7 @@ void editBinary(Edits& edits, int index, const Node& node) {
     if (node.name == "||" && edits.isType(left, "bool") && edits.isType(right, "bool") &&
         !askForTwoValues(edits, node))
         edits.add("operator", index, asOneOfBoth(edits, node, sign));
+    if (isSum(node)) turnSigns(edits, index);
     dropOneSide(edits, index, node);
     if (isOneOf(node.name, {"-", "/"}))
         edits.add("exchange", index,

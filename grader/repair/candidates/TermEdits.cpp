@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace ticker::candidates {
 namespace {
@@ -28,7 +31,7 @@ std::vector<int> expressionsLike(const Edits& edits, int index, std::size_t most
 bool isQuantity(const Edits& edits, int i) {
     const Node& node = edits.tree().at(i);
     if (!node.isExpression || !edits.isNumber(i)) return false;
-    if (node.kind == NodeKind::call) return node.children.size() == 1;
+    if (node.kind == NodeKind::call) return node.children.size() == 1 && node.name != "operator()";
     return node.kind == NodeKind::member && !node.children.empty() &&
            edits.tree().at(node.children.front()).kind == NodeKind::call;
 }
@@ -86,6 +89,39 @@ bool isWhole(const Tree& tree, int index) {
     return around.kind == NodeKind::call && around.children.front() != index;
 }
 
+/// The letter of the axis that is neither of both, where these are two of x, y and z; else 0.
+char thirdAxis(char one, char other) {
+    const std::string both{one, other};
+    for (const auto& [pair, third] : {std::pair{"xy", 'z'}, {"yz", 'x'}, {"xz", 'y'}})
+        if (both == pair || (both[0] == pair[1] && both[1] == pair[0])) return third;
+    return 0;
+}
+
+/// What a term is along the third axis, where two terms differ in the letters of two axes alone:
+/// `z * z` for `x * x` and `y * y`. Empty: they differ otherwise.
+std::string alongThirdAxis(std::string_view one, std::string_view other) {
+    std::string term{one};
+    if (one.size() != other.size()) return {};
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        if (one[i] == other[i]) continue;
+        const char third = thirdAxis(one[i], other[i]);
+        if (third == 0) return {};
+        term[i] = third;
+    }
+    return term == one ? std::string{} : term;
+}
+
+/// A sum along two axes, such as a square of a length or a scalar product written out.
+void completeAxes(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (node.kind != NodeKind::binary || node.name != "+" || !edits.isType(index, "double")) return;
+    const std::string third =
+        alongThirdAxis(edits.text(node.children[0]), edits.text(node.children[1]));
+    if (third.empty()) return;
+    edits.add("term", index, {{{node.range.end, node.range.end}, " + " + third}});
+}
+
 }  // namespace
 
 void addNeighbours(Edits& edits, int index) {
@@ -112,6 +148,7 @@ void addNeighbours(Edits& edits, int index) {
 void addTermEdits(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
+    completeAxes(edits, index);
     if (!node.isExpression || node.kind == NodeKind::parentheses || !isWhole(tree, index)) return;
     addBounds(edits, index);
     constexpr std::size_t kMost = 6;

@@ -91,8 +91,9 @@ private:
             node.kind = node.children.size() == 2   ? NodeKind::binary
                         : node.children.size() == 1 ? NodeKind::unary
                                                     : NodeKind::expression;
-            if (node.name == "operator()" || node.name == "operator[]")
-                node.kind = NodeKind::expression;
+            if (node.name == "operator[]") node.kind = NodeKind::expression;
+            // Of a lambda, say: what is called comes first here, too.
+            if (node.name == "operator()") node.kind = NodeKind::call;
         }
         // `Vector3 v{a, b}`: the constructor's text is the variable's name and the list.
         if (node.kind == NodeKind::call && node.parent >= 0 &&

@@ -3,6 +3,7 @@
 #include <grader/repair/candidates/Scope.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace ticker::candidates {
 namespace {
@@ -67,6 +68,30 @@ void addBlends(Edits& edits, int index, const Vocabulary& words) {
             "blend", index,
             colour + " * (1.0 - " + edits.text(node.children[1]) + ") + " + edits.text(index),
             false);
+}
+
+/// The number that a product ends with; -1: none.
+int numberOf(const Tree& tree, int index) {
+    const Node& node = tree.at(index);
+    if (node.kind != NodeKind::binary || node.name != "*") return -1;
+    return tree.at(node.children[1]).kind == NodeKind::number ? node.children[1] : -1;
+}
+
+/// Two shares that are written as numbers, `a * 0.7 + b * 0.3`: a quantity and what it leaves.
+void addShares(Edits& edits, int index, const Vocabulary& words) {
+    const Tree& tree = edits.tree();
+    const Node& node = tree.at(index);
+    if (node.kind != NodeKind::binary || node.name != "+") return;
+    const int one = numberOf(tree, node.children[0]);
+    const int other = numberOf(tree, node.children[1]);
+    if (one < 0 || other < 0) return;
+    std::vector<std::string> shares = words.variables("double");
+    std::ranges::copy(words.unused("double"), std::back_inserter(shares));
+    for (const std::string& share : shares) {
+        const std::string rest = "(1.0 - " + share + ")";
+        edits.add("blend", index, {{tree.at(one).range, rest}, {tree.at(other).range, share}});
+        edits.add("blend", index, {{tree.at(one).range, share}, {tree.at(other).range, rest}});
+    }
 }
 
 /// Only a hit that is nearer than the one that is kept.
@@ -153,7 +178,10 @@ void addWideTerms(Edits& edits, int index, const Vocabulary& words) {
         addComponentTerms(edits, index, words);
     }
     if (edits.isType(index, "raytracer::Vector3")) addDirections(edits, index, words);
-    if (edits.isType(index, "raytracer::ColourRGB")) addBlends(edits, index, words);
+    if (edits.isType(index, "raytracer::ColourRGB")) {
+        addBlends(edits, index, words);
+        addShares(edits, index, words);
+    }
 }
 
 void addHitEdits(Edits& edits, int index) {

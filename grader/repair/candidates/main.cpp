@@ -64,9 +64,12 @@ std::string asJson(const Tree& tree, const std::vector<Atom>& atoms, const Schem
     for (std::size_t i = 0; i < atoms.size(); ++i) {
         const Atom& atom = atoms[i];
         const Range& statement = tree.at(tree.statementOf(atom.site)).range;
+        // What is put in before a statement leaves the switches in it alone.
+        const Range& site = tree.at(atom.site).range;
+        const std::size_t siteEnd = atom.isBefore ? site.begin : site.end;
         out << (i == 0 ? "\n" : ",\n") << "{\"kind\": " << quoted(atom.kind) << ", \"statement\": ["
-            << statement.begin << ", " << statement.end
-            << "], \"function\": " << quoted(functionAround(tree, atom.site))
+            << statement.begin << ", " << statement.end << "], \"site\": [" << site.begin << ", "
+            << siteEnd << "], \"function\": " << quoted(functionAround(tree, atom.site))
             << ", \"apart\": " << (atom.isApart ? "true" : "false") << ", \"edits\": [";
         for (std::size_t e = 0; e < atom.edits.size(); ++e) {
             const Replacement& edit = atom.edits[e];

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace ticker::repair {
 namespace {
@@ -30,6 +32,17 @@ Candidates candidates() {
 
 bool isAny(const Atom& /*atom*/) {
     return true;
+}
+
+TEST(EditSets, JoinNoEditsOfWhichOneReplacesTheSwitchOfTheOther) {
+    constexpr std::string_view kSum = "a + b + c;";
+    Candidates made;
+    made.atoms = {atom("operator", {2, 3, "-"}, 0, 9), atom("operator", {6, 7, "-"}, 0, 9)};
+    EXPECT_EQ(pairs(kSum, made, isAny).size(), 1U);
+    std::tie(made.atoms[0].siteBegin, made.atoms[0].siteEnd) = std::pair{0, 5};
+    std::tie(made.atoms[1].siteBegin, made.atoms[1].siteEnd) = std::pair{0, 9};
+    EXPECT_TRUE(pairs(kSum, made, isAny).empty());
+    EXPECT_TRUE(twins(kSum, made, isAny).empty());
 }
 
 TEST(EditSets, OneTokenForAnotherCountsOnce) {

@@ -205,5 +205,49 @@ INSTANTIATE_TEST_SUITE_P(
               "1.0)};",
               "return colour;"}}));
 
+INSTANTIATE_TEST_SUITE_P(
+    Sums, EditsOfSlips,
+    testing::Values(
+        Slip{"all-signs",
+             kStar,
+             "BumpySphere.cpp",
+             Reach::simple,
+             {"normal + Bu * normal.cross(Pv) - Bv * normal.cross(Pu)",
+              "normal - Bu * normal.cross(Pv) + Bv * normal.cross(Pu)"},
+             {"normal - Bu * normal.cross(Pv) + Bv * normal.cross(Pu)",
+              "normal + Bu * normal.cross(Pv) - Bv * normal.cross(Pu)"}},
+        Slip{"ambient-in-the-product",
+             kStar,
+             kRenderer,
+             Reach::simple,
+             {"colour += (diffuse + specular) *", "colour = (colour + diffuse + specular) *"},
+             {"(colour + diffuse + specular) *", "colour + (diffuse + specular) *"},
+             "render,"},
+        Slip{"two-axes",
+             kTick,
+             "Sphere.cpp",
+             Reach::simple,
+             {"fromCentre.dot(fromCentre)",
+              "fromCentre.x * fromCentre.x + fromCentre.y * fromCentre.y"},
+             {"fromCentre.y * fromCentre.y",
+              "fromCentre.y * fromCentre.y + fromCentre.z * fromCentre.z"}},
+        Slip{"shares-as-numbers",
+             kTick,
+             kRenderer,
+             Reach::wide,
+             {"direct * (1.0 - share) + trace(scene, reflected, bouncesLeft - 1) * share",
+              "direct * 0.6 + trace(scene, reflected, bouncesLeft - 1) * 0.4"},
+             {"direct * 0.6 + trace(scene, reflected, bouncesLeft - 1) * 0.4",
+              "direct * (1.0 - share) + trace(scene, reflected, bouncesLeft - 1) * share"},
+             "illuminate,isShadowed,"},
+        Slip{"arguments-of-a-lambda",
+             kStar,
+             "BumpySphere.cpp",
+             Reach::simple,
+             {"const double Bu = map.at(columnRight, row) -",
+              "const auto at = [&](int x, int y) { return map.at(x, y); };\n"
+              "const double Bu = at(row, columnRight) -"},
+             {"at(row, columnRight)", "at(columnRight, row)"}}));
+
 }  // namespace
 }  // namespace ticker::repair
