@@ -93,6 +93,10 @@ Result contact(ShadowSeen& seen) {
     return seen.reading ? checkContact(seen.logs) : std::nullopt;
 }
 
+Result oddCount(ShadowSeen& seen) {
+    return seen.reading ? checkOddCount(seen.logs) : std::nullopt;
+}
+
 Result otherSettings(ShadowSeen& seen) {
     return seen.reading ? checkOtherSettings(seen.logs) : std::nullopt;
 }
@@ -126,10 +130,14 @@ const std::vector<ShadowCheck>& checksOfRays() {
                                                  : std::nullopt;
              }},
         {.run = [](ShadowSeen& seen) { return keepReading(seen, checkArithmetic(seen.logs)); }},
+        {.run = [](ShadowSeen& seen) { return checkColourChannels(seen.logs); },
+         .ifNothingFails = true},
         {.run = horizon, .ifNothingFails = true},
         {.run = contact, .ifNothingFails = true},
         {.run = viewer},
         {.run = nearSide, .ifNothingFails = true},
+        // Rays that pairs lose are lost with other settings, too.
+        {.run = oddCount, .ifNothingFails = true},
         {.run = otherSettings, .ifNothingFails = true}};
     return kChecks;
 }
