@@ -230,28 +230,5 @@ TEST(Near, HoldsInEveryChannel) {
     }
 }
 
-TEST(CheckValues, NamesLightThatIsLostWhereAChannelIsDark) {
-    const auto judgeBlue = [](bool lost) {
-        ShadowByHand made;
-        for (const Purpose purpose : {Purpose::oneLight, Purpose::pureColours}) {
-            ShadowQuestion& asked = made.ask(purpose, {{0.0, 16.0, 0.0}});
-            if (purpose == Purpose::pureColours)
-                asked.question.scene.pointLights = {
-                    {{0.0, 16.0, 0.0}, ColourRGB{0.0, 0.0, 0.8}, 4000.0}};
-            asked.question.scene.ambientLighting = ColourRGB{0.1};
-            asked.question.scene.planes[0].material.colour = {0.8, 0.6, 0.4};
-            PointLog& point = made.point({0.3, 0.0, 1.0});
-            const Parts parts = partsOf(point, made.last());
-            point.colour =
-                lost && purpose == Purpose::pureColours ? parts.ambient : right(parts, Zone::lit);
-        }
-        return checkValues(made.logs()).finding;
-    };
-    EXPECT_FALSE(judgeBlue(false));
-    const auto finding = judgeBlue(true);
-    ASSERT_EQ(idOf(finding), "shadow.wrong");
-    EXPECT_NE(finding->message.find("only one channel"), std::string::npos) << finding->message;
-}
-
 }  // namespace
 }  // namespace ticker::tasks

@@ -199,28 +199,5 @@ TEST(WidestMiss, IsTheLargestOfAllLights) {
     EXPECT_EQ(widestMiss({}), 0.0);
 }
 
-/// A red and a blue light; the floor faces both.
-/// @param toBlue  Rays to the blue one.
-std::optional<Finding> judgeChannels(int toBlue) {
-    ShadowByHand made;
-    made.ask(Purpose::pureColours, {{0.0, 6.0, 0.0}, {3.0, 6.0, 0.0}});
-    made.point();
-    made.castRing(10, 0);
-    made.castRing(toBlue, 1);
-    return checkColourChannels(made.logs());
-}
-
-TEST(CheckColourChannels, WantsRaysToEveryLightWhateverItsColour) {
-    EXPECT_FALSE(judgeChannels(10));
-    const auto none = judgeChannels(0);
-    ASSERT_EQ(idOf(none), "shadow.too-few-rays");
-    EXPECT_NE(none->message.find("get no shadow rays"), std::string::npos) << none->message;
-    EXPECT_NE(none->message.find("only one channel of the colour was looked at"),
-              std::string::npos);
-    const auto few = judgeChannels(9);
-    ASSERT_EQ(idOf(few), "shadow.too-few-rays");
-    EXPECT_NE(few->message.find("9 shadow rays instead of 10"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace ticker::tasks
