@@ -172,6 +172,17 @@ std::string taskSection(const SubmissionResult& result, const TaskReport& task,
     return html + findingCards(result, task, album) + repairSection(result, task) + "</section>";
 }
 
+/// The tasks in their order, those that passed after the others: people look for what is wrong.
+std::vector<const TaskReport*> worstFirst(const SubmissionResult& result) {
+    std::vector<const TaskReport*> tasks;
+    for (const TaskReport& task : result.tasks)
+        tasks.push_back(&task);
+    std::ranges::stable_partition(tasks, [](const TaskReport* task) {
+        return task->state != TaskState::passed || task->needsReview;
+    });
+    return tasks;
+}
+
 std::string seconds(double milliseconds) {
     return fmt::format("{:.1f} s", milliseconds / 1000.0);
 }
@@ -206,8 +217,8 @@ std::string reportPage(const SubmissionResult& result) {
     const Album album{result};
     std::string body =
         header(result) + "<main id=\"main\">" + reviewReasons(result) + overview(result);
-    for (const TaskReport& task : result.tasks)
-        if (concernsStudent(task)) body += taskSection(result, task, album);
+    for (const TaskReport* task : worstFirst(result))
+        if (concernsStudent(*task)) body += taskSection(result, *task, album);
     body += diagnosticsSection(result) + picturesSection(result, album) + facts(result) +
             fmt::format(
                 "</main><footer><p>Proposed by ticker; a person decides. Number for an "

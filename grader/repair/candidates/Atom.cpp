@@ -53,8 +53,6 @@ int assignedAt(const Tree& tree, int node) {
     return site;
 }
 
-const std::set<std::string> kComparing{"=", "==", "!=", "<", "<=", ">", ">="};
-
 /// A part's text after edits within it.
 std::string editedText(const Edits& edits, int part, const Atom& atom) {
     const Range& range = edits.tree().at(part).range;
@@ -69,7 +67,8 @@ bool saysNothing(const Edits& edits, const Atom& atom) {
     const Tree& tree = edits.tree();
     for (int at = atom.site; at >= 0 && tree.at(at).isExpression; at = tree.at(at).parent) {
         const Node& node = tree.at(at);
-        if (node.kind == NodeKind::binary && kComparing.contains(node.name) &&
+        const bool isAssignment = node.kind == NodeKind::binary && node.name == "=";
+        if ((isAssignment || isComparison(node)) &&
             editedText(edits, node.children.front(), atom) ==
                 editedText(edits, node.children.back(), atom))
             return true;

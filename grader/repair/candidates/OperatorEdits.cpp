@@ -44,6 +44,15 @@ bool askForTwoValues(const Edits& edits, const Node& node) {
            edits.text(left.children.front()) == edits.text(right.children.front());
 }
 
+/// `(a < 0) != (b < 0)`, with parentheses only where a side is a comparison.
+std::vector<Replacement> asOneOfBoth(const Edits& edits, const Node& either, const Range& sign) {
+    std::vector<Replacement> all{{sign, "!="}};
+    for (const int side : either.children)
+        if (const std::string text = edits.operand(side); text != edits.text(side))
+            all.push_back({edits.tree().at(side).range, text});
+    return all;
+}
+
 void dropOneSide(Edits& edits, int index, const Node& node) {
     const int left = node.children[0];
     const int right = node.children[1];
@@ -64,8 +73,8 @@ void editBinary(Edits& edits, int index, const Node& node) {
             edits.add("operator", index, {{sign, std::string{exchange.to}}});
     // One of both, not both.
     if (node.name == "||" && edits.isType(left, "bool") && edits.isType(right, "bool") &&
-        tree.at(left).kind != NodeKind::binary && tree.at(right).kind != NodeKind::binary)
-        edits.add("operator", index, {{sign, "!="}});
+        !askForTwoValues(edits, node))
+        edits.add("operator", index, asOneOfBoth(edits, node, sign));
     dropOneSide(edits, index, node);
     if (isOneOf(node.name, {"-", "/"}))
         edits.add("exchange", index,

@@ -1,6 +1,7 @@
 #include <grader/repair/candidates/Atom.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace ticker::candidates {
 namespace {
@@ -20,11 +21,56 @@ bool mayBeLeftOut(const Tree& tree, int index) {
     return node.isExpression;
 }
 
-/// Whether a variable of type int is initialised with a double without a written cast.
+/// Whether a variable is handed to a function, such as a column to the map's `at`.
+bool isArgument(const Tree& tree, const Node& declaration) {
+    return std::ranges::any_of(tree.nodes, [&](const Node& one) {
+        return one.kind == NodeKind::name && one.declared == declaration.declared &&
+               one.parent >= 0 && tree.at(one.parent).kind == NodeKind::call;
+    });
+}
+
+/// Whether a variable of type int is initialised with a double without a written cast, and no
+/// function needs the whole number.
 bool isCutOff(const Edits& edits, const Node& declaration) {
     if (declaration.isAuto || declaration.type != "int" || declaration.children.empty())
         return false;
-    return edits.isType(declaration.children.back(), "double");
+    return edits.isType(declaration.children.back(), "double") &&
+           !isArgument(edits.tree(), declaration);
+}
+
+/// The word int of a declaration.
+std::optional<Range> typeOf(const Edits& edits, const Node& declaration) {
+    for (const Range& token : edits.source().tokensIn(declaration.range))
+        if (edits.source().in(token) == "int" && token.begin < declaration.declared) return token;
+    return std::nullopt;
+}
+
+/// The declaration of the next statement; -1: that is something else.
+int nextDeclaration(const Tree& tree, int index) {
+    const int statement = tree.statementOf(index);
+    const int around = tree.at(statement).parent;
+    if (around < 0) return -1;
+    const auto& all = tree.at(around).children;
+    const auto next = std::ranges::find(all, statement) + 1;
+    if (next == all.end()) return -1;
+    for (int i = *next; i < static_cast<int>(tree.nodes.size()); ++i) {
+        if (!tree.at(*next).range.holds(tree.at(i).range)) break;
+        if (tree.at(i).kind == NodeKind::declaration) return i;
+    }
+    return -1;
+}
+
+/// What a variable of type int cuts off, also from both slopes of a point.
+void keepFractions(Edits& edits, int index) {
+    const Tree& tree = edits.tree();
+    const auto type = typeOf(edits, tree.at(index));
+    if (!type || !isCutOff(edits, tree.at(index))) return;
+    edits.addApart("type", index, {{*type, "double"}});
+    const int next = nextDeclaration(tree, index);
+    if (next < 0 || !isCutOff(edits, tree.at(next))) return;
+    if (const auto other = typeOf(edits, tree.at(next)))
+        edits.addApart("type", tree.at(tree.statementOf(index)).parent,
+                       {{*type, "double"}, {*other, "double"}});
 }
 
 }  // namespace
@@ -62,10 +108,7 @@ void addStaticEdits(Edits& edits, int index) {
 
 void addStatementEdits(Edits& edits, int index) {
     const Node& node = edits.tree().at(index);
-    if (node.kind == NodeKind::declaration && isCutOff(edits, node))
-        for (const Range& token : edits.source().tokensIn(node.range))
-            if (edits.source().in(token) == "int" && token.begin < node.declared)
-                edits.addApart("type", index, {{token, "double"}});
+    if (node.kind == NodeKind::declaration) keepFractions(edits, index);
     if (node.kind == NodeKind::jump) exchangeJumps(edits, index);
     if (mayBeLeftOut(edits.tree(), index))
         edits.addInstead("left-out", index, wholeOf(edits, index), "");

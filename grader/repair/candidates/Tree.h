@@ -3,6 +3,8 @@
 
 #include <grader/repair/candidates/Tokens.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -63,6 +65,12 @@ struct Node {
 /// ++ or --.
 [[nodiscard]] inline bool isCounting(const Node& node) {
     return node.kind == NodeKind::unary && (node.name == "++" || node.name == "--");
+}
+
+/// ==, != or one of the four others.
+[[nodiscard]] inline bool isComparison(const Node& node) {
+    static constexpr std::array kNames{"==", "!=", "<", "<=", ">", ">="};
+    return node.kind == NodeKind::binary && std::ranges::count(kNames, node.name) > 0;
 }
 
 struct Diagnostic {

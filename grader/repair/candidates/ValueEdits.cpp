@@ -50,10 +50,8 @@ bool isConstant(const Tree& tree, int index) {
 
 /// Whether a node is compared with a constant: another constant in its place decides nothing.
 bool isComparedWithConstant(const Tree& tree, int index) {
-    static constexpr std::array kComparing{"<", "<=", ">", ">=", "==", "!="};
     const Node& around = tree.at(std::max(0, tree.at(index).parent));
-    if (around.kind != NodeKind::binary || std::ranges::count(kComparing, around.name) == 0)
-        return false;
+    if (!isComparison(around)) return false;
     const bool isLeft = around.children.front() == index;
     return isConstant(tree, isLeft ? around.children.back() : around.children.front());
 }

@@ -56,9 +56,10 @@ std::optional<Finding> checkDistances(const raytracer::SceneDescription& scene, 
                                       const HitTexts& texts) {
     const auto isAsMistaken = [&](std::size_t i, const HitMistake* mistake) {
         if (asked[i].place == Place::longDirection) return true;
-        return isRight(hits[i], mistake == nullptr ? distanceOf(asked[i])
-                                                   : mistake->distance(scene, asked[i].ray.object,
-                                                                       asked[i].line()));
+        const bool mayBeRight = mistake == nullptr || mistake->isSometimes;
+        if (mayBeRight && isRight(hits[i], distanceOf(asked[i]))) return true;
+        return mistake != nullptr &&
+               isRight(hits[i], mistake->distance(scene, asked[i].ray.object, asked[i].line()));
     };
     const auto first = firstWrong(asked.size(), nullptr, isAsMistaken);
     if (!first) return std::nullopt;

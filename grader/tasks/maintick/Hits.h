@@ -42,7 +42,8 @@ inline constexpr const char* kBehindCameraHint =
 struct HitMistake {
     const FindingText* finding;
     Distance (*distance)(const raytracer::SceneDescription& scene, int object, const Ray& ray);
-    const char* hint = "";  ///< empty: that of `finding`
+    const char* hint = "";     ///< empty: that of `finding`
+    bool isSometimes = false;  ///< the right distance may be answered as well
 };
 
 /// The known mistakes of M1 and of M3.1.

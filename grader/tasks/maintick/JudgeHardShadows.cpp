@@ -80,6 +80,16 @@ void readRays(ShadeSeen& seen, const std::vector<probe::Event>& events) {
     }
 }
 
+/// Where other light is lost as well, that is a mistake of M2.
+void findUnlit(Seen& seen) {
+    const auto isOf = [](const ShadeSeen& one) { return one.asked->place == Occluder::grazing; };
+    if (std::any_of(seen.begin(), seen.end(),
+                    [&](const ShadeSeen& one) { return !isOf(one) && one.hasNoLight(); }))
+        return;
+    for (ShadeSeen& one : seen)
+        one.isUnlit = isOf(one) && one.hasNoLight();
+}
+
 Seen readAnswers(const std::vector<ShadeCase>& cases, const probe::Run& run) {
     Seen seen;
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -89,10 +99,11 @@ Seen readAnswers(const std::vector<ShadeCase>& cases, const probe::Run& run) {
         const auto colour = [&](std::size_t k) { return answer(k).colours.at(0); };
         ShadeSeen one{&cases[i], colour(0), colour(1), colour(2), colour(3), colour(4), colour(5)};
         // Code that takes a point for hidden where the light does not meet it hides all that float.
-        if (isNear(one.lit, one.dark) || isNear(one.lit, one.putOut)) one.lit = colour(6);
+        if (one.hasNoLight()) one.lit = colour(6);
         readRays(one, answer(0).events);
         seen.push_back(one);
     }
+    findUnlit(seen);
     return seen;
 }
 
@@ -102,6 +113,12 @@ const ShadeSeen* firstThat(const Seen& seen, auto&& fits) {
 }
 
 std::string describe(const ShadeSeen& seen) {
+    if (seen.isUnlit)
+        return fmt::format(
+            "illuminate was asked about P = {}, where {}: expected more than without the "
+            "light, got the same, {}.",
+            maintick::words(seen.asked->asked.P), wordsOf(seen.asked->place),
+            maintick::words(seen.given));
     return fmt::format("illuminate was asked about P = {}, where {}: expected {}, got {}.",
                        maintick::words(seen.asked->asked.P), wordsOf(seen.asked->place),
                        maintick::words(seen.expected()), maintick::words(seen.given));

@@ -25,11 +25,11 @@ constexpr maintick::HitTexts kPlaneTexts{&kPlaneMissed,
                                          "A plane has the same normal everywhere: normal().",
                                          kPlaneFindings};
 
-AskedHit hitFrom(Draw& draw, const SceneDescription& scene, int object, Place place,
-                 const Vector3& direction, double distance) {
+/// @param foot  A point of the plane, that the ray's line meets.
+AskedHit hitAt(const Vector3& foot, const SceneDescription& scene, int object, Place place,
+               const Vector3& direction, double distance) {
     const auto& plane = scene.planes[static_cast<std::size_t>(object)];
     const Vector3 normal = plane.normal.normalised();
-    const Vector3 foot = plane.point + perpendicularsOf(normal).first * draw.between(-2.0, 2.0);
     AskedHit asked;
     asked.place = place;
     asked.ray.object = object;
@@ -39,6 +39,14 @@ AskedHit hitFrom(Draw& draw, const SceneDescription& scene, int object, Place pl
                                maintick::words(normal));
     asked.expected = maintick::meet(plane, asked.line());
     return asked;
+}
+
+AskedHit hitFrom(Draw& draw, const SceneDescription& scene, int object, Place place,
+                 const Vector3& direction, double distance) {
+    const auto& plane = scene.planes[static_cast<std::size_t>(object)];
+    const Vector3 along = perpendicularsOf(plane.normal.normalised()).first;
+    return hitAt(plane.point + along * draw.between(-2.0, 2.0), scene, object, place, direction,
+                 distance);
 }
 
 /// @param side  1: from the side that the normal points to; -1: from the other one.
@@ -53,7 +61,7 @@ AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, Place pl
 /// a floor, near, and far away.
 void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
     constexpr double kGrazing = 0.008;  // of D.N: in float the distance is right to 1e-4
-    constexpr double kNear = 0.03;
+    constexpr double kNear = 0.002;     // in float right to 1e-5
     constexpr double kFar = 2000.0;
     const Vector3 normal = scene.planes[0].normal.normalised();
     const Vector3 along = perpendicularsOf(normal).second;
@@ -64,6 +72,28 @@ void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& ask
     const int far = static_cast<int>(scene.planes.size());
     scene.planes.push_back({draw.direction() * kFar, normal, {}});
     asked.push_back(hitFrom(draw, scene, far, Place::outside, down, kFar));
+}
+
+/// Planes that lean by some two degrees, one for either end of each axis: what code for level
+/// floors or upright walls takes for one of them. The rays meet them aside from their point, up or
+/// down the slope, where such code is wrong by 0.045 or more.
+void addLeaning(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
+    for (const Vector3& axis :
+         {Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}, Vector3{0.0, 0.0, 1.0}})
+        for (const Vector3& end : {axis, -axis}) {
+            const double lean = draw.between(0.03, 0.04);
+            const Vector3 side = end.cross(draw.direction()).normalised();
+            const Vector3 normal = end * std::cos(lean) + side * std::sin(lean);
+            const Vector3 slope = end * std::sin(lean) - side * std::cos(lean);
+            const Vector3 point{draw.between(-3.0, 3.0), draw.between(-3.0, 3.0),
+                                draw.between(2.0, 6.0)};
+            const int object = static_cast<int>(scene.planes.size());
+            scene.planes.push_back({point, normal, {}});
+            const Vector3 foot = point + slope * draw.between(1.5, 2.5);
+            const Vector3 down = draw.directionAround(-normal, 1.1);
+            asked.push_back(
+                hitAt(foot, scene, object, Place::outside, down, draw.between(1.0, 5.0)));
+        }
 }
 
 }  // namespace
@@ -86,6 +116,7 @@ TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
             asked.push_back(drawHit(draw, scene, object, place, side));
         }
     addExtremes(draw, scene, asked);
+    addLeaning(draw, scene, asked);
     return maintick::judgeHits(examinee, scene, asked, maintick::planeMistakes(), kPlaneTexts,
                                "Plane::intersectionWith");
 }

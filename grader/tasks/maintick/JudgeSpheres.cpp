@@ -53,14 +53,16 @@ struct Alone {
     double farAway;  ///< of the centre from the origin of the world
     Start start;
 };
-// The first two are seen from 1.2 and from 2000 away, the third one from 0.03 before it; the fourth
-// one from inside, its near side 0.015 to 0.02 behind the ray; the last one lies behind, its far
-// side by 0.02 to 0.025. Distances, locations and normals in float are right to 2e-4.
+// The first two are seen from 1.2 and from 2000 away, the third one from 0.002 before it; the
+// fourth one from inside, its near side 0.015 to 0.02 behind the ray; the fifth one lies behind,
+// its far side by 0.02 to 0.025; the last one is seen from inside, its far side 0.002 ahead.
+// Distances, locations and normals in float are right to 2e-4.
 constexpr std::array kAlone{Alone{0.03, 5.0, {Place::outside, -40.0, 0.0, 0.5}},
                             Alone{200.0, 2000.0, {Place::outside, -10.0, 0.1, 0.8}},
-                            Alone{0.3, 5.0, {Place::outside, -1.1, 0.0, 0.02}},
+                            Alone{0.3, 5.0, {Place::outside, -1.007, 0.0, 0.02}},
                             Alone{1.0, 5.0, {Place::inside, -0.98, 0.0, 0.09}},
-                            Alone{1.0, 5.0, {Place::behind, 1.02, 0.0, 0.09}}};
+                            Alone{1.0, 5.0, {Place::behind, 1.02, 0.0, 0.09}},
+                            Alone{0.3, 5.0, {Place::inside, 0.993, 0.0, 0.02}}};
 
 AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, const Start& start) {
     const auto& sphere = scene.spheres[static_cast<std::size_t>(object)];

@@ -134,6 +134,11 @@ void addLight(Draw& draw, LitSetup& setup, double distance, double intensity) {
     viewAt(draw, setup, draw.between(0.75, 0.93));
 }
 
+void addGrazingLight(Draw& draw, LitSetup& setup, double distance, double intensity) {
+    addLightAt(draw, setup, draw.between(0.02, 0.04), distance, intensity);
+    viewAt(draw, setup, draw.between(0.75, 0.93));
+}
+
 std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
     Draw draw{seed, 103};
     std::vector<LitQuestion> asked;

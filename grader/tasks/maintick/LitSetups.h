@@ -47,6 +47,9 @@ void layOnSphere(LitSetup& setup, double radius, double height);
 /// @param distance  From the point.
 void addLight(Draw& draw, LitSetup& setup, double distance, double intensity);
 
+/// The same, but for N.L from 0.02 to 0.04.
+void addGrazingLight(Draw& draw, LitSetup& setup, double distance, double intensity);
+
 /// The questions of M2.
 [[nodiscard]] std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed);
 

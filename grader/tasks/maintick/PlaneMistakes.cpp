@@ -33,6 +33,30 @@ Distance planeBeforeCamera(const raytracer::SceneDescription& scene, int object,
     return ifBeforeCamera(ray, met<[](const F& f) { return ifAhead(f.s()); }>(scene, object, ray));
 }
 
+/// As if the normal were an axis.
+template <double Vector3::*Coordinate>
+Distance alongAxis(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
+    const auto& plane = scene.planes[static_cast<std::size_t>(object)];
+    const double slope = ray.direction.*Coordinate;
+    if (slope == 0.0) return {};
+    return ifAhead((plane.point.*Coordinate - ray.origin.*Coordinate) / slope);
+}
+
+/// As if the normal were the axis that it is nearest to.
+Distance alongNearestAxis(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
+    const Vector3& N = scene.planes[static_cast<std::size_t>(object)].normal;
+    const double x = std::abs(N.x);
+    const double y = std::abs(N.y);
+    const double z = std::abs(N.z);
+    if (y >= std::max(x, z)) return alongAxis<&Vector3::y>(scene, object, ray);
+    return x >= z ? alongAxis<&Vector3::x>(scene, object, ray)
+                  : alongAxis<&Vector3::z>(scene, object, ray);
+}
+
+constexpr const char* kOneCoordinate =
+    "One coordinate alone is used here, as in (Q.y - O.y) / D.y. That is right only where the "
+    "normal is exactly that axis, and not for a plane that leans a little: take s = (Q - O).N / "
+    "D.N for every plane.";
 constexpr const char* kFirstPoint =
     "The point of another plane is used here: a static or global variable keeps the first. Work "
     "everything out in each call.";
@@ -79,6 +103,13 @@ constexpr HitMistake kPlaneMistakes[] = {
      "or below 1e-6."},
     {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.05 <= f.s()); }>,
      "A limit cuts near hits off: every positive s is a hit, however small it is."},
+    {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.02 <= std::abs(f.height)); }>,
+     "A limit cuts hits off where the ray starts near the plane: every positive s is a hit, "
+     "however small it is."},
+    {&kPlaneDistance, alongAxis<&Vector3::x>, kOneCoordinate, true},
+    {&kPlaneDistance, alongAxis<&Vector3::y>, kOneCoordinate, true},
+    {&kPlaneDistance, alongAxis<&Vector3::z>, kOneCoordinate, true},
+    {&kPlaneDistance, alongNearestAxis, kOneCoordinate, true},
 };
 
 }  // namespace

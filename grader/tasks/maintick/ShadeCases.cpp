@@ -22,7 +22,8 @@ ShadeCase begun(Draw& draw, Occluder place, double distance) {
     ShadeCase made;
     made.place = place;
     made.free = drawPoint(draw);
-    addLight(draw, made.free, distance, 60.0 * distance);
+    const auto add = place == Occluder::grazing ? addGrazingLight : addLight;
+    add(draw, made.free, distance, 60.0 * distance);
     made.asked = made.without = made.putOut = made.free;
     hide(made, 0);
     return made;
@@ -76,8 +77,9 @@ Vector3 viewerOutside(const LitSetup& setup) {
     return setup.P + (R + setup.N * 0.4).normalised() * 2.5;
 }
 
-ShadeCase ofItself(Draw& draw) {
-    ShadeCase made = begun(draw, Occluder::itself, draw.between(2.0, 4.0));
+/// @param place  Itself or grazing.
+ShadeCase ofItself(Draw& draw, Occluder place) {
+    ShadeCase made = begun(draw, place, draw.between(2.0, 4.0));
     made.free.O = viewerOutside(made.free);
     made.asked.O = made.without.O = made.putOut.O = made.free.O;
     return made;
@@ -105,15 +107,30 @@ ShadeCase onPlane(Draw& draw, ShadeCase made, bool isSunk) {
     return made;
 }
 
+/// Where a sphere contains the light or the point, and where light grazes the surface.
+void addSurrounded(Draw& draw, std::vector<ShadeCase>& cases, bool isSunk) {
+    const double distance = draw.between(3.0, 4.0);
+    const double aside = draw.between(0.5, 0.7);
+    for (ShadeCase& made :
+         std::array{withBall(draw, Occluder::aroundLight, distance, distance, 0.4),
+                    withBall(draw, Occluder::aroundLight, distance, distance + aside, 1.0),
+                    withBall(draw, Occluder::aroundLight, distance, distance - aside, 1.0),
+                    withBall(draw, Occluder::aroundPoint, distance, 0.0, 0.4),
+                    withBall(draw, Occluder::aroundPoint, distance, aside, 1.0)})
+        cases.push_back(onSphere(draw, std::move(made), isSunk));
+    cases.push_back(onPlane(draw, ofItself(draw, Occluder::grazing), isSunk));
+    cases.push_back(onSphere(draw, ofItself(draw, Occluder::grazing), isSunk));
+}
+
 }  // namespace
 
 bool ShadeCase::isShaded() const {
     return place != Occluder::beyond && place != Occluder::farBeyond &&
-           place != Occluder::backwards && place != Occluder::itself;
+           place != Occluder::backwards && place != Occluder::itself && place != Occluder::grazing;
 }
 
 std::string_view wordsOf(Occluder place) {
-    static constexpr std::array<std::string_view, 12> kWords{
+    static constexpr std::array<std::string_view, 15> kWords{
         "something stands half-way to the light",
         "something stands between, 0.03 from the point",
         "something stands behind the light",
@@ -125,7 +142,10 @@ std::string_view wordsOf(Occluder place) {
         "of two lights the second is hidden",
         "a plane stands half-way to the light",
         "something stands half-way to the light, and something else behind the light",
-        "there is nothing but the surface that the point lies on"};
+        "there is nothing but the surface that the point lies on",
+        "a sphere contains the light and not the point",
+        "a sphere contains the point and not the light",
+        "there is nothing but the surface, and the light stands one or two degrees above that"};
     return kWords.at(static_cast<std::size_t>(place));
 }
 
@@ -148,9 +168,11 @@ std::vector<ShadeCase> drawShadeCases(std::uint64_t seed) {
     constexpr int kOwnSurfaces = 24;
     for (int i = 0; i < kOwnSurfaces; ++i) {
         const bool isSunk = i / 2 % 2 == 1;
-        cases.push_back(i % 2 == 0 ? onPlane(draw, ofItself(draw), isSunk)
-                                   : onSphere(draw, ofItself(draw), isSunk));
+        cases.push_back(i % 2 == 0 ? onPlane(draw, ofItself(draw, Occluder::itself), isSunk)
+                                   : onSphere(draw, ofItself(draw, Occluder::itself), isSunk));
     }
+    for (const bool isSunk : {false, true})
+        addSurrounded(draw, cases, isSunk);
     return cases;
 }
 

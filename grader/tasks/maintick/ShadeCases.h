@@ -25,7 +25,10 @@ enum class Occluder : std::uint8_t {
     ofSecondLight,
     wall,             ///< a plane half-way to the light
     beforeAndBeyond,  ///< one object half-way to the light, one behind it
-    itself            ///< nothing but the surface of the point
+    itself,           ///< nothing but the surface of the point
+    aroundLight,      ///< the light is inside, the point outside
+    aroundPoint,      ///< the other way round
+    grazing           ///< nothing but the surface, which the light all but grazes
 };
 
 /// A point of an object that is asked about with something around it, and the same without. The
@@ -84,8 +87,12 @@ struct ShadeSeen {
     /// no such ray was seen.
     std::optional<double> aim{};
     RayStart start = RayStart::unseen;
+    /// Light that grazes the surface is lost even where the point floats, and no other light is:
+    /// `lit` is dark then.
+    bool isUnlit = false;
 
     [[nodiscard]] ColourRGB expected() const;
+    [[nodiscard]] bool hasNoLight() const;  ///< `lit` is dark
     [[nodiscard]] Shown shown() const;
 };
 

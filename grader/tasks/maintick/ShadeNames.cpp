@@ -106,6 +106,25 @@ constexpr const char* kFromLight =
     "The ray from the light meets the surface of P itself, at about the distance of P. Cast it the "
     "other way: Ray{P + N * kShadowBias, (light.position() - P).normalised()}.";
 
+/// Where a sphere contains one end of the way to the light, or where that grazes the surface.
+std::optional<Name> nameOfSurrounded(const Seen& seen) {
+    if (!isRight(seen, Occluder::aroundLight))
+        return Name{&kShadeWrong,
+                    "A sphere around the light hides it from every point outside: whatever the ray "
+                    "meets before the light shades, whichever object that is."};
+    if (!isRight(seen, Occluder::aroundPoint))
+        return Name{&kShadeWrong,
+                    "A sphere around P hides every light outside of it, though P is inside: "
+                    "whatever the ray meets before the light shades, whichever object that is."};
+    if (!isRight(seen, Occluder::grazing))
+        return Name{
+            &kShadeWrong,
+            "Low light is lost: where N.L is small but positive and nothing is in the way, "
+            "the light arrives. Only a hit before the light makes shadow: leave the limit of "
+            "N.L out, here or in illuminate. P + N * kShadowBias is enough against acne."};
+    return std::nullopt;
+}
+
 /// Of code that is right where something stands between the point and a light that is 3 away.
 std::optional<Name> nameOfPlace(const Seen& seen) {
     if (anyIs(seen, [](const ShadeSeen& one) {
@@ -130,7 +149,7 @@ std::optional<Name> nameOfPlace(const Seen& seen) {
         return Name{&kShadeWrong,
                     "What stands behind the light decides nothing: look at the other objects, too, "
                     "or take the nearest hit, scene.findClosestIntersection(ray)."};
-    return std::nullopt;
+    return nameOfSurrounded(seen);
 }
 
 Name nameOfColour(const Seen& seen, Occluder place) {
@@ -169,7 +188,12 @@ ColourRGB ShadeSeen::expected() const {
     return asked->isShaded() ? dark : lit;
 }
 
+bool ShadeSeen::hasNoLight() const {
+    return isNear(lit, dark) || isNear(lit, putOut);
+}
+
 Shown ShadeSeen::shown() const {
+    if (isUnlit) return Shown::dark;
     const bool isDark = isNear(given, dark) || isNear(given, putOut);
     if (asked->isShaded() ? isDark : isNear(given, lit)) return Shown::right;
     if (isNear(given, lit)) return Shown::lit;

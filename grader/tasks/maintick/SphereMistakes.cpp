@@ -89,6 +89,10 @@ constexpr const char* kLimitBelowZero =
     "A limit below 0 takes a near root that lies a little behind the ray, as that of a ray that "
     "starts just inside: compare (-b - root) / (2 a) with 0, and (-b + root) / (2 a) as well.";
 
+constexpr double kNearest = 0.05;
+constexpr const char* kNearLimit =
+    "A limit cuts near hits off: every positive s is a hit, however small it is.";
+
 /// A root that is this far behind counts.
 constexpr double kBehind = -0.05;
 double nearRootBehind(const Q& q) {
@@ -189,8 +193,16 @@ constexpr HitMistake kSphereMistakes[] = {
      solved<[](const Q& q) { return Distance{1000.0} < q.hit() ? Distance{} : q.hit(); }>,
      "A limit cuts far hits off: every positive s is a hit, however large it is."},
     {&kSphereMissed,
-     chosen<[](const Q& q) { return ifAhead(0.05 < q.near() ? q.near() : q.far()); }>,
-     "A limit cuts near hits off: every positive s is a hit, however small it is."},
+     chosen<[](const Q& q) { return ifAhead(kNearest < q.near() ? q.near() : q.far()); }>,
+     kNearLimit},
+    {&kSphereMissed,
+     solved<[](const Q& q) { return Distance{kNearest} < q.hit() ? q.hit() : Distance{}; }>,
+     kNearLimit, true},
+    {&kSphereMissed, chosen<[](const Q& q) {
+         if (kNearest < q.near()) return Distance{q.near()};
+         return kNearest < q.far() ? Distance{q.far()} : Distance{};
+     }>,
+     kNearLimit},
     {&kSphereMissed,
      solved<[](const Q& q) { return q.discriminant() < 4e-3 ? Distance{} : q.hit(); }>,
      "A tolerance of the discriminant takes small spheres and the rims of others away: only where "

@@ -54,7 +54,11 @@ export async function openPage(browser, url, options = {}) {
   page.on("request", (request) => {
     if (!allowed(request.url())) problems.push(`request: ${request.url()}`);
   });
-  page.on("requestfailed", (request) => problems.push(`missing: ${request.url()}`));
+  page.on("requestfailed", (request) => {
+    const { errorText } = request.failure();
+    // A picture that was still on its way when the test went to another page.
+    if (errorText !== "net::ERR_ABORTED") problems.push(`missing: ${request.url()}: ${errorText}`);
+  });
   await page.emulateMedia({
     colorScheme: options.colorScheme || "light", media: options.media || "screen",
     reducedMotion: "reduce", // where something is must not depend on how far a scroll has come

@@ -91,12 +91,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{kMain, "seen-from-camera", Reach::wide, "illuminate,isShadowed,"}));
 
 /// How many edits of the reference's T1 with another end give a text that holds these words.
-std::size_t editsThatGive(const std::string& end, const std::string& words) {
+std::size_t editsThatGive(const std::string& end, const std::string& words,
+                          Reach reach = Reach::simple) {
     std::string text = tests::readFile("reference_solution/exercise/BumpySphere.cpp");
     const std::string last = "    return (normal + Bu";
     text.replace(text.find(last), text.find(";\n", text.find(last)) + 1 - text.find(last), end);
-    const Candidates candidates =
-        tests::found(kStarred, "BumpySphere.cpp", text, Reach::simple, "");
+    const Candidates candidates = tests::found(kStarred, "BumpySphere.cpp", text, reach, "");
     return static_cast<std::size_t>(std::ranges::count_if(candidates.atoms, [&](const Atom& atom) {
         return withEdits(text, atom.edits).value_or("").find(words) != std::string::npos;
     }));
@@ -110,12 +110,38 @@ TEST(SimpleEdits, LeaveAStatementOutWhereALessOneWouldAssignAVariableToItself) {
     EXPECT_GT(editsThatGive(turned, "Bu * Pu;\n    \n    return"), 0U);
 }
 
+TEST(SimpleEdits, KeepTheFractionsOfBothSlopesTogether) {
+    const std::string cut =
+        "const int slopeU = Bu;\n    const int slopeV = Bv;\n"
+        "    return normal + slopeU * Pu + slopeV * Pv;";
+    EXPECT_GT(editsThatGive(cut, "const double slopeU = Bu;\n    const double slopeV = Bv;"), 0U);
+}
+
+TEST(SimpleEdits, KeepBothSidesOfOneOfBothTogether) {
+    EXPECT_GT(editsThatGive("if (u < 0.0 || v < 0.0) return normal;\n    return Pu;",
+                            "if ((u < 0.0) != (v < 0.0)) return"),
+              0U);
+}
+
 TEST(SimpleEdits, CompareNoConstantWithAConstant) {
     const std::string limited =
         "constexpr double kLow = 0.0;\n    const double kHigh = 9.0;\n"
         "    if (v > kHigh) return normal * kLow;\n    return Pu;";
     EXPECT_EQ(editsThatGive(limited, "kLow > kHigh"), 0U);
     EXPECT_GT(editsThatGive(limited, "u > kHigh"), 0U);
+}
+
+TEST(SimpleEdits, ReplaceBothFactorsOfASquareTogether) {
+    EXPECT_GT(editsThatGive("return Pu * (u * u);", "Pu * (v * v)"), 0U);
+}
+
+TEST(WideEdits, PutInAnotherDivisorAnotherPointAndTheWholeTurn) {
+    EXPECT_GT(editsThatGive("return Pu / v;", "Pu / normal.z", Reach::wide), 0U);
+    EXPECT_GT(editsThatGive("return Pu.normalised().normalised();", "return Pv;", Reach::wide), 0U);
+    EXPECT_GT(editsThatGive("const double w = std::abs(longitude) / (2.0 * std::numbers::pi);\n"
+                            "    return Pu * w;",
+                            "w = longitude / (2.0 * std::numbers::pi) + 0.5;", Reach::wide),
+              0U);
 }
 
 // As it is where Clang's own headers are not installed.

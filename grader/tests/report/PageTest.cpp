@@ -233,6 +233,20 @@ TEST(ReportPage, ShowsWhatWasNotCheckedAsThatAndNotAsPassed) {
     EXPECT_NE(summary.find(",notChecked,"), std::string::npos);
 }
 
+TEST(ReportPage, ShowsTasksThatPassedAfterTheOthers) {
+    SubmissionResult result = everyExample().front();
+    result.tasks.assign(2, TaskReport{});
+    result.tasks[0].id = "T2.1";
+    result.tasks[1].id = "T2.2";
+    result.tasks[0].state = TaskState::passed;
+    result.tasks[1].state = TaskState::failed;
+    const std::string html = reportPage(result);
+    EXPECT_LT(html.find("<section id=\"task-T2-2\""), html.find("<section id=\"task-T2-1\""));
+    result.tasks[1].state = TaskState::passed;
+    const std::string right = reportPage(result);
+    EXPECT_LT(right.find("<section id=\"task-T2-1\""), right.find("<section id=\"task-T2-2\""));
+}
+
 TEST(ReportPage, SaysOnceWhatIsTheSameForSeveralTasks) {
     const std::string html = reportPage(textOnlyExample());
     expectBalanced(html);
@@ -333,6 +347,14 @@ TEST(ReportPage, ShowsAProvenEditAsLinesBeforeAndAfter) {
     EXPECT_NE(html.find("return a &lt; b;</del>"), std::string::npos);
     EXPECT_NE(html.find("return a + b;</ins>"), std::string::npos);
     EXPECT_NE(html.find("passes all questions under three seeds"), std::string::npos);
+}
+
+TEST(ReportPage, ShowsOfALineThatIsLeftOutTheLineAlone) {
+    SubmissionResult result = failedBumpExample();
+    result.repairs = {{"T1", "bump.inverted-u", "BumpySphere.cpp", {{3, "int x;", ""}}, true, ""}};
+    const std::string html = reportPage(result);
+    EXPECT_EQ(tagsOf(html, "del").size(), 1U);
+    EXPECT_TRUE(tagsOf(html, "ins").empty());
 }
 
 TEST(ReportPage, NeverShowsAnEditThatIsNotProven) {

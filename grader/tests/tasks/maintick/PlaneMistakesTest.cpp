@@ -34,27 +34,32 @@ TEST(PlaneMistakes, AnswerWhatTheirCodeWould) {
                                   Ray{{0.0, 0.0, 9.0}, {0.0, 0.6, -0.8}},
                                   Ray{{0.0, 0.0, 9.0}, {0.0, 0.0, 1.0}}};
     const std::vector<std::array<Distance, 3>> wanted{
-        {kPasses, kPasses, 4.0},    // -s
-        {6.25, kPasses, 5.0},       // without the origin
-        {7.5, kPasses, 14.0},       // the origin added
-        {kPasses, 11.25, kPasses},  // without the point
-        {kPasses, 4.0, 4.0},        // not divided
-        {0.2, 0.2, kPasses},        // upside down
-        {3.2, 3.2, kPasses},        // multiplied
-        {5.0, 5.0, -4.0},           // behind as well
-        {5.0, 5.0, 4.0},            // |s|
-        {kPasses, kPasses, -4.0},   // behind alone
-        {5.0, kPasses, kPasses},    // from the front alone
-        {kPasses, 5.0, kPasses},    // from the back alone
-        {5.0, kPasses, -4.0},       // from the front, behind as well
-        {kPasses, 5.0, 4.0},        // |D.N|
-        {4.0, 4.0, kPasses},        // the height above the plane
-        {kPasses, 21.25, kPasses},  // the first plane's point and normal,
-        {8.75, 1.25, kPasses},      // or its point alone
-        {5.0, 5.0, kPasses},        // nothing behind the camera
-        {5.0, 5.0, kPasses},        // a limit of what is far,
-        {5.0, 5.0, kPasses},        // of the slope,
-        {5.0, 5.0, kPasses},        // and of what is near
+        {kPasses, kPasses, 4.0},      // -s
+        {6.25, kPasses, 5.0},         // without the origin
+        {7.5, kPasses, 14.0},         // the origin added
+        {kPasses, 11.25, kPasses},    // without the point
+        {kPasses, 4.0, 4.0},          // not divided
+        {0.2, 0.2, kPasses},          // upside down
+        {3.2, 3.2, kPasses},          // multiplied
+        {5.0, 5.0, -4.0},             // behind as well
+        {5.0, 5.0, 4.0},              // |s|
+        {kPasses, kPasses, -4.0},     // behind alone
+        {5.0, kPasses, kPasses},      // from the front alone
+        {kPasses, 5.0, kPasses},      // from the back alone
+        {5.0, kPasses, -4.0},         // from the front, behind as well
+        {kPasses, 5.0, 4.0},          // |D.N|
+        {4.0, 4.0, kPasses},          // the height above the plane
+        {kPasses, 21.25, kPasses},    // the first plane's point and normal,
+        {8.75, 1.25, kPasses},        // or its point alone
+        {5.0, 5.0, kPasses},          // nothing behind the camera
+        {5.0, 5.0, kPasses},          // a limit of what is far,
+        {5.0, 5.0, kPasses},          // of the slope,
+        {5.0, 5.0, kPasses},          // of what is near,
+        {5.0, 5.0, kPasses},          // and of the height
+        {kPasses, kPasses, kPasses},  // along x alone,
+        {kPasses, kPasses, kPasses},  // along y,
+        {5.0, 5.0, kPasses},          // along z,
+        {5.0, 5.0, kPasses},          // or along the axis that is nearest
     };
     const auto mistakes = planeMistakes();
     ASSERT_EQ(mistakes.size(), wanted.size());
@@ -67,7 +72,7 @@ TEST(PlaneMistakes, AnswerWhatTheirCodeWould) {
 
 TEST(PlaneMistakes, LeaveOutWhatTheirLimitsLeaveOut) {
     const auto mistakes = planeMistakes();
-    const std::size_t last = mistakes.size() - 1;
+    const std::size_t last = mistakes.size() - 6;
     const auto from = [](double z) { return Ray{{0.0, 0.0, z}, {0.0, 0.0, 1.0}}; };
     const auto sloping = [](double slope) {
         return Ray{{}, {0.0, std::sqrt(1.0 - slope * slope), slope}};
@@ -78,6 +83,23 @@ TEST(PlaneMistakes, LeaveOutWhatTheirLimitsLeaveOut) {
     expectDistance(askedOfPlane(mistakes[last - 1], sloping(0.009)), kPasses);
     expectDistance(askedOfPlane(mistakes[last], from(4.94)), 0.06);
     expectDistance(askedOfPlane(mistakes[last], from(4.96)), kPasses);
+    expectDistance(askedOfPlane(mistakes[last + 1], from(4.97)), 0.03);
+    expectDistance(askedOfPlane(mistakes[last + 1], from(4.99)), kPasses);
+}
+
+TEST(PlaneMistakes, TakeALeaningPlaneForOneOfAnAxis) {
+    const auto mistakes = planeMistakes();
+    const std::size_t x = mistakes.size() - 4;
+    const Ray ray{{1.0, 1.0, 1.0}, {0.6, 0.64, 0.48}};
+    raytracer::SceneDescription scene;
+    for (const Vector3& normal :
+         {Vector3{3.0, -0.1, 0.1}, Vector3{0.1, -3.0, 0.1}, Vector3{0.1, 0.1, -3.0}})
+        scene.planes.push_back({{2.2, 2.6, 2.44}, normal, {}});
+    const std::array<double, 3> along{2.0, 2.5, 3.0};
+    for (std::size_t i = 0; i < along.size(); ++i) {
+        expectDistance(mistakes[x + i].distance(scene, 0, ray), along[i]);
+        expectDistance(mistakes[x + 3].distance(scene, static_cast<int>(i), ray), along[i]);
+    }
 }
 
 }  // namespace

@@ -56,13 +56,38 @@ TEST(ShadeCases, LieBelowTheirSurfaceAsOftenAsAbove) {
             const Vector3 L = (lightOf(shade.asked) - shade.asked.P).normalised();
             const auto own = meetOwn(shade, shade.asked, {shade.asked.P, L});
             EXPECT_EQ(own.has_value(), shade.isSunk) << seed << ": " << wordsOf(shade.place);
-            EXPECT_LT(own ? own->distance : 0.0, 1e-12) << seed;
+            EXPECT_LT(own ? own->distance : 0.0, 1e-11) << seed;
             EXPECT_FALSE(
                 meetOwn(shade, shade.asked, {shade.asked.P + shade.asked.N * 1e-6, L}).has_value())
                 << seed;
             if (shade.isSunk) ++sunk;
         }
         EXPECT_EQ(2 * sunk, cases.size());
+    }
+}
+
+TEST(ShadeCases, HaveSpheresAroundEitherEndAndLightThatGrazes) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        int aroundLight = 0;
+        int aroundPoint = 0;
+        int grazing = 0;
+        for (const ShadeCase& shade : drawShadeCases(seed)) {
+            const LitSetup& setup = shade.asked;
+            const double facing = (lightOf(setup) - setup.P).normalised().dot(setup.N);
+            EXPECT_GT(facing, 0.0199) << seed;
+            if (facing < 0.0401) ++grazing;
+            EXPECT_EQ(facing < 0.1, shade.place == Occluder::grazing) << seed;
+            if (setup.scene.spheres.size() < 2) continue;
+            const auto& ball = setup.scene.spheres[1];
+            const auto isInside = [&](const Vector3& at) {
+                return (at - ball.centre).magnitude() < ball.radius - 0.1;
+            };
+            if (isInside(lightOf(setup)) && !isInside(setup.P)) ++aroundLight;
+            if (isInside(setup.P) && !isInside(lightOf(setup))) ++aroundPoint;
+        }
+        EXPECT_EQ(aroundLight, 6) << seed;
+        EXPECT_EQ(aroundPoint, 4) << seed;
+        EXPECT_EQ(grazing, 4) << seed;
     }
 }
 

@@ -27,7 +27,23 @@ TEST(ShadeNames, NameWhatIsWrongInOnePlaceAlone) {
                  {{{Occluder::ofSecondLight, lit}}, "shade.lights"},
                  {{{Occluder::wall, lit}}, "shade.wrong", "Planes cast shadows"},
                  {{{Occluder::beforeAndBeyond, lit}}, "shade.wrong", "What stands behind"},
+                 {{{Occluder::aroundLight, lit}}, "shade.wrong", "sphere around the light"},
+                 {{{Occluder::aroundPoint, lit}}, "shade.wrong", "sphere around P"},
+                 {{{Occluder::grazing, dark}}, "shade.wrong", "Low light"},
                  {{{Occluder::backwards, dark}}, "shade.wrong"}});
+}
+
+TEST(ShadeNames, SayThatLowLightIsLostEvenWhereThePointFloats) {
+    Habits high;
+    high.lowest = 0.045;
+    expectNamed({{{}, "shade.wrong", "Low light", high}});
+    const auto findings = judgeLooks({}, high).findings;
+    EXPECT_NE(findings.at(0).message.find("got the same"), std::string::npos)
+        << findings.at(0).message;
+    high.lowest = 0.5;
+    EXPECT_TRUE(judgeLooks({}, high).findings.empty()) << "other light is lost, too, as by M2";
+    high.lowest = 0.019;
+    EXPECT_TRUE(judgeLooks({}, high).findings.empty());
 }
 
 TEST(ShadeNames, LookAtSeveralPlacesAtOnce) {
@@ -50,7 +66,8 @@ TEST(ShadeNames, NameWhatAllHiddenPlacesShow) {
     const Looks allDark{{Occluder::beyond, dark},
                         {Occluder::farBeyond, dark},
                         {Occluder::backwards, dark},
-                        {Occluder::itself, dark}};
+                        {Occluder::itself, dark},
+                        {Occluder::grazing, dark}};
     expectNamed({{hidden(lit), "shade.none"},
                  {with(hidden(lit), {{Occluder::beyond, dark}}), "shade.beyond-light",
                   "the wrong way round"},

@@ -32,6 +32,7 @@ struct Habits {
     double alongNormal = 0.0;   ///< added to `a`, times the normal
     bool isFromLight = false;   ///< from the light to the point, whatever `event` says
     bool leaks = false;         ///< lit, if hidden, where the point is below its surface
+    double lowest = -1.0;       ///< of N.L: lights below add nothing, whatever is around
 };
 
 /// Lights points as the handout does, and answers about places with other things around them by a
@@ -58,9 +59,15 @@ public:
     }
 
 private:
-    static ColourRGB litBy(const probe::IlluminateQuestion& asked) {
+    [[nodiscard]] ColourRGB litBy(const probe::IlluminateQuestion& asked) const {
         const probe::LitPoint& point = asked.points[0];
-        return phong({asked.scene, point.position, point.normal, point.viewer});
+        return withoutLow({asked.scene, point.position, point.normal, point.viewer});
+    }
+    [[nodiscard]] ColourRGB withoutLow(LitSetup setup) const {
+        std::erase_if(setup.scene.pointLights, [&](const raytracer::PointLight& light) {
+            return (light.position() - setup.P).normalised().dot(setup.N) < habits_.lowest;
+        });
+        return phong(setup);
     }
     [[nodiscard]] probe::Event castFrom(const LitSetup& setup) const {
         probe::Event event = habits_.event;
@@ -87,7 +94,7 @@ private:
             return phong(shade.without) +
                    ambient * static_cast<double>(setup.scene.pointLights.size());
         const bool isDark = look == Look::dark || (look == Look::right && shade.isShaded());
-        return phong(isDark ? shade.without : setup);
+        return withoutLow(isDark ? shade.without : setup);
     }
 
     std::vector<ShadeCase> cases_;

@@ -76,7 +76,9 @@ TEST(SphereMistakes, AnswerWhatTheirCodeWould) {
         {3.0, 3.0, kMiss, kMiss},  // nothing nearer than 1
         {3.0, 3.0, kMiss, kMiss},  // nothing behind the camera
         {3.0, 3.0, kMiss, kMiss},  // a limit of what is far,
-        {3.0, 3.0, kMiss, kMiss},  // of what is near,
+        {3.0, 3.0, kMiss, kMiss},  // of what is near, for the near side,
+        {3.0, 3.0, kMiss, kMiss},  // for what is taken,
+        {3.0, 3.0, kMiss, kMiss},  // or for each side,
         {3.0, 3.0, kMiss, kMiss},  // and of the discriminant
     };
     const auto mistakes = sphereMistakes();
@@ -125,7 +127,7 @@ TEST(SphereMistakes, TakeTheFarSideWhereThePointNearestToTheCentreIsBehind) {
 
 TEST(SphereMistakes, LeaveOutWhatTheirLimitsLeaveOut) {
     const auto mistakes = sphereMistakes();
-    const std::size_t farLimit = mistakes.size() - 3;
+    const std::size_t farLimit = mistakes.size() - 5;
     const auto asked = [&](std::size_t mistake, double z, double radius) {
         return mistakes[mistake].distance(twoBalls(radius), 1, {{0.0, 0.0, z}, kForwards});
     };
@@ -133,8 +135,14 @@ TEST(SphereMistakes, LeaveOutWhatTheirLimitsLeaveOut) {
     expectSame(asked(farLimit, -998.5, 2.0), kMiss, farLimit, 1);
     expectSame(asked(farLimit + 1, 2.96, 2.0), 4.04, farLimit + 1, 0);
     expectSame(asked(farLimit + 1, 2.94, 2.0), 0.06, farLimit + 1, 1);
-    expectSame(asked(farLimit + 2, 0.0, 0.032), 4.968, farLimit + 2, 0);
-    expectSame(asked(farLimit + 2, 0.0, 0.0316), kMiss, farLimit + 2, 1);
+    expectSame(asked(farLimit + 2, 2.94, 2.0), 0.06, farLimit + 2, 0);
+    expectSame(asked(farLimit + 2, 2.96, 2.0), kMiss, farLimit + 2, 1);
+    expectSame(asked(farLimit + 2, 6.94, 2.0), 0.06, farLimit + 2, 2);
+    expectSame(asked(farLimit + 3, 2.96, 2.0), 4.04, farLimit + 3, 0);
+    expectSame(asked(farLimit + 3, 6.94, 2.0), 0.06, farLimit + 3, 1);
+    expectSame(asked(farLimit + 3, 6.96, 2.0), kMiss, farLimit + 3, 2);
+    expectSame(asked(farLimit + 4, 0.0, 0.032), 4.968, farLimit + 4, 0);
+    expectSame(asked(farLimit + 4, 0.0, 0.0316), kMiss, farLimit + 4, 1);
 }
 
 }  // namespace

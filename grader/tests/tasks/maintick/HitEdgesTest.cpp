@@ -1,0 +1,111 @@
+#include <grader/tests/tasks/maintick/AltersHits.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ticker::tasks {
+namespace {
+
+// Single precision is right there; see JudgePlanes.cpp and JudgeSpheres.cpp.
+TEST(JudgeHits, AsksTwoThousandAwayButNoFarther) {
+    const auto farthestOf = [](auto judge) {
+        double farthest = 0.0;
+        static_cast<void>(judge([&](probe::Hit&, const Asked&, const probe::CastRay& ray) {
+            farthest = std::max(farthest, ray.origin.magnitude());
+        }));
+        return farthest;
+    };
+    for (const double farthest : {farthestOf(ofSpheres), farthestOf(ofPlanes)}) {
+        EXPECT_GT(farthest, 1500.0);
+        EXPECT_LT(farthest, 4100.0);
+    }
+}
+
+// Mirrors and lights look there, too.
+TEST(JudgeHits, AsksOnBothSidesOfTheCameraUnderEverySeed) {
+    const Change dropped = [](probe::Hit& hit, const Asked&, const probe::CastRay&) {
+        if (hit.location.z < 0.0) hit.isHit = false;
+    };
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        AltersHits examinee{dropped};
+        expectOne(judgeSpheres(examinee, seed).findings, "sphere.missed", "behind the camera");
+        expectOne(judgePlanes(examinee, seed).findings, "plane.missed", "behind the camera");
+    }
+}
+
+// The near root of a ray that starts inside is a little below 0.
+TEST(JudgeHits, AsksInsideNearTheSurfaceUnderEverySeed) {
+    const auto behindCounts = [](bool isHit) {
+        return [=](probe::Hit& hit, const Asked& asked, const probe::CastRay& ray) {
+            const auto& sphere = asked.scene.spheres[static_cast<std::size_t>(ray.object)];
+            const raytracer::Ray backwards{ray.origin, -ray.direction};
+            const auto back = meet(sphere, backwards);
+            if (!hit.isHit || !back || back->distance > 0.05) return;
+            hit.isHit = isHit;
+            hit.distance = -back->distance;
+        };
+    };
+    for (std::uint64_t seed = 1; seed <= 60; ++seed)
+        for (const bool isHit : {false, true}) {
+            AltersHits examinee{behindCounts(isHit)};
+            expectOne(judgeSpheres(examinee, seed).findings, "sphere.inside", "limit below 0");
+        }
+}
+
+// The far root of a ray that starts just past a sphere is a little below 0.
+TEST(JudgeHits, AsksJustPastTheFarSideUnderEverySeed) {
+    const Change behindCounts = [](probe::Hit& hit, const Asked& asked, const probe::CastRay& ray) {
+        const auto& sphere = asked.scene.spheres[static_cast<std::size_t>(ray.object)];
+        const Vector3 fromCentre = ray.origin - sphere.centre;
+        const auto back = meet(sphere, {ray.origin, -ray.direction});
+        if (fromCentre.magnitude() < sphere.radius || !back || back->distance > 0.05) return;
+        hit.isHit = true;
+        hit.distance = -back->distance;
+    };
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        AltersHits examinee{behindCounts};
+        expectOne(judgeSpheres(examinee, seed).findings, "sphere.behind", "limit below 0");
+    }
+}
+
+// A limit of what is near shows only there, and small limits are right readings.
+TEST(JudgeHits, AsksTwoThousandthsAwayUnderEverySeed) {
+    const auto from = [](double limit) {
+        return [=](probe::Hit& hit, const Asked&, const probe::CastRay&) {
+            if (hit.distance < limit) hit.isHit = false;
+        };
+    };
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        AltersHits limited{from(0.003)};
+        expectOne(judgeSpheres(limited, seed).findings, "sphere.missed", "near hits");
+        expectOne(judgePlanes(limited, seed).findings, "plane.missed", "near hits");
+        AltersHits right{from(0.0015)};
+        EXPECT_TRUE(judgeSpheres(right, seed).findings.empty()) << seed;
+        EXPECT_TRUE(judgePlanes(right, seed).findings.empty()) << seed;
+    }
+}
+
+// As code with another formula for floors or walls, which is right on the axis alone.
+TEST(JudgeHits, AsksOfPlanesThatLeanFromEachAxisUnderEverySeed) {
+    constexpr double kAlmost = 0.999;
+    for (const auto coordinate : {&Vector3::x, &Vector3::y, &Vector3::z})
+        for (const double sign : {-1.0, 1.0}) {
+            AltersHits examinee{[=](probe::Hit& hit, const Asked& asked,
+                                    const probe::CastRay& ray) {
+                const auto& planes = asked.scene.planes;
+                const auto& plane = planes[static_cast<std::size_t>(ray.object)];
+                if (plane.normal.normalised().*coordinate * sign < kAlmost || isLong(ray)) return;
+                hit.distance =
+                    (plane.point.*coordinate - ray.origin.*coordinate) / ray.direction.*coordinate;
+                hit.isHit = hit.distance > 0.0;
+            }};
+            for (std::uint64_t seed = 1; seed <= 60; ++seed)
+                expectOne(judgePlanes(examinee, seed).findings, "plane.distance",
+                          "One coordinate alone");
+        }
+}
+
+}  // namespace
+}  // namespace ticker::tasks
