@@ -160,8 +160,9 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
         outcome.findings.push_back(*std::move(finding));
         return outcome;
     }
-    outcome.onlyExtra = !castsNoRay(logs) && castsOnlyExtraRays(logs);
-    outcome.rayless = outcome.onlyExtra || castsNoRay(logs);
+    const bool castsNone = castsNoRay(logs);
+    outcome.onlyExtra = !castsNone && castsOnlyExtraRays(logs);
+    outcome.rayless = outcome.onlyExtra || castsNone;
     outcome.cut = std::ranges::any_of(all, &ShadowLog::cut);
     ShadowSeen seen{.logs = logs};
     if (!outcome.rayless) seen.aims = judgeAims(logs.farLight);

@@ -109,7 +109,7 @@ std::optional<Finding> checkFinite(const ShadowLogs& logs) {
             if (!std::isfinite(point.colour.r + point.colour.g + point.colour.b))
                 return distributedFinding(kShadowWrong, Severity::fail,
                                           "A colour was expected from illuminate; at an ordinary "
-                                          "point it gave a value that is no number.");
+                                          "point it gave NaN or infinity.");
     return std::nullopt;
 }
 
