@@ -10,7 +10,7 @@ namespace ticker::tasks {
 // The findings of T1. A new finding is one row here and one entry in the table below.
 
 inline constexpr FindingText kBumpNotFinite{.id = "bump.not-finite",
-                                            .words = "gave normals that are no numbers",
+                                            .words = "gave normals with NaN or infinity in them",
                                             .meaning = "a normal has a NaN or infinite component"};
 
 inline constexpr FindingText kBumpNotUnit{

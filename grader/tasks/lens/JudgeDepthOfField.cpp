@@ -158,6 +158,30 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
     return outcome;
 }
 
+// Fewer rays than asked for are no number that is typed in, since at the handout's settings more
+// were cast. Where they are as many as the handout's, another check speaks of typed numbers.
+std::optional<Finding> judgeOddCount(const LensLog& odd) {
+    if (lacksRays(odd) || odd.cut) return std::nullopt;
+    const auto asked = static_cast<std::size_t>(odd.asked->settings.dofRayCount);
+    const auto handoutRays = static_cast<std::size_t>(raytracer::RenderSettings{}.dofRayCount);
+    const std::size_t rays = fewestRays(odd);
+    std::optional<Finding> wrong;
+    if (rays < asked) wrong = checkLensCounts(odd);
+    if (rays > asked && rays < handoutRays) wrong = checkAverage(odd);
+    if (!wrong) return std::nullopt;
+    wrong->message = fmt::format(
+                         "With {} rays for each pixel all is right; with an odd number it "
+                         "is not. ",
+                         handoutRays) +
+                     wrong->message;
+    wrong->hint =
+        "Half of an odd number is rounded down as an int, so that rays in pairs are one too few; "
+        "so are other groups where some rays are left over. Cast settings().dofRayCount rays "
+        "whatever that number is, or more, and divide their sum by the number of rays that you "
+        "cast.";
+    return wrong;
+}
+
 std::optional<Finding> judgeAnotherScene(const LensLog& log) {
     std::optional<Finding> wrong = firstFailure(log);
     if (wrong)

@@ -30,6 +30,10 @@ struct LensOutcome {
 /// @param other    Answers at other settings: a fault there alone is a warning.
 [[nodiscard]] LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other);
 
+/// Judges a number of rays that pairs or other groups do not make up, for code that is right at the
+/// handout's number: too few rays, or a mean over another number of them.
+[[nodiscard]] std::optional<Finding> judgeOddCount(const LensLog& odd);
+
 /// The first failure of an answer at the handout's settings, by itself. The hint says that other
 /// scenes were answered rightly.
 [[nodiscard]] std::optional<Finding> judgeAnotherScene(const LensLog& log);

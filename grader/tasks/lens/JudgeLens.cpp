@@ -95,11 +95,27 @@ void confirmSettings(probe::Examinee& examinee, const LensQuestions& asked, bool
         *blamed = *std::move(alone);
 }
 
+// Of rays that are visible and right at the handout's number. What pairs lose they lose with other
+// settings, too, so that the warning about these says nothing more. What is wrong in this scene
+// with the handout's number as well is no matter of odd ones.
+void askOddCount(probe::Examinee& examinee, const LensQuestions& asked, const LensLog& odd,
+                 std::vector<Finding>& findings) {
+    if (hasFailure(findings)) return;
+    std::optional<Finding> wrong = judgeOddCount(odd);
+    if (!wrong) return;
+    probe::RenderQuestion again = asked.odd;
+    again.settings.dofRayCount = asked.handout.settings.dofRayCount;
+    if (std::optional<Finding> alone = failureAlone(examinee, again, odd.mayAntialias))
+        wrong = std::move(alone);
+    std::erase_if(findings, [](const Finding& finding) { return is(finding, kSettingsHardCoded); });
+    findings.push_back(*std::move(wrong));
+}
+
 }  // namespace
 
 TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed) {
     const LensQuestions asked = drawLensQuestions(seed);
-    const probe::Run run = examinee.ask({asked.handout, asked.other});
+    const probe::Run run = examinee.ask({asked.handout, asked.other, asked.odd});
     if (std::optional<TaskJudgement> blocked = judgeUnanswered(run, "render"))
         return *std::move(blocked);
 
@@ -112,9 +128,11 @@ TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed) {
                            kLensFindings);
     LensLog atHandout = readLensLog(asked.handout, handout);
     LensLog atOther = readLensLog(asked.other, other);
+    LensLog atOdd = readLensLog(asked.odd, std::get<probe::RenderAnswer>(run.answers[2]));
     const bool mayAntialias = antialiases(examinee, atHandout, seed);
-    atHandout.mayAntialias = atOther.mayAntialias = mayAntialias;
+    atHandout.mayAntialias = atOther.mayAntialias = atOdd.mayAntialias = mayAntialias;
     LensOutcome outcome = judgeDepthOfField(atHandout, atOther);
+    if (!outcome.rayless) askOddCount(examinee, asked, atOdd, outcome.findings);
     if (!lacksRays(atOther)) confirmSettings(examinee, asked, mayAntialias, outcome.findings);
     const bool needsReview = judgeResults(examinee, seed, mayAntialias, outcome);
     TaskJudgement judgement = judgementOf(std::move(outcome.findings), kLensFindings, needsReview);

@@ -3,6 +3,7 @@
 #include <grader/tasks/lens/LensStages.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/questions/LensQuestions.h>
+#include <grader/tasks/lens/questions/PictureQuestions.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>

@@ -93,6 +93,10 @@ Result contact(ShadowSeen& seen) {
     return seen.reading ? checkContact(seen.logs) : std::nullopt;
 }
 
+Result oddCount(ShadowSeen& seen) {
+    return seen.reading ? checkOddCount(seen.logs) : std::nullopt;
+}
+
 Result otherSettings(ShadowSeen& seen) {
     return seen.reading ? checkOtherSettings(seen.logs) : std::nullopt;
 }
@@ -126,10 +130,14 @@ const std::vector<ShadowCheck>& checksOfRays() {
                                                  : std::nullopt;
              }},
         {.run = [](ShadowSeen& seen) { return keepReading(seen, checkArithmetic(seen.logs)); }},
+        {.run = [](ShadowSeen& seen) { return checkColourChannels(seen.logs); },
+         .ifNothingFails = true},
         {.run = horizon, .ifNothingFails = true},
         {.run = contact, .ifNothingFails = true},
         {.run = viewer},
         {.run = nearSide, .ifNothingFails = true},
+        // Rays that pairs lose are lost with other settings, too.
+        {.run = oddCount, .ifNothingFails = true},
         {.run = otherSettings, .ifNothingFails = true}};
     return kChecks;
 }
@@ -152,8 +160,9 @@ ShadowOutcome judgeSoftShadows(const std::vector<ShadowLog>& all) {
         outcome.findings.push_back(*std::move(finding));
         return outcome;
     }
-    outcome.onlyExtra = !castsNoRay(logs) && castsOnlyExtraRays(logs);
-    outcome.rayless = outcome.onlyExtra || castsNoRay(logs);
+    const bool castsNone = castsNoRay(logs);
+    outcome.onlyExtra = !castsNone && castsOnlyExtraRays(logs);
+    outcome.rayless = outcome.onlyExtra || castsNone;
     outcome.cut = std::ranges::any_of(all, &ShadowLog::cut);
     ShadowSeen seen{.logs = logs};
     if (!outcome.rayless) seen.aims = judgeAims(logs.farLight);

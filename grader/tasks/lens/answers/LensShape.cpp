@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numbers>
+#include <ranges>
 #include <set>
 
 namespace ticker::tasks {
@@ -42,6 +44,30 @@ Lens lensOf(const LensLog& log) {
         static_cast<double>(keys.size()) < 0.9 * static_cast<double>(lens.points.size());
     lens.distinct = repeated ? keys.size() : lens.points.size();
     return lens;
+}
+
+// Random numbers make neither equal steps nor equal counts. A grid of n rays has some sqrt(n)
+// places along each side.
+Columns columnsOf(const LensLog& log, double Vector3::*axis) {
+    constexpr std::size_t kLeast = 3;
+    constexpr double kSame = 1e-7;
+    if (log.pixels.empty()) return {};
+    std::map<std::int64_t, std::size_t> rays;
+    for (const LensPixel& pixel : log.pixels)
+        for (const LensRay& ray : pixel.rays)
+            ++rays[std::llround(ray.origin.*axis * 1e9)];
+    const std::size_t count = rays.size();
+    if (count < kLeast || count * count > 2 * log.pixels.front().rays.size()) return {};
+    const double low = static_cast<double>(rays.begin()->first) * 1e-9;
+    const double high = static_cast<double>(rays.rbegin()->first) * 1e-9;
+    Columns columns{count, (high - low) / static_cast<double>(count - 1), 0.5 * (low + high)};
+    std::size_t at = 0;
+    for (const auto& [place, number] : rays)
+        if (std::abs(static_cast<double>(place) * 1e-9 - low -
+                     static_cast<double>(at++) * columns.step) > kSame)
+            return {};
+    const auto [fewest, most] = std::ranges::minmax(rays | std::views::values);
+    return most - fewest <= log.pixels.size() ? columns : Columns{};
 }
 
 double rangeShortfall(std::size_t count) {

@@ -25,6 +25,21 @@ struct Lens {
 
 [[nodiscard]] Lens lensOf(const LensLog& log);
 
+/// The few places, at equal steps, that the lens points have along one axis: the columns or the
+/// rows of a grid.
+struct Columns {
+    std::size_t count = 0;  ///< 0: the points are no grid along this axis
+    double step = 0.0;
+    double mean = 0.0;  ///< of the places
+
+    /// How far the grid is off the eye, in steps: a half if the points are the edges of the cells.
+    [[nodiscard]] double aside() const { return count == 0 ? 0.0 : mean / step; }
+};
+
+/// Of the points of all pixels; places that have more than one ray more than others of a pixel are
+/// no grid, but one that is cut short.
+[[nodiscard]] Columns columnsOf(const LensLog& log, double Vector3::*axis);
+
 /// Confidence bound on how much narrower than the aperture `count` independent points are: the
 /// range r of uniform points in [0, 1] has P(range <= r) = n r^(n-1) - (n-1) r^n, solved for the
 /// risk by bisection.

@@ -85,7 +85,7 @@ SeenPictures readPictures(const probe::RenderAnswer& answer) {
 ExpectedPicture expectedPicture(const probe::RenderQuestion& asked, const oracle::Reading& reading,
                                 std::uint64_t seed, Exactness exactness) {
     oracle::Precision precision;
-    precision.share = exactness == Exactness::rough ? 0.4 : 0.04;
+    precision.share = 0.04;
     precision.renders = asked.repetitions;
     precision.minLensPaths = leastPaths(asked.repetitions, exactness);
     if (exactness == Exactness::rough) precision.maxLensPaths = precision.minLensPaths;

@@ -1,7 +1,7 @@
 #include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/checks/PictureTrial.h>
-#include <grader/tasks/support/Draw.h>
+#include <grader/tasks/lens/questions/PictureQuestions.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>
@@ -17,14 +17,6 @@ namespace ticker::tasks {
 namespace {
 
 using oracle::Reading;
-
-// Eight pictures of 24 x 18 pixels, or one picture with as many pixels.
-constexpr int kPictureWidth = 24;
-constexpr int kPictureRepetitions = 8;
-constexpr int kLargeWidth = 68;
-// For the same focal points in pixels of half the size, and still some repetitions.
-constexpr int kFineWidth = 48;
-constexpr int kFineRepetitions = 4;
 
 // The search for a reading that fits, and for the least bad one otherwise.
 class Search {
@@ -191,59 +183,7 @@ private:
     double nearest_ = std::numeric_limits<double>::infinity();  // least, with antialiasing
 };
 
-void addSphere(raytracer::SceneDescription& scene, Draw& draw, const Vector3& centre,
-               double radius) {
-    raytracer::Material material;
-    material.colour = draw.colour(0.05, 1.0);
-    material.reflectivity = draw.between(0.1, 0.4);
-    scene.spheres.push_back({centre, radius, material, nullptr});
-}
-
-// A wall that faces the eye.
-raytracer::PlaneDescription wallAt(double z, Draw& draw) {
-    raytracer::Material material;
-    material.colour = draw.colour(0.2, 0.8);
-    return {{0.0, 0.0, z}, {0.0, 0.0, z > 0.0 ? -1.0 : 1.0}, material};
-}
-
-// What only mirrored rays meet: a recursion of one's own may fail where nothing but it can tell.
-void addBehindTheEye(raytracer::SceneDescription& scene, Draw& draw) {
-    for (int i = 0; i < 8; ++i) {
-        const double z = draw.between(-6.0, -2.5);
-        const double x = draw.between(-0.8, 0.8) * z;
-        addSphere(scene, draw, {x, draw.between(-0.8, 0.8) * z, z}, draw.between(-0.3, -0.15) * z);
-    }
-    scene.planes.push_back(wallAt(-8.0, draw));
-}
-
 }  // namespace
-
-probe::RenderQuestion drawPictureQuestion(std::uint64_t seed, bool onePicture) {
-    Draw draw{seed, 23};
-    probe::RenderQuestion question;
-    question.settings.width = onePicture ? kLargeWidth : kPictureWidth;
-    question.settings.height = question.settings.width * 3 / 4;
-    question.settings.seed = draw.word() >> 1U;
-    question.repetitions = onePicture ? 1 : kPictureRepetitions;
-    question.scene.ambientLighting = ColourRGB{1.0};
-    for (int i = 0; i < 40; ++i) {
-        const double z = draw.between(1.8, 9.0);
-        const double x = draw.between(-0.42, 0.42) * z;
-        addSphere(question.scene, draw, {x, draw.between(-0.32, 0.32) * z, z},
-                  draw.between(0.02, 0.06) * z);
-    }
-    question.scene.planes.push_back(wallAt(12.0, draw));
-    addBehindTheEye(question.scene, draw);
-    return question;
-}
-
-probe::RenderQuestion drawFinePictureQuestion(std::uint64_t seed) {
-    probe::RenderQuestion question = drawPictureQuestion(seed);
-    question.settings.width = kFineWidth;
-    question.settings.height = kFineWidth * 3 / 4;
-    question.repetitions = kFineRepetitions;
-    return question;
-}
 
 PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
                              std::uint64_t seed) {
@@ -251,8 +191,7 @@ PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::Re
     if (seen.isFinite()) return Search{asked, seen, seed}.verdict();
     PictureVerdict verdict;
     verdict.finding = distributedFinding(kDofWrong, Severity::fail,
-                                         "Colours were expected; some pixels hold a value that is "
-                                         "no number.");
+                                         "Colours were expected; some pixels are NaN or infinite.");
     return verdict;
 }
 
@@ -260,7 +199,7 @@ bool followsPixels(const probe::RenderQuestion& asked, const probe::RenderAnswer
                    const Reading& reading, std::uint64_t seed) {
     const SeenPictures seen = readPictures(answer);
     Reading ofOwnLength = reading;
-    ofOwnLength.pixelSpread *= static_cast<double>(kFineWidth) / kPictureWidth;
+    ofOwnLength.pixelSpread *= kFinerPixels;
     if (!seen.isFinite()) return false;
     // Rough misfits settle it where they are this far apart.
     constexpr double kClearly = 1.25;

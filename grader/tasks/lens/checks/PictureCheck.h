@@ -10,16 +10,6 @@
 
 namespace ticker::tasks {
 
-/// A question for code whose rays are not visible: a scene without lights, at the handout's
-/// settings, without a log. Only the pictures are judged.
-/// @param onePicture  One large picture in place of several small ones: for code that repeats its
-///                    pictures.
-[[nodiscard]] probe::RenderQuestion drawPictureQuestion(std::uint64_t seed,
-                                                        bool onePicture = false);
-
-/// The same in smaller pixels, for code whose pictures look antialiased.
-[[nodiscard]] probe::RenderQuestion drawFinePictureQuestion(std::uint64_t seed);
-
 /// Result of T2.2's pictures as z-scores: standard normal for a correct submission, up to the
 /// normal approximation of sums of some hundred pixels.
 struct PictureVerdict {

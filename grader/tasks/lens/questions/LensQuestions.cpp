@@ -4,6 +4,7 @@
 #include <grader/tasks/support/Surfaces.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -25,6 +26,10 @@ constexpr std::size_t kEventsForEachRay = 24;
 constexpr int kMixedPixels = 3;
 constexpr double kLeastShare = 0.2;
 constexpr int kLensGrid = 6;
+
+// Primes: no groups of any size make them up. Below the handout's number, so that code with that
+// one typed in casts enough; 49 would be rounded up to it.
+constexpr std::array kOddRays{41, 43, 47};
 
 // Spheres of many colours at all depths, so that neighbouring rays see different things.
 raytracer::SceneDescription drawScene(Draw& draw) {
@@ -154,6 +159,13 @@ LensQuestions drawLensQuestions(std::uint64_t seed) {
     other.dofAmount = draw.between(0.28, 0.35);
     other.bounces = 1;
     questions.other = drawQuestion(draw, other, 1);
+
+    Draw drawOdd{seed, 29};
+    raytracer::RenderSettings odd;
+    odd.width = 4;
+    odd.height = 3;
+    odd.dofRayCount = kOddRays[static_cast<std::size_t>(drawOdd.whole(0, 2))];
+    questions.odd = drawQuestion(drawOdd, odd, 1);
     return questions;
 }
 

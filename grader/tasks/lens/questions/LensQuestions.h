@@ -13,6 +13,7 @@ namespace ticker::tasks {
 struct LensQuestions {
     probe::RenderQuestion handout;  ///< the handout's settings, on a tiny frame, two repetitions
     probe::RenderQuestion other;    ///< other ray count, focal plane, aperture and bounces
+    probe::RenderQuestion odd;      ///< an odd number of rays, below the handout's
 };
 
 [[nodiscard]] LensQuestions drawLensQuestions(std::uint64_t seed);

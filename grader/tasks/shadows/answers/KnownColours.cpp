@@ -130,10 +130,11 @@ bool isNearKnown(const PointLog& point, const ShadowLog& log, bool viewerIsEye) 
     for (const raytracer::PointLight& light : log.scene().pointLights)
         nearest = std::min(nearest, (light.position() - point.point.position).magnitude());
     constexpr double kSlack = 0.05;
+    const ColourRGB rounding{1e-6};  // of channels that have no light
     const double share = kSlack + 2.0 * log.settings().lightSize / nearest;
     const ColourRGB most = inFullLightSeen(point, log.scene(), viewerIsEye);
-    return near(point.colour, *expected, most * share) ||
-           isBetween(point, log, viewerIsEye, most * kSlack);
+    return near(point.colour, *expected, most * share + rounding) ||
+           isBetween(point, log, viewerIsEye, most * kSlack + rounding);
 }
 
 bool allNearKnown(const std::vector<const ShadowLog*>& logs, bool viewerIsEye) {

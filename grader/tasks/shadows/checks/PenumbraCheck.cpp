@@ -180,7 +180,7 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
         !std::all_of(rim.begin(), rim.end(), isFinite))
         return {distributedFinding(kShadowWrong, Severity::fail,
                                    "A colour was expected from illuminate; at the edge of a shadow "
-                                   "it gave a value that is no number."),
+                                   "it gave NaN or infinity."),
                 0.0, false};
     const bool darkRim = isDark(rim, Place::Kind::atRim);
     const bool brightBeyond = seesTooMuch(rim);

@@ -126,6 +126,11 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
     }
     if (!allFit(logs.farLight, reading, ShadowArithmetic::right))
         return unexplainedShadows(logs.farLight);
+    if (!allFit(logs.pureColours, reading, ShadowArithmetic::right)) {
+        Finding finding = channelsLost();
+        addWorstPoint(logs.pureColours, finding);
+        return finding;
+    }
     return std::nullopt;
 }
 

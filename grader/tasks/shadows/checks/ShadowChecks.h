@@ -24,10 +24,12 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> horizon;
     std::vector<const ShadowLog*> lowLight;
     std::vector<const ShadowLog*> nearLight;
+    std::vector<const ShadowLog*> pureColours;
+    std::vector<const ShadowLog*> oddCount;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
-    /// All questions except otherSettings and horizon, where code may cast fewer rays, and contact,
-    /// which has its own check.
+    /// All questions except otherSettings, oddCount and horizon, where code may cast fewer rays,
+    /// and contact, which has its own check.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
@@ -49,6 +51,12 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);
 [[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs);
+/// Whether a number of rays that pairs or other groups do not make up is cast all the same.
+[[nodiscard]] std::optional<Finding> checkOddCount(const ShadowLogs& logs);
+/// Whether lights with one channel alone get their rays, and surfaces with one channel.
+[[nodiscard]] std::optional<Finding> checkColourChannels(const ShadowLogs& logs);
+/// Rays are cast there or cannot be seen, and the colour is wrong.
+[[nodiscard]] Finding channelsLost();
 /// Whether rays below the surface's horizon count as blocked.
 /// @param reading  The reading that fits all other questions.
 [[nodiscard]] std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,

@@ -82,6 +82,10 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
                 return lowLight;
             case Purpose::nearLight:
                 return nearLight;
+            case Purpose::pureColours:
+                return pureColours;
+            case Purpose::oddCount:
+                return oddCount;
             case Purpose::horizon:
                 break;
         }
@@ -94,7 +98,7 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
 std::vector<const ShadowLog*> ShadowLogs::atHandoutSettings() const {
     std::vector<const ShadowLog*> all;
     for (const auto* some : {&oneLight, &severalLights, &beyondLight, &planeShadow, &farLight,
-                             &lightBehind, &inLine, &lowLight, &nearLight})
+                             &lightBehind, &inLine, &lowLight, &nearLight, &pureColours})
         all.insert(all.end(), some->begin(), some->end());
     return all;
 }
@@ -105,7 +109,7 @@ std::optional<Finding> checkFinite(const ShadowLogs& logs) {
             if (!std::isfinite(point.colour.r + point.colour.g + point.colour.b))
                 return distributedFinding(kShadowWrong, Severity::fail,
                                           "A colour was expected from illuminate; at an ordinary "
-                                          "point it gave a value that is no number.");
+                                          "point it gave NaN or infinity.");
     return std::nullopt;
 }
 
@@ -160,6 +164,36 @@ std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs) {
     return finding;
 }
 
+// Fewer rays than asked for are no number that is typed in, since at the handout's settings more
+// were cast. More rays are right if the light is divided by their number; where they are as many
+// as the handout's, another check speaks of numbers that are typed in.
+std::optional<Finding> checkOddCount(const ShadowLogs& logs) {
+    const auto atHandout = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
+    for (const ShadowLog* log : logs.oddCount) {
+        const RayCounts counts = countRays({log});
+        const auto asked = static_cast<std::size_t>(log->settings().shadowRayCount);
+        const bool tooFew = counts.fewest < asked;
+        const bool more = counts.fewest > asked && counts.most < atHandout;
+        if (!tooFew && !(more && !fitsAnyReading(*log))) continue;
+        Finding finding = distributedFinding(
+            tooFew ? kShadowTooFewRays : kShadowWrong, Severity::fail,
+            fmt::format("With {} shadow rays all is right; asked for {}, an odd number, illuminate "
+                        "casts {}{}.",
+                        atHandout, asked, counts.fewest,
+                        tooFew ? "" : " and divides the light by another number"));
+        finding.hint =
+            "Half of an odd number is rounded down as an int, so that rays in pairs are one too "
+            "few; so are other groups where some rays are left over. Cast "
+            "settings().shadowRayCount rays whatever that number is, or more, and divide by the "
+            "number of rays that you cast.";
+        finding.section = "Soft shadows (T2.1), step 1";
+        finding.evidence.emplace_back("raysAsked", static_cast<double>(asked));
+        finding.evidence.emplace_back("raysSeen", static_cast<double>(counts.fewest));
+        return finding;
+    }
+    return std::nullopt;
+}
+
 std::optional<Finding> checkOtherSettings(const ShadowLogs& logs) {
     for (const ShadowLog* log : logs.otherSettings) {
         const RayCounts counts = countRays({log});
@@ -179,11 +213,6 @@ std::optional<Finding> checkOtherSettings(const ShadowLogs& logs) {
                         counts.fewest > 10U ? "more than the handout's 10 are accepted, but "
                                             : "right with the handout's numbers, but "));
         finding.section = "Soft shadows (T2.1)";
-        if (counts.fewest + 1 == asked)
-            finding.hint =
-                "With an odd number of rays one is lost: half of it as an int is rounded down. "
-                "Cast "
-                "settings().shadowRayCount rays, also where they are drawn in pairs.";
         finding.evidence.emplace_back("raysAsked", static_cast<double>(asked));
         finding.evidence.emplace_back("raysSeen", static_cast<double>(counts.fewest));
         finding.evidence.emplace_back("lightSizeAsked", log->settings().lightSize);

@@ -129,6 +129,7 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
                 kShadowWrong, Severity::fail,
                 "With a light some six units away the colours are right; with one more than a "
                 "hundred units away they are not.");
+        if (!allNearKnown(logs.pureColours, false)) return channelsLost();
         return std::nullopt;
     }
     if (shadowHolds(logs.oneLight, 0.0, false, false))

@@ -66,6 +66,12 @@ void setCapacity(ShadowQuestion& question);
 /// only some hundredths nearer than the light.
 [[nodiscard]] ShadowQuestion drawNearLight(Draw& draw);
 
+/// A floor with a colour in all channels under a red, a green and a blue light, all in plain sight.
+[[nodiscard]] ShadowQuestion drawPureLights(Draw& draw);
+
+/// A red, a green and a blue ball under a light with all channels, all in plain sight.
+[[nodiscard]] ShadowQuestion drawPureSurfaces(Draw& draw);
+
 }  // namespace ticker::tasks
 
 #endif

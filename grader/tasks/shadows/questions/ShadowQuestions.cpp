@@ -24,6 +24,10 @@ constexpr int kPointsInBothShadows = 6;
 constexpr int kPointsBeyond = 8;
 constexpr int kPointsBesideWall = 12;
 
+// No groups of two, five or ten rays make it up. Below the handout's number, so that code with that
+// one typed in casts enough.
+constexpr int kOddRays = 7;
+
 // On the side that faces the light the sphere has no shadow: rays that hit the surface they leave
 // show here (shadow acne).
 void addPointsOnSphere(Draw& draw, ShadowQuestion& drawn) {
@@ -60,8 +64,7 @@ ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& setting
     const Surfaces surfaces{scene};
     const Vector3 axis = (ball - light).normalised();
     const double rim = std::asin(radius / (ball - light).magnitude());
-    const int share =
-        purpose == Purpose::otherSettings ? kPointsForEachZone / 2 : kPointsForEachZone;
+    const int share = purpose == Purpose::oneLight ? kPointsForEachZone : kPointsForEachZone / 2;
     std::array<int, 3> wanted{share, share, share};
     for (int attempt = 0; attempt < 20000; ++attempt) {
         const Vector3 ray = draw.directionAround(axis, 2.2 * rim);
@@ -225,14 +228,17 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     for (const Vector3& towards : drawNearAxes(draw))
         questions.push_back(drawFarLight(draw, towards));
 
-    // Odd, as pairs of rays may lose one.
     raytracer::RenderSettings other;
     other.shadowRayCount = 2 * draw.whole(6, 8) + 1;
     other.lightSize = draw.between(0.15, 0.22);
     questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
-    for (const auto drawNext : {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine,
-                                drawContact, drawLowLight, drawNearLight})
+    for (const auto drawNext :
+         {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine, drawContact, drawLowLight,
+          drawNearLight, drawPureLights, drawPureSurfaces})
         questions.push_back(drawNext(draw));
+    raytracer::RenderSettings odd;
+    odd.shadowRayCount = kOddRays;
+    questions.push_back(drawOneLight(draw, odd, Purpose::oddCount, 1.7));
     return questions;
 }
 

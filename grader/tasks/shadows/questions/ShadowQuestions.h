@@ -25,14 +25,16 @@ struct ShadowQuestion {
         contact,        ///< a ball that rests on the floor, and points close to where it does
         horizon,        ///< a light so low above a floor that part of it is below the horizon
         lowLight,       ///< viewers on the side of a low light, where R.V is below 0: no highlight
-        nearLight       ///< a plane just before the light hides it from all points
+        nearLight,      ///< a plane just before the light hides it from all points
+        pureColours,    ///< lights, or surfaces, each of which has one channel alone
+        oddCount        ///< like oneLight, with an odd number of rays below the handout's
     };
     Purpose purpose = Purpose::oneLight;
     probe::IlluminateQuestion question;
     std::vector<std::vector<Zone>> zones;  ///< [point][light]
 };
 
-/// Draws the questions of T2.1. All but `otherSettings` use the handout's settings.
+/// Draws the questions of T2.1. All but `otherSettings` and `oddCount` use the handout's settings.
 [[nodiscard]] std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed);
 
 }  // namespace ticker::tasks

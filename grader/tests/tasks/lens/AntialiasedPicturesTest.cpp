@@ -1,6 +1,7 @@
 // Pictures whose rays go through all of their pixel, for code whose rays are not visible.
 #include <grader/tasks/lens/JudgeLens.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
+#include <grader/tasks/lens/questions/PictureQuestions.h>
 #include <grader/tests/tasks/lens/OraclePictures.h>
 #include <grader/tests/tasks/support/InFinding.h>
 

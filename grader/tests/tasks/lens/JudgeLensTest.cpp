@@ -191,6 +191,28 @@ TEST(JudgeDepthOfField, WarnsOfPixelsThatAreLostInAPictureOfAnotherSize) {
     EXPECT_NE(outcome.findings[0].message.find("8 of 8 have no ray"), std::string::npos);
 }
 
+std::optional<Finding> judgeOdd(int rays, double colourTimes = 1.0) {
+    RightLog log{0.2, rays};
+    log.asked.settings.dofRayCount = 43;
+    for (LensPixel& pixel : log.log.pixels)
+        pixel.colour = pixel.colour * colourTimes;
+    return judgeOddCount(log.log);
+}
+
+TEST(JudgeOddCount, WantsAsManyRaysOrMoreAndTheirMean) {
+    EXPECT_FALSE(judgeOdd(43));
+    EXPECT_FALSE(judgeOdd(44));
+    EXPECT_FALSE(judgeOdd(49));
+    const auto lost = judgeOdd(42);
+    ASSERT_EQ(idOf(lost), "dof.too-few-rays");
+    EXPECT_NE(lost->message.find("with an odd number it is not. 43 rays"), std::string::npos)
+        << lost->message;
+    EXPECT_NE(lost->hint.find("in pairs"), std::string::npos);
+    EXPECT_EQ(idOf(judgeOdd(44, 44.0 / 43.0)), "dof.not-averaged");
+    EXPECT_FALSE(judgeOdd(50, 50.0 / 43.0)) << "the handout's number, typed in";
+    EXPECT_FALSE(judgeOdd(43, 43.0 / 50.0)) << "divided by the handout's number";
+}
+
 TEST(JudgeWithThreads, NamesWhatOnlySeveralThreadsDo) {
     RightLog log;
     EXPECT_FALSE(judgeWithThreads(log.log));

@@ -49,7 +49,7 @@ TEST(LensQuestions, HaveHitsAndMissesInOnePixelAndWholePixelsToo) {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         SCOPED_TRACE(seed);
         const LensQuestions asked = drawLensQuestions(seed);
-        for (const probe::RenderQuestion* question : {&asked.handout, &asked.other})
+        for (const probe::RenderQuestion* question : {&asked.handout, &asked.other, &asked.odd})
             for (const double share : {1.0, 0.5})
                 expectBoth(*question, share * question->settings.dofAmount, engine);
     }
@@ -67,7 +67,7 @@ TEST(LensQuestions, ShowSomethingBesideTheFocalPlaneInTheCentre) {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         SCOPED_TRACE(seed);
         const LensQuestions asked = drawLensQuestions(seed);
-        for (const probe::RenderQuestion* question : {&asked.handout, &asked.other}) {
+        for (const probe::RenderQuestion* question : {&asked.handout, &asked.other, &asked.odd}) {
             const raytracer::RenderSettings& settings = question->settings;
             EXPECT_GE(depthBesideFocus(*question, {0.0, 0.0, 1.0}), 0.5);
             EXPECT_GE(depthBesideFocus(*question, pinholeDirection(settings, settings.width / 2,
@@ -81,7 +81,7 @@ TEST(LensQuestions, ShowSomethingBesideTheFocalPlaneInTheCentre) {
 TEST(LensQuestions, ShowSomethingNearTheFocalPlane) {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         const LensQuestions asked = drawLensQuestions(seed);
-        for (const probe::RenderQuestion* question : {&asked.handout, &asked.other}) {
+        for (const probe::RenderQuestion* question : {&asked.handout, &asked.other, &asked.odd}) {
             const raytracer::Scene scene{question->scene};
             const raytracer::RenderSettings& settings = question->settings;
             int sharp = 0;
@@ -93,6 +93,15 @@ TEST(LensQuestions, ShowSomethingNearTheFocalPlane) {
             }
             EXPECT_GE(sharp, 1) << seed;
         }
+    }
+}
+
+TEST(LensQuestions, AskForAnOddNumberOfRaysBelowTheHandouts) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const int rays = drawLensQuestions(seed).odd.settings.dofRayCount;
+        EXPECT_LT(rays, raytracer::RenderSettings{}.dofRayCount);
+        for (const int group : {2, 3, 5, 7, 10, 25})
+            EXPECT_NE(rays % group, 0) << rays;
     }
 }
 

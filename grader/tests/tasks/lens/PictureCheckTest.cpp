@@ -1,6 +1,7 @@
 // Bounds of the judgement of pictures, with pictures that are the expected one and a known change.
 #include <grader/tasks/lens/answers/Pictures.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
+#include <grader/tasks/lens/questions/PictureQuestions.h>
 #include <grader/tests/tasks/support/InFinding.h>
 
 #include <gtest/gtest.h>

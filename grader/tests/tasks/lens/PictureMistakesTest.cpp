@@ -1,5 +1,6 @@
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/checks/PictureMistakes.h>
+#include <grader/tasks/lens/questions/PictureQuestions.h>
 
 #include <gtest/gtest.h>
 

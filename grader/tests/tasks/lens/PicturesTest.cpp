@@ -1,4 +1,5 @@
 #include <grader/tasks/lens/checks/PictureCheck.h>
+#include <grader/tasks/lens/questions/PictureQuestions.h>
 #include <grader/tests/tasks/lens/OraclePictures.h>
 
 #include <gtest/gtest.h>

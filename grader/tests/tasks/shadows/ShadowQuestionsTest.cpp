@@ -95,7 +95,7 @@ int countZones(const ShadowQuestion& question, Zone zone) {
 }
 
 TEST(ShadowQuestions, OfOneLightHaveAllThreeZonesAndPointsOnTheBall) {
-    for (const Purpose purpose : {Purpose::oneLight, Purpose::otherSettings})
+    for (const Purpose purpose : {Purpose::oneLight, Purpose::otherSettings, Purpose::oddCount})
         forEach(purpose, [&](const ShadowQuestion& question) {
             const int each = purpose == Purpose::oneLight ? 12 : 6;
             EXPECT_EQ(countZones(question, Zone::lit), each + 6);
@@ -311,6 +311,42 @@ TEST(ShadowQuestions, OfFarLightsHaveViewersFarAsideFromPointAndLight) {
             }
             EXPECT_GE(aside, 34);
         }
+}
+
+int channelsOf(const ColourRGB& colour) {
+    return (colour.r > 0.0 ? 1 : 0) + (colour.g > 0.0 ? 1 : 0) + (colour.b > 0.0 ? 1 : 0);
+}
+
+TEST(ShadowQuestions, OfPureColoursHaveEachChannelAloneAndLightFromEveryLight) {
+    forEach(Purpose::pureColours, [](const ShadowQuestion& question) {
+        const auto& scene = question.question.scene;
+        ASSERT_EQ(question.question.points.size(), 9U);
+        const bool ofLights = scene.spheres.empty();
+        ColourRGB all;
+        for (const raytracer::PointLight& light : scene.pointLights) {
+            EXPECT_EQ(channelsOf(light.colour()), ofLights ? 1 : 3);
+            all += light.colour();
+        }
+        for (const raytracer::SphereDescription& ball : scene.spheres) {
+            EXPECT_EQ(channelsOf(ball.material.colour), 1);
+            all += ball.material.colour;
+        }
+        EXPECT_EQ(channelsOf(all), 3);
+        for (const probe::LitPoint& point : question.question.points)
+            for (std::size_t light = 0; light < scene.pointLights.size(); ++light)
+                EXPECT_GT(
+                    (lightOf(question, light) - point.position).normalised().dot(point.normal),
+                    0.3);
+    });
+}
+
+TEST(ShadowQuestions, OfAnOddNumberAskForFewerRaysThanTheHandout) {
+    forEach(Purpose::oddCount, [](const ShadowQuestion& question) {
+        const int rays = question.question.settings.shadowRayCount;
+        EXPECT_LT(rays, raytracer::RenderSettings{}.shadowRayCount);
+        for (const int group : {2, 3, 5})
+            EXPECT_NE(rays % group, 0);
+    });
 }
 
 }  // namespace
