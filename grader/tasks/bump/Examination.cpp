@@ -85,9 +85,12 @@ MainPlan planMain(std::uint64_t seed) {
     plan.conduct = planConduct(plan.questionnaire, draws);
     plan.fineness = planFineness(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.proportion = planProportion(plan.questionnaire, draws, drawBall(draws, 1.0));
-    plan.conduct.steep = plan.proportion.steep;
     plan.edges = planEdges(plan.questionnaire, draws, drawBall(draws, -1.0));
     plan.stripes = planStripes(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.untilted = planUntilted(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.conduct.rough = {plan.proportion.steep};
+    for (const LevelPair& pair : plan.untilted.pairs)
+        plan.conduct.rough.push_back(pair.map);
     return plan;
 }
 
@@ -142,6 +145,7 @@ Examination examine(const MainPlan& plan, const Answers& answers,
         examination.ladder = {*coarse, examination.ladder.flatTilt,
                               examination.ladder.sharedNormals};
     examination.proportion = readProportion(plan.proportion, answers);
+    examination.untilted = readUntilted(plan.untilted, answers);
     const RampJudgement& ramps = examination.ramps();
     if (!ramps.response) return examination;
     const Parametrisation& parametrisation = ramps.fit->parametrisation;

@@ -12,6 +12,7 @@
 #include <grader/tasks/bump/questions/Slopes.h>
 #include <grader/tasks/bump/questions/Stripes.h>
 #include <grader/tasks/bump/questions/Tilt.h>
+#include <grader/tasks/bump/questions/Untilted.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,7 @@ struct MainPlan {
     ConductPlan conduct;
     FinenessPlan fineness;
     StripePlan stripes;
+    UntiltedPlan untilted;
 };
 
 [[nodiscard]] MainPlan planMain(std::uint64_t seed);
@@ -60,6 +62,7 @@ struct Examination {
     bool mapIgnored = false;  ///< two maps on the same sphere gave the same tilts
     LadderJudgement ladder;
     Proportion proportion;
+    Untilted untilted;
     std::optional<RegionAgreement> regions;  ///< this and the next need a known parametrisation
     std::optional<SlopeAgreement> slopes;
     std::optional<MapEdges> edges;

@@ -186,7 +186,8 @@ std::optional<Finding> judgeAnotherScene(const LensLog& log) {
     std::optional<Finding> wrong = firstFailure(log);
     if (wrong)
         wrong->hint +=
-            " Another scene was rendered rightly: look for what depends on what the scene shows.";
+            " Another scene was rendered rightly: look for what depends on what the scene shows, "
+            "or on the picture's size, such as half an odd width as an int.";
     return wrong;
 }
 

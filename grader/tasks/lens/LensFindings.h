@@ -35,7 +35,8 @@ inline constexpr FindingText kDofSharedSamples{
         "Draw the point of the aperture inside of the loop over the rays, a new one for each. If "
         "it is drawn there, look for a generator that is started again on the way (a seed set in "
         "the loop or in illuminate, a generator made anew): then the numbers repeat. forEachPixel "
-        "starts it again for each pixel, too: call that once, with the loop over the rays inside.",
+        "starts it again for each pixel, too: call that once, with the loop over the rays inside. "
+        "And start each ray at its point of the aperture, not at the focal point that it aims at.",
     .section = "Depth of field (T2.2), step 2"};
 
 inline constexpr FindingText kDofNotAveraged{

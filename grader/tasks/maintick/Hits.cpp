@@ -13,10 +13,11 @@ namespace {
 using Hits = std::vector<probe::Hit>;
 using Asked = std::vector<AskedHit>;
 
-bool isRight(const probe::Hit& hit, const std::optional<double>& distance) {
+bool isRight(const probe::Hit& hit, const std::optional<double>& distance, double tolerance) {
     if (hit.isHit != distance.has_value()) return false;
     if (!distance) return true;
-    return std::isnan(*distance) ? std::isnan(hit.distance) : isNear(hit.distance, *distance);
+    return std::isnan(*distance) ? std::isnan(hit.distance)
+                                 : isNear(hit.distance, *distance, tolerance);
 }
 
 std::optional<double> distanceOf(const AskedHit& asked) {
@@ -57,9 +58,10 @@ std::optional<Finding> checkDistances(const raytracer::SceneDescription& scene, 
     const auto isAsMistaken = [&](std::size_t i, const HitMistake* mistake) {
         if (asked[i].place == Place::longDirection) return true;
         const bool mayBeRight = mistake == nullptr || mistake->isSometimes;
-        if (mayBeRight && isRight(hits[i], distanceOf(asked[i]))) return true;
+        if (mayBeRight && isRight(hits[i], distanceOf(asked[i]), asked[i].tolerance)) return true;
         return mistake != nullptr &&
-               isRight(hits[i], mistake->distance(scene, asked[i].ray.object, asked[i].line()));
+               isRight(hits[i], mistake->distance(scene, asked[i].ray.object, asked[i].line()),
+                       asked[i].tolerance);
     };
     const auto first = firstWrong(asked.size(), nullptr, isAsMistaken);
     if (!first) return std::nullopt;

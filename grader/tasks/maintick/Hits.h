@@ -20,6 +20,7 @@ struct AskedHit {
     probe::CastRay ray;
     std::string object;  ///< in words: "a sphere with centre (1, 2, 3) and radius 2"
     std::optional<Meeting> expected;
+    double tolerance = kTolerance;  ///< of the distance
 
     [[nodiscard]] Ray line() const { return {ray.origin, ray.direction}; }
 };

@@ -61,7 +61,8 @@ AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, Place pl
 /// a floor, near, and far away.
 void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
     constexpr double kGrazing = 0.008;  // of D.N: in float the distance is right to 1e-4
-    constexpr double kNear = 0.002;     // in float right to 1e-5
+    constexpr double kNear = 0.0025;    // in float right to 1e-5
+    constexpr double kNearTolerance = 5e-5;
     constexpr double kFar = 2000.0;
     const Vector3 normal = scene.planes[0].normal.normalised();
     const Vector3 along = perpendicularsOf(normal).second;
@@ -69,6 +70,7 @@ void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& ask
     asked.push_back(hitFrom(draw, scene, 0, Place::outside, grazing, 6.0));
     const Vector3 down = draw.directionAround(normal * -1.0, 1.1);
     asked.push_back(hitFrom(draw, scene, 0, Place::outside, down, kNear));
+    asked.back().tolerance = kNearTolerance;
     const int far = static_cast<int>(scene.planes.size());
     scene.planes.push_back({draw.direction() * kFar, normal, {}});
     asked.push_back(hitFrom(draw, scene, far, Place::outside, down, kFar));

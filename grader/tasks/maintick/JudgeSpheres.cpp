@@ -6,6 +6,8 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cstddef>
+#include <string>
 
 namespace ticker::tasks {
 namespace {
@@ -55,14 +57,37 @@ struct Alone {
 };
 // The first two are seen from 1.2 and from 2000 away, the third one from 0.002 before it; the
 // fourth one from inside, its near side 0.015 to 0.02 behind the ray; the fifth one lies behind,
-// its far side by 0.02 to 0.025; the last one is seen from inside, its far side 0.002 ahead.
-// Distances, locations and normals in float are right to 2e-4.
+// its far side by 0.02 to 0.025; the next one is seen from inside, its far side 0.002 ahead; the
+// last one is passed by, as close as 0.006. Distances, locations and normals in float are right to
+// 2e-4.
 constexpr std::array kAlone{Alone{0.03, 5.0, {Place::outside, -40.0, 0.0, 0.5}},
                             Alone{200.0, 2000.0, {Place::outside, -10.0, 0.1, 0.8}},
                             Alone{0.3, 5.0, {Place::outside, -1.007, 0.0, 0.02}},
                             Alone{1.0, 5.0, {Place::inside, -0.98, 0.0, 0.09}},
                             Alone{1.0, 5.0, {Place::behind, 1.02, 0.0, 0.09}},
-                            Alone{0.3, 5.0, {Place::inside, 0.993, 0.0, 0.02}}};
+                            Alone{0.3, 5.0, {Place::inside, 0.993, 0.0, 0.02}},
+                            Alone{0.03, 5.0, {Place::past, -40.0, 1.2, 1.3}}};
+
+std::string objectWords(const raytracer::SphereDescription& sphere) {
+    return fmt::format("a sphere with centre {} and radius {:.4g}", maintick::words(sphere.centre),
+                       sphere.radius);
+}
+
+/// From inside, at right angles to the way from the centre and along the axes, so that b of the
+/// quadratic is exactly 0.
+AskedHit levelHit(Draw& draw, const SceneDescription& scene, int object) {
+    const auto& sphere = scene.spheres[static_cast<std::size_t>(object)];
+    const std::array axes{Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}, Vector3{0.0, 0.0, 1.0}};
+    const auto first = static_cast<std::size_t>(draw.whole(0, 2));
+    AskedHit asked;
+    asked.place = Place::inside;
+    asked.ray.object = object;
+    asked.ray.origin = sphere.centre + axes.at(first) * (draw.between(0.2, 0.5) * sphere.radius);
+    asked.ray.direction = axes.at((first + 1) % axes.size());
+    asked.object = objectWords(sphere);
+    asked.expected = maintick::meet(sphere, asked.line());
+    return asked;
+}
 
 AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, const Start& start) {
     const auto& sphere = scene.spheres[static_cast<std::size_t>(object)];
@@ -75,8 +100,7 @@ AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, const St
                                         aside * draw.between(start.asideLow, start.asideHigh)) *
                                            sphere.radius;
     asked.ray.direction = direction * (start.place == Place::longDirection ? 2.5 : 1.0);
-    asked.object = fmt::format("a sphere with centre {} and radius {:.4g}",
-                               maintick::words(sphere.centre), sphere.radius);
+    asked.object = objectWords(sphere);
     asked.expected = maintick::meet(sphere, asked.line());
     return asked;
 }
@@ -97,6 +121,8 @@ TaskJudgement judgeSpheres(probe::Examinee& examinee, std::uint64_t seed) {
     for (const Start& start : kStarts)
         for (int object = 0; object < static_cast<int>(scene.spheres.size()); ++object)
             asked.push_back(drawHit(draw, scene, object, start));
+    for (int object = 0; object < 2; ++object)
+        asked.push_back(levelHit(draw, scene, object));
     for (const Alone& alone : kAlone) {
         scene.spheres.push_back({draw.direction() * alone.farAway, alone.radius, {}, nullptr});
         const int object = static_cast<int>(scene.spheres.size()) - 1;

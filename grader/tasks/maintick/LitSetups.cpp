@@ -59,6 +59,16 @@ LitQuestion lit(Draw& draw, LitKind kind, double distance) {
     return question;
 }
 
+/// A highlight's rim: R.V is small, and the power so low that it still counts.
+LitQuestion rimOfHighlight(Draw& draw) {
+    while (true) {
+        LitQuestion question = lit(draw, LitKind::specular, draw.between(1.5, 3.5));
+        ownMaterial(question.setup).phongAlpha = 1.0;
+        viewAt(draw, question.setup, draw.between(0.05, 0.2));
+        if (viewerFacing(question.setup) > 0.2) return question;
+    }
+}
+
 /// R.V is negative and the power even. With `isBelow` N.L is negative, too; otherwise the viewer is
 /// behind a surface that is lit in front.
 LitQuestion behind(Draw& draw, bool isBelow) {
@@ -155,6 +165,8 @@ std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
     addLight(draw, bright.setup, 1.2, 400.0);
     asked.push_back(bright);
     asked.push_back(lit(draw, LitKind::far, 120.0));
+    asked.push_back(lit(draw, LitKind::far, 0.12));
+    asked.push_back(rimOfHighlight(draw));
     using enum Side;
     asked.push_back(oneBehind(draw, {behind, inFront}));
     asked.push_back(oneBehind(draw, {behind, inFront, inFront}));

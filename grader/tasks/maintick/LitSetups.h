@@ -18,7 +18,7 @@ enum class LitKind : std::uint8_t {
     behind,
     several,
     bright,
-    far,  ///< lit from 120 away
+    far,  ///< lit from 120 away, or from 0.12
     all
 };
 

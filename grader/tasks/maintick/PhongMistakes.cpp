@@ -190,6 +190,12 @@ constexpr PhongMistake kPhongMistakes[] = {
          t.colour = {std::min(1.0, t.colour.r), std::min(1.0, t.colour.g),
                      std::min(1.0, t.colour.b)};
      }},
+    {&kPhongSpecular, Step::clamped,
+     [](Terms& t) {
+         constexpr double kRim = 0.25;
+         if (t.mirrored < kRim) t.mirrored = 0.0;
+     },
+     "A highlight fades out by itself: leave out the limit below which R.V counts as 0."},
 };
 
 }  // namespace

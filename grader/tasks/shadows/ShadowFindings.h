@@ -224,7 +224,8 @@ inline constexpr FindingText kShadowWrong{
     .hint =
         "Compare with the steps of the handout. A ray runs from the point to the light and is "
         "blocked if any object is nearer than its target (in a loop over the objects the next one "
-        "must not set that back). Diffuse and specular light are added once for each light (not "
+        "must not set that back, and no ray leaves the next one a shorter limit). Diffuse and "
+        "specular light are added once for each light (not "
         "for each ray), both times the same share: the number of rays that arrive, divided once, "
         "as double, by the number of rays that the loop casts. Nothing else depends on them: "
         "neither share nor 1 - share scales the ambient light.",

@@ -60,21 +60,23 @@ ColourRGB litBall(const SceneDescription& scene, const Vector3& normal, const Ve
 
 TEST_F(SoftShadows, NoSurfaceCastsAShadowOnItself) {
     const SceneDescription scene = roomWithBall();
-    const Vector3 towards = (kLight - kBall).normalised();
+    // Half-way between both: the points look at the light and at the eye.
+    const Vector3 towards =
+        ((kLight - kBall).normalised() + (kEye - kBall).normalised()).normalised();
     ColourRGB got;
     ColourRGB expected;
     // Rounding puts some points a little inside the ball, others outside.
     constexpr int kPoints = 100;
     for (int i = 0; i < kPoints; ++i) {
-        const Vector3 aside{0.3 * std::cos(i), 0.2 * std::sin(i), 0.2};
+        const Vector3 aside{0.15 * std::cos(i), 0.1 * std::sin(i), 0.0};
         const Vector3 normal = (towards + aside).normalised();
         const Vector3 point = kBall + normal * kBallRadius;
         got += Trial{scene, point, 1, 0}.mean() / kPoints;
         expected += litBall(scene, normal, point) / kPoints;
     }
     if (isNear(got, expected, 0.05)) return;
-    complain("points of the ball that look at the light", words(expected) + ", all of the light",
-             words(got) + " on average",
+    complain("points of the ball that look at the light and at the eye",
+             words(expected) + ", all of the light", words(got) + " on average",
              "the shadow ray must start a little above the surface: P + N * kShadowBias",
              "Soft shadows (T2.1), step 1");
 }

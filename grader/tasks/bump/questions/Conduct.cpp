@@ -200,7 +200,8 @@ double middleChange(const std::vector<Vector3>& normals) {
 Place ConductPlan::placeOf(std::size_t question) const {
     if (question == visibleMeridian) return Place::visibleMeridian;
     if (question == hiddenMeridian) return Place::hiddenMeridian;
-    if (question == smallMap || question == lastRows || question == steep) return Place::rough;
+    if (question == smallMap || question == lastRows || std::ranges::count(rough, question) > 0)
+        return Place::rough;
     const auto isOfTwoMaps = [&](std::size_t after) {
         return question == after || question + 1 == after;
     };

@@ -5,7 +5,6 @@
 #include <grader/tasks/bump/questions/Tilt.h>
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +30,7 @@ struct ConductPlan {
     std::size_t poles = 0;
     std::size_t smallMap = 0;
     std::size_t tinyMap = 0;
-    std::optional<std::size_t> steep;  ///< the random texels of `ProportionPlan`
+    std::vector<std::size_t> rough;  ///< the maps of random texels of other plans
     std::size_t twice = 0;  ///< a flat map, at some points and then at the same points again
     /// Three questions: this point, one far from it, and this point again, each just after a point
     /// of another map of the same size.

@@ -84,9 +84,10 @@ Proportion readProportion(const ProportionPlan& plan, const Answers& answers) {
     constexpr double kSomePoints = 0.1;
     Proportion proportion;
     proportion.pastHorizon = shareBelow(answers.answer(plan.steep).normals, plan.directions);
-    proportion.brightOverDark = middleLength(answers.tiltsBeyond(plan.flat, plan.bright)) /
-                                middleLength(answers.tiltsBeyond(plan.flat, plan.dark));
     const std::vector<Vector3> gentle = answers.tiltsBeyond(plan.flat, plan.gentle);
+    const double dark = middleLength(answers.tiltsBeyond(plan.flat, plan.dark));
+    proportion.brightOverDark = middleLength(answers.tiltsBeyond(plan.flat, plan.bright)) / dark;
+    proportion.middleOverDark = middleLength(gentle) / dark;
     const std::vector<Vector3> steep = answers.tiltsBeyond(plan.flat, plan.steep);
     std::vector<double> growth;
     for (std::size_t i = 0; i < gentle.size(); ++i)

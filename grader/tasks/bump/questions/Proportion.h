@@ -5,6 +5,7 @@
 #include <grader/tasks/bump/questions/Draws.h>
 #include <grader/tasks/bump/questions/Tilt.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct Proportion {
     /// Length of the tilts on gentle slopes where the map is bright over that where it is dark: the
     /// ratio of the medians.
     double brightOverDark = 1.0;
+    /// Likewise of the map that lies between both.
+    double middleOverDark = 1.0;
 
     /// Accepted readings give 23.1 to 25.1 (displaced surfaces).
     /// Slopes cut off at 0.4 or lower, and roots of slopes, stay below the limit.
@@ -46,9 +49,14 @@ struct Proportion {
     /// poles.
     [[nodiscard]] bool staysAboveHorizon() const { return pastHorizon < 0.03; }
     /// A slope counts alike at every height. The displaced surface 1 + h of a unit sphere is the
-    /// weakest where the map is bright, by 1 / 5.9; a root by 1 / 7 or less, a square gives 50.
+    /// weakest where the map is bright, by 1 / 5.9; a root by 1 / 7 or less, a square gives 50. A
+    /// curve that is steeper, or flatter, in the middle than at both ends (an S) leaves the range
+    /// between both.
     [[nodiscard]] bool isSameAtEveryHeight() const {
-        return brightOverDark <= 2.5 && brightOverDark >= 1.0 / 6.2;
+        constexpr double kBeyond = 1.4;
+        return brightOverDark <= 2.5 && brightOverDark >= 1.0 / 6.2 &&
+               middleOverDark <= kBeyond * std::max(1.0, brightOverDark) &&
+               middleOverDark * kBeyond >= std::min(1.0, brightOverDark);
     }
 };
 

@@ -86,6 +86,7 @@ Evidence evidenceOf(const std::vector<Fault>& faults, const Examination& examina
     evidence.emplace_back("steepOverGentleSlopes", static_cast<double>(ProportionPlan::kTimes));
     evidence.emplace_back("steepOverGentleTilts", examination.proportion.growth);
     evidence.emplace_back("brightOverDarkTilts", examination.proportion.brightOverDark);
+    evidence.emplace_back("greyOverDarkTilts", examination.proportion.middleOverDark);
     if (examination.edges) evidence.emplace_back("seamOverElsewhere", examination.edges->seam);
     if (examination.ramps().fit) addParametrisation(evidence, *examination.ramps().fit);
     addOffence(evidence, "exception", examination.conduct.threw);

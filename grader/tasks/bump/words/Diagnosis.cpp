@@ -146,6 +146,7 @@ constexpr std::array kRightRamps{
          [](const Examination& e) { return e.stripes && !e.stripes->good(); }},
     Rule{WrongReason::lettersDiffer,
          [](const Examination& e) { return !e.letters || !e.letters->good(); }},
+    Rule{WrongReason::smoothInPlaces, [](const Examination& e) { return !e.untilted.good(); }},
 };
 
 std::optional<WrongReason> firstOf(std::span<const Rule> rules, const Examination& examination) {

@@ -53,7 +53,8 @@ enum class WrongReason {
     coordinatesRounded,  ///< u or v, coarsely
     stepsLost,           ///< where the map falls, or where it rises
     fractionsMixed,      ///< the tilt across stripes changes along them
-    lettersDiffer
+    lettersDiffer,
+    smoothInPlaces  ///< a condition of its own keeps the normal as it is
 };
 
 /// What is wrong with a submission.

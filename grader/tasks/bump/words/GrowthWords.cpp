@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -38,6 +39,14 @@ std::string lostEdges(const StepBalance& balance) {
     if (balance.u * balance.v > 0.0) return fmt::format("{} along u and v", lost(balance.u));
     return fmt::format("{} along u and those {} along v", lost(balance.u), lost(balance.v));
 }
+
+/// How far a slope tilts the normal at some height of the map, in units of where it is dark.
+struct Grey {
+    double tilt;
+    const char* name;
+
+    [[nodiscard]] bool operator<(const Grey& other) const { return tilt < other.tilt; }
+};
 
 }  // namespace
 
@@ -92,12 +101,14 @@ Words growthWords(const Examination& examination) {
 }
 
 Words heightsBentWords(const Proportion& proportion) {
-    const bool grows = proportion.brightOverDark > 1.0;
-    const double times = grows ? proportion.brightOverDark : 1.0 / proportion.brightOverDark;
+    const auto [least, most] = std::minmax<Grey>({{1.0, "dark"},
+                                                  {proportion.middleOverDark, "grey"},
+                                                  {proportion.brightOverDark, "bright"}});
+    const double times = most.tilt / least.tilt;
     return {fmt::format("The same slope tilts the normal {} times as much where the map is {} as "
                         "where it is {}.",
-                        times < 100.0 ? fmt::format("{:.2g}", times) : "over 100",
-                        grows ? "bright" : "dark", grows ? "dark" : "bright"),
+                        times < 100.0 ? fmt::format("{:.2g}", times) : "over 100", most.name,
+                        least.name),
             "Take heights as they are, heightMap().at(column, row): no power, root, logarithm or "
             "product of heights, and nothing that depends on how bright a texel is. Bu and Bv are "
             "differences of two heights.",
@@ -128,6 +139,24 @@ Words lostStepsWords(const StepBalance& balance) {
             "std::min the fall beside every rise. If both sides should count, take their mean: "
             "half of the next texel minus the one before.",
             "Option 1: What to do, step 3"};
+}
+
+Words untiltedWords(const Untilted& untilted) {
+    constexpr std::array<const char*, kWhereabouts> kPlaces{
+        "within six degrees of the poles", "where the eye sees the sphere nearly edge-on",
+        "on a sphere that is far away", "on a small sphere (radius 0.05)",
+        "at black texels, whose height is 0"};
+    std::size_t place = 0;
+    while (place + 1 < kWhereabouts && untilted.good(static_cast<Whereabouts>(place)))
+        ++place;
+    return {fmt::format("Elsewhere a slope tilts the normal; {} the normal is the smooth one at {} "
+                        "of the points of a rough map.",
+                        kPlaces.at(place), percent(untilted.shares.at(place))),
+            "Take out the condition that returns the smooth normal: only the slopes decide how far "
+            "the normal tilts, not the place on the sphere, its size or distance, the eye or the "
+            "height itself. Where both slopes are 0 the sum of Equation (1) is n by itself; at the "
+            "exact pole alone any unit normal will do.",
+            "Option 1: What to do, step 4"};
 }
 
 Words normalMissingWords() {

@@ -18,6 +18,8 @@ namespace ticker::tasks::bump {
 [[nodiscard]] Words heightsBentWords(const Proportion& proportion);
 /// Edges that fall, or edges that rise, leave hardly any slope.
 [[nodiscard]] Words lostStepsWords(const StepBalance& balance);
+/// Places where the normal stays smooth on a rough map.
+[[nodiscard]] Words untiltedWords(const Untilted& untilted);
 /// The gentlest slope turns the normal by 90 degrees.
 [[nodiscard]] Words normalMissingWords();
 

@@ -235,6 +235,8 @@ constexpr std::array kReasons{
               [](const Seen& told) { return mixedWords(*told.examination.stripes); }},
     ReasonRow{WrongReason::lettersDiffer,
               [](const Seen& told) { return lettersWords(*told.examination.letters); }},
+    ReasonRow{WrongReason::smoothInPlaces,
+              [](const Seen& told) { return untiltedWords(told.examination.untilted); }},
 };
 
 }  // namespace

@@ -150,7 +150,8 @@ Finding strangeColour() {
         "Look for a sum that does not start at 0 for every pixel (declared outside of the loop "
         "over the pixels, or without a value), for one that several threads share (a static "
         "variable, a member), for bytes or other whole numbers in the sum, for 1 / n of whole "
-        "numbers, which is 0, and for a second pass over the picture that mixes neighbours.";
+        "numbers, which is 0, for a factor that some rays or pixels get and others do not (a "
+        "weight, a cosine), and for a second pass over the picture that mixes neighbours.";
     return finding;
 }
 

@@ -114,8 +114,8 @@ std::optional<Finding> eyeAmongRays(const LensLog& log, std::size_t asked) {
 Finding sharedSamples(std::size_t asked, std::size_t distinct) {
     Finding finding = distributedFinding(
         kDofSharedSamples, Severity::fail,
-        fmt::format("A new point of the aperture was expected for each of the {} rays; those of a "
-                    "pixel start at only {} different ones.",
+        fmt::format("A new point of the aperture was expected for each of the {} rays; the number "
+                    "of different points at which those of a pixel start is {}.",
                     asked, distinct));
     if (distinct > 2)
         finding.hint +=

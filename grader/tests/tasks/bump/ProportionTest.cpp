@@ -163,6 +163,18 @@ TEST(ReadProportion, SeesHeightsThroughAPowerOrARoot) {
     EXPECT_LT(withPower(0.5).brightOverDark, 1.0 / 6.5);
 }
 
+TEST(ReadProportion, SeesACurveThatIsSteepOrFlatInTheMiddle) {
+    const auto under = [](auto curve) {
+        return proportionOf(withHeights([curve](const selftest::HeightMap& map, int c, int r) {
+            const double height = map.at(c % map.width(), std::min(r, map.height() - 1));
+            return 5.0 * curve(height / 5.0);
+        }));
+    };
+    EXPECT_FALSE(under([](double h) { return h * h * (3.0 - 2.0 * h); }).isSameAtEveryHeight());
+    EXPECT_FALSE(
+        under([](double h) { return 0.5 + 4.0 * std::pow(h - 0.5, 3.0); }).isSameAtEveryHeight());
+}
+
 TEST(JudgeBump, SaysHowManyTimesBrightTexelsTilt) {
     for (const selftest::Mistake mistake :
          {selftest::Mistake::powered, selftest::Mistake::squared, selftest::Mistake::rooted}) {

@@ -62,7 +62,8 @@ enum class LitMistake : std::size_t {
     endsWithoutHighlight,
     lastLightOnly,
     averaged,
-    clamped
+    clamped,
+    rimLeftOut
 };
 
 inline ColourRGB phongOf(LitMistake mistake, const LitSetup& setup) {

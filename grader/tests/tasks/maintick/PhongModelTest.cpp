@@ -60,7 +60,7 @@ void expectWorked(const LitSetup& setup, const std::vector<Worked>& rows) {
 
 TEST(PhongModel, GivesEveryMistakeItsValueOfOneLight) {
     using enum LitMistake;
-    ASSERT_EQ(phongMistakes().size(), static_cast<std::size_t>(clamped));
+    ASSERT_EQ(phongMistakes().size(), static_cast<std::size_t>(rimLeftOut));
     constexpr double A = kAmbientPart;
     constexpr double D = kDiffusePart;
     constexpr double S = kSpecularPart;
@@ -93,7 +93,8 @@ TEST(PhongModel, GivesEveryMistakeItsValueOfOneLight) {
                                {firstLightOnly, A, D, S},
                                {lastLightOnly, A, D, S},
                                {averaged, A, D, S},
-                               {clamped, A, D, S}});
+                               {clamped, A, D, S},
+                               {rimLeftOut, A, D, S}});
 }
 
 TEST(PhongModel, GivesEveryWrongDirectionItsCosines) {
@@ -142,6 +143,15 @@ TEST(PhongModel, GivesWhatLiesBehindItsSign) {
                                                    {viewReversed, A, D, S},
                                                    {facingAbsolute, A, D, 0.0},
                                                    {normalTurned, A, 0.0, 0.0}});
+}
+
+TEST(PhongModel, GivesARimThatIsLeftOutNoHighlight) {
+    // R = (-0.8, 0, -0.6), R.V = 0.2.
+    const double along = std::sqrt(1.0 - 0.04);
+    const Vector3 V = Vector3{-0.8, 0.0, -0.6} * 0.2 + Vector3{0.6, 0.0, -0.8} * along;
+    expectWorked(litByHand(kUp, V),
+                 {{LitMistake::none, kAmbientPart, kDiffusePart, 0.5 * 2.0 * 0.75 * 0.04},
+                  {LitMistake::rimLeftOut, kAmbientPart, kDiffusePart, 0.0}});
 }
 
 TEST(PhongModel, GivesEveryWrongFalloffItsShare) {

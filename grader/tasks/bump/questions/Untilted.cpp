@@ -1,0 +1,115 @@
+#include <grader/tasks/bump/questions/Untilted.h>
+
+#include <grader/tasks/bump/questions/Numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ticker::tasks::bump {
+namespace {
+
+using probe::HeightMapDescription;
+
+constexpr int kPoints = 300;
+constexpr int kAxes = 3;
+
+HeightMapDescription rough(Draws& draws) {
+    HeightMapDescription map{draws.integer(280, 320), draws.integer(140, 170), {}, {}, {}};
+    for (int i = 0; i < map.width * map.height; ++i)
+        map.bytes.push_back(static_cast<std::uint8_t>(draws.integer(0, 255)));
+    return map;
+}
+
+HeightMapDescription partlyBlack(Draws& draws) {
+    HeightMapDescription map = rough(draws);
+    for (std::uint8_t& byte : map.bytes)
+        byte = draws.integer(0, 2) == 0 ? 0 : static_cast<std::uint8_t>(draws.integer(30, 60));
+    return map;
+}
+
+std::vector<Vector3> nearPoles(Draws& draws) {
+    std::vector<Vector3> directions;
+    for (int i = 0; i < kPoints; ++i) {
+        const double turn = draws.uniform(0.0, 2.0 * kPi);
+        const double angle = draws.uniform(2.3, 5.5) * kPi / 180.0;
+        const double across = std::sin(angle) * std::cos(turn);
+        const double beside = std::sin(angle) * std::sin(turn);
+        const double along = (i / kAxes) % 2 == 0 ? std::cos(angle) : -std::cos(angle);
+        const std::array<Vector3, kAxes> axes{
+            {{across, along, beside}, {across, beside, along}, {along, across, beside}}};
+        directions.push_back(axes.at(static_cast<std::size_t>(i % kAxes)));
+    }
+    return directions;
+}
+
+std::vector<Vector3> atRim(Draws& draws, const Ball& ball) {
+    constexpr double kLeast = 0.02;  // of N.V
+    constexpr double kMost = 0.2;
+    std::vector<Vector3> directions;
+    while (directions.size() < static_cast<std::size_t>(kPoints))
+        for (const Vector3& direction : draws.directions(kPoints)) {
+            const double facing = direction.dot((-ball.at(direction)).normalised());
+            if (facing > kLeast && facing < kMost) directions.push_back(direction);
+        }
+    return directions;
+}
+
+/// @param every  Every n-th of them, from `first` on.
+double smoothShare(const std::vector<Vector3>& tilts, std::size_t first, std::size_t every) {
+    constexpr double kSomeTilt = 5e-6;  // ten times single precision's rounding
+    double smooth = 0.0;
+    double all = 0.0;
+    for (std::size_t i = first; i < tilts.size(); i += every) {
+        all += 1.0;
+        if (tilts[i].magnitude() < kSomeTilt) smooth += 1.0;
+    }
+    return smooth / all;
+}
+
+}  // namespace
+
+UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
+    const Ball farAway{{draws.uniform(-9.0, 9.0), draws.uniform(-9.0, 9.0), 180.0}, 45.0};
+    const Ball small{{draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9), 2.0}, 0.05};
+    UntiltedPlan plan;
+    const auto ask = [&](Whereabouts where, const Ball& on, HeightMapDescription map,
+                         const std::vector<Vector3>& directions) {
+        plan.pairs.at(static_cast<std::size_t>(where)) =
+            questionnaire.addPair(on, std::move(map), directions);
+    };
+    ask(Whereabouts::nearPoles, ball, rough(draws), nearPoles(draws));
+    ask(Whereabouts::atRim, ball, rough(draws), atRim(draws, ball));
+    ask(Whereabouts::farAway, farAway, rough(draws), draws.directions(kPoints));
+    ask(Whereabouts::smallSphere, small, rough(draws), draws.directions(kPoints));
+    ask(Whereabouts::onBlack, ball, partlyBlack(draws), draws.directions(2 * kPoints));
+    return plan;
+}
+
+bool Untilted::good(Whereabouts where) const {
+    constexpr double kMost = 0.22;
+    return shares.at(static_cast<std::size_t>(where)) < kMost;
+}
+
+bool Untilted::good() const {
+    for (std::size_t i = 0; i < kWhereabouts; ++i)
+        if (!good(static_cast<Whereabouts>(i))) return false;
+    return true;
+}
+
+Untilted readUntilted(const UntiltedPlan& plan, const Answers& answers) {
+    const auto tiltsOf = [&](const LevelPair& pair) {
+        return answers.tiltsBeyond(pair.flat, pair.map);
+    };
+    Untilted untilted;
+    for (std::size_t i = 0; i < kWhereabouts; ++i)
+        untilted.shares.at(i) = smoothShare(tiltsOf(plan.pairs.at(i)), 0, 1);
+    // The poles are those of one axis, whichever it is.
+    constexpr auto kPoles = static_cast<std::size_t>(Whereabouts::nearPoles);
+    const std::vector<Vector3> tilts = tiltsOf(plan.pairs.at(kPoles));
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+        untilted.shares.at(kPoles) =
+            std::max(untilted.shares.at(kPoles), smoothShare(tilts, axis, kAxes));
+    return untilted;
+}
+
+}  // namespace ticker::tasks::bump

@@ -1,0 +1,47 @@
+#ifndef TICKER_TASKS_BUMP_QUESTIONS_UNTILTED_H
+#define TICKER_TASKS_BUMP_QUESTIONS_UNTILTED_H
+
+#include <grader/tasks/bump/questions/Draws.h>
+#include <grader/tasks/bump/questions/Tilt.h>
+
+#include <array>
+#include <cstdint>
+
+namespace ticker::tasks::bump {
+
+/// Where a condition of the code's own may keep the normal smooth although the map is rough.
+enum class Whereabouts : std::uint8_t {
+    nearPoles,    ///< 2.3 to 5.5 degrees from either end of each axis
+    atRim,        ///< where the eye sees the sphere nearly edge-on
+    farAway,      ///< a sphere some 180 from the eye
+    smallSphere,  ///< of radius 0.05
+    onBlack       ///< texels of height 0 beside higher ones
+};
+inline constexpr std::size_t kWhereabouts = 5;
+
+/// A rough map on these spheres, and at these points.
+struct UntiltedPlan {
+    std::array<LevelPair, kWhereabouts> pairs;
+};
+
+[[nodiscard]] UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws,
+                                        const Ball& ball);
+
+/// The share of the points whose normal is the smooth one; near the poles, of the axis that has the
+/// most. Neighbouring texels of the rough map are equal once in 256 times, so that code without
+/// such a condition gives 0.02 at most; of the map that is black in one of three texels, where the
+/// gentler of two differences is taken, 0.1, with a standard deviation of 0.013. A condition that
+/// holds at all of these points gives 1, on black 0.33 and more, at the rim, where half of the
+/// tilted normals face away, 0.3 and more.
+struct Untilted {
+    std::array<double, kWhereabouts> shares{};
+
+    [[nodiscard]] bool good(Whereabouts where) const;
+    [[nodiscard]] bool good() const;
+};
+
+[[nodiscard]] Untilted readUntilted(const UntiltedPlan& plan, const Answers& answers);
+
+}  // namespace ticker::tasks::bump
+
+#endif

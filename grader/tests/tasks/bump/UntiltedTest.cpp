@@ -1,0 +1,81 @@
+// Conditions that keep the normal smooth in some places.
+#include <grader/lab/selftest/BumpReadings.h>
+#include <grader/tasks/bump/questions/Untilted.h>
+#include <grader/tests/tasks/bump/Asked.h>
+#include <grader/tests/tasks/bump/Judging.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace ticker::tasks::bump {
+namespace {
+
+using selftest::Point;
+
+Untilted untiltedOf(const selftest::NormalFunction& function) {
+    Questionnaire questionnaire;
+    Draws draws(4);
+    const UntiltedPlan plan = planUntilted(questionnaire, draws, {{0.5, -1.0, 20.0}, 12.0});
+    return readUntilted(plan, tests::answersOf(questionnaire, function));
+}
+
+/// The right normals, smooth where a condition holds.
+selftest::NormalFunction smoothWhere(
+    std::function<bool(const Point&, const Vector3& tilted)> isSmooth) {
+    return [isSmooth = std::move(isSmooth)](const Point& point) {
+        const Vector3 tilted = selftest::modelNormal({}, selftest::Mistake::none, point);
+        return isSmooth(point, tilted) ? tests::smooth(point) : tilted;
+    };
+}
+
+TEST(ReadUntilted, IsGoodForEveryAcceptedReading) {
+    for (const selftest::Reading& reading : selftest::acceptedReadings(1)) {
+        const Untilted untilted = untiltedOf([&](const Point& point) {
+            return selftest::modelNormal(reading, selftest::Mistake::none, point);
+        });
+        EXPECT_LT(*std::ranges::max_element(untilted.shares), 0.2) << describe(reading);
+    }
+}
+
+TEST(ReadUntilted, SeesEachCondition) {
+    const auto expectOnly = [](Whereabouts where, const selftest::NormalFunction& function) {
+        const Untilted untilted = untiltedOf(function);
+        for (std::size_t i = 0; i < kWhereabouts; ++i)
+            EXPECT_EQ(untilted.good(static_cast<Whereabouts>(i)),
+                      i != static_cast<std::size_t>(where))
+                << i << ": " << untilted.shares.at(i);
+    };
+    for (const double sine : {0.07, 0.1, 0.2})
+        expectOnly(Whereabouts::nearPoles, smoothWhere([sine](const Point& point, const Vector3&) {
+                       const Vector3 n = tests::smooth(point);
+                       return std::hypot(n.x, n.z) < sine;
+                   }));
+    expectOnly(Whereabouts::atRim, smoothWhere([](const Point& point, const Vector3& tilted) {
+                   const Vector3 toEye = -point.position;
+                   return tests::smooth(point).dot(toEye) > 0.0 && tilted.dot(toEye) < 0.0;
+               }));
+    expectOnly(Whereabouts::farAway, smoothWhere([](const Point& point, const Vector3&) {
+                   return point.position.magnitude() > 100.0;
+               }));
+    expectOnly(Whereabouts::smallSphere,
+               smoothWhere([](const Point& point, const Vector3&) { return point.radius < 0.1; }));
+    expectOnly(Whereabouts::onBlack, smoothWhere([](const Point& point, const Vector3&) {
+                   const Vector3 n = tests::smooth(point);
+                   const Parametrisation& at = tests::kParametrisation;
+                   const int column = std::min(static_cast<int>(at.u(n) * point.map.width()),
+                                               point.map.width() - 1);
+                   const int row = std::min(static_cast<int>(at.v(n) * point.map.height()),
+                                            point.map.height() - 1);
+                   return point.map.at(column, row) == 0.0;
+               }));
+}
+
+TEST(ReadUntilted, JudgesASmoothSphereAsSmoothEverywhere) {
+    EXPECT_EQ(untiltedOf(tests::smooth).shares.front(), 1.0);
+}
+
+}  // namespace
+}  // namespace ticker::tasks::bump
