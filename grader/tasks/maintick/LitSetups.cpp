@@ -64,7 +64,7 @@ LitQuestion rimOfHighlight(Draw& draw) {
     while (true) {
         LitQuestion question = lit(draw, LitKind::specular, draw.between(1.5, 3.5));
         ownMaterial(question.setup).phongAlpha = 1.0;
-        viewAt(draw, question.setup, draw.between(0.05, 0.2));
+        viewAt(draw, question.setup, draw.between(0.05, 0.15));
         if (viewerFacing(question.setup) > 0.2) return question;
     }
 }
