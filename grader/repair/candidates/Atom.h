@@ -98,6 +98,7 @@ void addStatementEdits(Edits& edits, int node);
 void addConditionEdits(Edits& edits, int node);
 void addDrawEdits(Edits& edits, int node);
 void addGroupingEdits(Edits& edits, int node);
+void addResets(Edits& edits, int node);
 // With what the function could name and does not.
 void addWideEdits(Edits& edits, int node);
 void addGuards(Edits& edits, int node);

@@ -14,8 +14,15 @@ unsigned offsetOf(CXSourceLocation location) {
     return offset;
 }
 
-bool standsHere(CXSourceLocation location) {
-    return clang_Location_isFromMainFile(location) != 0;
+/// Whether the student's own file has it, be it as the name of a macro: M_PI, RAND_MAX.
+bool standsHere(CXCursor cursor, CXSourceLocation location) {
+    CXFile file = nullptr;
+    unsigned line = 0;
+    unsigned column = 0;
+    clang_getExpansionLocation(location, &file, &line, &column, nullptr);
+    const CXTranslationUnit unit = clang_Cursor_getTranslationUnit(cursor);
+    return file != nullptr &&
+           clang_Location_isFromMainFile(clang_getLocation(unit, file, line, column)) != 0;
 }
 
 /// What a field holds or a function without arguments returns; empty for any other cursor.
@@ -41,7 +48,7 @@ std::optional<Range> rangeOf(CXCursor cursor) {
     const CXSourceRange extent = clang_getCursorExtent(cursor);
     const CXSourceLocation begin = clang_getRangeStart(extent);
     const CXSourceLocation end = clang_getRangeEnd(extent);
-    if (!standsHere(begin)) return std::nullopt;
+    if (!standsHere(cursor, begin)) return std::nullopt;
     const Range range{offsetOf(begin), offsetOf(end)};
     if (range.end <= range.begin) return std::nullopt;
     return range;

@@ -88,9 +88,9 @@ std::string asJson(const Tree& tree, const std::vector<Atom>& atoms, const Schem
 using AddEdits = void (*)(Edits&, int);
 
 constexpr AddEdits kSimple[] = {
-    addOperatorEdits,  addNumberEdits, addNameEdits,    addMemberEdits, addCallEdits,
-    addWrapEdits,      addTermEdits,   addSiblingEdits, addStaticEdits, addStatementEdits,
-    addConditionEdits, addDrawEdits,   addGroupingEdits};
+    addOperatorEdits,  addNumberEdits, addNameEdits,     addMemberEdits, addCallEdits,
+    addWrapEdits,      addTermEdits,   addSiblingEdits,  addStaticEdits, addStatementEdits,
+    addConditionEdits, addDrawEdits,   addGroupingEdits, addResets};
 constexpr AddEdits kWide[] = {addGuards, addNeighbours, addWideEdits};
 
 std::vector<Atom> findAtoms(const Tree& tree, const Source& source, const Source& stub,
