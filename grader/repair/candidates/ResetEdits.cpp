@@ -51,8 +51,11 @@ void beginWithNothing(Edits& edits, int index) {
     if (!given.isExpression || given.kind == NodeKind::number || given.kind == NodeKind::list ||
         block < 0 || !isAddedToIn(tree, block, sum))
         return;
-    const std::string nothing = isNumber(sum) ? "0" : given.type + "{}";
-    edits.replace("reset", value, nothing.starts_with("raytracer::") ? nothing.substr(11) : nothing,
+    const bool isColour = sum.type == "raytracer::ColourRGB";
+    edits.replace("reset", value,
+                  isNumber(sum) ? "0"
+                  : isColour    ? "ColourRGB{}"
+                                : "Vector3{}",
                   true);
 }
 

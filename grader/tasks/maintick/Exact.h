@@ -22,7 +22,8 @@ using raytracer::Vector3;
 /// What right answers may differ by, relative to the larger of 1 and the expected value. In double
 /// precision all algebra agrees to 1e-9; in float to 2e-4, as accepted entries of the corpus show,
 /// since small spheres are asked from near and far ones are large. Every known mistake moves some
-/// answer by more than 1e-2.
+/// answer by more than 1e-2, but for distances rounded to three decimals: one near plane is asked
+/// with a tolerance of its own.
 inline constexpr double kTolerance = 5e-4;
 /// Of colours behind a mirror: the reflected ray starts up to 1e-3 above the surface.
 inline constexpr double kMirrorTolerance = 4e-3;

@@ -145,7 +145,7 @@ Words untiltedWords(const Untilted& untilted) {
     constexpr std::array<const char*, kWhereabouts> kPlaces{
         "within six degrees of the poles", "where the eye sees the sphere nearly edge-on",
         "on a sphere that is far away", "on a small sphere (radius 0.05)",
-        "at black texels, whose height is 0"};
+        "at black texels (height 0)"};
     std::size_t place = 0;
     while (place + 1 < kWhereabouts && untilted.good(static_cast<Whereabouts>(place)))
         ++place;
