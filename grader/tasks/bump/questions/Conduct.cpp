@@ -17,14 +17,6 @@ using probe::HeightMapDescription;
 // The exercise's own sphere.
 constexpr Ball kSceneBall{{0.0, 0.0, 3.5}, 0.7};
 
-/// A map of random bytes: neighbours differ at every texel.
-HeightMapDescription noise(Draws& draws, int width, int height) {
-    HeightMapDescription map{width, height, {}, {}, {}};
-    for (int i = 0; i < width * height; ++i)
-        map.bytes.push_back(static_cast<std::uint8_t>(draws.integer(0, 255)));
-    return map;
-}
-
 /// Points of the near side whose x, or y, is exactly the centre's (each zero, and a rounding error
 /// beside it): the middle column and row of a picture of odd size.
 std::vector<Vector3> visibleMeridians() {
@@ -168,8 +160,8 @@ private:
 /// Asks for one map, then another, at the same point of the same sphere.
 void addOtherMaps(ConductPlan& plan, Questionnaire& questionnaire, Draws& draws) {
     constexpr int kPoints = 8;
-    const HeightMapDescription one = noise(draws, 90, 70);
-    const HeightMapDescription other = noise(draws, 90, 70);
+    const HeightMapDescription one = noiseMap(draws, 90, 70);
+    const HeightMapDescription other = noiseMap(draws, 90, 70);
     for (const Vector3& point : draws.directions(kPoints)) {
         static_cast<void>(questionnaire.add(kSceneBall, one, {point}));
         plan.afterOtherMap.push_back(questionnaire.add(kSceneBall, other, {point, -point, point}));
@@ -215,15 +207,16 @@ Place ConductPlan::placeOf(std::size_t question) const {
 ConductPlan planConduct(Questionnaire& questionnaire, Draws& draws) {
     constexpr int kPoints = 300;
     ConductPlan plan;
-    const HeightMapDescription map = noise(draws, 90, 70);
+    const HeightMapDescription map = noiseMap(draws, 90, 70);
     plan.visibleMeridian = questionnaire.add(kSceneBall, map, visibleMeridians());
     plan.hiddenMeridian = questionnaire.add(kSceneBall, map, hiddenMeridians());
     plan.nearestPoint = questionnaire.add(kSceneBall, map,
                                           {{0.0, 0.0, -1.0}, {-0.0, 0.0, -1.0}, {0.0, -0.0, -1.0}});
     plan.lastRows = questionnaire.add(kSceneBall, map, lastRows());
     plan.poles = questionnaire.add(kSceneBall, map, poles());
-    plan.smallMap = questionnaire.add(kSceneBall, noise(draws, 16, 16), draws.directions(kPoints));
-    plan.tinyMap = questionnaire.add(kSceneBall, noise(draws, 4, 4), draws.directions(kPoints));
+    plan.smallMap =
+        questionnaire.add(kSceneBall, noiseMap(draws, 16, 16), draws.directions(kPoints));
+    plan.tinyMap = questionnaire.add(kSceneBall, noiseMap(draws, 4, 4), draws.directions(kPoints));
     std::vector<Vector3> twice = draws.directions(kPoints / 2);
     twice.insert(twice.end(), twice.begin(), twice.begin() + kPoints / 2);
     plan.twice = questionnaire.add(kSceneBall, flatMap(90, 70), twice);

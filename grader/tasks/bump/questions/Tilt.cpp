@@ -48,6 +48,13 @@ raytracer::SceneDescription drawCompany(Draws& draws) {
 
 }  // namespace
 
+probe::HeightMapDescription noiseMap(Draws& draws, int width, int height) {
+    probe::HeightMapDescription map{width, height, {}, {}, {}};
+    for (int i = 0; i < width * height; ++i)
+        map.bytes.push_back(static_cast<std::uint8_t>(draws.integer(0, 255)));
+    return map;
+}
+
 probe::HeightMapDescription flatMap(int width, int height, double level) {
     return {width,
             height,

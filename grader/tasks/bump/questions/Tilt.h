@@ -36,6 +36,9 @@ using raytracer::questions::tiltOf;
 /// A map without slope; `level` is half of the greatest height.
 [[nodiscard]] probe::HeightMapDescription flatMap(int width, int height, double level = 2.5);
 
+/// A map of random bytes: neighbours differ at nearly every texel.
+[[nodiscard]] probe::HeightMapDescription noiseMap(Draws& draws, int width, int height);
+
 /// A map, and a flat map of its size at the same points.
 struct LevelPair {
     std::size_t flat = 0;

@@ -14,10 +14,8 @@ constexpr int kPoints = 300;
 constexpr int kAxes = 3;
 
 HeightMapDescription rough(Draws& draws) {
-    HeightMapDescription map{draws.integer(280, 320), draws.integer(140, 170), {}, {}, {}};
-    for (int i = 0; i < map.width * map.height; ++i)
-        map.bytes.push_back(static_cast<std::uint8_t>(draws.integer(0, 255)));
-    return map;
+    const int width = draws.integer(280, 320);
+    return noiseMap(draws, width, draws.integer(140, 170));
 }
 
 HeightMapDescription partlyBlack(Draws& draws) {
@@ -97,18 +95,17 @@ bool Untilted::good() const {
 }
 
 Untilted readUntilted(const UntiltedPlan& plan, const Answers& answers) {
-    const auto tiltsOf = [&](const LevelPair& pair) {
-        return answers.tiltsBeyond(pair.flat, pair.map);
-    };
     Untilted untilted;
-    for (std::size_t i = 0; i < kWhereabouts; ++i)
-        untilted.shares.at(i) = smoothShare(tiltsOf(plan.pairs.at(i)), 0, 1);
-    // The poles are those of one axis, whichever it is.
-    constexpr auto kPoles = static_cast<std::size_t>(Whereabouts::nearPoles);
-    const std::vector<Vector3> tilts = tiltsOf(plan.pairs.at(kPoles));
-    for (std::size_t axis = 0; axis < kAxes; ++axis)
-        untilted.shares.at(kPoles) =
-            std::max(untilted.shares.at(kPoles), smoothShare(tilts, axis, kAxes));
+    for (std::size_t i = 0; i < kWhereabouts; ++i) {
+        const LevelPair& pair = plan.pairs.at(i);
+        const std::vector<Vector3> tilts = answers.tiltsBeyond(pair.flat, pair.map);
+        // The poles are those of one axis, whichever it is.
+        const bool isAtPoles = static_cast<Whereabouts>(i) == Whereabouts::nearPoles;
+        const std::size_t groups = isAtPoles ? kAxes : 1;
+        for (std::size_t group = 0; group < groups; ++group)
+            untilted.shares.at(i) =
+                std::max(untilted.shares.at(i), smoothShare(tilts, group, groups));
+    }
     return untilted;
 }
 

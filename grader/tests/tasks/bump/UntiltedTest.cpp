@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 
 namespace ticker::tasks::bump {
 namespace {
@@ -71,6 +72,14 @@ TEST(ReadUntilted, SeesEachCondition) {
                                             point.map.height() - 1);
                    return point.map.at(column, row) == 0.0;
                }));
+}
+
+TEST(JudgeBump, SaysWhereTheNormalStaysSmooth) {
+    const TaskJudgement judgement = tests::judge(smoothWhere(
+        [](const Point& point, const Vector3&) { return point.position.magnitude() > 100.0; }));
+    ASSERT_EQ(tests::firstId(judgement), "bump.wrong");
+    EXPECT_NE(judgement.reason.find("on a sphere that is far away"), std::string::npos)
+        << judgement.reason;
 }
 
 TEST(ReadUntilted, JudgesASmoothSphereAsSmoothEverywhere) {
