@@ -52,4 +52,16 @@ void SoftShadows::SetUp() {
         GTEST_SKIP() << "T2.1 is not attempted: the line unfinished(\"T2.1\", ...) still stands";
 }
 
+bool SoftShadows::lacksRays(const Trial& trial) {
+    if (trial.rays().empty()) return true;
+    const Trial edge{roomWithBall(), floorWhereLightIsClearBy(0.0), 40};
+    const bool central = std::all_of(edge.rays().begin(), edge.rays().end(), [](const Ray& ray) {
+        return questions::footFrom(kLight, ray).magnitude() < 1e-3;
+    });
+    const bool same = std::all_of(
+        edge.colours().begin(), edge.colours().end(),
+        [&](const ColourRGB& colour) { return isNear(colour, edge.colours().front(), 1e-3); });
+    return central && !same;
+}
+
 }  // namespace raytracer::tests::shadows

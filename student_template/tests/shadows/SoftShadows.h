@@ -56,6 +56,10 @@ protected:
     /// Skips a task that is not attempted.
     void SetUp() override;
 
+    /// Whether the log lacks shadow rays: it has none, or only rays to the light's centre although
+    /// the colours at the edge of a shadow differ from call to call.
+    [[nodiscard]] static bool lacksRays(const Trial& trial);
+
     const RenderSettings handout_{};
 };
 
