@@ -1,8 +1,8 @@
 # Headers that the compiler reads once for many targets, all with equal flags. Folders with full
 # optimisation take no part: they are few.
 #
-# Every file still includes what it uses: of the presets only release has this, and the guards clang
-# and tidy find what is missing.
+# Every file still includes what it uses: the presets debug, clang and tidy do without, so that the guards
+# clang and tidy find what is missing.
 option(TICKER_PRECOMPILED_HEADERS "Read common headers once for many targets" ON)
 
 # Most files include these.
