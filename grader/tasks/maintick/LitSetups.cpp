@@ -69,6 +69,14 @@ LitQuestion rimOfHighlight(Draw& draw) {
     }
 }
 
+/// Where a highlight is brightest: ks (R.V)^alpha is above 1.15.
+LitQuestion peakOfHighlight(Draw& draw) {
+    LitQuestion question = lit(draw, LitKind::specular, draw.between(1.5, 3.5));
+    ownMaterial(question.setup).phongKS = draw.between(1.25, 1.4);
+    viewAt(draw, question.setup, draw.between(0.994, 0.999));
+    return question;
+}
+
 /// R.V is negative and the power even. With `isBelow` N.L is negative, too; otherwise the viewer is
 /// behind a surface that is lit in front.
 LitQuestion behind(Draw& draw, bool isBelow) {
@@ -167,6 +175,7 @@ std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
     asked.push_back(lit(draw, LitKind::far, 120.0));
     asked.push_back(lit(draw, LitKind::far, 0.12));
     asked.push_back(rimOfHighlight(draw));
+    asked.push_back(peakOfHighlight(draw));
     using enum Side;
     asked.push_back(oneBehind(draw, {behind, inFront}));
     asked.push_back(oneBehind(draw, {behind, inFront, inFront}));

@@ -62,6 +62,12 @@ constexpr PhongMistake kPhongMistakes[] = {
      [](Terms& t) { t.colour += t.ambient * static_cast<double>(t.light); },
      "Ambient light is added before the loop and once more for each light: add it before the loop "
      "alone."},
+    {&kPhongAmbient, Step::colour,
+     [](Terms& t) {
+         if (t.light > 0) t.colour = t.diffuse + t.specular;
+     },
+     "Ambient light is missing wherever a light arrives: add it once for every point, before the "
+     "loop, lit or not."},
     {&kPhongAmbient, Step::material, [](Terms& t) { t.ambient *= t.material.phongKD; },
      "Ambient light has no coefficient: leave phongKD() out of it."},
     {&kPhongAmbient, Step::material, [](Terms& t) { t.ambient = t.setup.scene.ambientLighting; },
@@ -97,6 +103,12 @@ constexpr PhongMistake kPhongMistakes[] = {
      "Raise max(0, R.V) to the power object.phongAlpha()."},
     {&kPhongSpecular, Step::light, withPowerOfAll,
      "Only max(0, R.V) is raised to the power; multiply by phongKS() afterwards."},
+    {&kPhongSpecular, Step::light,
+     [](Terms& t) {
+         if (t.share > 1.0) t.ownSpecular = t.lamp().colour() * t.arriving;
+     },
+     "A highlight may be brighter than the light that makes it: leave out the limit of 1 for "
+     "phongKS() times the power."},
     {&kPhongWrong, Step::material,
      [](Terms& t) { std::swap(t.material.phongKD, t.material.phongKS); },
      "phongKD() belongs to the diffuse term and phongKS() to the specular one: they are "

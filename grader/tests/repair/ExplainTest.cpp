@@ -31,9 +31,17 @@ struct Explained {
     Explanation explanation;
 };
 
+/// How much slower sanitizers make the search.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double kSlowdown = 10.0;
+#else
+constexpr double kSlowdown = 1.0;
+#endif
+
 /// The default ones, however much other work the machine has.
 SearchLimits longWall() {
     SearchLimits limits = defaultSearchLimits();
+    limits.all.cpuSeconds *= kSlowdown;
     limits.all.wallSeconds = 3600.0;
     return limits;
 }

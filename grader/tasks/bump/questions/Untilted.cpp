@@ -12,6 +12,9 @@ using probe::HeightMapDescription;
 
 constexpr int kPoints = 300;
 constexpr int kAxes = 3;
+constexpr int kManyPoints = 2000;
+constexpr int kFew = 5;    // rows or columns of a map whose outermost ones count
+constexpr int kMore = 16;  // of the other ones
 
 HeightMapDescription rough(Draws& draws) {
     const int width = draws.integer(280, 320);
@@ -22,6 +25,27 @@ HeightMapDescription partlyBlack(Draws& draws) {
     HeightMapDescription map = rough(draws);
     for (std::uint8_t& byte : map.bytes)
         byte = draws.integer(0, 2) == 0 ? 0 : static_cast<std::uint8_t>(draws.integer(30, 60));
+    return map;
+}
+
+/// Of random bytes, but no two neighbours of a row or a column are nearly equal.
+HeightMapDescription coarse(Draws& draws, int width, int height) {
+    constexpr int kLeastStep = 12;
+    HeightMapDescription map = noiseMap(draws, width, height);
+    const auto at = [&](int column, int row) -> std::uint8_t& {
+        return map.bytes[static_cast<std::size_t>(row % height * width + column % width)];
+    };
+    const auto isUnlike = [&](int column, int row) {
+        const std::array<int, 4> neighbours{at(column + width - 1, row), at(column + 1, row),
+                                            at(column, row + height - 1), at(column, row + 1)};
+        return std::ranges::all_of(neighbours, [&](int neighbour) {
+            return std::abs(neighbour - at(column, row)) >= kLeastStep;
+        });
+    };
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column)
+            while (!isUnlike(column, row))
+                at(column, row) = static_cast<std::uint8_t>(draws.integer(0, 255));
     return map;
 }
 
@@ -80,12 +104,16 @@ UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws, const Ball
     ask(Whereabouts::farAway, farAway, rough(draws), draws.directions(kPoints));
     ask(Whereabouts::smallSphere, small, rough(draws), draws.directions(kPoints));
     ask(Whereabouts::onBlack, ball, partlyBlack(draws), draws.directions(2 * kPoints));
+    ask(Whereabouts::fewRows, ball, coarse(draws, kMore, kFew), draws.directions(kManyPoints));
+    ask(Whereabouts::fewColumns, ball, coarse(draws, kFew, kMore), draws.directions(kManyPoints));
     return plan;
 }
 
 bool Untilted::good(Whereabouts where) const {
     constexpr double kMost = 0.22;
-    return shares.at(static_cast<std::size_t>(where)) < kMost;
+    constexpr double kMostOfFew = 0.06;
+    const bool isOfFew = where == Whereabouts::fewRows || where == Whereabouts::fewColumns;
+    return shares.at(static_cast<std::size_t>(where)) < (isOfFew ? kMostOfFew : kMost);
 }
 
 bool Untilted::good() const {

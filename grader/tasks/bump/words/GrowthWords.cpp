@@ -143,20 +143,26 @@ Words lostStepsWords(const StepBalance& balance) {
 
 Words untiltedWords(const Untilted& untilted) {
     constexpr std::array<const char*, kWhereabouts> kPlaces{
-        "within six degrees of the poles", "where the eye sees the sphere nearly edge-on",
-        "on a sphere that is far away", "on a small sphere (radius 0.05)",
-        "at black texels (height 0)"};
+        "within six degrees of the poles",
+        "where the eye sees the sphere nearly edge-on",
+        "on a sphere that is far away",
+        "on a small sphere (radius 0.05)",
+        "at black texels (height 0)",
+        "in a row or a column of a map of 16 x 5 texels",
+        "in a row or a column of a map of 5 x 16 texels"};
     std::size_t place = 0;
     while (place + 1 < kWhereabouts && untilted.good(static_cast<Whereabouts>(place)))
         ++place;
-    return {fmt::format("Elsewhere a slope tilts the normal; {} the normal is the smooth one at {} "
-                        "of the points of a rough map.",
-                        kPlaces.at(place), percent(untilted.shares.at(place))),
-            "Take out the condition that returns the smooth normal: only the slopes decide how far "
-            "the normal tilts, not the place on the sphere, its size or distance, the eye or the "
-            "height itself. Where both slopes are 0 the sum of Equation (1) is n by itself; at the "
-            "exact pole alone any unit normal will do.",
-            "Option 1: What to do, step 4"};
+    return {
+        fmt::format("Elsewhere a slope tilts the normal; {} the normal is the smooth one at {} "
+                    "of the points of a rough map.",
+                    kPlaces.at(place), percent(untilted.shares.at(place))),
+        "Take out the condition that returns the smooth normal: only the slopes decide how far "
+        "the normal tilts, not the place on the sphere or the map, its size or distance, the eye "
+        "or the height itself. Where both slopes are 0 the sum of Equation (1) is n by itself; at "
+        "the "
+        "exact pole alone any unit normal will do.",
+        "Option 1: What to do, step 4"};
 }
 
 Words normalMissingWords() {

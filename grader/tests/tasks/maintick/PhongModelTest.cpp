@@ -71,6 +71,7 @@ TEST(PhongModel, GivesEveryMistakeItsValueOfOneLight) {
                                {ambientColourless, 0.25, D, S},
                                {ambientPerLight, A, D, S},
                                {ambientAgainPerLight, 2.0 * A, D, S},
+                               {ambientInShadeAlone, 0.0, D, S},
                                {diffuseMissing, A, 0.0, S},
                                {diffuseColourless, A, D / 0.4, S},
                                {diffuseWithoutI, A, D / 2.0, S},
@@ -83,6 +84,7 @@ TEST(PhongModel, GivesEveryMistakeItsValueOfOneLight) {
                                {specularWithoutKs, A, D, S / 0.75},
                                {specularAlphaMissing, A, D, S / 0.8},
                                {specularPowerOfAll, A, D, S * 0.75},
+                               {specularAtMostOne, A, D, S},
                                {coefficientsExchanged, A, D / 0.5 * 0.75, S / 0.75 * 0.5},
                                {lightsMissing, A, 0.0, 0.0},
                                {flat, 0.4, 0.0, 0.0},
@@ -154,6 +156,13 @@ TEST(PhongModel, GivesARimThatIsLeftOutNoHighlight) {
                   {LitMistake::rimLeftOut, kAmbientPart, kDiffusePart, 0.0}});
 }
 
+TEST(PhongModel, GivesAHighlightAtMostTheLightItself) {
+    LitSetup setup = litByHand();
+    setup.scene.spheres[0].material.phongKS = 3.0;
+    expectWorked(setup, {{LitMistake::none, kAmbientPart, kDiffusePart, kSpecularPart * 4.0},
+                         {LitMistake::specularAtMostOne, kAmbientPart, kDiffusePart, 0.5 * 2.0}});
+}
+
 TEST(PhongModel, GivesEveryWrongFalloffItsShare) {
     using enum LitMistake;
     const double both = kDiffusePart + kSpecularPart;
@@ -206,10 +215,11 @@ TEST(PhongModel, LosesTheLightsAfterOneThatEndsTheLoop) {
                   {endsWithoutHighlight, kAmbientPart, kDiffusePart, 0.0}});
 }
 
-TEST(PhongModel, AveragesNoLightsToAmbientLight) {
+TEST(PhongModel, GivesAmbientLightWhereThereIsNoOther) {
     LitSetup setup = litByHand();
     setup.scene.pointLights.clear();
     EXPECT_NEAR(phongOf(LitMistake::averaged, setup).r, kAmbientPart, 1e-12);
+    EXPECT_NEAR(phongOf(LitMistake::ambientInShadeAlone, setup).r, kAmbientPart, 1e-12);
 }
 
 }  // namespace
