@@ -76,6 +76,19 @@ void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& ask
     asked.push_back(hitFrom(draw, scene, far, Place::outside, down, kFar));
 }
 
+/// Far aside from the point that the plane is given by, along both of its tangents and both ways.
+void addAside(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& asked) {
+    constexpr double kFarthest = 400.0;
+    const auto& plane = scene.planes[0];
+    const Vector3 normal = plane.normal.normalised();
+    const Perpendiculars sides = perpendicularsOf(normal);
+    for (const Vector3& side : {sides.first, -sides.first, sides.second, -sides.second}) {
+        for (const double aside : {draw.between(7.0, 12.0), draw.between(0.8, 1.0) * kFarthest})
+            asked.push_back(hitAt(plane.point + side * aside, scene, 0, Place::outside,
+                                  draw.directionAround(-normal, 1.1), draw.between(2.0, 5.0)));
+    }
+}
+
 /// Planes that lean by some two degrees, one for either end of each axis: what code for level
 /// floors or upright walls takes for one of them. The rays meet them aside from their point, up or
 /// down the slope, where such code is wrong by 0.045 or more.
@@ -119,6 +132,7 @@ TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
         }
     addExtremes(draw, scene, asked);
     addLeaning(draw, scene, asked);
+    addAside(draw, scene, asked);
     return maintick::judgeHits(examinee, scene, asked, maintick::planeMistakes(), kPlaneTexts,
                                "Plane::intersectionWith");
 }

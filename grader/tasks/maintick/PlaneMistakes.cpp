@@ -53,6 +53,16 @@ Distance alongNearestAxis(const raytracer::SceneDescription& scene, int object, 
                   : alongAxis<&Vector3::z>(scene, object, ray);
 }
 
+/// No hits far from the plane's point.
+Distance withRim(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
+    constexpr double kWithin = 4.0;
+    const auto distance = met<[](const F& f) { return ifAhead(f.s()); }>(scene, object, ray);
+    const Vector3& point = scene.planes[static_cast<std::size_t>(object)].point;
+    const bool isWithin =
+        distance && (ray.origin + ray.direction * *distance - point).magnitude() < kWithin;
+    return isWithin ? distance : Distance{};
+}
+
 constexpr const char* kOneCoordinate =
     "One coordinate alone is used here, as in (Q.y - O.y) / D.y. That is right only where the "
     "normal is exactly that axis, and not for a plane that leans a little: take s = (Q - O).N / "
@@ -106,6 +116,10 @@ constexpr HitMistake kPlaneMistakes[] = {
     {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.02 <= std::abs(f.height)); }>,
      "A limit cuts hits off where the ray starts near the plane: every positive s is a hit, "
      "however small it is."},
+    {&kPlaneMissed, withRim,
+     "A plane has no rim: point() is one point of it, and the hit may lie as far from it as it "
+     "likes.",
+     true},
     {&kPlaneDistance, alongAxis<&Vector3::x>, kOneCoordinate, true},
     {&kPlaneDistance, alongAxis<&Vector3::y>, kOneCoordinate, true},
     {&kPlaneDistance, alongAxis<&Vector3::z>, kOneCoordinate, true},

@@ -56,6 +56,7 @@ TEST(PlaneMistakes, AnswerWhatTheirCodeWould) {
         {5.0, 5.0, kPasses},          // of the slope,
         {5.0, 5.0, kPasses},          // of what is near,
         {5.0, 5.0, kPasses},          // and of the height
+        {kPasses, kPasses, kPasses},  // nothing far from the point
         {kPasses, kPasses, kPasses},  // along x alone,
         {kPasses, kPasses, kPasses},  // along y,
         {5.0, 5.0, kPasses},          // along z,
@@ -72,7 +73,7 @@ TEST(PlaneMistakes, AnswerWhatTheirCodeWould) {
 
 TEST(PlaneMistakes, LeaveOutWhatTheirLimitsLeaveOut) {
     const auto mistakes = planeMistakes();
-    const std::size_t last = mistakes.size() - 6;
+    const std::size_t last = mistakes.size() - 7;
     const auto from = [](double z) { return Ray{{0.0, 0.0, z}, {0.0, 0.0, 1.0}}; };
     const auto sloping = [](double slope) {
         return Ray{{}, {0.0, std::sqrt(1.0 - slope * slope), slope}};
@@ -85,6 +86,13 @@ TEST(PlaneMistakes, LeaveOutWhatTheirLimitsLeaveOut) {
     expectDistance(askedOfPlane(mistakes[last], from(4.96)), kPasses);
     expectDistance(askedOfPlane(mistakes[last + 1], from(4.97)), 0.03);
     expectDistance(askedOfPlane(mistakes[last + 1], from(4.99)), kPasses);
+}
+
+TEST(PlaneMistakes, EndAPlaneFourUnitsFromItsPoint) {
+    const HitMistake& rim = planeMistakes()[planeMistakes().size() - 5];
+    const auto aside = [](double x) { return Ray{{7.0 + x, 0.0, 1.0}, {0.0, 0.0, 1.0}}; };
+    expectDistance(askedOfPlane(rim, aside(-3.9)), 4.0);
+    expectDistance(askedOfPlane(rim, aside(4.1)), kPasses);
 }
 
 TEST(PlaneMistakes, TakeALeaningPlaneForOneOfAnAxis) {
