@@ -177,7 +177,7 @@ std::vector<const TaskReport*> worstFirst(const SubmissionResult& result) {
     std::vector<const TaskReport*> tasks;
     for (const TaskReport& task : result.tasks)
         tasks.push_back(&task);
-    std::ranges::stable_partition(tasks, [](const TaskReport* task) {
+    std::stable_partition(tasks.begin(), tasks.end(), [](const TaskReport* task) {
         return task->state != TaskState::passed || task->needsReview;
     });
     return tasks;
