@@ -13,8 +13,8 @@ using probe::HeightMapDescription;
 constexpr int kPoints = 300;
 constexpr int kAxes = 3;
 constexpr int kManyPoints = 2000;
-constexpr int kFew = 5;    // rows or columns of a map whose outermost ones count
-constexpr int kMore = 16;  // of the other ones
+constexpr int kFew = 5;    // rows of one map, columns of the other: so few that one left out shows
+constexpr int kMore = 16;  // columns of the one, rows of the other
 
 HeightMapDescription rough(Draws& draws) {
     const int width = draws.integer(280, 320);

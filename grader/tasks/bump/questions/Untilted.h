@@ -16,8 +16,8 @@ enum class Whereabouts : std::uint8_t {
     farAway,      ///< a sphere some 180 from the eye
     smallSphere,  ///< of radius 0.05
     onBlack,      ///< texels of height 0 beside higher ones
-    fewRows,      ///< a map of 5 rows, whose first or last one may be left out
-    fewColumns    ///< a map of 5 columns
+    fewRows,      ///< some row of a map of 5 rows
+    fewColumns    ///< some column of a map of 5 columns
 };
 inline constexpr std::size_t kWhereabouts = 7;
 
