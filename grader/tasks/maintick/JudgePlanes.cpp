@@ -83,9 +83,11 @@ void addAside(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& 
     const Vector3 normal = plane.normal.normalised();
     const Perpendiculars sides = perpendicularsOf(normal);
     for (const Vector3& side : {sides.first, -sides.first, sides.second, -sides.second}) {
-        for (const double aside : {draw.between(7.0, 12.0), draw.between(0.8, 1.0) * kFarthest})
-            asked.push_back(hitAt(plane.point + side * aside, scene, 0, Place::outside,
-                                  draw.directionAround(-normal, 1.1), draw.between(2.0, 5.0)));
+        for (const double aside : {draw.between(7.0, 12.0), draw.between(0.8, 1.0) * kFarthest}) {
+            const Vector3 down = draw.directionAround(-normal, 1.1);
+            asked.push_back(hitAt(plane.point + side * aside, scene, 0, Place::outside, down,
+                                  draw.between(2.0, 5.0)));
+        }
     }
 }
 
