@@ -11,6 +11,14 @@
 #include <csignal>
 #include <filesystem>
 
+#if defined(__SANITIZE_ADDRESS__)
+// Freed memory that the sanitizer keeps back would count as memory that hostile code left behind.
+extern "C" const char* __asan_default_options();
+extern "C" const char* __asan_default_options() {
+    return "quarantine_size_mb=8";
+}
+#endif
+
 namespace ticker::selftest {
 namespace {
 
