@@ -93,6 +93,14 @@ Result contact(ShadowSeen& seen) {
     return seen.reading ? checkContact(seen.logs) : std::nullopt;
 }
 
+Result faintLight(ShadowSeen& seen) {
+    return seen.reading ? checkFaintLight(seen.logs) : std::nullopt;
+}
+
+Result closeLight(ShadowSeen& seen) {
+    return checkCloseLight(seen.logs, seen.aims);
+}
+
 Result oddCount(ShadowSeen& seen) {
     return seen.reading ? checkOddCount(seen.logs) : std::nullopt;
 }
@@ -136,6 +144,8 @@ const std::vector<ShadowCheck>& checksOfRays() {
         {.run = contact, .ifNothingFails = true},
         {.run = viewer},
         {.run = nearSide, .ifNothingFails = true},
+        {.run = faintLight, .ifNothingFails = true},
+        {.run = closeLight, .ifNothingFails = true},
         // Rays that pairs lose are lost with other settings, too.
         {.run = oddCount, .ifNothingFails = true},
         {.run = otherSettings, .ifNothingFails = true}};

@@ -26,10 +26,12 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> nearLight;
     std::vector<const ShadowLog*> pureColours;
     std::vector<const ShadowLog*> oddCount;
+    std::vector<const ShadowLog*> faintLight;
+    std::vector<const ShadowLog*> closeLight;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
     /// All questions except otherSettings, oddCount and horizon, where code may cast fewer rays,
-    /// and contact, which has its own check.
+    /// and contact, faintLight and closeLight, which have checks of their own.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
@@ -53,6 +55,11 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs);
 /// Whether a number of rays that pairs or other groups do not make up is cast all the same.
 [[nodiscard]] std::optional<Finding> checkOddCount(const ShadowLogs& logs);
+/// Whether a light that adds little gets its rays and adds its light.
+[[nodiscard]] std::optional<Finding> checkFaintLight(const ShadowLogs& logs);
+/// Whether a close light is as large as others.
+[[nodiscard]] std::optional<Finding> checkCloseLight(const ShadowLogs& logs,
+                                                     const AimVerdict& aims);
 /// Whether lights with one channel alone get their rays, and surfaces with one channel.
 [[nodiscard]] std::optional<Finding> checkColourChannels(const ShadowLogs& logs);
 /// Rays are cast there or cannot be seen, and the colour is wrong.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace ticker::tasks {
 namespace {
@@ -55,6 +56,27 @@ bool sameAimsEverywhere(const ShadowLog& log) {
     return compared >= 8;
 }
 
+/// Whether the colours fit if the light is divided by another number than that of its rays.
+bool fitsDividedBy(std::size_t divisor, ShadowLog log, std::size_t rays) {
+    const double times = static_cast<double>(divisor) / static_cast<double>(rays);
+    for (PointLog& point : log.points) {
+        const ColourRGB ambient = ambientPart(point, log.scene());
+        point.colour = ambient + (point.colour - ambient) * times;
+    }
+    return fitsAnyReading(log);
+}
+
+/// What is wrong with the light of as many rays as were asked for, or more; empty: nothing, or
+/// numbers that are typed in, of which another check speaks.
+std::string oddLight(const ShadowLog& log, const RayCounts& counts) {
+    const auto atHandout = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
+    const auto asked = static_cast<std::size_t>(log.settings().shadowRayCount);
+    if (counts.fewest < asked || counts.most >= atHandout || fitsAnyReading(log)) return {};
+    if (counts.fewest > asked) return " and divides the light by another number";
+    const bool isTypedIn = counts.most == asked && fitsDividedBy(atHandout, log, asked);
+    return isTypedIn ? "" : ", but the light is not the share of them that arrive";
+}
+
 }  // namespace
 
 ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
@@ -86,6 +108,10 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
                 return pureColours;
             case Purpose::oddCount:
                 return oddCount;
+            case Purpose::faintLight:
+                return faintLight;
+            case Purpose::closeLight:
+                return closeLight;
             case Purpose::horizon:
                 break;
         }
@@ -173,19 +199,18 @@ std::optional<Finding> checkOddCount(const ShadowLogs& logs) {
         const RayCounts counts = countRays({log});
         const auto asked = static_cast<std::size_t>(log->settings().shadowRayCount);
         const bool tooFew = counts.fewest < asked;
-        const bool more = counts.fewest > asked && counts.most < atHandout;
-        if (!tooFew && !(more && !fitsAnyReading(*log))) continue;
+        const std::string light = oddLight(*log, counts);
+        if (!tooFew && light.empty()) continue;
         Finding finding = distributedFinding(
             tooFew ? kShadowTooFewRays : kShadowWrong, Severity::fail,
             fmt::format("With {} shadow rays all is right; asked for {}, an odd number, illuminate "
                         "casts {}{}.",
-                        atHandout, asked, counts.fewest,
-                        tooFew ? "" : " and divides the light by another number"));
+                        atHandout, asked, counts.fewest, light));
         finding.hint =
             "Half of an odd number is rounded down as an int, so that rays in pairs are one too "
-            "few; so are other groups where some rays are left over. Cast "
-            "settings().shadowRayCount rays whatever that number is, or more, and divide by the "
-            "number of rays that you cast.";
+            "few; so are other groups where some rays are left over, and tenths of ten rays are no "
+            "tenths of seven. Cast settings().shadowRayCount rays whatever that number is, or "
+            "more, and divide, as double, by the number of rays that you cast.";
         finding.section = "Soft shadows (T2.1), step 1";
         finding.evidence.emplace_back("raysAsked", static_cast<double>(asked));
         finding.evidence.emplace_back("raysSeen", static_cast<double>(counts.fewest));

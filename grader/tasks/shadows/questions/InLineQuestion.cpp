@@ -35,8 +35,10 @@ ShadowQuestion drawInLine(Draw& draw) {
         add(distance + 1.5 * size + draw.between(0.2, 1.0) + radius, radius);
     };
     addBehindLight();
-    add(draw.between(1.2, 1.4), draw.between(0.35, 0.4));
-    add(draw.between(2.2, 2.5), draw.between(0.4, 0.45));
+    const double lowRadius = draw.between(0.35, 0.4);
+    add(draw.between(1.2, 1.4), lowRadius);
+    const double highRadius = draw.between(0.4, 0.45);
+    add(draw.between(2.2, 2.5), highRadius);
     addBehindLight();
     scene.planes.push_back({foot, up, drawMaterial(draw)});
 

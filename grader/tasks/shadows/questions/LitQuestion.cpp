@@ -27,8 +27,8 @@ probe::RenderQuestion drawLitQuestion(std::uint64_t seed, int threads) {
         const double turn = draw.between(-0.5, 0.5);
         const Vector3 aside{side * std::sin(turn), side * std::cos(turn), 0.0};
         const Vector3 target = foot + aside * draw.between(0.2, 0.6);
-        const Vector3 light =
-            aside * draw.between(4.3, 4.7) + Vector3{0.0, 0.0, draw.between(1.3, 1.7)};
+        const Vector3 nearer{0.0, 0.0, draw.between(1.3, 1.7)};
+        const Vector3 light = aside * draw.between(4.3, 4.7) + nearer;
         const Vector3 ball = target + (light - target) * draw.between(0.48, 0.52);
         scene.pointLights.push_back(drawLight(draw, light, (light - foot).magnitude()));
         scene.spheres.push_back({ball, draw.between(0.3, 0.4), drawMaterial(draw), nullptr});

@@ -50,8 +50,8 @@ void setCapacity(ShadowQuestion& question);
 /// behind the light, one before and one after these in the scene's list.
 [[nodiscard]] ShadowQuestion drawInLine(Draw& draw);
 
-/// A ball that rests on a floor, under a light. The points lie in full shadow, where the ball's
-/// surface is 0.03 to 0.045 above the floor.
+/// A ball that rests on a floor, under a light some 25 away. The points lie in full shadow, where
+/// the ball's surface is 0.03 to 0.04 above the floor.
 [[nodiscard]] ShadowQuestion drawContact(Draw& draw);
 
 /// A floor, and a light of which about a third is below it: rays to that part do not arrive.
@@ -71,6 +71,15 @@ void setCapacity(ShadowQuestion& question);
 
 /// A red, a green and a blue ball under a light with all channels, all in plain sight.
 [[nodiscard]] ShadowQuestion drawPureSurfaces(Draw& draw);
+
+/// A dark floor under a light of which some 0.004 arrives, in plain sight.
+[[nodiscard]] ShadowQuestion drawFaintLight(Draw& draw);
+
+/// A floor under a light with N.L of 0.07 to 0.1, all of it above the horizon and in plain sight.
+[[nodiscard]] ShadowQuestion drawGrazingLight(Draw& draw);
+
+/// A floor under a light 1.2 to 1.4 away, three of its radii or a little more.
+[[nodiscard]] ShadowQuestion drawCloseLight(Draw& draw);
 
 }  // namespace ticker::tasks
 

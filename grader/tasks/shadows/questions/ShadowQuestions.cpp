@@ -50,7 +50,8 @@ ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& setting
     const Vector3 up = draw.directionAround((-foot).normalised(), 1.1);
     const double radius = draw.between(0.55, 0.75);
     const Vector3 ball = foot + up * (height * draw.between(0.8, 1.2));
-    const Vector3 light = ball + draw.directionAround(up, 0.5) * draw.between(3.0, 4.0);
+    const Vector3 towards = draw.directionAround(up, 0.5);
+    const Vector3 light = ball + towards * draw.between(3.0, 4.0);
 
     ShadowQuestion drawn;
     drawn.purpose = purpose;
@@ -85,7 +86,8 @@ ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& setting
     return drawn;
 }
 
-/// Three lights, each a right angle or so from the others as seen from the floor.
+/// Three lights, each a right angle or so from the others as seen from the floor. Two are far and
+/// have a ball before them, the last is near and has one behind it, nearer than the far ones are.
 ShadowQuestion drawSeveralLights(Draw& draw) {
     const Vector3 up = draw.direction();
     const Perpendiculars sides = perpendicularsOf(up);
@@ -100,12 +102,14 @@ ShadowQuestion drawSeveralLights(Draw& draw) {
         const double angle = turn + i * 2.0 * std::numbers::pi / 3.0;
         const Vector3 around = sides.first * std::cos(angle) + sides.second * std::sin(angle);
         const Vector3 towards = (up + around * draw.between(1.3, 1.7)).normalised();
-        const double distance = draw.between(5.0, 9.0);
+        const bool isFar = i < 2;
+        const double distance = isFar ? draw.between(8.0, 9.0) : draw.between(5.0, 5.3);
         scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));
         const double size = draw.between(0.25, 0.35);
-        if (i < 2)
-            scene.spheres.push_back(
-                {foot + towards * draw.between(1.6, 2.2), size, drawMaterial(draw), nullptr});
+        const double along = isFar
+                                 ? draw.between(1.6, 2.2)
+                                 : distance + 1.5 * drawn.question.settings.lightSize + 2.0 * size;
+        scene.spheres.push_back({foot + towards * along, size, drawMaterial(draw), nullptr});
     }
     scene.planes.push_back({foot, up, drawMaterial(draw)});
 
@@ -118,7 +122,7 @@ ShadowQuestion drawSeveralLights(Draw& draw) {
         const Vector3 point = foot + sides.first * x + sides.second * draw.between(-reach, reach);
         const auto facing = static_cast<std::size_t>(draw.whole(0, 2));
         const Vector3 light = scene.pointLights[facing].position();
-        drawn.question.points.push_back({2, point, up, drawViewer(draw, point, up, light)});
+        drawn.question.points.push_back({3, point, up, drawViewer(draw, point, up, light)});
         drawn.zones.push_back(zonesOf(scene, surfaces, point, up, radius));
     }
     setCapacity(drawn);
@@ -170,7 +174,8 @@ ShadowQuestion drawPlaneShadow(Draw& draw) {
     const Vector3 up = draw.direction();
     const Perpendiculars sides = perpendicularsOf(up);
     const Vector3 foot = drawPlace(draw);
-    const Vector3 light = foot + up * draw.between(2.0, 4.0) + sides.first * draw.between(2.0, 4.0);
+    const Vector3 above = up * draw.between(2.0, 4.0);
+    const Vector3 light = foot + above + sides.first * draw.between(2.0, 4.0);
 
     ShadowQuestion drawn;
     drawn.purpose = Purpose::planeShadow;
@@ -183,8 +188,8 @@ ShadowQuestion drawPlaneShadow(Draw& draw) {
     const Surfaces surfaces{scene};
     for (int i = 0; i < kPointsBesideWall; ++i) {
         const double side = i % 2 == 0 ? 1.0 : -1.0;
-        const Vector3 point = foot + sides.first * (side * draw.between(0.2, 1.5)) +
-                              sides.second * draw.between(-1.0, 1.0);
+        const Vector3 across = sides.first * (side * draw.between(0.2, 1.5));
+        const Vector3 point = foot + across + sides.second * draw.between(-1.0, 1.0);
         drawn.question.points.push_back({0, point, up, drawViewer(draw, point, up, light)});
         drawn.zones.push_back(
             zonesOf(scene, surfaces, point, up, drawn.question.settings.lightSize));
@@ -232,9 +237,9 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     other.shadowRayCount = 2 * draw.whole(6, 8) + 1;
     other.lightSize = draw.between(0.15, 0.22);
     questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
-    for (const auto drawNext :
-         {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine, drawContact, drawLowLight,
-          drawNearLight, drawPureLights, drawPureSurfaces})
+    for (const auto drawNext : {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine,
+                                drawContact, drawLowLight, drawNearLight, drawPureLights,
+                                drawPureSurfaces, drawFaintLight, drawGrazingLight, drawCloseLight})
         questions.push_back(drawNext(draw));
     raytracer::RenderSettings odd;
     odd.shadowRayCount = kOddRays;

@@ -27,6 +27,8 @@ struct ShadowQuestion {
         lowLight,       ///< viewers on the side of a low light, where R.V is below 0: no highlight
         nearLight,      ///< a plane just before the light hides it from all points
         pureColours,    ///< lights, or surfaces, each of which has one channel alone
+        faintLight,     ///< a light that adds little: it is weak, or shines along the surface
+        closeLight,     ///< a light little more than three of its radii away
         oddCount        ///< like oneLight, with an odd number of rays below the handout's
     };
     Purpose purpose = Purpose::oneLight;

@@ -35,6 +35,9 @@ TEST(CheckOddCount, WantsTheLightDividedByTheirNumber) {
     EXPECT_EQ(idOf(judgeOdd(8, 8.0 / 7.0)), "shadow.wrong");
     EXPECT_FALSE(judgeOdd(10, 10.0 / 7.0)) << "the handout's number, typed in";
     EXPECT_FALSE(judgeOdd(7, 7.0 / 10.0)) << "divided by the handout's number";
+    const auto cut = judgeOdd(7, 6.0 / 7.0);
+    ASSERT_EQ(idOf(cut), "shadow.wrong");
+    EXPECT_NE(cut->message.find("not the share of them"), std::string::npos) << cut->message;
 }
 
 }  // namespace

@@ -131,26 +131,31 @@ TEST(ShadowQuestions, OfOneLightHaveTheBallBetweenFloorAndLight) {
     EXPECT_GT(*std::max_element(heights.begin(), heights.end()), 15.0);
 }
 
-TEST(ShadowQuestions, OfSeveralLightsHaveThemRoundTheFloorAndTwoBallsBeforeThem) {
+TEST(ShadowQuestions, OfSeveralLightsHaveThemRoundTheFloorAndBallsBeforeTwoAndBehindTheNearest) {
     forEach(Purpose::severalLights, [](const ShadowQuestion& question) {
         const auto& scene = question.question.scene;
         const Vector3 foot = scene.planes.at(0).point;
         const Vector3 up = scene.planes[0].normal;
         ASSERT_EQ(scene.pointLights.size(), 3U);
-        ASSERT_EQ(scene.spheres.size(), 2U);
+        ASSERT_EQ(scene.spheres.size(), 3U);
         for (std::size_t i = 0; i < 3; ++i) {
             const Vector3 one = lightOf(question, i) - foot;
-            EXPECT_TRUE(one.magnitude() > 5.0 && one.magnitude() < 9.0);
+            EXPECT_TRUE(i == 2 ? one.magnitude() > 5.0 && one.magnitude() < 5.3
+                               : one.magnitude() > 8.0 && one.magnitude() < 9.0);
             const double rise = one.normalised().dot(up);
             EXPECT_TRUE(rise > 1.0 / std::hypot(1.0, 1.7) && rise < 1.0 / std::hypot(1.0, 1.3));
             const Vector3 other = lightOf(question, (i + 1) % 3) - foot;
             const Vector3 flat = one - up * one.dot(up);
             const Vector3 otherFlat = other - up * other.dot(up);
             EXPECT_NEAR(flat.normalised().dot(otherFlat.normalised()), -0.5, 1e-9);
-            if (i == 2) continue;
             const Vector3 ball = scene.spheres[i].centre - foot;
-            EXPECT_TRUE(ball.magnitude() > 1.6 && ball.magnitude() < 2.2);
             EXPECT_NEAR(ball.normalised().dot(one.normalised()), 1.0, 1e-9);
+            if (i == 2) {
+                const double gap = ball.magnitude() - scene.spheres[i].radius - one.magnitude();
+                EXPECT_TRUE(gap > 1.5 * 0.4 && ball.magnitude() < 7.0);
+            } else {
+                EXPECT_TRUE(ball.magnitude() > 1.6 && ball.magnitude() < 2.2);
+            }
         }
         double farthest = 0.0;
         for (std::size_t i = 0; i < question.question.points.size(); ++i) {

@@ -1,0 +1,84 @@
+#include <grader/tasks/shadows/ShadowFindings.h>
+#include <grader/tasks/shadows/checks/ShadowChecks.h>
+#include <grader/tasks/shadows/checks/ShadowRayCounts.h>
+#include <grader/tasks/support/FindingOrder.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace ticker::tasks {
+namespace {
+
+/// N.L
+double facingOf(const ShadowLog& log) {
+    const Vector3 towards = log.scene().pointLights[0].position() - log.points[0].point.position;
+    return log.points[0].point.normal.dot(towards.normalised());
+}
+
+Finding lightLost(const ShadowLog& log, std::size_t rays, std::size_t asked) {
+    constexpr double kGrazing = 0.2;
+    const double facing = facingOf(log);
+    Finding finding = distributedFinding(
+        rays < asked ? kShadowTooFewRays : kShadowWrong, Severity::fail,
+        facing < kGrazing
+            ? fmt::format("A light that shines along the surface (N.L = {:.2f}) was expected to "
+                          "light it by its formula; it adds something else.",
+                          facing)
+            : std::string{"A light of which less than 0.01 arrives was expected to add that; it "
+                          "adds something else."});
+    finding.hint =
+        "A light is left out only where it adds nothing at all (N.L <= 0). Take out limits such as "
+        "if (brightness < 0.01) continue and factors that fade it out: several faint lights add up "
+        "to what can be seen.";
+    finding.section = "Soft shadows (T2.1), step 3";
+    finding.evidence.emplace_back("fewestRays", static_cast<double>(rays));
+    finding.evidence.emplace_back("facing", facing);
+    return finding;
+}
+
+}  // namespace
+
+// Of two readings that fit all other questions only one may fit a light that shines along the
+// surface, where they differ most.
+std::optional<Finding> checkFaintLight(const ShadowLogs& logs) {
+    for (const ShadowLog* log : logs.faintLight) {
+        const auto asked = static_cast<std::size_t>(log->settings().shadowRayCount);
+        const std::size_t fewest = countRays({log}).fewest;
+        if (fewest < asked || !fitsAnyReading(*log))
+            return lightLost(*log, fewest, asked);
+    }
+    return std::nullopt;
+}
+
+// The original's helper crowds at the centre: 0.82 of its rays pass within 0.6 radii of it. That
+// 240 of them do has a chance of 1e-20.
+std::optional<Finding> checkCloseLight(const ShadowLogs& logs, const AimVerdict& aims) {
+    constexpr double kSmall = 0.6;
+    constexpr std::size_t kEnough = 200;
+    const double radius = raytracer::RenderSettings{}.lightSize;
+    for (const ShadowLog* log : logs.closeLight) {
+        std::size_t lines = 0;
+        for (const PointLog& point : log->points)
+            lines += point.lines[0].size();
+        const double widest = widestMiss({log});
+        if (std::min(lines, aims.distinct) < kEnough || widest > kSmall * radius) continue;
+        Finding finding = distributedFinding(
+            kShadowLightSize, Severity::fail,
+            fmt::format("Shadow rays were expected all over a light of radius {}; to one that is "
+                        "little more than three radii away they pass within {:.2f} of its centre, "
+                        "to one farther away they do not.",
+                        radius, widest));
+        finding.hint =
+            "The radius is settings().lightSize whatever the distance: take out the minimum (or "
+            "the factor) that has the light's distance in it.";
+        finding.evidence.emplace_back("widest", widest);
+        return finding;
+    }
+    return std::nullopt;
+}
+
+}  // namespace ticker::tasks

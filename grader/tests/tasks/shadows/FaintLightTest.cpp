@@ -1,0 +1,92 @@
+// Lights that add little, and close ones.
+#include <grader/tasks/support/Surfaces.h>
+#include <grader/tests/tasks/shadows/ShadowByHand.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace ticker::tasks {
+namespace {
+
+using Purpose = ShadowQuestion::Purpose;
+
+/// @param height  Of the light, which is 12 away.
+std::optional<Finding> judgeFaint(double height, int rays, double lightTimes) {
+    ShadowByHand made;
+    ShadowQuestion& asked =
+        made.ask(Purpose::faintLight, {{std::sqrt(144.0 - height * height), height, 0.0}});
+    asked.question.scene.ambientLighting = ColourRGB{0.01};
+    asked.question.scene.planes[0].material.colour = ColourRGB{0.5};
+    PointLog& point = made.point({0.5, 0.0, 0.3});  // not at the eye
+    made.castRing(rays);
+    const raytracer::SceneDescription& scene = made.last().scene();
+    point.colour = ambientPart(point, scene) + unshadowed(point, scene, 0, false) * lightTimes;
+    return checkFaintLight(made.logs());
+}
+
+TEST(CheckFaintLight, WantsAllOfItsLight) {
+    EXPECT_FALSE(judgeFaint(12.0, 10, 1.0));
+    const auto cut = judgeFaint(12.0, 10, 0.0);
+    ASSERT_EQ(idOf(cut), "shadow.wrong");
+    EXPECT_NE(cut->message.find("less than 0.01"), std::string::npos) << cut->message;
+    const auto faded = judgeFaint(1.0, 10, 0.5);
+    ASSERT_EQ(idOf(faded), "shadow.wrong");
+    EXPECT_NE(faded->message.find("N.L = 0.08"), std::string::npos) << faded->message;
+}
+
+TEST(CheckFaintLight, WantsItsRays) {
+    EXPECT_FALSE(judgeFaint(12.0, 11, 1.0));
+    const auto skipped = judgeFaint(12.0, 0, 0.0);
+    ASSERT_EQ(idOf(skipped), "shadow.too-few-rays");
+    EXPECT_EQ(numberIn(*skipped, "fewestRays"), 0.0);
+}
+
+/// @param distinct  Of the aims at a far light.
+std::optional<Finding> judgeClose(double off, std::size_t distinct = 2010) {
+    ShadowByHand made;
+    made.ask(Purpose::closeLight, {{0.0, 1.3, 0.0}});
+    for (int i = 0; i < 24; ++i) {
+        made.point();
+        made.castRing(10, 0, off);
+    }
+    AimVerdict aims;
+    aims.distinct = distinct;
+    return checkCloseLight(made.logs(), aims);
+}
+
+TEST(CheckCloseLight, WantsRaysBeyondSixTenthsOfTheRadius) {
+    EXPECT_FALSE(judgeClose(0.4));
+    EXPECT_FALSE(judgeClose(0.26));
+    EXPECT_EQ(idOf(judgeClose(0.22)), "shadow.light-size");
+    EXPECT_FALSE(judgeClose(0.22, 10)) << "ten aims say little";
+}
+
+TEST(FaintLights, AreInPlainSightAboveTheHorizonUnderEverySeed) {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        int found = 0;
+        for (const ShadowQuestion& question : drawShadowQuestions(seed)) {
+            if (question.purpose != Purpose::faintLight && question.purpose != Purpose::closeLight)
+                continue;
+            ++found;
+            const raytracer::SceneDescription& scene = question.question.scene;
+            const Surfaces surfaces{scene};
+            const double size = question.question.settings.lightSize;
+            for (const probe::LitPoint& point : question.question.points) {
+                const Vector3 towards = scene.pointLights[0].position() - point.position;
+                EXPECT_GT(towards.dot(point.normal), size * 4.0 / 3.0);
+                EXPECT_GT(towards.magnitude(), 2.5 * size);
+                const Vector3 way = towards.normalised();
+                EXPECT_EQ(surfaces.sightAlong(point.position + point.normal * 1e-4, way,
+                                              towards.magnitude()),
+                          Sight::open);
+            }
+        }
+        EXPECT_EQ(found, 3);
+    }
+}
+
+}  // namespace
+}  // namespace ticker::tasks
