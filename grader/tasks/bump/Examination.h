@@ -2,11 +2,12 @@
 #define TICKER_TASKS_BUMP_EXAMINATION_H
 
 #include <grader/tasks/bump/answers/Letters.h>
-#include <grader/tasks/bump/questions/Caps.h>
+#include <grader/tasks/bump/places/Caps.h>
+#include <grader/tasks/bump/places/Elsewhere.h>
+#include <grader/tasks/bump/places/FewTexels.h>
+#include <grader/tasks/bump/places/Untilted.h>
 #include <grader/tasks/bump/questions/CoarseRamps.h>
 #include <grader/tasks/bump/questions/Conduct.h>
-#include <grader/tasks/bump/questions/Elsewhere.h>
-#include <grader/tasks/bump/questions/FewTexels.h>
 #include <grader/tasks/bump/questions/Fineness.h>
 #include <grader/tasks/bump/questions/MapEdges.h>
 #include <grader/tasks/bump/questions/Proportion.h>
@@ -15,7 +16,6 @@
 #include <grader/tasks/bump/questions/Slopes.h>
 #include <grader/tasks/bump/questions/Stripes.h>
 #include <grader/tasks/bump/questions/Tilt.h>
-#include <grader/tasks/bump/questions/Untilted.h>
 
 #include <cstddef>
 #include <cstdint>

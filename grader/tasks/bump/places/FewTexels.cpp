@@ -1,4 +1,4 @@
-#include <grader/tasks/bump/questions/FewTexels.h>
+#include <grader/tasks/bump/places/FewTexels.h>
 
 #include <grader/tasks/bump/questions/Numbers.h>
 

@@ -1,4 +1,4 @@
-#include <grader/tasks/bump/questions/Caps.h>
+#include <grader/tasks/bump/places/Caps.h>
 
 #include <grader/tasks/bump/questions/Numbers.h>
 

@@ -1,6 +1,6 @@
 // Normals that depend on where the eye is.
-#include <grader/tasks/bump/questions/Elsewhere.h>
-#include <grader/tasks/bump/questions/Untilted.h>
+#include <grader/tasks/bump/places/Elsewhere.h>
+#include <grader/tasks/bump/places/Untilted.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
 

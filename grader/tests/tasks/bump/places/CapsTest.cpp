@@ -1,5 +1,5 @@
 // The tilt's direction near the poles.
-#include <grader/tasks/bump/questions/Caps.h>
+#include <grader/tasks/bump/places/Caps.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
 

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_BUMP_QUESTIONS_CAPS_H
-#define TICKER_TASKS_BUMP_QUESTIONS_CAPS_H
+#ifndef TICKER_TASKS_BUMP_PLACES_CAPS_H
+#define TICKER_TASKS_BUMP_PLACES_CAPS_H
 
 #include <grader/tasks/bump/answers/Parametrisation.h>
 #include <grader/tasks/bump/questions/Draws.h>

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_BUMP_QUESTIONS_UNTILTED_H
-#define TICKER_TASKS_BUMP_QUESTIONS_UNTILTED_H
+#ifndef TICKER_TASKS_BUMP_PLACES_UNTILTED_H
+#define TICKER_TASKS_BUMP_PLACES_UNTILTED_H
 
 #include <grader/tasks/bump/questions/Draws.h>
 #include <grader/tasks/bump/questions/Tilt.h>

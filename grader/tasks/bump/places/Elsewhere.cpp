@@ -1,4 +1,4 @@
-#include <grader/tasks/bump/questions/Elsewhere.h>
+#include <grader/tasks/bump/places/Elsewhere.h>
 
 #include <vector>
 

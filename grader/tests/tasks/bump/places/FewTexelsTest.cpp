@@ -1,5 +1,5 @@
 // Slopes beside the first and last texels of small maps.
-#include <grader/tasks/bump/questions/FewTexels.h>
+#include <grader/tasks/bump/places/FewTexels.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
 
