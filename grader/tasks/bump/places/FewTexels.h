@@ -23,9 +23,8 @@ struct FewTexelPlan {
 /// Share of the points that tilt towards where the wave falls, in the second texel or the last but
 /// one, whichever has fewer. What lies beyond the edge does not matter there: a neighbour is of the
 /// map, and even where differences reach over three texels and wrap, or stay at the edge, or turn
-/// back, the wave makes them fall the same way. A test holds accepted
-/// readings to 0.8, since chords over three columns bend; a neighbour that stops
-/// one texel too early gives 0.
+/// back, the wave makes them fall the same way. A test holds accepted readings to 0.8, since chords
+/// over three columns bend; a neighbour that stops one texel too early gives 0.
 struct FewTexels {
     double alongU = 1.0;
     double alongV = 1.0;
