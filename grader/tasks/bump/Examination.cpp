@@ -88,7 +88,16 @@ MainPlan planMain(std::uint64_t seed) {
     plan.edges = planEdges(plan.questionnaire, draws, drawBall(draws, -1.0));
     plan.stripes = planStripes(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.untilted = planUntilted(plan.questionnaire, draws, drawBall(draws, 1.0));
-    plan.conduct.rough = {plan.proportion.steep};
+    const std::size_t atRim = plan.untilted.at(Whereabouts::atRim).map;
+    plan.elsewhere = planElsewhere(plan.questionnaire, atRim);
+    plan.caps = planCaps(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.fewTexels = planFewTexels(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.conduct.rough = {plan.proportion.steep, plan.elsewhere.there};
+    for (const LevelPair& pair :
+         {plan.caps.columns, plan.caps.rows, plan.fewTexels.columns, plan.fewTexels.rows}) {
+        plan.conduct.rough.push_back(pair.flat);
+        plan.conduct.rough.push_back(pair.map);
+    }
     for (const LevelPair& pair : plan.untilted.pairs)
         plan.conduct.rough.push_back(pair.map);
     return plan;
@@ -146,6 +155,7 @@ Examination examine(const MainPlan& plan, const Answers& answers,
                               examination.ladder.sharedNormals};
     examination.proportion = readProportion(plan.proportion, answers);
     examination.untilted = readUntilted(plan.untilted, answers);
+    examination.elsewhere = readElsewhere(plan.elsewhere, answers);
     const RampJudgement& ramps = examination.ramps();
     if (!ramps.response) return examination;
     const Parametrisation& parametrisation = ramps.fit->parametrisation;
@@ -156,6 +166,8 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.fineness = readFineness(plan.fineness, answers, ramps);
     examination.balance = readBalance(plan.proportion, answers, ramps);
     examination.stripes = readStripes(plan.stripes, answers, ramps);
+    examination.caps = readCaps(plan.caps, answers, parametrisation);
+    examination.fewTexels = readFewTexels(plan.fewTexels, answers, parametrisation);
     return examination;
 }
 

@@ -2,6 +2,10 @@
 #define TICKER_TASKS_BUMP_EXAMINATION_H
 
 #include <grader/tasks/bump/answers/Letters.h>
+#include <grader/tasks/bump/places/Caps.h>
+#include <grader/tasks/bump/places/Elsewhere.h>
+#include <grader/tasks/bump/places/FewTexels.h>
+#include <grader/tasks/bump/places/Untilted.h>
 #include <grader/tasks/bump/questions/CoarseRamps.h>
 #include <grader/tasks/bump/questions/Conduct.h>
 #include <grader/tasks/bump/questions/Fineness.h>
@@ -12,7 +16,6 @@
 #include <grader/tasks/bump/questions/Slopes.h>
 #include <grader/tasks/bump/questions/Stripes.h>
 #include <grader/tasks/bump/questions/Tilt.h>
-#include <grader/tasks/bump/questions/Untilted.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +36,9 @@ struct MainPlan {
     FinenessPlan fineness;
     StripePlan stripes;
     UntiltedPlan untilted;
+    ElsewherePlan elsewhere;
+    CapPlan caps;
+    FewTexelPlan fewTexels;
 };
 
 [[nodiscard]] MainPlan planMain(std::uint64_t seed);
@@ -63,6 +69,7 @@ struct Examination {
     LadderJudgement ladder;
     Proportion proportion;
     Untilted untilted;
+    Elsewhere elsewhere;
     std::optional<RegionAgreement> regions;  ///< this and the next need a known parametrisation
     std::optional<SlopeAgreement> slopes;
     std::optional<MapEdges> edges;
@@ -70,6 +77,8 @@ struct Examination {
     std::optional<Fineness> fineness;
     std::optional<StepBalance> balance;
     std::optional<StripeAgreement> stripes;
+    std::optional<Caps> caps;
+    std::optional<FewTexels> fewTexels;
 
     [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }
     /// All other maps agree with the ramps.

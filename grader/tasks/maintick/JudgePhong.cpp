@@ -19,8 +19,25 @@ using maintick::LitSetup;
 using maintick::words;
 
 /// Where no known mistake fits: what the first wrong question is about, in the order of `LitKind`.
-constexpr std::array kNames{&kPhongAmbient, &kPhongDiffuse, &kPhongSpecular, &kPhongClamp,
-                            &kPhongLights,  &kPhongRange,   &kPhongFalloff,  &kPhongWrong};
+struct KindName {
+    const FindingText* finding;
+    const char* hint = "";  ///< empty: that of `finding`
+};
+constexpr std::array kNames{
+    KindName{&kPhongAmbient},
+    KindName{&kPhongDiffuse},
+    KindName{&kPhongSpecular},
+    KindName{&kPhongClamp},
+    KindName{&kPhongLights},
+    KindName{&kPhongRange},
+    KindName{&kPhongFalloff},
+    KindName{&kPhongWrong},
+    KindName{&kPhongLights,
+             "Few lights are right and twenty are not: every light of scene.pointLights() counts, "
+             "however many there are. Leave out the limit of their number."},
+    KindName{&kPhongSpecular,
+             "Highlights of very shiny surfaces are wrong: hand object.phongAlpha() to std::pow as "
+             "it is, however large, without a limit (as 128) and in no small type (as a byte)."}};
 
 std::string askedOf(const LitSetup& setup) {
     std::string text =
@@ -45,7 +62,8 @@ std::optional<Finding> check(const std::vector<maintick::LitQuestion>& asked,
                                          words(maintick::phong(setup)), words(given[*first]));
     if (auto known = maintick::nameMistake(maintick::phongMistakes(), given.size(), isRight, seen))
         return known;
-    return maintick::failure(*kNames[static_cast<std::size_t>(asked[*first].kind)], seen);
+    const KindName& name = kNames.at(static_cast<std::size_t>(asked[*first].kind));
+    return maintick::failure(*name.finding, seen, name.hint);
 }
 
 /// Shadows that are there already must not matter. Points float, so that no surface is in the way

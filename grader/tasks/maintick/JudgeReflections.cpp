@@ -129,6 +129,25 @@ std::optional<Finding> checkLit(const MirrorQuestion& asked, const probe::Run& r
     return std::nullopt;
 }
 
+/// Two mirrors that face each other, up to ten bounces.
+std::optional<Finding> checkDeep(const MirrorQuestion& asked, const probe::Run& run) {
+    const auto& direct = std::get<probe::IlluminateAnswer>(run.answers.at(2)).colours;
+    const auto& given = std::get<probe::IlluminateAnswer>(run.answers.at(3)).colours;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const probe::CastRay& cast = asked.question.rays[i];
+        const ColourRGB wanted = maintick::TraceModel{asked.question.scene, direct}.along(
+            {cast.origin, cast.direction}, cast.bounces);
+        if (isNear(given[i], wanted)) continue;
+        return maintick::failure(
+            kMirrorBounces,
+            fmt::format("{}, between two mirrors that face each other: expected {}, got {}.",
+                        askedOf(asked, i), words(wanted), words(given[i])),
+            "Few reflections are right and more are not: bouncesLeft alone says how many are "
+            "followed. Leave out a limit of your own for their depth or for how much they count.");
+    }
+    return std::nullopt;
+}
+
 std::optional<Finding> checkEnd(const probe::Run& run) {
     using Kind = probe::ProcessEnd::Kind;
     if (run.end.kind != Kind::crashed && run.end.kind != Kind::timedOut &&
@@ -136,7 +155,7 @@ std::optional<Finding> checkEnd(const probe::Run& run) {
         return std::nullopt;
     return maintick::failure(kMirrorEndless,
                              "trace was asked about two mirrors that face each other, with at most "
-                             "2 bounces left: it never came back.");
+                             "10 bounces left: it never came back.");
 }
 
 }  // namespace
@@ -151,13 +170,17 @@ TaskJudgement judgeReflections(probe::Examinee& examinee, std::uint64_t seed) {
     if (auto wrong = checkColours(open, direct, answer)) findings.push_back(*std::move(wrong));
     if (findings.empty() || is(findings.front(), kMirrorEndless)) {
         const MirrorQuestion facing = maintick::drawFacingMirrors(seed);
-        const probe::Run second = examinee.ask({facing.direct, facing.question});
+        const MirrorQuestion deep = maintick::drawDeepMirrors(seed);
+        const probe::Run second =
+            examinee.ask({facing.direct, facing.question, deep.direct, deep.question});
         if (auto endless = checkEnd(second)) {
             findings = {*std::move(endless)};
         } else if (findings.empty()) {
             if (auto blocked = judgeUnanswered(second, "Renderer::trace"))
                 return *std::move(blocked);
-            if (auto wrong = checkLit(facing, second)) findings.push_back(*std::move(wrong));
+            auto wrong = checkLit(facing, second);
+            if (!wrong) wrong = checkDeep(deep, second);
+            if (wrong) findings.push_back(*std::move(wrong));
         }
     }
     if (findings.empty())

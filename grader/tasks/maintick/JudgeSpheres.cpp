@@ -58,15 +58,23 @@ struct Alone {
 // The first two are seen from 1.2 and from 2000 away, the third one from 0.002 before it; the
 // fourth one from inside, its near side 0.015 to 0.02 behind the ray; the fifth one lies behind,
 // its far side by 0.02 to 0.025; the next one is seen from inside, its far side 0.002 ahead; the
-// last one is passed by, as close as 0.006. Distances, locations and normals in float are right to
-// 2e-4.
+// next one is passed by, as close as 0.006. The small one after it has a discriminant of 0.0005 to
+// 0.0006. Of the large ones, where limits show that grow with the radius, the first is seen from
+// 0.04 before it, the others from inside, a side 0.04 behind the ray or ahead, and the last one
+// lies 0.04 behind. Distances, locations and normals in float are right to 2e-4: the roots of the
+// large ones are to 1e-4, as their b is 400.
 constexpr std::array kAlone{Alone{0.03, 5.0, {Place::outside, -40.0, 0.0, 0.5}},
                             Alone{200.0, 2000.0, {Place::outside, -10.0, 0.1, 0.8}},
                             Alone{0.3, 5.0, {Place::outside, -1.007, 0.0, 0.02}},
                             Alone{1.0, 5.0, {Place::inside, -0.98, 0.0, 0.09}},
                             Alone{1.0, 5.0, {Place::behind, 1.02, 0.0, 0.09}},
                             Alone{0.3, 5.0, {Place::inside, 0.993, 0.0, 0.02}},
-                            Alone{0.03, 5.0, {Place::past, -40.0, 1.2, 1.3}}};
+                            Alone{0.03, 5.0, {Place::past, -40.0, 1.2, 1.3}},
+                            Alone{0.012, 5.0, {Place::outside, -15.0, 0.0, 0.3}},
+                            Alone{200.0, 5.0, {Place::outside, -1.0002, 0.0, 0.003}},
+                            Alone{200.0, 5.0, {Place::inside, -0.9998, 0.0, 0.003}},
+                            Alone{200.0, 5.0, {Place::inside, 0.9998, 0.0, 0.003}},
+                            Alone{200.0, 5.0, {Place::behind, 1.0002, 0.0, 0.003}}};
 
 std::string objectWords(const raytracer::SphereDescription& sphere) {
     return fmt::format("a sphere with centre {} and radius {:.4g}", maintick::words(sphere.centre),

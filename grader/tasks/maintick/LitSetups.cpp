@@ -77,6 +77,25 @@ LitQuestion peakOfHighlight(Draw& draw) {
     return question;
 }
 
+/// Of a surface so shiny that limits of alpha show, as that of a byte. In single precision R.V is
+/// right to 4e-7, so that its power is to 1.2e-4.
+LitQuestion shinyHighlight(Draw& draw) {
+    LitQuestion question = lit(draw, LitKind::specular, draw.between(1.5, 3.5));
+    question.kind = LitKind::shiny;
+    ownMaterial(question.setup).phongAlpha = draw.whole(260, 300);
+    viewAt(draw, question.setup, draw.between(0.994, 0.998));
+    return question;
+}
+
+/// Coefficients that code would cut which takes them for shares.
+LitQuestion strong(Draw& draw, LitKind kind) {
+    LitQuestion question = lit(draw, kind, draw.between(1.5, 3.5));
+    const double coefficient = draw.between(2.5, 3.5);
+    Material& material = ownMaterial(question.setup);
+    (kind == LitKind::diffuse ? material.phongKD : material.phongKS) = coefficient;
+    return question;
+}
+
 /// R.V is negative and the power even. With `isBelow` N.L is negative, too; otherwise the viewer is
 /// behind a surface that is lit in front.
 LitQuestion behind(Draw& draw, bool isBelow) {
@@ -91,8 +110,8 @@ LitQuestion behind(Draw& draw, bool isBelow) {
     return question;
 }
 
-LitQuestion several(Draw& draw, int lights) {
-    LitQuestion question{LitKind::several, drawPoint(draw)};
+LitQuestion several(Draw& draw, LitKind kind, int lights) {
+    LitQuestion question{kind, drawPoint(draw)};
     addLight(draw, question.setup, draw.between(1.5, 3.0), 90.0);
     for (int i = 1; i < lights; ++i) {
         const double distance = draw.between(1.5, 3.0);
@@ -170,7 +189,7 @@ std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
         asked.push_back(lit(draw, LitKind::diffuse, draw.between(1.5, 3.5)));
         asked.push_back(lit(draw, LitKind::specular, draw.between(1.5, 3.5)));
         asked.push_back(behind(draw, i == 1));
-        asked.push_back(several(draw, 2 + i % 2));
+        asked.push_back(several(draw, LitKind::several, 2 + i % 2));
         asked.push_back(lit(draw, LitKind::all, i == 0 ? 0.5 : draw.between(2.5, 4.0)));
     }
     asked.push_back(lit(draw, LitKind::all, 3.0));
@@ -186,6 +205,11 @@ std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
     asked.push_back(oneBehind(draw, {behind, inFront, inFront}));
     asked.push_back(oneBehind(draw, {inFront, behind, inFront}));
     asked.push_back(oneBehind(draw, {away, inFront}));
+    constexpr int kManyLights = 20;  // more than fixed arrays have room for
+    asked.push_back(several(draw, LitKind::many, kManyLights));
+    asked.push_back(strong(draw, LitKind::diffuse));
+    asked.push_back(strong(draw, LitKind::specular));
+    asked.push_back(shinyHighlight(draw));
     return asked;
 }
 

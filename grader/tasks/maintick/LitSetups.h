@@ -19,7 +19,9 @@ enum class LitKind : std::uint8_t {
     several,
     bright,
     far,  ///< lit from 120 away, or from 0.12
-    all
+    all,
+    many,  ///< twenty lights
+    shiny  ///< an alpha of 260 or more
 };
 
 struct LitQuestion {

@@ -142,6 +142,31 @@ MirrorQuestion drawFacingMirrors(std::uint64_t seed) {
     return asked;
 }
 
+MirrorQuestion drawDeepMirrors(std::uint64_t seed) {
+    constexpr int kFewest = kMostBounces + 1;
+    constexpr int kMost = 10;
+    constexpr double kShare = 0.9;  // so that a third of the light comes from beyond ten mirrors
+    Draw draw{seed, 108};
+    MirrorQuestion asked;
+    SceneDescription& scene = asked.question.scene;
+    scene.ambientLighting = ColourRGB{0.5};
+    const Vector3 floor{draw.between(-1.0, 1.0), draw.between(-1.0, 1.0), draw.between(3.0, 5.0)};
+    const Vector3 up = draw.direction();
+    const double height = draw.between(2.0, 4.0);
+    for (const bool isBright : {false, true}) {
+        Material material;
+        material.colour = isBright ? draw.colour(0.7, 0.9) : draw.colour(0.1, 0.3);
+        material.reflectivity = kShare;
+        scene.planes.push_back(
+            {isBright ? floor + up * height : floor, isBright ? -up : up, material});
+    }
+    const Vector3 direction = draw.directionAround(-up, 0.9);
+    for (int bounces = kFewest; bounces <= kMost; ++bounces)
+        asked.question.rays.push_back({0, bounces, floor + up * (height / 2.0), direction});
+    askEachObject(asked);
+    return asked;
+}
+
 ColourRGB alongChain(const MirrorQuestion& asked, const std::vector<ColourRGB>& direct,
                      int bounces) {
     ColourRGB colour = direct[static_cast<std::size_t>(bounces)];

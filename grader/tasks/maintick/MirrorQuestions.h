@@ -24,6 +24,11 @@ struct MirrorQuestion {
 /// points of its chain in order.
 [[nodiscard]] MirrorQuestion drawFacingMirrors(std::uint64_t seed);
 
+/// Two parallel mirrors in ambient light alone, each of one colour: whatever the start of a
+/// reflected ray, the chain is the same. One ray with 4 to 10 bounces, the fewest first. `direct`
+/// asks each object once.
+[[nodiscard]] MirrorQuestion drawDeepMirrors(std::uint64_t seed);
+
 /// The colour of a ray with `bounces` left along the chain of its first points.
 [[nodiscard]] ColourRGB alongChain(const MirrorQuestion& asked,
                                    const std::vector<ColourRGB>& direct, int bounces);

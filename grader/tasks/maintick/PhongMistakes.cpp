@@ -208,6 +208,12 @@ constexpr PhongMistake kPhongMistakes[] = {
          if (t.mirrored < kRim) t.mirrored = 0.0;
      },
      "A highlight fades out by itself: leave out the limit below which R.V counts as 0."},
+    {&kPhongDiffuse, Step::material,
+     [](Terms& t) { t.material.phongKD = std::min(1.0, t.material.phongKD); },
+     "phongKD() may be above 1: leave out the limit of 1."},
+    {&kPhongSpecular, Step::material,
+     [](Terms& t) { t.material.phongKS = std::min(1.0, t.material.phongKS); },
+     "phongKS() may be above 1: leave out the limit of 1."},
 };
 
 }  // namespace

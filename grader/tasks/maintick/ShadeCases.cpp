@@ -1,5 +1,6 @@
 #include <grader/tasks/maintick/ShadeCases.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -23,7 +24,8 @@ ShadeCase begun(Draw& draw, Occluder place, double distance) {
     made.place = place;
     made.free = drawPoint(draw);
     const auto add = place == Occluder::grazing ? addGrazingLight : addLight;
-    add(draw, made.free, distance, 60.0 * distance);
+    // From far away as bright as from 4, so that its shadow counts beside the ambient light.
+    add(draw, made.free, distance, 60.0 * distance * std::max(1.0, distance / 4.0));
     made.asked = made.without = made.putOut = made.free;
     hide(made, 0);
     return made;
@@ -108,6 +110,19 @@ ShadeCase onPlane(Draw& draw, ShadeCase made, bool isSunk) {
     return made;
 }
 
+/// A light that is far away, and something at either end of the way to it: a tolerance of a
+/// hundredth of that is a whole unit.
+void addFar(Draw& draw, std::vector<ShadeCase>& cases, bool isSunk) {
+    constexpr double kFar = 95.0;
+    constexpr double kApart = 0.35;
+    constexpr double kRadius = 0.08;
+    for (ShadeCase& made :
+         std::array{withBall(draw, Occluder::atPointOfFar, kFar, kApart, kRadius),
+                    withBall(draw, Occluder::atFarLight, kFar, kFar - kApart, kRadius),
+                    withBall(draw, Occluder::beyondFarLight, kFar, kFar + kApart, kRadius)})
+        cases.push_back(onSphere(draw, std::move(made), isSunk));
+}
+
 /// Where a sphere contains the light or the point, and where light grazes the surface.
 void addSurrounded(Draw& draw, std::vector<ShadeCase>& cases, bool isSunk) {
     const double distance = draw.between(3.0, 4.0);
@@ -127,11 +142,12 @@ void addSurrounded(Draw& draw, std::vector<ShadeCase>& cases, bool isSunk) {
 
 bool ShadeCase::isShaded() const {
     return place != Occluder::beyond && place != Occluder::farBeyond &&
-           place != Occluder::backwards && place != Occluder::itself && place != Occluder::grazing;
+           place != Occluder::backwards && place != Occluder::itself &&
+           place != Occluder::grazing && place != Occluder::beyondFarLight;
 }
 
 std::string_view wordsOf(Occluder place) {
-    static constexpr std::array<std::string_view, 15> kWords{
+    static constexpr std::array<std::string_view, 18> kWords{
         "something stands half-way to the light",
         "something stands between, 0.03 from the point",
         "something stands behind the light",
@@ -146,7 +162,10 @@ std::string_view wordsOf(Occluder place) {
         "there is nothing but the surface that the point lies on",
         "a sphere contains the light and not the point",
         "a sphere contains the point and not the light",
-        "there is nothing but the surface, and the light stands one or two degrees above that"};
+        "there is nothing but the surface, and the light stands one or two degrees above that",
+        "the light is 95 away, and something stands between, 0.3 from the point",
+        "the light is 95 away, and something stands 0.3 before it",
+        "the light is 95 away, and something stands 0.3 behind it"};
     return kWords.at(static_cast<std::size_t>(place));
 }
 
@@ -174,6 +193,8 @@ std::vector<ShadeCase> drawShadeCases(std::uint64_t seed) {
     }
     for (const bool isSunk : {false, true})
         addSurrounded(draw, cases, isSunk);
+    for (const bool isSunk : {false, true})
+        addFar(draw, cases, isSunk);
     return cases;
 }
 

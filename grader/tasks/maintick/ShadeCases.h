@@ -28,7 +28,10 @@ enum class Occluder : std::uint8_t {
     itself,           ///< nothing but the surface of the point
     aroundLight,      ///< the light is inside, the point outside
     aroundPoint,      ///< the other way round
-    grazing           ///< nothing but the surface, which the light all but grazes
+    grazing,          ///< nothing but the surface, which the light all but grazes
+    atPointOfFar,     ///< the light at 95, a hit 0.3 from the point
+    atFarLight,       ///< the light at 95, a hit 0.3 before it
+    beyondFarLight    ///< the light at 95, a hit 0.3 behind it
 };
 
 /// A point of an object that is asked about with something around it, and the same without. The

@@ -125,6 +125,18 @@ std::optional<Name> nameOfSurrounded(const Seen& seen) {
     return std::nullopt;
 }
 
+/// Where the light is 95 away.
+bool isRightOfFar(const Seen& seen) {
+    return isRight(seen, Occluder::atPointOfFar) && isRight(seen, Occluder::atFarLight) &&
+           isRight(seen, Occluder::beyondFarLight);
+}
+
+constexpr const char* kFarLight =
+    "Right for near lights, wrong for one that is 95 away: whatever the ray meets before the light "
+    "shades, however near to P or to the light that is, and nothing behind it does. Leave out a "
+    "share of the distance as a tolerance (a hundredth is a whole unit there) and a limit of the "
+    "distance: P + N * kShadowBias is enough against acne.";
+
 /// Of code that is right where something stands between the point and a light that is 3 away.
 std::optional<Name> nameOfPlace(const Seen& seen) {
     if (anyIs(seen, [](const ShadeSeen& one) {
@@ -140,6 +152,7 @@ std::optional<Name> nameOfPlace(const Seen& seen) {
     for (const Occluder place : {Occluder::farBeyond, Occluder::close, Occluder::between})
         if (!isRight(seen, place)) return Name{&kShadeDistance, ""};
     if (!isRight(seen, Occluder::near)) return Name{&kShadeBias, ""};
+    if (!isRightOfFar(seen)) return Name{&kShadeDistance, kFarLight};
     if (!isRight(seen, Occluder::ofFirstLight) || !isRight(seen, Occluder::ofSecondLight))
         return Name{&kShadeLights, ""};
     if (!isRight(seen, Occluder::wall))

@@ -87,11 +87,13 @@ constexpr const char* kRootMissing =
 
 constexpr const char* kLimitBelowZero =
     "A limit below 0 takes a near root that lies a little behind the ray, as that of a ray that "
-    "starts just inside: compare (-b - root) / (2 a) with 0, and (-b + root) / (2 a) as well.";
+    "starts just inside: compare (-b - root) / (2 a) with 0, and (-b + root) / (2 a) as well, "
+    "however large the sphere.";
 
 constexpr double kNearest = 0.05;
 constexpr const char* kNearLimit =
-    "A limit cuts near hits off: every positive s is a hit, however small it is.";
+    "A limit cuts near hits off: every positive s is a hit, however small it is, and however large "
+    "the sphere.";
 
 /// A root that is this far behind counts.
 constexpr double kBehind = -0.05;
@@ -110,21 +112,22 @@ constexpr HitMistake kSphereMistakes[] = {
     {&kSphereInside,
      chosen<[](const Q& q) { return 0.0 < q.far() ? Distance{q.near()} : Distance{}; }>,
      kSmallerRoot},
-    {&kSphereInside, chosen<[](const Q& q) { return ifAhead(nearRootBehind(q)); }>,
-     kLimitBelowZero},
+    {&kSphereInside, chosen<[](const Q& q) { return ifAhead(nearRootBehind(q)); }>, kLimitBelowZero,
+     true},
     {&kSphereInside, chosen<[](const Q& q) {
          return kBehind < nearRootBehind(q) ? Distance{nearRootBehind(q)} : Distance{};
      }>,
      kLimitBelowZero},
     {&kSphereInside,
      chosen<[](const Q& q) { return kBehind < q.near() ? Distance{q.near()} : ifAhead(q.far()); }>,
-     kLimitBelowZero},
+     kLimitBelowZero, true},
     {&kSphereBehind, chosen<[](const Q& q) {
          if (0.0 < q.near()) return Distance{q.near()};
          return kBehind < q.far() ? Distance{q.far()} : Distance{};
      }>,
      "A limit below 0 takes a far side that lies a little behind the ray: compare (-b + root) / (2 "
-     "a) with 0."},
+     "a) with 0.",
+     true},
     {&kSphereBehind, chosen<[](const Q& q) { return Distance{q.near()}; }>, kNeitherTested},
     {&kSphereBehind, chosen<[](const Q& q) { return Distance{std::abs(q.smaller())}; }>,
      kAbsoluteRoot},
@@ -194,7 +197,7 @@ constexpr HitMistake kSphereMistakes[] = {
      "A limit cuts far hits off: every positive s is a hit, however large it is."},
     {&kSphereMissed,
      chosen<[](const Q& q) { return ifAhead(kNearest < q.near() ? q.near() : q.far()); }>,
-     kNearLimit},
+     kNearLimit, true},
     {&kSphereMissed,
      solved<[](const Q& q) { return Distance{kNearest} < q.hit() ? q.hit() : Distance{}; }>,
      kNearLimit, true},
@@ -202,11 +205,12 @@ constexpr HitMistake kSphereMistakes[] = {
          if (kNearest < q.near()) return Distance{q.near()};
          return kNearest < q.far() ? Distance{q.far()} : Distance{};
      }>,
-     kNearLimit},
+     kNearLimit, true},
     {&kSphereMissed,
      solved<[](const Q& q) { return q.discriminant() < 4e-3 ? Distance{} : q.hit(); }>,
      "A tolerance of the discriminant takes small spheres and the rims of others away: only where "
-     "it is negative there is no hit."},
+     "it is negative there is no hit.",
+     true},
 };
 
 }  // namespace

@@ -146,6 +146,11 @@ constexpr std::array kRightRamps{
          [](const Examination& e) { return e.stripes && !e.stripes->good(); }},
     Rule{WrongReason::lettersDiffer,
          [](const Examination& e) { return !e.letters || !e.letters->good(); }},
+    Rule{WrongReason::dependsOnEye, [](const Examination& e) { return !e.elsewhere.good(); }},
+    Rule{WrongReason::turnedAtPoles,
+         [](const Examination& e) { return e.caps && !e.caps->good(); }},
+    Rule{WrongReason::fewTexelsDiffer,
+         [](const Examination& e) { return e.fewTexels && !e.fewTexels->good(); }},
     Rule{WrongReason::smoothInPlaces, [](const Examination& e) { return !e.untilted.good(); }},
 };
 

@@ -4,6 +4,7 @@
 #include <grader/tasks/bump/words/DirectionWords.h>
 #include <grader/tasks/bump/words/GrowthWords.h>
 #include <grader/tasks/bump/words/ParametrisationWords.h>
+#include <grader/tasks/bump/words/PlaceWords.h>
 #include <grader/tasks/bump/words/RegionWords.h>
 
 #include <fmt/format.h>
@@ -50,18 +51,6 @@ Words roundedNormalWords(double shared) {
             "Return the normalised sum of Equation (1) as it is: leave out std::round and int in "
             "everything but the column and the row.",
             "Option 1: What to do, step 4"};
-}
-
-Words seamWords(const MapEdges& edges) {
-    return {
-        fmt::format("On a map of a gentle wave that closes round the sphere the normal tilts {} "
-                    "times as far at the seam, where the last column meets the first, as "
-                    "anywhere else: a line runs down the sphere there.",
-                    edges.seam < 100.0 ? fmt::format("{:.0f}", edges.seam) : "over 100"),
-        "Columns go round the sphere: to the right of the last one lies column 0, "
-        "(column + 1) % width(), not a height of 0 or of another place. Below the last row "
-        "take that row again.",
-        "Option 1: What to do, step 3"};
 }
 
 Words steepWords(double agreeing) {
@@ -235,6 +224,12 @@ constexpr std::array kReasons{
               [](const Seen& told) { return mixedWords(*told.examination.stripes); }},
     ReasonRow{WrongReason::lettersDiffer,
               [](const Seen& told) { return lettersWords(*told.examination.letters); }},
+    ReasonRow{WrongReason::dependsOnEye,
+              [](const Seen& told) { return eyeWords(told.examination.elsewhere); }},
+    ReasonRow{WrongReason::turnedAtPoles,
+              [](const Seen& told) { return capWords(*told.examination.caps); }},
+    ReasonRow{WrongReason::fewTexelsDiffer,
+              [](const Seen& told) { return fewTexelWords(*told.examination.fewTexels); }},
     ReasonRow{WrongReason::smoothInPlaces,
               [](const Seen& told) { return untiltedWords(told.examination.untilted); }},
 };

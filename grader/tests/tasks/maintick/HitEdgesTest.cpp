@@ -87,6 +87,56 @@ TEST(JudgeHits, AsksTwoThousandthsAwayUnderEverySeed) {
     }
 }
 
+// A limit that grows with the radius shows at a large sphere alone, for each side of it.
+TEST(JudgeHits, AsksNearTheSurfaceOfALargeSphereUnderEverySeed) {
+    constexpr double kShare = 5e-4;  // 0.1 of the large one, 0.0012 of the others
+    const auto radiusOf = [](const Asked& asked, const probe::CastRay& ray) {
+        return asked.scene.spheres[static_cast<std::size_t>(ray.object)].radius;
+    };
+    const Change lost = [=](probe::Hit& hit, const Asked& asked, const probe::CastRay& ray) {
+        if (hit.distance < kShare * radiusOf(asked, ray)) hit.isHit = false;
+    };
+    const auto behindCounts = [=](bool isInside) {
+        return [=](probe::Hit& hit, const Asked& asked, const probe::CastRay& ray) {
+            const auto& sphere = asked.scene.spheres[static_cast<std::size_t>(ray.object)];
+            const auto back = meet(sphere, {ray.origin, -ray.direction});
+            const bool isThere = (ray.origin - sphere.centre).magnitude() < sphere.radius;
+            if (isThere != isInside || !back || back->distance > kShare * sphere.radius) return;
+            hit.isHit = true;
+            hit.distance = -back->distance;
+        };
+    };
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        AltersHits near{lost};
+        expectOne(judgeSpheres(near, seed).findings, "sphere.missed", "however large the sphere");
+        AltersHits inside{behindCounts(true)};
+        expectOne(judgeSpheres(inside, seed).findings, "sphere.inside", "however large the sphere");
+        AltersHits behind{behindCounts(false)};
+        expectOne(judgeSpheres(behind, seed).findings, "sphere.behind", "limit below 0");
+    }
+}
+
+// The discriminant is 4 (r^2 - d^2): of a small sphere it is small even through the middle.
+TEST(JudgeHits, AsksThroughTheMiddleOfASmallSphereUnderEverySeed) {
+    const auto upTo = [](double tolerance) {
+        return [=](probe::Hit& hit, const Asked& asked, const probe::CastRay& ray) {
+            const auto& sphere = asked.scene.spheres[static_cast<std::size_t>(ray.object)];
+            const double away =
+                (sphere.centre - ray.origin).cross(ray.direction.normalised()).magnitude();
+            const double square = sphere.radius * sphere.radius - away * away;
+            if (4.0 * square < tolerance) hit.isHit = false;
+        };
+    };
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        for (const double tolerance : {6e-4, 1e-3, 1e-2}) {
+            AltersHits limited{upTo(tolerance)};
+            expectOne(judgeSpheres(limited, seed).findings, "sphere.missed", "tolerance");
+        }
+        AltersHits right{upTo(1e-4)};
+        EXPECT_TRUE(judgeSpheres(right, seed).findings.empty()) << seed;
+    }
+}
+
 // As code with another formula for floors or walls, which is right on the axis alone.
 TEST(JudgeHits, AsksOfPlanesThatLeanFromEachAxisUnderEverySeed) {
     constexpr double kAlmost = 0.999;

@@ -65,7 +65,9 @@ enum class LitMistake : std::size_t {
     lastLightOnly,
     averaged,
     clamped,
-    rimLeftOut
+    rimLeftOut,
+    diffuseShareAtMostOne,
+    specularShareAtMostOne
 };
 
 inline ColourRGB phongOf(LitMistake mistake, const LitSetup& setup) {

@@ -96,6 +96,55 @@ TEST(MainTickQuestions, HaveLightsBehindTheSurfaceBeforeOnesInFront) {
     }
 }
 
+// Limits of alpha, of coefficients and of the number of lights show only beyond them.
+TEST(MainTickQuestions, AskOfShinySurfacesStrongCoefficientsAndManyLights) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const auto asked = drawLitQuestions(seed);
+        const auto differs = [&](auto&& change) {
+            return std::any_of(asked.begin(), asked.end(), [&](const LitQuestion& one) {
+                LitSetup changed = one.setup;
+                change(changed, changed.scene.spheres.at(0).material);
+                return !isNear(phong(changed), phong(one.setup), 3.0 * kTolerance);
+            });
+        };
+        using raytracer::Material;
+        for (const double limit : {100.0, 128.0, 200.0, 255.0})
+            EXPECT_TRUE(differs([&](LitSetup&, Material& material) {
+                material.phongAlpha = std::min(material.phongAlpha, limit);
+            })) << limit;
+        for (const auto coefficient : {&Material::phongKD, &Material::phongKS})
+            EXPECT_TRUE(differs([&](LitSetup&, Material& material) {
+                material.*coefficient = std::min(material.*coefficient, 2.0);
+            })) << seed;
+        EXPECT_TRUE(differs([](LitSetup& setup, Material&) {
+            auto& lights = setup.scene.pointLights;
+            if (lights.size() > 16) lights.erase(lights.begin() + 16, lights.end());
+        })) << seed;
+    }
+}
+
+// The worst that float makes of R.V, and a power that is multiplied out in float.
+TEST(MainTickQuestions, LetHighlightsOfShinySurfacesBeWorkedOutInFloat) {
+    constexpr double kErrorOfFloats = 4e-7;
+    int shiny = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed)
+        for (const LitQuestion& one : drawLitQuestions(seed)) {
+            if (one.kind != LitKind::shiny) continue;
+            ++shiny;
+            const auto& [scene, P, N, O] = one.setup;
+            const Vector3 L = (scene.pointLights.at(0).position() - P).normalised();
+            const double mirrored = L.reflectIn(N).dot((O - P).normalised());
+            const double alpha = scene.spheres.at(0).material.phongAlpha;
+            for (const double error : {-kErrorOfFloats, kErrorOfFloats}) {
+                float power = 1.0F;
+                for (int i = 0; i < static_cast<int>(alpha); ++i)
+                    power *= static_cast<float>(mirrored + error);
+                EXPECT_NEAR(power / std::pow(mirrored, alpha), 1.0, kTolerance / 2.0) << seed;
+            }
+        }
+    EXPECT_EQ(shiny, 200);
+}
+
 TEST(MainTickQuestions, SetEveryKnownMistakeOfMirrorsFarApart) {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         const MirrorQuestion asked = drawOpenScene(seed);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -14,6 +15,7 @@ namespace ticker::tasks {
 namespace {
 
 using maintick::MirrorQuestion;
+using raytracer::SceneDescription;
 
 constexpr std::uint64_t kMirrorSeed = 2;
 
@@ -23,6 +25,7 @@ struct Mirrors {
     double bias = -1.0;      ///< of one logged ray; negative: no log
     double facing = 1.0;     ///< factor of the last colour of two mirrors that face each other
     double direct = 1.0;     ///< factor of what trace gives of all surfaces
+    int deepest = 1000;      ///< most bounces between mirrors that face each other
     bool isEndless = false;  ///< crashes between two mirrors that face each other
 };
 
@@ -31,9 +34,17 @@ public:
     explicit TracesByModel(const Mirrors& mirrors) : mirrors_(mirrors) {}
 
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
-        if (questions.size() != 2) return {};  // pictures for threads
-        const auto& points = std::get<probe::IlluminateQuestion>(questions[0]);
-        const auto& rays = std::get<probe::TraceQuestion>(questions[1]);
+        if (std::holds_alternative<probe::RenderQuestion>(questions.at(0))) return {};
+        probe::Run run;
+        for (std::size_t i = 0; i < questions.size(); i += 2)
+            answer(run, std::get<probe::IlluminateQuestion>(questions[i]),
+                   std::get<probe::TraceQuestion>(questions[i + 1]));
+        return run;
+    }
+
+private:
+    void answer(probe::Run& run, const probe::IlluminateQuestion& points,
+                const probe::TraceQuestion& rays) const {
         probe::IlluminateAnswer direct;
         direct.state = probe::AnswerState::answered;
         const bool isLit = !points.scene.pointLights.empty();
@@ -42,12 +53,13 @@ public:
                 isLit ? ColourRGB{1.0 + 2.0 * static_cast<double>(i)}
                       : points.scene.ambientLighting *
                             materialOf(points.scene, points.points[i].object).colour);
-        probe::Run run{{direct, isLit ? facing(direct.colours) : open(rays, direct.colours)}, {}};
+        const bool isDeep = points.scene.spheres.empty() && !isLit;
+        run.answers.emplace_back(direct);
+        run.answers.emplace_back(
+            isLit ? facing(direct.colours)
+                  : open(rays, direct.colours, isDeep ? mirrors_.deepest : 1000));
         if (isLit && mirrors_.isEndless) run.end.kind = probe::ProcessEnd::Kind::crashed;
-        return run;
     }
-
-private:
     // By hand: the floor mirrors 0.5, the wall 0.45.
     [[nodiscard]] probe::IlluminateAnswer facing(const std::vector<ColourRGB>& d) const {
         probe::IlluminateAnswer answer;
@@ -57,13 +69,15 @@ private:
         return answer;
     }
     [[nodiscard]] probe::IlluminateAnswer open(const probe::TraceQuestion& asked,
-                                               const std::vector<ColourRGB>& direct) const {
+                                               const std::vector<ColourRGB>& direct,
+                                               int deepest) const {
         probe::IlluminateAnswer answer;
         answer.state = probe::AnswerState::answered;
         for (const probe::CastRay& cast : asked.rays)
-            answer.colours.push_back(maintick::TraceModel{asked.scene, direct, mirrors_.way}.along(
-                                         {cast.origin, cast.direction}, cast.bounces) *
-                                     mirrors_.direct);
+            answer.colours.push_back(
+                maintick::TraceModel{asked.scene, direct, mirrors_.way}.along(
+                    {cast.origin, cast.direction}, std::min(cast.bounces, deepest)) *
+                mirrors_.direct);
         if (mirrors_.bias >= 0.0) answer.events = logOfSecondRay(asked);
         return answer;
     }
@@ -115,6 +129,12 @@ TEST(JudgeMirrors, WorksOutTwoMirrorsThatFaceEachOther) {
     EXPECT_EQ(mirrorIds({.way = maintick::noMirrors().way, .isEndless = true}), "mirror.none");
 }
 
+TEST(JudgeMirrors, FollowsUpToTenReflections) {
+    for (int deepest = 3; deepest < 10; ++deepest)
+        EXPECT_EQ(mirrorIds({.deepest = deepest}), "mirror.bounces") << deepest;
+    EXPECT_EQ(mirrorIds({.deepest = 10}), "");
+}
+
 TEST(JudgeMirrors, NamesTheMistakeThatExplainsAllColours) {
     EXPECT_EQ(mirrorIds({.way = maintick::noMirrors().way}), "mirror.none");
     for (const maintick::TraceMistake& mistake : maintick::traceMistakes()) {
@@ -122,6 +142,32 @@ TEST(JudgeMirrors, NamesTheMistakeThatExplainsAllColours) {
         const std::string id = mirrorIds({.way = mistake.way});
         if (id != "mirror.none") {
             EXPECT_EQ(id, mistake.finding->id) << mistake.hint;
+        }
+    }
+}
+
+// Whatever a limit of the depth leaves at its end: it shows under every seed.
+TEST(MirrorQuestions, SetEveryLimitOfTheDepthFarApart) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const MirrorQuestion asked = maintick::drawDeepMirrors(seed);
+        const SceneDescription& scene = asked.question.scene;
+        std::vector<ColourRGB> direct;
+        for (const auto& plane : scene.planes)
+            direct.push_back(plane.material.colour * scene.ambientLighting);
+        const maintick::TraceModel trace{scene, direct};
+        const probe::CastRay& cast = asked.question.rays.back();
+        ASSERT_EQ(cast.bounces, 10);
+        const raytracer::Ray ray{cast.origin, cast.direction};
+        for (int bounces = 1; bounces < 10; ++bounces)
+            EXPECT_FALSE(
+                maintick::isNear(trace.along(ray, bounces), trace.along(ray, bounces + 1), 1e-2))
+                << bounces << ", seed " << seed;
+        for (const maintick::MirrorStart& start :
+             {maintick::MirrorStart{1e-6, false}, maintick::MirrorStart{1e-3, true}}) {
+            const std::vector<int> chain = maintick::chainOf(scene, ray, 11, start);
+            ASSERT_EQ(chain.size(), 11U) << seed;
+            for (std::size_t i = 0; i < chain.size(); ++i)
+                EXPECT_EQ(chain[i], static_cast<int>(i % 2)) << seed;
         }
     }
 }

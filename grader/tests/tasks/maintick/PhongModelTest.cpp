@@ -60,7 +60,7 @@ void expectWorked(const LitSetup& setup, const std::vector<Worked>& rows) {
 
 TEST(PhongModel, GivesEveryMistakeItsValueOfOneLight) {
     using enum LitMistake;
-    ASSERT_EQ(phongMistakes().size(), static_cast<std::size_t>(rimLeftOut));
+    ASSERT_EQ(phongMistakes().size(), static_cast<std::size_t>(specularShareAtMostOne));
     constexpr double A = kAmbientPart;
     constexpr double D = kDiffusePart;
     constexpr double S = kSpecularPart;
@@ -96,7 +96,9 @@ TEST(PhongModel, GivesEveryMistakeItsValueOfOneLight) {
                                {lastLightOnly, A, D, S},
                                {averaged, A, D, S},
                                {clamped, A, D, S},
-                               {rimLeftOut, A, D, S}});
+                               {rimLeftOut, A, D, S},
+                               {diffuseShareAtMostOne, A, D, S},
+                               {specularShareAtMostOne, A, D, S}});
 }
 
 TEST(PhongModel, GivesEveryWrongDirectionItsCosines) {
@@ -161,6 +163,18 @@ TEST(PhongModel, GivesAHighlightAtMostTheLightItself) {
     setup.scene.spheres[0].material.phongKS = 3.0;
     expectWorked(setup, {{LitMistake::none, kAmbientPart, kDiffusePart, kSpecularPart * 4.0},
                          {LitMistake::specularAtMostOne, kAmbientPart, kDiffusePart, 0.5 * 2.0}});
+}
+
+TEST(PhongModel, CutsCoefficientsAboveOneAlone) {
+    LitSetup setup = litByHand();
+    setup.scene.spheres[0].material.phongKD = 1.5;
+    setup.scene.spheres[0].material.phongKS = 1.5;
+    const double diffuse = 3.0 * kDiffusePart;
+    const double specular = 2.0 * kSpecularPart;
+    expectWorked(
+        setup, {{LitMistake::none, kAmbientPart, diffuse, specular},
+                {LitMistake::diffuseShareAtMostOne, kAmbientPart, 2.0 * kDiffusePart, specular},
+                {LitMistake::specularShareAtMostOne, kAmbientPart, diffuse, kSpecularPart / 0.75}});
 }
 
 TEST(PhongModel, GivesEveryWrongFalloffItsShare) {

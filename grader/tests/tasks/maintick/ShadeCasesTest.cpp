@@ -91,6 +91,28 @@ TEST(ShadeCases, HaveSpheresAroundEitherEndAndLightThatGrazes) {
     }
 }
 
+// A share of a far light's distance is large there, and its light counts.
+TEST(ShadeCases, HaveSomethingAtEitherEndOfTheWayToAFarLight) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        int far = 0;
+        for (const ShadeCase& shade : drawShadeCases(seed)) {
+            const Vector3 way = lightOf(shade.asked) - shade.asked.P;
+            if (way.magnitude() < 90.0) continue;
+            ++far;
+            const auto hit = meet(shade.asked.scene.spheres.at(1),
+                                  {shade.asked.P + shade.asked.N * kSlack, way.normalised()});
+            ASSERT_TRUE(hit) << seed;
+            const double fromLight = way.magnitude() - hit->distance;
+            EXPECT_EQ(fromLight > 0.0, shade.isShaded()) << seed;
+            const double nearest = std::min(hit->distance, std::abs(fromLight));
+            EXPECT_GT(nearest, 0.002 * way.magnitude()) << seed;
+            EXPECT_LT(nearest, 0.005 * way.magnitude()) << seed;
+            EXPECT_FALSE(isNear(phong(shade.free), phong(shade.without), 1e-2)) << seed;
+        }
+        EXPECT_EQ(far, 6) << seed;
+    }
+}
+
 TEST(ShadeCases, LetPointsFloatAboveTheirObjectForCodeThatShadesItself) {
     for (std::uint64_t seed = 0; seed < 200; ++seed)
         for (const ShadeCase& shade : drawShadeCases(seed)) {

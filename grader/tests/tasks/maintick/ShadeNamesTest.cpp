@@ -30,6 +30,9 @@ TEST(ShadeNames, NameWhatIsWrongInOnePlaceAlone) {
                  {{{Occluder::aroundLight, lit}}, "shade.wrong", "sphere around the light"},
                  {{{Occluder::aroundPoint, lit}}, "shade.wrong", "sphere around P"},
                  {{{Occluder::grazing, dark}}, "shade.wrong", "Low light"},
+                 {{{Occluder::atPointOfFar, lit}}, "shade.distance", "95 away"},
+                 {{{Occluder::atFarLight, lit}}, "shade.distance", "95 away"},
+                 {{{Occluder::beyondFarLight, dark}}, "shade.distance", "95 away"},
                  {{{Occluder::backwards, dark}}, "shade.wrong"}});
 }
 
@@ -63,11 +66,9 @@ TEST(ShadeNames, LookAtSeveralPlacesAtOnce) {
 
 TEST(ShadeNames, NameWhatAllHiddenPlacesShow) {
     using enum Look;
-    const Looks allDark{{Occluder::beyond, dark},
-                        {Occluder::farBeyond, dark},
-                        {Occluder::backwards, dark},
-                        {Occluder::itself, dark},
-                        {Occluder::grazing, dark}};
+    const Looks allDark{{Occluder::beyond, dark},    {Occluder::farBeyond, dark},
+                        {Occluder::backwards, dark}, {Occluder::itself, dark},
+                        {Occluder::grazing, dark},   {Occluder::beyondFarLight, dark}};
     expectNamed({{hidden(lit), "shade.none"},
                  {with(hidden(lit), {{Occluder::beyond, dark}}), "shade.beyond-light",
                   "the wrong way round"},

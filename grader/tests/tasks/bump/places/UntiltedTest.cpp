@@ -1,6 +1,6 @@
 // Conditions that keep the normal smooth in some places.
 #include <grader/lab/selftest/BumpReadings.h>
-#include <grader/tasks/bump/questions/Untilted.h>
+#include <grader/tasks/bump/places/Untilted.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
 

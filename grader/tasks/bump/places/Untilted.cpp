@@ -1,4 +1,4 @@
-#include <grader/tasks/bump/questions/Untilted.h>
+#include <grader/tasks/bump/places/Untilted.h>
 
 #include <grader/tasks/bump/questions/Numbers.h>
 

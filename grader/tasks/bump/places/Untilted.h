@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_BUMP_QUESTIONS_UNTILTED_H
-#define TICKER_TASKS_BUMP_QUESTIONS_UNTILTED_H
+#ifndef TICKER_TASKS_BUMP_PLACES_UNTILTED_H
+#define TICKER_TASKS_BUMP_PLACES_UNTILTED_H
 
 #include <grader/tasks/bump/questions/Draws.h>
 #include <grader/tasks/bump/questions/Tilt.h>
@@ -24,6 +24,10 @@ inline constexpr std::size_t kWhereabouts = 7;
 /// A rough map on these spheres, and at these points.
 struct UntiltedPlan {
     std::array<LevelPair, kWhereabouts> pairs;
+
+    [[nodiscard]] const LevelPair& at(Whereabouts where) const {
+        return pairs.at(static_cast<std::size_t>(where));
+    }
 };
 
 [[nodiscard]] UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws,

@@ -1,0 +1,98 @@
+#include <grader/tasks/bump/places/FewTexels.h>
+
+#include <grader/tasks/bump/questions/Numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ticker::tasks::bump {
+namespace {
+
+// Chords over three columns of 24 turn by 45 degrees; those of rows lie in one plane.
+constexpr int kFewColumns = 24;
+constexpr int kFewRows = 12;
+constexpr int kManyTexels = 64;
+
+/// High at both ends and low in the middle, round the height of a flat map.
+std::vector<double> singleWave(int count) {
+    constexpr double kMiddle = 2.5;
+    constexpr double kLift = 0.3;
+    std::vector<double> heights;
+    for (int i = 0; i < count; ++i)
+        heights.push_back(kMiddle + kLift * std::cos(kTurn * (i + 0.5) / count));
+    return heights;
+}
+
+/// Share of right tilts in the second texel, or the last but one.
+class EdgeShares {
+public:
+    explicit EdgeShares(int count) : count_(count) {}
+
+    /// @param coordinate  Of the map, 0 to 1.
+    /// @param along       The tilt along growing coordinates.
+    void add(double coordinate, double along) {
+        // Half of a texel: there, rounding to the nearest texel gives no edge either.
+        constexpr double kFrom = 1.55;
+        constexpr double kTo = 1.95;
+        const double fromStart = coordinate * count_;
+        const double fromEnd = count_ - fromStart;
+        if (fromStart > kFrom && fromStart < kTo) start_.add(along);
+        if (fromEnd > kFrom && fromEnd < kTo) end_.add(-along);
+    }
+    [[nodiscard]] double least() const { return std::min(start_.share(), end_.share()); }
+
+private:
+    struct Count {
+        double asked = 0.0;
+        double right = 0.0;
+
+        void add(double downhill) {
+            constexpr double kSomeTilt = 5e-6;
+            if (!std::isfinite(downhill)) return;
+            asked += 1.0;
+            if (downhill > kSomeTilt) right += 1.0;
+        }
+        // Of 3000 points 45 lie in either column and 70 in either row, on average.
+        [[nodiscard]] double share() const {
+            constexpr double kFewest = 20.0;
+            return asked < kFewest ? 1.0 : right / asked;
+        }
+    };
+
+    int count_;
+    Count start_;
+    Count end_;
+};
+
+}  // namespace
+
+FewTexelPlan planFewTexels(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
+    constexpr int kPoints = 3000;
+    FewTexelPlan plan;
+    plan.directions = draws.directions(kPoints);
+    const std::vector<double> across = raytracer::questions::level(kManyTexels);
+    plan.columns = questionnaire.addPair(
+        ball, {kFewColumns, kManyTexels, {}, singleWave(kFewColumns), across}, plan.directions);
+    plan.rows = questionnaire.addPair(
+        ball, {kManyTexels, kFewRows, {}, across, singleWave(kFewRows)}, plan.directions);
+    return plan;
+}
+
+FewTexels readFewTexels(const FewTexelPlan& plan, const Answers& answers,
+                        const Parametrisation& parametrisation) {
+    constexpr double kFromPole = 0.15;  // nearer, columns are narrow and their chords bend
+    const std::vector<Vector3> onColumns = answers.tiltsBeyond(plan.columns.flat, plan.columns.map);
+    const std::vector<Vector3> onRows = answers.tiltsBeyond(plan.rows.flat, plan.rows.map);
+    EdgeShares alongU(kFewColumns);
+    EdgeShares alongV(kFewRows);
+    for (std::size_t i = 0; i < plan.directions.size(); ++i) {
+        const Vector3& n = plan.directions[i];
+        const double v = parametrisation.v(n);
+        if (std::min(v, 1.0 - v) > kFromPole)
+            alongU.add(parametrisation.u(n), onColumns[i].dot(parametrisation.alongU(n)));
+        alongV.add(v, onRows[i].dot(parametrisation.alongV(n)));
+    }
+    return {alongU.least(), alongV.least()};
+}
+
+}  // namespace ticker::tasks::bump

@@ -1,0 +1,43 @@
+#ifndef TICKER_TASKS_BUMP_PLACES_FEWTEXELS_H
+#define TICKER_TASKS_BUMP_PLACES_FEWTEXELS_H
+
+#include <grader/tasks/bump/answers/Parametrisation.h>
+#include <grader/tasks/bump/questions/Draws.h>
+#include <grader/tasks/bump/questions/Tilt.h>
+
+#include <vector>
+
+namespace ticker::tasks::bump {
+
+/// A map of 24 columns that vary along u alone, and one of 12 rows that vary along v alone: one
+/// wave from edge to edge, high at both. So few that the texels beside the outermost ones show.
+struct FewTexelPlan {
+    std::vector<Vector3> directions;
+    LevelPair columns;
+    LevelPair rows;
+};
+
+[[nodiscard]] FewTexelPlan planFewTexels(Questionnaire& questionnaire, Draws& draws,
+                                         const Ball& ball);
+
+/// Share of the points that tilt towards where the wave falls, in the second texel or the last but
+/// one, whichever has fewer. What lies beyond the edge does not matter there: a neighbour is of the
+/// map, and even where differences reach over three texels and wrap, or stay at the edge, or turn
+/// back, the wave makes them fall the same way. A test holds accepted readings to 0.8, since chords
+/// over three columns bend; a neighbour that stops one texel too early gives 0.
+struct FewTexels {
+    double alongU = 1.0;
+    double alongV = 1.0;
+
+    static constexpr double kLeast = 0.6;
+    [[nodiscard]] bool goodU() const { return alongU >= kLeast; }
+    [[nodiscard]] bool goodV() const { return alongV >= kLeast; }
+    [[nodiscard]] bool good() const { return goodU() && goodV(); }
+};
+
+[[nodiscard]] FewTexels readFewTexels(const FewTexelPlan& plan, const Answers& answers,
+                                      const Parametrisation& parametrisation);
+
+}  // namespace ticker::tasks::bump
+
+#endif

@@ -1,0 +1,63 @@
+#include <grader/tasks/bump/words/PlaceWords.h>
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace ticker::tasks::bump {
+
+Words seamWords(const MapEdges& edges) {
+    return {
+        fmt::format("On a map of a gentle wave that closes round the sphere the normal tilts {} "
+                    "times as far at the seam, where the last column meets the first, as "
+                    "anywhere else: a line runs down the sphere there.",
+                    edges.seam < 100.0 ? fmt::format("{:.0f}", edges.seam) : "over 100"),
+        "Columns go round the sphere: to the right of the last one lies column 0, "
+        "(column + 1) % width(), not a height of 0 or of another place. Below the last row "
+        "take that row again.",
+        "Option 1: What to do, step 3"};
+}
+
+Words eyeWords(const Elsewhere& elsewhere) {
+    return {
+        fmt::format("The normal depends on where the eye is: the same map on the same sphere gives "
+                    "other normals at {} of the points near the rim when the sphere stands on the "
+                    "other side of the eye.",
+                    percent(elsewhere.changed)),
+        "A normal depends on position - centre() and the map alone. Take out what mirrors, turns, "
+        "bends or weakens it where it faces away from the eye: normals of steep bumps do so at the "
+        "rim, the light is then 0 there, and mirrors see the far side.",
+        "Option 1: What to do, step 4"};
+}
+
+Words capWords(const Caps& caps) {
+    const bool alongV = caps.goodU();
+    return {fmt::format("Within eight degrees of the poles a slope along {} tilts the normal in "
+                        "another direction than {}, unlike elsewhere: only {} of the points of the "
+                        "worst ring lean the right way.",
+                        alongV ? "v" : "u", alongV ? "Pv" : "Pu",
+                        percent(alongV ? caps.alongV : caps.alongU)),
+            "The tangents belong to u and v everywhere: near the poles, too, Pu leads to where the "
+            "longitude grows and Pv to where the polar angle grows. Take out the condition that "
+            "chooses another helper vector (another up) for the cross products, or other tangents, "
+            "where the normal is nearly along the axis: only at the exact pole is the cross "
+            "product 0.",
+            "Option 1: What to do, step 2"};
+}
+
+Words fewTexelWords(const FewTexels& fewTexels) {
+    const bool inRows = fewTexels.goodU();
+    const std::string texel = inRows ? "row" : "column";
+    return {fmt::format("On a map of {3} {0}s, in the {0} beside the first or the last one, the "
+                        "slope along {1} is lost or inverted: only {2} of the points there lean "
+                        "the right way.",
+                        texel, inRows ? "v" : "u",
+                        percent(inRows ? fewTexels.alongV : fewTexels.alongU), inRows ? 12 : 24),
+            fmt::format("Look at the limit of the neighbour's index: the last {0} is {1}() - 1, "
+                        "and only there does a neighbour need another rule (column 0 beyond the "
+                        "last column, the last row again below the last row).",
+                        texel, inRows ? "height" : "width"),
+            "Option 1: What to do, step 3"};
+}
+
+}  // namespace ticker::tasks::bump

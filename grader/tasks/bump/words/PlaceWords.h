@@ -1,0 +1,22 @@
+#ifndef TICKER_TASKS_BUMP_PLACEWORDS_H
+#define TICKER_TASKS_BUMP_PLACEWORDS_H
+
+#include <grader/tasks/bump/Examination.h>
+#include <grader/tasks/bump/words/Phrases.h>
+
+namespace ticker::tasks::bump {
+
+// Words of bump.wrong for tilts that are wrong in one place of the map or the sphere.
+
+/// A wall where the last column meets the first.
+[[nodiscard]] Words seamWords(const MapEdges& edges);
+/// The same sphere has other normals where the eye sees it from another side.
+[[nodiscard]] Words eyeWords(const Elsewhere& elsewhere);
+/// Other tangents near the poles.
+[[nodiscard]] Words capWords(const Caps& caps);
+/// No slope, or an inverted one, beside the first or last texels of a small map.
+[[nodiscard]] Words fewTexelWords(const FewTexels& fewTexels);
+
+}  // namespace ticker::tasks::bump
+
+#endif

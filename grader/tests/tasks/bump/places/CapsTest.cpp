@@ -1,0 +1,62 @@
+// The tilt's direction near the poles.
+#include <grader/tasks/bump/places/Caps.h>
+#include <grader/tests/tasks/bump/Asked.h>
+#include <grader/tests/tasks/bump/Judging.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+namespace ticker::tasks::bump {
+namespace {
+
+using selftest::Point;
+
+Caps capsOf(const selftest::NormalFunction& function, const Parametrisation& parametrisation,
+            std::uint64_t seed = 4) {
+    Questionnaire questionnaire;
+    Draws draws(seed);
+    const CapPlan plan = planCaps(questionnaire, draws, {{0.5, -1.0, 20.0}, 12.0});
+    return readCaps(plan, tests::answersOf(questionnaire, function), parametrisation);
+}
+
+/// Tangents of a helper vector: of z where the height of the point is beyond the limit.
+selftest::NormalFunction withHelperBeyond(double limit) {
+    return [limit](const Point& point) {
+        const Vector3 n = tests::smooth(point);
+        const Vector3 up = n.y < limit ? Vector3{0.0, 1.0, 0.0} : Vector3{0.0, 0.0, 1.0};
+        const Vector3 tangentU = -up.cross(n).normalised();
+        const Vector3 tangentV = n.cross(tangentU);
+        // The right tilt's parts, laid along other tangents.
+        const Vector3 tilt = tiltOf(selftest::modelNormal({}, selftest::Mistake::none, point), n);
+        return (n + tangentU * tilt.dot(tests::kParametrisation.alongU(n)) +
+                tangentV * tilt.dot(tests::kParametrisation.alongV(n)))
+            .normalised();
+    };
+}
+
+TEST(ReadCaps, SeesAnotherHelperVectorAtOneEndFromSixDegreesOn) {
+    // Of 48 points that stand evenly, 16 happen to lean the right way: there is no chance in it.
+    for (const double limit : {0.99, 0.995})
+        for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+            const Caps caps = capsOf(withHelperBeyond(limit), tests::kParametrisation, seed);
+            EXPECT_LT(caps.alongU, 0.5) << limit;
+            EXPECT_LT(caps.alongV, 0.5) << limit;
+        }
+}
+
+TEST(ReadCaps, DoesNotApplyToATiltedAxisNorWhereNothingTilts) {
+    const Vector3 tilted = Vector3{0.1, 1.0, 0.0}.normalised();
+    EXPECT_TRUE(capsOf(withHelperBeyond(0.99), Parametrisation(tilted, 0.5, false)).good());
+    EXPECT_TRUE(capsOf(tests::smooth, tests::kParametrisation).good());
+}
+
+TEST(JudgeBump, SaysThatTangentsNearThePolesAreOthers) {
+    const TaskJudgement judgement = tests::judge(withHelperBeyond(0.99));
+    ASSERT_EQ(tests::firstId(judgement), "bump.wrong");
+    EXPECT_NE(judgement.reason.find("Within eight degrees of the poles"), std::string::npos)
+        << judgement.reason;
+}
+
+}  // namespace
+}  // namespace ticker::tasks::bump

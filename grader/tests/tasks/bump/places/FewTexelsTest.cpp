@@ -1,0 +1,73 @@
+// Slopes beside the first and last texels of small maps.
+#include <grader/tasks/bump/places/FewTexels.h>
+#include <grader/tests/tasks/bump/Asked.h>
+#include <grader/tests/tasks/bump/Judging.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <utility>
+
+namespace ticker::tasks::bump {
+namespace {
+
+using selftest::Point;
+
+FewTexels fewTexelsOf(const selftest::NormalFunction& function,
+                      const Parametrisation& parametrisation = tests::kParametrisation,
+                      std::uint64_t seed = 4) {
+    Questionnaire questionnaire;
+    Draws draws(seed);
+    const FewTexelPlan plan = planFewTexels(questionnaire, draws, {{0.5, -1.0, 20.0}, 12.0});
+    return readFewTexels(plan, tests::answersOf(questionnaire, function), parametrisation);
+}
+
+/// Right, but for factors of the slopes.
+selftest::NormalFunction withFactors(
+    std::function<std::pair<double, double>(const tests::Place&, const Point&)> factors) {
+    return tests::inProportion(tests::kParametrisation, std::move(factors));
+}
+
+TEST(ReadFewTexels, SeesALostOrInvertedSlopeInOneRowOrColumnBesideTheEdge) {
+    const auto isSecond = [](int texel, int count, bool fromEnd) {
+        return texel == (fromEnd ? count - 2 : 1);
+    };
+    for (const double factor : {0.0, -1.0})
+        for (const bool fromEnd : {false, true}) {
+            const FewTexels rows =
+                fewTexelsOf(withFactors([=](const tests::Place& at, const Point& point) {
+                    const bool wrong = isSecond(at.row, point.map.height(), fromEnd);
+                    return std::pair{1.0, wrong ? factor : 1.0};
+                }));
+            EXPECT_TRUE(rows.goodU());
+            EXPECT_EQ(rows.alongV, 0.0);
+            const FewTexels columns =
+                fewTexelsOf(withFactors([=](const tests::Place& at, const Point& point) {
+                    const bool wrong = isSecond(at.column, point.map.width(), fromEnd);
+                    return std::pair{wrong ? factor : 1.0, 1.0};
+                }));
+            EXPECT_EQ(columns.alongU, 0.0);
+            EXPECT_TRUE(columns.goodV());
+        }
+}
+
+TEST(ReadFewTexels, SaysNothingAboutTheFirstAndTheLastTexel) {
+    EXPECT_TRUE(fewTexelsOf(withFactors([](const tests::Place& at, const Point& point) {
+                    const bool isEdge = at.row == 0 || at.row == point.map.height() - 1;
+                    return std::pair{1.0, isEdge ? 0.0 : 1.0};
+                })).good());
+}
+
+TEST(JudgeBump, SaysThatTheSlopeBesideTheLastRowIsLost) {
+    const TaskJudgement judgement =
+        tests::judge(withFactors([](const tests::Place& at, const Point& point) {
+            return std::pair{1.0, at.row == point.map.height() - 2 ? 0.0 : 1.0};
+        }));
+    ASSERT_EQ(tests::firstId(judgement), "bump.wrong");
+    EXPECT_NE(judgement.reason.find("in the row beside the first or the last one"),
+              std::string::npos)
+        << judgement.reason;
+}
+
+}  // namespace
+}  // namespace ticker::tasks::bump
