@@ -124,7 +124,8 @@ TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
         const double side = i < 3 ? 1.0 : -1.0;
         const Vector3 point{draw.between(-3.0, 3.0), draw.between(-3.0, 3.0),
                             side * draw.between(2.0, 6.0)};
-        scene.planes.push_back({point, draw.direction() * draw.between(0.5, 3.0), {}});
+        const Vector3 N = draw.direction();
+        scene.planes.push_back({point, N * draw.between(0.5, 3.0), {}});
     }
     for (const Place place : {Place::outside, Place::inside, Place::behind, Place::longDirection})
         for (int object = 0; object < 5; ++object) {

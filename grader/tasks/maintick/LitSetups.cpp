@@ -94,8 +94,10 @@ LitQuestion behind(Draw& draw, bool isBelow) {
 LitQuestion several(Draw& draw, int lights) {
     LitQuestion question{LitKind::several, drawPoint(draw)};
     addLight(draw, question.setup, draw.between(1.5, 3.0), 90.0);
-    for (int i = 1; i < lights; ++i)
-        addLightAt(draw, question.setup, draw.between(0.35, 0.9), draw.between(1.5, 3.0), 110.0);
+    for (int i = 1; i < lights; ++i) {
+        const double distance = draw.between(1.5, 3.0);
+        addLightAt(draw, question.setup, draw.between(0.35, 0.9), distance, 110.0);
+    }
     return question;
 }
 
@@ -107,10 +109,13 @@ LitQuestion oneBehind(Draw& draw, std::initializer_list<Side> places) {
     while (true) {
         LitQuestion question{LitKind::several, drawPoint(draw)};
         LitSetup& setup = question.setup;
-        for (const Side side : places)
+        for (const Side side : places) {
+            const double distance = draw.between(1.5, 3.0);
             addLightAt(draw, setup, draw.between(0.35, 0.9) * (side == Side::behind ? -1.0 : 1.0),
-                       draw.between(1.5, 3.0), 110.0);
-        setup.O = setup.P + draw.directionAround(setup.N, 0.8) * draw.between(1.7, 4.0);
+                       distance, 110.0);
+        }
+        const Vector3 towardsViewer = draw.directionAround(setup.N, 0.8);
+        setup.O = setup.P + towardsViewer * draw.between(1.7, 4.0);
         const auto isOffEdge = [&, light = std::size_t{0}](Side side) mutable {
             const double highlight = highlightOf(setup, light++);
             return side == Side::inFront ? highlight > kOffEdge : highlight < -kOffEdge;

@@ -63,8 +63,9 @@ ShadeCase ofTwo(Draw& draw, bool firstIsHidden) {
     const Vector3 L = towards(made.free);
     const Vector3 across = made.free.N.cross(L).normalised();
     const Vector3 second = (made.free.N + across).normalised();
-    made.free.scene.pointLights.emplace_back(made.free.P + second * draw.between(2.5, 3.5),
-                                             draw.colour(0.3, 0.9), 150.0);
+    const ColourRGB colour = draw.colour(0.3, 0.9);
+    made.free.scene.pointLights.emplace_back(made.free.P + second * draw.between(2.5, 3.5), colour,
+                                             150.0);
     made.asked = made.without = made.putOut = made.free;
     hide(made, firstIsHidden ? 0 : 1);
     addBall(made.asked, 1.2, 0.2, firstIsHidden ? 0 : 1);

@@ -28,10 +28,10 @@ raytracer::SceneDescription drawRoom(Draw& draw, Shows shows) {
     raytracer::SceneDescription scene;
     scene.ambientLighting = draw.colour(0.03, 0.1);
     // One light is near, the other one far, so that a way to one taken for that to the other shows.
-    scene.pointLights.emplace_back(Vector3{draw.between(-0.5, 0.5), -0.4, 3.8},
-                                   draw.colour(0.5, 1.0), 8.0);
-    scene.pointLights.emplace_back(Vector3{draw.between(0.5, 1.5), 9.0, 2.5}, draw.colour(0.5, 1.0),
-                                   1500.0);
+    const ColourRGB near = draw.colour(0.5, 1.0);
+    scene.pointLights.emplace_back(Vector3{draw.between(-0.5, 0.5), -0.4, 3.8}, near, 8.0);
+    const ColourRGB far = draw.colour(0.5, 1.0);
+    scene.pointLights.emplace_back(Vector3{draw.between(0.5, 1.5), 9.0, 2.5}, far, 1500.0);
     scene.planes.push_back({{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}, drawMaterial(draw, share)});
     if (shows == Shows::floor) return scene;  // no shadow ray meets anything
     scene.planes.push_back({{0.0, 0.0, 6.0}, {0.0, 0.0, -1.0}, drawMaterial(draw, share)});

@@ -214,9 +214,10 @@ ConductPlan planConduct(Questionnaire& questionnaire, Draws& draws) {
                                           {{0.0, 0.0, -1.0}, {-0.0, 0.0, -1.0}, {0.0, -0.0, -1.0}});
     plan.lastRows = questionnaire.add(kSceneBall, map, lastRows());
     plan.poles = questionnaire.add(kSceneBall, map, poles());
-    plan.smallMap =
-        questionnaire.add(kSceneBall, noiseMap(draws, 16, 16), draws.directions(kPoints));
-    plan.tinyMap = questionnaire.add(kSceneBall, noiseMap(draws, 4, 4), draws.directions(kPoints));
+    const std::vector<Vector3> onSmall = draws.directions(kPoints);
+    plan.smallMap = questionnaire.add(kSceneBall, noiseMap(draws, 16, 16), onSmall);
+    const std::vector<Vector3> onTiny = draws.directions(kPoints);
+    plan.tinyMap = questionnaire.add(kSceneBall, noiseMap(draws, 4, 4), onTiny);
     std::vector<Vector3> twice = draws.directions(kPoints / 2);
     twice.insert(twice.end(), twice.begin(), twice.begin() + kPoints / 2);
     plan.twice = questionnaire.add(kSceneBall, flatMap(90, 70), twice);

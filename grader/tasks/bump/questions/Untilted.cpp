@@ -94,18 +94,23 @@ UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws, const Ball
     const Ball farAway{{draws.uniform(-9.0, 9.0), draws.uniform(-9.0, 9.0), 180.0}, 45.0};
     const Ball small{{draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9), 2.0}, 0.05};
     UntiltedPlan plan;
-    const auto ask = [&](Whereabouts where, const Ball& on, HeightMapDescription map,
-                         const std::vector<Vector3>& directions) {
-        plan.pairs.at(static_cast<std::size_t>(where)) =
-            questionnaire.addPair(on, std::move(map), directions);
+    // A braced list: it is evaluated from left to right.
+    struct Asked {
+        const Ball& on;
+        std::vector<Vector3> directions;
+        HeightMapDescription map;
     };
-    ask(Whereabouts::nearPoles, ball, rough(draws), nearPoles(draws));
-    ask(Whereabouts::atRim, ball, rough(draws), atRim(draws, ball));
-    ask(Whereabouts::farAway, farAway, rough(draws), draws.directions(kPoints));
-    ask(Whereabouts::smallSphere, small, rough(draws), draws.directions(kPoints));
-    ask(Whereabouts::onBlack, ball, partlyBlack(draws), draws.directions(2 * kPoints));
-    ask(Whereabouts::fewRows, ball, coarse(draws, kMore, kFew), draws.directions(kManyPoints));
-    ask(Whereabouts::fewColumns, ball, coarse(draws, kFew, kMore), draws.directions(kManyPoints));
+    const auto ask = [&](Whereabouts where, Asked asked) {
+        plan.pairs.at(static_cast<std::size_t>(where)) =
+            questionnaire.addPair(asked.on, std::move(asked.map), asked.directions);
+    };
+    ask(Whereabouts::nearPoles, {ball, nearPoles(draws), rough(draws)});
+    ask(Whereabouts::atRim, {ball, atRim(draws, ball), rough(draws)});
+    ask(Whereabouts::farAway, {farAway, draws.directions(kPoints), rough(draws)});
+    ask(Whereabouts::smallSphere, {small, draws.directions(kPoints), rough(draws)});
+    ask(Whereabouts::onBlack, {ball, draws.directions(2 * kPoints), partlyBlack(draws)});
+    ask(Whereabouts::fewRows, {ball, draws.directions(kManyPoints), coarse(draws, kMore, kFew)});
+    ask(Whereabouts::fewColumns, {ball, draws.directions(kManyPoints), coarse(draws, kFew, kMore)});
     return plan;
 }
 

@@ -12,8 +12,8 @@ namespace {
 TEST(JudgeHits, AsksTwoThousandAwayButNoFarther) {
     const auto farthestOf = [](auto judge) {
         double farthest = 0.0;
-        static_cast<void>(judge([&](probe::Hit&, const Asked&, const probe::CastRay& ray) {
-            farthest = std::max(farthest, ray.origin.magnitude());
+        static_cast<void>(judge([&](probe::Hit& hit, const Asked&, const probe::CastRay& ray) {
+            farthest = std::max({farthest, ray.origin.magnitude(), hit.distance});
         }));
         return farthest;
     };
