@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
-#include <ranges>
 #include <set>
 
 namespace ticker::tasks {
@@ -66,8 +65,9 @@ Columns columnsOf(const LensLog& log, double Vector3::*axis) {
         if (std::abs(static_cast<double>(place) * 1e-9 - low -
                      static_cast<double>(at++) * columns.step) > kSame)
             return {};
-    const auto [fewest, most] = std::ranges::minmax(rays | std::views::values);
-    return most - fewest <= log.pixels.size() ? columns : Columns{};
+    const auto [fewest, most] =
+        std::ranges::minmax_element(rays, {}, [](const auto& cell) { return cell.second; });
+    return most->second - fewest->second <= log.pixels.size() ? columns : Columns{};
 }
 
 double rangeShortfall(std::size_t count) {

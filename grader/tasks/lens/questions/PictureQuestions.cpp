@@ -32,7 +32,8 @@ void addBehindTheEye(raytracer::SceneDescription& scene, Draw& draw) {
     for (int i = 0; i < 8; ++i) {
         const double z = draw.between(-6.0, -2.5);
         const double x = draw.between(-0.8, 0.8) * z;
-        addSphere(scene, draw, {x, draw.between(-0.8, 0.8) * z, z}, draw.between(-0.3, -0.15) * z);
+        const double radius = draw.between(-0.3, -0.15) * z;
+        addSphere(scene, draw, {x, draw.between(-0.8, 0.8) * z, z}, radius);
     }
     scene.planes.push_back(wallAt(-8.0, draw));
 }
@@ -50,8 +51,8 @@ probe::RenderQuestion drawPictureQuestion(std::uint64_t seed, bool onePicture) {
     for (int i = 0; i < 40; ++i) {
         const double z = draw.between(1.8, 9.0);
         const double x = draw.between(-0.42, 0.42) * z;
-        addSphere(question.scene, draw, {x, draw.between(-0.32, 0.32) * z, z},
-                  draw.between(0.02, 0.06) * z);
+        const double radius = draw.between(0.02, 0.06) * z;
+        addSphere(question.scene, draw, {x, draw.between(-0.32, 0.32) * z, z}, radius);
     }
     question.scene.planes.push_back(wallAt(12.0, draw));
     addBehindTheEye(question.scene, draw);

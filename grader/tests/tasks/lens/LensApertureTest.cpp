@@ -16,20 +16,21 @@ constexpr int kSide = 20;
 // 400 independent points: n r^(n-1) - (n-1) r^n = 1e-11, solved for 1 - r.
 constexpr double kShortfall = 0.06936778;
 
-/// A pixel with a ray from every point of a lattice of 20 x 20, which `place` maps from [-1, 1].
+/// A pixel with a ray from every point of a lattice of `side` x `side`, which `place` maps from
+/// [-1, 1].
 template <typename Place>
-void fill(LensByHand& lens, const Place& place) {
+void fill(LensByHand& lens, const Place& place, int side = kSide) {
     LensPixel& pixel = lens.pixel();
-    for (int i = 0; i < kSide; ++i)
-        for (int j = 0; j < kSide; ++j)
+    for (int i = 0; i < side; ++i)
+        for (int j = 0; j < side; ++j)
             pixel.rays.push_back(rayThrough(
-                place(2.0 * i / (kSide - 1) - 1.0, 2.0 * j / (kSide - 1) - 1.0), {0.0, 0.0, 3.5}));
+                place(2.0 * i / (side - 1) - 1.0, 2.0 * j / (side - 1) - 1.0), {0.0, 0.0, 3.5}));
 }
 
 template <typename Place>
-ApertureVerdict judge(const Place& place) {
+ApertureVerdict judge(const Place& place, int side = kSide) {
     LensByHand lens;
-    fill(lens, place);
+    fill(lens, place, side);
     return checkAperture(lens.log);
 }
 
@@ -194,16 +195,20 @@ TEST(Aperture, CountsPointsThatComeAgainOnce) {
 }
 
 TEST(Aperture, MayBeScaledAlongOneAxisOnly) {
+    constexpr int kSideOfMany = 60;
     const auto hintOf = [](double alongX, double alongY) {
-        const ApertureVerdict verdict = judge([=](double x, double y) {
-            return Vector3{x * alongX, y * alongY, 0.0};
-        });
-        return idOf(verdict.finding) + ": " + verdict.finding->hint;
+        const ApertureVerdict verdict = judge(
+            [=](double x, double y) {
+                return Vector3{x * alongX, y * alongY, 0.0};
+            },
+            kSideOfMany);
+        return verdict.finding ? verdict.finding->id + ": " + verdict.finding->hint : "none";
     };
     for (const auto& [x, y] : {std::pair{kAmount, 1.0}, std::pair{0.1, kAmount}}) {
         EXPECT_EQ(hintOf(x, y).rfind("dof.disc", 0), 0U);
         EXPECT_NE(hintOf(x, y).find("not scaled"), std::string::npos) << hintOf(x, y);
     }
+    EXPECT_EQ(hintOf(0.14, kAmount).rfind("dof.disc", 0), 0U);
     EXPECT_EQ(hintOf(0.14, kAmount).find("not scaled"), std::string::npos) << hintOf(0.14, kAmount);
 }
 
