@@ -6,6 +6,7 @@
 #include <raytracer/base/Error.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace ticker::probe {
 namespace {
@@ -15,7 +16,7 @@ using raytracer::RenderSettings;
 using raytracer::SceneDescription;
 
 constexpr std::uint32_t kMagic = 0x544B5051;  // "TKPQ"
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 constexpr int kLargestFrame = 4096;
 constexpr int kMostRepetitions = 4096;
 
@@ -74,17 +75,53 @@ void check(const RenderQuestion& question) {
         refuse("repetitions must be 1 to 4096");
 }
 
-void putSettings(ByteWriter& writer, RenderSettings settings) {
-    settings.observer = nullptr;
-    settings.monitor = nullptr;
-    writer.put(settings);
+/// Values are put field by field: the bytes between the fields of a struct are those that happened
+/// to lie in memory, and equal questions have to be equal messages.
+template <class Settings, class Each>
+void eachField(Settings& settings, const Each& each) {
+    each(settings.width);
+    each(settings.height);
+    each(settings.bounces);
+    each(settings.shadowRayCount);
+    each(settings.lightSize);
+    each(settings.dofRayCount);
+    each(settings.dofFocalPlane);
+    each(settings.dofAmount);
+    each(settings.region);
+    each(settings.seed);
+    each(settings.threads);
+}
+
+void putSettings(ByteWriter& writer, const RenderSettings& settings) {
+    eachField(settings, [&](const auto& field) { writer.put(field); });
 }
 
 RenderSettings getSettings(ByteReader& reader) {
-    auto settings = reader.get<RenderSettings>();
-    settings.observer = nullptr;
-    settings.monitor = nullptr;
+    RenderSettings settings;
+    eachField(settings,
+              [&](auto& field) { field = reader.get<std::remove_cvref_t<decltype(field)>>(); });
     return settings;
+}
+
+void putPoints(ByteWriter& writer, const std::vector<LitPoint>& points) {
+    writer.put(static_cast<std::uint64_t>(points.size()));
+    for (const LitPoint& point : points) {
+        writer.put(point.object);
+        writer.put(point.position);
+        writer.put(point.normal);
+        writer.put(point.viewer);
+    }
+}
+
+std::vector<LitPoint> getPoints(ByteReader& reader) {
+    std::vector<LitPoint> points(reader.getCount(sizeof(int) + 3 * sizeof(Vector3)));
+    for (LitPoint& point : points) {
+        point.object = reader.get<int>();
+        point.position = reader.get<Vector3>();
+        point.normal = reader.get<Vector3>();
+        point.viewer = reader.get<Vector3>();
+    }
+    return points;
 }
 
 struct Put {
@@ -107,7 +144,7 @@ struct Put {
         check(question);
         putScene(writer, question.scene);
         putSettings(writer, question.settings);
-        writer.putAll(question.points);
+        putPoints(writer, question.points);
         writer.put(question.eventCapacity);
     }
     void operator()(const RenderQuestion& question) const {
@@ -159,7 +196,7 @@ IlluminateQuestion getIlluminateQuestion(ByteReader& reader) {
     IlluminateQuestion question;
     question.scene = getScene(reader);
     question.settings = getSettings(reader);
-    question.points = reader.getAll<LitPoint>();
+    question.points = getPoints(reader);
     question.eventCapacity = reader.get<std::uint32_t>();
     check(question);
     return question;

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstring>
+#include <new>
 #include <random>
 #include <tuple>
 
@@ -63,6 +66,26 @@ TEST(Wire, CarriesEveryFieldOfACallQuestion) {
     EXPECT_EQ(got.seed, 9U);
     EXPECT_EQ(got.width, 2U);
     EXPECT_EQ(got.arguments, asked.arguments);
+}
+
+/// Sets a value's fields to its defaults, and the bytes between them to `garbage`.
+template <class Value>
+void remake(Value& value, unsigned char garbage) {
+    alignas(Value) std::array<unsigned char, sizeof(Value)> memory{};
+    memory.fill(garbage);
+    const auto* made = new (memory.data()) Value;
+    std::memcpy(&value, made, sizeof value);
+}
+
+TEST(Wire, MakesEqualMessagesOfEqualQuestionsWhateverLayInMemory) {
+    const auto messageOver = [](unsigned char garbage) {
+        RenderQuestion picture = tests::renderQuestion(9);
+        remake(picture.settings, garbage);
+        IlluminateQuestion light = tests::illuminateQuestion(5);
+        remake(light.points.at(0), garbage);
+        return encodeQuestions({picture, light});
+    };
+    EXPECT_EQ(messageOver(0x00), messageOver(0xFF));
 }
 
 TEST(Wire, RefusesArgumentsThatAreNoWholeRows) {
