@@ -8,9 +8,6 @@
 namespace ticker::tasks::bump {
 namespace {
 
-// Chords over three columns of 24 turn by 45 degrees; those of rows lie in one plane.
-constexpr int kFewColumns = 24;
-constexpr int kFewRows = 12;
 constexpr int kManyTexels = 64;
 
 /// High at both ends and low in the middle, round the height of a flat map.

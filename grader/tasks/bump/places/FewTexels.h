@@ -9,7 +9,11 @@
 
 namespace ticker::tasks::bump {
 
-/// A map of 24 columns that vary along u alone, and one of 12 rows that vary along v alone: one
+/// Chords over three columns of 24 turn by 45 degrees; those of rows lie in one plane.
+inline constexpr int kFewColumns = 24;
+inline constexpr int kFewRows = 12;
+
+/// A map of few columns that vary along u alone, and one of few rows that vary along v alone: one
 /// wave from edge to edge, high at both. So few that the texels beside the outermost ones show.
 struct FewTexelPlan {
     std::vector<Vector3> directions;

@@ -52,7 +52,8 @@ Words fewTexelWords(const FewTexels& fewTexels) {
                         "slope along {1} is lost or inverted: only {2} of the points there lean "
                         "the right way.",
                         texel, inRows ? "v" : "u",
-                        percent(inRows ? fewTexels.alongV : fewTexels.alongU), inRows ? 12 : 24),
+                        percent(inRows ? fewTexels.alongV : fewTexels.alongU),
+                        inRows ? kFewRows : kFewColumns),
             fmt::format("Look at the limit of the neighbour's index: the last {0} is {1}() - 1, "
                         "and only there does a neighbour need another rule (column 0 beyond the "
                         "last column, the last row again below the last row).",

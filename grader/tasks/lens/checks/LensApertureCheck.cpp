@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,19 +39,40 @@ bool usesPartOfLens(const LensLog& log, const Lens& lens) {
     return false;
 }
 
-// All points lie on one straight line. The chance that ten independent points of a square do so,
-// within a thousandth of its half-width, is below 1e-20.
-bool isLine(const Lens& lens) {
-    constexpr std::size_t kEnough = 10;
+// The chance that ten independent points of a square lie on one straight line, within a thousandth
+// of its half-width, is below 1e-20.
+constexpr std::size_t kEnoughForLine = 10;
+
+template <typename Points, typename PointOf = std::identity>
+bool areOnLine(const Points& points, double halfWidth, PointOf pointOf = {}) {
     constexpr double kWidth = 1e-3;
-    if (lens.distinct < kEnough) return false;
-    const Vector3 from = lens.points.front();
-    const auto farthest = std::ranges::max_element(
-        lens.points, {}, [&](const Vector3& point) { return (point - from).magnitude(); });
-    const Vector3 along = (*farthest - from).normalised();
-    return std::ranges::all_of(lens.points, [&](const Vector3& point) {
-        return along.cross(point - from).magnitude() < kWidth * lens.halfWidth();
+    const Vector3 from = std::invoke(pointOf, points.front());
+    const auto lengthTo = [&](const Vector3& point) { return (point - from).magnitude(); };
+    const Vector3 farthest =
+        std::invoke(pointOf, *std::ranges::max_element(points, {}, [&](const auto& point) {
+                        return lengthTo(std::invoke(pointOf, point));
+                    }));
+    if (lengthTo(farthest) < halfWidth) return false;
+    const Vector3 along = (farthest - from).normalised();
+    return std::ranges::all_of(points, [&](const auto& point) {
+        return along.cross(std::invoke(pointOf, point) - from).magnitude() < kWidth * halfWidth;
     });
+}
+
+bool isLine(const Lens& lens) {
+    return lens.distinct >= kEnoughForLine && areOnLine(lens.points, lens.halfWidth());
+}
+
+// The points of some pixels lie on one line each, where those of all pixels fill a square: both
+// coordinates come from one hash whose arguments x and y are exchanged, and they are equal where
+// the pixel's x is its y. One or two degenerate pixels, as that at (0, 0) of a hash, do not show.
+bool haveLines(const LensLog& log, const Lens& lens) {
+    constexpr std::ptrdiff_t kEnough = 3;
+    const auto pixels = std::ranges::count_if(log.pixels, [&](const LensPixel& pixel) {
+        return pixel.rays.size() >= kEnoughForLine &&
+               areOnLine(pixel.rays, lens.halfWidth(), &LensRay::origin);
+    });
+    return pixels >= kEnough * log.asked->repetitions;
 }
 
 // Half of all points lie within a small part of the range along each axis: the width comes from a
@@ -156,6 +179,14 @@ ApertureVerdict checkAperture(const LensLog& log) {
         verdict.finding->hint +=
             " Draw a number of its own for y: one that is computed from that "
             "of x stays on a line.";
+    } else if (haveLines(log, lens)) {
+        verdict.finding = distributedFinding(
+            kDofDisc, Severity::fail,
+            "The rays of each pixel were expected to start all over a square; those of some pixels "
+            "start on a straight line.");
+        verdict.finding->hint +=
+            " The numbers for x and y are the same in some pixels, those with equal x and y "
+            "perhaps: draw two numbers that do not depend on each other.";
     } else if (std::optional<Finding> grid = gridAside(log)) {
         verdict.finding = std::move(grid);
     } else if (aside > 2.0 * shortfall * half + 1e-7 && (shape.square || leansAside(lens))) {

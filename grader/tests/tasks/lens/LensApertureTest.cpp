@@ -171,6 +171,21 @@ TEST(Aperture, IsNoLineAcrossTheSquare) {
     EXPECT_FALSE(onLine(3e-4));
 }
 
+TEST(Aperture, IsNoLineInSomePixels) {
+    const auto inPixels = [](int lines) {
+        LensByHand lens;
+        for (int pixel = 0; pixel < 24; ++pixel)
+            fill(lens, [&](double x, double y) {
+                return Vector3{x, pixel < lines ? x : y, 0.0} * kAmount;
+            });
+        return checkAperture(lens.log).finding;
+    };
+    EXPECT_FALSE(inPixels(2)) << "degenerate by chance";
+    const auto finding = inPixels(3);
+    ASSERT_EQ(idOf(finding), "dof.disc");
+    EXPECT_NE(finding->message.find("some pixels"), std::string::npos) << finding->message;
+}
+
 TEST(Aperture, SaysNothingOfTwoRays) {
     LensByHand lens;
     lens.pixel().rays = {rayThrough({}, {0.0, 0.0, 1.0}),
