@@ -93,8 +93,9 @@ inline constexpr FindingText kShadowLightsMixed{
     .hint =
         "What you count, multiply or add up for one light starts anew inside of the loop over the "
         "lights. Add to the colour with +=, and only this light's diffuse and specular light, not "
-        "the ambient light. Aim at this light's own position, compare hits with the distance of its "
-        "own aim, and divide by the number of its rays, not by that of the lights. No return before every light has had its turn. Every "
+        "the ambient light. Aim at this light's own position, compare hits with the distance of "
+        "its own aim, and divide by the number of its rays, not by that of the lights. No return "
+        "before every light has had its turn. Every "
         "object may stand in the way: findClosestIntersection asks all.",
     .section = "Soft shadows (T2.1), step 2"};
 

@@ -48,8 +48,7 @@ std::optional<Finding> checkFaintLight(const ShadowLogs& logs) {
     for (const ShadowLog* log : logs.faintLight) {
         const auto asked = static_cast<std::size_t>(log->settings().shadowRayCount);
         const std::size_t fewest = countRays({log}).fewest;
-        if (fewest < asked || !fitsAnyReading(*log))
-            return lightLost(*log, fewest, asked);
+        if (fewest < asked || !fitsAnyReading(*log)) return lightLost(*log, fewest, asked);
     }
     return std::nullopt;
 }
