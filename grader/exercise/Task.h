@@ -1,6 +1,7 @@
 #ifndef TICKER_EXERCISE_TASK_H
 #define TICKER_EXERCISE_TASK_H
 
+#include <grader/exercise/Judge.h>
 #include <grader/exercise/Screening.h>
 #include <grader/probe/Examinee.h>
 #include <grader/result/FindingText.h>
@@ -51,6 +52,9 @@ struct Task {
     void (*doubt)(std::vector<TaskReport>& tasks, const RenderEvidence& renders) = nullptr;
     /// For hundreds of edits of one submission; may be null.
     Screening (*screen)(std::uint64_t seed) = nullptr;
+    /// A judge of many submissions under the same seeds, which keeps what it computes from a seed
+    /// alone; null if that is nothing.
+    Judge (*judgeOfMany)() = nullptr;
     /// Adds drawings for people to a judgement, from questions of its own, and changes nothing
     /// else; may be null.
     void (*draw)(probe::Examinee& examinee, TaskJudgement& judgement) = nullptr;

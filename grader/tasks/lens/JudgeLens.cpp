@@ -10,6 +10,7 @@
 #include <grader/tasks/support/RunEnd.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -28,7 +29,8 @@ Finding antialiasedPicture() {
 
 // Judges pictures, for code whose rays do not show all.
 // @return  Whether the submission needs review.
-bool judgeUnseen(probe::Examinee& examinee, std::uint64_t seed, LensOutcome& outcome) {
+bool judgeUnseen(probe::Examinee& examinee, ExpectationShelf& shelf, std::uint64_t seed,
+                 LensOutcome& outcome) {
     outcome.findings.push_back(unseenRays(
         kDofUnseenRays,
         outcome.cut ? "render casts far more rays than asked for, so not all were followed"
@@ -39,7 +41,7 @@ bool judgeUnseen(probe::Examinee& examinee, std::uint64_t seed, LensOutcome& out
             : "render does not send its rays through trace"));
     bool antialiased = false;
     const bool needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
-        PictureStage judged = judgePicture(examinee, seed, stage);
+        PictureStage judged = judgePicture(examinee, shelf, seed, stage);
         outcome.apertureFactor = judged.stage.apertureFactor;
         antialiased = judged.antialiased;
         return judged.stage;
@@ -52,10 +54,10 @@ bool judgeUnseen(probe::Examinee& examinee, std::uint64_t seed, LensOutcome& out
 // Judges pictures if the rays leave something open; otherwise renders with two threads and a second
 // render.
 // @return  Whether the submission needs review.
-bool judgeResults(probe::Examinee& examinee, std::uint64_t seed, bool mayAntialias,
-                  LensOutcome& outcome) {
+bool judgeResults(probe::Examinee& examinee, ExpectationShelf& shelf, std::uint64_t seed,
+                  bool mayAntialias, LensOutcome& outcome) {
     if (outcome.rayless || outcome.valueless || (outcome.cut && !hasFailure(outcome.findings)))
-        return judgeUnseen(examinee, seed, outcome);
+        return judgeUnseen(examinee, shelf, seed, outcome);
     if (hasFailure(outcome.findings)) return false;
     const bool threads = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
         return judgeThreads(examinee, mayAntialias, seed, stage);
@@ -111,9 +113,7 @@ void askOddCount(probe::Examinee& examinee, const LensQuestions& asked, const Le
     findings.push_back(*std::move(wrong));
 }
 
-}  // namespace
-
-TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed) {
+TaskJudgement judge(probe::Examinee& examinee, std::uint64_t seed, ExpectationShelf& shelf) {
     const LensQuestions asked = drawLensQuestions(seed);
     const probe::Run run = examinee.ask({asked.handout, asked.other, asked.odd});
     if (std::optional<TaskJudgement> blocked = judgeUnanswered(run, "render"))
@@ -134,11 +134,25 @@ TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed) {
     LensOutcome outcome = judgeDepthOfField(atHandout, atOther);
     if (!outcome.rayless) askOddCount(examinee, asked, atOdd, outcome.findings);
     if (!lacksRays(atOther)) confirmSettings(examinee, asked, mayAntialias, outcome.findings);
-    const bool needsReview = judgeResults(examinee, seed, mayAntialias, outcome);
+    const bool needsReview = judgeResults(examinee, shelf, seed, mayAntialias, outcome);
     TaskJudgement judgement = judgementOf(std::move(outcome.findings), kLensFindings, needsReview);
     judgement.apertureFactor = outcome.apertureFactor;
     judgement.plots = std::move(outcome.plots);
     return judgement;
+}
+
+}  // namespace
+
+TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed) {
+    ExpectationShelf shelf;
+    return judge(examinee, seed, shelf);
+}
+
+Judge judgeLensOfMany() {
+    return [shelf = std::make_shared<ExpectationShelf>()](probe::Examinee& examinee,
+                                                          std::uint64_t seed) {
+        return judge(examinee, seed, *shelf);
+    };
 }
 
 }  // namespace ticker::tasks

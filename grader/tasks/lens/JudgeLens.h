@@ -1,6 +1,7 @@
 #ifndef TICKER_TASKS_LENS_JUDGELENS_H
 #define TICKER_TASKS_LENS_JUDGELENS_H
 
+#include <grader/exercise/Judge.h>
 #include <grader/probe/Examinee.h>
 #include <grader/result/SubmissionResult.h>
 
@@ -13,6 +14,10 @@ namespace ticker::tasks {
 /// @param seed  Source of every hidden question; equal seeds give equal findings for code that uses
 ///              the kit's generator.
 [[nodiscard]] TaskJudgement judgeLens(probe::Examinee& examinee, std::uint64_t seed);
+
+/// Judges as `judgeLens` does, and keeps the oracle's pictures for the next submission under the
+/// same seed.
+[[nodiscard]] Judge judgeLensOfMany();
 
 }  // namespace ticker::tasks
 

@@ -27,8 +27,8 @@ PictureStage stageOf(PictureVerdict verdict) {
 }
 
 // What looks like antialiasing must do so in smaller pixels, too.
-PictureStage judgeFinePicture(probe::Examinee& examinee, const oracle::Reading& reading,
-                              std::uint64_t own) {
+PictureStage judgeFinePicture(probe::Examinee& examinee, ExpectationShelf& shelf,
+                              const oracle::Reading& reading, std::uint64_t own) {
     const probe::RenderQuestion asked = drawFinePictureQuestion(own);
     const probe::Run run = examinee.ask({asked});
     const auto* answer = answeredBy<probe::RenderAnswer>(run);
@@ -36,7 +36,7 @@ PictureStage judgeFinePicture(probe::Examinee& examinee, const oracle::Reading& 
         return {unanswered(run, "render")};
     PictureStage judged{{}, true};
     judged.stage.apertureFactor = reading.apertureFactor;
-    if (!followsPixels(asked, *answer, reading, own))
+    if (!followsPixels(*shelf.of(asked, own), *answer, reading))
         judged.stage.failure = distributedFinding(
             kDofFocalPlane, Severity::fail,
             "All rays of a pixel were expected to meet in one point of the focal plane; the "
@@ -60,7 +60,8 @@ std::optional<Finding> failureAlone(probe::Examinee& examinee, probe::RenderQues
 
 // Code that repeats one picture yields a single sample of its noise: a larger picture is asked for,
 // with as many pixels as all repetitions together.
-PictureStage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
+PictureStage judgePicture(probe::Examinee& examinee, ExpectationShelf& shelf, std::uint64_t seed,
+                          std::uint64_t stage) {
     const std::uint64_t own = seedOf(seed, stage);
     for (const bool onePicture : {false, true}) {
         const probe::RenderQuestion asked = drawPictureQuestion(own, onePicture);
@@ -69,9 +70,9 @@ PictureStage judgePicture(probe::Examinee& examinee, std::uint64_t seed, std::ui
         if (answer == nullptr || answer->wrongSize || answer->images.empty())
             return {unanswered(run, "render")};
         if (!onePicture && sameEachTime(*answer)) continue;
-        PictureVerdict verdict = judgePictures(asked, *answer, own);
+        PictureVerdict verdict = judgePictures(*shelf.of(asked, own), *answer);
         if (verdict.reading.pixelSpread > 0.0 && !verdict.finding && !verdict.ambiguous)
-            return judgeFinePicture(examinee, verdict.reading, own);
+            return judgeFinePicture(examinee, shelf, verdict.reading, own);
         return stageOf(std::move(verdict));
     }
     return {};

@@ -1,6 +1,7 @@
 #ifndef TICKER_TASKS_LENS_LENSSTAGES_H
 #define TICKER_TASKS_LENS_LENSSTAGES_H
 
+#include <grader/tasks/lens/checks/Expectations.h>
 #include <grader/tasks/support/Stage.h>
 
 #include <optional>
@@ -22,8 +23,9 @@ struct PictureStage {
     bool antialiased = false;  ///< they are those of rays that go through all of their pixel
 };
 /// Judges the pictures of `render`, for code whose rays are not visible.
-[[nodiscard]] PictureStage judgePicture(probe::Examinee& examinee, std::uint64_t seed,
-                                        std::uint64_t stage);
+/// @param shelf  Of other submissions that are asked the same, perhaps.
+[[nodiscard]] PictureStage judgePicture(probe::Examinee& examinee, ExpectationShelf& shelf,
+                                        std::uint64_t seed, std::uint64_t stage);
 
 /// Judges `render` with two threads, for code that is right with one. A data race may show or not.
 /// @param mayAntialias  See `LensLog`.

@@ -1,6 +1,7 @@
 #include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
 #include <grader/lab/calibrate/BlockRecord.h>
+#include <grader/lab/calibrate/OwnNoise.h>
 #include <grader/lab/calibrate/Seed.h>
 #include <grader/lab/calibrate/campaigns/DecisionCampaign.h>
 #include <grader/result/Names.h>
@@ -33,7 +34,7 @@ void count(const TaskJudgement& task, const corpus::Expectation& expect, bool an
     if (!rightState || !rightName || isUnexpected || isMissing) ++record.seen[firstOf(task)];
 }
 
-std::vector<std::string> tasksOf(const Subject& subject) {
+std::vector<std::string> idsOf(const Subject& subject) {
     std::vector<std::string> ids;
     for (const TaskEntry& task : subject.exercise->tasks)
         if (task.file == subject.file) ids.push_back(task.id);
@@ -48,6 +49,9 @@ DecisionCampaign::DecisionCampaign(DecisionPlan plan, Programs& programs)
     for (const Subject& subject : plan_.subjects)
         rounds.push_back((plan_.decisions(subject) + plan_.block - 1) / plan_.block);
     const std::size_t most = rounds.empty() ? 0 : *std::max_element(rounds.begin(), rounds.end());
+    for (const Subject& subject : plan_.subjects)
+        for (const Task& task : tasks::tasksOf(subject.exercise->name))
+            judges_.try_emplace(std::string{task.id}, task);
     for (std::size_t round = 0; round < most; ++round)
         for (std::size_t i = 0; i < plan_.subjects.size(); ++i)
             if (round < rounds[i]) addBlocks(i, round);
@@ -57,7 +61,7 @@ DecisionCampaign::DecisionCampaign(DecisionPlan plan, Programs& programs)
 void DecisionCampaign::addBlocks(std::size_t subject, std::size_t round) {
     const Subject& judged = plan_.subjects[subject];
     const bool others = plan_.othersToo && (judged.isRight() || round == 0);
-    for (const std::string& task : tasksOf(judged))
+    for (const std::string& task : idsOf(judged))
         if (others || judged.task.empty() || task == judged.task)
             blocks_.push_back({subject, task, round});
 }
@@ -86,19 +90,20 @@ std::string DecisionCampaign::run(std::size_t unit) {
     const build::Program& program = programs_.of(subject);
     const corpus::Expectation passes{{"passed"}, {{}}, false};
     const corpus::Expectation& expect = block.task == subject.task ? subject.expect : passes;
+    const JudgeOfTask& judge = judges_.at(block.task);
+    const bool isShared = judge.isOfMany && subject.isUnseen();
     const sandbox::Limits limits;
     BlockRecord record;
     record.subject = subject.name;
     record.task = block.task;
-    record.seed = seedOf(subject.name) + block.round * plan_.block;
+    record.seed = seedOf(isShared ? block.task : subject.name) + block.round * plan_.block;
     record.decisions = plan_.block;
     for (std::size_t i = 0; i < plan_.block; ++i) {
         build::SandboxedExaminee examinee{program, programs_.sandbox(), limits};
+        OwnNoise noisy{examinee, seedOf(subject.name)};
+        probe::Examinee& asked = isShared ? static_cast<probe::Examinee&>(noisy) : examinee;
         const double before = threadCpuMs();
-        count(
-            tasks::judgeFile(*subject.exercise, subject.file, examinee, record.seed + i, block.task)
-                .front(),
-            expect, subject.task.empty(), record);
+        count(judge.judge(asked, record.seed + i), expect, subject.task.empty(), record);
         const double cpuMs = threadCpuMs() - before + examinee.cpuMs();
         ++record.cpu[static_cast<int>(std::lround(cpuMs / kCpuStep)) * kCpuStep];
     }

@@ -1,11 +1,15 @@
 #ifndef TICKER_CALIBRATE_DECISIONCAMPAIGN_H
 #define TICKER_CALIBRATE_DECISIONCAMPAIGN_H
 
+#include <grader/exercise/Task.h>
 #include <grader/lab/calibrate/Campaign.h>
 #include <grader/lab/calibrate/Subject.h>
 
 #include <functional>
+#include <map>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace ticker::calibrate {
 
@@ -25,9 +29,10 @@ struct DecisionPlan {
     std::function<Summary(const std::vector<Subject>&, const std::vector<std::string>&)> tables;
 };
 
-/// Judges subjects repeatedly, each time with another seed. A unit is a block of decisions about
-/// one task of one subject, so that an edit of a task's checks makes only its own units old. Each
-/// round covers all subjects, so that a stopped campaign has tried them all.
+/// Judges subjects repeatedly, each time with another seed. Subjects whose rays are not visible are
+/// asked the same by a judge of many, each with random numbers of its own. A unit is a block of
+/// decisions about one task of one subject, so that an edit of a task's checks makes only its own
+/// units old. Each round covers all subjects, so that a stopped campaign has tried them all.
 class DecisionCampaign final : public Campaign {
 public:
     /// @param programs  Must outlive this object.
@@ -52,8 +57,17 @@ private:
         return plan_.subjects.at(blocks_.at(unit).subject);
     }
 
+    struct JudgeOfTask {
+        explicit JudgeOfTask(const Task& task)
+            : judge(task.judgeOfMany != nullptr ? task.judgeOfMany() : Judge{task.judge}),
+              isOfMany(task.judgeOfMany != nullptr) {}
+        Judge judge;
+        bool isOfMany;
+    };
+
     DecisionPlan plan_;
     std::vector<Block> blocks_;
+    std::map<std::string, JudgeOfTask> judges_;  // by the task's id
     Programs& programs_;
 };
 

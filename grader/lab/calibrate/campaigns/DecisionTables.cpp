@@ -103,7 +103,7 @@ Summary rightTables(const Sums& sums, const std::string& rows) {
         "\nCPU of one task's verdict, submission and judgement together, without compiling, ms:\n\n"
         "| which | median | 90 % | 99 % | most |\n|---|---|---|---|---|\n" +
         cpuLine("all", all.cpu) + cpuLine("rays seen", sums.seen.cpu) +
-        cpuLine("rays not seen", sums.unseen.cpu) +
+        cpuLine("rays not seen, oracle shared", sums.unseen.cpu) +
         "\n| right one | decisions | failed | to be looked at | saw instead |\n"
         "|---|---|---|---|---|\n" +
         rows;
@@ -127,7 +127,7 @@ Summary wrongTables(const Sums& sums, const std::string& rows) {
         "\nCPU of one task's verdict, submission and judgement together, without compiling, ms:\n\n"
         "| which | median | 90 % | 99 % | most |\n|---|---|---|---|---|\n" +
         cpuLine("all", all.cpu) + cpuLine("rays seen", sums.seen.cpu) +
-        cpuLine("rays not seen", sums.unseen.cpu) +
+        cpuLine("rays not seen, oracle shared", sums.unseen.cpu) +
         "\n| mistake | decisions | passed | 95 % bound | right name | saw instead |\n"
         "|---|---|---|---|---|---|\n" +
         rows;

@@ -1,5 +1,6 @@
 #include <grader/base/CpuTime.h>
 #include <grader/build/SandboxedExaminee.h>
+#include <grader/lab/calibrate/OwnNoise.h>
 #include <grader/lab/calibrate/RateBounds.h>
 #include <grader/lab/calibrate/Seed.h>
 #include <grader/lab/calibrate/campaigns/StageCampaign.h>
@@ -51,10 +52,10 @@ Stage shadowStage(probe::Examinee& examinee, std::uint64_t seed) {
     return {fails || verdict.ambiguous, verdict.timesTheBound};
 }
 
-Stage pictureStage(probe::Examinee& examinee, std::uint64_t seed) {
+Stage pictureStage(probe::Examinee& examinee, tasks::ExpectationShelf& shelf, std::uint64_t seed) {
     const probe::RenderQuestion asked = tasks::drawPictureQuestion(seed);
-    const tasks::PictureVerdict verdict =
-        tasks::judgePictures(asked, answerOf<probe::RenderAnswer>(examinee, asked), seed);
+    const tasks::PictureVerdict verdict = tasks::judgePictures(
+        *shelf.of(asked, seed), answerOf<probe::RenderAnswer>(examinee, asked));
     return {verdict.finding.has_value() || verdict.ambiguous, verdict.timesTheLimit};
 }
 
@@ -119,6 +120,12 @@ std::string StageCampaign::unitName(std::size_t unit) const {
     return fmt::format("{} {}", subjectOf(unit).name, unit / 2 / subjects);
 }
 
+// All subjects of a round are asked for the same pictures, each with random numbers of its own.
+std::string StageCampaign::seedName(std::size_t unit) const {
+    if (unit % 2 == 0) return "stage " + unitName(unit);
+    return fmt::format("pictures of round {}", unit / 2 / pictures_.size());
+}
+
 Campaign::Basis StageCampaign::basisOf(std::size_t unit) const {
     const Subject& subject = subjectOf(unit);
     return {{subject.task}, subject.name, subject.basis()};
@@ -130,12 +137,14 @@ std::string StageCampaign::run(std::size_t unit) {
     const build::Program& program = programs_.of(subject);
     const sandbox::Limits limits;
     build::SandboxedExaminee examinee{program, programs_.sandbox(), limits};
+    OwnNoise noisy{examinee, seedOf(subject.name)};
     const double before = threadCpuMs();
     std::size_t failed = 0;
     std::map<std::string, std::size_t> statistics;
     for (std::size_t i = 0; i < kBlock; ++i) {
-        const std::uint64_t seed = seedOf("stage " + unitName(unit)) + i;
-        const Stage stage = picture ? pictureStage(examinee, seed) : shadowStage(examinee, seed);
+        const std::uint64_t seed = seedOf(seedName(unit)) + i;
+        const Stage stage =
+            picture ? pictureStage(noisy, shelf_, seed) : shadowStage(examinee, seed);
         if (stage.failed) ++failed;
         ++statistics[std::to_string(std::lround(stage.statistic * kHundred))];
     }

@@ -3,6 +3,7 @@
 
 #include <grader/lab/calibrate/Campaign.h>
 #include <grader/lab/calibrate/Subject.h>
+#include <grader/tasks/lens/checks/Expectations.h>
 
 #include <cstdint>
 
@@ -29,11 +30,13 @@ public:
 
 private:
     [[nodiscard]] const Subject& subjectOf(std::size_t unit) const;
+    [[nodiscard]] std::string seedName(std::size_t unit) const;
 
     std::vector<Subject> shadows_;   // judged by values
     std::vector<Subject> pictures_;  // judged by pictures
     std::size_t units_;
     Programs& programs_;
+    tasks::ExpectationShelf shelf_;
 };
 
 }  // namespace ticker::calibrate

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -21,8 +20,8 @@ using oracle::Reading;
 // The search for a reading that fits, and for the least bad one otherwise.
 class Search {
 public:
-    Search(const probe::RenderQuestion& asked, const SeenPictures& seen, std::uint64_t seed)
-        : asked_(asked), seen_(seen), seed_(seed) {}
+    Search(Expectations& expectations, const SeenPictures& seen)
+        : expectations_(expectations), seen_(seen) {}
 
     PictureVerdict verdict() {
         if (!fitsHandout() && isNearerAntialiased()) tryInsideOfPixels();
@@ -49,19 +48,17 @@ private:
         return reading;
     }
     [[nodiscard]] Candidate candidate(double aperture, double spread) const {
-        return candidateOf(asked_, seen_, readingOf(aperture, spread), seed_);
+        return candidateOf(expectations_, seen_, readingOf(aperture, spread));
     }
-    double rough(double aperture, double spread) {
-        const auto [known, isNew] = rough_.try_emplace({aperture, spread}, 0.0);
-        if (isNew) known->second = roughMisfit(asked_, seen_, readingOf(aperture, spread), seed_);
-        return known->second;
+    [[nodiscard]] double rough(double aperture, double spread) const {
+        return roughMisfit(expectations_, seen_, readingOf(aperture, spread));
     }
 
     // The trial of an unlikely reading is only needed if no other one fits.
-    bool fits(Candidate candidate) {
-        Tried& tried = tried_.emplace_back(Tried{std::move(candidate), std::nullopt});
+    bool fits(const Candidate& candidate) {
+        Tried& tried = tried_.emplace_back(Tried{candidate, std::nullopt});
         if (isUnlikely(tried.candidate.misfit)) return false;
-        Trial trial = tryReading(asked_, seen_, tried.candidate, seed_);
+        Trial trial = tryReading(expectations_, seen_, tried.candidate);
         if (trial.fits()) fitting_ = trial;
         tried.trial = std::move(trial);
         return fitting_.has_value();
@@ -70,7 +67,7 @@ private:
     void tryUnlikely() {
         for (Tried& tried : tried_) {
             if (tried.trial) continue;
-            tried.trial = tryReading(asked_, seen_, tried.candidate, seed_);
+            tried.trial = tryReading(expectations_, seen_, tried.candidate);
             if (!tried.trial->fits()) continue;
             fitting_ = tried.trial;
             return;
@@ -91,18 +88,18 @@ private:
     }
 
     bool fitsHandout() {
-        Candidate whole = candidate(kWhole, 0.0);
+        const Candidate whole = candidate(kWhole, 0.0);
         misfit_ = whole.misfit;
-        if (fits(std::move(whole))) return true;
+        if (fits(whole)) return true;
         // A reading that is this much worse than another one is neither right nor the least bad.
         constexpr double kHopeless = 3.0;
         const double roughWhole = rough(kWhole, 0.0);
         const double roughHalf = rough(kHalf, 0.0);
         roughMisfit_ = std::min(roughWhole, roughHalf);
         if (roughHalf > kHopeless * roughWhole) return false;
-        Candidate half = candidate(kHalf, 0.0);
+        const Candidate half = candidate(kHalf, 0.0);
         misfit_ = std::min(misfit_, half.misfit);
-        return fits(std::move(half));
+        return fits(half);
     }
 
     // Rays through all of their pixel have a misfit of 0.5 to 0.8, those through its middle half 5
@@ -125,10 +122,10 @@ private:
         bool isNearer = false;
         for (const double aperture : {kWhole, kHalf}) {
             if (mayBeNear(rough(aperture, 1.0))) {
-                Candidate whole = candidate(aperture, 1.0);
+                const Candidate whole = candidate(aperture, 1.0);
                 if (isNear(whole)) {
                     nearest_ = std::min(nearest_, whole.misfit);
-                    if (fits(std::move(whole))) return false;
+                    if (fits(whole)) return false;
                     isNearer = true;
                 }
             }
@@ -146,7 +143,7 @@ private:
             for (const double spread : {1.0, kMiddle}) {
                 const Candidate one = candidate(aperture, spread);
                 if (one.misfit >= misfit_) continue;
-                const Trial trial = tryReading(asked_, seen_, one, seed_);
+                const Trial trial = tryReading(expectations_, seen_, one);
                 if (trial.fits() && trial.verdict.timesTheLimit <= 1.0) return true;
             }
         return false;
@@ -172,9 +169,9 @@ private:
     void tryDownhillFrom(std::size_t place, double aperture, std::span<const double> sizes) {
         Candidate least = candidate(aperture, sizes[place]);
         const auto isBetterAt = [&](std::size_t next) {
-            Candidate one = candidate(aperture, sizes[next]);
+            const Candidate one = candidate(aperture, sizes[next]);
             if (one.misfit >= least.misfit) return false;
-            least = std::move(one);
+            least = one;
             return true;
         };
         std::size_t up = place;
@@ -183,7 +180,7 @@ private:
         if (up == place)
             while (place + 1 < sizes.size() && isBetterAt(place + 1))
                 ++place;
-        if (least.misfit < nearest_) fits(std::move(least));
+        if (least.misfit < nearest_) fits(least);
     }
 
     struct Tried {
@@ -191,13 +188,11 @@ private:
         std::optional<Trial> trial;
     };
 
-    const probe::RenderQuestion& asked_;
+    Expectations& expectations_;
     const SeenPictures& seen_;
-    std::uint64_t seed_;
     std::vector<Tried> tried_;  // in the order of preference
     std::optional<Trial> fitting_;
     std::optional<Trial> leastBad_;
-    std::map<std::pair<double, double>, double> rough_;         // by aperture and pixel spread
     double misfit_ = 0.0;                                       // least, without antialiasing
     double roughMisfit_ = 0.0;                                  // likewise, from rough pictures
     double nearest_ = std::numeric_limits<double>::infinity();  // least, with antialiasing
@@ -205,29 +200,34 @@ private:
 
 }  // namespace
 
-PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
-                             std::uint64_t seed) {
+PictureVerdict judgePictures(Expectations& expectations, const probe::RenderAnswer& answer) {
     const SeenPictures seen = readPictures(answer);
-    if (seen.isFinite()) return Search{asked, seen, seed}.verdict();
+    if (seen.isFinite()) return Search{expectations, seen}.verdict();
     PictureVerdict verdict;
     verdict.finding = distributedFinding(kDofWrong, Severity::fail,
                                          "Colours were expected; some pixels are NaN or infinite.");
     return verdict;
 }
 
-bool followsPixels(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
-                   const Reading& reading, std::uint64_t seed) {
+PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
+                             std::uint64_t seed) {
+    Expectations expectations{asked, seed};
+    return judgePictures(expectations, answer);
+}
+
+bool followsPixels(Expectations& expectations, const probe::RenderAnswer& answer,
+                   const Reading& reading) {
     const SeenPictures seen = readPictures(answer);
     Reading ofOwnLength = reading;
     ofOwnLength.pixelSpread *= kFinerPixels;
     if (!seen.isFinite()) return false;
     // Rough misfits settle it where they are this far apart.
     constexpr double kClearly = 1.25;
-    const double rough = roughMisfit(asked, seen, reading, seed);
-    const double roughOwn = roughMisfit(asked, seen, ofOwnLength, seed);
+    const double rough = roughMisfit(expectations, seen, reading);
+    const double roughOwn = roughMisfit(expectations, seen, ofOwnLength);
     if (std::max(rough, roughOwn) > kClearly * std::min(rough, roughOwn)) return rough < roughOwn;
-    return candidateOf(asked, seen, reading, seed).misfit <=
-           candidateOf(asked, seen, ofOwnLength, seed).misfit;
+    return candidateOf(expectations, seen, reading).misfit <=
+           candidateOf(expectations, seen, ofOwnLength).misfit;
 }
 
 }  // namespace ticker::tasks

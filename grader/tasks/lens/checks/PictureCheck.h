@@ -4,6 +4,7 @@
 #include <grader/oracle/Reading.h>
 #include <grader/probe/Question.h>
 #include <grader/result/Finding.h>
+#include <grader/tasks/lens/checks/Expectations.h>
 
 #include <cstdint>
 #include <optional>
@@ -28,16 +29,19 @@ struct PictureVerdict {
 /// Compares with the oracle's mean and variance under each accepted reading (aperture,
 /// antialiasing): by one matched filter for each named mistake (Neyman and Pearson 1933), and by
 /// tiles for unknown ones.
+/// @param expectations  Of the question that was answered.
+[[nodiscard]] PictureVerdict judgePictures(Expectations& expectations,
+                                           const probe::RenderAnswer& answer);
+/// The same for a question that is judged once.
 [[nodiscard]] PictureVerdict judgePictures(const probe::RenderQuestion& asked,
                                            const probe::RenderAnswer& answer, std::uint64_t seed);
 
 /// Whether focal points that look antialiased are so in smaller pixels, too, and not off by a
 /// length of their own, which is more in units of these pixels. The filter need not be known.
-/// @param asked    From `drawFinePictureQuestion`.
-/// @param reading  Of the larger pixels.
-[[nodiscard]] bool followsPixels(const probe::RenderQuestion& asked,
-                                 const probe::RenderAnswer& answer, const oracle::Reading& reading,
-                                 std::uint64_t seed);
+/// @param expectations  Of a question from `drawFinePictureQuestion`.
+/// @param reading       Of the larger pixels.
+[[nodiscard]] bool followsPixels(Expectations& expectations, const probe::RenderAnswer& answer,
+                                 const oracle::Reading& reading);
 
 }  // namespace ticker::tasks
 

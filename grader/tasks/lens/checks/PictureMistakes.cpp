@@ -99,13 +99,22 @@ std::vector<PictureMistake> pictureMistakes(const Reading& accepted) {
     return mistakes;
 }
 
-Bank tryAll(const std::vector<PictureMistake>& mistakes, const probe::RenderQuestion& asked,
-            const SeenPictures& seen, const ExpectedPicture& expected, std::uint64_t seed,
-            Exactness exactness) {
+std::vector<Plane> mistakenPictures(const std::vector<PictureMistake>& mistakes,
+                                    const probe::RenderQuestion& asked, std::uint64_t seed,
+                                    Exactness exactness) {
+    std::vector<Plane> pictures;
+    for (const PictureMistake& mistake : mistakes)
+        pictures.push_back(pictureOf(mistake, asked, seed, exactness));
+    return pictures;
+}
+
+Bank tryAll(const std::vector<PictureMistake>& mistakes, const std::vector<Plane>& templates,
+            const SeenPictures& seen, const ExpectedPicture& expected) {
     Bank bank;
     std::vector<Tried> tried;
-    for (const PictureMistake& mistake : mistakes) {
-        const Plane mistaken = pictureOf(mistake, asked, seed, exactness);
+    for (std::size_t i = 0; i < mistakes.size(); ++i) {
+        const PictureMistake& mistake = mistakes[i];
+        const Plane& mistaken = templates.at(i);
         const Match match = matchOf(seen, expected, mistaken);
         bank.largest = std::max(bank.largest, std::abs(match.z));
         bank.beyond = std::max(bank.beyond, beyondNegligible(match));

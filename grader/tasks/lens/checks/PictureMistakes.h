@@ -23,6 +23,12 @@ struct PictureMistake {
 /// Each mistake beside an accepted reading.
 [[nodiscard]] std::vector<PictureMistake> pictureMistakes(const oracle::Reading& accepted);
 
+/// The means under each of them, as templates.
+[[nodiscard]] std::vector<Plane> mistakenPictures(const std::vector<PictureMistake>& mistakes,
+                                                  const probe::RenderQuestion& asked,
+                                                  std::uint64_t seed,
+                                                  Exactness exactness = Exactness::judging);
+
 /// Results of the matched filters of all mistakes.
 struct Bank {
     const PictureMistake* best = nullptr;  ///< null if none fits
@@ -35,11 +41,10 @@ struct Bank {
     double spread = 0.0;      ///< largest `Match::spread`
 };
 /// @param mistakes   Must outlive the result.
-/// @param exactness  Of the templates.
+/// @param templates  From `mistakenPictures`.
 [[nodiscard]] Bank tryAll(const std::vector<PictureMistake>& mistakes,
-                          const probe::RenderQuestion& asked, const SeenPictures& seen,
-                          const ExpectedPicture& expected, std::uint64_t seed,
-                          Exactness exactness = Exactness::judging);
+                          const std::vector<Plane>& templates, const SeenPictures& seen,
+                          const ExpectedPicture& expected);
 
 }  // namespace ticker::tasks
 

@@ -71,26 +71,28 @@ bool mayBeSharedNoise(const SeenPictures& seen, const Bank& bank, const Excess& 
 
 }  // namespace
 
-Candidate candidateOf(const probe::RenderQuestion& asked, const SeenPictures& seen,
-                      const oracle::Reading& reading, std::uint64_t seed) {
-    Candidate made{reading, expectedPicture(asked, reading, seed)};
-    made.misfit = meanSquaredZ(seen, made.expected);
+Candidate candidateOf(Expectations& expectations, const SeenPictures& seen,
+                      const oracle::Reading& reading) {
+    Candidate made{reading, &expectations.under(reading)};
+    made.misfit = meanSquaredZ(seen, *made.expected);
     return made;
 }
 
-double roughMisfit(const probe::RenderQuestion& asked, const SeenPictures& seen,
-                   const oracle::Reading& reading, std::uint64_t seed) {
-    return meanSquaredZ(seen, expectedPicture(asked, reading, seed, Exactness::rough));
+double roughMisfit(Expectations& expectations, const SeenPictures& seen,
+                   const oracle::Reading& reading) {
+    return meanSquaredZ(seen, expectations.under(reading, Exactness::rough));
 }
 
-Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen,
-                 const Candidate& candidate, std::uint64_t seed) {
-    const auto& [reading, expected, misfit] = candidate;
+Trial tryReading(Expectations& expectations, const SeenPictures& seen, const Candidate& candidate) {
+    const oracle::Reading& reading = candidate.reading;
+    const ExpectedPicture& expected = *candidate.expected;
+    const double misfit = candidate.misfit;
     const std::vector<PictureMistake> mistakes = pictureMistakes(reading);
     // Rough templates name what is this clear.
     constexpr double kClear = 25.0;
     const Exactness exactness = misfit > kClear ? Exactness::rough : Exactness::judging;
-    const Bank bank = tryAll(mistakes, asked, seen, expected, seed + 1, exactness);
+    const Bank bank =
+        tryAll(mistakes, expectations.underMistakes(reading, exactness), seen, expected);
     const double tile = largestTileZ(seen, expected);
     const Excess excess = excessVariance(seen, expected);
     const bool scaled = isScaled(seen, expected, bank);

@@ -3,20 +3,19 @@
 
 #include <grader/oracle/Reading.h>
 #include <grader/tasks/lens/answers/Pictures.h>
+#include <grader/tasks/lens/checks/Expectations.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
-
-#include <cstdint>
 
 namespace ticker::tasks {
 
 /// A reading with the picture that it gives.
 struct Candidate {
     oracle::Reading reading;
-    ExpectedPicture expected;
-    double misfit = 0.0;  ///< mean of z^2 over the pixels that were seen
+    const ExpectedPicture* expected = nullptr;  ///< of the expectations
+    double misfit = 0.0;                        ///< mean of z^2 over the pixels that were seen
 };
-[[nodiscard]] Candidate candidateOf(const probe::RenderQuestion& asked, const SeenPictures& seen,
-                                    const oracle::Reading& reading, std::uint64_t seed);
+[[nodiscard]] Candidate candidateOf(Expectations& expectations, const SeenPictures& seen,
+                                    const oracle::Reading& reading);
 
 /// Whether another reading is tried first: pixels differ by two standard deviations in the root
 /// mean square, those of right code by one at most.
@@ -26,8 +25,8 @@ struct Candidate {
 
 /// The misfit from a rough picture, an eighth of the time: smaller than the real one, and the more
 /// so the larger that is.
-[[nodiscard]] double roughMisfit(const probe::RenderQuestion& asked, const SeenPictures& seen,
-                                 const oracle::Reading& reading, std::uint64_t seed);
+[[nodiscard]] double roughMisfit(Expectations& expectations, const SeenPictures& seen,
+                                 const oracle::Reading& reading);
 
 struct Trial {
     PictureVerdict verdict;
@@ -36,8 +35,8 @@ struct Trial {
     [[nodiscard]] bool fits() const { return !verdict.finding && !verdict.ambiguous; }
 };
 /// Compares pictures with those of one reading.
-[[nodiscard]] Trial tryReading(const probe::RenderQuestion& asked, const SeenPictures& seen,
-                               const Candidate& candidate, std::uint64_t seed);
+[[nodiscard]] Trial tryReading(Expectations& expectations, const SeenPictures& seen,
+                               const Candidate& candidate);
 
 }  // namespace ticker::tasks
 

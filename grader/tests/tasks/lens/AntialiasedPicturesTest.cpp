@@ -189,5 +189,14 @@ TEST(JudgeLens, FailsAMistakeBesideAntialiasingWithoutWarningOfThat) {
     EXPECT_EQ(idsOf(judgement), "dof.disc dof.unseen-rays ");
 }
 
+TEST(JudgeLensOfMany, JudgesAsTheJudgeOfOneDoes) {
+    const Judge ofMany = judgeLensOfMany();
+    for (const Reading& reading : {antialiasing(1.0, 0.5), Reading{}}) {
+        UnseenStudent one{reading, {}};
+        UnseenStudent same{reading, {}};
+        EXPECT_EQ(idsOf(ofMany(one, 2)), idsOf(judgeLens(same, 2)));
+    }
+}
+
 }  // namespace
 }  // namespace ticker::tasks

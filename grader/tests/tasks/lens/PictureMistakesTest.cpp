@@ -25,6 +25,10 @@ const ExpectedPicture& expected() {
     return picture;
 }
 
+std::vector<Plane> templatesOf(const std::vector<PictureMistake>& mistakes) {
+    return mistakenPictures(mistakes, asked(), kSeed);
+}
+
 /// One picture without any noise.
 SeenPictures seeing(Plane pixels) {
     SeenPictures seen;
@@ -38,7 +42,7 @@ SeenPictures seeing(Plane pixels) {
 
 TEST(TryAll, FindsNothingInThePictureThatIsExpected) {
     const std::vector<PictureMistake> mistakes = pictureMistakes({});
-    const Bank bank = tryAll(mistakes, asked(), seeing(expected().mean), expected(), kSeed);
+    const Bank bank = tryAll(mistakes, templatesOf(mistakes), seeing(expected().mean), expected());
     EXPECT_EQ(bank.best, nullptr);
     EXPECT_EQ(bank.second, nullptr);
     EXPECT_EQ(bank.largest, 0.0);
@@ -53,7 +57,7 @@ TEST(TryAll, NamesTheSuspectWhosePictureItIs) {
     for (const std::size_t i : {0U, 1U, 4U, 9U}) {
         const PictureMistake& own = mistakes[i];
         const Plane picture = mistakenPicture(asked(), own.reading, own.mistake, kSeed);
-        const Bank bank = tryAll(mistakes, asked(), seeing(picture), expected(), kSeed);
+        const Bank bank = tryAll(mistakes, templatesOf(mistakes), seeing(picture), expected());
         ASSERT_NE(bank.best, nullptr);
         EXPECT_EQ(bank.best, &own) << own.text->id;
         EXPECT_NEAR(bank.bestMatch.amplitude, 1.0, 1e-9);
@@ -73,7 +77,7 @@ TEST(TryAll, NeglectsATwentiethOfAMistake) {
         Plane picture = expected().mean;
         for (std::size_t i = 0; i < picture.size(); ++i)
             picture[i] += share * (mistaken[i] - picture[i]);
-        return tryAll(mistakes, asked(), seeing(picture), expected(), kSeed);
+        return tryAll(mistakes, templatesOf(mistakes), seeing(picture), expected());
     };
     EXPECT_EQ(bankOf(0.049).beyond, 0.0);
     EXPECT_GT(bankOf(0.049).largest, 0.0);
@@ -97,7 +101,8 @@ TEST(TryAll, PrefersTheAmplitudeNearestToOneAmongShapesThatAreAlike) {
                                                        scaledBy(ownFirst ? other : seen)};
             const PictureMistake& own = mistakes[ownFirst ? 0 : 1];
             const Plane picture = mistakenPicture(asked(), own.reading, own.mistake, kSeed);
-            EXPECT_EQ(tryAll(mistakes, asked(), seeing(picture), expected(), kSeed).best, &own)
+            EXPECT_EQ(tryAll(mistakes, templatesOf(mistakes), seeing(picture), expected()).best,
+                      &own)
                 << seen << ownFirst;
         }
 }

@@ -1,0 +1,37 @@
+#include <grader/tasks/lens/checks/Expectations.h>
+#include <grader/tasks/lens/checks/PictureMistakes.h>
+
+#include <utility>
+
+namespace ticker::tasks {
+
+Expectations::Expectations(probe::RenderQuestion asked, std::uint64_t seed)
+    : asked_(std::move(asked)), seed_(seed) {}
+
+const ExpectedPicture& Expectations::under(const oracle::Reading& reading, Exactness exactness) {
+    const std::lock_guard lock{mutex_};
+    const auto [known, isNew] = pictures_.try_emplace(keyOf(reading, exactness));
+    if (isNew) known->second = expectedPicture(asked_, reading, seed_, exactness);
+    return known->second;
+}
+
+// Templates have a seed of their own, so that their noise is independent of the expected picture's.
+const std::vector<Plane>& Expectations::underMistakes(const oracle::Reading& accepted,
+                                                      Exactness exactness) {
+    const std::lock_guard lock{mutex_};
+    const auto [known, isNew] = mistaken_.try_emplace(keyOf(accepted, exactness));
+    if (isNew)
+        known->second = mistakenPictures(pictureMistakes(accepted), asked_, seed_ + 1, exactness);
+    return known->second;
+}
+
+std::shared_ptr<Expectations> ExpectationShelf::of(const probe::RenderQuestion& asked,
+                                                   std::uint64_t seed) {
+    const std::lock_guard lock{mutex_};
+    if (kept_.size() >= kMost) kept_.clear();
+    std::shared_ptr<Expectations>& kept = kept_[{seed, asked.settings.width, asked.repetitions}];
+    if (!kept) kept = std::make_shared<Expectations>(asked, seed);
+    return kept;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,64 @@
+#ifndef TICKER_TASKS_LENS_CHECKS_EXPECTATIONS_H
+#define TICKER_TASKS_LENS_CHECKS_EXPECTATIONS_H
+
+#include <grader/oracle/Reading.h>
+#include <grader/probe/Question.h>
+#include <grader/tasks/lens/answers/Pictures.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <tuple>
+#include <vector>
+
+namespace ticker::tasks {
+
+/// What the oracle says about one question. Each picture is computed when it is first asked for,
+/// and kept: references stay valid as long as this object. Several threads may use it.
+class Expectations {
+public:
+    /// @param seed  Of the oracle's paths.
+    Expectations(probe::RenderQuestion asked, std::uint64_t seed);
+
+    /// @param reading  Of its fields only the aperture and the pixels' spread may differ from the
+    ///                 defaults.
+    [[nodiscard]] const ExpectedPicture& under(const oracle::Reading& reading,
+                                               Exactness exactness = Exactness::judging);
+    /// The means under each of `pictureMistakes(accepted)`, in their order.
+    [[nodiscard]] const std::vector<Plane>& underMistakes(const oracle::Reading& accepted,
+                                                          Exactness exactness);
+
+private:
+    using Key = std::tuple<double, double, Exactness>;  // aperture, spread
+    static Key keyOf(const oracle::Reading& reading, Exactness exactness) {
+        return {reading.apertureFactor, reading.pixelSpread, exactness};
+    }
+
+    const probe::RenderQuestion asked_;
+    const std::uint64_t seed_;
+    std::mutex mutex_;
+    std::map<Key, ExpectedPicture> pictures_;
+    std::map<Key, std::vector<Plane>> mistaken_;
+};
+
+/// The expectations of the latest questions, for all submissions that are asked these. Several
+/// threads may use it.
+class ExpectationShelf {
+public:
+    /// @param asked  From `drawPictureQuestion` or `drawFinePictureQuestion` with this seed.
+    [[nodiscard]] std::shared_ptr<Expectations> of(const probe::RenderQuestion& asked,
+                                                   std::uint64_t seed);
+
+private:
+    static constexpr std::size_t kMost = 400;  // some 100 MB
+
+    std::mutex mutex_;
+    /// By seed, and by what tells the questions of a seed apart: width and repetitions.
+    std::map<std::tuple<std::uint64_t, int, int>, std::shared_ptr<Expectations>> kept_;
+};
+
+}  // namespace ticker::tasks
+
+#endif
