@@ -92,9 +92,11 @@ MainPlan planMain(std::uint64_t seed) {
     plan.elsewhere = planElsewhere(plan.questionnaire, atRim);
     plan.caps = planCaps(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.fewTexels = planFewTexels(plan.questionnaire, draws, drawBall(draws, 1.0));
+    plan.sharpSteps = planSharpSteps(plan.questionnaire, draws, drawBall(draws, 1.0));
     plan.conduct.rough = {plan.proportion.steep, plan.elsewhere.there};
     for (const LevelPair& pair :
-         {plan.caps.columns, plan.caps.rows, plan.fewTexels.columns, plan.fewTexels.rows}) {
+         {plan.caps.columns, plan.caps.rows, plan.fewTexels.columns, plan.fewTexels.rows,
+          plan.sharpSteps.grey, plan.sharpSteps.white, plan.slopes.smallField}) {
         plan.conduct.rough.push_back(pair.flat);
         plan.conduct.rough.push_back(pair.map);
     }
@@ -156,6 +158,7 @@ Examination examine(const MainPlan& plan, const Answers& answers,
     examination.proportion = readProportion(plan.proportion, answers);
     examination.untilted = readUntilted(plan.untilted, answers);
     examination.elsewhere = readElsewhere(plan.elsewhere, answers);
+    examination.sharpSteps = readSharpSteps(plan.sharpSteps, answers);
     const RampJudgement& ramps = examination.ramps();
     if (!ramps.response) return examination;
     const Parametrisation& parametrisation = ramps.fit->parametrisation;

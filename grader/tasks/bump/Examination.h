@@ -13,6 +13,7 @@
 #include <grader/tasks/bump/questions/Proportion.h>
 #include <grader/tasks/bump/questions/RampLadder.h>
 #include <grader/tasks/bump/questions/Regions.h>
+#include <grader/tasks/bump/questions/SharpSteps.h>
 #include <grader/tasks/bump/questions/Slopes.h>
 #include <grader/tasks/bump/questions/Stripes.h>
 #include <grader/tasks/bump/questions/Tilt.h>
@@ -29,6 +30,7 @@ struct MainPlan {
     RegionPlan regions;  ///< first, at the ladder's points: shows a remembered map
     RampLadder ladder;
     SlopePlan slopes;
+    SharpStepPlan sharpSteps;
     ProportionPlan proportion;
     EdgePlan edges;
     LetterPlan letters;
@@ -70,6 +72,7 @@ struct Examination {
     Proportion proportion;
     Untilted untilted;
     Elsewhere elsewhere;
+    SharpSteps sharpSteps;
     std::optional<RegionAgreement> regions;  ///< this and the next need a known parametrisation
     std::optional<SlopeAgreement> slopes;
     std::optional<MapEdges> edges;

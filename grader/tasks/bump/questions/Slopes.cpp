@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 
 namespace ticker::tasks::bump {
@@ -111,15 +112,16 @@ double share(const std::vector<Vector3>& directions, const std::vector<Vector3>&
     return right / std::max(1.0, count);
 }
 
-void readField(const SlopePlan& plan, const Answers& answers,
-               const Parametrisation& parametrisation, const Response& response,
-               SlopeAgreement& agreement) {
-    const HeightMapDescription& map = answers.asked().question(plan.field.map).map;
-    const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.field.flat, plan.field.map);
+/// @return  The agreement along u and along v.
+std::pair<double, double> readField(const LevelPair& field, const std::vector<Vector3>& directions,
+                                    const Answers& answers, const Parametrisation& parametrisation,
+                                    const Response& response) {
+    const HeightMapDescription& map = answers.asked().question(field.map).map;
+    const std::vector<Vector3> tilts = answers.tiltsBeyond(field.flat, field.map);
     SignAgreement alongU;
     SignAgreement alongV;
     for (std::size_t i = 0; i < tilts.size(); ++i) {
-        const Vector3& n = plan.fieldDirections[i];
+        const Vector3& n = directions[i];
         if (!isOrdinary(parametrisation, n)) continue;
         const double u = parametrisation.u(n);
         const double v = parametrisation.v(n);
@@ -128,8 +130,7 @@ void readField(const SlopePlan& plan, const Answers& answers,
         alongV.add(slopeAlongV(map, u, v) * strengthAt(response.v, v),
                    -response.v.sign() * tilts[i].dot(parametrisation.alongV(n)));
     }
-    agreement.fieldU = alongU.value();
-    agreement.fieldV = alongV.value();
+    return {alongU.value(), alongV.value()};
 }
 
 }  // namespace
@@ -137,6 +138,7 @@ void readField(const SlopePlan& plan, const Answers& answers,
 SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
     constexpr int kPoints = 250;
     constexpr int kFieldPoints = 800;
+    constexpr int kSmallPoints = 400;
     constexpr int kAlong = 1024;
     // A step of one texel across, taken along the teeth too, smears a fifth of each tooth.
     constexpr int kAcross = 160;
@@ -150,6 +152,10 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
         ball, {kAcross, kAlong, {}, raytracer::questions::level(kAcross), sawtooth(kAlong)},
         plan.directions);
     plan.field = questionnaire.addPair(ball, randomField(draws), plan.fieldDirections);
+    const double x = draws.uniform(-0.9, 0.9);
+    const Ball small{{x, draws.uniform(-0.9, 0.9), 2.0}, 0.05};
+    plan.smallDirections = draws.directions(kSmallPoints);
+    plan.smallField = questionnaire.addPair(small, randomField(draws), plan.smallDirections);
     return plan;
 }
 
@@ -168,7 +174,10 @@ SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers,
     SlopeAgreement agreement;
     agreement.sawtoothU = measure(plan.sawtoothU, leansU);
     agreement.sawtoothV = measure(plan.sawtoothV, leansV);
-    readField(plan, answers, parametrisation, response, agreement);
+    std::tie(agreement.fieldU, agreement.fieldV) =
+        readField(plan.field, plan.fieldDirections, answers, parametrisation, response);
+    std::tie(agreement.smallU, agreement.smallV) =
+        readField(plan.smallField, plan.smallDirections, answers, parametrisation, response);
     return agreement;
 }
 

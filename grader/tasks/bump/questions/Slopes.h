@@ -12,13 +12,15 @@
 namespace ticker::tasks::bump {
 
 /// Slopes as in pictures: sawtooth ramps of whole bytes along u and along v, and a smooth random
-/// field of bytes.
+/// field of bytes, also on a very small sphere.
 struct SlopePlan {
     std::vector<Vector3> directions;
     std::vector<Vector3> fieldDirections;
     LevelPair sawtoothU;
     LevelPair sawtoothV;
     LevelPair field;  ///< at `fieldDirections`
+    std::vector<Vector3> smallDirections;
+    LevelPair smallField;
 };
 
 [[nodiscard]] SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& ball);
@@ -30,6 +32,8 @@ struct SlopeAgreement {
     double fieldU = 0.0;  ///< share of the tilt along u that has the slope's sign, weighted by
                           ///< both, less the share with the opposite sign
     double fieldV = 0.0;
+    double smallU = 0.0;  ///< likewise, on the small sphere
+    double smallV = 0.0;
 
     /// Sawtooth: at most a third of the points lie at the teeth's edges, wide differences included.
     /// Field: an interpolated or widely differenced slope keeps 0.97.
@@ -37,6 +41,8 @@ struct SlopeAgreement {
         return sawtoothU >= 0.6 && sawtoothV >= 0.6 && fieldAgrees();
     }
     [[nodiscard]] bool fieldAgrees() const { return fieldU >= 0.9 && fieldV >= 0.9; }
+    /// False where neighbours lie a length of the world apart: 0.01 is 0.06 of this map's height.
+    [[nodiscard]] bool smallAgrees() const { return smallU >= 0.9 && smallV >= 0.9; }
 };
 
 [[nodiscard]] SlopeAgreement readSlopes(const SlopePlan& plan, const Answers& answers,

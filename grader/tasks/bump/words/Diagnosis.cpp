@@ -151,6 +151,9 @@ constexpr std::array kRightRamps{
          [](const Examination& e) { return e.caps && !e.caps->good(); }},
     Rule{WrongReason::fewTexelsDiffer,
          [](const Examination& e) { return e.fewTexels && !e.fewTexels->good(); }},
+    Rule{WrongReason::sharpStepsTurned, [](const Examination& e) { return !e.sharpSteps.good(); }},
+    Rule{WrongReason::smallSphereDiffers,
+         [](const Examination& e) { return e.slopes && !e.slopes->smallAgrees(); }},
     Rule{WrongReason::smoothInPlaces, [](const Examination& e) { return !e.untilted.good(); }},
 };
 

@@ -54,10 +54,12 @@ enum class WrongReason {
     stepsLost,           ///< where the map falls, or where it rises
     fractionsMixed,      ///< the tilt across stripes changes along them
     lettersDiffer,
-    dependsOnEye,     ///< the same sphere elsewhere has other normals
-    turnedAtPoles,    ///< the tilt's direction is wrong near the poles alone
-    fewTexelsDiffer,  ///< beside the first or last row or column of a small map
-    smoothInPlaces    ///< a condition of its own keeps the normal as it is
+    dependsOnEye,        ///< the same sphere elsewhere has other normals
+    turnedAtPoles,       ///< the tilt's direction is wrong near the poles alone
+    fewTexelsDiffer,     ///< beside the first or last row or column of a small map
+    sharpStepsTurned,    ///< white beside black tilts to the other side
+    smallSphereDiffers,  ///< on a very small sphere
+    smoothInPlaces       ///< a condition of its own keeps the normal as it is
 };
 
 /// What is wrong with a submission.

@@ -61,4 +61,24 @@ Words fewTexelWords(const FewTexels& fewTexels) {
             "Option 1: What to do, step 3"};
 }
 
+Words sharpStepWords(const SharpSteps& steps) {
+    return {fmt::format("Where a white texel lies beside a black one the normal tilts to the wrong "
+                        "side, at {} of these points; beside a grey one it is right.",
+                        percent(steps.turned)),
+            "heightMap().at(column, row) is a double: subtract the two heights as they are. A "
+            "difference of grey values from 0 to 255 does not fit into a signed char, and that of "
+            "two unsigned char is never negative.",
+            "Option 1: What to do, step 3"};
+}
+
+Words smallSphereWords(const SlopeAgreement& slopes) {
+    return {fmt::format("On a sphere of radius 0.05 the tilt along {} follows other slopes than "
+                        "those at the point; on a larger sphere it is right.",
+                        slopes.smallU < slopes.smallV ? "u" : "v"),
+            "The neighbour is the next texel, whatever the radius: column + 1 and row + 1, or u "
+            "and v plus a thousandth. A step of a fixed length in the world is many texels long on "
+            "a small sphere.",
+            "Option 1: What to do, step 3"};
+}
+
 }  // namespace ticker::tasks::bump

@@ -16,6 +16,10 @@ namespace ticker::tasks::bump {
 [[nodiscard]] Words capWords(const Caps& caps);
 /// No slope, or an inverted one, beside the first or last texels of a small map.
 [[nodiscard]] Words fewTexelWords(const FewTexels& fewTexels);
+/// White beside black tilts to the wrong side.
+[[nodiscard]] Words sharpStepWords(const SharpSteps& steps);
+/// Other slopes on a very small sphere.
+[[nodiscard]] Words smallSphereWords(const SlopeAgreement& slopes);
 
 }  // namespace ticker::tasks::bump
 

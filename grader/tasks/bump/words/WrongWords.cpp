@@ -230,6 +230,10 @@ constexpr std::array kReasons{
               [](const Seen& told) { return capWords(*told.examination.caps); }},
     ReasonRow{WrongReason::fewTexelsDiffer,
               [](const Seen& told) { return fewTexelWords(*told.examination.fewTexels); }},
+    ReasonRow{WrongReason::sharpStepsTurned,
+              [](const Seen& told) { return sharpStepWords(told.examination.sharpSteps); }},
+    ReasonRow{WrongReason::smallSphereDiffers,
+              [](const Seen& told) { return smallSphereWords(*told.examination.slopes); }},
     ReasonRow{WrongReason::smoothInPlaces,
               [](const Seen& told) { return untiltedWords(told.examination.untilted); }},
 };

@@ -46,6 +46,19 @@ TEST(ReadSlopes, AgreesWithARightReadingEverywhere) {
     EXPECT_GT(agreement.sawtoothV, 0.94);
     EXPECT_NEAR(agreement.fieldU, 1.0, 1e-9);
     EXPECT_NEAR(agreement.fieldV, 1.0, 1e-9);
+    EXPECT_NEAR(agreement.smallU, 1.0, 1e-9);
+    EXPECT_NEAR(agreement.smallV, 1.0, 1e-9);
+}
+
+TEST(ReadSlopes, SeesSlopesThatDifferOnASmallSphereAlone) {
+    const SlopeAgreement agreement = slopesOf([](const Place& at, const selftest::Point& point) {
+        // Half of the points along u, by their column.
+        return std::pair(point.radius < 0.1 && at.column % 2 == 0 ? -1.0 : 1.0, 1.0);
+    });
+    EXPECT_TRUE(agreement.good());
+    EXPECT_FALSE(agreement.smallAgrees());
+    EXPECT_LT(std::abs(agreement.smallU), 0.3);
+    EXPECT_NEAR(agreement.smallV, 1.0, 1e-9);
 }
 
 TEST(ReadSlopes, TakesTheSignThatTheRampsHave) {

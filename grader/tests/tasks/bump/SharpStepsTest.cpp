@@ -1,0 +1,45 @@
+// Grey and white blocks on black.
+#include <grader/tasks/bump/questions/SharpSteps.h>
+#include <grader/tests/tasks/bump/Asked.h>
+#include <grader/tests/tasks/bump/Judging.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace ticker::tasks::bump {
+namespace {
+
+using selftest::Point;
+
+/// Of code whose slopes are `bent`.
+double turnedBy(const std::function<double(double)>& bent, std::uint64_t seed = 4) {
+    Questionnaire questionnaire;
+    Draws draws(seed);
+    const SharpStepPlan plan = planSharpSteps(questionnaire, draws, {{0.5, -1.0, 20.0}, 12.0});
+    const auto factor = [&](double slope) { return slope == 0.0 ? 1.0 : bent(slope) / slope; };
+    const auto function =
+        tests::inProportion(tests::kParametrisation, [&](const tests::Place& at, const Point&) {
+            return std::pair{factor(at.alongU), factor(at.alongV)};
+        });
+    return readSharpSteps(plan, tests::answersOf(questionnaire, function)).turned;
+}
+
+TEST(ReadSharpSteps, SeesStepsThatWrap) {
+    // Half of the step between two texels is the slope here: 0.5 of the greatest height, or 0.2.
+    constexpr double kSteep = 0.3 * raytracer::kBumpFactor;
+    EXPECT_EQ(turnedBy([](double slope) { return std::abs(slope) > kSteep ? -slope : slope; }),
+              1.0);
+}
+
+TEST(ReadSharpSteps, AcceptsStepsThatKeepTheirSign) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+        EXPECT_EQ(turnedBy([](double slope) { return slope; }, seed), 0.0);
+    EXPECT_EQ(turnedBy([](double slope) { return std::tanh(slope); }), 0.0)
+        << "slopes that saturate are another question's matter";
+}
+
+}  // namespace
+}  // namespace ticker::tasks::bump
