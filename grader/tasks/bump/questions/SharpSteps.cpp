@@ -37,11 +37,10 @@ HeightMapDescription mapOf(const std::vector<std::uint8_t>& blocks, int height) 
 SharpStepPlan planSharpSteps(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
     constexpr int kPoints = 500;
     constexpr int kGrey = 100;
-    constexpr int kWhite = 255;
     const std::vector<std::uint8_t> blocks = drawBlocks(draws);
     const std::vector<Vector3> directions = draws.directions(kPoints);
     const LevelPair grey = questionnaire.addPair(ball, mapOf(blocks, kGrey), directions);
-    return {grey, questionnaire.addPair(ball, mapOf(blocks, kWhite), directions)};
+    return {grey, questionnaire.addPair(ball, mapOf(blocks, draws.integer(200, 240)), directions)};
 }
 
 SharpSteps readSharpSteps(const SharpStepPlan& plan, const Answers& answers) {

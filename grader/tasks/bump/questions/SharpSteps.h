@@ -6,10 +6,10 @@
 
 namespace ticker::tasks::bump {
 
-/// One pattern of blocks twice, at the same points: grey on black, and white on black.
+/// One pattern of blocks twice, at the same points: grey on black, and nearly white on black.
 struct SharpStepPlan {
     LevelPair grey;   ///< steps of 100 bytes
-    LevelPair white;  ///< of 255
+    LevelPair white;  ///< of 200 to 240
 };
 
 [[nodiscard]] SharpStepPlan planSharpSteps(Questionnaire& questionnaire, Draws& draws,

@@ -46,9 +46,9 @@ void addWave(std::vector<double>& values, const Phases& columns, const Phases& r
                             rows.sines[row] * columns.sines[column];
 }
 
-/// Random bytes from 32 to 224. The waves are periodic round the sphere; the shortest are 45 texels
-/// long.
-HeightMapDescription randomField(Draws& draws) {
+/// Random bytes from 32 to 224. The waves are periodic round the sphere.
+/// @param times  1: the shortest are 45 texels long; n: a n-th of that.
+HeightMapDescription randomField(Draws& draws, int times) {
     constexpr int kFieldWidth = 420;
     constexpr int kFieldHeight = 230;
     constexpr int kWaves = 6;
@@ -57,8 +57,8 @@ HeightMapDescription randomField(Draws& draws) {
         // The first two waves ensure some slope along each axis.
         const double round = wave == 0 ? 7.0 : draws.integer(-8, 8);
         const double down = wave == 1 ? 4.0 : draws.uniform(-4.5, 4.5);
-        addWave(values, Phases(kFieldWidth, round, draws.uniform(0.0, kTurn)),
-                Phases(kFieldHeight, down, 0.0));
+        addWave(values, Phases(kFieldWidth, times * round, draws.uniform(0.0, kTurn)),
+                Phases(kFieldHeight, times * down, 0.0));
     }
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     const double low = *least;
@@ -151,11 +151,13 @@ SlopePlan planSlopes(Questionnaire& questionnaire, Draws& draws, const Ball& bal
     plan.sawtoothV = questionnaire.addPair(
         ball, {kAcross, kAlong, {}, raytracer::questions::level(kAcross), sawtooth(kAlong)},
         plan.directions);
-    plan.field = questionnaire.addPair(ball, randomField(draws), plan.fieldDirections);
+    plan.field = questionnaire.addPair(ball, randomField(draws, 1), plan.fieldDirections);
     const double x = draws.uniform(-0.9, 0.9);
     const Ball small{{x, draws.uniform(-0.9, 0.9), 2.0}, 0.05};
     plan.smallDirections = draws.directions(kSmallPoints);
-    plan.smallField = questionnaire.addPair(small, randomField(draws), plan.smallDirections);
+    // A step of 0.01 in the world is half of the shortest waves, one of a hundredth of the map a
+    // sixth, of which 0.96 agree.
+    plan.smallField = questionnaire.addPair(small, randomField(draws, 2), plan.smallDirections);
     return plan;
 }
 
