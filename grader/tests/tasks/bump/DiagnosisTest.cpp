@@ -19,7 +19,7 @@ Examination fine() {
     examination.ladder.ramps.fit = ParametrisationFit{Parametrisation({0.0, 1.0, 0.0}, 0.5, false)};
     examination.ladder.ramps.response = Response{};
     examination.regions = RegionAgreement{};
-    examination.slopes = SlopeAgreement{1.0, 1.0, 1.0, 1.0};
+    examination.slopes = SlopeAgreement{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     examination.letters = LetterReading{};
     return examination;
 }
@@ -112,6 +112,10 @@ TEST(FindWrong, NamesTheMapThatDisagrees) {
     EXPECT_EQ(reasonAfter([](Examination& e) { e.slopes->fieldV = 0.89; }),
               WrongReason::slopesDiffer);
     EXPECT_EQ(reasonAfter([](Examination& e) { e.slopes.reset(); }), WrongReason::slopesDiffer);
+    EXPECT_EQ(reasonAfter([](Examination& e) { e.slopes->smallU = 0.89; }),
+              WrongReason::smallSphereDiffers);
+    EXPECT_EQ(reasonAfter([](Examination& e) { e.sharpSteps.turned = 0.11; }),
+              WrongReason::sharpStepsTurned);
     EXPECT_EQ(reasonAfter([](Examination& e) { e.regions->u.asOnRamps = 0.74; }),
               WrongReason::regionsDiffer);
     const auto local = [](double best, double slope) {

@@ -132,7 +132,7 @@ TEST(Examination, AgreesWhereEveryMapDoes) {
     Examination examination;
     examination.ladder.steepAgrees = 0.96;
     examination.regions = RegionAgreement{};
-    examination.slopes = SlopeAgreement{1.0, 1.0, 1.0, 1.0};
+    examination.slopes = SlopeAgreement{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     EXPECT_TRUE(examination.agreesWithRamps());
     Examination other = examination;
     other.ladder.steepAgrees = 0.94;
