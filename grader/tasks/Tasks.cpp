@@ -41,7 +41,8 @@ void doubtT22(std::vector<TaskReport>& tasks, const RenderEvidence& renders) {
 
 constexpr std::array kTick1star{
     Task{"T1", kBumpFindings, judgeBump, hasRelief, doubtT1, screenBump, nullptr, drawBumps},
-    Task{"T2.1", kShadowFindings, judgeShadows, isAnyScene, nullptr, screenShadows},
+    Task{"T2.1", kShadowFindings, judgeShadows, isAnyScene, nullptr, screenShadows,
+         judgeShadowsOfMany},
     Task{"T2.2", kLensFindings, judgeLens, isAnyScene, doubtT22, screenLens, judgeLensOfMany}};
 
 constexpr std::array kTick1{Task{"M1", kSphereFindings, judgeSpheres, isAnyScene},

@@ -34,15 +34,7 @@ PictureStage judgeFinePicture(probe::Examinee& examinee, ExpectationShelf& shelf
     const auto* answer = answeredBy<probe::RenderAnswer>(run);
     if (answer == nullptr || answer->wrongSize || answer->images.empty())
         return {unanswered(run, "render")};
-    PictureStage judged{{}, true};
-    judged.stage.apertureFactor = reading.apertureFactor;
-    if (!followsPixels(*shelf.of(asked, own), *answer, reading))
-        judged.stage.failure = distributedFinding(
-            kDofFocalPlane, Severity::fail,
-            "All rays of a pixel were expected to meet in one point of the focal plane; the "
-            "pictures show rays that miss it, in small pixels as far as in large ones, which is "
-            "no antialiasing.");
-    return judged;
+    return stageOf(judgeFinePictures(*expectationsOf(shelf, asked, own), *answer, reading));
 }
 
 }  // namespace
@@ -70,7 +62,7 @@ PictureStage judgePicture(probe::Examinee& examinee, ExpectationShelf& shelf, st
         if (answer == nullptr || answer->wrongSize || answer->images.empty())
             return {unanswered(run, "render")};
         if (!onePicture && sameEachTime(*answer)) continue;
-        PictureVerdict verdict = judgePictures(*shelf.of(asked, own), *answer);
+        PictureVerdict verdict = judgePictures(*expectationsOf(shelf, asked, own), *answer);
         if (verdict.reading.pixelSpread > 0.0 && !verdict.finding && !verdict.ambiguous)
             return judgeFinePicture(examinee, shelf, verdict.reading, own);
         return stageOf(std::move(verdict));

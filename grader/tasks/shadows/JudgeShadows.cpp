@@ -8,6 +8,7 @@
 #include <grader/tasks/support/RunEnd.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -33,7 +34,8 @@ VisibleRays visibleRays(const ShadowOutcome& outcome, const std::vector<ShadowLo
 
 // Judges by values and renders what the rays leave open.
 // @return  Whether the submission needs review.
-bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOutcome& outcome) {
+bool judgeUnseenShadows(probe::Examinee& examinee, PenumbraShelf& shelf, std::uint64_t seed,
+                        ShadowOutcome& outcome) {
     // A light of the wrong size also changes points that should be fully lit.
     const bool unexplained =
         !outcome.findings.empty() && is(outcome.findings.front(), kShadowWrong);
@@ -48,7 +50,7 @@ bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOut
     outcome.findings.push_back(unseenRays(kShadowUnseenRays, reason));
     std::optional<Finding> warning;
     const bool needsReview = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
-        Stage judged = judgePenumbra(examinee, seed, stage);
+        Stage judged = judgePenumbra(examinee, shelf, seed, stage);
         warning = takeWarning(judged);
         return judged;
     });
@@ -58,9 +60,7 @@ bool judgeUnseenShadows(probe::Examinee& examinee, std::uint64_t seed, ShadowOut
     return needsReview;
 }
 
-}  // namespace
-
-TaskJudgement judgeShadows(probe::Examinee& examinee, std::uint64_t seed) {
+TaskJudgement judge(probe::Examinee& examinee, std::uint64_t seed, PenumbraShelf& shelf) {
     const std::vector<ShadowQuestion> asked = drawShadowQuestions(seed);
     std::vector<probe::Question> questions;
     for (const ShadowQuestion& question : asked)
@@ -73,7 +73,7 @@ TaskJudgement judgeShadows(probe::Examinee& examinee, std::uint64_t seed) {
     for (std::size_t i = 0; i < asked.size(); ++i)
         logs.push_back(readShadowLog(asked[i], std::get<probe::IlluminateAnswer>(run.answers[i])));
     ShadowOutcome outcome = judgeSoftShadows(logs);
-    bool needsReview = judgeUnseenShadows(examinee, seed, outcome);
+    bool needsReview = judgeUnseenShadows(examinee, shelf, seed, outcome);
     if (outcome.reading && !outcome.cut && !hasFailure(outcome.findings)) {
         const VisibleRays visible = visibleRays(outcome, logs);
         const bool inRenders = keepRepeated(outcome.findings, [&](std::uint64_t stage) {
@@ -89,6 +89,20 @@ TaskJudgement judgeShadows(probe::Examinee& examinee, std::uint64_t seed) {
         judgementOf(std::move(outcome.findings), kShadowFindings, needsReview);
     judgement.plots = std::move(outcome.plots);
     return judgement;
+}
+
+}  // namespace
+
+TaskJudgement judgeShadows(probe::Examinee& examinee, std::uint64_t seed) {
+    PenumbraShelf shelf;
+    return judge(examinee, seed, shelf);
+}
+
+Judge judgeShadowsOfMany() {
+    return
+        [shelf = std::make_shared<PenumbraShelf>()](probe::Examinee& examinee, std::uint64_t seed) {
+            return judge(examinee, seed, *shelf);
+        };
 }
 
 }  // namespace ticker::tasks

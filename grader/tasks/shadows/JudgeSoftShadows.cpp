@@ -93,8 +93,16 @@ Result contact(ShadowSeen& seen) {
     return seen.reading ? checkContact(seen.logs) : std::nullopt;
 }
 
+Result backSide(ShadowSeen& seen) {
+    return seen.reading ? checkBackSide(seen.logs) : std::nullopt;
+}
+
 Result faintLight(ShadowSeen& seen) {
     return seen.reading ? checkFaintLight(seen.logs) : std::nullopt;
+}
+
+Result faintValues(ShadowSeen& seen) {
+    return seen.reading ? checkFaintValues(seen.logs, *seen.reading) : std::nullopt;
 }
 
 Result closeLight(ShadowSeen& seen) {
@@ -142,6 +150,7 @@ const std::vector<ShadowCheck>& checksOfRays() {
          .ifNothingFails = true},
         {.run = horizon, .ifNothingFails = true},
         {.run = contact, .ifNothingFails = true},
+        {.run = backSide, .ifNothingFails = true},
         {.run = viewer},
         {.run = nearSide, .ifNothingFails = true},
         {.run = faintLight, .ifNothingFails = true},
@@ -157,6 +166,8 @@ const std::vector<ShadowCheck>& checksOfValues() {
     static const std::vector<ShadowCheck> kChecks{
         {.run = [](ShadowSeen& seen) { return keepReading(seen, checkValues(seen.logs)); }},
         {.run = contact, .ifNothingFails = true},
+        {.run = backSide, .ifNothingFails = true},
+        {.run = faintValues, .ifNothingFails = true},
         {.run = viewer}};
     return kChecks;
 }

@@ -8,12 +8,14 @@
 
 namespace ticker::tasks {
 
-Stage judgePenumbra(probe::Examinee& examinee, std::uint64_t seed, std::uint64_t stage) {
-    const PenumbraQuestion asked = drawPenumbraQuestion(seedOf(seed, stage));
-    const probe::Run run = examinee.ask({asked.question});
+Stage judgePenumbra(probe::Examinee& examinee, PenumbraShelf& shelf, std::uint64_t seed,
+                    std::uint64_t stage) {
+    const std::uint64_t own = seedOf(seed, stage);
+    const auto expectations = shelf.of(own, drawPenumbraQuestion(own));
+    const probe::Run run = examinee.ask({expectations->asked().question});
     const auto* answer = answeredBy<probe::IlluminateAnswer>(run);
     if (answer == nullptr) return unanswered(run, "illuminate");
-    PenumbraVerdict verdict = checkPenumbra(asked, *answer);
+    PenumbraVerdict verdict = checkPenumbra(*expectations, *answer);
     if (verdict.ambiguous)
         return doubtful(kShadowUnseenRays,
                         "What it gives at the edges of shadows is neither clearly right nor "

@@ -44,10 +44,10 @@ Answer answerOf(probe::Examinee& examinee, const probe::Question& question) {
     return *answer;
 }
 
-Stage shadowStage(probe::Examinee& examinee, std::uint64_t seed) {
-    const tasks::PenumbraQuestion asked = tasks::drawPenumbraQuestion(seed);
-    const tasks::PenumbraVerdict verdict =
-        tasks::checkPenumbra(asked, answerOf<probe::IlluminateAnswer>(examinee, asked.question));
+Stage shadowStage(probe::Examinee& examinee, tasks::PenumbraShelf& shelf, std::uint64_t seed) {
+    const auto expectations = shelf.of(seed, tasks::drawPenumbraQuestion(seed));
+    const tasks::PenumbraVerdict verdict = tasks::checkPenumbra(
+        *expectations, answerOf<probe::IlluminateAnswer>(examinee, expectations->asked().question));
     const bool fails = verdict.finding && verdict.finding->severity == Severity::fail;
     return {fails || verdict.ambiguous, verdict.timesTheBound};
 }
@@ -55,7 +55,7 @@ Stage shadowStage(probe::Examinee& examinee, std::uint64_t seed) {
 Stage pictureStage(probe::Examinee& examinee, tasks::ExpectationShelf& shelf, std::uint64_t seed) {
     const probe::RenderQuestion asked = tasks::drawPictureQuestion(seed);
     const tasks::PictureVerdict verdict = tasks::judgePictures(
-        *shelf.of(asked, seed), answerOf<probe::RenderAnswer>(examinee, asked));
+        *tasks::expectationsOf(shelf, asked, seed), answerOf<probe::RenderAnswer>(examinee, asked));
     return {verdict.finding.has_value() || verdict.ambiguous, verdict.timesTheLimit};
 }
 
@@ -120,10 +120,10 @@ std::string StageCampaign::unitName(std::size_t unit) const {
     return fmt::format("{} {}", subjectOf(unit).name, unit / 2 / subjects);
 }
 
-// All subjects of a round are asked for the same pictures, each with random numbers of its own.
+// All subjects of a round are asked the same, each with random numbers of its own.
 std::string StageCampaign::seedName(std::size_t unit) const {
-    if (unit % 2 == 0) return "stage " + unitName(unit);
-    return fmt::format("pictures of round {}", unit / 2 / pictures_.size());
+    return unit % 2 == 1 ? fmt::format("pictures of round {}", unit / 2 / pictures_.size())
+                         : fmt::format("stages of round {}", unit / 2 / shadows_.size());
 }
 
 Campaign::Basis StageCampaign::basisOf(std::size_t unit) const {
@@ -143,8 +143,8 @@ std::string StageCampaign::run(std::size_t unit) {
     std::map<std::string, std::size_t> statistics;
     for (std::size_t i = 0; i < kBlock; ++i) {
         const std::uint64_t seed = seedOf(seedName(unit)) + i;
-        const Stage stage =
-            picture ? pictureStage(noisy, shelf_, seed) : shadowStage(examinee, seed);
+        const Stage stage = picture ? pictureStage(noisy, pictureShelf_, seed)
+                                    : shadowStage(noisy, penumbraShelf_, seed);
         if (stage.failed) ++failed;
         ++statistics[std::to_string(std::lround(stage.statistic * kHundred))];
     }

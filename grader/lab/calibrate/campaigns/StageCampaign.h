@@ -4,6 +4,7 @@
 #include <grader/lab/calibrate/Campaign.h>
 #include <grader/lab/calibrate/Subject.h>
 #include <grader/tasks/lens/checks/Expectations.h>
+#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
 
 #include <cstdint>
 
@@ -36,7 +37,8 @@ private:
     std::vector<Subject> pictures_;  // judged by pictures
     std::size_t units_;
     Programs& programs_;
-    tasks::ExpectationShelf shelf_;
+    tasks::PenumbraShelf penumbraShelf_;
+    tasks::ExpectationShelf pictureShelf_;
 };
 
 }  // namespace ticker::calibrate

@@ -25,13 +25,4 @@ const std::vector<Plane>& Expectations::underMistakes(const oracle::Reading& acc
     return known->second;
 }
 
-std::shared_ptr<Expectations> ExpectationShelf::of(const probe::RenderQuestion& asked,
-                                                   std::uint64_t seed) {
-    const std::lock_guard lock{mutex_};
-    if (kept_.size() >= kMost) kept_.clear();
-    std::shared_ptr<Expectations>& kept = kept_[{seed, asked.settings.width, asked.repetitions}];
-    if (!kept) kept = std::make_shared<Expectations>(asked, seed);
-    return kept;
-}
-
 }  // namespace ticker::tasks

@@ -4,8 +4,8 @@
 #include <grader/oracle/Reading.h>
 #include <grader/probe/Question.h>
 #include <grader/tasks/lens/answers/Pictures.h>
+#include <grader/tasks/support/Shelf.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -43,21 +43,13 @@ private:
     std::map<Key, std::vector<Plane>> mistaken_;
 };
 
-/// The expectations of the latest questions, for all submissions that are asked these. Several
-/// threads may use it.
-class ExpectationShelf {
-public:
-    /// @param asked  From `drawPictureQuestion` or `drawFinePictureQuestion` with this seed.
-    [[nodiscard]] std::shared_ptr<Expectations> of(const probe::RenderQuestion& asked,
-                                                   std::uint64_t seed);
-
-private:
-    static constexpr std::size_t kMost = 400;  // some 100 MB
-
-    std::mutex mutex_;
-    /// By seed, and by what tells the questions of a seed apart: width and repetitions.
-    std::map<std::tuple<std::uint64_t, int, int>, std::shared_ptr<Expectations>> kept_;
-};
+/// By seed, and by what tells the questions of a seed apart: width and repetitions.
+using ExpectationShelf = Shelf<std::tuple<std::uint64_t, int, int>, Expectations>;
+/// @param asked  From `drawPictureQuestion` or `drawFinePictureQuestion` with this seed.
+[[nodiscard]] inline std::shared_ptr<Expectations> expectationsOf(
+    ExpectationShelf& shelf, const probe::RenderQuestion& asked, std::uint64_t seed) {
+    return shelf.of({seed, asked.settings.width, asked.repetitions}, asked, seed);
+}
 
 }  // namespace ticker::tasks
 

@@ -198,29 +198,18 @@ private:
     double nearest_ = std::numeric_limits<double>::infinity();  // least, with antialiasing
 };
 
-}  // namespace
-
-PictureVerdict judgePictures(Expectations& expectations, const probe::RenderAnswer& answer) {
-    const SeenPictures seen = readPictures(answer);
-    if (seen.isFinite()) return Search{expectations, seen}.verdict();
+PictureVerdict notFinite() {
     PictureVerdict verdict;
     verdict.finding = distributedFinding(kDofWrong, Severity::fail,
                                          "Colours were expected; some pixels are NaN or infinite.");
     return verdict;
 }
 
-PictureVerdict judgePictures(const probe::RenderQuestion& asked, const probe::RenderAnswer& answer,
-                             std::uint64_t seed) {
-    Expectations expectations{asked, seed};
-    return judgePictures(expectations, answer);
-}
-
-bool followsPixels(Expectations& expectations, const probe::RenderAnswer& answer,
-                   const Reading& reading) {
-    const SeenPictures seen = readPictures(answer);
+// Whether the rays miss the focal point by a part of the pixel, and not by a length of their own,
+// which is more in units of these pixels.
+bool followsPixels(Expectations& expectations, const SeenPictures& seen, const Reading& reading) {
     Reading ofOwnLength = reading;
     ofOwnLength.pixelSpread *= kFinerPixels;
-    if (!seen.isFinite()) return false;
     // Rough misfits settle it where they are this far apart.
     constexpr double kClearly = 1.25;
     const double rough = roughMisfit(expectations, seen, reading);
@@ -228,6 +217,29 @@ bool followsPixels(Expectations& expectations, const probe::RenderAnswer& answer
     if (std::max(rough, roughOwn) > kClearly * std::min(rough, roughOwn)) return rough < roughOwn;
     return candidateOf(expectations, seen, reading).misfit <=
            candidateOf(expectations, seen, ofOwnLength).misfit;
+}
+
+}  // namespace
+
+PictureVerdict judgePictures(Expectations& expectations, const probe::RenderAnswer& answer) {
+    const SeenPictures seen = readPictures(answer);
+    return seen.isFinite() ? Search{expectations, seen}.verdict() : notFinite();
+}
+
+PictureVerdict judgeFinePictures(Expectations& expectations, const probe::RenderAnswer& answer,
+                                 const Reading& reading) {
+    const SeenPictures seen = readPictures(answer);
+    if (!seen.isFinite()) return notFinite();
+    if (followsPixels(expectations, seen, reading))
+        return tryReading(expectations, seen, candidateOf(expectations, seen, reading)).verdict;
+    PictureVerdict verdict;
+    verdict.reading = reading;
+    verdict.finding = distributedFinding(
+        kDofFocalPlane, Severity::fail,
+        "All rays of a pixel were expected to meet in one point of the focal plane; the pictures "
+        "show rays that miss it, in small pixels as far as in large ones, which is no "
+        "antialiasing.");
+    return verdict;
 }
 
 }  // namespace ticker::tasks

@@ -32,16 +32,13 @@ struct PictureVerdict {
 /// @param expectations  Of the question that was answered.
 [[nodiscard]] PictureVerdict judgePictures(Expectations& expectations,
                                            const probe::RenderAnswer& answer);
-/// The same for a question that is judged once.
-[[nodiscard]] PictureVerdict judgePictures(const probe::RenderQuestion& asked,
-                                           const probe::RenderAnswer& answer, std::uint64_t seed);
-
-/// Whether focal points that look antialiased are so in smaller pixels, too, and not off by a
-/// length of their own, which is more in units of these pixels. The filter need not be known.
+/// Judges smaller pixels, for focal points that look antialiased in larger ones. Fails if they are
+/// off by a length of their own, or if they do not fit the reading of the larger pixels.
 /// @param expectations  Of a question from `drawFinePictureQuestion`.
-/// @param reading       Of the larger pixels.
-[[nodiscard]] bool followsPixels(Expectations& expectations, const probe::RenderAnswer& answer,
-                                 const oracle::Reading& reading);
+/// @param reading       Of the larger pixels. The filter need not be known.
+[[nodiscard]] PictureVerdict judgeFinePictures(Expectations& expectations,
+                                               const probe::RenderAnswer& answer,
+                                               const oracle::Reading& reading);
 
 }  // namespace ticker::tasks
 

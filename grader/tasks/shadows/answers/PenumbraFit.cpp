@@ -54,12 +54,12 @@ bool isDecided(const PenumbraFit& fit) {
 
 }  // namespace
 
-PenumbraFit fitAcceptedShapes(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
+PenumbraFit fitAcceptedShapes(PenumbraExpectations& expectations,
                               const std::vector<PenumbraSamples>& seen, bool sizeIsInDoubt) {
     const auto expectedOf = [&](AimShape shape) {
         Expected expected;
         for (const PenumbraSamples& samples : seen)
-            expected.push_back(expectedAt(asked, surfaces, samples.point, shape, 1.0));
+            expected.push_back(expectations.at(samples.place, shape));
         return expected;
     };
     PenumbraFit fit;

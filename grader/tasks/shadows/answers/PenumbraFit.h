@@ -1,7 +1,7 @@
 #ifndef TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAFIT_H
 #define TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAFIT_H
 
-#include <grader/tasks/shadows/answers/PenumbraShares.h>
+#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
 
 #include <algorithm>
 #include <vector>
@@ -29,8 +29,7 @@ struct PenumbraFit {
 /// Tries every accepted shape of the light, densities between two of them, and every Phong reading.
 /// @param sizeIsInDoubt  True if the light from the rim suggests a wrong size. Shapes whose means
 ///                       equal those of a ball of another size are then left out.
-[[nodiscard]] PenumbraFit fitAcceptedShapes(const probe::IlluminateQuestion& asked,
-                                            const Surfaces& surfaces,
+[[nodiscard]] PenumbraFit fitAcceptedShapes(PenumbraExpectations& expectations,
                                             const std::vector<PenumbraSamples>& seen,
                                             bool sizeIsInDoubt);
 

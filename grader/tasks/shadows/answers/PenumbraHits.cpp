@@ -33,18 +33,16 @@ double shareLessEveryHit(double outer, double inner) {
 
 }  // namespace
 
-bool countsEveryHit(const probe::IlluminateQuestion& asked,
-                    const std::vector<PenumbraSamples>& seen) {
+bool countsEveryHit(PenumbraExpectations& expectations, const std::vector<PenumbraSamples>& seen) {
     constexpr double kNear = 0.05;
+    const probe::IlluminateQuestion& asked = expectations.asked().question;
     raytracer::SceneDescription small = asked.scene;
     small.spheres.front() = small.spheres.back();
-    const Surfaces outer{asked.scene};
     const Surfaces inner{small};
     return std::all_of(seen.begin(), seen.end(), [&](const PenumbraSamples& samples) {
-        const auto hidden = [&](const Surfaces& surfaces) {
-            return 1.0 - expectedAt(asked, surfaces, samples.point, AimShape::ball, 1.0).open;
-        };
-        return std::abs(samples.mean - shareLessEveryHit(hidden(outer), hidden(inner))) < kNear;
+        const double open = expectations.at(samples.place, AimShape::ball).open;
+        const double openInside = expectedAt(asked, inner, samples.point, AimShape::ball, 1.0).open;
+        return std::abs(samples.mean - shareLessEveryHit(1.0 - open, 1.0 - openInside)) < kNear;
     });
 }
 

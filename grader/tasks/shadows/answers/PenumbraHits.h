@@ -2,7 +2,7 @@
 #define TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAHITS_H
 
 #include <grader/result/Finding.h>
-#include <grader/tasks/shadows/answers/PenumbraShares.h>
+#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace ticker::tasks {
 
 /// Whether the means fit code that subtracts a ray's part of the light for each sphere that it
 /// hits: for the occluder, and again for the sphere inside it. Used for words only.
-[[nodiscard]] bool countsEveryHit(const probe::IlluminateQuestion& asked,
+[[nodiscard]] bool countsEveryHit(PenumbraExpectations& expectations,
                                   const std::vector<PenumbraSamples>& seen);
 [[nodiscard]] Finding everyHitCounts();
 

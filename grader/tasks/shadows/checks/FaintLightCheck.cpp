@@ -1,4 +1,5 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
+#include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
 #include <grader/tasks/support/FindingOrder.h>
@@ -35,7 +36,7 @@ Finding lightLost(const ShadowLog& log, std::size_t rays, std::size_t asked) {
         "if (brightness < 0.01) continue and factors that fade it out: several faint lights add up "
         "to what can be seen.";
     finding.section = "Soft shadows (T2.1), step 3";
-    finding.evidence.emplace_back("fewestRays", static_cast<double>(rays));
+    if (rays < asked) finding.evidence.emplace_back("fewestRays", static_cast<double>(rays));
     finding.evidence.emplace_back("facing", facing);
     return finding;
 }
@@ -50,6 +51,12 @@ std::optional<Finding> checkFaintLight(const ShadowLogs& logs) {
         const std::size_t fewest = countRays({log}).fewest;
         if (fewest < asked || !fitsAnyReading(*log)) return lightLost(*log, fewest, asked);
     }
+    return std::nullopt;
+}
+
+std::optional<Finding> checkFaintValues(const ShadowLogs& logs, const ShadowReading& reading) {
+    for (const ShadowLog* log : logs.faintLight)
+        if (!allNearKnown({log}, reading.viewerIsEye)) return lightLost(*log, 0, 0);
     return std::nullopt;
 }
 
@@ -75,6 +82,27 @@ std::optional<Finding> checkCloseLight(const ShadowLogs& logs, const AimVerdict&
             "The radius is settings().lightSize whatever the distance: take out the minimum (or "
             "the factor) that has the light's distance in it.";
         finding.evidence.emplace_back("widest", widest);
+        return finding;
+    }
+    return std::nullopt;
+}
+
+std::optional<Finding> checkBackSide(const ShadowLogs& logs) {
+    constexpr double kSlack = 0.02;
+    for (const ShadowLog* log : logs.backSide) {
+        const auto isDark = [&](const PointLog& point) {
+            const ColourRGB ambient = ambientPart(point, log->scene());
+            return near(point.colour, ambient, ambient * kSlack);
+        };
+        if (std::ranges::all_of(log->points, isDark)) continue;
+        Finding finding = distributedFinding(
+            kShadowWrong, Severity::fail,
+            "A light behind the surface (N.L below 0) was expected to add nothing, even to a "
+            "viewer who is behind it, too; it lights the surface there.");
+        finding.hint =
+            "Take N as it is: do not turn it to the viewer or to the light, and do not take the "
+            "absolute value of N.L. The diffuse term has max(0, N.L).";
+        finding.section = "Soft shadows (T2.1), step 3";
         return finding;
     }
     return std::nullopt;

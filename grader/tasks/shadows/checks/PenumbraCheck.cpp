@@ -19,15 +19,14 @@ namespace {
 using Place = PenumbraQuestion::Place;
 
 // Size of the ball that explains the means, in units of lightSize; 0 if none does.
-double fittingSize(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                   const std::vector<PenumbraSamples>& seen) {
+double fittingSize(PenumbraExpectations& expectations, const std::vector<PenumbraSamples>& seen) {
     // The sizes tried are a grid; between two of them the fit is approximate.
     double best = 2.0;
     double bestSize = 0.0;
     for (const double size : {0.25, 0.5, 0.6, 0.75, 0.9, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5}) {
         std::vector<double> open;
-        for (std::size_t i = 0; i < seen.size(); ++i)
-            open.push_back(expectedAt(asked, surfaces, seen[i].point, AimShape::ball, size).open);
+        for (const PenumbraSamples& samples : seen)
+            open.push_back(expectations.at(samples.place, AimShape::ball, size).open);
         const double worst = worstExcess(seen, open, open);
         if (worst >= best) continue;
         best = worst;
@@ -140,18 +139,19 @@ bool isDark(const std::vector<PenumbraSamples>& rim, Place::Kind kind) {
     });
 }
 
-Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces,
-                const std::vector<PenumbraSamples>& seen, double timesTheBound) {
-    if (countsEveryHit(asked, seen)) return everyHitCounts();
-    const double size = fittingSize(asked, surfaces, seen);
-    const double radius = size * asked.settings.lightSize;
+Finding explain(PenumbraExpectations& expectations, const std::vector<PenumbraSamples>& seen,
+                double timesTheBound) {
+    if (countsEveryHit(expectations, seen)) return everyHitCounts();
+    const double size = fittingSize(expectations, seen);
+    const double lightSize = expectations.asked().question.settings.lightSize;
+    const double radius = size * lightSize;
     Finding finding =
         size > 0.0
             ? distributedFinding(
                   kShadowLightSize, Severity::fail,
                   fmt::format("At the edge of a shadow the mean of many calls is known for a light "
                               "of radius {}; illuminate gives about that of one of radius {:.2g}.",
-                              asked.settings.lightSize, radius))
+                              lightSize, radius))
             : distributedFinding(
                   kShadowWrong, Severity::fail,
                   "At the edge of a shadow the mean of many calls is known; illuminate gives "
@@ -164,9 +164,9 @@ Finding explain(const probe::IlluminateQuestion& asked, const Surfaces& surfaces
 
 }  // namespace
 
-PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
+PenumbraVerdict checkPenumbra(PenumbraExpectations& expectations,
                               const probe::IlluminateAnswer& answer) {
-    const Surfaces surfaces{asked.question.scene};
+    const PenumbraQuestion& asked = expectations.asked();
     std::vector<PenumbraSamples> seen;
     std::vector<PenumbraSamples> rim;
     for (const Place& place : asked.places)
@@ -184,8 +184,7 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
                 0.0, false};
     const bool darkRim = isDark(rim, Place::Kind::atRim);
     const bool brightBeyond = seesTooMuch(rim);
-    const PenumbraFit fit =
-        fitAcceptedShapes(asked.question, surfaces, seen, darkRim || brightBeyond);
+    const PenumbraFit fit = fitAcceptedShapes(expectations, seen, darkRim || brightBeyond);
     PenumbraVerdict verdict;
     verdict.timesTheBound = fit.excess();
     verdict.finding = checkFractions(seen, fit.openInBall);
@@ -195,7 +194,7 @@ PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
     if (const double left = leftInShadow(rim); left > kSeen && brightBeyond)
         verdict.finding = leftInShadowFinding(left);
     else if (verdict.timesTheBound > 1.0 || brightBeyond || isDark(rim, Place::Kind::withinRim))
-        verdict.finding = explain(asked.question, surfaces, seen, verdict.timesTheBound);
+        verdict.finding = explain(expectations, seen, verdict.timesTheBound);
     // Of 90000 rays to the very rim at least 27 are expected for every accepted shape. Without any,
     // the light is smaller, or a table of a few hundred aims has no sample there.
     else if (darkRim)

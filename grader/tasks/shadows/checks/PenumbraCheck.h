@@ -2,7 +2,7 @@
 #define TICKER_TASKS_SHADOWS_CHECKS_PENUMBRACHECK_H
 
 #include <grader/result/Finding.h>
-#include <grader/tasks/shadows/questions/PenumbraQuestion.h>
+#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
 
 #include <optional>
 
@@ -21,7 +21,8 @@ struct PenumbraVerdict {
 /// means must be those of an accepted reading. Light must come from the light's outermost part, but
 /// not from beyond it. Bernstein's inequality bounds the differences of means: a correct submission
 /// whose calls are independent fails with a chance below 1e-9.
-[[nodiscard]] PenumbraVerdict checkPenumbra(const PenumbraQuestion& asked,
+/// @param expectations  Of the question that was answered.
+[[nodiscard]] PenumbraVerdict checkPenumbra(PenumbraExpectations& expectations,
                                             const probe::IlluminateAnswer& answer);
 
 }  // namespace ticker::tasks

@@ -28,10 +28,11 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> oddCount;
     std::vector<const ShadowLog*> faintLight;
     std::vector<const ShadowLog*> closeLight;
+    std::vector<const ShadowLog*> backSide;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
     /// All questions except otherSettings, oddCount and horizon, where code may cast fewer rays,
-    /// and contact, faintLight and closeLight, which have checks of their own.
+    /// and contact, faintLight, closeLight and backSide, which have checks of their own.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
@@ -57,6 +58,10 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkOddCount(const ShadowLogs& logs);
 /// Whether a light that adds little gets its rays and adds its light.
 [[nodiscard]] std::optional<Finding> checkFaintLight(const ShadowLogs& logs);
+/// Whether it adds its light, for code whose rays are not visible.
+/// @param reading  The one that fits all other questions.
+[[nodiscard]] std::optional<Finding> checkFaintValues(const ShadowLogs& logs,
+                                                      const ShadowReading& reading);
 /// Whether a close light is as large as others.
 [[nodiscard]] std::optional<Finding> checkCloseLight(const ShadowLogs& logs,
                                                      const AimVerdict& aims);
@@ -69,8 +74,10 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,
                                                   const ShadowReading& reading);
 
-/// Whether an object shades what is close to it. Hits nearer than two hundredths may be ignored.
+/// Whether an object shades what is close to it. Hits nearer than 0.005 may be ignored.
 [[nodiscard]] std::optional<Finding> checkContact(const ShadowLogs& logs);
+/// Whether a light behind the surface adds nothing where the viewer is behind it, too.
+[[nodiscard]] std::optional<Finding> checkBackSide(const ShadowLogs& logs);
 
 /// Result of replaying every value: the reading that fits, or the mistake.
 struct ArithmeticVerdict {

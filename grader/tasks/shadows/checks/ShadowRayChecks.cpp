@@ -112,6 +112,8 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
                 return faintLight;
             case Purpose::closeLight:
                 return closeLight;
+            case Purpose::backSide:
+                return backSide;
             case Purpose::horizon:
                 break;
         }

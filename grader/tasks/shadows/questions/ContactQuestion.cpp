@@ -16,7 +16,7 @@ ShadowQuestion drawContact(Draw& draw) {
     const Vector3 foot = drawPlace(draw);
     const Vector3 up = draw.directionAround((-foot).normalised(), 1.0);
     const Perpendiculars sides = perpendicularsOf(up);
-    // Limits of a thousandth of the way pass, too; those of two thousandths do not.
+    // Limits of a ten-thousandth of the way pass, too; those of a thousandth do not.
     const double distance = draw.between(24.0, 26.0);
     const Vector3 light = foot + draw.directionAround(up, 0.3) * distance;
     const double radius = draw.between(0.5, 0.7);
@@ -30,9 +30,9 @@ ShadowQuestion drawContact(Draw& draw) {
     scene.planes.push_back({foot, up, drawMaterial(draw)});
     const Surfaces surfaces{scene};
     for (int i = 0; i < kPointsInContact; ++i) {
-        // Three hundred times the shadow bias and more, so that every accepted start is below the
-        // ball, and limits of two hundredths against shadow acne still pass.
-        const double gap = draw.between(0.03, 0.04);
+        // Every accepted start is below the ball, and limits of 0.005 against shadow acne still
+        // pass.
+        const double gap = draw.between(0.006, 0.008);
         const double beside = std::sqrt(gap * (2.0 * radius - gap));
         const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
         const Vector3 point =

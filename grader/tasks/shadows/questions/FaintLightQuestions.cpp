@@ -11,6 +11,7 @@ using raytracer::SceneDescription;
 
 constexpr int kPointsFaint = 6;
 constexpr int kPointsClose = 24;
+constexpr int kPointsOfBack = 6;
 
 /// Points of the floor under the question's only light, all of them lit.
 void addLitPoints(Draw& draw, ShadowQuestion& drawn, int count, double reach) {
@@ -39,19 +40,27 @@ ShadowQuestion withFloor(Draw& draw, ShadowQuestion::Purpose purpose) {
     return drawn;
 }
 
+/// The question's only light, seen from the middle of the floor.
+/// @param share  Of the intensity that lights have in other questions.
+void addLight(Draw& draw, ShadowQuestion& drawn, const Vector3& towards, double distance,
+              double share = 1.0) {
+    SceneDescription& scene = drawn.question.scene;
+    const Vector3 position = scene.planes.front().point + towards * distance;
+    const raytracer::PointLight usual = drawLight(draw, position, distance);
+    scene.pointLights.emplace_back(position, usual.colour(), usual.intensity() * share);
+}
+
 }  // namespace
 
 ShadowQuestion drawFaintLight(Draw& draw) {
-    constexpr double kFaint = 0.005;  // of the usual light
+    constexpr double kFaint = 0.001;
     ShadowQuestion drawn = withFloor(draw, ShadowQuestion::Purpose::faintLight);
     SceneDescription& scene = drawn.question.scene;
-    const raytracer::PlaneDescription& floor = scene.planes.front();
     // No tolerance hides the light if the ambient one is as faint.
-    scene.ambientLighting = draw.colour(0.002, 0.004);
+    scene.ambientLighting = draw.colour(0.0004, 0.0008);
     const double distance = draw.between(5.0, 8.0);
-    const Vector3 towards = draw.directionAround(floor.normal, 0.6);
-    const raytracer::PointLight usual = drawLight(draw, floor.point + towards * distance, distance);
-    scene.pointLights.emplace_back(usual.position(), usual.colour(), usual.intensity() * kFaint);
+    const Vector3 towards = draw.directionAround(scene.planes.front().normal, 0.6);
+    addLight(draw, drawn, towards, distance, kFaint);
     addLitPoints(draw, drawn, kPointsFaint, 0.5);
     return drawn;
 }
@@ -59,15 +68,14 @@ ShadowQuestion drawFaintLight(Draw& draw) {
 ShadowQuestion drawGrazingLight(Draw& draw) {
     ShadowQuestion drawn = withFloor(draw, ShadowQuestion::Purpose::faintLight);
     SceneDescription& scene = drawn.question.scene;
-    const raytracer::PlaneDescription& floor = scene.planes.front();
+    const Vector3 up = scene.planes.front().normal;
     scene.ambientLighting = draw.colour(0.01, 0.02);
     const double facing = draw.between(0.07, 0.1);
     const double distance = draw.between(12.0, 15.0);
     const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
-    const Perpendiculars sides = perpendicularsOf(floor.normal);
+    const Perpendiculars sides = perpendicularsOf(up);
     const Vector3 along = sides.first * std::cos(turn) + sides.second * std::sin(turn);
-    const Vector3 towards = floor.normal * facing + along * std::sqrt(1.0 - facing * facing);
-    scene.pointLights.push_back(drawLight(draw, floor.point + towards * distance, distance));
+    addLight(draw, drawn, up * facing + along * std::sqrt(1.0 - facing * facing), distance);
     addLitPoints(draw, drawn, kPointsFaint, 0.5);
     return drawn;
 }
@@ -75,12 +83,37 @@ ShadowQuestion drawGrazingLight(Draw& draw) {
 ShadowQuestion drawCloseLight(Draw& draw) {
     ShadowQuestion drawn = withFloor(draw, ShadowQuestion::Purpose::closeLight);
     SceneDescription& scene = drawn.question.scene;
-    const raytracer::PlaneDescription& floor = scene.planes.front();
     scene.ambientLighting = draw.colour(0.1, 0.5);
     const double distance = draw.between(1.2, 1.4);
-    const Vector3 towards = draw.directionAround(floor.normal, 0.3);
-    scene.pointLights.push_back(drawLight(draw, floor.point + towards * distance, distance));
+    const Vector3 towards = draw.directionAround(scene.planes.front().normal, 0.3);
+    addLight(draw, drawn, towards, distance);
     addLitPoints(draw, drawn, kPointsClose, 0.1);
+    return drawn;
+}
+
+ShadowQuestion drawBackSide(Draw& draw) {
+    ShadowQuestion drawn = withFloor(draw, ShadowQuestion::Purpose::backSide);
+    SceneDescription& scene = drawn.question.scene;
+    const raytracer::PlaneDescription& floor = scene.planes.front();
+    scene.ambientLighting = draw.colour(0.1, 0.5);
+    // L leans so far that V, which is near it, is more than a right angle from R. Leaning to the
+    // eye's side, R is as far from the eye, too.
+    const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
+    const double lean = draw.between(1.0, 1.1);
+    const Perpendiculars sides = perpendicularsOf(floor.normal);
+    const Vector3 aside = sides.first * std::cos(turn) + sides.second * std::sin(turn);
+    const Vector3 along = aside.dot(floor.point) > 0.0 ? -aside : aside;
+    const Vector3 towards = along * std::sin(lean) - floor.normal * std::cos(lean);
+    addLight(draw, drawn, towards, draw.between(5.0, 8.0));
+    for (int i = 0; i < kPointsOfBack; ++i) {
+        const double x = draw.between(-0.2, 0.2);
+        const Vector3 point =
+            floor.point + sides.first * x + sides.second * draw.between(-0.2, 0.2);
+        const Vector3 viewer = point + draw.directionAround(towards, 0.15) * draw.between(3.0, 5.0);
+        drawn.question.points.push_back({0, point, floor.normal, viewer});
+        drawn.zones.push_back({Zone::umbra});
+    }
+    setCapacity(drawn);
     return drawn;
 }
 

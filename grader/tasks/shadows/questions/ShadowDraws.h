@@ -51,7 +51,7 @@ void setCapacity(ShadowQuestion& question);
 [[nodiscard]] ShadowQuestion drawInLine(Draw& draw);
 
 /// A ball that rests on a floor, under a light some 25 away. The points lie in full shadow, where
-/// the ball's surface is 0.03 to 0.04 above the floor.
+/// the ball's surface is 0.006 to 0.008 above the floor.
 [[nodiscard]] ShadowQuestion drawContact(Draw& draw);
 
 /// A floor, and a light of which about a third is below it: rays to that part do not arrive.
@@ -72,7 +72,8 @@ void setCapacity(ShadowQuestion& question);
 /// A red, a green and a blue ball under a light with all channels, all in plain sight.
 [[nodiscard]] ShadowQuestion drawPureSurfaces(Draw& draw);
 
-/// A dark floor under a light of which some 0.004 arrives, in plain sight.
+/// A dark floor under a light of which some 0.001 arrives, less than one of 255 steps in every
+/// channel, in plain sight.
 [[nodiscard]] ShadowQuestion drawFaintLight(Draw& draw);
 
 /// A floor under a light with N.L of 0.07 to 0.1, all of it above the horizon and in plain sight.
@@ -80,6 +81,9 @@ void setCapacity(ShadowQuestion& question);
 
 /// A floor under a light 1.2 to 1.4 away, three of its radii or a little more.
 [[nodiscard]] ShadowQuestion drawCloseLight(Draw& draw);
+
+/// A floor with the light and the viewers behind it. R.V is below 0, for the eye as well.
+[[nodiscard]] ShadowQuestion drawBackSide(Draw& draw);
 
 }  // namespace ticker::tasks
 

@@ -237,9 +237,10 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     other.shadowRayCount = 2 * draw.whole(6, 8) + 1;
     other.lightSize = draw.between(0.15, 0.22);
     questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
-    for (const auto drawNext : {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine,
-                                drawContact, drawLowLight, drawNearLight, drawPureLights,
-                                drawPureSurfaces, drawFaintLight, drawGrazingLight, drawCloseLight})
+    for (const auto drawNext :
+         {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine, drawContact, drawLowLight,
+          drawNearLight, drawPureLights, drawPureSurfaces, drawFaintLight, drawGrazingLight,
+          drawCloseLight, drawBackSide})
         questions.push_back(drawNext(draw));
     raytracer::RenderSettings odd;
     odd.shadowRayCount = kOddRays;

@@ -29,6 +29,7 @@ struct ShadowQuestion {
         pureColours,    ///< lights, or surfaces, each of which has one channel alone
         faintLight,     ///< a light that adds little: it is weak, or shines along the surface
         closeLight,     ///< a light little more than three of its radii away
+        backSide,       ///< light and viewers behind the surface: ambient light alone
         oddCount        ///< like oneLight, with an odd number of rays below the handout's
     };
     Purpose purpose = Purpose::oneLight;

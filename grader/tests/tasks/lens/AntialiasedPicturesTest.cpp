@@ -182,6 +182,17 @@ TEST(JudgeLens, FailsFocalPointsThatAreOffByALengthOfTheirOwn) {
     EXPECT_EQ(idsOf(judgement), "dof.focal-plane dof.unseen-rays ");
 }
 
+TEST(JudgeFinePictures, WantTheReadingOfTheLargePixelsAndNoMistake) {
+    constexpr std::uint64_t kSeed = 9;
+    const probe::RenderQuestion asked = drawFinePictureQuestion(kSeed);
+    Expectations expectations{asked, kSeed};
+    const Reading reading = antialiasing(1.0);
+    const auto right = answerOf(asked, kSeed + 1, {}, reading);
+    EXPECT_FALSE(judgeFinePictures(expectations, right, reading).finding);
+    const auto mistaken = answerOf(asked, kSeed + 1, mistakes()[0].mistake, reading);
+    EXPECT_TRUE(judgeFinePictures(expectations, mistaken, reading).finding);
+}
+
 TEST(JudgeLens, FailsAMistakeBesideAntialiasingWithoutWarningOfThat) {
     UnseenStudent student{antialiasing(1.0), mistakes()[0].mistake};
     const TaskJudgement judgement = judgeLens(student, 2);

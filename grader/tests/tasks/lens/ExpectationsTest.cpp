@@ -47,11 +47,11 @@ TEST(Expectations, AreComputedOnce) {
 
 TEST(ExpectationShelf, KeepsTheQuestionsOfASeedApart) {
     ExpectationShelf shelf;
-    const auto several = shelf.of(drawPictureQuestion(kSeed), kSeed);
-    EXPECT_EQ(shelf.of(drawPictureQuestion(kSeed), kSeed), several);
-    EXPECT_NE(shelf.of(drawPictureQuestion(kSeed, true), kSeed), several);
-    EXPECT_NE(shelf.of(drawFinePictureQuestion(kSeed), kSeed), several);
-    EXPECT_NE(shelf.of(drawPictureQuestion(kSeed + 1), kSeed + 1), several);
+    const auto several = expectationsOf(shelf, drawPictureQuestion(kSeed), kSeed);
+    EXPECT_EQ(expectationsOf(shelf, drawPictureQuestion(kSeed), kSeed), several);
+    EXPECT_NE(expectationsOf(shelf, drawPictureQuestion(kSeed, true), kSeed), several);
+    EXPECT_NE(expectationsOf(shelf, drawFinePictureQuestion(kSeed), kSeed), several);
+    EXPECT_NE(expectationsOf(shelf, drawPictureQuestion(kSeed + 1), kSeed + 1), several);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <grader/oracle/Oracle.h>
 #include <grader/probe/Question.h>
+#include <grader/tasks/lens/checks/PictureCheck.h>
 
 #include <cstdint>
 
@@ -26,6 +27,13 @@ inline probe::RenderAnswer answerOf(const probe::RenderQuestion& asked, std::uin
                 pixels.push_back(image.at(x, y));
     }
     return answer;
+}
+
+/// Judges a question that is asked once.
+inline PictureVerdict judgePictures(const probe::RenderQuestion& asked,
+                                    const probe::RenderAnswer& answer, std::uint64_t seed) {
+    Expectations expectations{asked, seed};
+    return judgePictures(expectations, answer);
 }
 
 }  // namespace ticker::tasks

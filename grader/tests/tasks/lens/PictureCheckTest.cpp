@@ -2,6 +2,7 @@
 #include <grader/tasks/lens/answers/Pictures.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/questions/PictureQuestions.h>
+#include <grader/tests/tasks/lens/OraclePictures.h>
 #include <grader/tests/tasks/support/InFinding.h>
 
 #include <gtest/gtest.h>

@@ -14,7 +14,8 @@ namespace {
 using Purpose = ShadowQuestion::Purpose;
 
 /// @param height  Of the light, which is 12 away.
-std::optional<Finding> judgeFaint(double height, int rays, double lightTimes) {
+std::optional<Finding> judgeFaint(double height, int rays, double lightTimes,
+                                  bool raysAreVisible = true) {
     ShadowByHand made;
     ShadowQuestion& asked =
         made.ask(Purpose::faintLight, {{std::sqrt(144.0 - height * height), height, 0.0}});
@@ -24,7 +25,7 @@ std::optional<Finding> judgeFaint(double height, int rays, double lightTimes) {
     made.castRing(rays);
     const raytracer::SceneDescription& scene = made.last().scene();
     point.colour = ambientPart(point, scene) + unshadowed(point, scene, 0, false) * lightTimes;
-    return checkFaintLight(made.logs());
+    return raysAreVisible ? checkFaintLight(made.logs()) : checkFaintValues(made.logs(), {});
 }
 
 TEST(CheckFaintLight, WantsAllOfItsLight) {
@@ -35,6 +36,12 @@ TEST(CheckFaintLight, WantsAllOfItsLight) {
     const auto faded = judgeFaint(1.0, 10, 0.5);
     ASSERT_EQ(idOf(faded), "shadow.wrong");
     EXPECT_NE(faded->message.find("shines along the surface"), std::string::npos) << faded->message;
+}
+
+TEST(CheckFaintLight, WantsItsLightWhereNoRayIsVisible) {
+    EXPECT_FALSE(judgeFaint(12.0, 0, 1.0, false));
+    EXPECT_EQ(idOf(judgeFaint(12.0, 0, 0.0, false)), "shadow.wrong");
+    EXPECT_EQ(idOf(judgeFaint(1.0, 0, 0.0, false)), "shadow.wrong");
 }
 
 TEST(CheckFaintLight, WantsItsRays) {
@@ -62,6 +69,45 @@ TEST(CheckCloseLight, WantsRaysBeyondSixTenthsOfTheRadius) {
     EXPECT_FALSE(judgeClose(0.26));
     EXPECT_EQ(idOf(judgeClose(0.22)), "shadow.light-size");
     EXPECT_FALSE(judgeClose(0.22, 10)) << "ten aims say little";
+}
+
+/// @param share  Of the diffuse light that a surface facing the other way would have.
+std::optional<Finding> judgeBackSide(double share) {
+    ShadowByHand made;
+    raytracer::SceneDescription& asked =
+        made.ask(Purpose::backSide, {{0.0, -6.0, 0.0}}).question.scene;
+    asked.ambientLighting = ColourRGB{0.5};
+    asked.planes[0].material.colour = ColourRGB{0.5};
+    PointLog& point = made.point();
+    const raytracer::SceneDescription& scene = made.last().scene();
+    PointLog turned = point;
+    turned.point.normal = -point.point.normal;
+    point.colour = ambientPart(point, scene) + unshadowed(turned, scene, 0, false) * share;
+    return checkBackSide(made.logs());
+}
+
+TEST(CheckBackSide, WantsAmbientLightAlone) {
+    EXPECT_FALSE(judgeBackSide(0.0));
+    EXPECT_EQ(idOf(judgeBackSide(0.1)), "shadow.wrong");
+    EXPECT_EQ(idOf(judgeBackSide(1.0)), "shadow.wrong");
+}
+
+// Whether V is O or the eye, and whether or not the surface's own shadow is looked for.
+TEST(BackSide, HasNoHighlightInAnyReading) {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        for (const ShadowQuestion& question : drawShadowQuestions(seed)) {
+            if (question.purpose != Purpose::backSide) continue;
+            for (const probe::LitPoint& point : question.question.points) {
+                const Vector3 towards =
+                    question.question.scene.pointLights[0].position() - point.position;
+                const Vector3 mirrored = towards.normalised().reflectIn(point.normal);
+                EXPECT_LT(towards.dot(point.normal), 0.0);
+                EXPECT_LT((point.viewer - point.position).dot(point.normal), 0.0);
+                for (const Vector3& viewer : {point.viewer, Vector3{}})
+                    EXPECT_LT(mirrored.dot((viewer - point.position).normalised()), -0.1);
+            }
+        }
+    }
 }
 
 TEST(FaintLights, AreInPlainSightAboveTheHorizonUnderEverySeed) {

@@ -1,4 +1,5 @@
 // Points that see a part of the light, judged by values alone.
+#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
 #include <grader/tasks/shadows/answers/PenumbraHits.h>
 #include <grader/tasks/shadows/answers/PenumbraShares.h>
 #include <grader/tasks/support/Draw.h>
@@ -33,6 +34,7 @@ std::vector<PenumbraSamples> lessEveryHit(double times) {
     for (const PenumbraQuestion::Place& place : asked.places) {
         if (place.kind != Kind::penumbra) continue;
         PenumbraSamples& samples = seen.emplace_back();
+        samples.place = place;
         samples.point = asked.question.points[place.first];
         const Vector3 start = samples.point.position + samples.point.normal * 1e-4;
         for (int call = 0; call < 400; ++call) {
@@ -54,9 +56,24 @@ std::vector<PenumbraSamples> lessEveryHit(double times) {
 
 // Means of 400 calls are off by 0.05 with a chance below 1e-5 for each of twelve places.
 TEST(CountsEveryHit, KnowsRaysThatCountForTwoObjects) {
-    EXPECT_TRUE(countsEveryHit(oneQuestion().question, lessEveryHit(1.0)));
-    EXPECT_FALSE(countsEveryHit(oneQuestion().question, lessEveryHit(0.0)));
+    PenumbraExpectations expectations{oneQuestion()};
+    EXPECT_TRUE(countsEveryHit(expectations, lessEveryHit(1.0)));
+    EXPECT_FALSE(countsEveryHit(expectations, lessEveryHit(0.0)));
     EXPECT_EQ(everyHitCounts().id, "shadow.wrong");
+}
+
+TEST(PenumbraExpectations, AreComputedOnceForEachPlaceShapeAndSize) {
+    const PenumbraQuestion& asked = oneQuestion();
+    PenumbraExpectations expectations{asked};
+    const PenumbraQuestion::Place& place = asked.places.front();
+    const ExpectedShares* ball = &expectations.at(place, AimShape::ball);
+    EXPECT_EQ(ball->open, expectedAt(asked.question, Surfaces{asked.question.scene},
+                                     asked.question.points[place.first], AimShape::ball, 1.0)
+                              .open);
+    EXPECT_NE(&expectations.at(asked.places.back(), AimShape::ball), ball);
+    EXPECT_NE(&expectations.at(place, AimShape::surface), ball);
+    EXPECT_NE(&expectations.at(place, AimShape::ball, 0.5), ball);
+    EXPECT_EQ(&expectations.at(place, AimShape::ball), ball);
 }
 
 PenumbraSamples samplesOf(std::size_t calls, double mean, double variance) {

@@ -108,7 +108,8 @@ PenumbraVerdict judge(const ShareOf& shareOf, const Answer& how = {},
             answer.colours.push_back(ambientPart(log, asked.scene) + full * share + how.more);
         }
     }
-    return checkPenumbra(question, answer);
+    PenumbraExpectations expectations{question};
+    return checkPenumbra(expectations, answer);
 }
 
 /// The share of this many rays that arrive.

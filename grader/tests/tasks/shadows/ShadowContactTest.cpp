@@ -43,8 +43,8 @@ TEST(ContactQuestion, HasABallOnTheFloorCloseAboveEachPoint) {
         for (const probe::LitPoint& point : drawn.question.points) {
             const Vector3 start = point.position + point.normal * 1e-3;
             const Vector3 way = (scene.pointLights.at(0).position() - start).normalised();
-            EXPECT_EQ(surfaces.sightAlong(start, way, 0.15), Sight::blocked);
-            EXPECT_EQ(surfaces.sightAlong(start, way, 0.02), Sight::open);
+            EXPECT_EQ(surfaces.sightAlong(start, way, 0.0095), Sight::blocked);
+            EXPECT_EQ(surfaces.sightAlong(start, way, 0.004), Sight::open);
         }
     }
 }

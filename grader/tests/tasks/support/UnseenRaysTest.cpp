@@ -75,5 +75,17 @@ TEST(JudgeShadows, SaysTheSameForTheSameSeed) {
     EXPECT_EQ(first.findings[0].evidence, second.findings[0].evidence);
 }
 
+TEST(JudgeShadowsOfMany, JudgesAsTheJudgeOfOneDoes) {
+    tests::LocalExaminee reference;
+    const Judge ofMany = judgeShadowsOfMany();
+    for (const double size : {1.0, 1.1, 1.3}) {
+        AlteredExaminee examinee{reference, [=](RenderSettings& s) { s.lightSize *= size; }, true};
+        const TaskJudgement kept = ofMany(examinee, 3);
+        const TaskJudgement alone = judgeShadows(examinee, 3);
+        EXPECT_EQ(kept.state, alone.state) << size;
+        EXPECT_EQ(kept.findings.back().evidence, alone.findings.back().evidence) << size;
+    }
+}
+
 }  // namespace
 }  // namespace ticker::tasks

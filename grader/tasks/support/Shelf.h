@@ -1,0 +1,37 @@
+#ifndef TICKER_TASKS_SUPPORT_SHELF_H
+#define TICKER_TASKS_SUPPORT_SHELF_H
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace ticker::tasks {
+
+/// What is expensive to compute from a question alone, for all submissions that are asked it. The
+/// latest few hundred are kept. Several threads may use it.
+/// @tparam Key  Tells the questions apart.
+template <class Key, class Kept>
+class Shelf {
+public:
+    /// @param arguments  Of the constructor, if there is none for this key yet.
+    template <class... Arguments>
+    [[nodiscard]] std::shared_ptr<Kept> of(const Key& key, Arguments&&... arguments) {
+        const std::lock_guard lock{mutex_};
+        if (kept_.size() >= kMost) kept_.clear();
+        std::shared_ptr<Kept>& kept = kept_[key];
+        if (!kept) kept = std::make_shared<Kept>(std::forward<Arguments>(arguments)...);
+        return kept;
+    }
+
+private:
+    static constexpr std::size_t kMost = 400;  // some 100 MB of pictures
+
+    std::mutex mutex_;
+    std::map<Key, std::shared_ptr<Kept>> kept_;
+};
+
+}  // namespace ticker::tasks
+
+#endif
