@@ -52,6 +52,13 @@ TEST(ViewProcess, TellsACrashAndAMissingProgram) {
     EXPECT_EQ(missing.wait(), 127);
 }
 
+TEST(ViewProcess, TellsACrashToWhoeverLetsGoAtTheEndOfItsOutput) {
+    Process crashing{shell("kill -SEGV $$"), Process::Errors::toOurs};
+    EXPECT_EQ(everythingFrom(crashing), "");
+    crashing.kill();
+    EXPECT_EQ(crashing.wait(), 128 + SIGSEGV);
+}
+
 TEST(ViewProcess, EndsWhatItStartedAlsoInGroupsOfTheirOwn) {
     // As a build tool does: a compiler in another group, which nothing has told to end.
     Process process{shell("setsid /bin/sh -c 'trap \"\" TERM; echo $$; while :; do sleep 1; done'"),
