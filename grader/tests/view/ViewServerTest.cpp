@@ -55,8 +55,9 @@ protected:
         return answerOf(client_.Get(root() + rest, headers));
     }
     httplib::Response post(const std::string& path, const std::string& body,
-                           const httplib::Headers& headers) {
-        return answerOf(client_.Post(path, headers, body, "application/x-www-form-urlencoded"));
+                           const httplib::Headers& headers,
+                           const char* type = "application/x-www-form-urlencoded") {
+        return answerOf(client_.Post(path, headers, body, type));
     }
 
     FakeKit kit_;
@@ -142,7 +143,8 @@ TEST_F(ViewServerTest, ChangesSettingsForItsOwnPageAlone) {
     const httplib::Response refusal = post(root() + "settings", "bounces=-1", ofThePage());
     EXPECT_EQ(refusal.status, 400);
     EXPECT_NE(refusal.body.find("--bounces"), std::string::npos) << refusal.body;
-    EXPECT_EQ(post(root() + "settings", std::string(20'000, 'x'), ofThePage()).status, 413);
+    const std::string large(20'000, 'x');  // the library has a limit of its own for forms
+    EXPECT_EQ(post(root() + "settings", large, ofThePage(), "text/plain").status, 413);
     EXPECT_EQ(bounces(), "3");
 }
 
