@@ -67,14 +67,19 @@ inline constexpr const char* kBallOverFloor = R"(<scene>
 /// Waits until the board's entries are as wanted and gives them; null where nothing more comes.
 template <typename IsWanted>
 nlohmann::json waitFor(Board& board, const IsWanted& isWanted) {
+    // The board waits for ten seconds at a time: too short where others take the processors.
+    constexpr int kMostInVain = 6;
     nlohmann::json all = nlohmann::json::object();
-    for (std::uint64_t version = 0;;) {
+    std::uint64_t version = 0;
+    for (int inVain = 0; inVain < kMostInVain;) {
         const nlohmann::json news = nlohmann::json::parse(board.newsAfter(version));
-        if (news["version"] == version) return nullptr;
+        inVain = news["version"] == version ? inVain + 1 : 0;
+        if (inVain > 0) continue;
         version = news["version"].get<std::uint64_t>();
         all.update(news);
         if (isWanted(all)) return all;
     }
+    return nullptr;
 }
 
 }  // namespace raytracer::view
