@@ -1,6 +1,6 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/ShadowStages.h>
-#include <grader/tasks/shadows/checks/PenumbraCheck.h>
+#include <grader/tasks/shadows/penumbra/PenumbraCheck.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <array>

@@ -1,8 +1,8 @@
 #ifndef TICKER_TASKS_SHADOWS_SHADOWSTAGES_H
 #define TICKER_TASKS_SHADOWS_SHADOWSTAGES_H
 
-#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
 #include <grader/tasks/shadows/checks/LitRender.h>
+#include <grader/tasks/shadows/penumbra/PenumbraExpectations.h>
 #include <grader/tasks/support/Stage.h>
 
 namespace ticker::tasks {

@@ -103,5 +103,47 @@ TEST(DrawingJson, ShowsTheSmoothAndTheTiltedNormalOfABumpySphere) {
     EXPECT_TRUE(drawing["normals"][0].contains("given"));
 }
 
+TEST(DrawingJson, DrawsARayThatMeetsNothingAsFarAsItIsSeen) {
+    PixelLog log;
+    const Scene scene{twoLights(), &log};
+    RenderSettings settings = pixelOfTheFloor(&log);
+    settings.region = {0, 0, 1, 1};
+    settings.dofRayCount = 1;
+    static_cast<void>(Renderer{settings}.render(scene));
+    const Json drawing = Json::parse(drawingOfPixel(log, scene, settings, {0, 0}));
+    ASSERT_EQ(drawing["rays"].size(), 1U);
+    const Json& ray = drawing["rays"][0];
+    EXPECT_EQ(ray["t"], "camera ray 1 meets nothing");
+    EXPECT_TRUE(ray.value("m", false));
+    const auto at = [&](const char* end) {
+        return Vector3{ray[end][0].get<double>(), ray[end][1].get<double>(),
+                       ray[end][2].get<double>()};
+    };
+    EXPECT_NEAR((at("b") - at("a")).magnitude(), 4.0, 1e-4);  // numbers have six digits
+    EXPECT_TRUE(drawing["normals"].empty());
+}
+
+TEST(DrawingJson, TellsOfRaysThatNoTraceHasCast) {
+    PixelLog log;
+    const Scene scene{twoLights(), &log};
+    const Ray down{{3.0, 1.0, 4.0}, {0.0, -2.0, 0.0}};
+    const Ray up{{3.0, 1.0, 4.0}, {0.0, 2.0, 0.0}};
+    static_cast<void>(scene.findClosestIntersection(down));
+    static_cast<void>(scene.findClosestIntersection(up));
+    const RenderSettings settings = pixelOfTheFloor(&log);
+    const Json alone = Json::parse(drawingOfPixel(log, scene, settings, {1, 2}));
+    EXPECT_EQ(alone["words"][0], "Pixel (1, 2) was never set.");
+    EXPECT_EQ(alone["words"][1],
+              "No camera ray of trace was seen; rays are numbered as they were cast.");
+    EXPECT_EQ(alone["rays"][0]["t"], "ray 1 meets plane 1");
+    EXPECT_EQ(alone["rays"][1]["t"], "ray 2 meets nothing");
+    EXPECT_EQ(alone["rays"][1]["b"], Json({3.0, 5.0, 4.0}));
+
+    static_cast<void>(Renderer{settings}.render(scene));
+    const Json beside = Json::parse(drawingOfPixel(log, scene, settings, {32, 43}));
+    EXPECT_EQ(countOf(beside, "other"), 2);
+    EXPECT_EQ(beside["words"].back(), "2 rays cast outside of trace and illuminate.");
+}
+
 }  // namespace
 }  // namespace raytracer::view

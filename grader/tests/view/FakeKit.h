@@ -1,6 +1,8 @@
 #ifndef TICKER_TESTS_VIEW_FAKEKIT_H
 #define TICKER_TESTS_VIEW_FAKEKIT_H
 
+#include "ThisProgram.h"
+
 #include <grader/tests/support/TemporaryFolder.h>
 #include <student_template/framework/app/view/Board.h>
 #include <student_template/framework/app/view/ViewHome.h>
@@ -16,19 +18,24 @@ namespace raytracer::view {
 /// A student's folder whose compiler, program and public tests are scripts.
 class FakeKit {
 public:
-    FakeKit() {
-        home_.exercise = write("exercise/Renderer.cpp", "// TASK T2.1 begin\n").parent_path();
-        home_.scenes = write("scenes/room.xml", "<scene/>").parent_path();
-        home_.build = folder_.path();
-        home_.target = "program";
-        home_.testTarget = "tests";
-        home_.cmake = script("cmake", "exit 0").string();
-        home_.program = script("program", kEcho);
-        home_.tests = script("tests", "exit 0");
-        home_.suites = {{"T1", "BumpMapping"}, {"T2.1", "SoftShadows"}};
+    /// A worker that gives every command back as its answer.
+    static constexpr const char* kEcho = R"(tab=$(printf '\t')
+while IFS= read -r line; do
+  number=${line#*"$tab"}
+  printf 'failed %s %s\n%s' "${number%%"$tab"*}" "${#line}" "$line"
+done)";
+
+    explicit FakeKit(const std::string& program = kEcho) {
+        write("exercise/Renderer.cpp", "// TASK T2.1 begin\n");
+        write("scenes/room.xml", "<scene/>");
+        script("cmake", "exit 0");
+        script("program", program);
+        script("tests", "exit 0");
     }
 
     [[nodiscard]] ViewHome& home() { return home_; }
+    [[nodiscard]] const ViewHome& home() const { return home_; }
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
 
     std::filesystem::path write(const std::string& name, const std::string& text) const {
         return folder_.write(name, text);
@@ -40,28 +47,39 @@ public:
     }
 
 private:
-    // A worker that gives every command back as its answer.
-    static constexpr const char* kEcho = R"(tab=$(printf '\t')
-while IFS= read -r line; do
-  number=${line#*"$tab"}
-  printf 'failed %s %s\n%s' "${number%%"$tab"*}" "${#line}" "$line"
-done)";
-
     ticker::tests::TemporaryFolder folder_;
-    ViewHome home_;
+    ViewHome home_ = homeIn(folder_.path());
 };
+
+/// The script of a right solution.
+[[nodiscard]] inline std::string rightSolution() {
+    return "exec '" + thisProgram() + "' \"$@\"";
+}
+
+/// A ball over a floor, and one light.
+inline constexpr const char* kBallOverFloor = R"(<scene>
+  <ambient-light colour="#202020"/>
+  <point-light x="2" y="3" z="1" colour="#ffffff" intensity="100"/>
+  <sphere x="0" y="0" z="4" radius="1" colour="#ff0000"/>
+  <plane x="0" y="-1" z="0" nx="0" ny="1" nz="0" colour="#00ff00"/>
+</scene>)";
 
 /// Waits until the board's entries are as wanted and gives them; null where nothing more comes.
 template <typename IsWanted>
 nlohmann::json waitFor(Board& board, const IsWanted& isWanted) {
+    // The board waits for ten seconds at a time: too short where others take the processors.
+    constexpr int kMostInVain = 6;
     nlohmann::json all = nlohmann::json::object();
-    for (std::uint64_t version = 0;;) {
+    std::uint64_t version = 0;
+    for (int inVain = 0; inVain < kMostInVain;) {
         const nlohmann::json news = nlohmann::json::parse(board.newsAfter(version));
-        if (news["version"] == version) return nullptr;
+        inVain = news["version"] == version ? inVain + 1 : 0;
+        if (inVain > 0) continue;
         version = news["version"].get<std::uint64_t>();
         all.update(news);
         if (isWanted(all)) return all;
     }
+    return nullptr;
 }
 
 }  // namespace raytracer::view

@@ -1,12 +1,17 @@
+#include <grader/tests/support/TemporaryFolder.h>
 #include <student_template/framework/app/view/Lines.h>
 #include <student_template/framework/app/view/process/Process.h>
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <thread>
 #include <vector>
@@ -52,6 +57,13 @@ TEST(ViewProcess, TellsACrashAndAMissingProgram) {
     EXPECT_EQ(missing.wait(), 127);
 }
 
+TEST(ViewProcess, TellsACrashToWhoeverLetsGoAtTheEndOfItsOutput) {
+    Process crashing{shell("kill -SEGV $$"), Process::Errors::toOurs};
+    EXPECT_EQ(everythingFrom(crashing), "");
+    crashing.kill();
+    EXPECT_EQ(crashing.wait(), 128 + SIGSEGV);
+}
+
 TEST(ViewProcess, EndsWhatItStartedAlsoInGroupsOfTheirOwn) {
     // As a build tool does: a compiler in another group, which nothing has told to end.
     Process process{shell("setsid /bin/sh -c 'trap \"\" TERM; echo $$; while :; do sleep 1; done'"),
@@ -85,6 +97,56 @@ TEST(ViewProcess, EndsWithTheProgramThatIsKilled) {
     waitpid(viewer, nullptr, 0);
     expectGone(child);
     close(ends[0]);
+}
+
+TEST(ViewProcess, WritesToNoneThatReadsNoMore) {
+    Process process{shell("exec true"), Process::Errors::toOurs};
+    EXPECT_EQ(process.wait(), 0);
+    EXPECT_FALSE(process.write("too late\n"));
+    EXPECT_EQ(everythingFrom(process), "");
+}
+
+/// What a desktop's opener is told by a program whose stdout is this file.
+std::string toldToTheOpener(int output, int readEnd, const char* display) {
+    const ticker::tests::TemporaryFolder folder;
+    const auto opener = folder.write("xdg-open", "#!/bin/sh\necho \"open $*\"\n");
+    std::filesystem::permissions(opener, std::filesystem::perms::owner_all);
+    const pid_t program = fork();
+    if (program == 0) {
+        setenv("PATH", (folder.path().string() + ":/usr/bin:/bin").c_str(), 1);
+        setenv("DISPLAY", display, 1);
+        unsetenv("WAYLAND_DISPLAY");
+        if (*display == '\0') unsetenv("DISPLAY");
+        dup2(output, STDOUT_FILENO);
+        openInBrowser("http://127.0.0.1:1/");
+        _exit(0);
+    }
+    close(output);
+    std::string told;
+    std::array<char, 256> bytes{};
+    // A terminal's end of file is an error.
+    for (ssize_t got = 1; got > 0;) {
+        got = read(readEnd, bytes.data(), bytes.size());
+        if (got > 0) told.append(bytes.data(), static_cast<std::size_t>(got));
+    }
+    waitpid(program, nullptr, 0);
+    close(readEnd);
+    return told;
+}
+
+TEST(ViewProcess, OpensTheBrowserOfADesktopFromATerminalAlone) {
+    const auto fromATerminal = [](const char* display) {
+        const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+        EXPECT_EQ(grantpt(terminal), 0);
+        EXPECT_EQ(unlockpt(terminal), 0);
+        const int output = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+        return toldToTheOpener(output, terminal, display);
+    };
+    EXPECT_EQ(fromATerminal(":1"), "open http://127.0.0.1:1/\r\n");
+    EXPECT_EQ(fromATerminal(""), "");
+    std::array<int, 2> ends{};
+    ASSERT_EQ(pipe(ends.data()), 0);
+    EXPECT_EQ(toldToTheOpener(ends[1], ends[0], ":1"), "");
 }
 
 }  // namespace

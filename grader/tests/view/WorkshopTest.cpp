@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
+#include <thread>
 
 namespace raytracer::view {
 namespace {
@@ -115,6 +117,111 @@ TEST(Workshop, TellsTheFailingTestBetweenTheStudentsOwnLines) {
     EXPECT_EQ(tests["state"], "failed");
     EXPECT_EQ(tests["title"], "T2.1 Shadows are soft");
     EXPECT_EQ(tests["text"], "  got:  1\n");
+}
+
+Json failedBuildOf(Board& board) {
+    const Json all = waitFor(board, [](const Json& news) {
+        return news.contains("build") && news["build"]["state"] == "failed";
+    });
+    return all.is_null() ? all : all["build"];
+}
+
+TEST(Workshop, ShowsTheFirstErrorWithItsLine) {
+    // A compiler names files from its build folder, or in full.
+    for (const bool isInFull : {false, true}) {
+        FakeKit kit;
+        kit.write("exercise/Renderer.cpp", "int a;\nint b\n");
+        const std::string file =
+            (isInFull ? kit.folder() / "exercise" : "exercise") / "Renderer.cpp";
+        kit.script("cmake", "echo begun; echo \"" + file + ":2:6: error: expected ';'\"; exit 1");
+        int unchanged = 0;
+        Board board;
+        Json build;
+        {
+            const Workshop workshop{kit.home(), board, {[] {}, [] {}, [&] { ++unchanged; }}};
+            build = failedBuildOf(board);
+        }
+        EXPECT_EQ(build["file"], "Renderer.cpp");
+        EXPECT_EQ(build["line"], 2);
+        EXPECT_EQ(build["message"], "expected ';'");
+        EXPECT_EQ(build["source"], "int b");
+        EXPECT_EQ(build["all"], "begun\n" + file + ":2:6: error: expected ';'\n");
+        EXPECT_EQ(unchanged, 1);
+    }
+}
+
+TEST(Workshop, ShowsTheBeginningOfTooMuchOfACompiler) {
+    FakeKit kit;
+    kit.script("cmake", "echo the first error; yes 'and its notes' | head -n 30000; exit 1");
+    Board board;
+    const Workshop workshop{kit.home(), board, nobody()};
+    const std::string all = failedBuildOf(board)["all"];
+    EXPECT_EQ(all.size(), 20'000U);
+    EXPECT_EQ(all.find("the first error\nand its notes\n"), 0U);
+}
+
+TEST(Workshop, ShowsTheEndOfTooMuchOfATestThatCrashes) {
+    FakeKit kit;
+    kit.script("tests", std::string{kOnlyShadows} +
+                            "yes 'a line of my own' | head -n 100000; echo the end; kill -SEGV $$");
+    Board board;
+    const Workshop workshop{kit.home(), board, nobody()};
+    const std::string text = testsOf(board)["text"];
+    EXPECT_EQ(text.size(), 20'000U);
+    EXPECT_TRUE(text.ends_with("a line of my own\nthe end\n"));
+}
+
+TEST(Workshop, TellsWhereTheTestsDoNotCompile) {
+    FakeKit kit;
+    kit.script("cmake",
+               "case $4 in tests) echo 'T.cpp:3:1: error: no such function'; exit 1;; esac");
+    Board board;
+    const Workshop workshop{kit.home(), board, nobody()};
+    const Json build = failedBuildOf(board);
+    EXPECT_EQ(build["message"], "no such function");
+    EXPECT_EQ(build["source"], "");  // there is no such file
+}
+
+TEST(Workshop, SaysThatThereAreNoTests) {
+    FakeKit kit;
+    kit.home().testTarget.clear();
+    Board board;
+    const Workshop workshop{kit.home(), board, nobody()};
+    EXPECT_EQ(testsOf(board)["state"], "none");
+}
+
+TEST(Workshop, BeginsAgainWhereAFileIsSavedDuringABuild) {
+    FakeKit kit;
+    // The first build never ends by itself.
+    kit.script("cmake", "cd '" + kit.folder().string() +
+                            "' && mkdir first 2>/dev/null || exit 0\n" + "exec tail -f /dev/null");
+    int saves = 0;
+    int built = 0;
+    Board board;
+    {
+        Workshop workshop{kit.home(), board, {[&] { ++saves; }, [] {}, [&] { ++built; }}};
+        EXPECT_FALSE(
+            waitFor(board, [](const Json& news) { return news.contains("build"); }).is_null());
+        while (!std::filesystem::exists(kit.folder() / "first"))
+            std::this_thread::yield();
+        kit.write("exercise/Renderer.cpp", "int saved;");
+        workshop.look();
+        EXPECT_EQ(testsOf(board)["state"], "passed");
+    }
+    EXPECT_EQ(saves, 1);
+    EXPECT_EQ(built, 1);
+}
+
+TEST(Workshop, EndsABuildThatRuns) {
+    FakeKit kit;
+    kit.script("cmake", "exec tail -f /dev/null");
+    Board board;
+    {
+        const Workshop workshop{kit.home(), board, nobody()};
+        EXPECT_FALSE(
+            waitFor(board, [](const Json& news) { return news.contains("build"); }).is_null());
+    }
+    EXPECT_EQ(Json::parse(board.newsAfter(0))["build"]["state"], "building");
 }
 
 }  // namespace

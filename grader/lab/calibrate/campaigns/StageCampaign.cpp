@@ -6,7 +6,7 @@
 #include <grader/lab/calibrate/campaigns/StageCampaign.h>
 #include <grader/tasks/lens/checks/PictureCheck.h>
 #include <grader/tasks/lens/questions/PictureQuestions.h>
-#include <grader/tasks/shadows/checks/PenumbraCheck.h>
+#include <grader/tasks/shadows/penumbra/PenumbraCheck.h>
 
 #include <raytracer/base/Error.h>
 

@@ -4,7 +4,7 @@
 #include <grader/lab/calibrate/Campaign.h>
 #include <grader/lab/calibrate/Subject.h>
 #include <grader/tasks/lens/checks/Expectations.h>
-#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
+#include <grader/tasks/shadows/penumbra/PenumbraExpectations.h>
 
 #include <cstdint>
 

@@ -177,8 +177,8 @@ Finding lightsLostBehind() {
 Finding ambientForEachLight() {
     Finding finding = distributedFinding(
         kShadowLightsMixed, Severity::fail,
-        "With one light the colours are right; with three lights the ambient light was expected "
-        "once, and it is there three times.");
+        "With one light the colours are right; with several lights the ambient light was expected "
+        "once, and it is there once for each light.");
     finding.hint =
         "The ambient light belongs to the scene, not to a light: add it once, before the loop over "
         "the lights, and not times their number.";

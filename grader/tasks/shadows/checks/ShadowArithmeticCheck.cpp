@@ -106,7 +106,8 @@ std::optional<Finding> checkRest(const ShadowLogs& logs, const ShadowReading& re
     if (!allFit(logs.severalLights, reading, ShadowArithmetic::right)) {
         Finding finding = distributedFinding(
             kShadowLightsMixed, Severity::fail,
-            "With one light the colours are right; with three lights each was expected to add its "
+            "With one light the colours are right; with several lights each was expected to add "
+            "its "
             "own light scaled by its own share, and what comes out is something else.");
         if (allFit(logs.severalLights, reading, ShadowArithmetic::ambientForEachLight))
             finding = ambientForEachLight();

@@ -128,12 +128,12 @@ std::optional<Finding> checkSeveralCounts(const ShadowLogs& logs, bool fixed) {
     const RayCounts counts = countRays(logs.severalLights, false);
     const bool copies = counts.fewest >= asked && counts.repeats(asked) && !fixed;
     if (counts.fewest >= asked && !copies) return std::nullopt;
-    Finding finding =
-        distributedFinding(kShadowTooFewRays, Severity::fail,
-                           fmt::format("{0} {1}shadow rays to each light were expected; with three "
-                                       "lights in the scene, some light gets fewer {1}rays: {2}.",
-                                       asked, copies ? "different " : "",
-                                       copies ? counts.fewestDistinct : counts.fewest));
+    Finding finding = distributedFinding(
+        kShadowTooFewRays, Severity::fail,
+        fmt::format("{0} {1}shadow rays to each light were expected; with several "
+                    "lights in the scene, some light gets fewer {1}rays: {2}.",
+                    asked, copies ? "different " : "",
+                    copies ? counts.fewestDistinct : counts.fewest));
     finding.evidence.emplace_back("raysExpected", static_cast<double>(asked));
     finding.evidence.emplace_back("fewestRays", static_cast<double>(counts.fewest));
     finding.evidence.emplace_back("fewestDistinctRays", static_cast<double>(counts.fewestDistinct));
@@ -161,7 +161,7 @@ std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs, const AimVerdic
             if (!narrow && widest <= radius * (1.0 + 1e-6) + kLargestBias) continue;
             Finding finding = distributedFinding(
                 kShadowLightSize, Severity::fail,
-                fmt::format("Every light is a ball of radius {}; with three lights in the scene, "
+                fmt::format("Every light is a ball of radius {}; with several lights in the scene, "
                             "the rays to one of them pass within {:.3g} of its centre.",
                             radius, widest));
             finding.evidence.emplace_back("widest", widest);
@@ -177,10 +177,10 @@ std::optional<Finding> checkEveryLight(const ShadowLogs& logs) {
         for (const PointLog& point : log->points)
             for (std::size_t i = 0; i < point.lines.size(); ++i)
                 if (faces(point, log->scene().pointLights[i]) && point.lines[i].empty())
-                    return distributedFinding(
-                        kShadowLightsMixed, Severity::fail,
-                        "Shadow rays to every light were expected; with three lights in the scene, "
-                        "some lights get none.");
+                    return distributedFinding(kShadowLightsMixed, Severity::fail,
+                                              "Shadow rays to every light were expected; with "
+                                              "several lights in the scene, "
+                                              "some lights get none.");
     for (const ShadowLog* log : logs.lightBehind)
         for (const PointLog& point : log->points)
             for (std::size_t i = 0; i < point.lines.size(); ++i)

@@ -101,6 +101,7 @@ bool oneSphereCasts(const Logs& logs) {
         });
     };
     return std::ranges::all_of(logs, [&](const ShadowLog* log) {
+        if (log->scene().spheres.empty()) return allNearKnown({log}, false);
         for (std::size_t i = 0; i < log->scene().spheres.size(); ++i)
             if (castsAlone(*log, i)) return true;
         return false;
@@ -117,7 +118,7 @@ std::optional<Finding> knownValueMistake(const ShadowLogs& logs) {
             if (ambientIsThereForEachLight(logs.severalLights)) return ambientForEachLight();
             if (oneSphereCasts(logs.severalLights)) return oneObjectCasts();
             return distributedFinding(kShadowLightsMixed, Severity::fail,
-                                      "With one light the colours are right; with three lights "
+                                      "With one light the colours are right; with several lights "
                                       "they are not.");
         }
         if (!allNearKnown(logs.planeShadow, false)) return planesCastNothing();

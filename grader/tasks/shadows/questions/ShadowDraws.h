@@ -42,6 +42,9 @@ void setCapacity(ShadowQuestion& question);
 /// viewers stand aside, in directions of their own.
 [[nodiscard]] ShadowQuestion drawFarLight(Draw& draw, const Vector3& towards);
 
+/// A floor under eight lights, all in plain sight.
+[[nodiscard]] ShadowQuestion drawEightLights(Draw& draw);
+
 /// A floor with two lights above it and one below, the second of three. Code that leaves the loop
 /// over the lights there loses a light in either order.
 [[nodiscard]] ShadowQuestion drawLightBehind(Draw& draw);

@@ -240,7 +240,7 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     for (const auto drawNext :
          {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine, drawContact, drawLowLight,
           drawNearLight, drawPureLights, drawPureSurfaces, drawFaintLight, drawGrazingLight,
-          drawCloseLight, drawBackSide})
+          drawCloseLight, drawBackSide, drawEightLights})
         questions.push_back(drawNext(draw));
     raytracer::RenderSettings odd;
     odd.shadowRayCount = kOddRays;

@@ -4,6 +4,7 @@
 #include <grader/tasks/bump/questions/Proportion.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
+#include <grader/tests/tasks/bump/SomeReadings.h>
 
 #include <gtest/gtest.h>
 
@@ -75,7 +76,7 @@ TEST(ReadProportion, IsExactWhateverTheStrengthOfAProportionalTilt) {
 }
 
 TEST(ReadProportion, IsGoodForEveryAcceptedReading) {
-    const std::vector<selftest::Reading> readings = selftest::acceptedReadings(1);
+    const std::vector<selftest::Reading> readings = tests::someReadings();
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const double growth = growthOf(modelOf(readings[i]));
         EXPECT_NEAR(growth, ProportionPlan::kTimes, 2.0) << describe(readings[i]);
@@ -117,7 +118,7 @@ selftest::NormalFunction turnedBy(double (*angleOf)(double)) {
 
 // Exact: n' = n - slope has n'.n = 1 before it is normalised.
 TEST(ReadProportion, FindsEveryAcceptedReadingAboveTheHorizon) {
-    const std::vector<selftest::Reading> readings = selftest::acceptedReadings(1);
+    const std::vector<selftest::Reading> readings = tests::someReadings();
     for (const selftest::Reading& reading : readings)
         EXPECT_LT(proportionOf(modelOf(reading)).pastHorizon, 0.005) << describe(reading);
 }
@@ -132,7 +133,7 @@ TEST(ReadProportion, SeesNormalsThatAreTurnedByTheSlopeItself) {
 }
 
 TEST(ReadProportion, FindsEveryAcceptedReadingTheSameAtEveryHeight) {
-    for (const selftest::Reading& reading : selftest::acceptedReadings(1)) {
+    for (const selftest::Reading& reading : tests::someReadings()) {
         const Proportion proportion = proportionOf(modelOf(reading));
         EXPECT_TRUE(proportion.isSameAtEveryHeight())
             << describe(reading) << ": " << proportion.brightOverDark;
@@ -192,7 +193,7 @@ TEST(ReadProportion, LeavesSmoothSpheresToOthers) {
 }
 
 TEST(ReadEdges, AreGoodForEveryAcceptedReading) {
-    for (const selftest::Reading& reading : selftest::acceptedReadings(1)) {
+    for (const selftest::Reading& reading : tests::someReadings()) {
         if (reading.top != selftest::Reading::Top::y) continue;
         const Parametrisation parametrisation({0.0, 1.0, 0.0}, reading.uOrigin, reading.mirrored);
         const MapEdges edges = edgesOf(modelOf(reading), parametrisation);

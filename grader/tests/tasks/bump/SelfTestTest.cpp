@@ -8,7 +8,7 @@ namespace {
 
 // A tenth by `./tick guard slow`.
 TEST(BumpSelfTest, APartOfTheTablesComesOutRight) {
-    const BumpSelfTest result = runBumpSelfTest(tests::isSlowRun() ? 0.1 : 0.015, {1, 2, 3});
+    const BumpSelfTest result = runBumpSelfTest(tests::isSlowRun() ? 0.1 : 0.008, {1, 2, 3});
     EXPECT_TRUE(result.passed()) << result.table();
 }
 

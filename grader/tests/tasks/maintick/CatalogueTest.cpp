@@ -63,13 +63,13 @@ TEST(MainTickCatalogue, AnEntryMayBeWholeFilesOfWhichTheTasksOwnIsJudged) {
     expectJudgedAsTheySay(entriesOf("unseen", {"M4/highlights-from-first-viewer"}), 1);
 }
 
-/// Judges each entry's own task under the first seeds; a quarter of them if this is no slow run.
+/// Judges each entry's own task under the first seeds; an eighth of them if this is no slow run.
 void expectUnderSeeds(std::uint64_t seeds, const std::vector<corpus::Entry>& entries,
                       TaskState state) {
     const build::Kit kit = build::Kit::besideProgram(mainTick());
     const sandbox::Sandbox sandbox = sandbox::Sandbox::best();
     const sandbox::Limits limits;
-    const std::uint64_t end = tests::isSlowRun() ? seeds : seeds / 4;
+    const std::uint64_t end = tests::isSlowRun() ? seeds : seeds / 8;
     for (const corpus::Entry& entry : entries) {
         const std::string file{mainTick().fileOf(entry.task())};
         const build::BuildResult built =

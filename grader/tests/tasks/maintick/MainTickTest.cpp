@@ -175,7 +175,7 @@ TEST(MainTickQuestions, NeverFailTheReference) {
     const build::Kit kit = build::Kit::besideProgram(exercise);
     const sandbox::Sandbox sandbox = sandbox::Sandbox::best();
     const sandbox::Limits limits;
-    const std::uint64_t end = tests::isSlowRun() ? 40 : 10;
+    const std::uint64_t end = tests::isSlowRun() ? 40 : 5;
     for (const std::string& file : exercise.files()) {
         const build::BuildResult built = build::buildProgram(
             kit, sandbox, limits, file, tests::readFile(exercise.reference + "/" + file));

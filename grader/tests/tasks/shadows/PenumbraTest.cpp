@@ -1,7 +1,7 @@
 // Points that see a part of the light, judged by values alone.
-#include <grader/tasks/shadows/answers/PenumbraHits.h>
-#include <grader/tasks/shadows/answers/PenumbraShares.h>
-#include <grader/tasks/shadows/checks/PenumbraCheck.h>
+#include <grader/tasks/shadows/penumbra/PenumbraCheck.h>
+#include <grader/tasks/shadows/penumbra/PenumbraHits.h>
+#include <grader/tasks/shadows/penumbra/PenumbraShares.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tests/tasks/shadows/ShadowByHand.h>
 

@@ -131,9 +131,26 @@ TEST(ShadowQuestions, OfOneLightHaveTheBallBetweenFloorAndLight) {
     EXPECT_GT(*std::max_element(heights.begin(), heights.end()), 15.0);
 }
 
-TEST(ShadowQuestions, OfSeveralLightsHaveThemRoundTheFloorAndBallsBeforeTwoAndBehindTheNearest) {
+TEST(ShadowQuestions, OfEightLightsHaveThemInSightAndFarApart) {
     forEach(Purpose::severalLights, [](const ShadowQuestion& question) {
         const auto& scene = question.question.scene;
+        if (!scene.spheres.empty()) return;
+        ASSERT_EQ(scene.pointLights.size(), 8U);
+        EXPECT_EQ(question.question.points.size(), 18U);
+        for (const probe::LitPoint& point : question.question.points)
+            for (std::size_t i = 0; i < 8; ++i) {
+                const Vector3 one = (lightOf(question, i) - point.position).normalised();
+                const Vector3 next = (lightOf(question, (i + 1) % 8) - point.position).normalised();
+                EXPECT_GT(one.dot(point.normal), 0.4);
+                EXPECT_LT(one.dot(next), std::cos(0.5));
+            }
+    });
+}
+
+TEST(ShadowQuestions, OfThreeLightsHaveThemRoundTheFloorAndBallsBeforeTwoAndBehindTheNearest) {
+    forEach(Purpose::severalLights, [](const ShadowQuestion& question) {
+        const auto& scene = question.question.scene;
+        if (scene.spheres.empty()) return;
         const Vector3 foot = scene.planes.at(0).point;
         const Vector3 up = scene.planes[0].normal;
         ASSERT_EQ(scene.pointLights.size(), 3U);

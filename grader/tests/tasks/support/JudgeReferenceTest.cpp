@@ -20,7 +20,7 @@ std::string told(const TaskJudgement& judgement) {
 // A correct submission fails with a chance below 1e-9 for each seed.
 TEST(JudgeBoth, PassTheReferenceForManySeeds) {
     tests::LocalExaminee examinee;
-    const std::uint64_t last = tests::isSlowRun() ? 30 : 8;
+    const std::uint64_t last = tests::isSlowRun() ? 30 : 4;
     for (std::uint64_t seed = 1; seed <= last; ++seed)
         for (const TaskJudgement& judgement :
              {judgeShadows(examinee, seed), judgeLens(examinee, seed)}) {

@@ -79,7 +79,6 @@ void endOrphans() {
     bool isOver = false;
     while (!isOver && poll(&lifeline, 1, kLookEveryMs) <= 0)
         isOver = waitpid(program, &status, WNOHANG) == program;
-    const int result = isOver ? statusOf(status) : kKilled;
     if (!isOver) {
         ::kill(-program, SIGTERM);
         ::kill(program, SIGTERM);  // where it has no group yet
@@ -87,6 +86,9 @@ void endOrphans() {
     }
     ::kill(-program, SIGKILL);
     if (!isOver) waitpid(program, &status, 0);
+    // Also where the lifeline ended first: whoever reads the output of a crash notices its end
+    // before this does, and then lets go.
+    const int result = statusOf(status);
     endOrphans();
     _exit(result);
 }

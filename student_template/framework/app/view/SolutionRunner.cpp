@@ -10,7 +10,6 @@
 namespace raytracer::view {
 namespace {
 
-constexpr std::chrono::seconds kLongestAnswer{10};
 constexpr int kSignalled = 128;
 
 constexpr const char* kNoEnd =
@@ -27,8 +26,9 @@ std::string endInWords(int status) {
     return "Your code crashed" + signal + ". The debug build tells the line: see README.md.";
 }
 
-SolutionRunner::SolutionRunner(std::filesystem::path program, Listener listener)
-    : program_(std::move(program)), listener_(std::move(listener)) {}
+SolutionRunner::SolutionRunner(std::filesystem::path program, Listener listener,
+                               std::chrono::milliseconds patience)
+    : program_(std::move(program)), listener_(std::move(listener)), patience_(patience) {}
 
 SolutionRunner::~SolutionRunner() {
     stop();
@@ -60,7 +60,7 @@ SolutionRunner::Answer SolutionRunner::ask(const std::string& verb,
         send(verb, number, arguments);
     }
     std::unique_lock lock{mutex_};
-    answered_.wait_for(lock, kLongestAnswer,
+    answered_.wait_for(lock, patience_,
                        [&] { return answers_[number].has_value() || !isRunning_; });
     const std::optional<Answer> answer = answers_[number];
     answers_.erase(number);
@@ -82,7 +82,7 @@ void SolutionRunner::restart() {
 void SolutionRunner::look() {
     {
         const std::lock_guard lock{mutex_};
-        if (!waitingSince_ || Clock::now() - *waitingSince_ < kLongestAnswer) return;
+        if (!waitingSince_ || Clock::now() - *waitingSince_ < patience_) return;
         waitingSince_.reset();
     }
     restart();

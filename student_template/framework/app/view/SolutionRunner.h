@@ -36,7 +36,9 @@ public:
         std::string payload;
     };
 
-    SolutionRunner(std::filesystem::path program, Listener listener);
+    /// @param patience  How long an answer, or the first part of a picture, may take.
+    SolutionRunner(std::filesystem::path program, Listener listener,
+                   std::chrono::milliseconds patience = std::chrono::seconds{10});
     ~SolutionRunner();
     SolutionRunner(const SolutionRunner&) = delete;
     SolutionRunner& operator=(const SolutionRunner&) = delete;
@@ -62,6 +64,7 @@ private:
 
     std::filesystem::path program_;
     Listener listener_;
+    std::chrono::milliseconds patience_;
     std::mutex starting_;  // taken before mutex_
     std::unique_ptr<Process> process_;
     std::thread reader_;

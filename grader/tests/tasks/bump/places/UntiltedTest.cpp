@@ -3,6 +3,7 @@
 #include <grader/tasks/bump/places/Untilted.h>
 #include <grader/tests/tasks/bump/Asked.h>
 #include <grader/tests/tasks/bump/Judging.h>
+#include <grader/tests/tasks/bump/SomeReadings.h>
 
 #include <gtest/gtest.h>
 
@@ -43,7 +44,7 @@ selftest::NormalFunction smoothWhere(
 }
 
 TEST(ReadUntilted, IsGoodForEveryAcceptedReading) {
-    for (const selftest::Reading& reading : selftest::acceptedReadings(1)) {
+    for (const selftest::Reading& reading : tests::someReadings()) {
         const Untilted untilted = untiltedOf([&](const Point& point) {
             return selftest::modelNormal(reading, selftest::Mistake::none, point);
         });

@@ -1,8 +1,8 @@
-#ifndef TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAHITS_H
-#define TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAHITS_H
+#ifndef TICKER_TASKS_SHADOWS_PENUMBRA_PENUMBRAHITS_H
+#define TICKER_TASKS_SHADOWS_PENUMBRA_PENUMBRAHITS_H
 
 #include <grader/result/Finding.h>
-#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
+#include <grader/tasks/shadows/penumbra/PenumbraExpectations.h>
 
 #include <vector>
 

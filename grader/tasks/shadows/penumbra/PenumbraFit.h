@@ -1,7 +1,7 @@
-#ifndef TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAFIT_H
-#define TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAFIT_H
+#ifndef TICKER_TASKS_SHADOWS_PENUMBRA_PENUMBRAFIT_H
+#define TICKER_TASKS_SHADOWS_PENUMBRA_PENUMBRAFIT_H
 
-#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
+#include <grader/tasks/shadows/penumbra/PenumbraExpectations.h>
 
 #include <algorithm>
 #include <vector>

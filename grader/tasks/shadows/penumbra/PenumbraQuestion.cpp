@@ -1,4 +1,4 @@
-#include <grader/tasks/shadows/questions/PenumbraQuestion.h>
+#include <grader/tasks/shadows/penumbra/PenumbraQuestion.h>
 #include <grader/tasks/shadows/questions/ShadowDraws.h>
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
 #include <grader/tasks/support/Draw.h>

@@ -1,9 +1,9 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
-#include <grader/tasks/shadows/answers/PenumbraFit.h>
-#include <grader/tasks/shadows/answers/PenumbraHits.h>
-#include <grader/tasks/shadows/answers/PenumbraShares.h>
-#include <grader/tasks/shadows/checks/PenumbraCheck.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
+#include <grader/tasks/shadows/penumbra/PenumbraCheck.h>
+#include <grader/tasks/shadows/penumbra/PenumbraFit.h>
+#include <grader/tasks/shadows/penumbra/PenumbraHits.h>
+#include <grader/tasks/shadows/penumbra/PenumbraShares.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
+#include <grader/tasks/shadows/penumbra/PenumbraExpectations.h>
 
 #include <utility>
 

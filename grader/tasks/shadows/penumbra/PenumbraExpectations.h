@@ -1,7 +1,7 @@
-#ifndef TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAEXPECTATIONS_H
-#define TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRAEXPECTATIONS_H
+#ifndef TICKER_TASKS_SHADOWS_PENUMBRA_PENUMBRAEXPECTATIONS_H
+#define TICKER_TASKS_SHADOWS_PENUMBRA_PENUMBRAEXPECTATIONS_H
 
-#include <grader/tasks/shadows/answers/PenumbraShares.h>
+#include <grader/tasks/shadows/penumbra/PenumbraShares.h>
 #include <grader/tasks/support/Shelf.h>
 
 #include <cstddef>

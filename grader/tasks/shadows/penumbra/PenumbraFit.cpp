@@ -1,4 +1,4 @@
-#include <grader/tasks/shadows/answers/PenumbraFit.h>
+#include <grader/tasks/shadows/penumbra/PenumbraFit.h>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#ifndef TICKER_TASKS_SHADOWS_CHECKS_PENUMBRACHECK_H
-#define TICKER_TASKS_SHADOWS_CHECKS_PENUMBRACHECK_H
+#ifndef TICKER_TASKS_SHADOWS_PENUMBRA_PENUMBRACHECK_H
+#define TICKER_TASKS_SHADOWS_PENUMBRA_PENUMBRACHECK_H
 
 #include <grader/result/Finding.h>
-#include <grader/tasks/shadows/answers/PenumbraExpectations.h>
+#include <grader/tasks/shadows/penumbra/PenumbraExpectations.h>
 
 #include <optional>
 

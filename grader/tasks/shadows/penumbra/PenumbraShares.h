@@ -1,8 +1,8 @@
-#ifndef TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRASHARES_H
-#define TICKER_TASKS_SHADOWS_ANSWERS_PENUMBRASHARES_H
+#ifndef TICKER_TASKS_SHADOWS_PENUMBRA_PENUMBRASHARES_H
+#define TICKER_TASKS_SHADOWS_PENUMBRA_PENUMBRASHARES_H
 
 #include <grader/tasks/shadows/answers/ShadowAims.h>
-#include <grader/tasks/shadows/questions/PenumbraQuestion.h>
+#include <grader/tasks/shadows/penumbra/PenumbraQuestion.h>
 #include <grader/tasks/support/Surfaces.h>
 
 #include <array>

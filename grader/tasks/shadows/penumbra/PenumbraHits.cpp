@@ -1,5 +1,5 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
-#include <grader/tasks/shadows/answers/PenumbraHits.h>
+#include <grader/tasks/shadows/penumbra/PenumbraHits.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include <grader/tasks/shadows/answers/PenumbraShares.h>
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
+#include <grader/tasks/shadows/penumbra/PenumbraShares.h>
 #include <grader/tasks/support/Bounds.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace ticker::tasks {
 namespace {
 
-constexpr int kAims = 8192;
+constexpr int kAimsOfAShare = 8192;
 
 // Error bound of a share that is counted on the lattice (measured against 65536 points).
 constexpr double kShareError = 0.0025;
@@ -86,15 +86,15 @@ ExpectedShares expectedAt(const probe::IlluminateQuestion& asked, const Surfaces
     const double centre = (light.position() - point.position).magnitude();
     const double radius = size * asked.settings.lightSize;
     const std::array<double, 2> central{
-        1.0 / kAims, total(unshadowed(log, asked.scene, 0, true)) / full / kAims};
+        1.0 / kAimsOfAShare, total(unshadowed(log, asked.scene, 0, true)) / full / kAimsOfAShare};
     const Vector3 start = point.position + point.normal * 1e-4;
     ExpectedShares expected;
-    for (const Vector3& place : aimsOf(shape, kAims)) {
+    for (const Vector3& place : aimsOf(shape, kAimsOfAShare)) {
         const Vector3 aim = light.position() + place * radius;
         const Vector3 towards = aim - start;
         const double distance = towards.magnitude();
         if (surfaces.sightAlong(start, towards / distance, distance) == Sight::blocked) continue;
-        expected.open += 1.0 / kAims;
+        expected.open += 1.0 / kAimsOfAShare;
         const double nearest = nearSide(start, towards / distance, light.position(), radius);
         const std::array<double, 3> falloff{1.0, centre * centre / (distance * distance),
                                             centre * centre / (nearest * nearest)};
@@ -104,7 +104,7 @@ ExpectedShares expectedAt(const probe::IlluminateQuestion& asked, const Surfaces
                 total(phongTerms(material, light, point.normal,
                                  (viewer - point.position).normalised(), towards / distance, centre)
                           .sum()) /
-                full / kAims;
+                full / kAimsOfAShare;
             for (std::size_t i = 0; i < falloff.size(); ++i) {
                 expected.share[eye][i] += central[eye] * falloff[i];
                 expected.share[eye][falloff.size() + i] += own * falloff[i];
