@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <span>
+#include <utility>
 
 namespace ticker::tasks {
 namespace {
@@ -133,13 +134,14 @@ LightParts partsOf(const Setting& at, const std::vector<AimLine>& logged) {
     if (at.reading.terms == Terms::together || lines.size() < 2 * asked) return partsOf(at, lines);
     std::vector<AimLine> turns;
     if (at.reading.terms == Terms::inTurns) lines = turns = everySecondFirst(lines);
-    const std::size_t diffuse = lines.size() / 2;
-    LightParts parts = partsOf(at, lines.first(diffuse));
-    const LightParts again = partsOf(at, lines.subspan(diffuse));
-    parts.fullSpecular = again.fullSpecular;
-    parts.litSpecular = again.litSpecular;
-    parts.lowShare = std::min(parts.lowShare, again.lowShare);
-    parts.highShare = std::max(parts.highShare, again.highShare);
+    const std::size_t half = lines.size() / 2;
+    LightParts parts = partsOf(at, lines.first(half));
+    LightParts ofSpecular = partsOf(at, lines.subspan(half));
+    if (at.reading.specularFirst) std::swap(parts, ofSpecular);
+    parts.fullSpecular = ofSpecular.fullSpecular;
+    parts.litSpecular = ofSpecular.litSpecular;
+    parts.lowShare = std::min(parts.lowShare, ofSpecular.lowShare);
+    parts.highShare = std::max(parts.highShare, ofSpecular.highShare);
     return parts;
 }
 

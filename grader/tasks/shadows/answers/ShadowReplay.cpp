@@ -145,12 +145,19 @@ bool allFit(const ShadowLog& log, const ShadowReading& reading, ShadowArithmetic
 std::vector<ShadowReading> acceptedShadowReadings() {
     std::vector<ShadowReading> readings;
     // Readings that allow wider intervals, or that few choose, are tried later.
-    for (const Terms terms : {Terms::together, Terms::halves, Terms::inTurns})
+    struct Rays {
+        Terms terms;
+        bool specularFirst;
+    };
+    for (const Rays rays :
+         {Rays{Terms::together, false}, Rays{Terms::halves, false}, Rays{Terms::inTurns, false},
+          Rays{Terms::halves, true}, Rays{Terms::inTurns, true}})
         for (const Phong phong :
              {Phong::central, Phong::perSampleDirection, Phong::centralFalloff, Phong::perSample})
             for (const bool viewerIsEye : {false, true})
                 for (const bool withoutCentral : {false, true})
-                    readings.push_back({phong, viewerIsEye, withoutCentral, terms});
+                    readings.push_back(
+                        {phong, viewerIsEye, withoutCentral, rays.terms, rays.specularFirst});
     return readings;
 }
 

@@ -144,6 +144,22 @@ TEST(ReplayReadings, CastForEachTermApart) {
     EXPECT_TRUE(fitsIn(few, kAmbient + kFull * (1.0 / 3.0), ShadowArithmetic::right, apart));
 }
 
+TEST(ReplayReadings, CastForTheSpecularTermFirst) {
+    using Terms = ShadowReading::Terms;
+    ReplayCase made = replayOf({open, blocked, open, open});
+    made.question.question.settings.shadowRayCount = 2;
+    const ShadowReading reversed{Phong::central, false, false, Terms::halves, true};
+    const ColourRGB colour = kAmbient + kDiffuse + kSpecular * 0.5;
+    EXPECT_TRUE(fitsIn(made, colour, ShadowArithmetic::right, reversed));
+    EXPECT_FALSE(fitsIn(made, colour, ShadowArithmetic::right,
+                        {Phong::central, false, false, Terms::halves}));
+    for (const Terms terms : {Terms::halves, Terms::inTurns})
+        EXPECT_TRUE(
+            std::ranges::any_of(acceptedShadowReadings(), [&](const ShadowReading& reading) {
+                return reading.terms == terms && reading.specularFirst;
+            }));
+}
+
 TEST(ReplayReadings, CastForEachTermInTurns) {
     ReplayCase made = replayOf({open, open, blocked, open});
     made.question.question.settings.shadowRayCount = 2;
