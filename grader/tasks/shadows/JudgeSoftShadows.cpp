@@ -105,6 +105,14 @@ Result faintValues(ShadowSeen& seen) {
     return seen.reading ? checkFaintValues(seen.logs, *seen.reading) : std::nullopt;
 }
 
+Result eightLights(ShadowSeen& seen) {
+    return seen.reading ? checkEightLights(seen.logs, seen.aims, seen.fixed) : std::nullopt;
+}
+
+Result eightValues(ShadowSeen& seen) {
+    return seen.reading ? checkEightValues(seen.logs, *seen.reading) : std::nullopt;
+}
+
 Result closeLight(ShadowSeen& seen) {
     return checkCloseLight(seen.logs, seen.aims);
 }
@@ -155,6 +163,7 @@ const std::vector<ShadowCheck>& checksOfRays() {
         {.run = nearSide, .ifNothingFails = true},
         {.run = faintLight, .ifNothingFails = true},
         {.run = closeLight, .ifNothingFails = true},
+        {.run = eightLights, .ifNothingFails = true},
         // Rays that pairs lose are lost with other settings, too.
         {.run = oddCount, .ifNothingFails = true},
         {.run = otherSettings, .ifNothingFails = true}};
@@ -168,6 +177,7 @@ const std::vector<ShadowCheck>& checksOfValues() {
         {.run = contact, .ifNothingFails = true},
         {.run = backSide, .ifNothingFails = true},
         {.run = faintValues, .ifNothingFails = true},
+        {.run = eightValues, .ifNothingFails = true},
         {.run = viewer}};
     return kChecks;
 }

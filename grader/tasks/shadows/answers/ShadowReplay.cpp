@@ -156,8 +156,11 @@ std::vector<ShadowReading> acceptedShadowReadings() {
              {Phong::central, Phong::perSampleDirection, Phong::centralFalloff, Phong::perSample})
             for (const bool viewerIsEye : {false, true})
                 for (const bool withoutCentral : {false, true})
-                    readings.push_back(
-                        {phong, viewerIsEye, withoutCentral, rays.terms, rays.specularFirst});
+                    readings.push_back({.phong = phong,
+                                        .viewerIsEye = viewerIsEye,
+                                        .withoutCentral = withoutCentral,
+                                        .terms = rays.terms,
+                                        .specularFirst = rays.specularFirst});
     return readings;
 }
 

@@ -25,12 +25,12 @@ struct ShadowReading {
     /// turns.
     enum class Terms { together, halves, inTurns };
     Terms terms = Terms::together;
-    /// Of terms with rays of their own, the specular one's come first: the order in which a + b is
-    /// evaluated is the compiler's choice.
-    bool specularFirst = false;
     /// Every sample lies on the half of the light's surface that faces the point. No reading of
     /// acceptedShadowReadings: those with the distance of each sample include it.
     bool nearSide = false;
+    /// Of terms with rays of their own, the specular one's come first: the order in which a + b is
+    /// evaluated is the compiler's choice.
+    bool specularFirst = false;
 };
 
 /// What the code does with the shares: `right`, or a named mistake.

@@ -14,6 +14,7 @@ namespace ticker::tasks {
 struct ShadowLogs {
     std::vector<const ShadowLog*> oneLight;
     std::vector<const ShadowLog*> severalLights;
+    std::vector<const ShadowLog*> eightLights;
     std::vector<const ShadowLog*> beyondLight;
     std::vector<const ShadowLog*> planeShadow;
     std::vector<const ShadowLog*> farLight;
@@ -32,7 +33,8 @@ struct ShadowLogs {
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
     /// All questions except otherSettings, oddCount and horizon, where code may cast fewer rays,
-    /// and contact, faintLight, closeLight and backSide, which have checks of their own.
+    /// and contact, faintLight, closeLight, backSide and eightLights, which have checks of their
+    /// own.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
@@ -48,6 +50,15 @@ struct ShadowLogs {
 /// Whether each of several lights is as large as a single light.
 [[nodiscard]] std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs,
                                                        const AimVerdict& aims);
+/// What the three checks above say of eight lights, and whether each of them adds its light.
+/// Directions that are far off belong to another light there: for rays that are right otherwise.
+/// @param fixed  Points share their samples, which another finding reports.
+[[nodiscard]] std::optional<Finding> checkEightLights(const ShadowLogs& logs,
+                                                      const AimVerdict& aims, bool fixed);
+/// Whether each of eight lights adds its light, for code whose rays are not visible.
+/// @param reading  The one that fits all other questions.
+[[nodiscard]] std::optional<Finding> checkEightValues(const ShadowLogs& logs,
+                                                      const ShadowReading& reading);
 [[nodiscard]] std::optional<Finding> checkFixedSamples(const ShadowLogs& logs);
 /// A few aims that all points share, each in an order of its own.
 [[nodiscard]] std::optional<Finding> checkSmallPool(const AimVerdict& aims);

@@ -86,6 +86,8 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
                 return oneLight;
             case Purpose::severalLights:
                 return severalLights;
+            case Purpose::eightLights:
+                return eightLights;
             case Purpose::beyondLight:
                 return beyondLight;
             case Purpose::planeShadow:

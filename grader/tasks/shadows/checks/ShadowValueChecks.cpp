@@ -101,7 +101,6 @@ bool oneSphereCasts(const Logs& logs) {
         });
     };
     return std::ranges::all_of(logs, [&](const ShadowLog* log) {
-        if (log->scene().spheres.empty()) return allNearKnown({log}, false);
         for (std::size_t i = 0; i < log->scene().spheres.size(); ++i)
             if (castsAlone(*log, i)) return true;
         return false;

@@ -19,7 +19,7 @@ ShadowQuestion drawEightLights(Draw& draw) {
     const Vector3 foot = drawPlace(draw);
 
     ShadowQuestion drawn;
-    drawn.purpose = ShadowQuestion::Purpose::severalLights;
+    drawn.purpose = ShadowQuestion::Purpose::eightLights;
     raytracer::SceneDescription& scene = drawn.question.scene;
     scene.ambientLighting = draw.colour(0.1, 0.5);
     scene.planes.push_back({foot, up, drawMaterial(draw)});
@@ -30,9 +30,7 @@ ShadowQuestion drawEightLights(Draw& draw) {
         const Vector3 around = sides.first * std::cos(angle) + sides.second * std::sin(angle);
         const double distance = draw.between(8.0, 9.0);
         const Vector3 towards = up * 0.5 + around * std::sqrt(0.75);
-        const raytracer::PointLight usual = drawLight(draw, foot + towards * distance, distance);
-        scene.pointLights.emplace_back(usual.position(), usual.colour(),
-                                       usual.intensity() / kLights);
+        scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));
     }
     for (int i = 0; i < kPointsAmongLights; ++i) {
         const double x = draw.between(-0.5, 0.5);

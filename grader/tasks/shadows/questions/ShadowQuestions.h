@@ -15,8 +15,8 @@ enum class Zone { lit, umbra, penumbra };
 struct ShadowQuestion {
     enum class Purpose {
         oneLight,       ///< an occluder between a light and a floor: lit, umbra and penumbra points
-        severalLights,  ///< three lights far apart in direction, two of them with an occluder;
-                        ///< eight lights in plain sight
+        severalLights,  ///< three lights far apart in direction, two of them with an occluder
+        eightLights,    ///< eight lights in plain sight
         beyondLight,    ///< an object behind the light: every point is lit
         planeShadow,    ///< a wall on the floor hides the light from the points behind it
         farLight,       ///< a single light, a hundred units away: shows where the rays aim

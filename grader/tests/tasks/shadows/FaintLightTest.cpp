@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -108,6 +110,34 @@ TEST(BackSide, HasNoHighlightInAnyReading) {
             }
         }
     }
+}
+
+/// @param rays  To the last of eight lights, which adds this share of its light.
+std::optional<Finding> judgeEight(int rays, double share, bool raysAreVisible = true) {
+    ShadowByHand made;
+    std::vector<Vector3> lights;
+    for (int i = 0; i < 8; ++i)
+        lights.push_back({7.0 * std::cos(0.785 * i), 4.0, 7.0 * std::sin(0.785 * i)});
+    made.ask(Purpose::eightLights, lights).question.scene.planes[0].material.colour =
+        ColourRGB{0.5};
+    PointLog& point = made.point({0.5, 0.0, 0.3});
+    const raytracer::SceneDescription& scene = made.last().scene();
+    point.colour = ambientPart(point, scene);
+    for (std::size_t i = 0; i < 8; ++i) {
+        made.castRing(i < 7 ? 10 : rays, i);
+        point.colour += unshadowed(point, scene, i, false) * (i < 7 ? 1.0 : share);
+    }
+    return raysAreVisible ? checkEightLights(made.logs(), {}, false)
+                          : checkEightValues(made.logs(), {});
+}
+
+TEST(CheckEightLights, WantsRaysAndLightOfTheLast) {
+    EXPECT_FALSE(judgeEight(10, 1.0));
+    EXPECT_EQ(idOf(judgeEight(0, 0.0)), "shadow.lights-mixed");
+    EXPECT_EQ(idOf(judgeEight(9, 1.0)), "shadow.too-few-rays");
+    EXPECT_EQ(idOf(judgeEight(10, 3.0)), "shadow.lights-mixed");
+    EXPECT_FALSE(judgeEight(0, 1.0, false));
+    EXPECT_EQ(idOf(judgeEight(0, 4.0, false)), "shadow.lights-mixed");
 }
 
 TEST(FaintLights, AreInPlainSightAboveTheHorizonUnderEverySeed) {

@@ -148,7 +148,7 @@ TEST(ReplayReadings, CastForTheSpecularTermFirst) {
     using Terms = ShadowReading::Terms;
     ReplayCase made = replayOf({open, blocked, open, open});
     made.question.question.settings.shadowRayCount = 2;
-    const ShadowReading reversed{Phong::central, false, false, Terms::halves, true};
+    const ShadowReading reversed{.terms = Terms::halves, .specularFirst = true};
     const ColourRGB colour = kAmbient + kDiffuse + kSpecular * 0.5;
     EXPECT_TRUE(fitsIn(made, colour, ShadowArithmetic::right, reversed));
     EXPECT_FALSE(fitsIn(made, colour, ShadowArithmetic::right,
