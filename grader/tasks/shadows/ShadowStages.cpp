@@ -11,7 +11,7 @@ namespace ticker::tasks {
 Stage judgePenumbra(probe::Examinee& examinee, PenumbraShelf& shelf, std::uint64_t seed,
                     std::uint64_t stage) {
     const std::uint64_t own = seedOf(seed, stage);
-    const auto expectations = shelf.of(own, drawPenumbraQuestion(own));
+    const auto expectations = shelf.of(own, own);
     const probe::Run run = examinee.ask({expectations->asked().question});
     const auto* answer = answeredBy<probe::IlluminateAnswer>(run);
     if (answer == nullptr) return unanswered(run, "illuminate");

@@ -15,7 +15,7 @@ namespace ticker::tasks {
 template <class Key, class Kept>
 class Shelf {
 public:
-    /// @param arguments  Of the constructor, if there is none for this key yet.
+    /// @param arguments  The constructor gets them where nothing is kept under this key.
     template <class... Arguments>
     [[nodiscard]] std::shared_ptr<Kept> of(const Key& key, Arguments&&... arguments) {
         const std::lock_guard lock{mutex_};

@@ -10,7 +10,7 @@ export const exerciseFile = join(kit, "exercise/Renderer.cpp");
 
 const program = join(kit, "build/tick1star");
 
-/// Starts the viewer and waits for its address. A linker that ended with the viewer before leaves no program.
+/// Starts the viewer and waits for its address. Builds the program first where a build that was cut off left none.
 export async function startViewer(...options) {
   if (!existsSync(program)) spawnSync("cmake", ["--build", join(kit, "build/release")]);
   const viewer = spawn(program, ["--view", ...options, "--quiet"],

@@ -57,7 +57,7 @@ TEST(ViewProcess, TellsACrashAndAMissingProgram) {
     EXPECT_EQ(missing.wait(), 127);
 }
 
-TEST(ViewProcess, TellsACrashToWhoeverLetsGoAtTheEndOfItsOutput) {
+TEST(ViewProcess, TellsACrashWhereTheLifelineEndsWithTheOutput) {
     Process crashing{shell("kill -SEGV $$"), Process::Errors::toOurs};
     EXPECT_EQ(everythingFrom(crashing), "");
     crashing.kill();

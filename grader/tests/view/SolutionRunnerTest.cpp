@@ -77,7 +77,7 @@ TEST(SolutionRunner, EndsASolutionThatNeverAnswers) {
     const SolutionRunner::Answer answer = runner.ask("pixel", {});
     EXPECT_FALSE(answer.isGood);
     EXPECT_EQ(answer.payload, kNoEnd);
-    EXPECT_TRUE(troubles.empty());  // who asked was told
+    EXPECT_TRUE(troubles.empty());  // the answer says it
 }
 
 TEST(SolutionRunner, EndsASolutionThatBeginsNoPicture) {
@@ -85,7 +85,7 @@ TEST(SolutionRunner, EndsASolutionThatBeginsNoPicture) {
     std::vector<std::string> troubles;
     SolutionRunner impatient{kit.home().program, troubleIn(troubles), std::chrono::milliseconds{0}};
     impatient.look();
-    EXPECT_TRUE(troubles.empty());  // nothing was asked for
+    EXPECT_TRUE(troubles.empty());  // no question waits
     impatient.render(1, {});
     impatient.look();
     impatient.look();

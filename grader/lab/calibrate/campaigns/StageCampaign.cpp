@@ -45,7 +45,7 @@ Answer answerOf(probe::Examinee& examinee, const probe::Question& question) {
 }
 
 Stage shadowStage(probe::Examinee& examinee, tasks::PenumbraShelf& shelf, std::uint64_t seed) {
-    const auto expectations = shelf.of(seed, tasks::drawPenumbraQuestion(seed));
+    const auto expectations = shelf.of(seed, seed);
     const tasks::PenumbraVerdict verdict = tasks::checkPenumbra(
         *expectations, answerOf<probe::IlluminateAnswer>(examinee, expectations->asked().question));
     const bool fails = verdict.finding && verdict.finding->severity == Severity::fail;

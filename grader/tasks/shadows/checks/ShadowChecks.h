@@ -85,7 +85,7 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkHorizon(const ShadowLogs& logs, const AimVerdict& aims,
                                                   const ShadowReading& reading);
 
-/// Whether an object shades what is close to it. Hits nearer than 0.005 may be ignored.
+/// Whether an object shades what is close to it. Hits nearer than 0.004 may be ignored.
 [[nodiscard]] std::optional<Finding> checkContact(const ShadowLogs& logs);
 /// Whether a light behind the surface adds nothing where the viewer is behind it, too.
 [[nodiscard]] std::optional<Finding> checkBackSide(const ShadowLogs& logs);

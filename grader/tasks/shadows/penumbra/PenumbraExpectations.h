@@ -17,6 +17,9 @@ namespace ticker::tasks {
 class PenumbraExpectations {
 public:
     explicit PenumbraExpectations(PenumbraQuestion asked);
+    /// @param seed  Of the question.
+    explicit PenumbraExpectations(std::uint64_t seed)
+        : PenumbraExpectations(drawPenumbraQuestion(seed)) {}
 
     [[nodiscard]] const PenumbraQuestion& asked() const { return asked_; }
 

@@ -30,13 +30,12 @@ ShadowQuestion drawContact(Draw& draw) {
     scene.planes.push_back({foot, up, drawMaterial(draw)});
     const Surfaces surfaces{scene};
     for (int i = 0; i < kPointsInContact; ++i) {
-        // Every accepted start is below the ball, and limits of 0.005 against shadow acne still
+        // Every accepted start is below the ball, and limits of 0.004 against shadow acne still
         // pass.
         const double gap = draw.between(0.006, 0.008);
         const double beside = std::sqrt(gap * (2.0 * radius - gap));
         const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
-        const Vector3 point =
-            foot + (sides.first * std::cos(turn) + sides.second * std::sin(turn)) * beside;
+        const Vector3 point = foot + sideAt(sides, turn) * beside;
         drawn.question.points.push_back(
             {kFloorOfBall, point, up, drawViewer(draw, point, up, light)});
         drawn.zones.push_back(

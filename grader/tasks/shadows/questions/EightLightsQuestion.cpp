@@ -27,7 +27,7 @@ ShadowQuestion drawEightLights(Draw& draw) {
     const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
     for (int i = 0; i < kLights; ++i) {
         const double angle = turn + i * 2.0 * std::numbers::pi / kLights;
-        const Vector3 around = sides.first * std::cos(angle) + sides.second * std::sin(angle);
+        const Vector3 around = sideAt(sides, angle);
         const double distance = draw.between(8.0, 9.0);
         const Vector3 towards = up * 0.5 + around * std::sqrt(0.75);
         scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));

@@ -74,7 +74,7 @@ ShadowQuestion drawGrazingLight(Draw& draw) {
     const double distance = draw.between(12.0, 15.0);
     const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
     const Perpendiculars sides = perpendicularsOf(up);
-    const Vector3 along = sides.first * std::cos(turn) + sides.second * std::sin(turn);
+    const Vector3 along = sideAt(sides, turn);
     addLight(draw, drawn, up * facing + along * std::sqrt(1.0 - facing * facing), distance);
     addLitPoints(draw, drawn, kPointsFaint, 0.5);
     return drawn;
@@ -101,7 +101,7 @@ ShadowQuestion drawBackSide(Draw& draw) {
     const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
     const double lean = draw.between(1.0, 1.1);
     const Perpendiculars sides = perpendicularsOf(floor.normal);
-    const Vector3 aside = sides.first * std::cos(turn) + sides.second * std::sin(turn);
+    const Vector3 aside = sideAt(sides, turn);
     const Vector3 along = aside.dot(floor.point) > 0.0 ? -aside : aside;
     const Vector3 towards = along * std::sin(lean) - floor.normal * std::cos(lean);
     addLight(draw, drawn, towards, draw.between(5.0, 8.0));

@@ -14,8 +14,7 @@ Vector3 drawAside(Draw& draw, const Vector3& axis, double least, double most) {
     const Perpendiculars sides = perpendicularsOf(axis);
     const double away = draw.between(least, most);
     const double around = draw.between(0.0, 2.0 * std::numbers::pi);
-    return axis * std::cos(away) +
-           (sides.first * std::cos(around) + sides.second * std::sin(around)) * std::sin(away);
+    return axis * std::cos(away) + sideAt(sides, around) * std::sin(away);
 }
 
 // Far aside from the light and about as far away as it is, so that both the point and the light see

@@ -23,7 +23,7 @@ ShadowQuestion drawLowLight(Draw& draw) {
     const double lean = draw.between(kLowest, kHighest);
     const double turned = draw.between(0.0, 2.0 * std::numbers::pi);
     const Perpendiculars sides = perpendicularsOf(eye);
-    const Vector3 side = sides.first * std::cos(turned) + sides.second * std::sin(turned);
+    const Vector3 side = sideAt(sides, turned);
     const Vector3 up = eye * std::cos(lean) + side * std::sin(lean);
     const Vector3 near = (eye - up * eye.dot(up)).normalised();
     const Vector3 across = up.cross(near);

@@ -44,7 +44,7 @@ ShadowQuestion drawPureLights(Draw& draw) {
     const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
     double angle = turn;
     for (const ColourRGB& colour : drawPureColours(draw)) {
-        const Vector3 around = sides.first * std::cos(angle) + sides.second * std::sin(angle);
+        const Vector3 around = sideAt(sides, angle);
         const Vector3 towards = (up + around * draw.between(1.3, 1.7)).normalised();
         const double distance = draw.between(5.0, 9.0);
         const Vector3 place = foot + towards * distance;

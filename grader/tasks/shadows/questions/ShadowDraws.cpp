@@ -44,6 +44,10 @@ raytracer::PointLight drawLight(Draw& draw, const Vector3& position, double dist
     return {position, draw.colour(0.4, 1.0), intensity * draw.between(0.7, 1.3)};
 }
 
+Vector3 sideAt(const Perpendiculars& sides, double angle) {
+    return sides.first * std::cos(angle) + sides.second * std::sin(angle);
+}
+
 Vector3 drawPlace(Draw& draw) {
     const double x = draw.between(-1.0, 1.0);
     const double y = draw.between(-1.0, 1.0);

@@ -18,6 +18,10 @@ namespace ticker::tasks {
 /// A light with an intensity such that about its own colour arrives at `distance`.
 [[nodiscard]] raytracer::PointLight drawLight(Draw& draw, const Vector3& position, double distance);
 
+/// The unit vector in the plane of two perpendiculars.
+/// @param angle  From the first one, in radians.
+[[nodiscard]] Vector3 sideAt(const Perpendiculars& sides, double angle);
+
 /// A place in front of the camera.
 [[nodiscard]] Vector3 drawPlace(Draw& draw);
 

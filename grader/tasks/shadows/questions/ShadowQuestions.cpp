@@ -100,7 +100,7 @@ ShadowQuestion drawSeveralLights(Draw& draw) {
     const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
     for (int i = 0; i < 3; ++i) {
         const double angle = turn + i * 2.0 * std::numbers::pi / 3.0;
-        const Vector3 around = sides.first * std::cos(angle) + sides.second * std::sin(angle);
+        const Vector3 around = sideAt(sides, angle);
         const Vector3 towards = (up + around * draw.between(1.3, 1.7)).normalised();
         const bool isFar = i < 2;
         const double distance = isFar ? draw.between(8.0, 9.0) : draw.between(5.0, 5.3);

@@ -86,8 +86,8 @@ void endOrphans() {
     }
     ::kill(-program, SIGKILL);
     if (!isOver) waitpid(program, &status, 0);
-    // Also where the lifeline ended first: whoever reads the output of a crash notices its end
-    // before this does, and then lets go.
+    // The lifeline may end first: the end of a crashed program's output is noticed before its end
+    // is noticed here.
     const int result = statusOf(status);
     endOrphans();
     _exit(result);
