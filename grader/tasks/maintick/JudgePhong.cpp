@@ -37,7 +37,8 @@ constexpr std::array kNames{
              "however many there are. Leave out the limit of their number."},
     KindName{&kPhongSpecular,
              "Highlights of very shiny surfaces are wrong: hand object.phongAlpha() to std::pow as "
-             "it is, however large, without a limit (as 128) and in no small type (as a byte)."}};
+             "it is, however large, without a limit (as 128) and in no small type (as a byte)."},
+    KindName{&kPhongLights, maintick::kFaintLight}};
 
 std::string askedOf(const LitSetup& setup) {
     std::string text =

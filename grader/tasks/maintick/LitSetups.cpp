@@ -96,6 +96,12 @@ LitQuestion strong(Draw& draw, LitKind kind) {
     return question;
 }
 
+LitQuestion faint(Draw& draw) {
+    LitQuestion question = lit(draw, LitKind::faint, draw.between(2.0, 3.0));
+    dim(draw, question.setup);
+    return question;
+}
+
 /// R.V is negative and the power even. With `isBelow` N.L is negative, too; otherwise the viewer is
 /// behind a surface that is lit in front.
 LitQuestion behind(Draw& draw, bool isBelow) {
@@ -160,6 +166,13 @@ LitSetup drawPoint(Draw& draw) {
     return setup;
 }
 
+void dim(Draw& draw, LitSetup& setup) {
+    constexpr double kFaint = 0.0005;
+    setup.scene.ambientLighting = draw.colour(0.0002, 0.0004);
+    raytracer::PointLight& light = setup.scene.pointLights.at(0);
+    light = {light.position(), light.colour(), light.intensity() * kFaint};
+}
+
 void layOnSphere(LitSetup& setup, double radius, double height) {
     raytracer::SphereDescription& sphere = setup.scene.spheres[0];
     sphere.radius = radius;
@@ -210,6 +223,7 @@ std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
     asked.push_back(strong(draw, LitKind::diffuse));
     asked.push_back(strong(draw, LitKind::specular));
     asked.push_back(shinyHighlight(draw));
+    asked.push_back(faint(draw));
     return asked;
 }
 

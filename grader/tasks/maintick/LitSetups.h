@@ -20,8 +20,9 @@ enum class LitKind : std::uint8_t {
     bright,
     far,  ///< lit from 120 away, or from 0.12
     all,
-    many,  ///< twenty lights
-    shiny  ///< an alpha of 260 or more
+    many,   ///< twenty lights
+    shiny,  ///< an alpha of 260 or more
+    faint   ///< a light that adds less than a byte of a picture shows
 };
 
 struct LitQuestion {
@@ -37,6 +38,11 @@ struct LitQuestion {
 /// How far P lies above its surface or below it, as rounding puts the points of a render: a hundred
 /// times what rounding does to these questions, so that its sign is certain.
 inline constexpr double kRounding = 1e-13;
+
+/// Ambient light and a point light so faint that no tolerance hides either: both add less than one
+/// step of a byte.
+/// @param setup  Has one light.
+void dim(Draw& draw, LitSetup& setup);
 
 /// Moves the object, a sphere, until P lies on it, `height` above (below if negative).
 void layOnSphere(LitSetup& setup, double radius, double height);

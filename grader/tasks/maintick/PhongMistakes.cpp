@@ -188,6 +188,13 @@ constexpr PhongMistake kPhongMistakes[] = {
     {&kPhongLights, Step::light, endAfterLightWithoutHighlight,
      "A light without a highlight (R.V <= 0) ends the loop, and later lights are lost: go on with "
      "the next one (continue, not break or return)."},
+    {&kPhongLights, Step::light,
+     [](Terms& t) {
+         constexpr double kByte = 1.0 / 255.0;
+         const ColourRGB own = t.ownDiffuse + t.ownSpecular;
+         if (std::max({own.r, own.g, own.b}) < kByte) t.ownDiffuse = t.ownSpecular = {};
+     },
+     kFaintLight},
     {&kPhongLights, Step::light, [](Terms& t) { t.diffuse = t.specular = {}; },
      "Only the last light counts: add (+=) its diffuse and its specular term alone, and add "
      "ambient light once, before the loop."},

@@ -53,6 +53,10 @@ struct PhongMistake {
     const char* hint = "";  ///< empty: that of `finding`
 };
 
+inline constexpr const char* kFaintLight =
+    "Faint lights count as well: many of them add up. Leave no light out for what it adds, however "
+    "little that is.";
+
 /// The known mistakes of M2. The first one that explains all answers is named.
 [[nodiscard]] std::span<const PhongMistake> phongMistakes();
 

@@ -26,6 +26,7 @@ ShadeCase begun(Draw& draw, Occluder place, double distance) {
     const auto add = place == Occluder::grazing ? addGrazingLight : addLight;
     // From far away as bright as from 4, so that its shadow counts beside the ambient light.
     add(draw, made.free, distance, 60.0 * distance * std::max(1.0, distance / 4.0));
+    if (place == Occluder::ofFaintLight) dim(draw, made.free);
     made.asked = made.without = made.putOut = made.free;
     hide(made, 0);
     return made;
@@ -147,7 +148,7 @@ bool ShadeCase::isShaded() const {
 }
 
 std::string_view wordsOf(Occluder place) {
-    static constexpr std::array<std::string_view, 18> kWords{
+    static constexpr std::array<std::string_view, 19> kWords{
         "something stands half-way to the light",
         "something stands between, 0.03 from the point",
         "something stands behind the light",
@@ -165,7 +166,8 @@ std::string_view wordsOf(Occluder place) {
         "there is nothing but the surface, and the light stands one or two degrees above that",
         "the light is 95 away, and something stands between, 0.3 from the point",
         "the light is 95 away, and something stands 0.3 before it",
-        "the light is 95 away, and something stands 0.3 behind it"};
+        "the light is 95 away, and something stands 0.3 behind it",
+        "the light is faint, and something stands half-way to it"};
     return kWords.at(static_cast<std::size_t>(place));
 }
 
@@ -195,6 +197,11 @@ std::vector<ShadeCase> drawShadeCases(std::uint64_t seed) {
         addSurrounded(draw, cases, isSunk);
     for (const bool isSunk : {false, true})
         addFar(draw, cases, isSunk);
+    for (const bool isSunk : {false, true}) {
+        const double distance = draw.between(3.0, 4.0);
+        cases.push_back(onSphere(
+            draw, withBall(draw, Occluder::ofFaintLight, distance, distance / 2.0, 0.3), isSunk));
+    }
     return cases;
 }
 

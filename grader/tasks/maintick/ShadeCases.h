@@ -31,7 +31,8 @@ enum class Occluder : std::uint8_t {
     grazing,          ///< nothing but the surface, which the light all but grazes
     atPointOfFar,     ///< the light at 95, a hit 0.3 from the point
     atFarLight,       ///< the light at 95, a hit 0.3 before it
-    beyondFarLight    ///< the light at 95, a hit 0.3 behind it
+    beyondFarLight,   ///< the light at 95, a hit 0.3 behind it
+    ofFaintLight      ///< half-way to a light that adds less than a byte of a picture shows
 };
 
 /// A point of an object that is asked about with something around it, and the same without. The

@@ -162,6 +162,10 @@ std::optional<Name> nameOfPlace(const Seen& seen) {
         return Name{&kShadeWrong,
                     "What stands behind the light decides nothing: look at the other objects, too, "
                     "or take the nearest hit, scene.findClosestIntersection(ray)."};
+    if (!isRight(seen, Occluder::ofFaintLight))
+        return Name{&kShadeWrong,
+                    "Faint lights cast shadows, too: cast the ray for every light, however little "
+                    "it adds."};
     return nameOfSurrounded(seen);
 }
 
