@@ -182,6 +182,22 @@ std::optional<Finding> judgeOddCount(const LensLog& odd) {
     return wrong;
 }
 
+std::optional<Finding> judgeManyRays(const LensLog& many, const LensLog& handout,
+                                     const LensLog& other) {
+    if (lacksRays(many) || many.cut || fewestRays(other) <= fewestRays(handout)) return {};
+    const auto asked = static_cast<std::size_t>(many.asked->settings.dofRayCount);
+    std::optional<Finding> wrong =
+        fewestRays(many) < asked ? checkLensCounts(many) : checkAverage(many);
+    if (!wrong) return std::nullopt;
+    wrong->message = fmt::format("With {} rays for each pixel all is right; with {} it is not. ",
+                                 handout.asked->settings.dofRayCount, asked) +
+                     wrong->message;
+    wrong->hint =
+        "Take out what limits the number of rays: an array of a fixed size, std::min, or a small "
+        "type for a count, as std::uint8_t, which begins again at 0 after 255.";
+    return wrong;
+}
+
 std::optional<Finding> judgeAnotherScene(const LensLog& log) {
     std::optional<Finding> wrong = firstFailure(log);
     if (wrong)

@@ -34,6 +34,11 @@ struct LensOutcome {
 /// handout's number: too few rays, or a mean over another number of them.
 [[nodiscard]] std::optional<Finding> judgeOddCount(const LensLog& odd);
 
+/// Whether code that casts more rays where more are asked for does so beyond 255, too; other code
+/// is not asked.
+[[nodiscard]] std::optional<Finding> judgeManyRays(const LensLog& many, const LensLog& handout,
+                                                   const LensLog& other);
+
 /// The first failure of an answer at the handout's settings, by itself. The hint says that other
 /// scenes were answered rightly.
 [[nodiscard]] std::optional<Finding> judgeAnotherScene(const LensLog& log);

@@ -113,9 +113,19 @@ void askOddCount(probe::Examinee& examinee, const LensQuestions& asked, const Le
     findings.push_back(*std::move(wrong));
 }
 
+// Of rays that are visible and follow the number that is asked for.
+void askManyRays(const LensLog& many, const LensLog& handout, const LensLog& other,
+                 std::vector<Finding>& findings) {
+    if (hasFailure(findings)) return;
+    std::optional<Finding> wrong = judgeManyRays(many, handout, other);
+    if (!wrong) return;
+    std::erase_if(findings, [](const Finding& finding) { return is(finding, kSettingsHardCoded); });
+    findings.push_back(*std::move(wrong));
+}
+
 TaskJudgement judge(probe::Examinee& examinee, std::uint64_t seed, ExpectationShelf& shelf) {
     const LensQuestions asked = drawLensQuestions(seed);
-    const probe::Run run = examinee.ask({asked.handout, asked.other, asked.odd});
+    const probe::Run run = examinee.ask({asked.handout, asked.other, asked.odd, asked.many});
     if (std::optional<TaskJudgement> blocked = judgeUnanswered(run, "render"))
         return *std::move(blocked);
 
@@ -129,10 +139,14 @@ TaskJudgement judge(probe::Examinee& examinee, std::uint64_t seed, ExpectationSh
     LensLog atHandout = readLensLog(asked.handout, handout);
     LensLog atOther = readLensLog(asked.other, other);
     LensLog atOdd = readLensLog(asked.odd, std::get<probe::RenderAnswer>(run.answers[2]));
+    const LensLog many = readLensLog(asked.many, std::get<probe::RenderAnswer>(run.answers[3]));
     const bool mayAntialias = antialiases(examinee, atHandout, seed);
     atHandout.mayAntialias = atOther.mayAntialias = atOdd.mayAntialias = mayAntialias;
     LensOutcome outcome = judgeDepthOfField(atHandout, atOther);
-    if (!outcome.rayless) askOddCount(examinee, asked, atOdd, outcome.findings);
+    if (!outcome.rayless) {
+        askOddCount(examinee, asked, atOdd, outcome.findings);
+        askManyRays(many, atHandout, atOther, outcome.findings);
+    }
     if (!lacksRays(atOther)) confirmSettings(examinee, asked, mayAntialias, outcome.findings);
     const bool needsReview = judgeResults(examinee, shelf, seed, mayAntialias, outcome);
     TaskJudgement judgement = judgementOf(std::move(outcome.findings), kLensFindings, needsReview);

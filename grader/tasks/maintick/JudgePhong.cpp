@@ -38,7 +38,11 @@ constexpr std::array kNames{
     KindName{&kPhongSpecular,
              "Highlights of very shiny surfaces are wrong: hand object.phongAlpha() to std::pow as "
              "it is, however large, without a limit (as 128) and in no small type (as a byte)."},
-    KindName{&kPhongLights, maintick::kFaintLight}};
+    KindName{&kPhongLights, maintick::kFaintLight},
+    KindName{&kPhongLights,
+             "Lights of all channels are right, and one that has a single channel is not, or a "
+             "surface that reflects nothing of it: red, green and blue count alike, and where the "
+             "diffuse term is black there is the highlight all the same."}};
 
 std::string askedOf(const LitSetup& setup) {
     std::string text =

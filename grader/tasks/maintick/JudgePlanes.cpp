@@ -5,6 +5,9 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace ticker::tasks {
 namespace {
 
@@ -24,6 +27,8 @@ constexpr maintick::HitTexts kPlaneTexts{&kPlaneMissed,
                                          &kPlaneLength,
                                          "A plane has the same normal everywhere: normal().",
                                          kPlaneFindings};
+
+constexpr double kLowTolerance = 2e-3;  ///< of a hit some 0.06 away
 
 /// @param foot  A point of the plane, that the ray's line meets.
 AskedHit hitAt(const Vector3& foot, const SceneDescription& scene, int object, Place place,
@@ -74,6 +79,24 @@ void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& ask
     const int far = static_cast<int>(scene.planes.size());
     scene.planes.push_back({draw.direction() * kFar, normal, {}});
     asked.push_back(hitFrom(draw, scene, far, Place::outside, down, kFar));
+}
+
+/// From less than a thousandth above the plane, along it: the hit is far enough away for every
+/// limit of the distance. In float the height is right to 2e-6, the distance to 2e-4.
+void addLow(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& asked) {
+    constexpr double kSlope = 0.012;
+    for (std::size_t object = 0; object < 5; ++object) {
+        const Vector3 normal = scene.planes[object].normal.normalised();
+        const Perpendiculars sides = perpendicularsOf(normal);
+        const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
+        const Vector3 along = sides.first * std::cos(turn) + sides.second * std::sin(turn);
+        const double side = object % 2 == 0 ? 1.0 : -1.0;
+        const Vector3 low = (along - normal * (side * kSlope)).normalised();
+        asked.push_back(hitFrom(draw, scene, static_cast<int>(object),
+                                side > 0.0 ? Place::outside : Place::inside, low,
+                                draw.between(0.056, 0.07)));
+        asked.back().tolerance = kLowTolerance;
+    }
 }
 
 /// Far aside from the point that the plane is given by, along both of its tangents and both ways.
@@ -136,6 +159,7 @@ TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
     addExtremes(draw, scene, asked);
     addLeaning(draw, scene, asked);
     addAside(draw, scene, asked);
+    addLow(draw, scene, asked);
     return maintick::judgeHits(examinee, scene, asked, maintick::planeMistakes(), kPlaneTexts,
                                "Plane::intersectionWith");
 }

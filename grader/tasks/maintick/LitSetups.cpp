@@ -102,6 +102,23 @@ LitQuestion faint(Draw& draw) {
     return question;
 }
 
+/// Nothing arrives in two channels.
+LitQuestion pureLight(Draw& draw, double ColourRGB::*channel) {
+    LitQuestion question = lit(draw, LitKind::pure, draw.between(1.5, 3.5));
+    raytracer::PointLight& light = question.setup.scene.pointLights.at(0);
+    ColourRGB colour;
+    colour.*channel = draw.between(0.5, 0.9);
+    light = {light.position(), colour, light.intensity()};
+    return question;
+}
+
+/// The surface reflects nothing of the light but its highlight.
+LitQuestion otherColour(Draw& draw) {
+    LitQuestion question = pureLight(draw, &ColourRGB::g);
+    ownMaterial(question.setup).colour.g = 0.0;
+    return question;
+}
+
 /// R.V is negative and the power even. With `isBelow` N.L is negative, too; otherwise the viewer is
 /// behind a surface that is lit in front.
 LitQuestion behind(Draw& draw, bool isBelow) {
@@ -224,6 +241,9 @@ std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
     asked.push_back(strong(draw, LitKind::specular));
     asked.push_back(shinyHighlight(draw));
     asked.push_back(faint(draw));
+    for (const auto channel : {&ColourRGB::r, &ColourRGB::g, &ColourRGB::b})
+        asked.push_back(pureLight(draw, channel));
+    asked.push_back(otherColour(draw));
     return asked;
 }
 

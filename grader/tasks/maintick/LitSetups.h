@@ -22,7 +22,8 @@ enum class LitKind : std::uint8_t {
     all,
     many,   ///< twenty lights
     shiny,  ///< an alpha of 260 or more
-    faint   ///< a light that adds less than a byte of a picture shows
+    faint,  ///< a light that adds less than a byte of a picture shows
+    pure    ///< a light, or a surface, with one channel alone
 };
 
 struct LitQuestion {

@@ -67,6 +67,9 @@ constexpr const char* kOneCoordinate =
     "One coordinate alone is used here, as in (Q.y - O.y) / D.y. That is right only where the "
     "normal is exactly that axis, and not for a plane that leans a little: take s = (Q - O).N / "
     "D.N for every plane.";
+constexpr const char* kHeightLimit =
+    "A limit cuts hits off where the ray starts near the plane: every positive s is a hit, however "
+    "small it is, and however near the origin is to the plane.";
 constexpr const char* kFirstPoint =
     "The point of another plane is used here: a static or global variable keeps the first. Work "
     "everything out in each call.";
@@ -114,8 +117,9 @@ constexpr HitMistake kPlaneMistakes[] = {
     {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.05 <= f.s()); }>,
      "A limit cuts near hits off: every positive s is a hit, however small it is."},
     {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.02 <= std::abs(f.height)); }>,
-     "A limit cuts hits off where the ray starts near the plane: every positive s is a hit, "
-     "however small it is."},
+     kHeightLimit},
+    {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.001 <= std::abs(f.height)); }>,
+     kHeightLimit},
     {&kPlaneMissed, withRim,
      "A plane has no rim: point() is one point of it, and the hit may lie as far from it as it "
      "likes.",

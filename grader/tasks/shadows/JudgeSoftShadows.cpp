@@ -113,6 +113,16 @@ Result eightValues(ShadowSeen& seen) {
     return seen.reading ? checkEightValues(seen.logs, *seen.reading) : std::nullopt;
 }
 
+template <bool RaysSeen>
+Result knownScenes(ShadowSeen& seen) {
+    return seen.reading ? checkKnownScenes(seen.logs, *seen.reading, RaysSeen) : std::nullopt;
+}
+
+template <bool RaysSeen>
+Result manyRays(ShadowSeen& seen) {
+    return seen.reading ? checkManyRays(seen.logs, *seen.reading, RaysSeen) : std::nullopt;
+}
+
 Result closeLight(ShadowSeen& seen) {
     return checkCloseLight(seen.logs, seen.aims);
 }
@@ -164,8 +174,10 @@ const std::vector<ShadowCheck>& checksOfRays() {
         {.run = faintLight, .ifNothingFails = true},
         {.run = closeLight, .ifNothingFails = true},
         {.run = eightLights, .ifNothingFails = true},
+        {.run = knownScenes<true>, .ifNothingFails = true},
         // Rays that pairs lose are lost with other settings, too.
         {.run = oddCount, .ifNothingFails = true},
+        {.run = manyRays<true>, .ifNothingFails = true},
         {.run = otherSettings, .ifNothingFails = true}};
     return kChecks;
 }
@@ -178,6 +190,8 @@ const std::vector<ShadowCheck>& checksOfValues() {
         {.run = backSide, .ifNothingFails = true},
         {.run = faintValues, .ifNothingFails = true},
         {.run = eightValues, .ifNothingFails = true},
+        {.run = knownScenes<false>, .ifNothingFails = true},
+        {.run = manyRays<false>, .ifNothingFails = true},
         {.run = viewer}};
     return kChecks;
 }

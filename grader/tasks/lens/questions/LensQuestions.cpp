@@ -144,6 +144,20 @@ probe::RenderQuestion drawQuestion(Draw& draw, const raytracer::RenderSettings& 
     return question;
 }
 
+// So few pixels that it takes no longer than the others. What they show does not matter.
+probe::RenderQuestion drawManyRays(std::uint64_t seed) {
+    Draw draw{seed, 30};
+    probe::RenderQuestion question;
+    question.scene = drawScene(draw);
+    question.settings.width = 2;
+    question.settings.height = 2;
+    question.settings.dofRayCount = draw.whole(280, 320);
+    question.settings.seed = draw.word() >> 1U;
+    question.eventCapacity = static_cast<std::uint32_t>(
+        static_cast<std::size_t>(4 * question.settings.dofRayCount) * kEventsForEachRay);
+    return question;
+}
+
 }  // namespace
 
 LensQuestions drawLensQuestions(std::uint64_t seed) {
@@ -166,6 +180,7 @@ LensQuestions drawLensQuestions(std::uint64_t seed) {
     odd.height = 3;
     odd.dofRayCount = kOddRays[static_cast<std::size_t>(drawOdd.whole(0, 2))];
     questions.odd = drawQuestion(drawOdd, odd, 1);
+    questions.many = drawManyRays(seed);
     return questions;
 }
 

@@ -14,6 +14,7 @@ struct LensQuestions {
     probe::RenderQuestion handout;  ///< the handout's settings, on a tiny frame, two repetitions
     probe::RenderQuestion other;    ///< other ray count, focal plane, aperture and bounces
     probe::RenderQuestion odd;      ///< an odd number of rays, below the handout's
+    probe::RenderQuestion many;     ///< more rays than fit into a byte
 };
 
 [[nodiscard]] LensQuestions drawLensQuestions(std::uint64_t seed);

@@ -30,11 +30,18 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> faintLight;
     std::vector<const ShadowLog*> closeLight;
     std::vector<const ShadowLog*> backSide;
+    std::vector<const ShadowLog*> oneTerm;
+    std::vector<const ShadowLog*> mirror;
+    std::vector<const ShadowLog*> enclosed;
+    std::vector<const ShadowLog*> betweenLights;
+    std::vector<const ShadowLog*> behindAlone;
+    std::vector<const ShadowLog*> behindAfter;
+    std::vector<const ShadowLog*> manyRays;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
     /// All questions except otherSettings, oddCount and horizon, where code may cast fewer rays,
-    /// and contact, faintLight, closeLight, backSide and eightLights, which have checks of their
-    /// own.
+    /// and those from contact, faintLight, closeLight, backSide, eightLights and oneTerm on, which
+    /// have checks of their own.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
@@ -89,6 +96,16 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkContact(const ShadowLogs& logs);
 /// Whether a light behind the surface adds nothing where the viewer is behind it, too.
 [[nodiscard]] std::optional<Finding> checkBackSide(const ShadowLogs& logs);
+
+/// Scenes whose colours follow from those of other questions: surfaces of one term, mirrors, a
+/// ball between two lights, a light behind the surface after one in front.
+/// @param reading   The one that fits all other questions.
+/// @param raysSeen  Otherwise only what follows from geometry is compared.
+[[nodiscard]] std::optional<Finding> checkKnownScenes(const ShadowLogs& logs,
+                                                      const ShadowReading& reading, bool raysSeen);
+/// Whether code that follows the number of rays does so beyond 255, too.
+[[nodiscard]] std::optional<Finding> checkManyRays(const ShadowLogs& logs,
+                                                   const ShadowReading& reading, bool raysSeen);
 
 /// Result of replaying every value: the reading that fits, or the mistake.
 struct ArithmeticVerdict {

@@ -116,6 +116,20 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
                 return closeLight;
             case Purpose::backSide:
                 return backSide;
+            case Purpose::oneTerm:
+                return oneTerm;
+            case Purpose::mirror:
+                return mirror;
+            case Purpose::enclosed:
+                return enclosed;
+            case Purpose::betweenLights:
+                return betweenLights;
+            case Purpose::behindAlone:
+                return behindAlone;
+            case Purpose::behindAfter:
+                return behindAfter;
+            case Purpose::manyRays:
+                return manyRays;
             case Purpose::horizon:
                 break;
         }

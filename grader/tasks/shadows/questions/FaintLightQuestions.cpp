@@ -13,60 +13,23 @@ constexpr int kPointsFaint = 6;
 constexpr int kPointsClose = 24;
 constexpr int kPointsOfBack = 6;
 
-/// Points of the floor under the question's only light, all of them lit.
-void addLitPoints(Draw& draw, ShadowQuestion& drawn, int count, double reach) {
-    const SceneDescription& scene = drawn.question.scene;
-    const raytracer::PlaneDescription& floor = scene.planes.front();
-    const Perpendiculars sides = perpendicularsOf(floor.normal);
-    const Vector3 light = scene.pointLights.front().position();
-    for (int i = 0; i < count; ++i) {
-        const double x = draw.between(-reach, reach);
-        const Vector3 point =
-            floor.point + sides.first * x + sides.second * draw.between(-reach, reach);
-        const Vector3 viewer = drawViewer(draw, point, floor.normal, light);
-        drawn.question.points.push_back({0, point, floor.normal, viewer});
-        drawn.zones.push_back({Zone::lit});
-    }
-    setCapacity(drawn);
-}
-
-/// A floor in front of the camera.
-ShadowQuestion withFloor(Draw& draw, ShadowQuestion::Purpose purpose) {
-    ShadowQuestion drawn;
-    drawn.purpose = purpose;
-    const Vector3 foot = drawPlace(draw);
-    const Vector3 up = draw.directionAround((-foot).normalised(), 1.0);
-    drawn.question.scene.planes.push_back({foot, up, drawMaterial(draw)});
-    return drawn;
-}
-
-/// The question's only light, seen from the middle of the floor.
-/// @param share  Of the intensity that lights have in other questions.
-void addLight(Draw& draw, ShadowQuestion& drawn, const Vector3& towards, double distance,
-              double share = 1.0) {
-    SceneDescription& scene = drawn.question.scene;
-    const Vector3 position = scene.planes.front().point + towards * distance;
-    const raytracer::PointLight usual = drawLight(draw, position, distance);
-    scene.pointLights.emplace_back(position, usual.colour(), usual.intensity() * share);
-}
-
 }  // namespace
 
 ShadowQuestion drawFaintLight(Draw& draw) {
     constexpr double kFaint = 0.001;
-    ShadowQuestion drawn = withFloor(draw, ShadowQuestion::Purpose::faintLight);
+    ShadowQuestion drawn = onFloor(draw, ShadowQuestion::Purpose::faintLight);
     SceneDescription& scene = drawn.question.scene;
     // No tolerance hides the light if the ambient one is as faint.
     scene.ambientLighting = draw.colour(0.0004, 0.0008);
     const double distance = draw.between(5.0, 8.0);
     const Vector3 towards = draw.directionAround(scene.planes.front().normal, 0.6);
-    addLight(draw, drawn, towards, distance, kFaint);
+    addLightTowards(draw, drawn, towards, distance, kFaint);
     addLitPoints(draw, drawn, kPointsFaint, 0.5);
     return drawn;
 }
 
 ShadowQuestion drawGrazingLight(Draw& draw) {
-    ShadowQuestion drawn = withFloor(draw, ShadowQuestion::Purpose::faintLight);
+    ShadowQuestion drawn = onFloor(draw, ShadowQuestion::Purpose::faintLight);
     SceneDescription& scene = drawn.question.scene;
     const Vector3 up = scene.planes.front().normal;
     scene.ambientLighting = draw.colour(0.01, 0.02);
@@ -75,24 +38,24 @@ ShadowQuestion drawGrazingLight(Draw& draw) {
     const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
     const Perpendiculars sides = perpendicularsOf(up);
     const Vector3 along = sideAt(sides, turn);
-    addLight(draw, drawn, up * facing + along * std::sqrt(1.0 - facing * facing), distance);
+    addLightTowards(draw, drawn, up * facing + along * std::sqrt(1.0 - facing * facing), distance);
     addLitPoints(draw, drawn, kPointsFaint, 0.5);
     return drawn;
 }
 
 ShadowQuestion drawCloseLight(Draw& draw) {
-    ShadowQuestion drawn = withFloor(draw, ShadowQuestion::Purpose::closeLight);
+    ShadowQuestion drawn = onFloor(draw, ShadowQuestion::Purpose::closeLight);
     SceneDescription& scene = drawn.question.scene;
     scene.ambientLighting = draw.colour(0.1, 0.5);
     const double distance = draw.between(1.2, 1.4);
     const Vector3 towards = draw.directionAround(scene.planes.front().normal, 0.3);
-    addLight(draw, drawn, towards, distance);
+    addLightTowards(draw, drawn, towards, distance);
     addLitPoints(draw, drawn, kPointsClose, 0.1);
     return drawn;
 }
 
 ShadowQuestion drawBackSide(Draw& draw) {
-    ShadowQuestion drawn = withFloor(draw, ShadowQuestion::Purpose::backSide);
+    ShadowQuestion drawn = onFloor(draw, ShadowQuestion::Purpose::backSide);
     SceneDescription& scene = drawn.question.scene;
     const raytracer::PlaneDescription& floor = scene.planes.front();
     scene.ambientLighting = draw.colour(0.1, 0.5);
@@ -104,7 +67,7 @@ ShadowQuestion drawBackSide(Draw& draw) {
     const Vector3 aside = sideAt(sides, turn);
     const Vector3 along = aside.dot(floor.point) > 0.0 ? -aside : aside;
     const Vector3 towards = along * std::sin(lean) - floor.normal * std::cos(lean);
-    addLight(draw, drawn, towards, draw.between(5.0, 8.0));
+    addLightTowards(draw, drawn, towards, draw.between(5.0, 8.0));
     for (int i = 0; i < kPointsOfBack; ++i) {
         const double x = draw.between(-0.2, 0.2);
         const Vector3 point =

@@ -76,6 +76,40 @@ std::vector<Zone> zonesOf(const raytracer::SceneDescription& scene, const Surfac
     return zones;
 }
 
+ShadowQuestion onFloor(Draw& draw, ShadowQuestion::Purpose purpose) {
+    ShadowQuestion drawn;
+    drawn.purpose = purpose;
+    const Vector3 foot = drawPlace(draw);
+    const Vector3 up = draw.directionAround((-foot).normalised(), 1.0);
+    drawn.question.scene.planes.push_back({foot, up, drawMaterial(draw)});
+    return drawn;
+}
+
+void addLightTowards(Draw& draw, ShadowQuestion& drawn, const Vector3& towards, double distance,
+                     double share) {
+    raytracer::SceneDescription& scene = drawn.question.scene;
+    const Vector3 position = scene.planes.front().point + towards * distance;
+    const raytracer::PointLight usual = drawLight(draw, position, distance);
+    scene.pointLights.emplace_back(position, usual.colour(), usual.intensity() * share);
+}
+
+void addLitPoints(Draw& draw, ShadowQuestion& drawn, int count, double reach) {
+    const raytracer::SceneDescription& scene = drawn.question.scene;
+    const raytracer::PlaneDescription& floor = scene.planes.front();
+    const Perpendiculars sides = perpendicularsOf(floor.normal);
+    const Vector3 light = scene.pointLights.front().position();
+    const int object = static_cast<int>(scene.spheres.size());
+    for (int i = 0; i < count; ++i) {
+        const double x = draw.between(-reach, reach);
+        const Vector3 point =
+            floor.point + sides.first * x + sides.second * draw.between(-reach, reach);
+        const Vector3 viewer = drawViewer(draw, point, floor.normal, light);
+        drawn.question.points.push_back({object, point, floor.normal, viewer});
+        drawn.zones.emplace_back(scene.pointLights.size(), Zone::lit);
+    }
+    setCapacity(drawn);
+}
+
 void setCapacity(ShadowQuestion& question) {
     // Eight times as many as are asked for.
     constexpr std::size_t kLogMargin = 8;

@@ -39,6 +39,18 @@ namespace ticker::tasks {
                                         const Surfaces& surfaces, const Vector3& point,
                                         const Vector3& normal, double radius);
 
+/// A floor in front of the camera, seen from above, and nothing else.
+[[nodiscard]] ShadowQuestion onFloor(Draw& draw, ShadowQuestion::Purpose purpose);
+
+/// Adds a light in this direction from the middle of the floor.
+/// @param share  Of the intensity that lights have in other questions.
+void addLightTowards(Draw& draw, ShadowQuestion& drawn, const Vector3& towards, double distance,
+                     double share = 1.0);
+
+/// Adds points of the floor, all of them lit by every light, and sets the log's capacity. The
+/// viewers are near the mirrored direction of the first light.
+void addLitPoints(Draw& draw, ShadowQuestion& drawn, int count, double reach);
+
 /// Sets the log's capacity, many times the number of rays that is asked for.
 void setCapacity(ShadowQuestion& question);
 
@@ -91,6 +103,22 @@ void setCapacity(ShadowQuestion& question);
 
 /// A floor with the light and the viewers behind it. R.V is below 0, for the eye as well.
 [[nodiscard]] ShadowQuestion drawBackSide(Draw& draw);
+
+/// Surfaces that show one term alone, or reflect like mirrors, each in plain sight of a light.
+[[nodiscard]] std::vector<ShadowQuestion> drawMaterials(Draw& draw);
+
+/// A floor under a light, with a ball around that, and with one around the points.
+[[nodiscard]] std::vector<ShadowQuestion> drawEnclosed(Draw& draw);
+
+/// Two lights, in either order, and a ball: it stands before one of them, and behind the other.
+[[nodiscard]] std::vector<ShadowQuestion> drawBetweenLights(Draw& draw);
+
+/// A light behind a floor whose mirrored direction is near the viewer's: alone, and after a light
+/// in front.
+[[nodiscard]] std::vector<ShadowQuestion> drawBehindAfterLit(Draw& draw);
+
+/// A floor in plain sight of a light, and more rays than fit into a byte.
+[[nodiscard]] ShadowQuestion drawManyRays(Draw& draw);
 
 }  // namespace ticker::tasks
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 namespace ticker::tasks {
 namespace {
@@ -22,7 +23,7 @@ constexpr int kPointsOnSphere = 6;
 constexpr int kPointsSeveral = 24;
 constexpr int kPointsInBothShadows = 6;
 constexpr int kPointsBeyond = 8;
-constexpr int kPointsBesideWall = 12;
+constexpr int kPointsBesideWall = 8;
 
 // No groups of two, five or ten rays make it up. Below the handout's number, so that code with that
 // one typed in casts enough.
@@ -170,7 +171,8 @@ ShadowQuestion drawBeyondLight(Draw& draw) {
 
 /// A floor with a wall on it; half of the points are on the light's side of the wall, half behind
 /// it.
-ShadowQuestion drawPlaneShadow(Draw& draw) {
+/// @param facing  1: the wall's normal points to the light's side; -1: away from it.
+ShadowQuestion drawPlaneShadow(Draw& draw, double facing) {
     const Vector3 up = draw.direction();
     const Perpendiculars sides = perpendicularsOf(up);
     const Vector3 foot = drawPlace(draw);
@@ -184,7 +186,7 @@ ShadowQuestion drawPlaneShadow(Draw& draw) {
     scene.pointLights.push_back(drawLight(draw, light, (light - foot).magnitude()));
     scene.planes.push_back({foot, up, drawMaterial(draw)});
     const Vector3 wall = (sides.first + up * draw.between(-0.3, 0.3)).normalised();
-    scene.planes.push_back({foot, draw.whole(0, 1) == 0 ? wall : -wall, drawMaterial(draw)});
+    scene.planes.push_back({foot, wall * facing, drawMaterial(draw)});
     const Surfaces surfaces{scene};
     for (int i = 0; i < kPointsBesideWall; ++i) {
         const double side = i % 2 == 0 ? 1.0 : -1.0;
@@ -219,6 +221,17 @@ std::array<Vector3, 3> drawNearAxes(Draw& draw) {
 
 }  // namespace
 
+ShadowQuestion drawManyRays(Draw& draw) {
+    ShadowQuestion drawn = onFloor(draw, Purpose::manyRays);
+    drawn.question.settings.shadowRayCount = draw.whole(280, 320);
+    SceneDescription& scene = drawn.question.scene;
+    scene.ambientLighting = draw.colour(0.1, 0.2);
+    const Vector3 towards = draw.directionAround(scene.planes.front().normal, 0.6);
+    addLightTowards(draw, drawn, towards, draw.between(5.0, 8.0));
+    addLitPoints(draw, drawn, 4, 0.5);
+    return drawn;
+}
+
 std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     Draw draw{seed, 21};
     const raytracer::RenderSettings handout;
@@ -237,14 +250,19 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     other.shadowRayCount = 2 * draw.whole(6, 8) + 1;
     other.lightSize = draw.between(0.15, 0.22);
     questions.push_back(drawOneLight(draw, other, Purpose::otherSettings, 1.7));
-    for (const auto drawNext :
-         {drawPlaneShadow, drawLightBehind, drawHorizon, drawInLine, drawContact, drawLowLight,
-          drawNearLight, drawPureLights, drawPureSurfaces, drawFaintLight, drawGrazingLight,
-          drawCloseLight, drawBackSide, drawEightLights})
+    for (const double facing : {1.0, -1.0})
+        questions.push_back(drawPlaneShadow(draw, facing));
+    for (const auto drawNext : {drawLightBehind, drawHorizon, drawInLine, drawContact, drawLowLight,
+                                drawNearLight, drawPureLights, drawPureSurfaces, drawFaintLight,
+                                drawGrazingLight, drawCloseLight, drawBackSide, drawEightLights})
         questions.push_back(drawNext(draw));
     raytracer::RenderSettings odd;
     odd.shadowRayCount = kOddRays;
     questions.push_back(drawOneLight(draw, odd, Purpose::oddCount, 1.7));
+    for (const auto drawNext : {drawMaterials, drawEnclosed, drawBetweenLights, drawBehindAfterLit})
+        for (ShadowQuestion& drawn : drawNext(draw))
+            questions.push_back(std::move(drawn));
+    questions.push_back(drawManyRays(draw));
     return questions;
 }
 

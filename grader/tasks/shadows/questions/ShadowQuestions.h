@@ -31,14 +31,22 @@ struct ShadowQuestion {
         faintLight,     ///< a light that adds little: it is weak, or shines along the surface
         closeLight,     ///< a light little more than three of its radii away
         backSide,       ///< light and viewers behind the surface: ambient light alone
-        oddCount        ///< like oneLight, with an odd number of rays below the handout's
+        oddCount,       ///< like oneLight, with an odd number of rays below the handout's
+        oneTerm,        ///< a surface that shows its highlight alone, or its diffuse term alone
+        mirror,         ///< a surface of reflectivity 1
+        enclosed,       ///< a ball around the light, or around the points
+        betweenLights,  ///< a ball before one light and behind another
+        behindAlone,    ///< a light behind the surface, whose mirrored direction is the viewer's
+        behindAfter,    ///< the same after a light in front
+        manyRays        ///< more rays than fit into a byte
     };
     Purpose purpose = Purpose::oneLight;
     probe::IlluminateQuestion question;
     std::vector<std::vector<Zone>> zones;  ///< [point][light]
 };
 
-/// Draws the questions of T2.1. All but `otherSettings` and `oddCount` use the handout's settings.
+/// Draws the questions of T2.1. All but `otherSettings`, `oddCount` and `manyRays` use the
+/// handout's settings.
 [[nodiscard]] std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed);
 
 }  // namespace ticker::tasks
