@@ -62,6 +62,7 @@ enum class LitMistake : std::size_t {
     firstLightOnly,
     endsAtLightBehind,
     endsWithoutHighlight,
+    faintLightsMissing,
     lastLightOnly,
     averaged,
     clamped,

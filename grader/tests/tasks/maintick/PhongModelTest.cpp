@@ -93,6 +93,7 @@ TEST(PhongModel, GivesEveryMistakeItsValueOfOneLight) {
                                {farLightsMissing, A, D, S},
                                {lastHighlightOnly, A, D, S},
                                {firstLightOnly, A, D, S},
+                               {faintLightsMissing, A, D, S},
                                {lastLightOnly, A, D, S},
                                {averaged, A, D, S},
                                {clamped, A, D, S},
@@ -175,6 +176,20 @@ TEST(PhongModel, CutsCoefficientsAboveOneAlone) {
         setup, {{LitMistake::none, kAmbientPart, diffuse, specular},
                 {LitMistake::diffuseShareAtMostOne, kAmbientPart, 2.0 * kDiffusePart, specular},
                 {LitMistake::specularShareAtMostOne, kAmbientPart, diffuse, kSpecularPart / 0.75}});
+}
+
+// Less than 1/255 is added: of 0.0038 nothing is left, of 0.0041 all.
+TEST(PhongModel, LeavesOutFaintLightsAlone) {
+    for (const double added : {0.0038, 0.0041}) {
+        LitSetup setup = litByHand();
+        const double share = added / (kDiffusePart + kSpecularPart);
+        raytracer::PointLight& light = setup.scene.pointLights[0];
+        light = {light.position(), light.colour(), light.intensity() * share};
+        expectWorked(setup,
+                     {{LitMistake::none, kAmbientPart, added, 0.0},
+                      {LitMistake::faintLightsMissing, kAmbientPart, added < 0.004 ? 0.0 : added,
+                       0.0}});
+    }
 }
 
 TEST(PhongModel, GivesEveryWrongFalloffItsShare) {
