@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ticker::tasks {
 namespace {
@@ -99,7 +100,8 @@ void addLow(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& as
     }
 }
 
-/// Far aside from the point that the plane is given by, along both of its tangents and both ways.
+/// Far aside from the point that the plane is given by, along both of its tangents and both ways,
+/// the last time from close by.
 void addAside(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& asked) {
     constexpr double kFarthest = 400.0;
     const auto& plane = scene.planes[0];
@@ -111,17 +113,22 @@ void addAside(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& 
             asked.push_back(hitAt(plane.point + side * aside, scene, 0, Place::outside, down,
                                   draw.between(2.0, 5.0)));
         }
+        // In float right to 1e-4.
+        const Vector3 down = draw.directionAround(-normal, 0.5);
+        asked.push_back(hitAt(plane.point + side * kFarthest, scene, 0, Place::outside, down,
+                              draw.between(0.02, 0.03)));
     }
 }
 
-/// Planes that lean by some two degrees, one for either end of each axis: what code for level
-/// floors or upright walls takes for one of them. The rays meet them aside from their point, up or
-/// down the slope, where such code is wrong by 0.045 or more.
+/// Planes that lean by some two degrees, and by half of one, for either end of each axis: what code
+/// for level floors or upright walls takes for one of them. The rays meet them aside from their
+/// point, up or down the slope, where such code is wrong by 0.009 or more.
 void addLeaning(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
     for (const Vector3& axis :
          {Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}, Vector3{0.0, 0.0, 1.0}})
-        for (const Vector3& end : {axis, -axis}) {
-            const double lean = draw.between(0.03, 0.04);
+        for (const auto& [end, leaning] :
+             {std::pair{axis, 1.0}, {-axis, 1.0}, {axis, 0.2}, {-axis, 0.2}}) {
+            const double lean = leaning * draw.between(0.03, 0.04);
             const Vector3 side = end.cross(draw.direction()).normalised();
             const Vector3 normal = end * std::cos(lean) + side * std::sin(lean);
             const Vector3 slope = end * std::sin(lean) - side * std::cos(lean);

@@ -224,7 +224,7 @@ std::vector<LitQuestion> drawLitQuestions(std::uint64_t seed) {
     }
     asked.push_back(lit(draw, LitKind::all, 3.0));
     LitQuestion bright{LitKind::bright, drawPoint(draw)};
-    addLight(draw, bright.setup, 1.2, 400.0);
+    addLight(draw, bright.setup, 1.2, 4000.0);
     asked.push_back(bright);
     asked.push_back(lit(draw, LitKind::far, 120.0));
     asked.push_back(lit(draw, LitKind::far, 0.12));

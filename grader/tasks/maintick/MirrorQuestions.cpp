@@ -14,7 +14,7 @@ using raytracer::SceneDescription;
 constexpr int kMostBounces = 3;
 constexpr int kDull = 2;
 constexpr int kWeak = 6;
-constexpr double kBright = 2500.0;  ///< intensity of a light that makes colours above 1
+constexpr double kBright = 25000.0;  ///< intensity of a light that makes colours above 10
 
 Material materialWith(Draw& draw, double reflectivity) {
     Material material;

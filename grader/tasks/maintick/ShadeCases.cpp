@@ -75,6 +75,18 @@ ShadeCase ofTwo(Draw& draw, bool firstIsHidden) {
     return made;
 }
 
+ShadeCase betweenLights(Draw& draw) {
+    ShadeCase made = begun(draw, Occluder::betweenLights, draw.between(6.0, 7.0));
+    const double near = draw.between(1.4, 1.6);
+    const ColourRGB colour = draw.colour(0.3, 0.9);
+    made.free.scene.pointLights.emplace_back(made.free.P + towards(made.free) * near, colour,
+                                             60.0 * near);
+    made.asked = made.without = made.putOut = made.free;
+    hide(made, 0);
+    addBall(made.asked, 3.0, 0.3);
+    return made;
+}
+
 /// On the side that the normal points to, near the highlight.
 Vector3 viewerOutside(const LitSetup& setup) {
     const Vector3 R = towards(setup).reflectIn(setup.N);
@@ -148,7 +160,7 @@ bool ShadeCase::isShaded() const {
 }
 
 std::string_view wordsOf(Occluder place) {
-    static constexpr std::array<std::string_view, 19> kWords{
+    static constexpr std::array<std::string_view, 20> kWords{
         "something stands half-way to the light",
         "something stands between, 0.03 from the point",
         "something stands behind the light",
@@ -167,6 +179,7 @@ std::string_view wordsOf(Occluder place) {
         "the light is 95 away, and something stands between, 0.3 from the point",
         "the light is 95 away, and something stands 0.3 before it",
         "the light is 95 away, and something stands 0.3 behind it",
+        "of two lights in one direction the far one is hidden, by something behind the near one",
         "the light is faint, and something stands half-way to it"};
     return kWords.at(static_cast<std::size_t>(place));
 }
@@ -184,7 +197,7 @@ std::vector<ShadeCase> drawShadeCases(std::uint64_t seed) {
                         withBall(draw, Occluder::between, 3.0, 2.4, 0.4),
                         withBall(draw, Occluder::backwards, distance, -1.5, 0.4),
                         withBall(draw, Occluder::near, distance, 0.06, 0.03), behindWall(draw),
-                        ofTwo(draw, !isSunk), ofTwoBalls(draw, !isSunk)})
+                        ofTwo(draw, !isSunk), ofTwoBalls(draw, !isSunk), betweenLights(draw)})
             cases.push_back(onSphere(draw, std::move(made), isSunk));
     }
     constexpr int kOwnSurfaces = 24;

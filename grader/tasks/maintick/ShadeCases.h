@@ -32,6 +32,7 @@ enum class Occluder : std::uint8_t {
     atPointOfFar,     ///< the light at 95, a hit 0.3 from the point
     atFarLight,       ///< the light at 95, a hit 0.3 before it
     beyondFarLight,   ///< the light at 95, a hit 0.3 behind it
+    betweenLights,    ///< before the first light, behind the second, which is nearer
     ofFaintLight      ///< half-way to a light that adds less than a byte of a picture shows
 };
 

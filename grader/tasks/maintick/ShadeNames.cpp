@@ -155,6 +155,10 @@ std::optional<Name> nameOfPlace(const Seen& seen) {
     if (!isRightOfFar(seen)) return Name{&kShadeDistance, kFarLight};
     if (!isRight(seen, Occluder::ofFirstLight) || !isRight(seen, Occluder::ofSecondLight))
         return Name{&kShadeLights, ""};
+    if (!isRight(seen, Occluder::betweenLights))
+        return Name{&kShadeLights,
+                    "What hid one light decides nothing for the next: compare the distance of "
+                    "every hit with that of the light, and remember no object and no answer."};
     if (!isRight(seen, Occluder::wall))
         return Name{&kShadeWrong,
                     "Planes cast shadows, too: whatever the ray meets before the light hides it."};

@@ -61,6 +61,39 @@ private:
     Count end_;
 };
 
+/// Tilts along u in the first and in the last column, in shares of those along v.
+class AsideShare {
+public:
+    /// @param u  Of the map, 0 to 1.
+    void add(double u, double alongU, double alongV) {
+        constexpr double kEdge = 1.0 / kManyTexels;
+        if (!std::isfinite(alongU) || !std::isfinite(alongV)) return;
+        if (u < kEdge) first_.add(alongU, alongV);
+        if (u > 1.0 - kEdge) last_.add(alongU, alongV);
+    }
+    [[nodiscard]] double most() const { return std::max(first_.share(), last_.share()); }
+
+private:
+    struct Sums {
+        double points = 0.0;
+        double alongU = 0.0;
+        double alongV = 0.0;
+
+        void add(double u, double v) {
+            points += 1.0;
+            alongU += std::abs(u);
+            alongV += std::abs(v);
+        }
+        // 30 of 3000 points lie in either column, on average.
+        [[nodiscard]] double share() const {
+            constexpr double kFewest = 10.0;
+            return points < kFewest || alongV <= 0.0 ? 0.0 : alongU / alongV;
+        }
+    };
+    Sums first_;
+    Sums last_;
+};
+
 }  // namespace
 
 FewTexelPlan planFewTexels(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
@@ -82,14 +115,18 @@ FewTexels readFewTexels(const FewTexelPlan& plan, const Answers& answers,
     const std::vector<Vector3> onRows = answers.tiltsBeyond(plan.rows.flat, plan.rows.map);
     EdgeShares alongU(kFewColumns);
     EdgeShares alongV(kFewRows);
+    AsideShare aside;
     for (std::size_t i = 0; i < plan.directions.size(); ++i) {
         const Vector3& n = plan.directions[i];
         const double v = parametrisation.v(n);
-        if (std::min(v, 1.0 - v) > kFromPole)
+        if (std::min(v, 1.0 - v) > kFromPole) {
             alongU.add(parametrisation.u(n), onColumns[i].dot(parametrisation.alongU(n)));
+            aside.add(parametrisation.u(n), onRows[i].dot(parametrisation.alongU(n)),
+                      onRows[i].dot(parametrisation.alongV(n)));
+        }
         alongV.add(v, onRows[i].dot(parametrisation.alongV(n)));
     }
-    return {alongU.least(), alongV.least()};
+    return {alongU.least(), alongV.least(), aside.most()};
 }
 
 }  // namespace ticker::tasks::bump

@@ -32,11 +32,17 @@ struct FewTexelPlan {
 struct FewTexels {
     double alongU = 1.0;
     double alongV = 1.0;
+    /// Of the map whose rows alone differ: how far the first or the last column tilts along u, in
+    /// shares of its tilts along v. Right code gives nearly 0, code that takes the neighbour beyond
+    /// the last column from another row 1.
+    double aside = 0.0;
 
     static constexpr double kLeast = 0.6;
     [[nodiscard]] bool goodU() const { return alongU >= kLeast; }
     [[nodiscard]] bool goodV() const { return alongV >= kLeast; }
-    [[nodiscard]] bool good() const { return goodU() && goodV(); }
+    static constexpr double kMostAside = 0.5;
+    [[nodiscard]] bool goodAside() const { return aside <= kMostAside; }
+    [[nodiscard]] bool good() const { return goodU() && goodV() && goodAside(); }
 };
 
 [[nodiscard]] FewTexels readFewTexels(const FewTexelPlan& plan, const Answers& answers,

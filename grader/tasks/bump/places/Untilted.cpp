@@ -49,6 +49,24 @@ HeightMapDescription coarse(Draws& draws, int width, int height) {
     return map;
 }
 
+/// Rises and falls along one diagonal in the left half, along the other in the right one, by bytes
+/// whose heights have differences that are the same to the last bit.
+HeightMapDescription diagonal(Draws& draws) {
+    constexpr int kPeriod = 14;
+    constexpr int kStep = 16;
+    constexpr int kLeast = 3;
+    HeightMapDescription map = noiseMap(draws, 20 * kPeriod, 10 * kPeriod);
+    for (int row = 0; row < map.height; ++row)
+        for (int column = 0; column < map.width; ++column) {
+            const int along = column < map.width / 2 ? column - row : column + row;
+            const int phase = (along % kPeriod + kPeriod) % kPeriod;
+            const int height = kLeast + kStep * std::min(phase, kPeriod - phase);
+            map.bytes[static_cast<std::size_t>(row * map.width + column)] =
+                static_cast<std::uint8_t>(height);
+        }
+    return map;
+}
+
 std::vector<Vector3> nearPoles(Draws& draws) {
     std::vector<Vector3> directions;
     for (int i = 0; i < kPoints; ++i) {
@@ -111,6 +129,7 @@ UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws, const Ball
     ask(Whereabouts::onBlack, {ball, draws.directions(2 * kPoints), partlyBlack(draws)});
     ask(Whereabouts::fewRows, {ball, draws.directions(kManyPoints), coarse(draws, kMore, kFew)});
     ask(Whereabouts::fewColumns, {ball, draws.directions(kManyPoints), coarse(draws, kFew, kMore)});
+    ask(Whereabouts::onDiagonals, {ball, draws.directions(3 * kPoints), diagonal(draws)});
     return plan;
 }
 

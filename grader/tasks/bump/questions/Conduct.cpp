@@ -160,11 +160,15 @@ private:
 /// Asks for one map, then another, at the same point of the same sphere.
 void addOtherMaps(ConductPlan& plan, Questionnaire& questionnaire, Draws& draws) {
     constexpr int kPoints = 8;
-    const HeightMapDescription one = noiseMap(draws, 90, 70);
-    const HeightMapDescription other = noiseMap(draws, 90, 70);
+    constexpr double kWithinTexel = 0.08;  // texels are 0.2 high
+    const HeightMapDescription one = noiseMap(draws, 24, 16);
+    const HeightMapDescription other = noiseMap(draws, 24, 16);
     for (const Vector3& point : draws.directions(kPoints)) {
         static_cast<void>(questionnaire.add(kSceneBall, one, {point}));
-        plan.afterOtherMap.push_back(questionnaire.add(kSceneBall, other, {point, -point, point}));
+        const Vector3 beside =
+            (point + point.cross(draws.directions(1).front()) * kWithinTexel).normalised();
+        plan.afterOtherMap.push_back(
+            questionnaire.add(kSceneBall, other, {point, -point, beside, point}));
     }
 }
 

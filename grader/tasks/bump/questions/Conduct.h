@@ -32,8 +32,8 @@ struct ConductPlan {
     std::size_t tinyMap = 0;
     std::vector<std::size_t> rough;  ///< the maps of random texels of other plans
     std::size_t twice = 0;  ///< a flat map, at some points and then at the same points again
-    /// Three questions: this point, one far from it, and this point again, each just after a point
-    /// of another map of the same size.
+    /// Four points: this one, one far from it, one in the same texel (mostly), and this one again,
+    /// after a point of another map of the same size.
     std::vector<std::size_t> afterOtherMap;
 
     [[nodiscard]] Place placeOf(std::size_t question) const;
@@ -66,8 +66,8 @@ struct Conduct {
     Offence missing;           ///< not answered, though the process ended properly
     double largestTilt = 0.0;  ///< over all ordinary points and maps
     double chance = 0.0;       ///< median change of the normal when a point is asked for again
-    /// Largest change of a normal caused by the question just before it: the same point of another
-    /// map, or another point of the same map.
+    /// Largest change of a normal caused by what was asked just before it: the same point of
+    /// another map, or another point of the same map, or of the same texel.
     double memory = 0.0;
     /// Two maps of random texels gave the very same normals, at all points asked for.
     bool sameOnOtherMap = false;

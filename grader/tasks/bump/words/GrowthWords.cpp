@@ -149,7 +149,8 @@ Words untiltedWords(const Untilted& untilted) {
         "on a small sphere (radius 0.05)",
         "at black texels (height 0)",
         "in a row or a column of a map of 16 x 5 texels",
-        "in a row or a column of a map of 5 x 16 texels"};
+        "in a row or a column of a map of 5 x 16 texels",
+        "where both slopes are as large (edges at 45 degrees)"};
     std::size_t place = 0;
     while (place + 1 < kWhereabouts && untilted.good(static_cast<Whereabouts>(place)))
         ++place;

@@ -45,7 +45,22 @@ Words capWords(const Caps& caps) {
             "Option 1: What to do, step 2"};
 }
 
+namespace {
+
+Words seamWords(const FewTexels& fewTexels) {
+    return {fmt::format("On a map whose rows alone differ, the normal leans along u in the first "
+                        "or the last column, {} as far as along v; elsewhere it does not.",
+                        percent(fewTexels.aside)),
+            "The neighbour of the last column is column 0 of the same row: wrap the column by "
+            "itself, (column + 1) % width, not an index into all texels, which leads to the row "
+            "below.",
+            "Option 1: What to do, step 3"};
+}
+
+}  // namespace
+
 Words fewTexelWords(const FewTexels& fewTexels) {
+    if (fewTexels.goodU() && fewTexels.goodV()) return seamWords(fewTexels);
     const bool inRows = fewTexels.goodU();
     const std::string texel = inRows ? "row" : "column";
     return {fmt::format("On a map of {3} {0}s, in the {0} beside the first or the last one, the "

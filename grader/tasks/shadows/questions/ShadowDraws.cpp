@@ -9,6 +9,15 @@ namespace {
 // Aim points all over the light decide. The ball is taken a third larger, so that no accepted
 // sample and no accepted bias is near a decision.
 Zone zoneOf(const Surfaces& surfaces, const Vector3& start, const Vector3& light, double radius) {
+    const double share = visibleShare(surfaces, start, light, radius * 4.0 / 3.0);
+    if (share == 1.0) return Zone::lit;
+    return share == 0.0 ? Zone::umbra : Zone::penumbra;
+}
+
+}  // namespace
+
+double visibleShare(const Surfaces& surfaces, const Vector3& start, const Vector3& centre,
+                    double radius) {
     constexpr int kAims = 96;
     int open = 0;
     for (int i = 0; i < kAims; ++i) {
@@ -16,17 +25,14 @@ Zone zoneOf(const Surfaces& surfaces, const Vector3& start, const Vector3& light
         const double z = 1.0 - (2.0 * i + 1.0) / kAims;
         const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
         const double ring = std::sqrt(1.0 - z * z);
-        const Vector3 aim = light + Vector3{ring * std::cos(angle), ring * std::sin(angle), z} *
-                                        (radius * 4.0 / 3.0);
+        const Vector3 aim =
+            centre + Vector3{ring * std::cos(angle), ring * std::sin(angle), z} * radius;
         const Vector3 towards = aim - start;
         const double distance = towards.magnitude();
         if (surfaces.sightAlong(start, towards / distance, distance) == Sight::open) ++open;
     }
-    if (open == kAims) return Zone::lit;
-    return open == 0 ? Zone::umbra : Zone::penumbra;
+    return static_cast<double>(open) / kAims;
 }
-
-}  // namespace
 
 raytracer::Material drawMaterial(Draw& draw) {
     raytracer::Material material;

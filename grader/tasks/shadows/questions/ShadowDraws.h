@@ -33,6 +33,10 @@ namespace ticker::tasks {
 /// differently.
 [[nodiscard]] Vector3 drawLensPoint(Draw& draw, const raytracer::RenderSettings& settings);
 
+/// The share of a ball's surface that is visible.
+[[nodiscard]] double visibleShare(const Surfaces& surfaces, const Vector3& start,
+                                  const Vector3& centre, double radius);
+
 /// Zone of a point for each light. The lights are taken a third larger than `radius`, so that no
 /// accepted sample and no accepted bias is near a decision.
 [[nodiscard]] std::vector<Zone> zonesOf(const raytracer::SceneDescription& scene,
@@ -117,7 +121,8 @@ void setCapacity(ShadowQuestion& question);
 /// in front.
 [[nodiscard]] std::vector<ShadowQuestion> drawBehindAfterLit(Draw& draw);
 
-/// A floor in plain sight of a light, and more rays than fit into a byte.
+/// A floor in plain sight of a light and at either rim of a ball's penumbra, where some 3 % of the
+/// light is visible or hidden, and more rays than fit into a byte.
 [[nodiscard]] ShadowQuestion drawManyRays(Draw& draw);
 
 }  // namespace ticker::tasks

@@ -221,17 +221,6 @@ std::array<Vector3, 3> drawNearAxes(Draw& draw) {
 
 }  // namespace
 
-ShadowQuestion drawManyRays(Draw& draw) {
-    ShadowQuestion drawn = onFloor(draw, Purpose::manyRays);
-    drawn.question.settings.shadowRayCount = draw.whole(280, 320);
-    SceneDescription& scene = drawn.question.scene;
-    scene.ambientLighting = draw.colour(0.1, 0.2);
-    const Vector3 towards = draw.directionAround(scene.planes.front().normal, 0.6);
-    addLightTowards(draw, drawn, towards, draw.between(5.0, 8.0));
-    addLitPoints(draw, drawn, 4, 0.5);
-    return drawn;
-}
-
 std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     Draw draw{seed, 21};
     const raytracer::RenderSettings handout;
