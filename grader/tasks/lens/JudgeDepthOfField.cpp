@@ -198,6 +198,22 @@ std::optional<Finding> judgeManyRays(const LensLog& many, const LensLog& handout
     return wrong;
 }
 
+std::optional<Finding> judgeFarSettings(const LensLog& log) {
+    std::optional<Finding> wrong = firstFailure(log);
+    if (!wrong) return std::nullopt;
+    const raytracer::RenderSettings& settings = log.asked->settings;
+    wrong->message =
+        fmt::format(
+            "With the handout's focal plane and with other ones all is right; with one at "
+            "{:.3g}, and a dofAmount of {:.2g}, it is not. ",
+            settings.dofFocalPlane, settings.dofAmount) +
+        wrong->message;
+    wrong->hint =
+        "Take out what limits the settings: a nearest or a farthest focal plane, a largest or a "
+        "smallest lens. The formulas hold for all of them.";
+    return wrong;
+}
+
 std::optional<Finding> judgeAnotherScene(const LensLog& log) {
     std::optional<Finding> wrong = firstFailure(log);
     if (wrong)

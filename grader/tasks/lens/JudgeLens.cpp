@@ -10,6 +10,7 @@
 #include <grader/tasks/support/RunEnd.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -123,9 +124,21 @@ void askManyRays(const LensLog& many, const LensLog& handout, const LensLog& oth
     findings.push_back(*std::move(wrong));
 }
 
+// Of rays that are visible and right with other settings.
+void askFarSettings(const std::array<const LensLog*, 2>& logs, std::vector<Finding>& findings) {
+    const auto keeps = [](const Finding& finding) { return is(finding, kSettingsHardCoded); };
+    for (const LensLog* log : logs) {
+        if (hasFailure(findings) || std::ranges::any_of(findings, keeps)) return;
+        if (lacksRays(*log) || log->cut) continue;
+        if (std::optional<Finding> wrong = judgeFarSettings(*log))
+            findings.push_back(*std::move(wrong));
+    }
+}
+
 TaskJudgement judge(probe::Examinee& examinee, std::uint64_t seed, ExpectationShelf& shelf) {
     const LensQuestions asked = drawLensQuestions(seed);
-    const probe::Run run = examinee.ask({asked.handout, asked.other, asked.odd, asked.many});
+    const probe::Run run =
+        examinee.ask({asked.handout, asked.other, asked.odd, asked.many, asked.near, asked.far});
     if (std::optional<TaskJudgement> blocked = judgeUnanswered(run, "render"))
         return *std::move(blocked);
 
@@ -140,12 +153,16 @@ TaskJudgement judge(probe::Examinee& examinee, std::uint64_t seed, ExpectationSh
     LensLog atOther = readLensLog(asked.other, other);
     LensLog atOdd = readLensLog(asked.odd, std::get<probe::RenderAnswer>(run.answers[2]));
     const LensLog many = readLensLog(asked.many, std::get<probe::RenderAnswer>(run.answers[3]));
+    LensLog near = readLensLog(asked.near, std::get<probe::RenderAnswer>(run.answers[4]));
+    LensLog far = readLensLog(asked.far, std::get<probe::RenderAnswer>(run.answers[5]));
     const bool mayAntialias = antialiases(examinee, atHandout, seed);
-    atHandout.mayAntialias = atOther.mayAntialias = atOdd.mayAntialias = mayAntialias;
+    atHandout.mayAntialias = atOther.mayAntialias = atOdd.mayAntialias = near.mayAntialias =
+        far.mayAntialias = mayAntialias;
     LensOutcome outcome = judgeDepthOfField(atHandout, atOther);
     if (!outcome.rayless) {
         askOddCount(examinee, asked, atOdd, outcome.findings);
         askManyRays(many, atHandout, atOther, outcome.findings);
+        if (!outcome.valueless) askFarSettings({&near, &far}, outcome.findings);
     }
     if (!lacksRays(atOther)) confirmSettings(examinee, asked, mayAntialias, outcome.findings);
     const bool needsReview = judgeResults(examinee, shelf, seed, mayAntialias, outcome);

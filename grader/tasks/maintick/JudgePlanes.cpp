@@ -100,6 +100,23 @@ void addLow(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& as
     }
 }
 
+/// Two more planes through one point, asked from one origin in one direction.
+void addCorner(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
+    const Vector3 corner{draw.between(-2.0, 2.0), draw.between(-2.0, 2.0), draw.between(3.0, 5.0)};
+    const Vector3 origin = corner + draw.direction() * draw.between(2.0, 3.0);
+    const Vector3 direction = (corner - origin).normalised();
+    const Perpendiculars sides = perpendicularsOf(direction);
+    for (const auto& [lean, weight] : {std::pair{sides.first, 1.0}, {sides.second, 0.4}}) {
+        const int object = static_cast<int>(scene.planes.size());
+        scene.planes.push_back({corner, (lean * weight - direction).normalised(), {}});
+        AskedHit one =
+            hitAt(corner, scene, object, Place::outside, draw.directionAround(direction, 0.3), 1.0);
+        one.ray.origin = origin;
+        one.expected = maintick::meet(scene.planes.back(), one.line());
+        asked.push_back(one);
+    }
+}
+
 /// Far aside from the point that the plane is given by, along both of its tangents and both ways,
 /// the last time from close by.
 void addAside(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& asked) {
@@ -167,6 +184,7 @@ TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
     addLeaning(draw, scene, asked);
     addAside(draw, scene, asked);
     addLow(draw, scene, asked);
+    addCorner(draw, scene, asked);
     return maintick::judgeHits(examinee, scene, asked, maintick::planeMistakes(), kPlaneTexts,
                                "Plane::intersectionWith");
 }

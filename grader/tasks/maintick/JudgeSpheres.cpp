@@ -61,8 +61,10 @@ struct Alone {
 // next one is passed by, as close as 0.006. The small one after it has a discriminant of 0.0005 to
 // 0.0006. Of the large ones, where limits show that grow with the radius, the first is seen from
 // 0.04 before it, the others from inside, a side 0.04 behind the ray or ahead, and the last one
-// lies 0.04 behind. Distances, locations and normals in float are right to 2e-4: the roots of the
-// large ones are to 1e-4, as their b is 400.
+// lies 0.04 behind. The next one is seen from 110 radii away, so that its discriminant is small
+// beside b^2, and the last one from so near that the half-angle of its cone is 56 degrees, not the
+// 40 of its tangent; the ray is 48 degrees aside. Distances, locations and normals in float are
+// right to 2e-4: the roots of the large ones are to 1e-4, as their b is 400.
 constexpr std::array kAlone{Alone{0.03, 5.0, {Place::outside, -40.0, 0.0, 0.5}},
                             Alone{200.0, 2000.0, {Place::outside, -10.0, 0.1, 0.8}},
                             Alone{0.3, 5.0, {Place::outside, -1.007, 0.0, 0.02}},
@@ -74,7 +76,9 @@ constexpr std::array kAlone{Alone{0.03, 5.0, {Place::outside, -40.0, 0.0, 0.5}},
                             Alone{200.0, 5.0, {Place::outside, -1.0002, 0.0, 0.003}},
                             Alone{200.0, 5.0, {Place::inside, -0.9998, 0.0, 0.003}},
                             Alone{200.0, 5.0, {Place::inside, 0.9998, 0.0, 0.003}},
-                            Alone{200.0, 5.0, {Place::behind, 1.0002, 0.0, 0.003}}};
+                            Alone{200.0, 5.0, {Place::behind, 1.0002, 0.0, 0.003}},
+                            Alone{0.3, 5.0, {Place::outside, -110.0, 0.0, 0.05}},
+                            Alone{1.0, 5.0, {Place::outside, -0.8, 0.88, 0.9}}};
 
 std::string objectWords(const raytracer::SphereDescription& sphere) {
     return fmt::format("a sphere with centre {} and radius {:.4g}", maintick::words(sphere.centre),

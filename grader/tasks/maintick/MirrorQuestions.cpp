@@ -13,6 +13,7 @@ using raytracer::SceneDescription;
 
 constexpr int kMostBounces = 3;
 constexpr int kDull = 2;
+constexpr int kNearlyAll = 1;
 constexpr int kWeak = 6;
 constexpr double kBright = 25000.0;  ///< intensity of a light that makes colours above 10
 
@@ -32,7 +33,9 @@ SceneDescription openScene(Draw& draw) {
         const double angle = 1.05 * i + draw.between(-0.15, 0.15);
         const Vector3 centre{2.2 * std::cos(angle), draw.between(-0.5, 0.5),
                              5.0 + 2.2 * std::sin(angle)};
-        const double share = i == kDull ? 0.0 : draw.between(0.2, 0.8);
+        const double share = i == kDull        ? 0.0
+                             : i == kNearlyAll ? draw.between(0.93, 0.97)
+                                               : draw.between(0.2, 0.8);
         scene.spheres.push_back(
             {centre, draw.between(0.65, 0.9), materialWith(draw, share), nullptr});
     }
@@ -108,6 +111,9 @@ MirrorQuestion drawOpenScene(std::uint64_t seed) {
     addRays(asked, {{0.0, 0.0, 0.0}, Vector3{0.1, 0.9, -0.3}.normalised()});
     const Vector3 dull = asked.question.scene.spheres[kDull].centre + Vector3{0.0, 3.0, 0.0};
     addRays(asked, {dull, {0.0, -1.0, 0.0}});
+    const Vector3 nearlyAll =
+        asked.question.scene.spheres[kNearlyAll].centre + Vector3{0.0, 3.0, 0.0};
+    addRays(asked, {nearlyAll, {0.0, -1.0, 0.0}});
     const Vector3 weak = asked.question.scene.spheres[kWeak].centre - Vector3{0.0, 3.0, 0.0};
     addRays(asked, {weak, {0.0, 1.0, 0.0}});
     askEachObject(asked);

@@ -59,6 +59,22 @@ ShadeCase ofTwoBalls(Draw& draw, bool firstIsBeyond) {
     return made;
 }
 
+/// Far from the origin of the world, where a bias in shares of the place is large.
+ShadeCase farOff(Draw& draw) {
+    constexpr double kFarOff = 60.0;
+    ShadeCase made = withBall(draw, Occluder::before, 3.0, 1.5, 0.3);
+    const Vector3 way = draw.direction() * kFarOff;
+    for (LitSetup* setup : {&made.free, &made.asked, &made.without, &made.putOut}) {
+        setup->P += way;
+        setup->O += way;
+        for (auto& sphere : setup->scene.spheres)
+            sphere.centre += way;
+        for (raytracer::PointLight& light : setup->scene.pointLights)
+            light = {light.position() + way, light.colour(), light.intensity()};
+    }
+    return made;
+}
+
 /// Two lights at right angles around the normal, one of them hidden.
 ShadeCase ofTwo(Draw& draw, bool firstIsHidden) {
     ShadeCase made = begun(draw, firstIsHidden ? Occluder::ofFirstLight : Occluder::ofSecondLight,
@@ -197,7 +213,8 @@ std::vector<ShadeCase> drawShadeCases(std::uint64_t seed) {
                         withBall(draw, Occluder::between, 3.0, 2.4, 0.4),
                         withBall(draw, Occluder::backwards, distance, -1.5, 0.4),
                         withBall(draw, Occluder::near, distance, 0.06, 0.03), behindWall(draw),
-                        ofTwo(draw, !isSunk), ofTwoBalls(draw, !isSunk), betweenLights(draw)})
+                        ofTwo(draw, !isSunk), ofTwoBalls(draw, !isSunk), betweenLights(draw),
+                        farOff(draw)})
             cases.push_back(onSphere(draw, std::move(made), isSunk));
     }
     constexpr int kOwnSurfaces = 24;

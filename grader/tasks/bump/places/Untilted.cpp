@@ -67,6 +67,21 @@ HeightMapDescription diagonal(Draws& draws) {
     return map;
 }
 
+/// Columns are equal in pairs in the left half, rows in the right one.
+/// @param first  0: texels 0 and 1 are equal; 1: texels 1 and 2.
+HeightMapDescription inPairs(Draws& draws, int first) {
+    HeightMapDescription map = noiseMap(draws, 120, 120);
+    const auto heightOf = [first](int at) {
+        const int pair = (at + first) / 2;
+        return static_cast<std::uint8_t>(pair % 2 == 0 ? 60 : 100);
+    };
+    for (int row = 0; row < map.height; ++row)
+        for (int column = 0; column < map.width; ++column)
+            map.bytes[static_cast<std::size_t>(row * map.width + column)] =
+                heightOf(column < map.width / 2 ? column : row);
+    return map;
+}
+
 std::vector<Vector3> nearPoles(Draws& draws) {
     std::vector<Vector3> directions;
     for (int i = 0; i < kPoints; ++i) {
@@ -129,6 +144,8 @@ UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws, const Ball
     ask(Whereabouts::onBlack, {ball, draws.directions(2 * kPoints), partlyBlack(draws)});
     ask(Whereabouts::fewRows, {ball, draws.directions(kManyPoints), coarse(draws, kMore, kFew)});
     ask(Whereabouts::fewColumns, {ball, draws.directions(kManyPoints), coarse(draws, kFew, kMore)});
+    ask(Whereabouts::evenSteps, {ball, draws.directions(3 * kPoints), inPairs(draws, 0)});
+    ask(Whereabouts::oddSteps, {ball, draws.directions(3 * kPoints), inPairs(draws, 1)});
     ask(Whereabouts::onDiagonals, {ball, draws.directions(3 * kPoints), diagonal(draws)});
     return plan;
 }
@@ -136,8 +153,11 @@ UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws, const Ball
 bool Untilted::good(Whereabouts where) const {
     constexpr double kMost = 0.22;
     constexpr double kMostOfFew = 0.06;
+    constexpr double kMostOfPairs = 0.63;
     const bool isOfFew = where == Whereabouts::fewRows || where == Whereabouts::fewColumns;
-    return shares.at(static_cast<std::size_t>(where)) < (isOfFew ? kMostOfFew : kMost);
+    const bool isOfPairs = where == Whereabouts::evenSteps || where == Whereabouts::oddSteps;
+    const double most = isOfFew ? kMostOfFew : isOfPairs ? kMostOfPairs : kMost;
+    return shares.at(static_cast<std::size_t>(where)) < most;
 }
 
 bool Untilted::good() const {

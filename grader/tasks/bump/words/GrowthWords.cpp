@@ -150,7 +150,9 @@ Words untiltedWords(const Untilted& untilted) {
         "at black texels (height 0)",
         "in a row or a column of a map of 16 x 5 texels",
         "in a row or a column of a map of 5 x 16 texels",
-        "where both slopes are as large (edges at 45 degrees)"};
+        "where both slopes are as large (edges at 45 degrees)",
+        "where texels are equal in pairs (0 and 1, 2 and 3)",
+        "where texels are equal in pairs (1 and 2, 3 and 4)"};
     std::size_t place = 0;
     while (place + 1 < kWhereabouts && untilted.good(static_cast<Whereabouts>(place)))
         ++place;

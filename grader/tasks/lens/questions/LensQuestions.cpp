@@ -145,17 +145,38 @@ probe::RenderQuestion drawQuestion(Draw& draw, const raytracer::RenderSettings& 
 }
 
 // So few pixels that it takes no longer than the others. What they show does not matter.
-probe::RenderQuestion drawManyRays(std::uint64_t seed) {
-    Draw draw{seed, 30};
+probe::RenderQuestion drawAny(Draw& draw, const raytracer::RenderSettings& settings) {
     probe::RenderQuestion question;
     question.scene = drawScene(draw);
-    question.settings.width = 2;
-    question.settings.height = 2;
-    question.settings.dofRayCount = draw.whole(280, 320);
+    question.settings = settings;
     question.settings.seed = draw.word() >> 1U;
-    question.eventCapacity = static_cast<std::uint32_t>(
-        static_cast<std::size_t>(4 * question.settings.dofRayCount) * kEventsForEachRay);
+    const int rays = settings.width * settings.height * settings.dofRayCount;
+    question.eventCapacity =
+        static_cast<std::uint32_t>(static_cast<std::size_t>(rays) * kEventsForEachRay);
     return question;
+}
+
+raytracer::RenderSettings fewPixels() {
+    raytracer::RenderSettings settings;
+    settings.width = 4;
+    settings.height = 3;
+    return settings;
+}
+
+void drawLimits(LensQuestions& questions, std::uint64_t seed) {
+    Draw draw{seed, 30};
+    raytracer::RenderSettings many;
+    many.width = many.height = 2;
+    many.dofRayCount = draw.whole(280, 320);
+    questions.many = drawAny(draw, many);
+    raytracer::RenderSettings near = fewPixels();
+    near.dofFocalPlane = draw.between(0.6, 0.8);
+    near.dofAmount = draw.between(0.28, 0.32);
+    questions.near = drawAny(draw, near);
+    raytracer::RenderSettings far = fewPixels();
+    far.dofFocalPlane = draw.between(25.0, 40.0);
+    far.dofAmount = draw.between(0.02, 0.04);
+    questions.far = drawAny(draw, far);
 }
 
 }  // namespace
@@ -180,7 +201,7 @@ LensQuestions drawLensQuestions(std::uint64_t seed) {
     odd.height = 3;
     odd.dofRayCount = kOddRays[static_cast<std::size_t>(drawOdd.whole(0, 2))];
     questions.odd = drawQuestion(drawOdd, odd, 1);
-    questions.many = drawManyRays(seed);
+    drawLimits(questions, seed);
     return questions;
 }
 

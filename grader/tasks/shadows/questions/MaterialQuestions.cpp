@@ -59,7 +59,8 @@ std::vector<ShadowQuestion> drawEnclosed(Draw& draw) {
         const double distance = draw.between(5.0, 6.0);
         addLightTowards(draw, drawn, towards, distance);
         const Vector3 centre = isAroundLight ? foot + towards * distance : foot;
-        scene.spheres.push_back({centre, kBall, drawMaterial(draw), nullptr});
+        // The ball has the floor's colour: an object is known by its address.
+        scene.spheres.push_back({centre, kBall, scene.planes.front().material, nullptr});
         addLitPoints(draw, drawn, kPointsOfMaterial, 0.4);
         std::ranges::fill(drawn.zones, std::vector{Zone::umbra});
         questions.push_back(std::move(drawn));
