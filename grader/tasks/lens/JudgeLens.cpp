@@ -114,24 +114,38 @@ void askOddCount(probe::Examinee& examinee, const LensQuestions& asked, const Le
     findings.push_back(*std::move(wrong));
 }
 
+// What is wrong in this scene with the handout's settings as well; else nothing.
+std::optional<Finding> wrongAtHandout(probe::Examinee& examinee, const LensLog& log) {
+    probe::RenderQuestion again = *log.asked;
+    again.settings = raytracer::RenderSettings{};
+    again.settings.seed = log.asked->settings.seed;
+    again.settings.width = log.asked->settings.width;
+    again.settings.height = log.asked->settings.height;
+    return failureAlone(examinee, again, log.mayAntialias);
+}
+
 // Of rays that are visible and follow the number that is asked for.
-void askManyRays(const LensLog& many, const LensLog& handout, const LensLog& other,
-                 std::vector<Finding>& findings) {
+void askManyRays(probe::Examinee& examinee, const LensLog& many, const LensLog& handout,
+                 const LensLog& other, std::vector<Finding>& findings) {
     if (hasFailure(findings)) return;
     std::optional<Finding> wrong = judgeManyRays(many, handout, other);
     if (!wrong) return;
+    if (std::optional<Finding> alone = wrongAtHandout(examinee, many)) wrong = std::move(alone);
     std::erase_if(findings, [](const Finding& finding) { return is(finding, kSettingsHardCoded); });
     findings.push_back(*std::move(wrong));
 }
 
 // Of rays that are visible and right with other settings.
-void askFarSettings(const std::array<const LensLog*, 2>& logs, std::vector<Finding>& findings) {
+void askFarSettings(probe::Examinee& examinee, const std::array<const LensLog*, 2>& logs,
+                    std::vector<Finding>& findings) {
     const auto keeps = [](const Finding& finding) { return is(finding, kSettingsHardCoded); };
     for (const LensLog* log : logs) {
         if (hasFailure(findings) || std::ranges::any_of(findings, keeps)) return;
         if (lacksRays(*log) || log->cut) continue;
-        if (std::optional<Finding> wrong = judgeFarSettings(*log))
-            findings.push_back(*std::move(wrong));
+        std::optional<Finding> wrong = judgeFarSettings(*log);
+        if (!wrong) continue;
+        if (std::optional<Finding> alone = wrongAtHandout(examinee, *log)) wrong = std::move(alone);
+        findings.push_back(*std::move(wrong));
     }
 }
 
@@ -152,17 +166,17 @@ TaskJudgement judge(probe::Examinee& examinee, std::uint64_t seed, ExpectationSh
     LensLog atHandout = readLensLog(asked.handout, handout);
     LensLog atOther = readLensLog(asked.other, other);
     LensLog atOdd = readLensLog(asked.odd, std::get<probe::RenderAnswer>(run.answers[2]));
-    const LensLog many = readLensLog(asked.many, std::get<probe::RenderAnswer>(run.answers[3]));
+    LensLog many = readLensLog(asked.many, std::get<probe::RenderAnswer>(run.answers[3]));
     LensLog near = readLensLog(asked.near, std::get<probe::RenderAnswer>(run.answers[4]));
     LensLog far = readLensLog(asked.far, std::get<probe::RenderAnswer>(run.answers[5]));
     const bool mayAntialias = antialiases(examinee, atHandout, seed);
-    atHandout.mayAntialias = atOther.mayAntialias = atOdd.mayAntialias = near.mayAntialias =
-        far.mayAntialias = mayAntialias;
+    atHandout.mayAntialias = atOther.mayAntialias = atOdd.mayAntialias = many.mayAntialias =
+        near.mayAntialias = far.mayAntialias = mayAntialias;
     LensOutcome outcome = judgeDepthOfField(atHandout, atOther);
     if (!outcome.rayless) {
         askOddCount(examinee, asked, atOdd, outcome.findings);
-        askManyRays(many, atHandout, atOther, outcome.findings);
-        if (!outcome.valueless) askFarSettings({&near, &far}, outcome.findings);
+        askManyRays(examinee, many, atHandout, atOther, outcome.findings);
+        if (!outcome.valueless) askFarSettings(examinee, {&near, &far}, outcome.findings);
     }
     if (!lacksRays(atOther)) confirmSettings(examinee, asked, mayAntialias, outcome.findings);
     const bool needsReview = judgeResults(examinee, shelf, seed, mayAntialias, outcome);

@@ -67,6 +67,8 @@ constexpr const char* kOneCoordinate =
     "One coordinate alone is used here, as in (Q.y - O.y) / D.y. That is right only where the "
     "normal is exactly that axis, and not for a plane that leans a little: take s = (Q - O).N / "
     "D.N for every plane.";
+constexpr const char* kNearPlaneLimit =
+    "A limit cuts near hits off: every positive s is a hit, however small it is.";
 constexpr const char* kHeightLimit =
     "A limit cuts hits off where the ray starts near the plane: every positive s is a hit, however "
     "small it is, and however near the origin is to the plane.";
@@ -114,8 +116,8 @@ constexpr HitMistake kPlaneMistakes[] = {
     {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.01 <= std::abs(f.slope)); }>,
      "A tolerance of D.N cuts floors off before the horizon: leave rays out only where D.N is 0, "
      "or below 1e-6."},
-    {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.05 <= f.s()); }>,
-     "A limit cuts near hits off: every positive s is a hit, however small it is."},
+    {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.05 <= f.s()); }>, kNearPlaneLimit},
+    {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.01 <= f.s()); }>, kNearPlaneLimit},
     {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.02 <= std::abs(f.height)); }>,
      kHeightLimit},
     {&kPlaneMissed, met<[](const F& f) { return f.hitIf(0.001 <= std::abs(f.height)); }>,

@@ -153,11 +153,15 @@ UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws, const Ball
 bool Untilted::good(Whereabouts where) const {
     constexpr double kMost = 0.22;
     constexpr double kMostOfFew = 0.06;
-    constexpr double kMostOfPairs = 0.63;
+    constexpr double kMostBetweenPairs = 0.25;
     const bool isOfFew = where == Whereabouts::fewRows || where == Whereabouts::fewColumns;
-    const bool isOfPairs = where == Whereabouts::evenSteps || where == Whereabouts::oddSteps;
-    const double most = isOfFew ? kMostOfFew : isOfPairs ? kMostOfPairs : kMost;
-    return shares.at(static_cast<std::size_t>(where)) < most;
+    if (where == Whereabouts::evenSteps || where == Whereabouts::oddSteps) {
+        const double even = shares.at(static_cast<std::size_t>(Whereabouts::evenSteps));
+        const double odd = shares.at(static_cast<std::size_t>(Whereabouts::oddSteps));
+        const double more = where == Whereabouts::evenSteps ? even - odd : odd - even;
+        return more < kMostBetweenPairs;
+    }
+    return shares.at(static_cast<std::size_t>(where)) < (isOfFew ? kMostOfFew : kMost);
 }
 
 bool Untilted::good() const {

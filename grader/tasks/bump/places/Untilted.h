@@ -41,12 +41,14 @@ struct UntiltedPlan {
 /// such a condition gives 0.02 at most; of the map that is black in one of three texels, where the
 /// gentler of two differences is taken, 0.1, with a standard deviation of 0.013. A condition that
 /// holds at all of these points gives 1, on black 0.33 and more, at the rim, where half of the
-/// tilted normals face away, 0.3 and more. Slopes rise and fall along both diagonals: central
-/// differences are 0 at one of seven texels, and a condition on one of the diagonals gives 0.43. Of
-/// pairs, differences to one side are 0 at a half of the texels, with a standard deviation of
-/// 0.017; code that reads every other column gives 0.75. On few rows or columns, neighbours are
-/// never equal: code whose slopes are 0 at the map's edges gives 0.024, the corners; a row or a
-/// column that is left out 0.095 and more.
+/// tilted normals face away, 0.3 and more. On few rows or columns, neighbours are never equal: code
+/// whose slopes are 0 at the map's edges gives 0.024, the corners; a row or a column that is left
+/// out 0.095 and more.
+/// Along both diagonals, central differences are 0 at one of seven texels, and a condition on one
+/// of the diagonals gives 0.43. Where texels are equal in pairs, the two kinds of pairs are
+/// compared: differences to one side are 0 at a half of the texels of either, the gentler of two at
+/// all of either. Code that reads every other column gives 0.75 and 0.25, with a standard deviation
+/// of 0.02.
 struct Untilted {
     std::array<double, kWhereabouts> shares{};
 

@@ -185,10 +185,9 @@ TEST(PhongModel, LeavesOutFaintLightsAlone) {
         const double share = added / (kDiffusePart + kSpecularPart);
         raytracer::PointLight& light = setup.scene.pointLights[0];
         light = {light.position(), light.colour(), light.intensity() * share};
-        expectWorked(setup,
-                     {{LitMistake::none, kAmbientPart, added, 0.0},
-                      {LitMistake::faintLightsMissing, kAmbientPart, added < 0.004 ? 0.0 : added,
-                       0.0}});
+        expectWorked(setup, {{LitMistake::none, kAmbientPart, added, 0.0},
+                             {LitMistake::faintLightsMissing, kAmbientPart,
+                              added < 0.004 ? 0.0 : added, 0.0}});
     }
 }
 

@@ -55,6 +55,7 @@ TEST(PlaneMistakes, AnswerWhatTheirCodeWould) {
         {5.0, 5.0, kPasses},          // a limit of what is far,
         {5.0, 5.0, kPasses},          // of the slope,
         {5.0, 5.0, kPasses},          // of what is near,
+        {5.0, 5.0, kPasses},          // or nearer,
         {5.0, 5.0, kPasses},          // and of the height,
         {5.0, 5.0, kPasses},          // and of a small one
         {kPasses, kPasses, kPasses},  // nothing far from the point
@@ -74,7 +75,7 @@ TEST(PlaneMistakes, AnswerWhatTheirCodeWould) {
 
 TEST(PlaneMistakes, LeaveOutWhatTheirLimitsLeaveOut) {
     const auto mistakes = planeMistakes();
-    const std::size_t last = mistakes.size() - 8;
+    const std::size_t last = mistakes.size() - 9;
     const auto from = [](double z) { return Ray{{0.0, 0.0, z}, {0.0, 0.0, 1.0}}; };
     const auto sloping = [](double slope) {
         return Ray{{}, {0.0, std::sqrt(1.0 - slope * slope), slope}};
@@ -85,10 +86,12 @@ TEST(PlaneMistakes, LeaveOutWhatTheirLimitsLeaveOut) {
     expectDistance(askedOfPlane(mistakes[last - 1], sloping(0.009)), kPasses);
     expectDistance(askedOfPlane(mistakes[last], from(4.94)), 0.06);
     expectDistance(askedOfPlane(mistakes[last], from(4.96)), kPasses);
-    expectDistance(askedOfPlane(mistakes[last + 1], from(4.97)), 0.03);
-    expectDistance(askedOfPlane(mistakes[last + 1], from(4.99)), kPasses);
-    expectDistance(askedOfPlane(mistakes[last + 2], from(4.9989)), 0.0011);
-    expectDistance(askedOfPlane(mistakes[last + 2], from(4.9991)), kPasses);
+    expectDistance(askedOfPlane(mistakes[last + 1], from(4.98)), 0.02);
+    expectDistance(askedOfPlane(mistakes[last + 1], from(4.995)), kPasses);
+    expectDistance(askedOfPlane(mistakes[last + 2], from(4.97)), 0.03);
+    expectDistance(askedOfPlane(mistakes[last + 2], from(4.99)), kPasses);
+    expectDistance(askedOfPlane(mistakes[last + 3], from(4.9989)), 0.0011);
+    expectDistance(askedOfPlane(mistakes[last + 3], from(4.9991)), kPasses);
 }
 
 TEST(PlaneMistakes, EndAPlaneFourUnitsFromItsPoint) {

@@ -48,7 +48,10 @@ TEST(ReadUntilted, IsGoodForEveryAcceptedReading) {
         const Untilted untilted = untiltedOf([&](const Point& point) {
             return selftest::modelNormal(reading, selftest::Mistake::none, point);
         });
-        EXPECT_LT(*std::ranges::max_element(untilted.shares), 0.2) << describe(reading);
+        EXPECT_TRUE(untilted.good()) << describe(reading);
+        const auto pairs = untilted.shares.begin() + static_cast<int>(Whereabouts::evenSteps);
+        EXPECT_LT(*std::max_element(untilted.shares.begin(), pairs), 0.2) << describe(reading);
+        EXPECT_LT(std::abs(pairs[0] - pairs[1]), 0.15) << describe(reading);
         for (const Whereabouts where : {Whereabouts::fewRows, Whereabouts::fewColumns})
             EXPECT_LT(untilted.shares.at(static_cast<std::size_t>(where)), 0.045)
                 << describe(reading);
@@ -59,8 +62,8 @@ TEST(ReadUntilted, SeesEachCondition) {
     const auto expectOnly = [](Whereabouts where, const selftest::NormalFunction& function) {
         const Untilted untilted = untiltedOf(function);
         // A condition of the place or the eye holds at some points of coarse maps, too.
-        const std::size_t kinds =
-            std::max(static_cast<std::size_t>(where) + 1, std::size_t{kWhereabouts - 2});
+        const std::size_t kinds = std::max(static_cast<std::size_t>(where) + 1,
+                                           static_cast<std::size_t>(Whereabouts::fewRows));
         for (std::size_t i = 0; i < kinds; ++i)
             EXPECT_EQ(untilted.good(static_cast<Whereabouts>(i)),
                       i != static_cast<std::size_t>(where))
@@ -90,6 +93,26 @@ TEST(ReadUntilted, SeesEachCondition) {
     expectOnly(Whereabouts::fewColumns, smoothWhere([](const Point& point, const Vector3&) {
                    return point.map.width() == 5 && columnOf(point) == 4;
                }));
+}
+
+// Code that reads every other column sees no step within its pairs.
+TEST(ReadUntilted, SeesColumnsThatAreReadInPairs) {
+    for (const int first : {0, 1}) {
+        const Untilted untilted =
+            untiltedOf(smoothWhere([first](const Point& point, const Vector3&) {
+                return point.map.width() == 120 && columnOf(point) < 60 &&
+                       point.map.at(columnOf(point), 3) ==
+                           point.map.at((columnOf(point) + first) / 2 * 2 + 1 - first, 3);
+            }));
+        EXPECT_NE(untilted.good(Whereabouts::evenSteps), untilted.good(Whereabouts::oddSteps));
+    }
+}
+
+TEST(ReadUntilted, SeesAConditionOnTheSumOfBothSlopes) {
+    const Untilted untilted = untiltedOf(smoothWhere([](const Point& point, const Vector3&) {
+        return point.map.width() == 280 && columnOf(point) < 140;
+    }));
+    EXPECT_FALSE(untilted.good(Whereabouts::onDiagonals));
 }
 
 TEST(JudgeBump, SaysWhereTheNormalStaysSmooth) {
