@@ -167,7 +167,7 @@ void PrintTo(const Ending& ending, std::ostream* out) {
 class SandboxedExamineeEnds : public testing::TestWithParam<Ending> {};
 
 TEST_P(SandboxedExamineeEnds, AsTheKernelSaysAndWithNothingAnswered) {
-    const double cpuSeconds = GetParam().expected == EndKind::timedOut ? 1.0 : 4.0;
+    const double cpuSeconds = GetParam().expected == EndKind::timedOut ? 1.0 : 20.0;
     const probe::Run run = askBumpySphere(GetParam().body, GetParam().before, cpuSeconds);
     EXPECT_EQ(run.end.kind, GetParam().expected) << run.end.detail;
     ASSERT_EQ(run.answers.size(), 1U);
