@@ -14,12 +14,6 @@ using raytracer::SceneDescription;
 
 constexpr int kPoints = 6;
 
-/// The unit vector in the plane of two perpendiculars.
-/// @param angle  From the first one, in radians.
-Vector3 leaning(const Vector3& first, const Vector3& second, double angle) {
-    return first * std::cos(angle) + second * std::sin(angle);
-}
-
 }  // namespace
 
 // From the floor the ball is 37 degrees wide to either side of its middle, the near light 9 to
@@ -38,8 +32,8 @@ std::vector<ShadowQuestion> drawBetweenLights(Draw& draw) {
         scene.ambientLighting = draw.colour(0.1, 0.2);
         const Vector3 middle = draw.directionAround(scene.planes.front().normal, 0.3);
         const Vector3 aside = perpendicularsOf(middle).first;
-        addLightTowards(draw, drawn, leaning(middle, aside, -kOff), kNear);
-        addLightTowards(draw, drawn, leaning(middle, aside, kOff), kFar, kFaint);
+        addLightTowards(draw, drawn, sideAt({middle, aside}, -kOff), kNear);
+        addLightTowards(draw, drawn, sideAt({middle, aside}, kOff), kFar, kFaint);
         const Vector3 centre = scene.planes.front().point + middle * kToBall;
         scene.spheres.push_back({centre, kBall, drawMaterial(draw), nullptr});
         addLitPoints(draw, drawn, kPoints, 0.2);
@@ -65,13 +59,13 @@ std::vector<ShadowQuestion> drawBehindAfterLit(Draw& draw) {
     const Perpendiculars sides = perpendicularsOf(floor.normal);
     const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
     const Vector3 along = sideAt(sides, turn);
-    addLightTowards(draw, alone, leaning(along, floor.normal, -kBelow), kDistance);
+    addLightTowards(draw, alone, sideAt({along, floor.normal}, -kBelow), kDistance);
     raytracer::PointLight& behind = scene.pointLights.front();
     behind = {behind.position(), draw.colour(0.8, 1.0), behind.intensity()};
     addLitPoints(draw, alone, kPoints, 0.2);
     std::ranges::fill(alone.zones, std::vector{Zone::umbra});
     for (probe::LitPoint& point : alone.question.points)
-        point.viewer = point.position + leaning(along * -1.0, floor.normal, kAbove) * 4.0;
+        point.viewer = point.position + sideAt({along * -1.0, floor.normal}, kAbove) * 4.0;
 
     ShadowQuestion after = alone;
     after.purpose = Purpose::behindAfter;
