@@ -39,9 +39,9 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> manyRays;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
-    /// All questions except otherSettings, oddCount and horizon, where code may cast fewer rays,
-    /// and those from contact, faintLight, closeLight, backSide, eightLights and oneTerm on, which
-    /// have checks of their own.
+    /// All questions except otherSettings, oddCount, manyRays and horizon, where code may cast fewer
+    /// rays, and those with checks of their own: contact, faintLight, closeLight, backSide,
+    /// eightLights, oneTerm, mirror, enclosed, betweenLights, behindAlone and behindAfter.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
@@ -97,8 +97,8 @@ struct ShadowLogs {
 /// Whether a light behind the surface adds nothing where the viewer is behind it, too.
 [[nodiscard]] std::optional<Finding> checkBackSide(const ShadowLogs& logs);
 
-/// Scenes whose colours follow from those of other questions: surfaces of one term, mirrors, a
-/// ball between two lights, a light behind the surface after one in front.
+/// Scenes whose colours follow from those of other questions: surfaces of one term, mirrors,
+/// balls around the light or the points, a ball between two lights, a light behind the surface after one in front.
 /// @param reading   The one that fits all other questions.
 /// @param raysSeen  Otherwise only what follows from geometry is compared.
 [[nodiscard]] std::optional<Finding> checkKnownScenes(const ShadowLogs& logs,
