@@ -4,6 +4,7 @@
 #include <grader/tasks/shadows/checks/PartOfLight.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>
+#include <grader/tasks/shadows/mixed/MixedCheck.h>
 #include <grader/tasks/support/Checks.h>
 #include <grader/tasks/support/Plots.h>
 
@@ -123,6 +124,17 @@ Result manyRays(ShadowSeen& seen) {
     return seen.reading ? checkManyRays(seen.logs, *seen.reading, RaysSeen) : std::nullopt;
 }
 
+template <bool RaysSeen>
+Result mixed(ShadowSeen& seen) {
+    return seen.reading ? checkMixed(seen.logs.mixed, *seen.reading, RaysSeen) : std::nullopt;
+}
+
+// Code with the handout's light size typed in, of which another check speaks, cannot answer.
+Result mixedNear(ShadowSeen& seen) {
+    if (!seen.reading || checkOtherSettings(seen.logs)) return std::nullopt;
+    return checkMixed(seen.logs.mixedNear, *seen.reading, true);
+}
+
 Result closeLight(ShadowSeen& seen) {
     return checkCloseLight(seen.logs, seen.aims);
 }
@@ -175,10 +187,12 @@ const std::vector<ShadowCheck>& checksOfRays() {
         {.run = closeLight, .ifNothingFails = true},
         {.run = eightLights, .ifNothingFails = true},
         {.run = knownScenes<true>, .ifNothingFails = true},
+        {.run = mixed<true>, .ifNothingFails = true},
         // Rays that pairs lose are lost with other settings, too.
         {.run = oddCount, .ifNothingFails = true},
         {.run = manyRays<true>, .ifNothingFails = true},
-        {.run = otherSettings, .ifNothingFails = true}};
+        {.run = otherSettings, .ifNothingFails = true},
+        {.run = mixedNear, .ifNothingFails = true}};
     return kChecks;
 }
 
@@ -191,6 +205,7 @@ const std::vector<ShadowCheck>& checksOfValues() {
         {.run = faintValues, .ifNothingFails = true},
         {.run = eightValues, .ifNothingFails = true},
         {.run = knownScenes<false>, .ifNothingFails = true},
+        {.run = mixed<false>, .ifNothingFails = true},
         {.run = manyRays<false>, .ifNothingFails = true},
         {.run = viewer}};
     return kChecks;

@@ -37,11 +37,14 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> behindAlone;
     std::vector<const ShadowLog*> behindAfter;
     std::vector<const ShadowLog*> manyRays;
+    std::vector<const ShadowLog*> mixed;
+    std::vector<const ShadowLog*> mixedNear;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
-    /// All questions except otherSettings, oddCount, manyRays and horizon, where code may cast
-    /// fewer rays, and those with checks of their own: contact, faintLight, closeLight, backSide,
-    /// eightLights, oneTerm, mirror, enclosed, betweenLights, behindAlone and behindAfter.
+    /// All questions except otherSettings, oddCount, manyRays, mixedNear and horizon, where code may
+    /// cast fewer rays, and those with checks of their own: contact, faintLight, closeLight,
+    /// backSide, eightLights, oneTerm, mirror, enclosed, betweenLights, behindAlone, behindAfter and
+    /// mixed.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 

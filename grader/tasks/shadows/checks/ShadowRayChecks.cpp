@@ -130,6 +130,10 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
                 return behindAfter;
             case Purpose::manyRays:
                 return manyRays;
+            case Purpose::mixed:
+                return mixed;
+            case Purpose::mixedNear:
+                return mixedNear;
             case Purpose::horizon:
                 break;
         }

@@ -1,3 +1,4 @@
+#include <grader/tasks/shadows/mixed/MixedScenes.h>
 #include <grader/tasks/shadows/questions/ShadowDraws.h>
 #include <grader/tasks/shadows/questions/ShadowQuestions.h>
 #include <grader/tasks/support/Draw.h>
@@ -252,6 +253,8 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
         for (ShadowQuestion& drawn : drawNext(draw))
             questions.push_back(std::move(drawn));
     questions.push_back(drawManyRays(draw));
+    for (ShadowQuestion& drawn : drawMixedScenes(draw))
+        questions.push_back(std::move(drawn));
     return questions;
 }
 

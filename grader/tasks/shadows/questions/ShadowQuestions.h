@@ -38,15 +38,17 @@ struct ShadowQuestion {
         betweenLights,  ///< a ball before one light and behind another
         behindAlone,    ///< a light behind the surface, whose mirrored direction is the viewer's
         behindAfter,    ///< the same after a light in front
-        manyRays        ///< more rays than fit into a byte
+        manyRays,       ///< more rays than fit into a byte
+        mixed,          ///< every attribute usual or extreme
+        mixedNear       ///< the same with smaller lights, some of them nearer than 1
     };
     Purpose purpose = Purpose::oneLight;
     probe::IlluminateQuestion question;
     std::vector<std::vector<Zone>> zones;  ///< [point][light]
 };
 
-/// Draws the questions of T2.1. All but `otherSettings`, `oddCount` and `manyRays` use the
-/// handout's settings.
+/// Draws the questions of T2.1. All but `otherSettings`, `oddCount`, `manyRays` and `mixedNear` use
+/// the handout's settings.
 [[nodiscard]] std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed);
 
 }  // namespace ticker::tasks

@@ -1,0 +1,45 @@
+#include <grader/tasks/shadows/mixed/ClearLights.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ticker::tasks {
+namespace {
+
+using raytracer::PointLight;
+using raytracer::Vector3;
+
+double sizeSeen(const PointLight& light, const Vector3& point, double lightSize) {
+    constexpr double kLarger = 1.1;
+    return std::asin(std::min(1.0, kLarger * lightSize / (light.position() - point).magnitude()));
+}
+
+}  // namespace
+
+bool areApart(const PointLight& one, const PointLight& other, const Vector3& point,
+              double lightSize) {
+    constexpr double kGap = 0.15;
+    const double cosine =
+        (one.position() - point).normalised().dot((other.position() - point).normalised());
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) >
+           sizeSeen(one, point, lightSize) + sizeSeen(other, point, lightSize) + kGap;
+}
+
+bool isOffHorizon(const PointLight& light, const Vector3& point, const Vector3& normal,
+                  double lightSize) {
+    constexpr double kLarger = 1.45;  // than the ball that `zonesOf` looks at
+    constexpr double kLeastCosine = 0.15;
+    const Vector3 towards = light.position() - point;
+    const double height = std::abs(towards.dot(normal));
+    return height > kLarger * lightSize && height > kLeastCosine * towards.magnitude();
+}
+
+bool showsNoHighlightFromBehind(const PointLight& light, const Vector3& point,
+                                const Vector3& normal, const Vector3& viewer) {
+    constexpr double kOffEdge = 0.05;
+    const Vector3 L = (light.position() - point).normalised();
+    return L.dot(normal) > 0.0 ||
+           L.reflectIn(normal).dot((viewer - point).normalised()) < -kOffEdge;
+}
+
+}  // namespace ticker::tasks

@@ -1,0 +1,25 @@
+#ifndef TICKER_TASKS_SHADOWS_MIXED_MIXEDSCENES_H
+#define TICKER_TASKS_SHADOWS_MIXED_MIXEDSCENES_H
+
+#include <grader/tasks/shadows/questions/ShadowQuestions.h>
+#include <grader/tasks/support/Draw.h>
+
+#include <vector>
+
+namespace ticker::tasks {
+
+/// Scenes whose every attribute is drawn on its own from usual and extreme values: the number of
+/// lights and their distance, level and colour; the materials of the surface and of what stands
+/// before a light or behind it; where the surface lies and where the viewer is. A condition on one
+/// of them that illuminate should not have shows in some scene.
+///
+/// Every light lies in front of the surface's tangent plane or behind it by more than its radius,
+/// no object comes nearer to a light than 1.35 radii or to a point than 0.1, and the directions of
+/// two lights differ by more than their size. R.V is negative for lights behind, for the eye, too.
+/// Half of the scenes have the handout's settings (`mixed`), the others smaller lights that may be
+/// nearer (`mixedNear`).
+[[nodiscard]] std::vector<ShadowQuestion> drawMixedScenes(Draw& draw);
+
+}  // namespace ticker::tasks
+
+#endif

@@ -1,0 +1,227 @@
+#include <grader/tasks/shadows/mixed/PointTraits.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+
+namespace ticker::tasks {
+namespace {
+
+using raytracer::Material;
+using raytracer::PointLight;
+
+const Material& surfaceOf(const PointOfLog& at) {
+    return materialOf(at.log->scene(), at.point->point.object);
+}
+
+double distanceOf(const PointOfLog& at, const PointLight& light) {
+    return (light.position() - at.point->point.position).magnitude();
+}
+
+bool isInFront(const PointOfLog& at, const PointLight& light) {
+    return (light.position() - at.point->point.position).dot(at.point->point.normal) > 0.0;
+}
+
+template <typename Test>
+bool anyLight(const PointOfLog& at, Test test) {
+    return std::ranges::any_of(at.log->scene().pointLights, test);
+}
+
+int channelsOf(const ColourRGB& colour) {
+    return (colour.r > 0.0 ? 1 : 0) + (colour.g > 0.0 ? 1 : 0) + (colour.b > 0.0 ? 1 : 0);
+}
+
+double mostOf(const ColourRGB& colour) {
+    return std::max({colour.r, colour.g, colour.b});
+}
+
+/// Whether an object of such a material stands between the point and the centre of a light.
+template <typename Test>
+bool anyBlocker(const PointOfLog& at, Test test) {
+    const raytracer::SceneDescription& scene = at.log->scene();
+    const auto& [object, position, normal, viewer] = at.point->point;
+    const Vector3 start = position + normal * 1e-4;
+    const int objects = static_cast<int>(scene.spheres.size() + scene.planes.size());
+    for (int i = 0; i < objects; ++i) {
+        if (i == object || !test(materialOf(scene, i))) continue;
+        raytracer::SceneDescription alone;
+        const auto index = static_cast<std::size_t>(i);
+        if (index < scene.spheres.size())
+            alone.spheres = {scene.spheres[index]};
+        else
+            alone.planes = {scene.planes[index - scene.spheres.size()]};
+        const Surfaces surfaces{alone};
+        const bool blocks = anyLight(at, [&](const PointLight& light) {
+            const Vector3 way = light.position() - start;
+            return isInFront(at, light) &&
+                   surfaces.sightAlong(start, way.normalised(), way.magnitude()) == Sight::blocked;
+        });
+        if (blocks) return true;
+    }
+    return false;
+}
+
+constexpr std::string_view kAnyObject =
+    "Whatever stands in the way hides the light: do not ask what kind of object it is, nor of what "
+    "material.";
+constexpr std::string_view kEveryLight =
+    "The falloff is one over the square of the distance, near and far, and every light counts, "
+    "however little it adds: leave out limits of your own.";
+constexpr std::string_view kSurface =
+    "Colour, ambient light, diffuse and specular term are computed for every material in the same "
+    "way, and each term stays whatever the others are.";
+constexpr std::string_view kPlace =
+    "P, N and O are all that tells where the point lies and where it is seen from: do not ask on "
+    "which side of the camera they are.";
+
+constexpr std::array kTraits{
+    PointTrait{"there is no point light",
+               [](const PointOfLog& at) { return at.log->scene().pointLights.empty(); },
+               "The ambient light is added before the loop over the lights, and is there without "
+               "any light, too."},
+    PointTrait{"a light is nearer than 1",
+               [](const PointOfLog& at) {
+                   return anyLight(at, [&](const PointLight& light) {
+                       return isInFront(at, light) && distanceOf(at, light) < 1.0;
+                   });
+               },
+               kEveryLight},
+    PointTrait{"a light is farther away than 19",
+               [](const PointOfLog& at) {
+                   return anyLight(at, [&](const PointLight& light) {
+                       return isInFront(at, light) && distanceOf(at, light) > 19.0;
+                   });
+               },
+               kEveryLight},
+    PointTrait{"a light adds less than one step of a picture",
+               [](const PointOfLog& at) {
+                   return anyLight(at, [&](const PointLight& light) {
+                       return isInFront(at, light) &&
+                              mostOf(light.illuminationAt(distanceOf(at, light))) < 1.0 / 255.0;
+                   });
+               },
+               kEveryLight},
+    PointTrait{"a light is very bright",
+               [](const PointOfLog& at) {
+                   return anyLight(at, [&](const PointLight& light) {
+                       return mostOf(light.illuminationAt(distanceOf(at, light))) > 3.0;
+                   });
+               },
+               "Colours may be above 1: do not cut them off."},
+    PointTrait{"a light has one channel alone",
+               [](const PointOfLog& at) {
+                   return anyLight(
+                       at, [](const PointLight& light) { return channelsOf(light.colour()) == 1; });
+               },
+               kEveryLight},
+    PointTrait{"a light is behind the surface",
+               [](const PointOfLog& at) {
+                   return anyLight(at, [&](const PointLight& l) { return !isInFront(at, l); });
+               },
+               "A light behind the surface adds nothing and changes nothing of the others: go on "
+               "with the next one (continue)."},
+    PointTrait{"there are several lights",
+               [](const PointOfLog& at) { return at.log->scene().pointLights.size() > 1; },
+               "Each light has rays and a share of its own: start again at 0 for each of them."},
+    PointTrait{"an object of reflectivity 1 is in the light's way",
+               [](const PointOfLog& at) {
+                   return anyBlocker(at, [](const Material& of) { return of.reflectivity == 1.0; });
+               },
+               kAnyObject},
+    PointTrait{"an object that does not reflect is in the light's way",
+               [](const PointOfLog& at) {
+                   return anyBlocker(at, [](const Material& of) { return of.reflectivity == 0.0; });
+               },
+               kAnyObject},
+    PointTrait{"a black object is in the light's way",
+               [](const PointOfLog& at) {
+                   return anyBlocker(at,
+                                     [](const Material& of) { return channelsOf(of.colour) == 0; });
+               },
+               kAnyObject},
+    PointTrait{
+        "an object is in the light's way",
+        [](const PointOfLog& at) { return anyBlocker(at, [](const Material&) { return true; }); },
+        kAnyObject},
+    PointTrait{"the surface is black",
+               [](const PointOfLog& at) { return channelsOf(surfaceOf(at).colour) == 0; },
+               kSurface},
+    PointTrait{"the surface's colour lacks a channel",
+               [](const PointOfLog& at) { return channelsOf(surfaceOf(at).colour) < 3; }, kSurface},
+    PointTrait{"the surface's phongKD() is 0",
+               [](const PointOfLog& at) { return surfaceOf(at).phongKD == 0.0; }, kSurface},
+    PointTrait{"the surface's phongKD() is above 1",
+               [](const PointOfLog& at) { return surfaceOf(at).phongKD > 1.0; }, kSurface},
+    PointTrait{"the surface's phongKS() is 0",
+               [](const PointOfLog& at) { return surfaceOf(at).phongKS == 0.0; }, kSurface},
+    PointTrait{"the surface's phongAlpha() is 1",
+               [](const PointOfLog& at) { return surfaceOf(at).phongAlpha == 1.0; }, kSurface},
+    PointTrait{"the surface's phongAlpha() is 30 or more",
+               [](const PointOfLog& at) { return surfaceOf(at).phongAlpha >= 30.0; }, kSurface},
+    PointTrait{"the surface's reflectivity() is 1",
+               [](const PointOfLog& at) { return surfaceOf(at).reflectivity == 1.0; },
+               "illuminate knows nothing of mirrors: leave reflectivity() out of it."},
+    PointTrait{"the surface's reflectivity() is 0",
+               [](const PointOfLog& at) { return surfaceOf(at).reflectivity == 0.0; },
+               "illuminate knows nothing of mirrors: leave reflectivity() out of it."},
+    PointTrait{"there is no ambient light",
+               [](const PointOfLog& at) { return mostOf(at.log->scene().ambientLighting) == 0.0; },
+               kSurface},
+    PointTrait{"the point lies behind the camera",
+               [](const PointOfLog& at) { return at.point->point.position.z < 0.0; }, kPlace},
+    PointTrait{"O is behind the camera",
+               [](const PointOfLog& at) { return at.point->point.viewer.z < -0.01; }, kPlace},
+    PointTrait{"O is not on the lens",
+               [](const PointOfLog& at) { return at.point->point.viewer.z != 0.0; }, kPlace},
+    PointTrait{"O is on the lens",
+               [](const PointOfLog& at) { return at.point->point.viewer.z == 0.0; }, kPlace},
+    PointTrait{"the point lies on a sphere",
+               [](const PointOfLog& at) {
+                   return static_cast<std::size_t>(at.point->point.object) <
+                          at.log->scene().spheres.size();
+               },
+               ""},
+    PointTrait{"the point lies on a plane",
+               [](const PointOfLog& at) {
+                   return static_cast<std::size_t>(at.point->point.object) >=
+                          at.log->scene().spheres.size();
+               },
+               ""}};
+
+std::ptrdiff_t countOf(const PointTrait& trait, const std::vector<PointOfLog>& points) {
+    return std::ranges::count_if(points, trait.has);
+}
+
+}  // namespace
+
+std::span<const PointTrait> pointTraits() {
+    return kTraits;
+}
+
+std::vector<const PointTrait*> tellingTraits(const std::vector<PointOfLog>& wrong,
+                                             const std::vector<PointOfLog>& right) {
+    constexpr std::size_t kMost = 2;
+    constexpr double kTelling = 0.7;  // of the right points that are left have it, or more do not
+    std::vector<const PointTrait*> told;
+    std::vector<PointOfLog> left = right;
+    while (told.size() < kMost && !left.empty()) {
+        const PointTrait* best = nullptr;
+        std::ptrdiff_t fewest =
+            static_cast<std::ptrdiff_t>(kTelling * static_cast<double>(left.size()));
+        for (const PointTrait& trait : kTraits) {
+            if (countOf(trait, wrong) != std::ssize(wrong)) continue;
+            const std::ptrdiff_t has = countOf(trait, left);
+            if (has >= fewest) continue;
+            fewest = has;
+            best = &trait;
+        }
+        if (best == nullptr) break;
+        told.push_back(best);
+        std::erase_if(left, [&](const PointOfLog& at) { return !best->has(at); });
+    }
+    return told;
+}
+
+}  // namespace ticker::tasks

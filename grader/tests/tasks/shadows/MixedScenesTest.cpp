@@ -1,0 +1,152 @@
+// Properties of the mixed scenes of T2.1, and what is said of wrong answers to them.
+#include <grader/tasks/shadows/mixed/MixedScenes.h>
+#include <grader/tasks/shadows/mixed/PointTraits.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ticker::tasks {
+namespace {
+
+using raytracer::PointLight;
+
+constexpr std::uint64_t kSeeds = 40;
+
+std::vector<ShadowQuestion> drawn(std::uint64_t seed) {
+    Draw draw{seed, 77};
+    return drawMixedScenes(draw);
+}
+
+template <typename Test>
+void forEachScene(const Test& test) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+        for (const ShadowQuestion& scene : drawn(seed))
+            test(scene);
+}
+
+template <typename Test>
+void forEachPointAndLight(const Test& test) {
+    forEachScene([&](const ShadowQuestion& drawn) {
+        for (const probe::LitPoint& point : drawn.question.points)
+            for (const PointLight& light : drawn.question.scene.pointLights)
+                test(drawn, point, light);
+    });
+}
+
+TEST(MixedScenes, HaveEachLightInFrontOfTheSurfaceOrBehindIt) {
+    forEachPointAndLight(
+        [](const ShadowQuestion& drawn, const probe::LitPoint& point, const PointLight& light) {
+            const double height = (light.position() - point.position).dot(point.normal);
+            EXPECT_GT(std::abs(height), 1.4 * drawn.question.settings.lightSize);
+        });
+}
+
+TEST(MixedScenes, ShowNoHighlightOfLightsBehindTheSurface) {
+    forEachPointAndLight(
+        [](const ShadowQuestion&, const probe::LitPoint& point, const PointLight& light) {
+            const Vector3 L = (light.position() - point.position).normalised();
+            if (L.dot(point.normal) > 0.0) return;
+            const Vector3 R = L.reflectIn(point.normal);
+            EXPECT_LT(R.dot((point.viewer - point.position).normalised()), -0.04);
+            EXPECT_LT(R.dot((-point.position).normalised()), -0.04);
+        });
+}
+
+TEST(MixedScenes, HaveNoObjectNearALightOrAPoint) {
+    forEachScene([](const ShadowQuestion& drawn) {
+        const auto& scene = drawn.question.scene;
+        for (const PointLight& light : scene.pointLights) {
+            EXPECT_GT(Surfaces{scene}.distanceToNearest(light.position()),
+                      1.35 * drawn.question.settings.lightSize);
+        }
+        for (const probe::LitPoint& point : drawn.question.points) {
+            raytracer::SceneDescription others = scene;
+            const auto index = static_cast<std::size_t>(point.object);
+            if (index < scene.spheres.size())
+                others.spheres.erase(others.spheres.begin() + point.object);
+            else
+                others.planes.erase(others.planes.begin() +
+                                    (point.object - static_cast<int>(scene.spheres.size())));
+            EXPECT_GT(Surfaces{others}.distanceToNearest(point.position), 0.09);
+            EXPECT_LT(Surfaces{scene}.distanceToNearest(point.position), 1e-9);
+        }
+    });
+}
+
+TEST(MixedScenes, HaveRaysThatBelongToOneLight) {
+    forEachScene([](const ShadowQuestion& drawn) {
+        const auto& lights = drawn.question.scene.pointLights;
+        const double size = drawn.question.settings.lightSize;
+        for (const probe::LitPoint& point : drawn.question.points)
+            for (std::size_t i = 0; i < lights.size(); ++i)
+                for (std::size_t k = 0; k < i; ++k) {
+                    const Vector3 one = lights[i].position() - point.position;
+                    const Vector3 other = lights[k].position() - point.position;
+                    const double angle = std::acos(one.normalised().dot(other.normalised()));
+                    EXPECT_GT(angle, size / one.magnitude() + size / other.magnitude() + 0.1);
+                }
+    });
+}
+
+/// The points of one seed's scenes, nothing answered.
+struct Points {
+    explicit Points(std::uint64_t seed) : questions(drawn(seed)) {
+        for (const ShadowQuestion& question : questions)
+            logs.push_back(readShadowLog(question, {}));
+        for (const ShadowLog& log : logs)
+            for (const PointLog& point : log.points)
+                all.push_back({&log, &point});
+    }
+    std::vector<ShadowQuestion> questions;
+    std::vector<ShadowLog> logs;
+    std::vector<PointOfLog> all;
+};
+
+TEST(MixedScenes, HavePointsWithEachTraitAndWithout) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        const Points points{seed};
+        ASSERT_GE(points.all.size(), 100U);
+        for (const PointTrait& trait : pointTraits()) {
+            const auto has = std::ranges::count_if(points.all, trait.has);
+            EXPECT_GE(has, 1) << trait.words << ", seed " << seed;
+            EXPECT_LT(has, std::ssize(points.all)) << trait.words << ", seed " << seed;
+        }
+    }
+}
+
+// Another trait may say the same of one seed's points, so that most of them are asked.
+TEST(MixedScenes, TellTheTraitThatAllWrongPointsShare) {
+    int named = 0;
+    int asked = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        const Points points{seed};
+        for (const PointTrait& trait : pointTraits()) {
+            std::vector<PointOfLog> wrong;
+            std::vector<PointOfLog> right;
+            for (const PointOfLog& at : points.all)
+                (trait.has(at) ? wrong : right).push_back(at);
+            if (wrong.size() < 4 || 2 * right.size() < wrong.size()) continue;
+            const auto told = tellingTraits(wrong, right);
+            ++asked;
+            ASSERT_FALSE(told.empty()) << trait.words;
+            EXPECT_TRUE(std::ranges::none_of(right, told.front()->has)) << trait.words;
+            if (told.front() == &trait) ++named;
+        }
+    }
+    EXPECT_GT(named, asked * 9 / 10);
+}
+
+TEST(MixedScenes, TellNothingWhereWrongPointsShareNothing) {
+    const Points points{5};
+    std::vector<PointOfLog> wrong;
+    std::vector<PointOfLog> right;
+    for (std::size_t i = 0; i < points.all.size(); ++i)
+        (i % 2 == 0 ? wrong : right).push_back(points.all[i]);
+    EXPECT_TRUE(tellingTraits(wrong, right).empty());
+}
+
+}  // namespace
+}  // namespace ticker::tasks
