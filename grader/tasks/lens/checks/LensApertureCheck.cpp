@@ -152,6 +152,22 @@ double acceptedFactor(const Lens& lens, double amount, double shortfall) {
     return 0.0;
 }
 
+// All rays start in one plane beside the lens; what else is strange about their places follows.
+std::optional<Finding> startsInPlane(const Lens& lens) {
+    constexpr double kSlack = 1e-6;
+    if (lens.high.z - lens.low.z > kSlack || std::abs(lens.low.z) <= kSlack) return std::nullopt;
+    Finding finding = distributedFinding(
+        kDofWrong, Severity::fail,
+        fmt::format("Every ray was expected to start at a point of the lens, where z is 0; all of "
+                    "them start where z is {:.3g}.",
+                    lens.low.z));
+    finding.hint =
+        "A ray starts at the lens point itself: what lies between the lens and the start of a ray "
+        "is not seen. Ray{lensPoint, (focalPoint - lensPoint).normalised()} does it.";
+    finding.section = "Depth of field (T2.2), step 2";
+    return finding;
+}
+
 }  // namespace
 
 ApertureVerdict checkAperture(const LensLog& log) {
@@ -166,7 +182,9 @@ ApertureVerdict checkAperture(const LensLog& log) {
     const double depth = std::max(std::abs(lens.low.z), std::abs(lens.high.z));
     const double factor = acceptedFactor(lens, amount, shortfall);
     const double aside = std::max(std::abs(centre.x), std::abs(centre.y));
-    if (usesPartOfLens(log, lens) && (shape.square || !crowdInTheMiddle(lens))) {
+    if (std::optional<Finding> elsewhere = startsInPlane(lens)) {
+        verdict.finding = std::move(elsewhere);
+    } else if (usesPartOfLens(log, lens) && (shape.square || !crowdInTheMiddle(lens))) {
         verdict.finding = distributedFinding(
             kDofDisc, Severity::fail,
             "The rays of each pixel were expected to start all over the aperture; those of one "

@@ -57,6 +57,20 @@ TEST(Aperture, MayBeNarrowerByWhatChanceCanDoAndNoWider) {
     }
 }
 
+TEST(Aperture, NamesThePlaneThatAllRaysStartIn) {
+    const auto at = [](double z) {
+        return judge([z](double x, double y) { return Vector3{x * 0.1, y * 0.1, z}; });
+    };
+    EXPECT_EQ(idOf(at(1e-7).finding), "");
+    const ApertureVerdict verdict = at(1.0);
+    EXPECT_EQ(idOf(verdict.finding), "dof.wrong");
+    EXPECT_NE(verdict.finding.value_or(Finding{}).message.find("z is 1"), std::string::npos);
+    EXPECT_EQ(idOf(judge([](double x, double y) {
+                       return Vector3{x * 0.2, y * 0.2, x * 0.1};
+                   }).finding),
+              "dof.disc");
+}
+
 TEST(Aperture, TellsWhatWasSeen) {
     const ApertureVerdict verdict = judgeSquare(0.15);
     ASSERT_EQ(idOf(verdict.finding), "dof.aperture-size");
