@@ -3,6 +3,7 @@
 #include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/lens/answers/LensPlots.h>
 #include <grader/tasks/lens/checks/LensChecks.h>
+#include <grader/tasks/lens/questions/MixedRenders.h>
 #include <grader/tasks/support/Checks.h>
 #include <grader/tasks/support/FindingOrder.h>
 #include <grader/tasks/support/Plots.h>
@@ -198,19 +199,19 @@ std::optional<Finding> judgeManyRays(const LensLog& many, const LensLog& handout
     return wrong;
 }
 
-std::optional<Finding> judgeFarSettings(const LensLog& log) {
-    std::optional<Finding> wrong = firstFailure(log);
+std::optional<Finding> judgeMixed(const LensLog& log) {
+    // Nothing is seen of an empty scene or of one without light, with any number of rays.
+    const bool mayCastNone =
+        log.asked->scene.planes.empty() || log.asked->scene.ambientLighting == ColourRGB{};
+    if (lacksRays(log) && mayCastNone) return std::nullopt;
+    std::optional<Finding> wrong = lacksRays(log) ? checkLensCounts(log) : firstFailure(log);
     if (!wrong) return std::nullopt;
-    const raytracer::RenderSettings& settings = log.asked->settings;
     wrong->message =
-        fmt::format(
-            "With the handout's focal plane and with other ones all is right; with one at "
-            "{:.3g}, and a dofAmount of {:.2g}, it is not. ",
-            settings.dofFocalPlane, settings.dofAmount) +
+        fmt::format("In usual pictures all is right; {} it is not. ", wordsOf(*log.asked)) +
         wrong->message;
     wrong->hint =
-        "Take out what limits the settings: a nearest or a farthest focal plane, a largest or a "
-        "smallest lens. The formulas hold for all of them.";
+        "The formulas hold for every size of picture, focal plane, lens and scene: take out what "
+        "limits one of them, and special cases for what a picture shows.";
     return wrong;
 }
 

@@ -39,8 +39,8 @@ struct LensOutcome {
 [[nodiscard]] std::optional<Finding> judgeManyRays(const LensLog& many, const LensLog& handout,
                                                    const LensLog& other);
 
-/// The first failure with a near or a far focal plane, for code that follows other settings.
-[[nodiscard]] std::optional<Finding> judgeFarSettings(const LensLog& log);
+/// The first failure of a mixed render, for code that follows other settings.
+[[nodiscard]] std::optional<Finding> judgeMixed(const LensLog& log);
 
 /// The first failure of an answer at the handout's settings, by itself. The hint says that other
 /// scenes were answered rightly.

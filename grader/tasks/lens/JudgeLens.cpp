@@ -10,7 +10,7 @@
 #include <grader/tasks/support/RunEnd.h>
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -136,23 +136,42 @@ void askManyRays(probe::Examinee& examinee, const LensLog& many, const LensLog& 
 }
 
 // Of rays that are visible and right with other settings.
-void askFarSettings(probe::Examinee& examinee, const std::array<const LensLog*, 2>& logs,
-                    std::vector<Finding>& findings) {
+void askMixed(probe::Examinee& examinee, const std::vector<LensLog>& logs,
+              std::vector<Finding>& findings) {
     const auto keeps = [](const Finding& finding) { return is(finding, kSettingsHardCoded); };
-    for (const LensLog* log : logs) {
-        if (hasFailure(findings) || std::ranges::any_of(findings, keeps)) return;
-        if (lacksRays(*log) || log->cut) continue;
-        std::optional<Finding> wrong = judgeFarSettings(*log);
+    if (hasFailure(findings) || std::ranges::any_of(findings, keeps)) return;
+    for (const LensLog& log : logs) {
+        if (log.cut) continue;
+        std::optional<Finding> wrong = judgeMixed(log);
         if (!wrong) continue;
-        if (std::optional<Finding> alone = wrongAtHandout(examinee, *log)) wrong = std::move(alone);
+        if (lacksRays(log)) {
+            // By itself a picture without rays has nothing to judge.
+        } else if (!failureAlone(examinee, *log.asked, log.mayAntialias))
+            wrong = judgeNextRender(log);
+        else if (std::optional<Finding> alone = wrongAtHandout(examinee, log))
+            wrong = std::move(alone);
         findings.push_back(*std::move(wrong));
+        return;
     }
+}
+
+// The logs of the renders after the first `from`.
+std::vector<LensLog> readLogs(const std::vector<probe::RenderQuestion>& asked,
+                              const probe::Run& run, std::size_t from) {
+    std::vector<LensLog> logs;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        if (const auto& answer = std::get<probe::RenderAnswer>(run.answers[from + i]);
+            !answer.wrongSize)
+            logs.push_back(readLensLog(asked[i], answer));
+    return logs;
 }
 
 TaskJudgement judge(probe::Examinee& examinee, std::uint64_t seed, ExpectationShelf& shelf) {
     const LensQuestions asked = drawLensQuestions(seed);
-    const probe::Run run =
-        examinee.ask({asked.handout, asked.other, asked.odd, asked.many, asked.near, asked.far});
+    std::vector<probe::Question> questions{asked.handout, asked.other, asked.odd, asked.many};
+    const std::size_t single = questions.size();
+    questions.insert(questions.end(), asked.mixed.begin(), asked.mixed.end());
+    const probe::Run run = examinee.ask(questions);
     if (std::optional<TaskJudgement> blocked = judgeUnanswered(run, "render"))
         return *std::move(blocked);
 
@@ -167,16 +186,17 @@ TaskJudgement judge(probe::Examinee& examinee, std::uint64_t seed, ExpectationSh
     LensLog atOther = readLensLog(asked.other, other);
     LensLog atOdd = readLensLog(asked.odd, std::get<probe::RenderAnswer>(run.answers[2]));
     LensLog many = readLensLog(asked.many, std::get<probe::RenderAnswer>(run.answers[3]));
-    LensLog near = readLensLog(asked.near, std::get<probe::RenderAnswer>(run.answers[4]));
-    LensLog far = readLensLog(asked.far, std::get<probe::RenderAnswer>(run.answers[5]));
+    std::vector<LensLog> mixed = readLogs(asked.mixed, run, single);
     const bool mayAntialias = antialiases(examinee, atHandout, seed);
-    atHandout.mayAntialias = atOther.mayAntialias = atOdd.mayAntialias = many.mayAntialias =
-        near.mayAntialias = far.mayAntialias = mayAntialias;
+    for (LensLog* log : {&atHandout, &atOther, &atOdd, &many})
+        log->mayAntialias = mayAntialias;
+    for (LensLog& log : mixed)
+        log.mayAntialias = mayAntialias;
     LensOutcome outcome = judgeDepthOfField(atHandout, atOther);
     if (!outcome.rayless) {
         askOddCount(examinee, asked, atOdd, outcome.findings);
         askManyRays(examinee, many, atHandout, atOther, outcome.findings);
-        if (!outcome.valueless) askFarSettings(examinee, {&near, &far}, outcome.findings);
+        if (!outcome.valueless) askMixed(examinee, mixed, outcome.findings);
     }
     if (!lacksRays(atOther)) confirmSettings(examinee, asked, mayAntialias, outcome.findings);
     const bool needsReview = judgeResults(examinee, shelf, seed, mayAntialias, outcome);

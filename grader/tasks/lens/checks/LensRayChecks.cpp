@@ -36,7 +36,7 @@ bool isFromEye(const LensRay& ray) {
 }
 
 bool startsAtEye(const LensPixel& pixel) {
-    return std::ranges::all_of(pixel.rays, isFromEye);
+    return !pixel.rays.empty() && std::ranges::all_of(pixel.rays, isFromEye);
 }
 
 // A finding if the rays of some pixels, but not of all, start at the eye.

@@ -1,5 +1,6 @@
 #include <grader/tasks/lens/answers/LensLog.h>
 #include <grader/tasks/lens/questions/LensQuestions.h>
+#include <grader/tasks/lens/questions/MixedRenders.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>
 
@@ -7,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace ticker::tasks {
 namespace {
@@ -15,11 +17,6 @@ namespace {
 constexpr int kWidth = 6;
 constexpr int kHeight = 4;
 constexpr int kRepetitions = 2;
-constexpr int kSpheres = 24;
-
-// Events of one lens ray: trace and illuminate begin and end, one ray is cast; the camera's ray and
-// the pixel come on top. The log holds four times as many.
-constexpr std::size_t kEventsForEachRay = 24;
 
 // A mean without the misses differs from the mean only if a pixel has hits and misses. At least
 // this many pixels have both, and some have no misses.
@@ -30,28 +27,6 @@ constexpr int kLensGrid = 6;
 // Primes: no groups of any size make them up. Below the handout's number, so that code with that
 // one typed in casts enough; 49 would be rounded up to it.
 constexpr std::array kOddRays{41, 43, 47};
-
-// Spheres of many colours at all depths, so that neighbouring rays see different things.
-raytracer::SceneDescription drawScene(Draw& draw) {
-    raytracer::SceneDescription scene;
-    // Colours above and below 1, so that clamping shows.
-    scene.ambientLighting = draw.colour(2.0, 4.0);
-    for (int i = 0; i < kSpheres; ++i) {
-        raytracer::Material material;
-        material.colour = draw.colour(0.05, 1.0);
-        material.reflectivity = 0.0;
-        const double z = draw.between(1.8, 8.0);
-        const double x = draw.between(-0.42, 0.42) * z;
-        const Vector3 centre{x, draw.between(-0.3, 0.3) * z, z};
-        scene.spheres.push_back({centre, draw.between(0.04, 0.1) * z, material, nullptr});
-    }
-    // Above the floor some rays hit nothing.
-    raytracer::Material floor;
-    floor.colour = draw.colour(0.2, 0.8);
-    floor.reflectivity = 0.0;
-    scene.planes.push_back({{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}, floor});
-    return scene;
-}
 
 // Share of the lens points from which the rays to `focus` hit nothing.
 double missedShare(const Surfaces& surfaces, const Vector3& focus, double halfWidth) {
@@ -131,52 +106,11 @@ raytracer::RenderSettings handoutSettings() {
 
 probe::RenderQuestion drawQuestion(Draw& draw, const raytracer::RenderSettings& settings,
                                    int repetitions) {
-    probe::RenderQuestion question;
+    raytracer::SceneDescription scene;
     do
-        question.scene = drawScene(draw);
-    while (!showsDepths(question.scene, settings) || !isMixed(question.scene, settings));
-    question.settings = settings;
-    question.settings.seed = draw.word() >> 1U;
-    question.repetitions = repetitions;
-    const auto pixels = static_cast<std::size_t>(settings.width * settings.height * repetitions);
-    question.eventCapacity = static_cast<std::uint32_t>(
-        pixels * static_cast<std::size_t>(settings.dofRayCount) * kEventsForEachRay);
-    return question;
-}
-
-// So few pixels that it takes no longer than the others. What they show does not matter.
-probe::RenderQuestion drawAny(Draw& draw, const raytracer::RenderSettings& settings) {
-    probe::RenderQuestion question;
-    question.scene = drawScene(draw);
-    question.settings = settings;
-    question.settings.seed = draw.word() >> 1U;
-    const int rays = settings.width * settings.height * settings.dofRayCount;
-    question.eventCapacity =
-        static_cast<std::uint32_t>(static_cast<std::size_t>(rays) * kEventsForEachRay);
-    return question;
-}
-
-raytracer::RenderSettings fewPixels() {
-    raytracer::RenderSettings settings;
-    settings.width = 4;
-    settings.height = 3;
-    return settings;
-}
-
-void drawLimits(LensQuestions& questions, std::uint64_t seed) {
-    Draw draw{seed, 30};
-    raytracer::RenderSettings many;
-    many.width = many.height = 2;
-    many.dofRayCount = draw.whole(280, 320);
-    questions.many = drawAny(draw, many);
-    raytracer::RenderSettings near = fewPixels();
-    near.dofFocalPlane = draw.between(0.6, 0.8);
-    near.dofAmount = draw.between(0.28, 0.32);
-    questions.near = drawAny(draw, near);
-    raytracer::RenderSettings far = fewPixels();
-    far.dofFocalPlane = draw.between(25.0, 40.0);
-    far.dofAmount = draw.between(0.02, 0.04);
-    questions.far = drawAny(draw, far);
+        scene = drawBalls(draw);
+    while (!showsDepths(scene, settings) || !isMixed(scene, settings));
+    return renderOf(draw, std::move(scene), settings, repetitions);
 }
 
 }  // namespace
@@ -201,7 +135,12 @@ LensQuestions drawLensQuestions(std::uint64_t seed) {
     odd.height = 3;
     odd.dofRayCount = kOddRays[static_cast<std::size_t>(drawOdd.whole(0, 2))];
     questions.odd = drawQuestion(drawOdd, odd, 1);
-    drawLimits(questions, seed);
+    Draw drawMany{seed, 31};
+    raytracer::RenderSettings many;
+    many.width = many.height = 2;
+    many.dofRayCount = drawMany.whole(280, 320);
+    questions.many = renderOf(drawMany, drawBalls(drawMany), many);
+    questions.mixed = drawMixedRenders(seed);
     return questions;
 }
 
@@ -239,15 +178,10 @@ probe::RenderQuestion drawFineQuestion(std::uint64_t seed) {
     // into the log.
     constexpr int kRays = 10;
     Draw draw{seed, 26};
-    probe::RenderQuestion question;
-    question.scene = drawScene(draw);
-    question.settings.height = 2;
-    question.settings.dofRayCount = kRays;
-    question.settings.seed = draw.word() >> 1U;
-    question.eventCapacity = static_cast<std::uint32_t>(
-        static_cast<std::size_t>(question.settings.width * question.settings.height * kRays) *
-        kEventsForEachRay);
-    return question;
+    raytracer::RenderSettings settings;
+    settings.height = 2;
+    settings.dofRayCount = kRays;
+    return renderOf(draw, drawBalls(draw), settings);
 }
 
 }  // namespace ticker::tasks

@@ -15,8 +15,7 @@ struct LensQuestions {
     probe::RenderQuestion other;    ///< other ray count, focal plane, aperture and bounces
     probe::RenderQuestion odd;      ///< an odd number of rays, below the handout's
     probe::RenderQuestion many;     ///< more rays than fit into a byte
-    probe::RenderQuestion near;     ///< a focal plane nearer than 1, and a wide lens for that
-    probe::RenderQuestion far;      ///< a focal plane farther than 20, and a small lens
+    std::vector<probe::RenderQuestion> mixed;  ///< see drawMixedRenders
 };
 
 [[nodiscard]] LensQuestions drawLensQuestions(std::uint64_t seed);
