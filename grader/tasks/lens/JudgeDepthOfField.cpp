@@ -93,6 +93,15 @@ Finding renamed(const FindingText& text, Severity severity, const std::string& c
     return finding;
 }
 
+// `wrong`, if anything is, where all is right under other conditions.
+std::optional<Finding> onlyWhere(const std::string& conditions, const char* hint,
+                                 std::optional<Finding> wrong) {
+    if (!wrong) return std::nullopt;
+    wrong->message = conditions + " it is not. " + wrong->message;
+    wrong->hint = hint;
+    return wrong;
+}
+
 std::size_t fewestRays(const LensLog& log) {
     const auto fewest = std::ranges::min_element(
         log.pixels, {}, [](const LensPixel& pixel) { return pixel.rays.size(); });
@@ -169,18 +178,13 @@ std::optional<Finding> judgeOddCount(const LensLog& odd) {
     std::optional<Finding> wrong;
     if (rays < asked) wrong = checkLensCounts(odd);
     if (rays > asked && rays < handoutRays) wrong = checkAverage(odd);
-    if (!wrong) return std::nullopt;
-    wrong->message = fmt::format(
-                         "With {} rays for each pixel all is right; with an odd number it "
-                         "is not. ",
-                         handoutRays) +
-                     wrong->message;
-    wrong->hint =
+    return onlyWhere(
+        fmt::format("With {} rays for each pixel all is right; with an odd number", handoutRays),
         "Half of an odd number is rounded down as an int, so that rays in pairs are one too few; "
         "so are other groups where some rays are left over. Cast settings().dofRayCount rays "
         "whatever that number is, or more, and divide their sum by the number of rays that you "
-        "cast.";
-    return wrong;
+        "cast.",
+        std::move(wrong));
 }
 
 std::optional<Finding> judgeManyRays(const LensLog& many, const LensLog& handout,
@@ -189,14 +193,12 @@ std::optional<Finding> judgeManyRays(const LensLog& many, const LensLog& handout
     const auto asked = static_cast<std::size_t>(many.asked->settings.dofRayCount);
     std::optional<Finding> wrong =
         fewestRays(many) < asked ? checkLensCounts(many) : checkAverage(many);
-    if (!wrong) return std::nullopt;
-    wrong->message = fmt::format("With {} rays for each pixel all is right; with {} it is not. ",
-                                 handout.asked->settings.dofRayCount, asked) +
-                     wrong->message;
-    wrong->hint =
+    return onlyWhere(
+        fmt::format("With {} rays for each pixel all is right; with {}",
+                    handout.asked->settings.dofRayCount, asked),
         "Take out what limits the number of rays: an array of a fixed size, std::min, or a small "
-        "type for a count, as std::uint8_t, which begins again at 0 after 255.";
-    return wrong;
+        "type for a count, as std::uint8_t, which begins again at 0 after 255.",
+        std::move(wrong));
 }
 
 std::optional<Finding> judgeMixed(const LensLog& log) {
@@ -205,14 +207,11 @@ std::optional<Finding> judgeMixed(const LensLog& log) {
         log.asked->scene.planes.empty() || log.asked->scene.ambientLighting == ColourRGB{};
     if (lacksRays(log) && mayCastNone) return std::nullopt;
     std::optional<Finding> wrong = lacksRays(log) ? checkLensCounts(log) : firstFailure(log);
-    if (!wrong) return std::nullopt;
-    wrong->message =
-        fmt::format("In usual pictures all is right; {} it is not. ", wordsOf(*log.asked)) +
-        wrong->message;
-    wrong->hint =
+    return onlyWhere(
+        fmt::format("In usual pictures all is right; {}", wordsOf(*log.asked)),
         "The formulas hold for every size of picture, focal plane, lens and scene: take out what "
-        "limits one of them, and special cases for what a picture shows.";
-    return wrong;
+        "limits one of them, and special cases for what a picture shows.",
+        std::move(wrong));
 }
 
 std::optional<Finding> judgeAnotherScene(const LensLog& log) {

@@ -9,42 +9,45 @@
 
 namespace ticker::tasks {
 
-/// A range that a number is drawn from.
-struct Between {
-    double low = 0.0;
-    double high = 0.0;
-};
-
-/// Values in random order, each as often as the others: of as many draws as there are values, none
-/// is left out. After that they are shuffled again.
-template <typename Value>
+/// Deals values in random order, all of them once before any comes again: whatever the seed, each
+/// is as frequent as the others.
+template <class T>
 class Deck {
 public:
-    /// @param values  At least one; what stands there twice comes twice as often.
-    explicit Deck(std::vector<Value> values) : values_(std::move(values)), next_(values_.size()) {}
+    /// @param draw    Must outlive this object.
+    /// @param values  At least one; a value that is to come more often stands there several times.
+    Deck(Draw& draw, std::vector<T> values)
+        : draw_(&draw), values_(std::move(values)), next_(values_.size()) {}
 
-    [[nodiscard]] Value next(Draw& draw) {
-        if (next_ == values_.size()) shuffle(draw);
+    [[nodiscard]] T deal() {
+        if (next_ == values_.size()) shuffle();
         return values_[next_++];
     }
 
 private:
-    void shuffle(Draw& draw) {
-        for (std::size_t i = values_.size() - 1; i > 0; --i)
-            std::swap(values_[i],
-                      values_[static_cast<std::size_t>(draw.whole(0, static_cast<int>(i)))]);
+    void shuffle() {
+        for (std::size_t i = values_.size(); i > 1; --i) {
+            const auto other = static_cast<std::size_t>(draw_->whole(0, static_cast<int>(i) - 1));
+            // No std::swap, which a vector of bool does not have.
+            const T held = values_[i - 1];
+            values_[i - 1] = values_[other];
+            values_[other] = held;
+        }
         next_ = 0;
     }
 
-    std::vector<Value> values_;
+    Draw* draw_;
+    std::vector<T> values_;
     std::size_t next_;
 };
 
-/// A number from the next range.
-[[nodiscard]] inline double drawFrom(Deck<Between>& deck, Draw& draw) {
-    const Between range = deck.next(draw);
-    return draw.between(range.low, range.high);
-}
+/// A range that a number is drawn from.
+struct Between {
+    double low = 0.0;
+    double high = 0.0;
+
+    [[nodiscard]] double number(Draw& draw) const { return draw.between(low, high); }
+};
 
 }  // namespace ticker::tasks
 

@@ -127,21 +127,22 @@ std::vector<probe::RenderQuestion> drawMixedRenders(std::uint64_t seed) {
     for (const RenderSettings& settings : {near, far})
         renders.push_back(renderOf(draw, drawBalls(draw), settings));
 
-    Deck<Shows> shows{{Shows::usual, Shows::nothing, Shows::black, Shows::dark, Shows::bright,
+    Deck<Shows> shows{draw,
+                      {Shows::usual, Shows::nothing, Shows::black, Shows::dark, Shows::bright,
                        Shows::mirrors, Shows::close}};
-    Deck<Size> sizes{{{1, 1}, {1, 4}, {5, 1}, {3, 5}, {7, 2}, {2, 2}, {4, 3}}};
-    Deck<Between> focalPlane{{{0.6, 0.9}, {1.5, 2.5}, {4.0, 8.0}, {25.0, 40.0}}};
-    Deck<Between> amount{{{0.02, 0.04}, {0.2, 0.2}, {0.28, 0.32}, {0.6, 0.8}}};
-    Deck<int> bounces{{0, 1, 2, 6}};
+    Deck<Size> sizes{draw, {{1, 1}, {1, 4}, {5, 1}, {3, 5}, {7, 2}, {2, 2}, {4, 3}}};
+    Deck<Between> focalPlane{draw, {{0.6, 0.9}, {1.5, 2.5}, {4.0, 8.0}, {25.0, 40.0}}};
+    Deck<Between> amount{draw, {{0.02, 0.04}, {0.2, 0.2}, {0.28, 0.32}, {0.6, 0.8}}};
+    Deck<int> bounces{draw, {0, 1, 2, 6}};
     for (int i = 0; i < kRenders; ++i) {
-        const Size size = sizes.next(draw);
+        const Size size = sizes.deal();
         RenderSettings settings;
         settings.width = size.width;
         settings.height = size.height;
-        settings.dofFocalPlane = drawFrom(focalPlane, draw);
-        settings.dofAmount = drawFrom(amount, draw);
-        settings.bounces = bounces.next(draw);
-        SceneDescription scene = drawScene(draw, shows.next(draw));
+        settings.dofFocalPlane = focalPlane.deal().number(draw);
+        settings.dofAmount = amount.deal().number(draw);
+        settings.bounces = bounces.deal();
+        SceneDescription scene = drawScene(draw, shows.deal());
         renders.push_back(renderOf(draw, std::move(scene), settings));
     }
     return renders;

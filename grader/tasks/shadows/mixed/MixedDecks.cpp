@@ -28,13 +28,13 @@ ColourRGB tinted(Draw& draw, Tint tint, double low, double high) {
     return colour;
 }
 
-raytracer::Material MaterialDecks::next(Draw& draw) {
+raytracer::Material MaterialDecks::deal() {
     raytracer::Material material;
-    material.colour = tinted(draw, tint_.next(draw), 0.2, 0.9);
-    material.phongKD = drawFrom(phongKD_, draw);
-    material.phongKS = drawFrom(phongKS_, draw);
-    material.phongAlpha = std::floor(drawFrom(phongAlpha_, draw));
-    material.reflectivity = drawFrom(reflectivity_, draw);
+    material.colour = tinted(draw_, tint_.deal(), 0.2, 0.9);
+    material.phongKD = phongKD_.deal().number(draw_);
+    material.phongKS = phongKS_.deal().number(draw_);
+    material.phongAlpha = std::floor(phongAlpha_.deal().number(draw_));
+    material.reflectivity = reflectivity_.deal().number(draw_);
     return material;
 }
 

@@ -22,36 +22,40 @@ enum class ViewerKind : std::uint8_t { mirrored, onLens, anywhere };
 /// Materials, usual and extreme.
 class MaterialDecks {
 public:
-    [[nodiscard]] raytracer::Material next(Draw& draw);
+    explicit MaterialDecks(Draw& draw) : draw_(draw) {}
+    [[nodiscard]] raytracer::Material deal();
 
 private:
+    Draw& draw_;
     Deck<Tint> tint_{
+        draw_,
         {Tint::usual, Tint::usual, Tint::white, Tint::oneChannel, Tint::withoutOne, Tint::black}};
-    Deck<Between> phongKD_{{{0.5, 0.95}, {0.5, 0.95}, {0.0, 0.0}, {1.5, 2.5}}};
-    Deck<Between> phongKS_{{{0.7, 1.4}, {0.7, 1.4}, {0.0, 0.0}}};
-    Deck<Between> phongAlpha_{{{6.0, 14.0}, {6.0, 14.0}, {1.0, 1.0}, {30.0, 50.0}}};
-    Deck<Between> reflectivity_{{{0.1, 0.5}, {0.0, 0.0}, {0.95, 0.98}, {1.0, 1.0}}};
+    Deck<Between> phongKD_{draw_, {{0.5, 0.95}, {0.5, 0.95}, {0.0, 0.0}, {1.5, 2.5}}};
+    Deck<Between> phongKS_{draw_, {{0.7, 1.4}, {0.7, 1.4}, {0.0, 0.0}}};
+    Deck<Between> phongAlpha_{draw_, {{6.0, 14.0}, {6.0, 14.0}, {1.0, 1.0}, {30.0, 50.0}}};
+    Deck<Between> reflectivity_{draw_, {{0.1, 0.5}, {0.0, 0.0}, {0.95, 0.98}, {1.0, 1.0}}};
 };
 
 /// What scenes are made of, in random order.
 struct MixedDecks {
+    Draw& draw;
     Deck<Between> distance;  ///< of a light from the point
 
-    Deck<int> lights{{0, 1, 1, 1, 2, 2, 3, 5}};
+    Deck<int> lights{draw, {0, 1, 1, 1, 2, 2, 3, 5}};
     Deck<LightSide> side{
-        {LightSide::inFront, LightSide::inFront, LightSide::inFront, LightSide::behind}};
-    Deck<Between> level{{{0.7, 1.3}, {0.7, 1.3}, {0.0005, 0.003}, {10.0, 30.0}}};
-    Deck<Tint> tint{{Tint::usual, Tint::usual, Tint::white, Tint::oneChannel}};
-    Deck<Between> ambient{{{0.1, 0.5}, {0.0, 0.0}, {1.0, 2.0}}};
+        draw, {LightSide::inFront, LightSide::inFront, LightSide::inFront, LightSide::behind}};
+    Deck<Between> level{draw, {{0.7, 1.3}, {0.7, 1.3}, {0.0005, 0.003}, {10.0, 30.0}}};
+    Deck<Tint> tint{draw, {Tint::usual, Tint::usual, Tint::white, Tint::oneChannel}};
+    Deck<Between> ambient{draw, {{0.1, 0.5}, {0.0, 0.0}, {1.0, 2.0}}};
     Deck<Company> company{
-        {Company::none, Company::before, Company::before, Company::behind, Company::both}};
-    Deck<Shape> shape{{Shape::ball, Shape::ball, Shape::plane}};
-    Deck<Between> ball{{{0.0, 0.0}, {0.0, 0.0}, {0.4, 0.5}, {2.0, 3.0}, {20.0, 30.0}}};
+        draw, {Company::none, Company::before, Company::before, Company::behind, Company::both}};
+    Deck<Shape> shape{draw, {Shape::ball, Shape::ball, Shape::plane}};
+    Deck<Between> ball{draw, {{0.0, 0.0}, {0.0, 0.0}, {0.4, 0.5}, {2.0, 3.0}, {20.0, 30.0}}};
     Deck<PlaceKind> place{
-        {PlaceKind::inView, PlaceKind::inView, PlaceKind::behindCamera, PlaceKind::aside}};
-    Deck<ViewerKind> viewer{{ViewerKind::mirrored, ViewerKind::onLens, ViewerKind::anywhere}};
-    MaterialDecks surface = {};
-    MaterialDecks others = {};
+        draw, {PlaceKind::inView, PlaceKind::inView, PlaceKind::behindCamera, PlaceKind::aside}};
+    Deck<ViewerKind> viewer{draw, {ViewerKind::mirrored, ViewerKind::onLens, ViewerKind::anywhere}};
+    MaterialDecks surface{draw};
+    MaterialDecks others{draw};
 };
 
 }  // namespace ticker::tasks

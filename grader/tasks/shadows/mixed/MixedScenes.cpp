@@ -44,9 +44,9 @@ public:
 
     ShadowQuestion scene(ShadowQuestion::Purpose purpose) {
         drawn_.purpose = purpose;
-        scene().ambientLighting = ColourRGB{drawFrom(decks_.ambient, draw_)};
+        scene().ambientLighting = ColourRGB{decks_.ambient.deal().number(draw_)};
         drawGround();
-        const int lights = decks_.lights.next(draw_);
+        const int lights = decks_.lights.deal();
         for (int i = 0; i < lights; ++i)
             addLight();
         for (std::size_t i = 0; i < scene().pointLights.size(); ++i)
@@ -66,19 +66,19 @@ private:
     void drawGround() {
         constexpr double kAside = 12.0;
         ground_.foot = drawPlace(draw_);
-        const PlaceKind place = decks_.place.next(draw_);
+        const PlaceKind place = decks_.place.deal();
         if (place == PlaceKind::behindCamera) ground_.foot.z *= -1.0;
         if (place == PlaceKind::aside) ground_.foot = ground_.foot + draw_.direction() * kAside;
         ground_.up = draw_.direction();
-        ground_.radius = drawFrom(decks_.ball, draw_);
+        ground_.radius = decks_.ball.deal().number(draw_);
         if (ground_.radius > 0.0) ground_.reach = std::min(ground_.reach, 0.3 * ground_.radius);
     }
 
     void addLight() {
-        const bool isInFront = decks_.side.next(draw_) == LightSide::inFront;
-        const double distance = drawFrom(decks_.distance, draw_);
-        const double level = drawFrom(decks_.level, draw_);
-        const ColourRGB colour = tinted(draw_, decks_.tint.next(draw_), 0.4, 1.0);
+        const bool isInFront = decks_.side.deal() == LightSide::inFront;
+        const double distance = decks_.distance.deal().number(draw_);
+        const double level = decks_.level.deal().number(draw_);
+        const ColourRGB colour = tinted(draw_, decks_.tint.deal(), 0.4, 1.0);
         const double intensity = level * 4.0 * std::numbers::pi * distance * distance;
         for (int i = 0; i < kTries; ++i) {
             const Vector3 towards =
@@ -105,14 +105,14 @@ private:
 
     /// What stands before a light or behind it.
     void addCompany(const Vector3& light) {
-        const Company company = decks_.company.next(draw_);
+        const Company company = decks_.company.deal();
         if (company == Company::before || company == Company::both) addObject(light, true);
         if (company == Company::behind || company == Company::both) addObject(light, false);
     }
 
     void addObject(const Vector3& light, bool isBefore) {
-        const bool isPlane = decks_.shape.next(draw_) == Shape::plane;
-        const raytracer::Material material = decks_.others.next(draw_);
+        const bool isPlane = decks_.shape.deal() == Shape::plane;
+        const raytracer::Material material = decks_.others.deal();
         const Vector3 way = light - ground_.foot;
         const double distance = way.magnitude();
         const Vector3 towards = way / distance;
@@ -158,7 +158,7 @@ private:
 
     /// @return  Its index among the objects.
     int addGround() {
-        const raytracer::Material material = decks_.surface.next(draw_);
+        const raytracer::Material material = decks_.surface.deal();
         if (ground_.radius == 0.0) {
             auto& planes = scene().planes;
             const int at = draw_.whole(0, static_cast<int>(planes.size()));
@@ -192,7 +192,7 @@ private:
 
     Vector3 viewerOf(const Vector3& point, const Vector3& normal) {
         constexpr double kAbove = 0.05;
-        const ViewerKind kind = decks_.viewer.next(draw_);
+        const ViewerKind kind = decks_.viewer.deal();
         const Vector3 onLens = drawLensPoint(draw_, drawn_.question.settings);
         const auto& lights = scene().pointLights;
         const auto lit = std::ranges::find_if(lights, [&](const PointLight& light) {
@@ -227,13 +227,13 @@ private:
 
 void addScenes(Draw& draw, ShadowQuestion::Purpose purpose, std::vector<Between> distances,
                std::vector<ShadowQuestion>& drawn) {
-    MixedDecks decks{.distance = Deck{std::move(distances)}};
-    Deck<int> counts{{1, 3, 12}};
+    MixedDecks decks{.draw = draw, .distance = {draw, std::move(distances)}};
+    Deck<int> counts{draw, {1, 3, 12}};
     for (int i = 0; i < kScenesOfEach; ++i) {
         raytracer::RenderSettings settings;
         if (purpose == ShadowQuestion::Purpose::mixedNear) {
             settings.lightSize = draw.between(0.05, 0.09);
-            settings.shadowRayCount = counts.next(draw);
+            settings.shadowRayCount = counts.deal();
         }
         ShadowQuestion scene = Mixer{draw, decks, settings}.scene(purpose);
         if (!scene.question.points.empty()) drawn.push_back(std::move(scene));
