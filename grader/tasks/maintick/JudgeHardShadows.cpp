@@ -2,11 +2,13 @@
 #include <grader/tasks/maintick/LightFindings.h>
 #include <grader/tasks/maintick/ShadeCases.h>
 #include <grader/tasks/maintick/Threads.h>
+#include <grader/tasks/maintick/mixed/MixedChecks.h>
 #include <grader/tasks/support/RunEnd.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -158,6 +160,7 @@ std::optional<Finding> check(const Seen& seen) {
 
 TaskJudgement judgeHardShadows(probe::Examinee& examinee, std::uint64_t seed) {
     const std::vector<ShadeCase> cases = maintick::drawShadeCases(seed);
+    const std::vector<maintick::MixedShade> mixed = maintick::drawMixedShades(seed);
     std::vector<probe::Question> questions;
     for (const ShadeCase& shade : cases) {
         questions.emplace_back(askedOf(shade));
@@ -168,10 +171,14 @@ TaskJudgement judgeHardShadows(probe::Examinee& examinee, std::uint64_t seed) {
         questions.emplace_back(freeWith(shade, 1.0, 0.0));
         questions.emplace_back(onSurface(shade, shade.free));
     }
+    maintick::askMixedShades(mixed, questions);
     const probe::Run run = examinee.ask(questions);
     if (auto blocked = judgeUnanswered(run, "Renderer::illuminate")) return *std::move(blocked);
     std::vector<Finding> findings;
     auto wrong = check(readAnswers(cases, run));
+    if (!wrong)
+        wrong = maintick::checkMixedShades(
+            mixed, std::span{run.answers}.subspan(kQuestionsEach * cases.size()));
     if (!wrong)
         wrong =
             maintick::checkThreads(examinee, seed, maintick::Shows::shadows, kShadeThreadsMixed);

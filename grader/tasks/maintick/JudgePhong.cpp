@@ -2,12 +2,14 @@
 #include <grader/tasks/maintick/LightFindings.h>
 #include <grader/tasks/maintick/LitSetups.h>
 #include <grader/tasks/maintick/Threads.h>
+#include <grader/tasks/maintick/mixed/MixedChecks.h>
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/RunEnd.h>
 
 #include <fmt/core.h>
 
 #include <array>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -85,20 +87,24 @@ std::optional<Finding> checkBoth(const std::vector<maintick::LitQuestion>& asked
 
 TaskJudgement judgePhong(probe::Examinee& examinee, std::uint64_t seed) {
     const std::vector<maintick::LitQuestion> asked = maintick::drawLitQuestions(seed);
+    const std::vector<maintick::MixedPoint> mixed = maintick::drawMixedPoints(seed);
     std::vector<probe::Question> questions;
     for (const maintick::LitQuestion& one : asked)
         questions.emplace_back(maintick::questionOf(one.setup));
     for (const maintick::LitQuestion& one : asked)
         questions.emplace_back(maintick::questionOf(maintick::onItsSurface(one.setup)));
+    maintick::askMixedPoints(mixed, questions);
     const probe::Run run = examinee.ask(questions);
     if (auto blocked = judgeUnanswered(run, "Renderer::illuminate")) return *std::move(blocked);
+    const std::span<const probe::Answer> answers{run.answers};
     std::vector<ColourRGB> floating;
     std::vector<ColourRGB> onSurface;
-    for (const probe::Answer& answer : run.answers)
+    for (const probe::Answer& answer : answers.first(2 * asked.size()))
         (floating.size() < asked.size() ? floating : onSurface)
             .push_back(std::get<probe::IlluminateAnswer>(answer).colours.at(0));
     std::vector<Finding> findings;
     auto wrong = checkBoth(asked, floating, onSurface);
+    if (!wrong) wrong = maintick::checkMixedPoints(mixed, answers.subspan(2 * asked.size()));
     if (!wrong)
         wrong = maintick::checkThreads(examinee, seed, maintick::Shows::floor, kPhongThreadsMixed);
     if (wrong) findings.push_back(*std::move(wrong));

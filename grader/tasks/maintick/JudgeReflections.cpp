@@ -2,10 +2,12 @@
 #include <grader/tasks/maintick/MirrorFindings.h>
 #include <grader/tasks/maintick/MirrorQuestions.h>
 #include <grader/tasks/maintick/Threads.h>
+#include <grader/tasks/maintick/mixed/MixedChecks.h>
 #include <grader/tasks/support/RunEnd.h>
 
 #include <fmt/core.h>
 
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -158,6 +160,31 @@ std::optional<Finding> checkEnd(const probe::Run& run) {
                              "10 bounces left: it never came back.");
 }
 
+/// What the first questions left open: mirrors that face each other, and mixed scenes.
+std::optional<TaskJudgement> askMore(probe::Examinee& examinee, std::uint64_t seed,
+                                     std::vector<Finding>& findings) {
+    constexpr std::size_t kBeforeMixed = 4;
+    const MirrorQuestion facing = maintick::drawFacingMirrors(seed);
+    const MirrorQuestion deep = maintick::drawDeepMirrors(seed);
+    const std::vector<maintick::MixedMirror> mixed = maintick::drawMixedMirrors(seed);
+    std::vector<probe::Question> questions{facing.direct, facing.question, deep.direct,
+                                           deep.question};
+    maintick::askMixedMirrors(mixed, questions);
+    const probe::Run run = examinee.ask(questions);
+    if (auto endless = checkEnd(run)) {
+        findings = {*std::move(endless)};
+        return std::nullopt;
+    }
+    if (!findings.empty()) return std::nullopt;
+    if (auto blocked = judgeUnanswered(run, "Renderer::trace")) return blocked;
+    auto wrong = checkLit(facing, run);
+    if (!wrong) wrong = checkDeep(deep, run);
+    if (!wrong)
+        wrong = maintick::checkMixedMirrors(mixed, std::span{run.answers}.subspan(kBeforeMixed));
+    if (wrong) findings.push_back(*std::move(wrong));
+    return std::nullopt;
+}
+
 }  // namespace
 
 TaskJudgement judgeReflections(probe::Examinee& examinee, std::uint64_t seed) {
@@ -168,21 +195,8 @@ TaskJudgement judgeReflections(probe::Examinee& examinee, std::uint64_t seed) {
     const auto& answer = std::get<probe::IlluminateAnswer>(first.answers.at(1));
     std::vector<Finding> findings;
     if (auto wrong = checkColours(open, direct, answer)) findings.push_back(*std::move(wrong));
-    if (findings.empty() || is(findings.front(), kMirrorEndless)) {
-        const MirrorQuestion facing = maintick::drawFacingMirrors(seed);
-        const MirrorQuestion deep = maintick::drawDeepMirrors(seed);
-        const probe::Run second =
-            examinee.ask({facing.direct, facing.question, deep.direct, deep.question});
-        if (auto endless = checkEnd(second)) {
-            findings = {*std::move(endless)};
-        } else if (findings.empty()) {
-            if (auto blocked = judgeUnanswered(second, "Renderer::trace"))
-                return *std::move(blocked);
-            auto wrong = checkLit(facing, second);
-            if (!wrong) wrong = checkDeep(deep, second);
-            if (wrong) findings.push_back(*std::move(wrong));
-        }
-    }
+    if (findings.empty() || is(findings.front(), kMirrorEndless))
+        if (auto blocked = askMore(examinee, seed, findings)) return *std::move(blocked);
     if (findings.empty())
         if (auto mixed = maintick::checkThreads(examinee, seed, maintick::Shows::mirrors,
                                                 kMirrorThreadsMixed))

@@ -204,6 +204,8 @@ constexpr PhongMistake kPhongMistakes[] = {
          t.colour = t.ambient + (t.diffuse + t.specular) / lights;
      },
      "Lights add up: do not divide by their number."},
+    {&kPhongFalloff, Step::ways, [](Terms& t) { t.distance = std::max(1.0, t.distance); },
+     "Lights nearer than 1 are brighter still: leave out the limit of the distance."},
     {&kPhongRange, Step::colour,
      [](Terms& t) {
          t.colour = {std::min(1.0, t.colour.r), std::min(1.0, t.colour.g),

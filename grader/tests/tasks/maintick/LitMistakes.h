@@ -65,6 +65,7 @@ enum class LitMistake : std::size_t {
     faintLightsMissing,
     lastLightOnly,
     averaged,
+    nearLimited,
     clamped,
     rimLeftOut,
     diffuseShareAtMostOne,

@@ -96,6 +96,7 @@ TEST(PhongModel, GivesEveryMistakeItsValueOfOneLight) {
                                {faintLightsMissing, A, D, S},
                                {lastLightOnly, A, D, S},
                                {averaged, A, D, S},
+                               {nearLimited, A, D, S},
                                {clamped, A, D, S},
                                {rimLeftOut, A, D, S},
                                {diffuseShareAtMostOne, A, D, S},
@@ -202,6 +203,16 @@ TEST(PhongModel, GivesEveryWrongFalloffItsShare) {
                                {falloffFromViewer, kAmbientPart, both * 4.0 / 21.96, 0.0},
                                {falloffFromOrigin, kAmbientPart, both * 4.0 / 10.4, 0.0},
                                {fourPiMissing, kAmbientPart, both * 4.0 * std::numbers::pi, 0.0}});
+}
+
+// At half a unit I is 32; from a distance of 1 it would be 8.
+TEST(PhongModel, LimitsHowNearALightIs) {
+    LitSetup setup = litByHand();
+    raytracer::PointLight& light = setup.scene.pointLights[0];
+    light = {kP + kTowardsLight * 0.5, light.colour(), light.intensity()};
+    const double both = kDiffusePart + kSpecularPart;
+    expectWorked(setup, {{LitMistake::none, kAmbientPart, both * 16.0, 0.0},
+                         {LitMistake::nearLimited, kAmbientPart, both * 4.0, 0.0}});
 }
 
 TEST(PhongModel, GivesEveryMistakeItsSumOfTwoLights) {

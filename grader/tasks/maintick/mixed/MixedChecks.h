@@ -1,0 +1,38 @@
+#ifndef TICKER_TASKS_MAINTICK_MIXED_MIXEDCHECKS_H
+#define TICKER_TASKS_MAINTICK_MIXED_MIXEDCHECKS_H
+
+#include <grader/probe/Examinee.h>
+#include <grader/result/SubmissionResult.h>
+#include <grader/tasks/maintick/mixed/MixedMirrors.h>
+#include <grader/tasks/maintick/mixed/MixedPoints.h>
+#include <grader/tasks/maintick/mixed/MixedShades.h>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ticker::tasks::maintick {
+
+// Each `ask` appends questions, and the `check` of the same name judges the answers to them. They
+// are judged where the other questions of the task found nothing.
+
+void askMixedPoints(const std::vector<MixedPoint>& points, std::vector<probe::Question>& questions);
+/// A light that code loses only beside other objects is a mistake of M3.2.
+[[nodiscard]] std::optional<Finding> checkMixedPoints(const std::vector<MixedPoint>& points,
+                                                      std::span<const probe::Answer> answers);
+
+void askMixedShades(const std::vector<MixedShade>& shades, std::vector<probe::Question>& questions);
+/// Held against what the same code says of the point alone, without the lights that are hidden.
+[[nodiscard]] std::optional<Finding> checkMixedShades(const std::vector<MixedShade>& shades,
+                                                      std::span<const probe::Answer> answers);
+
+void askMixedMirrors(const std::vector<MixedMirror>& mirrors,
+                     std::vector<probe::Question>& questions);
+/// Held against what the same code's `illuminate` says of each surface. Where this changes within a
+/// thousandth, as with shadows without a bias, a ray is not judged.
+[[nodiscard]] std::optional<Finding> checkMixedMirrors(const std::vector<MixedMirror>& mirrors,
+                                                       std::span<const probe::Answer> answers);
+
+}  // namespace ticker::tasks::maintick
+
+#endif

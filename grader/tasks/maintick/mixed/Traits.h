@@ -1,0 +1,65 @@
+#ifndef TICKER_TASKS_MAINTICK_MIXED_TRAITS_H
+#define TICKER_TASKS_MAINTICK_MIXED_TRAITS_H
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace ticker::tasks::maintick {
+
+/// Something that sets a question apart, in words: "a light nearer than 1".
+template <class Asked>
+struct Trait {
+    const char* words;
+    bool (*holds)(const Asked&);
+};
+
+/// What sets this question apart: "no point light, a black surface". May be empty.
+template <class Asked>
+[[nodiscard]] std::string wordsOf(std::type_identity_t<std::span<const Trait<Asked>>> traits,
+                                  const Asked& asked) {
+    std::string text;
+    for (const Trait<Asked>& trait : traits)
+        if (trait.holds(asked)) text += (text.empty() ? "" : ", ") + std::string{trait.words};
+    return text;
+}
+
+/// The trait that all wrong answers have and the fewest right ones; null if at least a third of the
+/// right ones have it, too, or if fewer than three answers are wrong.
+template <class Asked>
+[[nodiscard]] const Trait<Asked>* commonTrait(
+    std::type_identity_t<std::span<const Trait<Asked>>> traits, const std::vector<Asked>& asked,
+    const std::vector<bool>& isWrong) {
+    std::size_t wrong = 0;
+    for (const bool one : isWrong)
+        wrong += one ? 1 : 0;
+    const Trait<Asked>* best = nullptr;
+    std::size_t fewest = (asked.size() - wrong) / 3 + 1;
+    for (const Trait<Asked>& trait : traits) {
+        std::size_t ofWrong = 0;
+        std::size_t ofRight = 0;
+        for (std::size_t i = 0; i < asked.size(); ++i)
+            if (trait.holds(asked[i])) ++(isWrong[i] ? ofWrong : ofRight);
+        if (wrong < 3 || ofWrong < wrong || ofRight >= fewest) continue;
+        fewest = ofRight;
+        best = &trait;
+    }
+    return best;
+}
+
+/// A hint for what goes wrong in some scenes alone. `usual` is what the handout says.
+[[nodiscard]] inline std::string hintFor(const char* commonWords, const std::string& usual) {
+    if (commonWords == nullptr)
+        return usual +
+               " It is right in ordinary scenes: look for a condition or a limit in your "
+               "code that the handout does not have.";
+    return "It is right in other scenes and wrong where there is " + std::string{commonWords} +
+           ": look for a condition or a limit in your code that the handout does not have. " +
+           usual;
+}
+
+}  // namespace ticker::tasks::maintick
+
+#endif
