@@ -2,7 +2,7 @@
 #define TICKER_TASKS_MAINTICK_MIXED_MIXEDPOINTS_H
 
 #include <grader/tasks/maintick/LitSetups.h>
-#include <grader/tasks/maintick/mixed/Deck.h>
+#include <grader/tasks/support/Deck.h>
 
 #include <cstdint>
 #include <vector>
