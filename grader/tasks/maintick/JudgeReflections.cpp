@@ -131,23 +131,45 @@ std::optional<Finding> checkLit(const MirrorQuestion& asked, const probe::Run& r
     return std::nullopt;
 }
 
-/// Two mirrors that face each other, up to ten bounces.
-std::optional<Finding> checkDeep(const MirrorQuestion& asked, const probe::Run& run) {
-    const auto& direct = std::get<probe::IlluminateAnswer>(run.answers.at(2)).colours;
-    const auto& given = std::get<probe::IlluminateAnswer>(run.answers.at(3)).colours;
+/// What is asked in ambient light alone, where it was answered, and what is said if it is wrong.
+struct ChainCheck {
+    const MirrorQuestion& asked;
+    std::size_t at;  ///< of `direct` among the answers; the rays follow
+    const FindingText& text;
+    const char* where;
+    const char* hint;
+};
+
+std::optional<Finding> checkChain(const ChainCheck& check, const probe::Run& run) {
+    const MirrorQuestion& asked = check.asked;
+    const auto& direct = std::get<probe::IlluminateAnswer>(run.answers.at(check.at)).colours;
+    const auto& given = std::get<probe::IlluminateAnswer>(run.answers.at(check.at + 1)).colours;
     for (std::size_t i = 0; i < given.size(); ++i) {
         const probe::CastRay& cast = asked.question.rays[i];
         const ColourRGB wanted = maintick::TraceModel{asked.question.scene, direct}.along(
             {cast.origin, cast.direction}, cast.bounces);
         if (isNear(given[i], wanted)) continue;
-        return maintick::failure(
-            kMirrorBounces,
-            fmt::format("{}, between two mirrors that face each other: expected {}, got {}.",
-                        askedOf(asked, i), words(wanted), words(given[i])),
-            "Few reflections are right and more are not: bouncesLeft alone says how many are "
-            "followed. Leave out a limit of your own for their depth or for how much they count.");
+        return maintick::failure(check.text,
+                                 fmt::format("{}, {}: expected {}, got {}.", askedOf(asked, i),
+                                             check.where, words(wanted), words(given[i])),
+                                 check.hint);
     }
     return std::nullopt;
+}
+
+std::optional<Finding> checkDeep(const MirrorQuestion& asked, const probe::Run& run) {
+    return checkChain({asked, 2, kMirrorBounces, "between two mirrors that face each other",
+                       "Few reflections are right and more are not: bouncesLeft alone says how "
+                       "many are followed. Leave out a limit of your own for their depth or for "
+                       "how much they count."},
+                      run);
+}
+
+std::optional<Finding> checkGrazed(const MirrorQuestion& asked, const probe::Run& run) {
+    return checkChain({asked, 4, kMirrorWrong, "which all but grazes a mirror",
+                       "A surface mirrors at every angle: leave out a limit of N.D, and a weight "
+                       "that depends on it."},
+                      run);
 }
 
 std::optional<Finding> checkEnd(const probe::Run& run) {
@@ -163,12 +185,13 @@ std::optional<Finding> checkEnd(const probe::Run& run) {
 /// What the first questions left open: mirrors that face each other, and mixed scenes.
 std::optional<TaskJudgement> askMore(probe::Examinee& examinee, std::uint64_t seed,
                                      std::vector<Finding>& findings) {
-    constexpr std::size_t kBeforeMixed = 4;
+    constexpr std::size_t kBeforeMixed = 6;
     const MirrorQuestion facing = maintick::drawFacingMirrors(seed);
     const MirrorQuestion deep = maintick::drawDeepMirrors(seed);
     const std::vector<maintick::MixedMirror> mixed = maintick::drawMixedMirrors(seed);
+    const MirrorQuestion grazed = maintick::drawGrazedMirror(seed);
     std::vector<probe::Question> questions{facing.direct, facing.question, deep.direct,
-                                           deep.question};
+                                           deep.question, grazed.direct,   grazed.question};
     maintick::askMixedMirrors(mixed, questions);
     const probe::Run run = examinee.ask(questions);
     if (auto endless = checkEnd(run)) {
@@ -179,6 +202,7 @@ std::optional<TaskJudgement> askMore(probe::Examinee& examinee, std::uint64_t se
     if (auto blocked = judgeUnanswered(run, "Renderer::trace")) return blocked;
     auto wrong = checkLit(facing, run);
     if (!wrong) wrong = checkDeep(deep, run);
+    if (!wrong) wrong = checkGrazed(grazed, run);
     if (!wrong)
         wrong = maintick::checkMixedMirrors(mixed, std::span{run.answers}.subspan(kBeforeMixed));
     if (wrong) findings.push_back(*std::move(wrong));

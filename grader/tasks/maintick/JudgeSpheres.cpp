@@ -117,6 +117,21 @@ AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, const St
     return asked;
 }
 
+/// The same ray of a sphere and of a larger one around it: what is remembered of one is wrong for
+/// the other.
+std::array<AskedHit, 2> drawConcentric(Draw& draw, SceneDescription& scene, int object) {
+    constexpr double kLarger = 1.6;
+    const AskedHit inner = drawHit(draw, scene, object, kStarts.front());
+    auto larger = scene.spheres[static_cast<std::size_t>(object)];
+    larger.radius *= kLarger;
+    AskedHit outer = inner;
+    outer.ray.object = static_cast<int>(scene.spheres.size());
+    outer.object = objectWords(larger);
+    outer.expected = maintick::meet(larger, outer.line());
+    scene.spheres.push_back(larger);
+    return {inner, outer};
+}
+
 }  // namespace
 
 TaskJudgement judgeSpheres(probe::Examinee& examinee, std::uint64_t seed) {
@@ -140,6 +155,9 @@ TaskJudgement judgeSpheres(probe::Examinee& examinee, std::uint64_t seed) {
         const int object = static_cast<int>(scene.spheres.size()) - 1;
         asked.push_back(drawHit(draw, scene, object, alone.start));
     }
+    for (int object = 0; object < 2; ++object)
+        for (const AskedHit& hit : drawConcentric(draw, scene, object))
+            asked.push_back(hit);
     return maintick::judgeHits(examinee, scene, asked, maintick::sphereMistakes(), kSphereTexts,
                                "Sphere::intersectionWith");
 }

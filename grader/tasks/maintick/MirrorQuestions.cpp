@@ -173,6 +173,27 @@ MirrorQuestion drawDeepMirrors(std::uint64_t seed) {
     return asked;
 }
 
+MirrorQuestion drawGrazedMirror(std::uint64_t seed) {
+    Draw draw{seed, 112};
+    MirrorQuestion asked;
+    SceneDescription& scene = asked.question.scene;
+    scene.ambientLighting = ColourRGB{0.5};
+    const Vector3 foot{draw.between(-1.0, 1.0), draw.between(-1.0, 1.0), draw.between(3.0, 5.0)};
+    const Vector3 up = draw.direction();
+    const Vector3 along = perpendicularsOf(up).first;
+    Material wall = materialWith(draw, 0.0);
+    wall.colour = wall.colour * 0.1;
+    scene.planes.push_back({foot, up, materialWith(draw, 0.6)});
+    scene.planes.push_back({foot + along * draw.between(4.0, 6.0), -along, wall});
+    const double height = draw.between(0.02, 0.04);
+    const Vector3 direction = (along - up * height).normalised();
+    const Vector3 origin = foot - direction * draw.between(1.5, 4.0);
+    for (const int bounces : {1, 2})
+        asked.question.rays.push_back({0, bounces, origin, direction});
+    askEachObject(asked);
+    return asked;
+}
+
 ColourRGB alongChain(const MirrorQuestion& asked, const std::vector<ColourRGB>& direct,
                      int bounces) {
     ColourRGB colour = direct[static_cast<std::size_t>(bounces)];

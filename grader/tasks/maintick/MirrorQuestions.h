@@ -29,6 +29,10 @@ struct MirrorQuestion {
 /// asks each object once.
 [[nodiscard]] MirrorQuestion drawDeepMirrors(std::uint64_t seed);
 
+/// A ray that all but grazes a mirror, in ambient light alone, and then meets a wall. One ray with
+/// 1 and 2 bounces. `direct` asks each object once.
+[[nodiscard]] MirrorQuestion drawGrazedMirror(std::uint64_t seed);
+
 /// The colour of a ray with `bounces` left along the chain of its first points.
 [[nodiscard]] ColourRGB alongChain(const MirrorQuestion& asked,
                                    const std::vector<ColourRGB>& direct, int bounces);

@@ -48,6 +48,13 @@ constexpr std::array kKnownScenes{
                "with that of the target each time, and remember no object and no answer."},
 };
 
+constexpr KnownScene kLightsInLine{
+    &ShadowLogs::lightsInLine, &kShadowLightsMixed,
+    "Where one light stands behind another in the same direction, both were expected to arrive in "
+    "full; the colour is another one.",
+    "Lights are no objects and hide nothing: a ray ends at its own light, and only "
+    "scene.findClosestIntersection says what is in its way."};
+
 Finding findingFor(const KnownScene& scene) {
     Finding finding = distributedFinding(*scene.text, Severity::fail, scene.seen);
     finding.hint = scene.hint;
@@ -97,6 +104,8 @@ std::optional<Finding> checkKnownScenes(const ShadowLogs& logs, const ShadowRead
     const auto fits = [&](const ShadowLog* log) {
         return allNearKnown({log}, reading.viewerIsEye) && (!raysSeen || fitsAnyReading(*log));
     };
+    // Rays to lights in one direction cannot be told apart.
+    if (!allNearKnown(logs.lightsInLine, reading.viewerIsEye)) return findingFor(kLightsInLine);
     for (const KnownScene& scene : kKnownScenes)
         if (!std::ranges::all_of(logs.*scene.logs, fits)) return findingFor(scene);
     if (keepsShare(logs, reading)) return shareKept();

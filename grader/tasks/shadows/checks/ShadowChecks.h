@@ -36,15 +36,16 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> betweenLights;
     std::vector<const ShadowLog*> behindAlone;
     std::vector<const ShadowLog*> behindAfter;
+    std::vector<const ShadowLog*> lightsInLine;
     std::vector<const ShadowLog*> manyRays;
     std::vector<const ShadowLog*> mixed;
     std::vector<const ShadowLog*> mixedNear;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
-    /// All questions except otherSettings, oddCount, manyRays, mixedNear and horizon, where code may
-    /// cast fewer rays, and those with checks of their own: contact, faintLight, closeLight,
-    /// backSide, eightLights, oneTerm, mirror, enclosed, betweenLights, behindAlone, behindAfter and
-    /// mixed.
+    /// All questions except otherSettings, oddCount, manyRays, mixedNear and horizon, where code
+    /// may cast fewer rays, and those with checks of their own: contact, faintLight, closeLight,
+    /// backSide, eightLights, oneTerm, mirror, enclosed, betweenLights, behindAlone, behindAfter
+    /// and mixed.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 

@@ -128,6 +128,8 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
                 return behindAlone;
             case Purpose::behindAfter:
                 return behindAfter;
+            case Purpose::lightsInLine:
+                return lightsInLine;
             case Purpose::manyRays:
                 return manyRays;
             case Purpose::mixed:

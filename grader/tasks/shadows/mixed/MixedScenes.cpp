@@ -105,6 +105,9 @@ private:
 
     /// What stands before a light or behind it.
     void addCompany(const Vector3& light) {
+        // From very far single precision sees another edge.
+        constexpr double kVeryFar = 100.0;
+        if ((light - ground_.foot).magnitude() > kVeryFar) return;
         const Company company = decks_.company.deal();
         if (company == Company::before || company == Company::both) addObject(light, true);
         if (company == Company::behind || company == Company::both) addObject(light, false);
@@ -244,7 +247,8 @@ void addScenes(Draw& draw, ShadowQuestion::Purpose purpose, std::vector<Between>
 
 std::vector<ShadowQuestion> drawMixedScenes(Draw& draw) {
     std::vector<ShadowQuestion> drawn;
-    addScenes(draw, ShadowQuestion::Purpose::mixed, {{1.5, 2.5}, {3.0, 8.0}, {20.0, 45.0}}, drawn);
+    addScenes(draw, ShadowQuestion::Purpose::mixed,
+              {{1.5, 2.5}, {3.0, 8.0}, {20.0, 45.0}, {1200.0, 3000.0}}, drawn);
     addScenes(draw, ShadowQuestion::Purpose::mixedNear, {{0.65, 0.95}, {0.95, 3.0}}, drawn);
     return drawn;
 }

@@ -95,6 +95,13 @@ constexpr std::array kTraits{
                    });
                },
                kEveryLight},
+    PointTrait{"a light is farther away than 1000",
+               [](const PointOfLog& at) {
+                   return anyLight(at, [&](const PointLight& light) {
+                       return isInFront(at, light) && distanceOf(at, light) > 1000.0;
+                   });
+               },
+               kEveryLight},
     PointTrait{"a light adds less than one step of a picture",
                [](const PointOfLog& at) {
                    return anyLight(at, [&](const PointLight& light) {

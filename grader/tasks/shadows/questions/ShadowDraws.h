@@ -117,6 +117,10 @@ void setCapacity(ShadowQuestion& question);
 /// Two lights, in either order, and a ball: it stands before one of them, and behind the other.
 [[nodiscard]] std::vector<ShadowQuestion> drawBetweenLights(Draw& draw);
 
+/// Two lights in one direction from a floor, the nearer one's ball before the other, in plain
+/// sight.
+[[nodiscard]] ShadowQuestion drawLightsInLine(Draw& draw);
+
 /// A light behind a floor whose mirrored direction is near the viewer's: alone, and after a light
 /// in front.
 [[nodiscard]] std::vector<ShadowQuestion> drawBehindAfterLit(Draw& draw);

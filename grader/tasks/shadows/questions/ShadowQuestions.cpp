@@ -253,6 +253,7 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
         for (ShadowQuestion& drawn : drawNext(draw))
             questions.push_back(std::move(drawn));
     questions.push_back(drawManyRays(draw));
+    questions.push_back(drawLightsInLine(draw));
     for (ShadowQuestion& drawn : drawMixedScenes(draw))
         questions.push_back(std::move(drawn));
     return questions;

@@ -38,6 +38,7 @@ struct ShadowQuestion {
         betweenLights,  ///< a ball before one light and behind another
         behindAlone,    ///< a light behind the surface, whose mirrored direction is the viewer's
         behindAfter,    ///< the same after a light in front
+        lightsInLine,   ///< a light behind another one's ball
         manyRays,       ///< more rays than fit into a byte
         mixed,          ///< every attribute usual or extreme
         mixedNear       ///< the same with smaller lights, some of them nearer than 1

@@ -47,6 +47,17 @@ std::vector<ShadowQuestion> drawBetweenLights(Draw& draw) {
     return questions;
 }
 
+ShadowQuestion drawLightsInLine(Draw& draw) {
+    ShadowQuestion drawn = onFloor(draw, Purpose::lightsInLine);
+    raytracer::SceneDescription& scene = drawn.question.scene;
+    scene.ambientLighting = draw.colour(0.1, 0.2);
+    const Vector3 towards = draw.directionAround(scene.planes.front().normal, 0.5);
+    addLightTowards(draw, drawn, towards, draw.between(6.0, 8.0));
+    addLightTowards(draw, drawn, towards, draw.between(20.0, 30.0));
+    addLitPoints(draw, drawn, kPoints, 0.05);
+    return drawn;
+}
+
 // L is 9 degrees below the floor and V 3 above it, on the other side: R.V is 0.98.
 std::vector<ShadowQuestion> drawBehindAfterLit(Draw& draw) {
     constexpr double kBelow = 0.15;
