@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -92,6 +93,8 @@ SeenShade seenOf(const MixedShade& shade, std::span<const probe::Answer> answers
         return std::get<probe::IlluminateAnswer>(answers[k]).colours.at(0);
     };
     SeenShade seen{colour(0), colour(1), false, {}};
+    // A mistake of M2 can make numbers that are too large, as by a long vector to a high power.
+    if (!std::isfinite(largestOf(seen.expected))) return seen;
     // Code that looks from the light lights no point that floats.
     const bool isUnlit = isNear(colour(1), colour(5));
     if (isUnlit && isNear(seen.given, colour(4))) return seen;

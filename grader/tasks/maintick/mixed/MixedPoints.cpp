@@ -66,9 +66,9 @@ PlaneDescription planeAside(Draw& draw, const LitSetup& setup,
 
 MixedMaterials::MixedMaterials(Draw& draw)
     : draw_(&draw),
-      paint_(draw, {Paint::any, Paint::any, Paint::any, Paint::oneBlack, Paint::black}),
-      kd_(draw, {0.0, 0.5, 1.0, 2.0}),
-      ks_(draw, {0.0, 0.5, 1.4}),
+      paint_(draw, {Paint::any, Paint::any, Paint::any, Paint::any, Paint::oneBlack, Paint::black}),
+      kd_(draw, {0.0, 0.5, 0.5, 1.0, 2.0}),
+      ks_(draw, {0.0, 0.5, 1.4, 1.4}),
       alpha_(draw, {1.0, 2.0, 7.0, 40.0, 280.0}),
       reflectivity_(draw, {0.0, 0.03, 0.5, 0.97, 1.0}) {}
 
@@ -215,9 +215,9 @@ void assemble(Draw& draw, MixedPoint& point, std::vector<SphereDescription> sphe
 }
 
 std::vector<MixedPoint> drawMixedPoints(std::uint64_t seed) {
-    constexpr int kPoints = 40;
+    constexpr int kPoints = 100;
     Draw draw{seed, 109};
-    MixedPoints points{draw, {0, 1, 1, 2, 3, 6}, false};  // grazing light is M3.2's
+    MixedPoints points{draw, {0, 1, 1, 1, 2, 2, 3, 6}, false};  // grazing light is M3.2's
     MixedMaterials materials{draw};
     Deck<int> others{draw, {0, 1, 2, 3, 5}};
     std::vector<MixedPoint> drawn;

@@ -135,10 +135,10 @@ std::uint32_t bitsOfFree(const MixedShade& shade) {
 }  // namespace
 
 std::vector<MixedShade> drawMixedShades(std::uint64_t seed) {
-    constexpr std::size_t kShades = 40;
+    constexpr std::size_t kShades = 72;
     constexpr int kMostTries = 60;
     Draw draw{seed, 110};
-    MixedPoints points{draw, {1, 1, 2, 3, 6}, true};
+    MixedPoints points{draw, {1, 1, 2, 3, 6, 6}, true};
     Occluders occluders{draw};
     std::vector<MixedShade> shades;
     while (shades.size() < kShades) {

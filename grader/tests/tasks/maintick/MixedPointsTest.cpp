@@ -19,6 +19,17 @@ Vector3 towards(const LitSetup& setup, const PointLight& light) {
     return (light.position() - setup.P).normalised();
 }
 
+/// The points of a seed, drawn once for all tests.
+const std::vector<MixedPoint>& pointsOf(std::uint64_t seed) {
+    static const auto kDrawn = [] {
+        std::vector<std::vector<MixedPoint>> drawn;
+        for (std::uint64_t each = 0; each < kPointSeeds; ++each)
+            drawn.push_back(drawMixedPoints(each));
+        return drawn;
+    }();
+    return kDrawn.at(seed);
+}
+
 /// A direction from one rounded place to another.
 struct Floats {
     float x, y, z;
@@ -63,7 +74,7 @@ ColourRGB phongInFloats(const LitSetup& setup) {
 TEST(MixedPoints, KeepAllCosinesOffTheirEdges) {
     for (std::uint64_t seed = 0; seed < kPointSeeds; ++seed) {
         std::vector<LitSetup> setups;
-        for (const MixedPoint& point : drawMixedPoints(seed))
+        for (const MixedPoint& point : pointsOf(seed))
             setups.push_back(point.alone);
         for (const MixedShade& shade : drawMixedShades(seed))
             setups.push_back(shade.point.alone);
@@ -88,7 +99,7 @@ TEST(MixedPoints, KeepAllCosinesOffTheirEdges) {
 
 TEST(MixedPoints, AreRightInSinglePrecision) {
     for (std::uint64_t seed = 0; seed < kPointSeeds; ++seed)
-        for (const MixedPoint& point : drawMixedPoints(seed))
+        for (const MixedPoint& point : pointsOf(seed))
             EXPECT_TRUE(isNear(phongInFloats(point.alone), phong(point.alone), 0.6 * kTolerance))
                 << seed << words(phong(point.alone)) << words(phongInFloats(point.alone));
 }
@@ -105,7 +116,7 @@ bool isFree(const MixedPoint& point, const PointLight& light) {
 
 TEST(MixedPoints, LieOnTheirObjectWithAllLightsFree) {
     for (std::uint64_t seed = 0; seed < kPointSeeds; ++seed)
-        for (const MixedPoint& point : drawMixedPoints(seed)) {
+        for (const MixedPoint& point : pointsOf(seed)) {
             const auto spheres = static_cast<int>(point.scene.spheres.size());
             EXPECT_EQ(point.object >= spheres, point.isOnPlane);
             EXPECT_EQ(tasks::materialOf(point.scene, point.object).phongAlpha,
@@ -122,7 +133,7 @@ template <class Fits>
 void expectAtLeast(int least, const char* what, const Fits& fits) {
     for (std::uint64_t seed = 0; seed < kPointSeeds; ++seed) {
         int count = 0;
-        for (const MixedPoint& point : drawMixedPoints(seed))
+        for (const MixedPoint& point : pointsOf(seed))
             count += fits(point, point.alone.scene.spheres[0].material) ? 1 : 0;
         EXPECT_GE(count, least) << what << ", seed " << seed;
     }
@@ -154,6 +165,87 @@ TEST(MixedPoints, HaveEachExtremeUnderEverySeed) {
     expectAtLeast(12, "others", [](const P& p, const M&) {
         return p.scene.spheres.size() + p.scene.planes.size() > 2;
     });
+}
+
+/// What code with a condition on one attribute might leave out.
+enum class Lost : std::uint8_t { ambient, diffuse, highlight, lights };
+
+LitSetup without(Lost lost, LitSetup setup) {
+    raytracer::Material& material = setup.scene.spheres[0].material;
+    if (lost == Lost::ambient) setup.scene.ambientLighting = {};
+    if (lost == Lost::diffuse) material.phongKD = 0.0;
+    if (lost == Lost::highlight) material.phongKS = 0.0;
+    if (lost == Lost::lights) setup.scene.pointLights.clear();
+    return setup;
+}
+
+template <class Holds>
+void expectShown(const char* what, std::initializer_list<Lost> all, const Holds& holds) {
+    for (const Lost lost : all) {
+        int unseen = 0;
+        for (std::uint64_t seed = 0; seed < kPointSeeds; ++seed) {
+            const auto& points = pointsOf(seed);
+            const bool shows = std::ranges::any_of(points, [&](const MixedPoint& point) {
+                return holds(point, point.alone.scene.spheres[0].material) &&
+                       !isNear(phong(without(lost, point.alone)), phong(point.alone),
+                               2.0 * kTolerance);
+            });
+            unseen += shows ? 0 : 1;
+        }
+        EXPECT_EQ(unseen, 0) << what << ", " << static_cast<int>(lost);
+    }
+}
+
+TEST(MixedPoints, ShowAnyConditionOnOneAttribute) {
+    using P = MixedPoint;
+    using M = raytracer::Material;
+    using enum Lost;
+    for (const double share : {0.0, 0.03, 0.5, 0.97, 1.0})
+        expectShown("share", {ambient, diffuse, highlight, lights},
+                    [&](const P&, const M& m) { return m.reflectivity == share; });
+    for (const double alpha : {1.0, 2.0, 7.0, 40.0, 280.0})
+        expectShown("alpha", {ambient, diffuse, highlight, lights},
+                    [&](const P&, const M& m) { return m.phongAlpha == alpha; });
+    for (const double kd : {0.0, 0.5, 1.0, 2.0})
+        expectShown("kd", {ambient, highlight, lights},
+                    [&](const P&, const M& m) { return m.phongKD == kd; });
+    for (const double ks : {0.0, 0.5, 1.4})
+        expectShown("ks", {ambient, diffuse, lights},
+                    [&](const P&, const M& m) { return m.phongKS == ks; });
+    for (const std::size_t count : {1U, 2U, 3U, 6U})
+        expectShown("lights", {ambient, diffuse, highlight, lights},
+                    [&](const P& p, const M&) { return p.scene.pointLights.size() == count; });
+    expectShown("no light", {ambient},
+                [](const P& p, const M&) { return p.scene.pointLights.empty(); });
+    expectShown("no ambient light", {diffuse, highlight, lights},
+                [](const P& p, const M&) { return p.scene.ambientLighting == ColourRGB{}; });
+    expectShown("black", {highlight}, [](const P&, const M& m) { return m.colour == ColourRGB{}; });
+    const std::initializer_list<Lost> every{ambient, diffuse, highlight, lights};
+    expectShown("plane", every, [](const P& p, const M&) { return p.isOnPlane; });
+    expectShown("z", every, [](const P& p, const M&) { return p.alone.P.z < 0.0; });
+    expectShown("viewer", every, [](const P& p, const M&) { return p.alone.O.z < 0.0; });
+    expectShown("far", every, [](const P& p, const M&) { return p.alone.P.magnitude() > 20.0; });
+    const auto anyLight = [](const char* what, std::initializer_list<Lost> all, auto&& fits) {
+        expectShown(what, all, [&](const P& p, const M&) {
+            return std::ranges::any_of(p.scene.pointLights, [&](const PointLight& light) {
+                return fits(light, (light.position() - p.alone.P).magnitude());
+            });
+        });
+    };
+    anyLight("near", every, [](const PointLight&, double d) { return d < 1.0; });
+    anyLight("very near", every, [](const PointLight&, double d) { return d < 0.5; });
+    anyLight("distant", every, [](const PointLight&, double d) { return d > 20.0; });
+    anyLight("faint", every, [](const PointLight& l, double d) {
+        const ColourRGB I = l.illuminationAt(d);
+        return std::max({I.r, I.g, I.b}) < 1.0 / 255.0;
+    });
+    anyLight("bright", every, [](const PointLight& l, double d) {
+        const ColourRGB I = l.illuminationAt(d);
+        return std::max({I.r, I.g, I.b}) > 10.0;
+    });
+    for (const auto channel : {&ColourRGB::r, &ColourRGB::g, &ColourRGB::b})
+        anyLight("channel", every,
+                 [&](const PointLight& l, double) { return l.colour().*channel == 0.0; });
 }
 
 }  // namespace

@@ -4,12 +4,25 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ticker::tasks::maintick {
 namespace {
 
 constexpr std::uint64_t kMixedShadeSeeds = 300;
+
+/// The shades of a seed, drawn once for all tests.
+const std::vector<MixedShade>& shadesOf(std::uint64_t seed) {
+    static const auto kDrawn = [] {
+        std::vector<std::vector<MixedShade>> drawn;
+        for (std::uint64_t each = 0; each < kMixedShadeSeeds; ++each)
+            drawn.push_back(drawMixedShades(each));
+        return drawn;
+    }();
+    return kDrawn.at(seed);
+}
 
 /// Whether a shadow ray that starts like this says what it should, and no hit is near the light.
 void expectTold(const MixedShade& shade, const Way& way, const Vector3& up) {
@@ -27,7 +40,7 @@ void expectTold(const MixedShade& shade, const Way& way, const Vector3& up) {
 // However the shadow ray starts, up to a bias of a thousandth.
 TEST(MixedShades, KeepTheirShadowsOffTheirEdges) {
     for (std::uint64_t seed = 0; seed < kMixedShadeSeeds; ++seed)
-        for (const MixedShade& shade : drawMixedShades(seed)) {
+        for (const MixedShade& shade : shadesOf(seed)) {
             SCOPED_TRACE(seed);
             const LitSetup& alone = shade.point.alone;
             for (const Way& way : shade.ways) {
@@ -43,7 +56,7 @@ TEST(MixedShades, KeepTheirShadowsOffTheirEdges) {
 
 TEST(MixedShades, AreRightAloneWithoutTheHiddenLights) {
     for (std::uint64_t seed = 0; seed < kMixedShadeSeeds; ++seed)
-        for (const MixedShade& shade : drawMixedShades(seed)) {
+        for (const MixedShade& shade : shadesOf(seed)) {
             const ColourRGB right = phong(withoutHidden(shade));
             EXPECT_TRUE(isNear(phong(withHiddenOut(shade)), right)) << seed;
             EXPECT_TRUE(isNear(phong(withoutBlocked(shade)), right)) << seed;
@@ -54,7 +67,7 @@ TEST(MixedShades, AreRightAloneWithoutTheHiddenLights) {
 template <class Fits>
 int hiddenThat(std::uint64_t seed, const Fits& fits) {
     int count = 0;
-    for (const MixedShade& shade : drawMixedShades(seed))
+    for (const MixedShade& shade : shadesOf(seed))
         for (const Way& way : shade.ways) {
             if (!way.blocker || !fits(shade, way)) continue;
             LitSetup lit = withoutHidden(shade);
@@ -89,11 +102,63 @@ TEST(MixedShades, HideLightsByEachKindOfObjectUnderEverySeed) {
     }
 }
 
+// Code that casts no shadow on a condition shows if one hidden light fits it.
+TEST(MixedShades, ShowAnyConditionOnOneAttribute) {
+    using S = MixedShade;
+    using M = raytracer::Material;
+    const auto expectShown = [](const char* what, auto&& holds) {
+        int unseen = 0;
+        for (std::uint64_t seed = 0; seed < kMixedShadeSeeds; ++seed) {
+            const int shown = hiddenThat(seed, [&](const S& shade, const Way& way) {
+                return holds(shade, way, shade.point.alone.scene.spheres[0].material);
+            });
+            unseen += shown > 0 ? 0 : 1;
+        }
+        EXPECT_EQ(unseen, 0) << what;
+    };
+    for (const double share : {0.0, 0.03, 0.5, 0.97, 1.0})
+        expectShown("share",
+                    [&](const S&, const Way&, const M& m) { return m.reflectivity == share; });
+    for (const double alpha : {1.0, 2.0, 7.0, 40.0, 280.0})
+        expectShown("alpha",
+                    [&](const S&, const Way&, const M& m) { return m.phongAlpha == alpha; });
+    for (const double kd : {0.0, 0.5, 1.0, 2.0})
+        expectShown("kd", [&](const S&, const Way&, const M& m) { return m.phongKD == kd; });
+    for (const double ks : {0.0, 0.5, 1.4})
+        expectShown("ks", [&](const S&, const Way&, const M& m) { return m.phongKS == ks; });
+    expectShown("black", [](const S&, const Way&, const M& m) { return m.colour == ColourRGB{}; });
+    expectShown("plane", [](const S& s, const Way&, const M&) { return s.point.isOnPlane; });
+    expectShown("z", [](const S& s, const Way&, const M&) { return s.point.alone.P.z < 0.0; });
+    expectShown(
+        "far", [](const S& s, const Way&, const M&) { return s.point.alone.P.magnitude() > 20.0; });
+    expectShown("no ambient light", [](const S& s, const Way&, const M&) {
+        return s.point.scene.ambientLighting == ColourRGB{};
+    });
+    for (const std::size_t light : {0U, 1U, 2U, 3U})
+        expectShown("light", [&](const S&, const Way& w, const M&) { return w.light == light; });
+    const auto ofLight = [&](const char* what, auto&& fits) {
+        expectShown(what, [&](const S& s, const Way& w, const M&) {
+            const raytracer::PointLight& light = s.point.scene.pointLights[w.light];
+            const double distance = (light.position() - s.point.alone.P).magnitude();
+            const ColourRGB I = light.illuminationAt(distance);
+            return fits(light, distance, std::max({I.r, I.g, I.b}));
+        });
+    };
+    using L = raytracer::PointLight;
+    ofLight("near", [](const L&, double d, double) { return d < 1.0; });
+    ofLight("very near", [](const L&, double d, double) { return d < 0.5; });
+    ofLight("distant", [](const L&, double d, double) { return d > 20.0; });
+    ofLight("faint", [](const L&, double, double most) { return most < 1.0 / 255.0; });
+    ofLight("bright", [](const L&, double, double most) { return most > 10.0; });
+    for (const auto channel : {&ColourRGB::r, &ColourRGB::g, &ColourRGB::b})
+        ofLight("channel", [&](const L& l, double, double) { return l.colour().*channel == 0.0; });
+}
+
 TEST(MixedShades, HaveAsManyFreeWaysAsHiddenOnes) {
     int hidden = 0;
     int free = 0;
     for (std::uint64_t seed = 0; seed < kMixedShadeSeeds; ++seed)
-        for (const MixedShade& shade : drawMixedShades(seed))
+        for (const MixedShade& shade : shadesOf(seed))
             for (const Way& way : shade.ways)
                 ++(way.blocker ? hidden : free);
     EXPECT_GT(hidden, 2 * free / 5);
