@@ -1,8 +1,7 @@
 #ifndef TICKER_TASKS_SHADOWS_MIXED_CLEARLIGHTS_H
 #define TICKER_TASKS_SHADOWS_MIXED_CLEARLIGHTS_H
 
-#include <raytracer/math/Vector3.h>
-#include <raytracer/scene/PointLight.h>
+#include <grader/tasks/support/Surfaces.h>
 
 namespace ticker::tasks {
 

@@ -1,7 +1,7 @@
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/answers/KnownColours.h>
 #include <grader/tasks/shadows/mixed/MixedCheck.h>
-#include <grader/tasks/shadows/mixed/PointTraits.h>
+#include <grader/tasks/shadows/mixed/ShadowTraits.h>
 #include <grader/tasks/support/FindingOrder.h>
 
 #include <fmt/format.h>

@@ -2,8 +2,7 @@
 #define TICKER_TASKS_SHADOWS_MIXED_MIXEDDECKS_H
 
 #include <grader/tasks/support/Deck.h>
-
-#include <raytracer/geometry/Material.h>
+#include <grader/tasks/support/Surfaces.h>
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 // Properties of the mixed scenes of T2.1, and what is said of wrong answers to them.
 #include <grader/tasks/shadows/mixed/MixedScenes.h>
-#include <grader/tasks/shadows/mixed/PointTraits.h>
+#include <grader/tasks/shadows/mixed/ShadowTraits.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <grader/tasks/shadows/mixed/PointTraits.h>
+#include <grader/tasks/shadows/mixed/ShadowTraits.h>
 
 #include <algorithm>
 #include <array>
