@@ -134,10 +134,9 @@ fs::path parsedHeader(const build::Kit& kit, const sandbox::Sandbox& sandbox,
 
 }  // namespace
 
-std::optional<Candidates> findCandidates(const build::Kit& kit, const sandbox::Sandbox& sandbox,
-                                         const sandbox::Limits& limits, const std::string& file,
-                                         std::string_view source, Reach reach,
-                                         const std::string& leftAlone) {
+Candidates findCandidates(const build::Kit& kit, const sandbox::Sandbox& sandbox,
+                          const sandbox::Limits& limits, const std::string& file,
+                          std::string_view source, Reach reach, const std::string& leftAlone) {
     const sandbox::JobFolder sources;
     std::ofstream{sources.path() / file, std::ios::binary} << source;
     fs::permissions(sources.path() / file, fs::perms{0644});
@@ -161,15 +160,17 @@ std::optional<Candidates> findCandidates(const build::Kit& kit, const sandbox::S
         command.arguments.push_back(word);
     const sandbox::Outcome outcome = sandbox.run(command);
     if (outcome.end == sandbox::Outcome::End::failed) throw raytracer::Error(outcome.output);
+    Candidates unparsed;
+    unparsed.cpuMs = outcome.cpuMs;
     if (!outcome.succeeded() || outcome.productsMissing ||
         fs::file_size(product.file) > kLargestReply)
-        return std::nullopt;
+        return unparsed;
     try {
         Candidates found = readReply(readWhole(product.file), source.size());
         found.cpuMs = outcome.cpuMs;
         return found;
     } catch (const raytracer::InputError&) {
-        return std::nullopt;
+        return unparsed;
     }
 }
 

@@ -49,11 +49,12 @@ struct Candidates {
 
 /// Parses a file in the sandbox and finds small edits of it.
 /// @param leftAlone  Functions that are not edited, with commas between them.
-/// @return  Empty where it cannot be parsed within the limits.
+/// @return  The program is empty where the file cannot be parsed within the limits.
 /// @throws raytracer::Error (notGradable) where this ticker was built without libclang.
-[[nodiscard]] std::optional<Candidates> findCandidates(
-    const build::Kit& kit, const sandbox::Sandbox& sandbox, const sandbox::Limits& limits,
-    const std::string& file, std::string_view source, Reach reach, const std::string& leftAlone);
+[[nodiscard]] Candidates findCandidates(const build::Kit& kit, const sandbox::Sandbox& sandbox,
+                                        const sandbox::Limits& limits, const std::string& file,
+                                        std::string_view source, Reach reach,
+                                        const std::string& leftAlone);
 
 /// The file with edits made in it; empty where two of them change the same text.
 [[nodiscard]] std::optional<std::string> withEdits(std::string_view source,

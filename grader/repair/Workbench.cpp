@@ -17,18 +17,18 @@ Bench* Workbench::bench(Reach reach) {
 
 std::optional<Bench> Workbench::made(Reach reach) const {
     const sandbox::Limits limits = clock_.cut(grader_.policy.compile);
-    auto candidates =
+    Candidates candidates =
         findCandidates(grader_.kit, grader_.sandbox, limits, file_, source_, reach, leftAlone_);
-    if (!candidates) return std::nullopt;
-    clock_.add(Work::parse, candidates->cpuMs);
+    clock_.add(Work::parse, candidates.cpuMs);
+    if (candidates.program.empty()) return std::nullopt;
     build::BuildResult built =
         build::buildProgram(grader_.kit, grader_.sandbox, clock_.cut(grader_.policy.compile), file_,
-                            candidates->program, build::Purpose::switched);
+                            candidates.program, build::Purpose::switched);
     clock_.add(Work::compile, built.cpuMs);
     if (!built.program) return std::nullopt;
-    const bool keepsState = candidates->keepsState;
+    const bool keepsState = candidates.keepsState;
     return Bench{
-        *std::move(candidates),
+        std::move(candidates),
         {*std::move(built.program), grader_.sandbox, grader_.policy.run, keepsState, clock_}};
 }
 

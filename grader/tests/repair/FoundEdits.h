@@ -25,8 +25,8 @@ inline repair::Candidates found(const char* exercise, const std::string& file,
     const auto candidates =
         findCandidates(build::Kit::besideProgram(exerciseNamed(exercise)), sandbox::Sandbox::best(),
                        sandbox::defaultPolicy().compile, file, text, reach, leftAlone);
-    if (!candidates) throw std::runtime_error("cannot be parsed");
-    return *candidates;
+    if (candidates.program.empty()) throw std::runtime_error("cannot be parsed");
+    return candidates;
 }
 
 }  // namespace ticker::tests
