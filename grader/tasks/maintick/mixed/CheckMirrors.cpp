@@ -185,9 +185,8 @@ std::optional<Finding> checkMixedMirrors(const std::vector<MixedMirror>& mirrors
             seen.push_back({given, expected, direct->front(), isWrong.back()});
         }
     }
-    const auto first = std::ranges::find(isWrong, true);
-    if (first == isWrong.end()) return std::nullopt;
-    const auto at = static_cast<std::size_t>(first - isWrong.begin());
+    if (std::ranges::find(isWrong, true) == isWrong.end()) return std::nullopt;
+    const std::size_t at = plainestWrong(kCastTraits, casts, isWrong);
     const auto* common = commonTrait(kCastTraits, casts, isWrong);
     const FindingText& text = nameOf(casts, seen);
     return failure(text, describe(casts[at], seen[at]),

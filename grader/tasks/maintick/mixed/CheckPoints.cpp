@@ -162,9 +162,8 @@ std::optional<Finding> checkMixedPoints(const std::vector<MixedPoint>& points,
         asked.push_back(points[i].alone);
         isWrong.push_back(seen.back().isWrong);
     }
-    const auto first = std::ranges::find(isWrong, true);
-    if (first == isWrong.end()) return std::nullopt;
-    const auto at = static_cast<std::size_t>(first - isWrong.begin());
+    if (std::ranges::find(isWrong, true) == isWrong.end()) return std::nullopt;
+    const std::size_t at = plainestWrong(kPointTraits, asked, isWrong);
     const auto* common = commonTrait(kPointTraits, asked, isWrong);
     const PhongMistake* known = mistakeOf(points, seen);
     const FindingText& text = known != nullptr ? *known->finding : kPhongWrong;

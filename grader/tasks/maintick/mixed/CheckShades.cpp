@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -85,14 +87,30 @@ struct SeenShade {
     ColourRGB given;
     ColourRGB expected;
     bool isWrong = false;
-    std::optional<std::uint32_t> lit;  ///< bits of the lights that explain `given`
+    std::optional<std::uint32_t> wrong = {};  ///< bits of the lights that explain `given`
 };
+
+/// The fewest lights that explain what is given, if those lit are dark and those dark lit.
+std::optional<std::uint32_t> wrongLights(const MixedShade& shade, const ColourRGB& given) {
+    std::uint32_t front = 0;
+    std::uint32_t free = 0;
+    for (const Way& way : shade.ways) {
+        front |= 1U << way.light;
+        if (!way.blocker) free |= 1U << way.light;
+    }
+    std::optional<std::uint32_t> best;
+    for (std::uint32_t bits = front; bits != 0; bits = (bits - 1) & front)
+        if (isNear(given, phong(withLights(shade.point.alone, free ^ bits))) &&
+            (!best || std::popcount(bits) < std::popcount(*best)))
+            best = bits;
+    return best;
+}
 
 SeenShade seenOf(const MixedShade& shade, std::span<const probe::Answer> answers) {
     const auto colour = [&](std::size_t k) {
         return std::get<probe::IlluminateAnswer>(answers[k]).colours.at(0);
     };
-    SeenShade seen{colour(0), colour(1), false, {}};
+    SeenShade seen{colour(0), colour(1)};
     // A mistake of M2 can make numbers that are too large, as by a long vector to a high power.
     if (!std::isfinite(largestOf(seen.expected))) return seen;
     // Code that looks from the light lights no point that floats.
@@ -100,45 +118,34 @@ SeenShade seenOf(const MixedShade& shade, std::span<const probe::Answer> answers
     if (isUnlit && isNear(seen.given, colour(4))) return seen;
     seen.isWrong = !isNear(seen.given, seen.expected) && !isNear(seen.given, colour(2)) &&
                    !isNear(seen.given, colour(3));
-    if (!seen.isWrong) return seen;
-    const LitSetup& alone = shade.point.alone;
-    for (std::uint32_t bits = 0; bits < 1U << alone.scene.pointLights.size(); ++bits)
-        if (!seen.lit && isNear(seen.given, phong(withLights(alone, bits)))) seen.lit = bits;
+    if (seen.isWrong) seen.wrong = wrongLights(shade, seen.given);
     return seen;
 }
 
 /// Of each light in front whether it is wrong; where the colours do not tell, all of them are.
 struct Units {
-    std::vector<Unit> units;
-    std::vector<bool> isWrong;
+    std::vector<Unit> units = {};
+    std::vector<bool> isWrong = {};
+    std::vector<SeenShade> seen = {};
 
-    void add(const MixedShade& shade, const SeenShade& seen) {
+    void add(const MixedShade& shade, const SeenShade& of) {
         for (const Way& way : shade.ways) {
-            const bool isLit = !way.blocker.has_value();
             units.push_back({&shade, &way});
-            isWrong.push_back(seen.isWrong &&
-                              (!seen.lit || (*seen.lit >> way.light & 1U) != (isLit ? 1U : 0U)));
+            isWrong.push_back(of.isWrong && (of.wrong.value_or(~0U) >> way.light & 1U) != 0);
+            seen.push_back(of);
         }
     }
 };
 
-std::string describe(const MixedShade& shade, const SeenShade& seen,
-                     const std::vector<Unit>& wrong) {
-    std::string lights;
-    for (const Unit& unit : wrong) {
-        const std::string traits = wordsOf(kWayTraits, unit);
-        lights += fmt::format("{}light {} of {}, at {}, {}{}{}{}", lights.empty() ? "" : "; ",
-                              unit.way->light + 1, shade.point.scene.pointLights.size(),
-                              words(unit.light().position()),
-                              unit.way->blocker ? "is hidden" : "is not hidden",
-                              traits.empty() ? "" : " (", traits, traits.empty() ? "" : ")");
-    }
+std::string describe(const Unit& unit, const SeenShade& seen) {
+    const std::string traits = wordsOf(kWayTraits, unit);
     return fmt::format(
-        "illuminate was asked about P = {} with N = {} in a scene of {} objects. What is wrong is "
-        "about {}. Expected {}, as without the lights that are hidden, got {}.",
-        words(shade.point.alone.P), words(shade.point.alone.N),
-        shade.point.scene.spheres.size() + shade.point.scene.planes.size(), lights,
-        words(seen.expected), words(seen.given));
+        "illuminate was asked about P = {} with N = {} in a scene of {} objects. Light {} of {}, "
+        "at {}, is {}hidden{}{}{}. Expected {}, as without the lights that are hidden, got {}.",
+        words(unit.alone().P), words(unit.alone().N), unit.objects(), unit.way->light + 1,
+        unit.alone().scene.pointLights.size(), words(unit.light().position()),
+        unit.way->blocker ? "" : "not ", traits.empty() ? "" : " (", traits,
+        traits.empty() ? "" : ")", words(seen.expected), words(seen.given));
 }
 
 }  // namespace
@@ -168,23 +175,13 @@ void askMixedShades(const std::vector<MixedShade>& shades,
 std::optional<Finding> checkMixedShades(const std::vector<MixedShade>& shades,
                                         std::span<const probe::Answer> answers) {
     Units all;
-    std::optional<std::size_t> first;
-    SeenShade ofFirst;
-    std::vector<Unit> wrongOfFirst;
-    for (std::size_t i = 0; i < shades.size(); ++i) {
-        const SeenShade seen = seenOf(shades[i], answers.subspan(kAsksOfShade * i, kAsksOfShade));
-        const std::size_t before = all.units.size();
-        all.add(shades[i], seen);
-        if (!seen.isWrong || first) continue;
-        first = i;
-        ofFirst = seen;
-        for (std::size_t k = before; k < all.units.size(); ++k)
-            if (all.isWrong[k]) wrongOfFirst.push_back(all.units[k]);
-    }
-    if (!first) return std::nullopt;
+    for (std::size_t i = 0; i < shades.size(); ++i)
+        all.add(shades[i], seenOf(shades[i], answers.subspan(kAsksOfShade * i, kAsksOfShade)));
+    if (std::ranges::find(all.isWrong, true) == all.isWrong.end()) return std::nullopt;
+    const std::size_t at = plainestWrong(kWayTraits, all.units, all.isWrong);
     const auto* common = commonTrait(kWayTraits, all.units, all.isWrong);
     return failure(
-        kShadeWrong, describe(shades[*first], ofFirst, wrongOfFirst),
+        kShadeWrong, describe(all.units[at], all.seen[at]),
         hintFor(common == nullptr ? nullptr : common->words, std::string{kShadeWrong.hint}));
 }
 

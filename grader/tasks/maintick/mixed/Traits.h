@@ -1,7 +1,9 @@
 #ifndef TICKER_TASKS_MAINTICK_MIXED_TRAITS_H
 #define TICKER_TASKS_MAINTICK_MIXED_TRAITS_H
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -24,6 +26,23 @@ template <class Asked>
     for (const Trait<Asked>& trait : traits)
         if (trait.holds(asked)) text += (text.empty() ? "" : ", ") + std::string{trait.words};
     return text;
+}
+
+/// The wrong answer that is set apart by the fewest traits: it is told of. One is wrong.
+template <class Asked>
+[[nodiscard]] std::size_t plainestWrong(std::type_identity_t<std::span<const Trait<Asked>>> traits,
+                                        const std::vector<Asked>& asked,
+                                        const std::vector<bool>& isWrong) {
+    std::size_t best = 0;
+    std::ptrdiff_t fewest = std::ssize(traits) + 1;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const auto count = std::ranges::count_if(
+            traits, [&](const Trait<Asked>& trait) { return trait.holds(asked[i]); });
+        if (!isWrong[i] || count >= fewest) continue;
+        fewest = count;
+        best = i;
+    }
+    return best;
 }
 
 /// The trait that all wrong answers have and the fewest right ones; null if at least a third of the

@@ -196,7 +196,7 @@ void expectShown(const char* what, std::initializer_list<Lost> all, const Holds&
     }
 }
 
-TEST(MixedPoints, ShowAnyConditionOnOneAttribute) {
+TEST(MixedPoints, ShowAnyConditionOnTheSurface) {
     using P = MixedPoint;
     using M = raytracer::Material;
     using enum Lost;
@@ -212,19 +212,26 @@ TEST(MixedPoints, ShowAnyConditionOnOneAttribute) {
     for (const double ks : {0.0, 0.5, 1.4})
         expectShown("ks", {ambient, diffuse, lights},
                     [&](const P&, const M& m) { return m.phongKS == ks; });
-    for (const std::size_t count : {1U, 2U, 3U, 6U})
-        expectShown("lights", {ambient, diffuse, highlight, lights},
-                    [&](const P& p, const M&) { return p.scene.pointLights.size() == count; });
-    expectShown("no light", {ambient},
-                [](const P& p, const M&) { return p.scene.pointLights.empty(); });
-    expectShown("no ambient light", {diffuse, highlight, lights},
-                [](const P& p, const M&) { return p.scene.ambientLighting == ColourRGB{}; });
     expectShown("black", {highlight}, [](const P&, const M& m) { return m.colour == ColourRGB{}; });
     const std::initializer_list<Lost> every{ambient, diffuse, highlight, lights};
     expectShown("plane", every, [](const P& p, const M&) { return p.isOnPlane; });
     expectShown("z", every, [](const P& p, const M&) { return p.alone.P.z < 0.0; });
     expectShown("viewer", every, [](const P& p, const M&) { return p.alone.O.z < 0.0; });
     expectShown("far", every, [](const P& p, const M&) { return p.alone.P.magnitude() > 20.0; });
+}
+
+TEST(MixedPoints, ShowAnyConditionOnTheLights) {
+    using P = MixedPoint;
+    using M = raytracer::Material;
+    using enum Lost;
+    const std::initializer_list<Lost> every{ambient, diffuse, highlight, lights};
+    for (const std::size_t count : {1U, 2U, 3U, 6U})
+        expectShown("lights", every,
+                    [&](const P& p, const M&) { return p.scene.pointLights.size() == count; });
+    expectShown("no light", {ambient},
+                [](const P& p, const M&) { return p.scene.pointLights.empty(); });
+    expectShown("no ambient light", {diffuse, highlight, lights},
+                [](const P& p, const M&) { return p.scene.ambientLighting == ColourRGB{}; });
     const auto anyLight = [](const char* what, std::initializer_list<Lost> all, auto&& fits) {
         expectShown(what, all, [&](const P& p, const M&) {
             return std::ranges::any_of(p.scene.pointLights, [&](const PointLight& light) {

@@ -102,20 +102,22 @@ TEST(MixedShades, HideLightsByEachKindOfObjectUnderEverySeed) {
     }
 }
 
-// Code that casts no shadow on a condition shows if one hidden light fits it.
-TEST(MixedShades, ShowAnyConditionOnOneAttribute) {
+/// Code that casts no shadow on a condition shows if one hidden light fits it.
+template <class Holds>
+void expectShown(const char* what, const Holds& holds) {
+    int unseen = 0;
+    for (std::uint64_t seed = 0; seed < kMixedShadeSeeds; ++seed) {
+        const int shown = hiddenThat(seed, [&](const MixedShade& shade, const Way& way) {
+            return holds(shade, way, shade.point.alone.scene.spheres[0].material);
+        });
+        unseen += shown > 0 ? 0 : 1;
+    }
+    EXPECT_EQ(unseen, 0) << what;
+}
+
+TEST(MixedShades, ShowAnyConditionOnTheSurface) {
     using S = MixedShade;
     using M = raytracer::Material;
-    const auto expectShown = [](const char* what, auto&& holds) {
-        int unseen = 0;
-        for (std::uint64_t seed = 0; seed < kMixedShadeSeeds; ++seed) {
-            const int shown = hiddenThat(seed, [&](const S& shade, const Way& way) {
-                return holds(shade, way, shade.point.alone.scene.spheres[0].material);
-            });
-            unseen += shown > 0 ? 0 : 1;
-        }
-        EXPECT_EQ(unseen, 0) << what;
-    };
     for (const double share : {0.0, 0.03, 0.5, 0.97, 1.0})
         expectShown("share",
                     [&](const S&, const Way&, const M& m) { return m.reflectivity == share; });
@@ -134,6 +136,11 @@ TEST(MixedShades, ShowAnyConditionOnOneAttribute) {
     expectShown("no ambient light", [](const S& s, const Way&, const M&) {
         return s.point.scene.ambientLighting == ColourRGB{};
     });
+}
+
+TEST(MixedShades, ShowAnyConditionOnTheLight) {
+    using S = MixedShade;
+    using M = raytracer::Material;
     for (const std::size_t light : {0U, 1U, 2U, 3U})
         expectShown("light", [&](const S&, const Way& w, const M&) { return w.light == light; });
     const auto ofLight = [&](const char* what, auto&& fits) {
