@@ -135,6 +135,14 @@ void askManyRays(probe::Examinee& examinee, const LensLog& many, const LensLog& 
     findings.push_back(*std::move(wrong));
 }
 
+// What is wrong in a mixed render: what it keeps from the render before, what is wrong in its scene
+// at the handout's settings as well, or else `wrong`.
+Finding renamedByCause(probe::Examinee& examinee, const LensLog& log, Finding wrong) {
+    if (!failureAlone(examinee, *log.asked, log.mayAntialias))
+        return judgeNextRender(log).value_or(std::move(wrong));
+    return wrongAtHandout(examinee, log).value_or(std::move(wrong));
+}
+
 // Of rays that are visible and right with other settings.
 void askMixed(probe::Examinee& examinee, const std::vector<LensLog>& logs,
               std::vector<Finding>& findings) {
@@ -144,13 +152,8 @@ void askMixed(probe::Examinee& examinee, const std::vector<LensLog>& logs,
         if (log.cut) continue;
         std::optional<Finding> wrong = judgeMixed(log);
         if (!wrong) continue;
-        if (lacksRays(log)) {
-            // By itself a picture without rays has nothing to judge.
-        } else if (!failureAlone(examinee, *log.asked, log.mayAntialias))
-            wrong = judgeNextRender(log);
-        else if (std::optional<Finding> alone = wrongAtHandout(examinee, log))
-            wrong = std::move(alone);
-        findings.push_back(*std::move(wrong));
+        findings.push_back(lacksRays(log) ? *std::move(wrong)
+                                          : renamedByCause(examinee, log, *std::move(wrong)));
         return;
     }
 }

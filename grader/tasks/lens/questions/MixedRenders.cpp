@@ -1,4 +1,5 @@
 #include <grader/tasks/lens/questions/MixedRenders.h>
+#include <grader/tasks/support/Channels.h>
 #include <grader/tasks/support/Deck.h>
 
 #include <fmt/core.h>
@@ -30,10 +31,6 @@ struct Size {
     int width = 0;
     int height = 0;
 };
-
-double mostOf(const ColourRGB& colour) {
-    return std::max({colour.r, colour.g, colour.b});
-}
 
 SceneDescription drawScene(Draw& draw, Shows shows) {
     SceneDescription scene = drawBalls(draw);
@@ -69,7 +66,7 @@ SceneDescription drawScene(Draw& draw, Shows shows) {
 
 std::string sceneWords(const SceneDescription& scene) {
     if (scene.spheres.empty() && scene.planes.empty()) return "an empty scene";
-    const double ambient = mostOf(scene.ambientLighting);
+    const double ambient = largestChannel(scene.ambientLighting);
     if (ambient < kDark) return "a dark scene";
     if (ambient > kBright) return "a very bright scene";
     if (scene.spheres.front().material.reflectivity > 0.0) return "a scene with mirrors";

@@ -1,7 +1,7 @@
 #include <grader/tasks/maintick/LightFindings.h>
 #include <grader/tasks/maintick/mixed/MixedChecks.h>
 #include <grader/tasks/maintick/mixed/PointTraits.h>
-#include <grader/tasks/maintick/mixed/Traits.h>
+#include <grader/tasks/support/Traits.h>
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include <grader/tasks/maintick/LightFindings.h>
 #include <grader/tasks/maintick/mixed/MixedChecks.h>
 #include <grader/tasks/maintick/mixed/PointTraits.h>
-#include <grader/tasks/maintick/mixed/Traits.h>
+#include <grader/tasks/support/Traits.h>
 
 #include <fmt/core.h>
 
@@ -112,7 +112,7 @@ SeenShade seenOf(const MixedShade& shade, std::span<const probe::Answer> answers
     };
     SeenShade seen{colour(0), colour(1)};
     // A mistake of M2 can make numbers that are too large, as by a long vector to a high power.
-    if (!std::isfinite(largestOf(seen.expected))) return seen;
+    if (!std::isfinite(largestChannel(seen.expected))) return seen;
     // Code that looks from the light lights no point that floats.
     const bool isUnlit = isNear(colour(1), colour(5));
     if (isUnlit && isNear(seen.given, colour(4))) return seen;

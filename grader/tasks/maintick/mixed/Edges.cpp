@@ -1,5 +1,7 @@
 #include <grader/tasks/maintick/mixed/Edges.h>
 
+#include <grader/tasks/support/Channels.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,10 +14,6 @@ constexpr double kCosine = 0.02;  ///< of N.L, R.V and D.N
 /// Half of what the line has in common with a ball of this radius; 0: nothing.
 double halfChord(double radius, double away) {
     return away < radius ? std::sqrt((radius - away) * (radius + away)) : 0.0;
-}
-
-double largest(const ColourRGB& c) {
-    return std::max({c.r, c.g, c.b});
 }
 
 double mirroredOf(const LitSetup& setup, const raytracer::PointLight& light) {
@@ -41,15 +39,15 @@ double errorOf(const LitSetup& setup, const raytracer::PointLight& light) {
     const double turn = turnOf(setup, light.position());
     const double facing = facingOf(setup, light);
     if (facing <= 0.0) return 0.0;
-    const double arriving = largest(light.illuminationAt(distance));
+    const double arriving = largestChannel(light.illuminationAt(distance));
     const double ofI = 2.0 * turn + 6.0 * kFloat;
-    const double error = material.phongKD * largest(material.colour) * arriving *
+    const double error = material.phongKD * largestChannel(material.colour) * arriving *
                          (turn * sineOf(facing) + 4.0 * kFloat + facing * ofI);
     const double mirrored = mirroredOf(setup, light);
     if (mirrored <= 0.0) return error;
     const double ofCosine =
         ((turn + turnOf(setup, setup.O)) * sineOf(mirrored) + 6.0 * kFloat) / mirrored;
-    return error + material.phongKS * largest(light.colour()) * arriving *
+    return error + material.phongKS * largestChannel(light.colour()) * arriving *
                        std::pow(mirrored, material.phongAlpha) *
                        (material.phongAlpha * (ofCosine + kFloat) + ofI);
 }
@@ -122,7 +120,7 @@ bool isRightInFloats(const LitSetup& setup) {
     double error = 0.0;
     for (const raytracer::PointLight& light : setup.scene.pointLights)
         error += errorOf(setup, light);
-    return error <= kTolerance / 2.0 * std::max(largest(phong(setup)), 1e-6);
+    return error <= kTolerance / 2.0 * std::max(largestChannel(phong(setup)), 1e-6);
 }
 
 }  // namespace ticker::tasks::maintick

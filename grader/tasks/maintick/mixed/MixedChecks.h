@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ticker::tasks::maintick {
@@ -32,6 +33,17 @@ void askMixedMirrors(const std::vector<MixedMirror>& mirrors,
 /// thousandth, as with shadows without a bias, a ray is not judged.
 [[nodiscard]] std::optional<Finding> checkMixedMirrors(const std::vector<MixedMirror>& mirrors,
                                                        std::span<const probe::Answer> answers);
+
+/// A hint for what goes wrong in some scenes alone. `usual` is what the handout says.
+[[nodiscard]] inline std::string hintFor(const char* commonWords, const std::string& usual) {
+    if (commonWords == nullptr)
+        return usual +
+               " It is right in ordinary scenes: look for a condition or a limit in your "
+               "code that the handout does not have.";
+    return "It is right in other scenes and wrong where there is " + std::string{commonWords} +
+           ": look for a condition or a limit in your code that the handout does not have. " +
+           usual;
+}
 
 }  // namespace ticker::tasks::maintick
 

@@ -3,6 +3,7 @@
 
 #include <grader/tasks/maintick/mixed/Edges.h>
 #include <grader/tasks/maintick/mixed/MixedPoints.h>
+#include <grader/tasks/support/Channels.h>
 
 #include <algorithm>
 
@@ -10,11 +11,8 @@ namespace ticker::tasks::maintick {
 
 // What sets points, lights and surfaces apart.
 
-[[nodiscard]] inline double largestOf(const ColourRGB& c) {
-    return std::max({c.r, c.g, c.b});
-}
 [[nodiscard]] inline bool isBlack(const ColourRGB& c) {
-    return largestOf(c) == 0.0;
+    return largestChannel(c) == 0.0;
 }
 [[nodiscard]] inline bool hasBlackChannel(const ColourRGB& c) {
     return !isBlack(c) && std::min({c.r, c.g, c.b}) == 0.0;
@@ -28,7 +26,7 @@ namespace ticker::tasks::maintick {
     return (light.position() - setup.P).magnitude();
 }
 [[nodiscard]] inline double arrivingOf(const LitSetup& setup, const raytracer::PointLight& light) {
-    return largestOf(light.illuminationAt(distanceOf(setup, light)));
+    return largestChannel(light.illuminationAt(distanceOf(setup, light)));
 }
 
 inline constexpr double kLightNear = 1.0;

@@ -44,8 +44,8 @@ struct ShadowLogs {
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
     /// All questions except otherSettings, oddCount, manyRays, mixedNear and horizon, where code
     /// may cast fewer rays, and those with checks of their own: contact, faintLight, closeLight,
-    /// backSide, eightLights, oneTerm, mirror, enclosed, betweenLights, behindAlone, behindAfter
-    /// and mixed.
+    /// backSide, eightLights, oneTerm, mirror, enclosed, betweenLights, behindAlone, behindAfter,
+    /// lightsInLine and mixed.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
@@ -102,8 +102,8 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkBackSide(const ShadowLogs& logs);
 
 /// Scenes whose colours follow from those of other questions: surfaces of one term, mirrors,
-/// balls around the light or the points, a ball between two lights, a light behind the surface
-/// after one in front.
+/// balls around the light or the points, a ball between two lights, two lights in one direction, a
+/// light behind the surface after one in front.
 /// @param reading   The one that fits all other questions.
 /// @param raysSeen  Otherwise only what follows from geometry is compared.
 [[nodiscard]] std::optional<Finding> checkKnownScenes(const ShadowLogs& logs,

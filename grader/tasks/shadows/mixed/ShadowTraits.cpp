@@ -1,10 +1,9 @@
 #include <grader/tasks/shadows/mixed/ShadowTraits.h>
+#include <grader/tasks/support/Channels.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
-#include <numeric>
 
 namespace ticker::tasks {
 namespace {
@@ -33,10 +32,6 @@ int channelsOf(const ColourRGB& colour) {
     return (colour.r > 0.0 ? 1 : 0) + (colour.g > 0.0 ? 1 : 0) + (colour.b > 0.0 ? 1 : 0);
 }
 
-double mostOf(const ColourRGB& colour) {
-    return std::max({colour.r, colour.g, colour.b});
-}
-
 /// Whether an object of such a material stands between the point and the centre of a light.
 template <typename Test>
 bool anyBlocker(const PointOfLog& at, Test test) {
@@ -63,16 +58,16 @@ bool anyBlocker(const PointOfLog& at, Test test) {
     return false;
 }
 
-constexpr std::string_view kAnyObject =
+constexpr const char* kAnyObject =
     "Whatever stands in the way hides the light: do not ask what kind of object it is, nor of what "
     "material.";
-constexpr std::string_view kEveryLight =
+constexpr const char* kEveryLight =
     "The falloff is one over the square of the distance, near and far, and every light counts, "
     "however little it adds: leave out limits of your own.";
-constexpr std::string_view kSurface =
+constexpr const char* kSurface =
     "Colour, ambient light, diffuse and specular term are computed for every material in the same "
     "way, and each term stays whatever the others are.";
-constexpr std::string_view kPlace =
+constexpr const char* kPlace =
     "P, N and O are all that tells where the point lies and where it is seen from: do not ask on "
     "which side of the camera they are.";
 
@@ -106,14 +101,15 @@ constexpr std::array kTraits{
                [](const PointOfLog& at) {
                    return anyLight(at, [&](const PointLight& light) {
                        return isInFront(at, light) &&
-                              mostOf(light.illuminationAt(distanceOf(at, light))) < 1.0 / 255.0;
+                              largestChannel(light.illuminationAt(distanceOf(at, light))) <
+                                  1.0 / 255.0;
                    });
                },
                kEveryLight},
     PointTrait{"a light is very bright",
                [](const PointOfLog& at) {
                    return anyLight(at, [&](const PointLight& light) {
-                       return mostOf(light.illuminationAt(distanceOf(at, light))) > 3.0;
+                       return largestChannel(light.illuminationAt(distanceOf(at, light))) > 3.0;
                    });
                },
                "Colours may be above 1: do not cut them off."},
@@ -173,9 +169,10 @@ constexpr std::array kTraits{
     PointTrait{"the surface's reflectivity() is 0",
                [](const PointOfLog& at) { return surfaceOf(at).reflectivity == 0.0; },
                "illuminate knows nothing of mirrors: leave reflectivity() out of it."},
-    PointTrait{"there is no ambient light",
-               [](const PointOfLog& at) { return mostOf(at.log->scene().ambientLighting) == 0.0; },
-               kSurface},
+    PointTrait{
+        "there is no ambient light",
+        [](const PointOfLog& at) { return largestChannel(at.log->scene().ambientLighting) == 0.0; },
+        kSurface},
     PointTrait{"the point lies behind the camera",
                [](const PointOfLog& at) { return at.point->point.position.z < 0.0; }, kPlace},
     PointTrait{"O is behind the camera",
@@ -197,38 +194,10 @@ constexpr std::array kTraits{
                },
                ""}};
 
-std::ptrdiff_t countOf(const PointTrait& trait, const std::vector<PointOfLog>& points) {
-    return std::ranges::count_if(points, trait.has);
-}
-
 }  // namespace
 
 std::span<const PointTrait> pointTraits() {
     return kTraits;
-}
-
-std::vector<const PointTrait*> tellingTraits(const std::vector<PointOfLog>& wrong,
-                                             const std::vector<PointOfLog>& right) {
-    constexpr std::size_t kMost = 2;
-    constexpr double kTelling = 0.7;  // of the right points that are left have it, or more do not
-    std::vector<const PointTrait*> told;
-    std::vector<PointOfLog> left = right;
-    while (told.size() < kMost && !left.empty()) {
-        const PointTrait* best = nullptr;
-        std::ptrdiff_t fewest =
-            static_cast<std::ptrdiff_t>(kTelling * static_cast<double>(left.size()));
-        for (const PointTrait& trait : kTraits) {
-            if (countOf(trait, wrong) != std::ssize(wrong)) continue;
-            const std::ptrdiff_t has = countOf(trait, left);
-            if (has >= fewest) continue;
-            fewest = has;
-            best = &trait;
-        }
-        if (best == nullptr) break;
-        told.push_back(best);
-        std::erase_if(left, [&](const PointOfLog& at) { return !best->has(at); });
-    }
-    return told;
 }
 
 }  // namespace ticker::tasks

@@ -2,10 +2,9 @@
 #define TICKER_TASKS_SHADOWS_MIXED_SHADOWTRAITS_H
 
 #include <grader/tasks/shadows/answers/ShadowLog.h>
+#include <grader/tasks/support/Traits.h>
 
 #include <span>
-#include <string_view>
-#include <vector>
 
 namespace ticker::tasks {
 
@@ -15,19 +14,10 @@ struct PointOfLog {
     const PointLog* point = nullptr;
 };
 
-/// What may be special about a point, its surface, its lights, or what stands around it.
-struct PointTrait {
-    std::string_view words;  ///< "there is ..." or "the ... is ..."
-    bool (*has)(const PointOfLog& at);
-    std::string_view hint;  ///< empty: nothing more to say
-};
-
+/// What may be special about a point, its surface, its lights, or what stands around it, as a
+/// clause: "there is no point light".
+using PointTrait = Trait<PointOfLog>;
 [[nodiscard]] std::span<const PointTrait> pointTraits();
-
-/// The fewest traits that all wrong points share and that tell them from most right ones, the most
-/// telling first; empty if nothing does. At most two.
-[[nodiscard]] std::vector<const PointTrait*> tellingTraits(const std::vector<PointOfLog>& wrong,
-                                                           const std::vector<PointOfLog>& right);
 
 }  // namespace ticker::tasks
 

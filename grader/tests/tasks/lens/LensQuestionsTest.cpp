@@ -1,12 +1,16 @@
 #include <grader/tasks/lens/answers/LensLog.h>
 #include <grader/tasks/lens/questions/LensQuestions.h>
+#include <grader/tasks/lens/questions/MixedRenders.h>
 
 #include <raytracer/scene/Scene.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -94,6 +98,49 @@ TEST(LensQuestions, ShowSomethingNearTheFocalPlane) {
             EXPECT_GE(sharp, 1) << seed;
         }
     }
+}
+
+std::size_t countOf(const std::vector<probe::RenderQuestion>& renders,
+                    bool (*fits)(const probe::RenderQuestion&)) {
+    return static_cast<std::size_t>(std::ranges::count_if(renders, fits));
+}
+
+TEST(MixedRenders, HaveEachKindOfSceneAndSizeUnderEverySeed) {
+    using Asked = probe::RenderQuestion;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        const std::vector<Asked> renders = drawMixedRenders(seed);
+        ASSERT_EQ(renders.size(), 9U);
+        for (const auto fits :
+             {+[](const Asked& a) { return a.scene.planes.empty(); },
+              +[](const Asked& a) { return a.scene.ambientLighting.r == 0.0; },
+              +[](const Asked& a) { return a.scene.ambientLighting.r > 100.0; },
+              +[](const Asked& a) {
+                  return std::ranges::any_of(a.scene.spheres, [](const auto& ball) {
+                      return ball.material.reflectivity > 0.0;
+                  });
+              },
+              +[](const Asked& a) {
+                  return std::ranges::any_of(a.scene.spheres,
+                                             [](const auto& ball) { return ball.centre.z < 1.0; });
+              },
+              +[](const Asked& a) { return a.settings.width * a.settings.height == 1; },
+              +[](const Asked& a) { return a.settings.width == 1 && a.settings.height > 1; },
+              +[](const Asked& a) { return a.settings.height == 1 && a.settings.width > 1; }})
+            EXPECT_EQ(countOf(renders, fits), 1U) << seed;
+        for (const auto fits : {+[](const Asked& a) { return a.settings.bounces == 0; },
+                                +[](const Asked& a) { return a.settings.bounces == 6; },
+                                +[](const Asked& a) { return a.settings.dofFocalPlane < 1.0; },
+                                +[](const Asked& a) { return a.settings.dofFocalPlane > 20.0; },
+                                +[](const Asked& a) { return a.settings.dofAmount > 0.5; }})
+            EXPECT_GE(countOf(renders, fits), 1U) << seed;
+    }
+}
+
+TEST(MixedRenders, LeaveTheLensOutsideOfEveryObject) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed)
+        for (const probe::RenderQuestion& render : drawMixedRenders(seed))
+            for (const auto& ball : render.scene.spheres)
+                EXPECT_GT(ball.centre.z - ball.radius, 0.05) << seed;
 }
 
 TEST(LensQuestions, AskForAnOddNumberOfRaysBelowTheHandouts) {

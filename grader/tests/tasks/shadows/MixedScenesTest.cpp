@@ -110,7 +110,7 @@ TEST(MixedScenes, HavePointsWithEachTraitAndWithout) {
         const Points points{seed};
         ASSERT_GE(points.all.size(), 100U);
         for (const PointTrait& trait : pointTraits()) {
-            const auto has = std::ranges::count_if(points.all, trait.has);
+            const auto has = std::ranges::count_if(points.all, trait.holds);
             EXPECT_GE(has, 1) << trait.words << ", seed " << seed;
             EXPECT_LT(has, std::ssize(points.all)) << trait.words << ", seed " << seed;
         }
@@ -124,16 +124,16 @@ TEST(MixedScenes, TellTheTraitThatAllWrongPointsShare) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         const Points points{seed};
         for (const PointTrait& trait : pointTraits()) {
-            std::vector<PointOfLog> wrong;
-            std::vector<PointOfLog> right;
+            std::vector<bool> isWrong;
             for (const PointOfLog& at : points.all)
-                (trait.has(at) ? wrong : right).push_back(at);
-            if (wrong.size() < 4 || 2 * right.size() < wrong.size()) continue;
-            const auto told = tellingTraits(wrong, right);
+                isWrong.push_back(trait.holds(at));
+            if (std::ranges::count(isWrong, true) < 4) continue;
+            const PointTrait* told = commonTrait(pointTraits(), points.all, isWrong);
             ++asked;
-            ASSERT_FALSE(told.empty()) << trait.words;
-            EXPECT_TRUE(std::ranges::none_of(right, told.front()->has)) << trait.words;
-            if (told.front() == &trait) ++named;
+            ASSERT_NE(told, nullptr) << trait.words;
+            for (std::size_t i = 0; i < isWrong.size(); ++i)
+                EXPECT_EQ(told->holds(points.all[i]), isWrong[i]) << trait.words;
+            if (told == &trait) ++named;
         }
     }
     EXPECT_GT(named, asked * 9 / 10);
@@ -141,11 +141,10 @@ TEST(MixedScenes, TellTheTraitThatAllWrongPointsShare) {
 
 TEST(MixedScenes, TellNothingWhereWrongPointsShareNothing) {
     const Points points{5};
-    std::vector<PointOfLog> wrong;
-    std::vector<PointOfLog> right;
+    std::vector<bool> isWrong;
     for (std::size_t i = 0; i < points.all.size(); ++i)
-        (i % 2 == 0 ? wrong : right).push_back(points.all[i]);
-    EXPECT_TRUE(tellingTraits(wrong, right).empty());
+        isWrong.push_back(i % 2 == 0);
+    EXPECT_EQ(commonTrait(pointTraits(), points.all, isWrong), nullptr);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-#ifndef TICKER_TASKS_MAINTICK_MIXED_TRAITS_H
-#define TICKER_TASKS_MAINTICK_MIXED_TRAITS_H
+#ifndef TICKER_TASKS_SUPPORT_TRAITS_H
+#define TICKER_TASKS_SUPPORT_TRAITS_H
 
 #include <algorithm>
 #include <cstddef>
@@ -9,13 +9,14 @@
 #include <type_traits>
 #include <vector>
 
-namespace ticker::tasks::maintick {
+namespace ticker::tasks {
 
 /// Something that sets a question apart, in words: "a light nearer than 1".
 template <class Asked>
 struct Trait {
     const char* words;
     bool (*holds)(const Asked&);
+    const char* hint = "";  ///< for code that is wrong there alone
 };
 
 /// What sets this question apart: "no point light, a black surface". May be empty.
@@ -68,17 +69,6 @@ template <class Asked>
     return best;
 }
 
-/// A hint for what goes wrong in some scenes alone. `usual` is what the handout says.
-[[nodiscard]] inline std::string hintFor(const char* commonWords, const std::string& usual) {
-    if (commonWords == nullptr)
-        return usual +
-               " It is right in ordinary scenes: look for a condition or a limit in your "
-               "code that the handout does not have.";
-    return "It is right in other scenes and wrong where there is " + std::string{commonWords} +
-           ": look for a condition or a limit in your code that the handout does not have. " +
-           usual;
-}
-
-}  // namespace ticker::tasks::maintick
+}  // namespace ticker::tasks
 
 #endif
