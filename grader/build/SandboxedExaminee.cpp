@@ -155,7 +155,7 @@ probe::Run SandboxedExaminee::ask(const std::vector<probe::Question>& questions)
     const probe::AnswerLayout layout = probe::layoutFor(questions);
     const FileDescriptor message = sandbox::sealedCopy(probe::encodeQuestions(questions));
     const sandbox::SharedMemory memory{layout.totalBytes};
-    probe::fillUnanswered(memory.bytes(), layout);
+    memory.write(0, probe::unanswered(layout));
 
     sandbox::Command command;
     command.arguments = {"/probe"};
@@ -165,8 +165,9 @@ probe::Run SandboxedExaminee::ask(const std::vector<probe::Question>& questions)
     command.limits = budget_ == nullptr ? limits_ : budget_->cut(limits_);
     const Outcome outcome = run(command);
 
-    probe::Run run{probe::readAnswers(questions, memory.bytes()), {}};
-    const bool finished = hasFinished(outcome, probe::saysFinished(memory.bytes()), run.answers);
+    const auto copy = [&](std::size_t at, std::span<std::byte> to) { memory.read(at, to); };
+    probe::Run run{probe::readAnswers(questions, copy), {}};
+    const bool finished = hasFinished(outcome, probe::saysFinished(copy), run.answers);
     run.end = endOf(outcome, finished, program_, command.limits);
     if (run.end.kind == EndKind::timedOut && budget_ != nullptr && budget_->isSpent())
         run.end.detail = ofTheBudget(budget_->all());

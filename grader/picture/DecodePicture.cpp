@@ -7,7 +7,6 @@
 #include <raytracer/base/Error.h>
 
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <span>
 
@@ -115,11 +114,11 @@ Decoded decodePicture(std::string_view bytes, const sandbox::Sandbox& sandbox,
     const Outcome outcome = runDecoder(bytes, memory, sandbox, limits);
     if (!outcome.succeeded()) return failureOf(outcome);
     Reply reply;
-    std::memcpy(&reply, memory.bytes().data(), sizeof reply);
+    memory.read(0, std::as_writable_bytes(std::span{&reply, 1}));
     if (reply.state != DecodeState::decoded) return failureOf(reply.state);
     raytracer::ByteImage image{static_cast<int>(size->width), static_cast<int>(size->height), {}};
     image.rgb.resize(pixels);
-    std::memcpy(image.rgb.data(), memory.bytes().data() + sizeof reply, pixels);
+    memory.read(sizeof reply, std::as_writable_bytes(std::span{image.rgb}));
     return image;
 }
 

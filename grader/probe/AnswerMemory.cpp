@@ -69,17 +69,23 @@ std::size_t claim(std::uint64_t& used, std::uint64_t count, std::uint64_t size) 
 }
 
 template <typename Value>
-Value load(std::span<const std::byte> memory, std::size_t at) {
+Value load(const CopyBytes& copy, std::size_t at) {
     Value value{};
-    std::memcpy(&value, memory.data() + at, sizeof value);
+    copy(at, std::as_writable_bytes(std::span{&value, 1}));
     return value;
 }
 
 template <typename Value>
-std::vector<Value> loadAll(std::span<const std::byte> memory, std::size_t at, std::size_t count) {
+std::vector<Value> loadAll(const CopyBytes& copy, std::size_t at, std::size_t count) {
     std::vector<Value> values(count);
-    if (count > 0) std::memcpy(values.data(), memory.data() + at, count * sizeof(Value));
+    if (count > 0) copy(at, std::as_writable_bytes(std::span{values}));
     return values;
+}
+
+CopyBytes copyOf(std::span<const std::byte> memory) {
+    return [memory](std::size_t at, std::span<std::byte> to) {
+        std::memcpy(to.data(), memory.data() + at, to.size());
+    };
 }
 
 AnswerState stateOf(const AnswerHeader& header) {
@@ -100,28 +106,26 @@ std::string messageOf(const AnswerHeader& header) {
     return {std::begin(header.message), end};
 }
 
-std::vector<Event> eventsOf(const AnswerHeader& header, std::span<const std::byte> memory,
+std::vector<Event> eventsOf(const AnswerHeader& header, const CopyBytes& copy,
                             const AnswerPlace& place, std::size_t objectCount) {
     if (!wasBegun(header)) return {};
     const std::uint64_t count = std::min<std::uint64_t>(header.eventsSeen, place.eventCapacity);
-    std::vector<Event> events;
-    events.reserve(static_cast<std::size_t>(count));
-    for (std::size_t i = 0; i < count; ++i) {
+    auto events = loadAll<Event>(copy, place.events, static_cast<std::size_t>(count));
+    const auto isImpossible = [&](Event& event) {
         // A slot holds kind + 1: 0 marks an event that was not completely written.
-        const std::size_t at = place.events + i * sizeof(Event);
-        const auto kind = load<std::uint32_t>(memory, at);
-        if (kind == 0 || kind > static_cast<std::uint32_t>(Event::Kind::pixelSet) + 1) continue;
-        auto event = load<Event>(memory, at);
+        const auto kind = static_cast<std::uint32_t>(event.kind);
+        if (kind == 0 || kind > static_cast<std::uint32_t>(Event::Kind::pixelSet) + 1) return true;
         event.kind = static_cast<Event::Kind>(kind - 1);
         const bool objectKnown =
             event.object >= -1 && event.object < static_cast<std::int64_t>(objectCount);
-        if (event.ask < place.askCount && objectKnown) events.push_back(event);
-    }
+        return event.ask >= place.askCount || !objectKnown;
+    };
+    std::erase_if(events, isImpossible);
     return events;
 }
 
 struct Read {
-    std::span<const std::byte> memory;
+    const CopyBytes& memory;
     const AnswerPlace& place;
     AnswerHeader header = load<AnswerHeader>(memory, place.header);
 
@@ -203,6 +207,11 @@ private:
     }
 };
 
+void requireRoom(std::span<const std::byte> memory, const AnswerLayout& layout) {
+    if (memory.size() < layout.totalBytes)
+        throw raytracer::Error("the answer memory is smaller than the answers");
+}
+
 bool isFilling(double a, double b, double c) {
     return std::bit_cast<std::uint64_t>(a) == kUnansweredWord &&
            std::bit_cast<std::uint64_t>(b) == kUnansweredWord &&
@@ -233,28 +242,39 @@ AnswerLayout layoutFor(const std::vector<Question>& questions) {
     return layout;
 }
 
+std::vector<std::byte> unanswered(const AnswerLayout& layout) {
+    const std::vector<std::uint64_t> words(layout.filledBytes / sizeof kUnansweredWord,
+                                           kUnansweredWord);
+    const auto bytes = std::as_bytes(std::span{words});
+    return {bytes.begin(), bytes.end()};
+}
+
 void fillUnanswered(std::span<std::byte> memory, const AnswerLayout& layout) {
-    if (memory.size() < layout.totalBytes)
-        throw raytracer::Error("the answer memory is smaller than the answers");
-    for (std::size_t at = 0; at < layout.filledBytes; at += sizeof kUnansweredWord)
-        std::memcpy(memory.data() + at, &kUnansweredWord, sizeof kUnansweredWord);
+    requireRoom(memory, layout);
+    std::ranges::copy(unanswered(layout), memory.begin());
+}
+
+std::vector<Answer> readAnswers(const std::vector<Question>& questions, const CopyBytes& copy) {
+    const AnswerLayout layout = layoutFor(questions);
+    std::vector<Answer> answers;
+    answers.reserve(questions.size());
+    for (std::size_t i = 0; i < questions.size(); ++i)
+        answers.push_back(std::visit(Read{copy, layout.places[i]}, questions[i]));
+    return answers;
 }
 
 std::vector<Answer> readAnswers(const std::vector<Question>& questions,
                                 std::span<const std::byte> memory) {
-    const AnswerLayout layout = layoutFor(questions);
-    if (memory.size() < layout.totalBytes)
-        throw raytracer::Error("the answer memory is smaller than the answers");
-    std::vector<Answer> answers;
-    answers.reserve(questions.size());
-    for (std::size_t i = 0; i < questions.size(); ++i)
-        answers.push_back(std::visit(Read{memory, layout.places[i]}, questions[i]));
-    return answers;
+    requireRoom(memory, layoutFor(questions));
+    return readAnswers(questions, copyOf(memory));
+}
+
+bool saysFinished(const CopyBytes& copy) {
+    return load<SheetHeader>(copy, 0).finished == kSheetFinished;
 }
 
 bool saysFinished(std::span<const std::byte> memory) {
-    return memory.size() >= sizeof(SheetHeader) &&
-           load<SheetHeader>(memory, 0).finished == kSheetFinished;
+    return memory.size() >= sizeof(SheetHeader) && saysFinished(copyOf(memory));
 }
 
 bool isUnanswered(const Vector3& value) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -39,7 +40,7 @@ struct AnswerHeader {
 };
 
 static_assert(sizeof(AnswerHeader) == 256 && std::is_trivially_copyable_v<AnswerHeader>);
-static_assert(sizeof(Event) == 112 && std::is_trivially_copyable_v<Event>);
+static_assert(sizeof(Event) == 80 && std::is_trivially_copyable_v<Event>);
 static_assert(sizeof(Vector3) == 24 && sizeof(ColourRGB) == 24);
 
 /// Place of one answer, in bytes from the start of the memory.
@@ -62,18 +63,28 @@ struct AnswerLayout {
 /// @throws raytracer::Error if the answers need more than 1 GiB.
 [[nodiscard]] AnswerLayout layoutFor(const std::vector<Question>& questions);
 
+/// The first `layout.filledBytes` bytes of a memory without answers; the others are zero.
+[[nodiscard]] std::vector<std::byte> unanswered(const AnswerLayout& layout);
+
 /// Initialises an answer memory: `memory` has `layout.totalBytes` zero bytes and is aligned to 8.
 void fillUnanswered(std::span<std::byte> memory, const AnswerLayout& layout);
+
+/// Copies `to.size()` bytes of an answer memory, from byte `at` on.
+using CopyBytes = std::function<void(std::size_t at, std::span<std::byte> to)>;
 
 /// Reads the answers out of the memory, as untrusted input: sizes come from the questions, texts
 /// are cut at their first NUL and at 231 bytes, unknown states count as missing, impossible events
 /// are dropped.
 ///
-/// @param memory  `layoutFor(questions).totalBytes` bytes.
+/// @param copy  Of `layoutFor(questions).totalBytes` bytes that nobody writes any more.
+[[nodiscard]] std::vector<Answer> readAnswers(const std::vector<Question>& questions,
+                                              const CopyBytes& copy);
+/// @throws raytracer::Error if `memory` has fewer than `layoutFor(questions).totalBytes` bytes.
 [[nodiscard]] std::vector<Answer> readAnswers(const std::vector<Question>& questions,
                                               std::span<const std::byte> memory);
 
 /// True if the other process has set the mark of the last question.
+[[nodiscard]] bool saysFinished(const CopyBytes& copy);
 [[nodiscard]] bool saysFinished(std::span<const std::byte> memory);
 
 /// True for a part of an answer that was never written, as opposed to a computed NaN.

@@ -3,6 +3,8 @@
 #include <raytracer/geometry/RaycastHit.h>
 #include <raytracer/geometry/SceneObject.h>
 
+#include <sys/mman.h>
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <thread>
@@ -23,6 +25,9 @@ bool& turnIsDue() {
     thread_local bool isDue = false;
     return isDue;
 }
+
+// One page fault for each page of a long log would take longer than the questions.
+constexpr std::uint64_t kSlotsOfABlock = (64U << 10U) / sizeof(Event);
 
 Vector3 asVector(const ColourRGB& colour) {
     return {colour.r, colour.g, colour.b};
@@ -84,7 +89,10 @@ void EventLog::illuminateBegan(const raytracer::SceneObject& object, const Vecto
     event.object = numberOf(&object);
     event.a = position;
     event.b = normal;
-    event.c = viewer;
+    record(event);
+    event = {};
+    event.kind = Event::Kind::illuminateViewer;
+    event.a = viewer;
     record(event);
 }
 
@@ -123,16 +131,26 @@ void EventLog::record(Event event) {
     const std::uint64_t slot =
         std::atomic_ref<std::uint64_t>{seen_}.fetch_add(1, std::memory_order_relaxed);
     if (slot >= capacity_) return;
-    event.thread = threadNumber();
+    event.thread = static_cast<std::uint16_t>(threadNumber());
     event.ask = ask_;
+    if (slot % kSlotsOfABlock == 0) prepareBlock(slot);
     std::byte* at = slots_ + slot * sizeof(Event);
     constexpr std::size_t kBody = sizeof event.kind;
     std::memcpy(at + kBody, reinterpret_cast<const std::byte*>(&event) + kBody,
                 sizeof event - kBody);
     // The kind is written last, plus one: a slot with kind 0 was not completely written.
-    auto& kind = *reinterpret_cast<std::uint32_t*>(at);
-    std::atomic_ref<std::uint32_t>{kind}.store(static_cast<std::uint32_t>(event.kind) + 1,
-                                               std::memory_order_release);
+    auto& kind = *reinterpret_cast<std::uint16_t*>(at);
+    const auto written = static_cast<std::uint16_t>(static_cast<std::uint16_t>(event.kind) + 1U);
+    std::atomic_ref<std::uint16_t>{kind}.store(written, std::memory_order_release);
+}
+
+// An older kernel refuses, and the pages come one by one.
+void EventLog::prepareBlock(std::uint64_t slot) const {
+    constexpr std::uintptr_t kPageBytes = 4096;
+    const std::uint64_t end = std::min(slot + kSlotsOfABlock, capacity_);
+    std::byte* const first = slots_ + slot * sizeof(Event);
+    const std::uintptr_t beforeIt = reinterpret_cast<std::uintptr_t>(first) % kPageBytes;
+    madvise(first - beforeIt, beforeIt + (end - slot) * sizeof(Event), MADV_POPULATE_WRITE);
 }
 
 // Waits up to 20 ms for a second thread, since a new thread may have to wait for a processor. A

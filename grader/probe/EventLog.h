@@ -47,6 +47,8 @@ private:
     /// log.
     [[nodiscard]] bool keepsNothing() const { return capacity_ == 0; }
     void record(Event event);
+    /// Asks the kernel for the memory of the next slots at once.
+    void prepareBlock(std::uint64_t slot) const;
     [[nodiscard]] std::uint32_t threadNumber();
     void giveWay();
     /// @param mostWaits  Milliseconds, of all threads together.

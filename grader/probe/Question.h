@@ -109,27 +109,26 @@ inline constexpr std::size_t kValuesOfHit = 3;
 /// An event that RenderObserver reported, in order of occurrence on each thread. `ask` is the index
 /// of the point or repetition that it belongs to. Fields that an event does not have are zero.
 struct Event {
-    enum class Kind : std::uint32_t {
-        cameraRayAsked,   ///< x, y; a = origin, b = direction
-        traceBegan,       ///< bounces; a = origin, b = direction
-        traceEnded,       ///< a = colour
-        illuminateBegan,  ///< object; a = position, b = normal, c = viewer
-        illuminateEnded,  ///< a = colour
-        rayCast,          ///< object hit or -1; distance; a = origin, b = direction
-        pixelSet          ///< x, y; a = colour
+    enum class Kind : std::uint16_t {
+        cameraRayAsked,    ///< x, y; a = origin, b = direction
+        traceBegan,        ///< bounces; a = origin, b = direction
+        traceEnded,        ///< a = colour
+        illuminateBegan,   ///< object; a = position, b = normal
+        illuminateViewer,  ///< a = viewer; the thread's next event after illuminateBegan
+        illuminateEnded,   ///< a = colour
+        rayCast,           ///< object hit or -1; distance; a = origin, b = direction
+        pixelSet           ///< x, y; a = colour
     };
     Kind kind = Kind::rayCast;
-    std::uint32_t thread = 0;  ///< 0 for the thread with the first event, then 1, ...
+    std::uint16_t thread = 0;  ///< 0 for the thread with the first event, then 1, ..., modulo 2^16
     std::uint32_t ask = 0;
     std::int32_t x = 0;
     std::int32_t y = 0;
     std::int32_t object = -1;  ///< index in Scene::objects()
     std::int32_t bounces = 0;
-    std::uint32_t reserved = 0;
     double distance = 0.0;
     Vector3 a;
     Vector3 b;
-    Vector3 c;
 };
 
 /// How an answer ended. Every field of an answer comes from the student's process: untrusted.

@@ -43,11 +43,14 @@ std::size_t SwitchedProgram::askTogether(const std::vector<probe::Question>& que
     const FileDescriptor message = sandbox::sealedCopy(probe::encodeQuestions(questions));
     const FileDescriptor edits = sandbox::sealedCopy(std::as_bytes(std::span{rounds}));
     const sandbox::SharedMemory memory{layout.totalBytes * sets.size()};
-    const auto part = [&](std::size_t i) {
-        return memory.bytes().subspan(i * layout.totalBytes, layout.totalBytes);
+    const auto part = [&](std::size_t i) -> probe::CopyBytes {
+        return [&memory, begin = i * layout.totalBytes](std::size_t at, std::span<std::byte> to) {
+            memory.read(begin + at, to);
+        };
     };
+    const std::vector<std::byte> unanswered = probe::unanswered(layout);
     for (std::size_t i = 0; i < sets.size(); ++i)
-        probe::fillUnanswered(part(i), layout);
+        memory.write(i * layout.totalBytes, unanswered);
 
     sandbox::Command command;
     command.arguments = {"/probe"};

@@ -28,15 +28,28 @@ FileDescriptor memoryFile() {
 
 SharedMemory::SharedMemory(std::size_t size) : descriptor_(memoryFile()) {
     require(ftruncate(descriptor_.get(), static_cast<off_t>(size)) == 0, "size");
-    void* memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor_.get(), 0);
-    require(memory != MAP_FAILED, "map");
-    bytes_ = {static_cast<std::byte*>(memory), size};
     require(fcntl(descriptor_.get(), F_ADD_SEALS, F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) == 0,
             "seal");
 }
 
-SharedMemory::~SharedMemory() {
-    munmap(bytes_.data(), bytes_.size());
+void SharedMemory::write(std::size_t at, std::span<const std::byte> bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t written =
+            pwrite(descriptor_.get(), bytes.data(), bytes.size(), static_cast<off_t>(at));
+        require(written > 0, "write");
+        at += static_cast<std::size_t>(written);
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+}
+
+void SharedMemory::read(std::size_t at, std::span<std::byte> bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t count =
+            pread(descriptor_.get(), bytes.data(), bytes.size(), static_cast<off_t>(at));
+        require(count > 0, "read");
+        at += static_cast<std::size_t>(count);
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
 }
 
 FileDescriptor sealedCopy(std::span<const std::byte> bytes) {

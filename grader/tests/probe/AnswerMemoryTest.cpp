@@ -80,17 +80,20 @@ TEST(AnswerMemory, ClampsCountsAndDropsEventsThatCannotBe) {
     const AnswerPlace& place = memory.layout.places[1];
     memory.put(place.header, header);
     Event event;
-    const auto putEvent = [&](std::size_t slot, std::uint32_t kind) {
+    const auto putEvent = [&](std::size_t slot, Event::Kind kind) {
+        const auto written = static_cast<std::uint16_t>(static_cast<std::uint16_t>(kind) + 1U);
         memory.put(place.events + slot * sizeof event, event);
-        memory.put(place.events + slot * sizeof event, kind);
+        memory.put(place.events + slot * sizeof event, written);
     };
-    putEvent(0, 6);  // rayCast, the only good one
-    putEvent(1, 8);  // no such kind
+    const auto noKind =
+        static_cast<Event::Kind>(static_cast<std::uint16_t>(Event::Kind::pixelSet) + 1U);
+    putEvent(0, Event::Kind::rayCast);  // the only possible one
+    putEvent(1, noKind);
     event.object = 2;
-    putEvent(2, 6);  // no such object
+    putEvent(2, Event::Kind::rayCast);  // no such object
     event.object = 1;
     event.ask = 2;
-    putEvent(3, 6);  // no such point
+    putEvent(3, Event::Kind::rayCast);  // no such point
 
     const auto answers = readAnswers(kQuestions, memory.bytes());
 

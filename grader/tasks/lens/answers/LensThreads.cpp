@@ -55,6 +55,7 @@ public:
                 set(event);
                 break;
             case Event::Kind::illuminateBegan:
+            case Event::Kind::illuminateViewer:
             case Event::Kind::illuminateEnded:
                 break;
         }

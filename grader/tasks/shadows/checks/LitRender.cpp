@@ -47,6 +47,9 @@ public:
             case Event::Kind::illuminateBegan:
                 begin(event);
                 break;
+            case Event::Kind::illuminateViewer:
+                setViewer(event);
+                break;
             case Event::Kind::rayCast:
                 cast(event);
                 break;
@@ -74,7 +77,11 @@ private:
 
     void begin(const Event& event) {
         if (event.object != wall_ || !isFinite(event.a) || !isFinite(event.b)) return;
-        open_[event.thread] = {{event.object, event.a, event.b, event.c}, {}};
+        open_[event.thread] = {{event.object, event.a, event.b, {}}, {}};
+    }
+    void setViewer(const Event& event) {
+        if (const auto open = open_.find(event.thread); open != open_.end())
+            open->second.point.viewer = event.a;
     }
     void cast(const Event& event) {
         if (!isFinite(event.a) || !isFinite(event.b) || !(event.b.magnitude() > 0.0)) return;
@@ -107,7 +114,7 @@ private:
     Surfaces surfaces_;
     int wall_;
     LitRender lit_;
-    std::map<std::uint32_t, Open> open_;  // by thread
+    std::map<std::uint16_t, Open> open_;  // by thread
     std::vector<std::array<long long, 6>> lensRays_;
 };
 

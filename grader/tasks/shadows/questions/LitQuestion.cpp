@@ -8,14 +8,14 @@
 namespace ticker::tasks {
 namespace {
 
-// 1200 lens rays, each with ten shadow rays to two lights; the log holds six times as many.
-constexpr int kLitWidth = 6;
-constexpr int kLitHeight = 4;
+// 750 lens rays, each with ten shadow rays to two lights; the log holds six times as many.
+constexpr int kLitWidth = 5;
+constexpr int kLitHeight = 3;
 constexpr std::size_t kLitEventsForEachRay = 6 * 25;
 
 }  // namespace
 
-// At the depth of the spheres the picture reaches 1.5 above and below the axis; they stand at 2.1
+// At the depth of the spheres the picture reaches 1.35 above and below the axis; they stand at 2.1
 // and more. Their umbra and penumbra lie in the middle of the wall.
 probe::RenderQuestion drawLitQuestion(std::uint64_t seed, int threads) {
     Draw draw{seed, 27};

@@ -18,7 +18,7 @@ struct Events {
     probe::RenderQuestion asked;
     probe::RenderAnswer answer;
     std::uint32_t ask = 0;
-    std::uint32_t thread = 0;
+    std::uint16_t thread = 0;
 
     Events() {
         asked.settings.width = 4;
@@ -145,12 +145,12 @@ TEST(LensEvents, GivesRaysOfAHelpingThreadToThePixelOfTheirFocalPoint) {
         Events events;
         events.asked.settings.dofFocalPlane = 3.0;
         const double pitch = 2.0 * std::tan(std::numbers::pi / 8.0) / 4.0;
-        std::uint32_t newest = 0;
+        std::uint16_t newest = 0;
         events.everywhere([&](int x, int y) {
             const Vector3 focal = Vector3{(x - 1.5) * pitch, (0.5 - y) * pitch, 1.0} * 3.0;
             const Vector3 origin = mark(events.ask, x, y);
             events.at(Kind::cameraRayAsked, x, y);
-            for (const std::uint32_t thread : {0U, ++newest}) {
+            for (const std::uint16_t thread : {std::uint16_t{0}, ++newest}) {
                 events.thread = thread;
                 events.began(origin, focal - origin);
                 events.ended(0.5);

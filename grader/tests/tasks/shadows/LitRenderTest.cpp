@@ -91,8 +91,7 @@ TEST(LitRender, IsAsTheQuestionsWhereRenderIsRight) {
         for (const int threads : {1, 2}) {
             const probe::RenderQuestion asked = drawLitQuestion(seed, threads);
             const LitRender lit = readLitRender(asked, render(asked, reference));
-            EXPECT_EQ(lit.answer.colours.size(), 1200U)
-                << seed << ": every lens ray meets the wall";
+            EXPECT_EQ(lit.answer.colours.size(), 750U) << seed << ": every lens ray meets the wall";
             EXPECT_FALSE(litDifference(lit)) << seed << ' ' << *litDifference(lit);
         }
 }
@@ -130,7 +129,7 @@ TEST(LitRender, SaysThatAnotherThreadsRaysWereCounted) {
     ASSERT_TRUE(said);
     // How many lie in full shadow depends on the order in which a compiler draws.
     EXPECT_TRUE(
-        said->ends_with(" of 1200 points have another colour than their own shadow rays give"))
+        said->ends_with(" of 750 points have another colour than their own shadow rays give"))
         << *said;
 }
 
