@@ -54,9 +54,19 @@ function(ticker_slow_test)
     LABELS guard TIMEOUT 1200 RUN_SERIAL ${ARG_ALONE} ENVIRONMENT TICKER_SLOW_TESTS=1)
 endfunction()
 
+# Takes tests out of a filter in GoogleTest's notation: what follows its only '-' is left out.
+function(ticker_without FILTER TESTS)
+  if("${${FILTER}}" MATCHES "-")
+    set(${FILTER} "${${FILTER}}:${TESTS}" PARENT_SCOPE)
+  else()
+    set(${FILTER} "${${FILTER}}-${TESTS}" PARENT_SCOPE)
+  endif()
+endfunction()
+
 # One test program for each folder: ticker_test(NAME metrics SOURCES aTest.cpp LIBRARIES lib...
-# [LABELS unit] [FILTER "-*/C"] [PARTS a=Suite.*...] [ALONE] [COST 30]). Labels: unit, render, grader,
-# slow. FILTER: the tests that ctest lists, in GoogleTest's notation. PARTS: one entry in ctest for each
+# [LABELS unit] [FILTER "-*/C"] [SLOW Suite.Name...] [PARTS a=Suite.*...] [ALONE] [COST 30]). Labels: unit,
+# render, grader, slow. FILTER: the tests that ctest lists, in GoogleTest's notation. SLOW: those that only
+# `./tick guard slow` runs. PARTS: one entry in ctest for each
 # of these filters, so that its tests share expensive set-up; else each test has an entry. ALONE: no
 # other test runs at the same time, since these inspect the whole machine. COST: those of a high cost
 # start first, so that no long one is left at the end. Programs of all labels but unit get the kits.
@@ -64,7 +74,7 @@ function(ticker_test)
   if(NOT TICKER_BUILD_TESTS)
     return()
   endif()
-  cmake_parse_arguments(ARG "ALONE" "NAME;TIMEOUT;FILTER;COST" "SOURCES;LIBRARIES;LABELS;PARTS" ${ARGN})
+  cmake_parse_arguments(ARG "ALONE" "NAME;TIMEOUT;FILTER;COST" "SOURCES;LIBRARIES;LABELS;PARTS;SLOW" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()
@@ -90,9 +100,17 @@ function(ticker_test)
     set(ARG_COST 0)
   endif()
   set(properties LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} RUN_SERIAL ${ARG_ALONE} COST ${ARG_COST})
+  if(ARG_SLOW)
+    string(REPLACE ";" ":" slow "${ARG_SLOW}")
+    ticker_slow_test(NAME ${ARG_NAME}.rest COMMAND test_${ARG_NAME} "--gtest_filter=${slow}")
+    ticker_without(ARG_FILTER "${slow}")
+  endif()
   foreach(part IN LISTS ARG_PARTS)
     string(REGEX MATCH "^([^=]+)=(.+)$" part "${part}")
     set(filter "${CMAKE_MATCH_2}")
+    if(ARG_SLOW)
+      ticker_without(filter "${slow}")
+    endif()
     set(name "${ARG_NAME}.${CMAKE_MATCH_1}")
     add_test(NAME ${name} COMMAND test_${ARG_NAME} "--gtest_filter=${filter}")
     set_tests_properties(${name} PROPERTIES ${properties})

@@ -39,9 +39,13 @@ void expectThatItTellsWhatToLookAt(const Finding& finding) {
 }
 
 TEST(BumpCatalogue, EveryMistakeGetsItsFindingAndAHint) {
+    // In a quick run every second.
+    const std::size_t step = isSlowRun() ? 1 : 2;
     const std::uint64_t last = isSlowRun() ? 42 : 41;
-    for (const CompiledMistake& mistake : compiledCatalogue())
+    const auto& catalogue = compiledCatalogue();
+    for (std::size_t i = 0; i < catalogue.size(); i += step)
         for (std::uint64_t seed = 41; seed <= last; ++seed) {
+            const CompiledMistake& mistake = catalogue[i];
             SCOPED_TRACE(mistake.id);
             const TaskJudgement judgement = judgeCompiled(mistake, seed);
             EXPECT_EQ(stateName(judgement.state), mistake.state) << judgement.reason;

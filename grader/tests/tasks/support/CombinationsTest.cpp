@@ -50,7 +50,7 @@ TEST(Combinations, AreDrawnAnewFromAnotherSeed) {
 TEST(Combinations, Pass) {
     MistakeRun run;
     run.seed = 7;
-    const std::size_t count = tests::isSlowRun() ? 24 : 4;
+    const std::size_t count = tests::isSlowRun() ? 24 : 2;
     const auto rows = runMistakes(drawCombinations(accepted(), count, run.seed),
                                   build::Kit::besideProgram(), sandbox::Sandbox::best(), run);
     EXPECT_EQ(rows.size(), count);
