@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/signalfd.h>
@@ -14,6 +15,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <cstring>
 #include <ctime>
 
@@ -110,6 +112,27 @@ End waitFor(pid_t child, int signals, const Options& options) {
     return end;
 }
 
+struct Child {
+    const Options& options;
+    pid_t parent;
+    int pipe;
+};
+
+int runChild(void* argument) {
+    const Child& child = *static_cast<const Child*>(argument);
+    const StartFailure failure = becomeCommand(child.options, child.parent, child.pipe);
+    if (write(child.pipe, &failure, sizeof failure) < 0) _exit(126);
+    _exit(125);
+}
+
+// The child shares this process's memory until it is the command, and this process waits until
+// then, as with vfork(): a copy of all page tables would take longer than the other steps.
+pid_t start(Child child) {
+    constexpr std::size_t kStackBytes = 256U << 10U;
+    std::array<std::max_align_t, kStackBytes / sizeof(std::max_align_t)> stack;
+    return clone(runChild, stack.data() + stack.size(), CLONE_VM | CLONE_VFORK | SIGCHLD, &child);
+}
+
 // The child's end of `pipe` closes on exec, so an empty pipe means that the command has begun.
 StartFailure readFailure(int pipe) {
     StartFailure failure;
@@ -132,14 +155,8 @@ Report supervise(const Options& options) {
     prctl(PR_SET_DUMPABLE, 0);
     if (prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) return failed(errno, "subreaper");
 
-    const pid_t self = getpid();
-    const pid_t child = fork();
-    if (child < 0) return failed(errno, "fork");
-    if (child == 0) {
-        const StartFailure failure = becomeCommand(options, self, pipe[1]);
-        if (write(pipe[1], &failure, sizeof failure) < 0) _exit(126);
-        _exit(125);
-    }
+    const pid_t child = start({options, getpid(), pipe[1]});
+    if (child < 0) return failed(errno, "clone");
     close(pipe[1]);
     const StartFailure failure = readFailure(pipe[0]);
     const End end = waitFor(child, signals, options);
