@@ -5,6 +5,7 @@
 #include <grader/result/SubmissionResult.h>
 #include <grader/tasks/maintick/Exact.h>
 
+#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,20 @@ inline constexpr const char* kBehindCameraHint =
 /// Nothing where the hit's z is below 0.
 [[nodiscard]] inline Distance ifBeforeCamera(const Ray& ray, const Distance& distance) {
     return distance && ray.evaluateAt(*distance).z >= 0.0 ? distance : Distance{};
+}
+
+/// Of code that takes rays along an axis, or level ones, for parallel to what they meet.
+inline constexpr const char* kStillHint =
+    "A ray whose direction has a 0 among its coordinates, as one that is level or goes straight "
+    "ahead, meets things like every other ray: leave tests of single coordinates out.";
+/// Nothing where the ray leaves all of these coordinates (1: x, 2: y, 4: z) nearly as they are.
+[[nodiscard]] inline Distance unlessStill(unsigned coordinates, const Ray& ray,
+                                          const Distance& distance) {
+    constexpr double kStill = 1e-3;
+    const Vector3& D = ray.direction;
+    const unsigned still = (std::abs(D.x) < kStill ? 1U : 0U) | (std::abs(D.y) < kStill ? 2U : 0U) |
+                           (std::abs(D.z) < kStill ? 4U : 0U);
+    return (still & coordinates) == coordinates ? Distance{} : distance;
 }
 
 /// A known mistake in the distance: its name, what it answers, and what mends it.

@@ -5,7 +5,9 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <utility>
 
@@ -160,6 +162,27 @@ void addLeaning(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& aske
         }
 }
 
+/// Planes along the axes, each met at a right angle and by a ray that leaves another coordinate as
+/// it is: where code divides by what is 0, or takes level rays for parallel ones.
+void addLevel(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
+    constexpr std::array kAxes{&Vector3::x, &Vector3::y, &Vector3::z};
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
+        for (const std::size_t turn : {1U, 2U}) {
+            Vector3 normal;
+            normal.*kAxes.at(axis) = turn == 1U ? 1.0 : -1.0;
+            const int object = static_cast<int>(scene.planes.size());
+            scene.planes.push_back(
+                {{draw.between(-3.0, 3.0), draw.between(-3.0, 3.0), draw.between(2.0, 6.0)},
+                 normal,
+                 {}});
+            Vector3 level = draw.directionAround(-normal, 1.1);
+            level.*kAxes.at((axis + turn) % kAxes.size()) = 0.0;
+            for (const Vector3& direction : {-normal, level.normalised()})
+                asked.push_back(hitFrom(draw, scene, object, Place::outside, direction,
+                                        draw.between(1.0, 5.0)));
+        }
+}
+
 }  // namespace
 
 TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
@@ -185,6 +208,7 @@ TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed) {
     addAside(draw, scene, asked);
     addLow(draw, scene, asked);
     addCorner(draw, scene, asked);
+    addLevel(draw, scene, asked);
     return maintick::judgeHits(examinee, scene, asked, maintick::planeMistakes(), kPlaneTexts,
                                "Plane::intersectionWith");
 }

@@ -101,9 +101,9 @@ AskedHit levelHit(Draw& draw, const SceneDescription& scene, int object) {
     return asked;
 }
 
-AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, const Start& start) {
+AskedHit hitAlong(Draw& draw, const SceneDescription& scene, int object, const Start& start,
+                  const Vector3& direction) {
     const auto& sphere = scene.spheres[static_cast<std::size_t>(object)];
-    const Vector3 direction = draw.direction();
     const Vector3 aside = perpendicularsOf(direction).first;
     AskedHit asked;
     asked.place = start.place;
@@ -115,6 +115,24 @@ AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, const St
     asked.object = objectWords(sphere);
     asked.expected = maintick::meet(sphere, asked.line());
     return asked;
+}
+
+AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, const Start& start) {
+    return hitAlong(draw, scene, object, start, draw.direction());
+}
+
+/// By rays along each axis, and by those that leave one coordinate as it is.
+void addStraight(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& asked) {
+    constexpr std::array kAxes{&Vector3::x, &Vector3::y, &Vector3::z};
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+        Vector3 along;
+        along.*kAxes.at(axis) = draw.whole(0, 1) == 0 ? 1.0 : -1.0;
+        Vector3 level = draw.direction();
+        level.*kAxes.at(axis) = 0.0;
+        const int object = static_cast<int>(axis);
+        for (const Vector3& direction : {along, level.normalised()})
+            asked.push_back(hitAlong(draw, scene, object, kStarts.front(), direction));
+    }
 }
 
 /// The same ray of a sphere and of a larger one around it: what is remembered of one is wrong for
@@ -158,6 +176,7 @@ TaskJudgement judgeSpheres(probe::Examinee& examinee, std::uint64_t seed) {
     for (int object = 0; object < 2; ++object)
         for (const AskedHit& hit : drawConcentric(draw, scene, object))
             asked.push_back(hit);
+    addStraight(draw, scene, asked);
     return maintick::judgeHits(examinee, scene, asked, maintick::sphereMistakes(), kSphereTexts,
                                "Sphere::intersectionWith");
 }

@@ -33,6 +33,12 @@ Distance planeBeforeCamera(const raytracer::SceneDescription& scene, int object,
     return ifBeforeCamera(ray, met<[](const F& f) { return ifAhead(f.s()); }>(scene, object, ray));
 }
 
+template <unsigned Coordinates>
+Distance planeUnlessStill(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
+    return unlessStill(Coordinates, ray,
+                       met<[](const F& f) { return ifAhead(f.s()); }>(scene, object, ray));
+}
+
 /// As if the normal were an axis.
 template <double Vector3::*Coordinate>
 Distance alongAxis(const raytracer::SceneDescription& scene, int object, const Ray& ray) {
@@ -126,6 +132,12 @@ constexpr HitMistake kPlaneMistakes[] = {
      "A plane has no rim: point() is one point of it, and the hit may lie as far from it as it "
      "likes.",
      true},
+    {&kPlaneMissed, planeUnlessStill<1U>, kStillHint, true},
+    {&kPlaneMissed, planeUnlessStill<2U>, kStillHint, true},
+    {&kPlaneMissed, planeUnlessStill<4U>, kStillHint, true},
+    {&kPlaneMissed, planeUnlessStill<3U>, kStillHint, true},
+    {&kPlaneMissed, planeUnlessStill<5U>, kStillHint, true},
+    {&kPlaneMissed, planeUnlessStill<6U>, kStillHint, true},
     {&kPlaneDistance, alongAxis<&Vector3::x>, kOneCoordinate, true},
     {&kPlaneDistance, alongAxis<&Vector3::y>, kOneCoordinate, true},
     {&kPlaneDistance, alongAxis<&Vector3::z>, kOneCoordinate, true},

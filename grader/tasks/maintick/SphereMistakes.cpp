@@ -67,6 +67,11 @@ Distance sphereBeforeCamera(const SceneDescription& scene, int object, const Ray
     return ifBeforeCamera(ray, quadraticOf(scene, object, ray).hit());
 }
 
+template <unsigned Coordinates>
+Distance sphereUnlessStill(const SceneDescription& scene, int object, const Ray& ray) {
+    return unlessStill(Coordinates, ray, quadraticOf(scene, object, ray).hit());
+}
+
 constexpr const char* kSmallerRoot =
     "From inside one root is negative and lies behind the ray, however small it is: look at signs, "
     "not at sizes. Take (-b - root) / (2 a) where it is positive, else (-b + root) / (2 a).";
@@ -211,6 +216,12 @@ constexpr HitMistake kSphereMistakes[] = {
      "A tolerance of the discriminant takes small spheres and the rims of others away: only where "
      "it is negative there is no hit.",
      true},
+    {&kSphereMissed, sphereUnlessStill<1U>, kStillHint, true},
+    {&kSphereMissed, sphereUnlessStill<2U>, kStillHint, true},
+    {&kSphereMissed, sphereUnlessStill<4U>, kStillHint, true},
+    {&kSphereMissed, sphereUnlessStill<3U>, kStillHint, true},
+    {&kSphereMissed, sphereUnlessStill<5U>, kStillHint, true},
+    {&kSphereMissed, sphereUnlessStill<6U>, kStillHint, true},
 };
 
 }  // namespace

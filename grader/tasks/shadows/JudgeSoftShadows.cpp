@@ -139,6 +139,10 @@ Result closeLight(ShadowSeen& seen) {
     return checkCloseLight(seen.logs, seen.aims);
 }
 
+Result oneRay(ShadowSeen& seen) {
+    return checkOneRay(seen.logs, seen.aims);
+}
+
 Result oddCount(ShadowSeen& seen) {
     return seen.reading ? checkOddCount(seen.logs) : std::nullopt;
 }
@@ -190,6 +194,7 @@ const std::vector<ShadowCheck>& checksOfRays() {
         {.run = mixed<true>, .ifNothingFails = true},
         // Rays that pairs lose are lost with other settings, too.
         {.run = oddCount, .ifNothingFails = true},
+        {.run = oneRay, .ifNothingFails = true},
         {.run = manyRays<true>, .ifNothingFails = true},
         {.run = otherSettings, .ifNothingFails = true},
         {.run = mixedNear, .ifNothingFails = true}};

@@ -9,8 +9,9 @@
 namespace ticker::tasks::bump {
 namespace {
 
-constexpr int kEdgeMapWidth = 64;
-constexpr int kEdgeMapHeight = 48;
+// An unsigned -1 is far inside of such a map: 2^32 - 1 is texel 43 of 76, 2^64 - 1 texel 35.
+constexpr int kEdgeMapWidth = 76;
+constexpr int kEdgeMapHeight = 76;
 
 /// One wave, from 0.3 above `base` near both ends to 0.3 below it in the middle. It rises by at
 /// most 2 bytes from one texel to the next.
@@ -25,7 +26,7 @@ std::vector<double> waves(int count, double base, double phase) {
 /// Rings within the first or last row, for poles on any axis.
 void addEndRows(std::vector<Vector3>& directions) {
     constexpr int kPoints = 12;
-    constexpr double kFromPole = 0.03;  // radians; a row has 0.065
+    constexpr double kFromPole = 0.03;  // radians; a row has 0.041
     for (const Vector3& axis : {Vector3{0, 1, 0}, Vector3{0, 0, 1}, Vector3{1, 0, 0}})
         for (int i = 0; i < kPoints; ++i) {
             const double turn = kTurn * (i + 0.3) / kPoints;
@@ -63,9 +64,9 @@ double ratioOf(const std::vector<Vector3>& directions, const std::vector<Vector3
 }  // namespace
 
 EdgePlan planEdges(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
-    // One column of 64 has 15 of the points that count; the chance that fewer than two points hit
-    // it is one in a million.
-    constexpr int kPoints = 1600;
+    // One column of 76 has 15 of the points that count; the chance that fewer than two points hit
+    // it is five in a million.
+    constexpr int kPoints = 1900;
     EdgePlan plan;
     plan.directions = draws.directions(kPoints);
     addEndRows(plan.directions);

@@ -37,15 +37,16 @@ struct ShadowLogs {
     std::vector<const ShadowLog*> behindAlone;
     std::vector<const ShadowLog*> behindAfter;
     std::vector<const ShadowLog*> lightsInLine;
+    std::vector<const ShadowLog*> oneRay;
     std::vector<const ShadowLog*> manyRays;
     std::vector<const ShadowLog*> mixed;
     std::vector<const ShadowLog*> mixedNear;
 
     explicit ShadowLogs(const std::vector<ShadowLog>& logs);
-    /// All questions except otherSettings, oddCount, manyRays, mixedNear and horizon, where code
-    /// may cast fewer rays, and those with checks of their own: contact, faintLight, closeLight,
-    /// backSide, eightLights, oneTerm, mirror, enclosed, betweenLights, behindAlone, behindAfter,
-    /// lightsInLine and mixed.
+    /// All questions except otherSettings, oddCount, oneRay, manyRays, mixedNear and horizon, where
+    /// code may cast fewer rays, and those with checks of their own: contact, faintLight,
+    /// closeLight, backSide, eightLights, oneTerm, mirror, enclosed, betweenLights, behindAlone,
+    /// behindAfter, lightsInLine and mixed.
     [[nodiscard]] std::vector<const ShadowLog*> atHandoutSettings() const;
 };
 
@@ -87,6 +88,8 @@ struct ShadowLogs {
 /// Whether a close light is as large as others.
 [[nodiscard]] std::optional<Finding> checkCloseLight(const ShadowLogs& logs,
                                                      const AimVerdict& aims);
+/// Whether a single ray goes to a random place of the light.
+[[nodiscard]] std::optional<Finding> checkOneRay(const ShadowLogs& logs, const AimVerdict& aims);
 /// Whether lights with one channel alone get their rays, and surfaces with one channel.
 [[nodiscard]] std::optional<Finding> checkColourChannels(const ShadowLogs& logs);
 /// Rays are cast there or cannot be seen, and the colour is wrong.

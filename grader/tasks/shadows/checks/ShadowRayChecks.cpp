@@ -130,6 +130,8 @@ ShadowLogs::ShadowLogs(const std::vector<ShadowLog>& logs) {
                 return behindAfter;
             case Purpose::lightsInLine:
                 return lightsInLine;
+            case Purpose::oneRay:
+                return oneRay;
             case Purpose::manyRays:
                 return manyRays;
             case Purpose::mixed:

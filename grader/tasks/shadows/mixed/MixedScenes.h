@@ -20,6 +20,10 @@ namespace ticker::tasks {
 /// nearer (`mixedNear`).
 [[nodiscard]] std::vector<ShadowQuestion> drawMixedScenes(Draw& draw);
 
+/// More of purpose `mixed`: a bumpy ball before a light, or one so large that its centre is farther
+/// away than the light.
+[[nodiscard]] std::vector<ShadowQuestion> drawOtherBalls(Draw& draw);
+
 }  // namespace ticker::tasks
 
 #endif

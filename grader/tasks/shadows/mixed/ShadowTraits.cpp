@@ -32,15 +32,16 @@ int channelsOf(const ColourRGB& colour) {
     return (colour.r > 0.0 ? 1 : 0) + (colour.g > 0.0 ? 1 : 0) + (colour.b > 0.0 ? 1 : 0);
 }
 
-/// Whether an object of such a material stands between the point and the centre of a light.
+/// Whether such an object stands between the point and the centre of a light.
+/// @param test  Of a scene and the object's index.
 template <typename Test>
-bool anyBlocker(const PointOfLog& at, Test test) {
+bool anyBlockerThat(const PointOfLog& at, Test test) {
     const raytracer::SceneDescription& scene = at.log->scene();
     const auto& [object, position, normal, viewer] = at.point->point;
     const Vector3 start = position + normal * 1e-4;
     const int objects = static_cast<int>(scene.spheres.size() + scene.planes.size());
     for (int i = 0; i < objects; ++i) {
-        if (i == object || !test(materialOf(scene, i))) continue;
+        if (i == object || !test(scene, i)) continue;
         raytracer::SceneDescription alone;
         const auto index = static_cast<std::size_t>(i);
         if (index < scene.spheres.size())
@@ -56,6 +57,19 @@ bool anyBlocker(const PointOfLog& at, Test test) {
         if (blocks) return true;
     }
     return false;
+}
+
+template <typename Test>
+bool anyBlocker(const PointOfLog& at, Test test) {
+    return anyBlockerThat(at, [&](const raytracer::SceneDescription& scene, int object) {
+        return test(materialOf(scene, object));
+    });
+}
+
+/// Null: a plane.
+const raytracer::SphereDescription* sphereOf(const raytracer::SceneDescription& scene, int object) {
+    const auto index = static_cast<std::size_t>(object);
+    return index < scene.spheres.size() ? &scene.spheres[index] : nullptr;
 }
 
 constexpr const char* kAnyObject =
@@ -128,6 +142,23 @@ constexpr std::array kTraits{
     PointTrait{"there are several lights",
                [](const PointOfLog& at) { return at.log->scene().pointLights.size() > 1; },
                "Each light has rays and a share of its own: start again at 0 for each of them."},
+    PointTrait{"a bumpy sphere is in the light's way",
+               [](const PointOfLog& at) {
+                   return anyBlockerThat(at, [](const raytracer::SceneDescription& of, int i) {
+                       return sphereOf(of, i) != nullptr && sphereOf(of, i)->heightMap != nullptr;
+                   });
+               },
+               kAnyObject},
+    PointTrait{"a ball whose centre is farther away than 19 is in the light's way",
+               [](const PointOfLog& at) {
+                   return anyBlockerThat(at, [&](const raytracer::SceneDescription& of, int i) {
+                       constexpr double kFar = 19.0;
+                       const auto* ball = sphereOf(of, i);
+                       const Vector3& point = at.point->point.position;
+                       return ball != nullptr && (ball->centre - point).magnitude() > kFar;
+                   });
+               },
+               kAnyObject},
     PointTrait{"an object of reflectivity 1 is in the light's way",
                [](const PointOfLog& at) {
                    return anyBlocker(at, [](const Material& of) { return of.reflectivity == 1.0; });

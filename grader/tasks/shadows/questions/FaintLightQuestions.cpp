@@ -10,8 +10,21 @@ namespace {
 using raytracer::SceneDescription;
 
 constexpr int kPointsFaint = 6;
-constexpr int kPointsClose = 24;
+constexpr int kPointsClose = 30;
+constexpr int kPointsOfOneRay = 48;
 constexpr int kPointsOfBack = 6;
+
+/// @param distance  Of the light from the middle of the floor.
+/// @param lean      At most, from the floor's normal, in radians.
+ShadowQuestion closeLightAt(Draw& draw, double distance, double lean, double reach) {
+    ShadowQuestion drawn = onFloor(draw, ShadowQuestion::Purpose::closeLight);
+    SceneDescription& scene = drawn.question.scene;
+    scene.ambientLighting = draw.colour(0.1, 0.5);
+    const Vector3 towards = draw.directionAround(scene.planes.front().normal, lean);
+    addLightTowards(draw, drawn, towards, distance);
+    addLitPoints(draw, drawn, kPointsClose, reach);
+    return drawn;
+}
 
 }  // namespace
 
@@ -44,13 +57,22 @@ ShadowQuestion drawGrazingLight(Draw& draw) {
 }
 
 ShadowQuestion drawCloseLight(Draw& draw) {
-    ShadowQuestion drawn = onFloor(draw, ShadowQuestion::Purpose::closeLight);
+    return closeLightAt(draw, draw.between(1.2, 1.4), 0.3, 0.1);
+}
+
+ShadowQuestion drawVeryCloseLight(Draw& draw) {
+    const double radius = raytracer::RenderSettings{}.lightSize;
+    return closeLightAt(draw, draw.between(1.4, 1.43) * radius, 0.15, 0.02);
+}
+
+ShadowQuestion drawOneRay(Draw& draw) {
+    ShadowQuestion drawn = onFloor(draw, ShadowQuestion::Purpose::oneRay);
     SceneDescription& scene = drawn.question.scene;
+    drawn.question.settings.shadowRayCount = 1;
     scene.ambientLighting = draw.colour(0.1, 0.5);
-    const double distance = draw.between(1.2, 1.4);
-    const Vector3 towards = draw.directionAround(scene.planes.front().normal, 0.3);
-    addLightTowards(draw, drawn, towards, distance);
-    addLitPoints(draw, drawn, kPointsClose, 0.1);
+    const Vector3 towards = draw.directionAround(scene.planes.front().normal, 0.6);
+    addLightTowards(draw, drawn, towards, draw.between(5.0, 8.0));
+    addLitPoints(draw, drawn, kPointsOfOneRay, 0.5);
     return drawn;
 }
 

@@ -105,6 +105,12 @@ void setCapacity(ShadowQuestion& question);
 /// A floor under a light 1.2 to 1.4 away, three of its radii or a little more.
 [[nodiscard]] ShadowQuestion drawCloseLight(Draw& draw);
 
+/// The same, 1.4 of its radii away, so that all of it is still above the floor.
+[[nodiscard]] ShadowQuestion drawVeryCloseLight(Draw& draw);
+
+/// A floor under a light in plain sight, which gets a single ray from each point.
+[[nodiscard]] ShadowQuestion drawOneRay(Draw& draw);
+
 /// A floor with the light and the viewers behind it. R.V is below 0, for the eye as well.
 [[nodiscard]] ShadowQuestion drawBackSide(Draw& draw);
 

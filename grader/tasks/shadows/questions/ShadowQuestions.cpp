@@ -254,8 +254,11 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
             questions.push_back(std::move(drawn));
     questions.push_back(drawManyRays(draw));
     questions.push_back(drawLightsInLine(draw));
-    for (ShadowQuestion& drawn : drawMixedScenes(draw))
-        questions.push_back(std::move(drawn));
+    questions.push_back(drawVeryCloseLight(draw));
+    questions.push_back(drawOneRay(draw));
+    for (const auto drawNext : {drawMixedScenes, drawOtherBalls})
+        for (ShadowQuestion& drawn : drawNext(draw))
+            questions.push_back(std::move(drawn));
     return questions;
 }
 

@@ -29,7 +29,7 @@ struct ShadowQuestion {
         nearLight,      ///< a plane just before the light hides it from all points
         pureColours,    ///< lights, or surfaces, each of which has one channel alone
         faintLight,     ///< a light that adds little: it is weak, or shines along the surface
-        closeLight,     ///< a light little more than three of its radii away
+        closeLight,     ///< a light little more than three of its radii away, or less than two
         backSide,       ///< light and viewers behind the surface: ambient light alone
         oddCount,       ///< like oneLight, with an odd number of rays below the handout's
         oneTerm,        ///< a surface that shows its highlight alone, or its diffuse term alone
@@ -39,6 +39,7 @@ struct ShadowQuestion {
         behindAlone,    ///< a light behind the surface, whose mirrored direction is the viewer's
         behindAfter,    ///< the same after a light in front
         lightsInLine,   ///< a light behind another one's ball
+        oneRay,         ///< a single ray to the light
         manyRays,       ///< more rays than fit into a byte
         mixed,          ///< every attribute usual or extreme
         mixedNear       ///< the same with smaller lights, some of them nearer than 1
@@ -48,8 +49,8 @@ struct ShadowQuestion {
     std::vector<std::vector<Zone>> zones;  ///< [point][light]
 };
 
-/// Draws the questions of T2.1. All but `otherSettings`, `oddCount`, `manyRays` and `mixedNear` use
-/// the handout's settings.
+/// Draws the questions of T2.1. All but `otherSettings`, `oddCount`, `oneRay`, `manyRays` and
+/// `mixedNear` use the handout's settings.
 [[nodiscard]] std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed);
 
 }  // namespace ticker::tasks

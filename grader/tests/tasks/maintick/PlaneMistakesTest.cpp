@@ -59,6 +59,12 @@ TEST(PlaneMistakes, AnswerWhatTheirCodeWould) {
         {5.0, 5.0, kPasses},          // and of the height,
         {5.0, 5.0, kPasses},          // and of a small one
         {kPasses, kPasses, kPasses},  // nothing far from the point
+        {kPasses, kPasses, kPasses},  // no ray that leaves x as it is,
+        {5.0, 5.0, kPasses},          // y,
+        {5.0, 5.0, kPasses},          // z,
+        {5.0, 5.0, kPasses},          // x and y,
+        {5.0, 5.0, kPasses},          // x and z,
+        {5.0, 5.0, kPasses},          // or y and z
         {kPasses, kPasses, kPasses},  // along x alone,
         {kPasses, kPasses, kPasses},  // along y,
         {5.0, 5.0, kPasses},          // along z,

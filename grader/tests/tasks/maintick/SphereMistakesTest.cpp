@@ -66,20 +66,26 @@ TEST(SphereMistakes, AnswerWhatTheirCodeWould) {
         {3.0, 3.0, 3.0, 3.0},                                 // without the origin
         {(10.0 - root(79.0)) / 2.0, (2.0 + root(7.0)) / 2.0,  // b * b - c
          kMiss, (10.0 - root(70.0)) / 2.0},
-        {6.0, 6.0, kMiss, kMiss},  // not divided by 2
-        {5.0, 1.0, kMiss, kMiss},  // no root at all,
-        {5.0, 1.0, kMiss, kMiss},  // or none for the near side
-        {13.0, 9.0, 4.0, kMiss},   // the discriminant itself, 16
-        {9.0, 9.0, kMiss, kMiss},  // squared
-        {3.0, 7.0, kMiss, kMiss},  // of the location, from the world's origin
-        {4.0, 2.0, kMiss, kMiss},  // the first radius
-        {3.0, 3.0, kMiss, kMiss},  // nothing nearer than 1
-        {3.0, 3.0, kMiss, kMiss},  // nothing behind the camera
-        {3.0, 3.0, kMiss, kMiss},  // a limit of what is far,
-        {3.0, 3.0, kMiss, kMiss},  // of what is near, for the near side,
-        {3.0, 3.0, kMiss, kMiss},  // for what is taken,
-        {3.0, 3.0, kMiss, kMiss},  // or for each side,
-        {3.0, 3.0, kMiss, kMiss},  // and of the discriminant
+        {6.0, 6.0, kMiss, kMiss},      // not divided by 2
+        {5.0, 1.0, kMiss, kMiss},      // no root at all,
+        {5.0, 1.0, kMiss, kMiss},      // or none for the near side
+        {13.0, 9.0, 4.0, kMiss},       // the discriminant itself, 16
+        {9.0, 9.0, kMiss, kMiss},      // squared
+        {3.0, 7.0, kMiss, kMiss},      // of the location, from the world's origin
+        {4.0, 2.0, kMiss, kMiss},      // the first radius
+        {3.0, 3.0, kMiss, kMiss},      // nothing nearer than 1
+        {3.0, 3.0, kMiss, kMiss},      // nothing behind the camera
+        {3.0, 3.0, kMiss, kMiss},      // a limit of what is far,
+        {3.0, 3.0, kMiss, kMiss},      // of what is near, for the near side,
+        {3.0, 3.0, kMiss, kMiss},      // for what is taken,
+        {3.0, 3.0, kMiss, kMiss},      // or for each side,
+        {3.0, 3.0, kMiss, kMiss},      // and of the discriminant
+        {kMiss, kMiss, kMiss, kMiss},  // no ray that leaves x as it is,
+        {kMiss, kMiss, kMiss, kMiss},  // y,
+        {3.0, 3.0, kMiss, kMiss},      // z,
+        {kMiss, kMiss, kMiss, kMiss},  // x and y,
+        {3.0, 3.0, kMiss, kMiss},      // x and z,
+        {3.0, 3.0, kMiss, kMiss},      // or y and z
     };
     const auto mistakes = sphereMistakes();
     ASSERT_EQ(mistakes.size(), wanted.size());

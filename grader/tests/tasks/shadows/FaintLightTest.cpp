@@ -57,7 +57,7 @@ TEST(CheckFaintLight, WantsItsRays) {
 std::optional<Finding> judgeClose(double off, std::size_t distinct = 2010) {
     ShadowByHand made;
     made.ask(Purpose::closeLight, {{0.0, 1.3, 0.0}});
-    for (int i = 0; i < 24; ++i) {
+    for (int i = 0; i < 30; ++i) {
         made.point();
         made.castRing(10, 0, off);
     }
@@ -66,11 +66,33 @@ std::optional<Finding> judgeClose(double off, std::size_t distinct = 2010) {
     return checkCloseLight(made.logs(), aims);
 }
 
-TEST(CheckCloseLight, WantsRaysBeyondSixTenthsOfTheRadius) {
+TEST(CheckCloseLight, WantsRaysBeyondSevenTenthsOfTheRadius) {
     EXPECT_FALSE(judgeClose(0.4));
-    EXPECT_FALSE(judgeClose(0.26));
-    EXPECT_EQ(idOf(judgeClose(0.22)), "shadow.light-size");
+    EXPECT_FALSE(judgeClose(0.3));
+    EXPECT_EQ(idOf(judgeClose(0.28)), "shadow.light-size");
     EXPECT_FALSE(judgeClose(0.22, 10)) << "ten aims say little";
+}
+
+/// @param rays  From each of 48 points, so far from the centre.
+std::optional<Finding> judgeOneRay(double off, int rays = 1, std::size_t distinct = 2010) {
+    ShadowByHand made;
+    made.ask(Purpose::oneRay, {{0.0, 6.0, 0.0}}).question.settings.shadowRayCount = 1;
+    for (int i = 0; i < 48; ++i) {
+        made.point();
+        made.castRing(rays, 0, off);
+    }
+    AimVerdict aims;
+    aims.distinct = distinct;
+    return checkOneRay(made.logs(), aims);
+}
+
+TEST(CheckOneRay, WantsSomeOfThemAwayFromTheCentre) {
+    EXPECT_FALSE(judgeOneRay(0.13));
+    const auto all = judgeOneRay(0.0);
+    ASSERT_EQ(idOf(all), "shadow.fixed-samples");
+    EXPECT_EQ(all->severity, Severity::warn);
+    EXPECT_EQ(idOf(judgeOneRay(0.1, 2)), "shadow.fixed-samples");
+    EXPECT_FALSE(judgeOneRay(0.0, 1, 10)) << "ten aims say little";
 }
 
 /// @param share  Of the diffuse light that a surface facing the other way would have.
@@ -153,14 +175,14 @@ TEST(FaintLights, AreInPlainSightAboveTheHorizonUnderEverySeed) {
             for (const probe::LitPoint& point : question.question.points) {
                 const Vector3 towards = scene.pointLights[0].position() - point.position;
                 EXPECT_GT(towards.dot(point.normal), size * 4.0 / 3.0);
-                EXPECT_GT(towards.magnitude(), 2.5 * size);
+                EXPECT_GT(towards.magnitude(), 1.38 * size);
                 const Vector3 way = towards.normalised();
                 EXPECT_EQ(surfaces.sightAlong(point.position + point.normal * 1e-4, way,
                                               towards.magnitude()),
                           Sight::open);
             }
         }
-        EXPECT_EQ(found, 3);
+        EXPECT_EQ(found, 4);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace ticker::tasks {
 namespace {
@@ -17,7 +18,10 @@ constexpr std::uint64_t kSeeds = 40;
 
 std::vector<ShadowQuestion> drawn(std::uint64_t seed) {
     Draw draw{seed, 77};
-    return drawMixedScenes(draw);
+    std::vector<ShadowQuestion> scenes = drawMixedScenes(draw);
+    for (ShadowQuestion& scene : drawOtherBalls(draw))
+        scenes.push_back(std::move(scene));
+    return scenes;
 }
 
 template <typename Test>
@@ -104,6 +108,28 @@ struct Points {
     std::vector<ShadowLog> logs;
     std::vector<PointOfLog> all;
 };
+
+TEST(OtherBalls, HideTheLightFromEveryPointUnderEverySeed) {
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        Draw draw{seed, 77};
+        int bumpy = 0;
+        int large = 0;
+        for (const ShadowQuestion& drawn : drawOtherBalls(draw)) {
+            const raytracer::SphereDescription& ball = drawn.question.scene.spheres.at(0);
+            const Vector3 light = drawn.question.scene.pointLights.at(0).position();
+            bumpy += ball.heightMap != nullptr ? 1 : 0;
+            bool isFarther = true;
+            for (const probe::LitPoint& point : drawn.question.points)
+                isFarther = isFarther && (ball.centre - point.position).magnitude() >
+                                             (light - point.position).magnitude();
+            large += isFarther ? 1 : 0;
+            for (const std::vector<Zone>& zones : drawn.zones)
+                EXPECT_EQ(zones, std::vector{Zone::umbra}) << seed;
+        }
+        EXPECT_EQ(bumpy, 3) << seed;
+        EXPECT_EQ(large, 3) << seed;
+    }
+}
 
 TEST(MixedScenes, HavePointsWithEachTraitAndWithout) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
