@@ -19,10 +19,15 @@ double sizeSeen(const PointLight& light, const Vector3& point, double lightSize)
 bool areApart(const PointLight& one, const PointLight& other, const Vector3& point,
               double lightSize) {
     constexpr double kGap = 0.15;
+    constexpr double kOfDirection = 0.03;
     const double cosine =
         (one.position() - point).normalised().dot((other.position() - point).normalised());
-    return std::acos(std::clamp(cosine, -1.0, 1.0)) >
-           sizeSeen(one, point, lightSize) + sizeSeen(other, point, lightSize) + kGap;
+    const double apart = std::acos(std::clamp(cosine, -1.0, 1.0));
+    const double first = sizeSeen(one, point, lightSize);
+    const double second = sizeSeen(other, point, lightSize);
+    // A ray belongs to the light whose centre is nearest to its direction: that of a small light
+    // may not be nearer than a large one's own to a ray at the large one's rim.
+    return apart > first + second + kGap && apart > 2.0 * std::max(first, second) + kOfDirection;
 }
 
 bool isOffHorizon(const PointLight& light, const Vector3& point, const Vector3& normal,

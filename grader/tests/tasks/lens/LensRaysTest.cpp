@@ -67,9 +67,9 @@ TEST(LensCounts, FindNoLensWhereEveryRayStartsAtTheEye) {
     EXPECT_EQ(idOf(checkLensCounts(lens.log)), "dof.too-few-rays");
 }
 
-/// Two pixels of `ofLens` rays from the lens and one from the eye.
-LensByHand& addWithEye(LensByHand& lens, int ofLens, bool samePattern = false) {
-    for (int pixel = 0; pixel < 2; ++pixel) {
+/// Pixels of `ofLens` rays from the lens and one from the eye.
+LensByHand& addWithEye(LensByHand& lens, int ofLens, bool samePattern = false, int pixels = 12) {
+    for (int pixel = 0; pixel < pixels; ++pixel) {
         add(lens, ofLens, ofLens);
         std::vector<LensRay>& rays = lens.log.pixels.back().rays;
         rays.push_back(rayThrough({}, {0.0, 0.0, 3.5}));
@@ -96,6 +96,9 @@ TEST(LensCounts, CountARayFromTheEyeOnlyBesideAllRaysOfTheLens) {
     LensByHand once;
     addWithEye(once, 49).log.pixels.front().rays.back().origin = {0.3, 0.0, 0.0};
     EXPECT_FALSE(checkLensCounts(once.log)) << "one random point may be the eye";
+    LensByHand single;
+    EXPECT_FALSE(checkLensCounts(addWithEye(single, 49, false, 1).log))
+        << "that of a picture of one pixel as well, for code that draws from a grid";
 }
 
 TEST(LensCounts, TellPixelsWithoutALens) {

@@ -35,6 +35,25 @@ TEST(JudgeHits, AsksOnBothSidesOfTheCameraUnderEverySeed) {
     }
 }
 
+// Such rays may be taken for parallel ones, and a division by a coordinate fails there alone.
+TEST(JudgeHits, AsksLevelRaysAndThoseAlongAnAxisUnderEverySeed) {
+    const auto stillMisses = [](bool x, bool y, bool z) -> Change {
+        return [=](probe::Hit& hit, const Asked&, const probe::CastRay& ray) {
+            const Vector3& D = ray.direction;
+            if ((!x || D.x == 0.0) && (!y || D.y == 0.0) && (!z || D.z == 0.0)) hit.isHit = false;
+        };
+    };
+    for (std::uint64_t seed = 1; seed <= 30; ++seed)
+        for (const Change& change :
+             {stillMisses(true, false, false), stillMisses(false, true, false),
+              stillMisses(false, false, true), stillMisses(true, true, false),
+              stillMisses(true, false, true), stillMisses(false, true, true)}) {
+            AltersHits examinee{change};
+            expectOne(judgeSpheres(examinee, seed).findings, "sphere.missed", "has a 0 among");
+            expectOne(judgePlanes(examinee, seed).findings, "plane.missed", "has a 0 among");
+        }
+}
+
 // The near root of a ray that starts inside is a little below 0.
 TEST(JudgeHits, AsksInsideNearTheSurfaceUnderEverySeed) {
     const auto behindCounts = [](bool isHit) {
