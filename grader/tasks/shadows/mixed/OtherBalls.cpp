@@ -1,8 +1,6 @@
 #include <grader/tasks/shadows/mixed/MixedScenes.h>
 #include <grader/tasks/shadows/questions/ShadowDraws.h>
 
-#include <raytracer/geometry/HeightMap.h>
-
 #include <array>
 #include <cstdint>
 #include <memory>

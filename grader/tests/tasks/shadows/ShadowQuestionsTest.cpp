@@ -3,6 +3,8 @@
 #include <grader/tasks/support/Draw.h>
 #include <grader/tasks/support/Surfaces.h>
 
+#include <questions/RayGeometry.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,6 +92,27 @@ TEST(ShadowQuestions, HaveRoomForEightTimesTheRaysAndPointsOnTheirSurfaces) {
                             (towards.magnitude() > (isMixed ? 1.0 : 3.0) &&
                              towards.magnitude() < (isMixed ? 15.0 : 5.0)));
             }
+        }
+}
+
+// Else the rays of a right submission would be counted for another light.
+TEST(ShadowQuestions, HaveNoLightWhoseRimIsNearerToAnothersCentreInAngle) {
+    Draw draw{5, 9};
+    for (std::uint64_t seed = 1; seed <= 80; ++seed)
+        for (const ShadowQuestion& question : drawShadowQuestions(seed)) {
+            const auto& lights = question.question.scene.pointLights;
+            if (question.purpose == Purpose::lightsInLine) continue;
+            for (const probe::LitPoint& point : question.question.points)
+                for (std::size_t light = 0; light < lights.size(); ++light)
+                    for (int i = 0; i < 12; ++i) {
+                        const Vector3 start = point.position + point.normal * 1e-3;
+                        const Vector3 rim = draw.direction() * question.question.settings.lightSize;
+                        const Vector3 way = lights[light].position() + rim - start;
+                        EXPECT_EQ(
+                            raytracer::questions::nearestLight(lights, start, way.normalised()),
+                            light)
+                            << static_cast<int>(question.purpose) << ", seed " << seed;
+                    }
         }
 }
 
