@@ -76,7 +76,7 @@ using CopyBytes = std::function<void(std::size_t at, std::span<std::byte> to)>;
 /// are cut at their first NUL and at 231 bytes, unknown states count as missing, impossible events
 /// are dropped.
 ///
-/// @param copy  Of `layoutFor(questions).totalBytes` bytes that nobody writes any more.
+/// @param copy  Of `layoutFor(questions).totalBytes` bytes, after the other process has ended.
 [[nodiscard]] std::vector<Answer> readAnswers(const std::vector<Question>& questions,
                                               const CopyBytes& copy);
 /// @throws raytracer::Error if `memory` has fewer than `layoutFor(questions).totalBytes` bytes.

@@ -88,8 +88,8 @@ Finding tooFewRays(const LensLog& log, std::size_t asked) {
 
 // A finding if the ray straight from the eye takes the place of a ray of the lens in every pixel.
 // Beside `asked` rays of the lens it is accepted, and so is a pattern of many points that contains
-// the eye. Random points on a grid are the eye now and then: of 50 on one of 101 by 101, with 0.005,
-// which is no proof in a picture of one pixel; in every one of twelve with 1e-28.
+// the eye. Random points on a grid are the eye now and then: of 50 on one of 101 by 101 with a
+// chance of 0.005, so that a picture of one pixel proves nothing; in each of twelve with 1e-28.
 std::optional<Finding> eyeAmongRays(const LensLog& log, std::size_t asked) {
     constexpr std::size_t kEnoughPixels = 12;
     if (log.pixels.size() < kEnoughPixels) return std::nullopt;

@@ -25,8 +25,8 @@ bool areApart(const PointLight& one, const PointLight& other, const Vector3& poi
     const double apart = std::acos(std::clamp(cosine, -1.0, 1.0));
     const double first = sizeSeen(one, point, lightSize);
     const double second = sizeSeen(other, point, lightSize);
-    // A ray belongs to the light whose centre is nearest to its direction: that of a small light
-    // may not be nearer than a large one's own to a ray at the large one's rim.
+    // A ray counts for the light whose centre is nearest to its direction. So no light's rim may be
+    // nearer to another light's centre than to its own.
     return apart > first + second + kGap && apart > 2.0 * std::max(first, second) + kOfDirection;
 }
 
