@@ -63,13 +63,13 @@ function(ticker_without FILTER TESTS)
   endif()
 endfunction()
 
-# One test program for each folder: ticker_test(NAME metrics SOURCES aTest.cpp LIBRARIES lib...
-# [LABELS unit] [FILTER "-*/C"] [SLOW Suite.Name...] [PARTS a=Suite.*...] [ALONE] [COST 30]). Labels: unit,
-# render, grader, slow. FILTER: the tests that ctest lists, in GoogleTest's notation. SLOW: those that only
-# `./tick guard slow` runs. PARTS: one entry in ctest for each
-# of these filters, so that its tests share expensive set-up; else each test has an entry. ALONE: no
-# other test runs at the same time, since these inspect the whole machine. COST: those of a high cost
-# start first, so that no long one is left at the end. Programs of all labels but unit get the kits.
+# One test program for each folder: ticker_test(NAME metrics SOURCES aTest.cpp LIBRARIES lib... [LABELS
+# unit] [FILTER "-*/C"] [SLOW Suite.Name...] [PARTS a=Suite.*...] [ALONE] [COST 30]). Labels: unit, render,
+# grader, slow. FILTER: the tests that ctest lists, in GoogleTest's notation. SLOW: those that only `./tick
+# guard slow` runs. PARTS: one entry in ctest for each of these filters, so that its tests share expensive
+# set-up; else each test has an entry. ALONE: no other test runs at the same time, since these inspect the
+# whole machine. COST: those of a high cost start first, so that no long one is left at the end. Programs of
+# all labels but unit get the kits.
 function(ticker_test)
   if(NOT TICKER_BUILD_TESTS)
     return()

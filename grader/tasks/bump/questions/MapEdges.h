@@ -29,7 +29,7 @@ struct MapEdges {
     double endRows = 1.0;  ///< first and last rows
 
     // Neighbours at the edge are at most three slopes away. The height of the map's middle would be
-    // 17, a height of 0 would be 110, or 18 with a difference over six texels.
+    // 20, a height of 0 would be 130, or 21 with a difference over six texels.
     static constexpr double kMost = 6.0;
     [[nodiscard]] bool goodSeam() const { return seam <= kMost; }
     [[nodiscard]] bool goodEndRows() const { return endRows <= kMost; }
