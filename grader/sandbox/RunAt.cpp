@@ -108,7 +108,7 @@ bool kernelCountsProcessesByNamespace() {
     return major > 5 || (major == 5 && minor >= 14);
 }
 
-Launch describe(const Command& command, const JailPlace& place) {
+Launch describe(const Command& command, const JailPlace& place, const UserSlot& slot) {
     Launch launch;
     launch.program = place.helper;
     launch.arguments = jailArguments(command, place);
@@ -117,6 +117,7 @@ Launch describe(const Command& command, const JailPlace& place) {
     int next = jail::kFirstProductDescriptor;
     for (const Product& product : command.products)
         launch.redirections.push_back({product.host, next++});
+    if (slot.lock() >= 0) launch.redirections.push_back({slot.lock(), jail::kUserLockDescriptor});
     return launch;
 }
 
@@ -147,10 +148,10 @@ std::uint64_t processesEndedForMemory() {
     return 0;
 }
 
-Outcome watchCommand(const Command& command, const JailPlace& place) {
+Outcome watchCommand(const Command& command, const JailPlace& place, const UserSlot& slot) {
     const bool asks = command.policy == Policy::compile;
     const std::uint64_t before = asks ? processesEndedForMemory() : 0;
-    Outcome outcome = watch(describe(command, place), command.limits);
+    Outcome outcome = watch(describe(command, place, slot), command.limits);
     outcome.machineRanOut = asks && processesEndedForMemory() > before;
     return wasKilledByOthers(outcome, place.level, command) ? killedByOthers(std::move(outcome))
                                                             : outcome;
@@ -167,14 +168,15 @@ Outcome runAt(Level level, const Command& command) {
     place.helper = workshop().helper;
     if (level == Level::namespaces) place.bubblewrap = findBubblewrap();
     if (level != Level::sameUser) place.user = slot.user();
-    if (!command.wantsScratch || level == Level::namespaces) return watchCommand(command, place);
+    if (!command.wantsScratch || level == Level::namespaces)
+        return watchCommand(command, place, slot);
 
     const std::uint64_t wanted = mostBytesOf(command);
     const std::optional<DiskRoom::Share> room = scratchDisk().take(wanted);
     if (!room) return withoutRoom(wanted);
     const ScratchFolder scratch{place.user};
     place.scratch = scratch.path();
-    Outcome outcome = watchCommand(command, place);
+    Outcome outcome = watchCommand(command, place, slot);
     // Another process filled the disk in the meantime: then a failure of the command is not its
     // fault.
     const bool isFull = scratchDisk().freeBytes() < command.limits.fileSizeBytes;

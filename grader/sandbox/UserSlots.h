@@ -13,12 +13,15 @@ struct UserRange {
     int count = 0;
 };
 
-/// A uid that is reserved while this object lives; -1 if we are not root and keep our own uid.
+/// A uid that is reserved while this object lives, or a process that inherited its lock; -1 if we
+/// are not root and keep our own uid.
 class UserSlot {
 public:
     UserSlot() = default;
     UserSlot(long user, FileDescriptor lock) : user_(user), lock_(std::move(lock)) {}
     [[nodiscard]] long user() const { return user_; }
+    /// The descriptor that holds the reservation, also for a process that inherits it; -1 if none.
+    [[nodiscard]] int lock() const { return lock_.get(); }
 
 private:
     long user_ = -1;

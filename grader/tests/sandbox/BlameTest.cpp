@@ -17,15 +17,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <thread>
 
 namespace ticker::sandbox {
 namespace {
-
-namespace fs = std::filesystem;
 
 class Blame : public AtLevel {
 protected:
@@ -35,28 +30,16 @@ protected:
         std::array<int, 2> ends{};
         EXPECT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
         const FileDescriptor begun{ends[0]};
-        const FileDescriptor other{ends[1]};
+        FileDescriptor other{ends[1]};
         Command command = trick(words);
         command.descriptors = {{other.get(), 3}};
         const std::jthread killer{[&] {
             char byte = 0;
             if (read(begun.get(), &byte, 1) == 1) kill(trickProcess(), SIGKILL);
         }};
-        return run(command);
-    }
-
-private:
-    // The helpers have the marker among their words, too, but another first one.
-    [[nodiscard]] pid_t trickProcess() const {
-        for (const std::string& path : processesLeft(marker())) {
-            std::ifstream stream{fs::path{path} / "cmdline"};
-            std::string first;
-            std::getline(stream, first, '\0');
-            if (fs::path{first}.filename() == "tricks")
-                return static_cast<pid_t>(std::stol(fs::path{path}.filename()));
-        }
-        ADD_FAILURE() << "the trick does not run";
-        return getpid();
+        Outcome outcome = run(command);
+        other.reset();  // else the killer would wait for ever for a trick that never began
+        return outcome;
     }
 };
 

@@ -41,6 +41,8 @@ protected:
     /// Runs a file of this text as if it were a program.
     [[nodiscard]] Outcome runText(const std::string& text) const;
     [[nodiscard]] const std::string& marker() const { return marker_; }
+    /// The process of a trick that runs; a failure of the test if none does.
+    [[nodiscard]] pid_t trickProcess() const;
 
 private:
     std::string marker_ = newMarker();

@@ -4,6 +4,9 @@
 #include <grader/base/FileDescriptor.h>
 #include <grader/sandbox/Spawner.h>
 #include <grader/sandbox/StagingFolder.h>
+#include <grader/sandbox/UserSlots.h>
+
+#include <raytracer/base/Error.h>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +18,8 @@
 
 #include <array>
 #include <csignal>
+#include <fstream>
+#include <string>
 
 namespace ticker::sandbox {
 namespace {
@@ -85,6 +90,38 @@ INSTANTIATE_TEST_SUITE_P(Sandbox, KilledParent,
                          testing::Values(Level::namespaces, Level::ownUser, Level::sameUser,
                                          Level::none),
                          levelName);
+
+class KilledParentOfOwnUser : public KilledParent {
+protected:
+    struct Sleeper {
+        long user = -1;
+        pid_t helper = -1;
+    };
+    [[nodiscard]] Sleeper sleeper() const {
+        Sleeper found;
+        std::ifstream lines{"/proc/" + std::to_string(trickProcess()) + "/status"};
+        for (std::string word; lines >> word;) {
+            if (word == "PPid:") lines >> found.helper;
+            if (word == "Uid:") lines >> found.user;
+        }
+        return found;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Sandbox, KilledParentOfOwnUser, testing::Values(Level::ownUser),
+                         levelName);
+
+// The helper kills every process of the uid: one of the next run, if that had the uid by then.
+TEST_P(KilledParentOfOwnUser, LeavesTheUidToNobodyBeforeTheHelperHasEnded) {
+    startVictim();
+    ASSERT_TRUE(hasBegun(kPatienceMs));
+    const Sleeper found = sleeper();
+    ASSERT_GT(found.user, 0);
+    kill(found.helper, SIGSTOP);
+    killVictim();
+    EXPECT_THROW(static_cast<void>(takeUserSlot({found.user, 1})), raytracer::Error);
+    kill(found.helper, SIGCONT);
+    EXPECT_TRUE(allHaveEnded());
+}
 
 TEST_P(KilledParent, EndsTheJailThatRuns) {
     startVictim();
