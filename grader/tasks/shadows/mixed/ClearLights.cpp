@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ticker::tasks {
 namespace {
@@ -39,12 +40,20 @@ bool isOffHorizon(const PointLight& light, const Vector3& point, const Vector3& 
     return height > kLarger * lightSize && height > kLeastCosine * towards.magnitude();
 }
 
+bool isFarOff(const PointLight& light, const Vector3& point, double lightSize) {
+    constexpr double kSeenFrom = 0.53;
+    return (light.position() - point).magnitude() > lightSize + kSeenFrom;
+}
+
 bool showsNoHighlightFromBehind(const PointLight& light, const Vector3& point,
-                                const Vector3& normal, const Vector3& viewer) {
-    constexpr double kOffEdge = 0.05;
+                                const Vector3& normal, const Vector3& viewer, double lightSize) {
+    constexpr double kOffEdge = 0.05;  // radians
     const Vector3 L = (light.position() - point).normalised();
-    return L.dot(normal) > 0.0 ||
-           L.reflectIn(normal).dot((viewer - point).normalised()) < -kOffEdge;
+    if (L.dot(normal) > 0.0) return true;
+    const double cosine = L.reflectIn(normal).dot((viewer - point).normalised());
+    const double nearest =
+        std::acos(std::clamp(cosine, -1.0, 1.0)) - sizeSeen(light, point, lightSize);
+    return nearest > std::numbers::pi / 2.0 + kOffEdge;
 }
 
 }  // namespace ticker::tasks

@@ -15,11 +15,16 @@ namespace ticker::tasks {
 [[nodiscard]] bool isOffHorizon(const raytracer::PointLight& light, const raytracer::Vector3& point,
                                 const raytracer::Vector3& normal, double lightSize);
 
-/// The light is in front, or R.V is negative.
+/// A ray that is cast from any place of the light to the point is seen to come from there
+/// (questions::seenFrom).
+[[nodiscard]] bool isFarOff(const raytracer::PointLight& light, const raytracer::Vector3& point,
+                            double lightSize);
+
+/// The light is in front, or R.V is negative for every place of it.
 [[nodiscard]] bool showsNoHighlightFromBehind(const raytracer::PointLight& light,
                                               const raytracer::Vector3& point,
                                               const raytracer::Vector3& normal,
-                                              const raytracer::Vector3& viewer);
+                                              const raytracer::Vector3& viewer, double lightSize);
 
 }  // namespace ticker::tasks
 

@@ -87,7 +87,7 @@ private:
             const auto& others = scene().pointLights;
             const bool isClear =
                 isOffHorizon(light, ground_.foot, ground_.up, lightSize()) &&
-                showsNoHighlightFromBehind(light, ground_.foot, ground_.up, kEye) &&
+                showsNoHighlightFromBehind(light, ground_.foot, ground_.up, kEye, lightSize()) &&
                 isOffGround(light) && std::ranges::all_of(others, [&](const PointLight& other) {
                     return areApart(light, other, ground_.foot, lightSize());
                 });
@@ -213,8 +213,9 @@ private:
         const auto& lights = drawn_.question.scene.pointLights;
         for (std::size_t i = 0; i < lights.size(); ++i) {
             if (!isOffHorizon(lights[i], point, normal, lightSize()) ||
-                !showsNoHighlightFromBehind(lights[i], point, normal, kEye) ||
-                !showsNoHighlightFromBehind(lights[i], point, normal, viewer))
+                !isFarOff(lights[i], point, lightSize()) ||
+                !showsNoHighlightFromBehind(lights[i], point, normal, kEye, lightSize()) ||
+                !showsNoHighlightFromBehind(lights[i], point, normal, viewer, lightSize()))
                 return false;
             for (std::size_t k = 0; k < i; ++k)
                 if (!areApart(lights[i], lights[k], point, lightSize())) return false;

@@ -15,8 +15,8 @@ namespace ticker::tasks {
 ///
 /// Every light lies in front of the surface's tangent plane or behind it by more than its radius,
 /// no object comes nearer to a light than 1.35 radii or to a point than 0.1, and a ray to any place
-/// of a light is nearer in angle to its centre than to another light's. R.V is negative for lights
-/// behind, for the eye, too.
+/// of a light is nearer in angle to its centre than to another light's. R.V is negative for every
+/// place of a light behind, for the eye, too.
 /// Half of the scenes have the handout's settings (`mixed`), the others smaller lights that may be
 /// nearer (`mixedNear`).
 [[nodiscard]] std::vector<ShadowQuestion> drawMixedScenes(Draw& draw);

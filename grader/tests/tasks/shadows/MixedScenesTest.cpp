@@ -48,14 +48,29 @@ TEST(MixedScenes, HaveEachLightInFrontOfTheSurfaceOrBehindIt) {
         });
 }
 
+// Neither of the light's centre nor of any other place of it: some submissions give each ray a term
+// of its own.
 TEST(MixedScenes, ShowNoHighlightOfLightsBehindTheSurface) {
+    Draw places{1, 78};
     forEachPointAndLight(
-        [](const ShadowQuestion&, const probe::LitPoint& point, const PointLight& light) {
-            const Vector3 L = (light.position() - point.position).normalised();
-            if (L.dot(point.normal) > 0.0) return;
-            const Vector3 R = L.reflectIn(point.normal);
-            EXPECT_LT(R.dot((point.viewer - point.position).normalised()), -0.04);
-            EXPECT_LT(R.dot((-point.position).normalised()), -0.04);
+        [&](const ShadowQuestion& drawn, const probe::LitPoint& point, const PointLight& light) {
+            if ((light.position() - point.position).dot(point.normal) > 0.0) return;
+            for (int i = 0; i < 40; ++i) {
+                const Vector3 place =
+                    light.position() + places.direction() * drawn.question.settings.lightSize;
+                const Vector3 R = (place - point.position).normalised().reflectIn(point.normal);
+                EXPECT_LT(R.dot((point.viewer - point.position).normalised()), -0.04);
+                EXPECT_LT(R.dot((-point.position).normalised()), -0.04);
+            }
+        });
+}
+
+// A ray that is cast from the light counts as one only where it comes from at least 0.5 away.
+TEST(MixedScenes, HaveNoPlaceOfALightNearAPoint) {
+    forEachPointAndLight(
+        [](const ShadowQuestion& drawn, const probe::LitPoint& point, const PointLight& light) {
+            EXPECT_GT((light.position() - point.position).magnitude(),
+                      drawn.question.settings.lightSize + 0.52);
         });
 }
 
