@@ -35,6 +35,12 @@ std::size_t timesWrong(const Subject& subject) {
     return !subject.isStatistical() || subject.isUnseen() ? 100 : 1000;
 }
 
+// A verdict is exact for each scene; chance decides which scenes are asked about.
+constexpr std::size_t kExactBlock = 20;
+std::size_t timesExact(const Subject& subject) {
+    return subject.isRight() ? 7 * kExactBlock : kExactBlock;
+}
+
 using Campaigns = std::vector<std::unique_ptr<Campaign>>;
 
 void addDecisions(Campaigns& all, DecisionPlan plan, Programs& programs) {
@@ -45,7 +51,6 @@ void addDecisions(Campaigns& all, DecisionPlan plan, Programs& programs) {
 
 Campaigns campaigns(const std::filesystem::path& data, Programs& programs) {
     constexpr std::size_t kBlock = 50;
-    constexpr std::size_t kExactBlock = 20;
     constexpr std::size_t kStageUnits = 300;
     constexpr int kAgreementRounds = 10;
     const std::vector<Subject> subjects = readSubjects(data);
@@ -59,7 +64,7 @@ Campaigns campaigns(const std::filesystem::path& data, Programs& programs) {
     addDecisions(all,
                  {"exact",
                   readExactSubjects(data),
-                  [](const Subject&) { return kExactBlock; },
+                  timesExact,
                   kExactBlock,
                   false,
                   {kQuickExact.begin(), kQuickExact.end()},

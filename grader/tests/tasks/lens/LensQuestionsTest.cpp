@@ -149,6 +149,10 @@ TEST(LensQuestions, AskForAnOddNumberOfRaysBelowTheHandouts) {
         EXPECT_LT(rays, raytracer::RenderSettings{}.dofRayCount);
         for (const int group : {2, 3, 5, 7, 10, 25})
             EXPECT_NE(rays % group, 0) << rays;
+        int times = 0;
+        for (double done = 0.0; done < 1.0; done += 1.0 / rays)
+            ++times;
+        EXPECT_EQ(times, rays + 1) << "a loop over fractions";
     }
 }
 
