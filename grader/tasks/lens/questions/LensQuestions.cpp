@@ -25,7 +25,8 @@ constexpr double kLeastShare = 0.2;
 constexpr int kLensGrid = 6;
 
 // Primes: no groups of any size make them up. Below the handout's number, so that code with that
-// one typed in casts enough. A loop that adds 1.0 / n until it reaches 1 runs once more than n times.
+// one typed in casts enough. A loop that adds 1.0 / n until it reaches 1 runs once more than n
+// times.
 constexpr std::array kOddRays{29, 31, 37};
 
 // Share of the lens points from which the rays to `focus` hit nothing.
