@@ -11,7 +11,7 @@ namespace ticker::jail {
 /// The helper writes its report to this descriptor.
 inline constexpr int kStatusDescriptor = 63;
 /// The lock on the command's uid, if it has one of its own. The helper never uses it: while the
-/// helper runs, nobody else gets the uid whose processes it will kill.
+/// helper runs, no other job gets the uid whose processes it will kill.
 inline constexpr int kUserLockDescriptor = 62;
 /// Lower numbers are the command's descriptors; from here up to the lock are products.
 inline constexpr int kFirstProductDescriptor = 32;
