@@ -183,8 +183,7 @@ std::optional<Finding> judgeOddCount(const LensLog& odd) {
         "Half of an odd number is rounded down as an int, so that rays in pairs are one too few; "
         "so are other groups where some rays are left over. A loop that adds fractions up to 1 "
         "may run once too often. Cast settings().dofRayCount rays whatever that number is, or "
-        "more, and divide their sum by the number of rays that you "
-        "cast.",
+        "more, and divide their sum by the number of rays that you cast.",
         std::move(wrong));
 }
 

@@ -116,6 +116,7 @@ TEST_P(KilledParentOfOwnUser, LeavesTheUidToNobodyBeforeTheHelperHasEnded) {
     ASSERT_TRUE(hasBegun(kPatienceMs));
     const Sleeper found = sleeper();
     ASSERT_GT(found.user, 0);
+    ASSERT_GT(found.helper, 1);
     kill(found.helper, SIGSTOP);
     killVictim();
     EXPECT_THROW(static_cast<void>(takeUserSlot({found.user, 1})), raytracer::Error);

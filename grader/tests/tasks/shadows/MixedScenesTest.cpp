@@ -2,6 +2,8 @@
 #include <grader/tasks/shadows/mixed/MixedScenes.h>
 #include <grader/tasks/shadows/mixed/ShadowTraits.h>
 
+#include <questions/RayGeometry.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,12 +67,17 @@ TEST(MixedScenes, ShowNoHighlightOfLightsBehindTheSurface) {
         });
 }
 
-// A ray that is cast from the light counts as one only where it comes from at least 0.5 away.
+// Of a light that is too near the rays that are cast from it would count for another one.
 TEST(MixedScenes, HaveNoPlaceOfALightNearAPoint) {
     forEachPointAndLight(
         [](const ShadowQuestion& drawn, const probe::LitPoint& point, const PointLight& light) {
-            EXPECT_GT((light.position() - point.position).magnitude(),
-                      drawn.question.settings.lightSize + 0.52);
+            const Vector3 way = light.position() - point.position;
+            const double size = drawn.question.settings.lightSize;
+            EXPECT_GT(way.magnitude(), size + 0.52);
+            const Vector3 nearest = light.position() - way.normalised() * size;
+            const raytracer::Ray seen = raytracer::questions::seenFrom(
+                point.position, point.normal, {nearest, -way.normalised()});
+            EXPECT_GT(seen.direction.dot(way), 0.0);
         });
 }
 
