@@ -178,8 +178,9 @@ std::optional<Finding> checkEnd(const probe::Run& run) {
         run.end.kind != Kind::memory)
         return std::nullopt;
     return maintick::failure(kMirrorEndless,
-                             "trace was asked about two mirrors that face each other, with at most "
-                             "10 bounces left: it never came back.");
+                             fmt::format("trace was asked about two mirrors that face each other, "
+                                         "with at most {} bounces left: it never came back.",
+                                         maintick::kDeepest));
 }
 
 /// What the first questions left open: mirrors that face each other, and mixed scenes.

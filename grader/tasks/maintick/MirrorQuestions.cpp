@@ -149,8 +149,6 @@ MirrorQuestion drawFacingMirrors(std::uint64_t seed) {
 }
 
 MirrorQuestion drawDeepMirrors(std::uint64_t seed) {
-    constexpr int kFewest = kMostBounces + 1;
-    constexpr int kMost = 10;
     constexpr double kShare = 0.9;  // so that a third of the light comes from beyond ten mirrors
     Draw draw{seed, 108};
     MirrorQuestion asked;
@@ -167,7 +165,7 @@ MirrorQuestion drawDeepMirrors(std::uint64_t seed) {
             {isBright ? floor + up * height : floor, isBright ? -up : up, material});
     }
     const Vector3 direction = draw.directionAround(-up, 0.9);
-    for (int bounces = kFewest; bounces <= kMost; ++bounces)
+    for (const int bounces : {4, 5, 6, 7, 8, 9, 10, kDeepest})
         asked.question.rays.push_back({0, bounces, floor + up * (height / 2.0), direction});
     askEachObject(asked);
     return asked;

@@ -24,9 +24,12 @@ struct MirrorQuestion {
 /// points of its chain in order.
 [[nodiscard]] MirrorQuestion drawFacingMirrors(std::uint64_t seed);
 
+/// So many that tables of 16 or 32 reflections end before.
+inline constexpr int kDeepest = 40;
+
 /// Two parallel mirrors in ambient light alone, each of one colour: whatever the start of a
-/// reflected ray, the chain is the same. One ray with 4 to 10 bounces, the fewest first. `direct`
-/// asks each object once.
+/// reflected ray, the chain is the same. One ray with 4 to 10 and with `kDeepest` bounces, the
+/// fewest first. `direct` asks each object once.
 [[nodiscard]] MirrorQuestion drawDeepMirrors(std::uint64_t seed);
 
 /// A ray that all but grazes a mirror, in ambient light alone, and then meets a wall. One ray with

@@ -152,7 +152,7 @@ void addFar(Draw& draw, std::vector<ShadeCase>& cases, bool isSunk) {
         cases.push_back(onSphere(draw, std::move(made), isSunk));
 }
 
-/// Where a sphere contains the light or the point, and where light grazes the surface.
+/// Where a sphere contains the light or the point or both, and where light grazes the surface.
 void addSurrounded(Draw& draw, std::vector<ShadeCase>& cases, bool isSunk) {
     const double distance = draw.between(3.0, 4.0);
     const double aside = draw.between(0.5, 0.7);
@@ -161,7 +161,8 @@ void addSurrounded(Draw& draw, std::vector<ShadeCase>& cases, bool isSunk) {
                     withBall(draw, Occluder::aroundLight, distance, distance + aside, 1.0),
                     withBall(draw, Occluder::aroundLight, distance, distance - aside, 1.0),
                     withBall(draw, Occluder::aroundPoint, distance, 0.0, 0.4),
-                    withBall(draw, Occluder::aroundPoint, distance, aside, 1.0)})
+                    withBall(draw, Occluder::aroundPoint, distance, aside, 1.0),
+                    withBall(draw, Occluder::aroundBoth, distance, distance / 2.0, distance)})
         cases.push_back(onSphere(draw, std::move(made), isSunk));
     cases.push_back(onPlane(draw, ofItself(draw, Occluder::grazing), isSunk));
     cases.push_back(onSphere(draw, ofItself(draw, Occluder::grazing), isSunk));
@@ -172,11 +173,12 @@ void addSurrounded(Draw& draw, std::vector<ShadeCase>& cases, bool isSunk) {
 bool ShadeCase::isShaded() const {
     return place != Occluder::beyond && place != Occluder::farBeyond &&
            place != Occluder::backwards && place != Occluder::itself &&
-           place != Occluder::grazing && place != Occluder::beyondFarLight;
+           place != Occluder::aroundBoth && place != Occluder::grazing &&
+           place != Occluder::beyondFarLight;
 }
 
 std::string_view wordsOf(Occluder place) {
-    static constexpr std::array<std::string_view, 20> kWords{
+    static constexpr std::array<std::string_view, 21> kWords{
         "something stands half-way to the light",
         "something stands between, 0.03 from the point",
         "something stands behind the light",
@@ -191,6 +193,7 @@ std::string_view wordsOf(Occluder place) {
         "there is nothing but the surface that the point lies on",
         "a sphere contains the light and not the point",
         "a sphere contains the point and not the light",
+        "a sphere contains both the point and the light",
         "there is nothing but the surface, and the light stands one or two degrees above that",
         "the light is 95 away, and something stands between, 0.3 from the point",
         "the light is 95 away, and something stands 0.3 before it",

@@ -28,6 +28,7 @@ enum class Occluder : std::uint8_t {
     itself,           ///< nothing but the surface of the point
     aroundLight,      ///< the light is inside, the point outside
     aroundPoint,      ///< the other way round
+    aroundBoth,       ///< light and point are inside
     grazing,          ///< nothing but the surface, which the light all but grazes
     atPointOfFar,     ///< the light at 95, a hit 0.3 from the point
     atFarLight,       ///< the light at 95, a hit 0.3 before it

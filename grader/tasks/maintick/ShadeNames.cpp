@@ -106,7 +106,8 @@ constexpr const char* kFromLight =
     "The ray from the light meets the surface of P itself, at about the distance of P. Cast it the "
     "other way: Ray{P + N * kShadowBias, (light.position() - P).normalised()}.";
 
-/// Where a sphere contains one end of the way to the light, or where that grazes the surface.
+/// Where a sphere contains one end of the way to the light or both, or where that grazes the
+/// surface.
 std::optional<Name> nameOfSurrounded(const Seen& seen) {
     if (!isRight(seen, Occluder::aroundLight))
         return Name{&kShadeWrong,
@@ -116,6 +117,10 @@ std::optional<Name> nameOfSurrounded(const Seen& seen) {
         return Name{&kShadeWrong,
                     "A sphere around P hides every light outside of it, though P is inside: "
                     "whatever the ray meets before the light shades, whichever object that is."};
+    if (!isRight(seen, Occluder::aroundBoth))
+        return Name{&kShadeBeyond,
+                    "A sphere around both P and the light hides nothing: the ray meets it behind "
+                    "the light. Compare the distance of the hit with that of the light."};
     if (!isRight(seen, Occluder::grazing))
         return Name{
             &kShadeWrong,

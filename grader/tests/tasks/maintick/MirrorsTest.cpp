@@ -134,10 +134,10 @@ TEST(JudgeMirrors, WorksOutTwoMirrorsThatFaceEachOther) {
     EXPECT_EQ(mirrorIds({.way = maintick::noMirrors().way, .isEndless = true}), "mirror.none");
 }
 
-TEST(JudgeMirrors, FollowsUpToTenReflections) {
-    for (int deepest = 3; deepest < 10; ++deepest)
+TEST(JudgeMirrors, FollowsUpToFortyReflections) {
+    for (int deepest = 3; deepest < 40; ++deepest)
         EXPECT_EQ(mirrorIds({.deepest = deepest}), "mirror.bounces") << deepest;
-    EXPECT_EQ(mirrorIds({.deepest = 10}), "");
+    EXPECT_EQ(mirrorIds({.deepest = 40}), "");
 }
 
 TEST(JudgeMirrors, NamesTheMistakeThatExplainsAllColours) {
@@ -161,16 +161,19 @@ TEST(MirrorQuestions, SetEveryLimitOfTheDepthFarApart) {
             direct.push_back(plane.material.colour * scene.ambientLighting);
         const maintick::TraceModel trace{scene, direct};
         const probe::CastRay& cast = asked.question.rays.back();
-        ASSERT_EQ(cast.bounces, 10);
+        ASSERT_EQ(cast.bounces, 40);
         const raytracer::Ray ray{cast.origin, cast.direction};
+        for (int limit = 11; limit < 40; ++limit)
+            EXPECT_FALSE(maintick::isNear(trace.along(ray, limit), trace.along(ray, 40), 1e-3))
+                << limit << ", seed " << seed;
         for (int bounces = 1; bounces < 10; ++bounces)
             EXPECT_FALSE(
                 maintick::isNear(trace.along(ray, bounces), trace.along(ray, bounces + 1), 1e-2))
                 << bounces << ", seed " << seed;
         for (const maintick::MirrorStart& start :
              {maintick::MirrorStart{1e-6, false}, maintick::MirrorStart{1e-3, true}}) {
-            const std::vector<int> chain = maintick::chainOf(scene, ray, 11, start);
-            ASSERT_EQ(chain.size(), 11U) << seed;
+            const std::vector<int> chain = maintick::chainOf(scene, ray, 41, start);
+            ASSERT_EQ(chain.size(), 41U) << seed;
             for (std::size_t i = 0; i < chain.size(); ++i)
                 EXPECT_EQ(chain[i], static_cast<int>(i % 2)) << seed;
         }

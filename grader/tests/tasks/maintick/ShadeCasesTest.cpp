@@ -70,6 +70,7 @@ TEST(ShadeCases, HaveSpheresAroundEitherEndAndLightThatGrazes) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         int aroundLight = 0;
         int aroundPoint = 0;
+        int aroundBoth = 0;
         int grazing = 0;
         for (const ShadeCase& shade : drawShadeCases(seed)) {
             const LitSetup& setup = shade.asked;
@@ -84,9 +85,11 @@ TEST(ShadeCases, HaveSpheresAroundEitherEndAndLightThatGrazes) {
             };
             if (isInside(lightOf(setup)) && !isInside(setup.P)) ++aroundLight;
             if (isInside(setup.P) && !isInside(lightOf(setup))) ++aroundPoint;
+            if (isInside(setup.P) && isInside(lightOf(setup))) ++aroundBoth;
         }
         EXPECT_EQ(aroundLight, 6) << seed;
         EXPECT_EQ(aroundPoint, 4) << seed;
+        EXPECT_EQ(aroundBoth, 2) << seed;
         EXPECT_EQ(grazing, 4) << seed;
     }
 }

@@ -29,6 +29,7 @@ TEST(ShadeNames, NameWhatIsWrongInOnePlaceAlone) {
                  {{{Occluder::beforeAndBeyond, lit}}, "shade.wrong", "What stands behind"},
                  {{{Occluder::aroundLight, lit}}, "shade.wrong", "sphere around the light"},
                  {{{Occluder::aroundPoint, lit}}, "shade.wrong", "sphere around P"},
+                 {{{Occluder::aroundBoth, dark}}, "shade.beyond-light", "around both P"},
                  {{{Occluder::grazing, dark}}, "shade.wrong", "Low light"},
                  {{{Occluder::atPointOfFar, lit}}, "shade.distance", "95 away"},
                  {{{Occluder::atFarLight, lit}}, "shade.distance", "95 away"},
@@ -68,7 +69,8 @@ TEST(ShadeNames, NameWhatAllHiddenPlacesShow) {
     using enum Look;
     const Looks allDark{{Occluder::beyond, dark},    {Occluder::farBeyond, dark},
                         {Occluder::backwards, dark}, {Occluder::itself, dark},
-                        {Occluder::grazing, dark},   {Occluder::beyondFarLight, dark}};
+                        {Occluder::grazing, dark},   {Occluder::beyondFarLight, dark},
+                        {Occluder::aroundBoth, dark}};
     expectNamed({{hidden(lit), "shade.none"},
                  {with(hidden(lit), {{Occluder::beyond, dark}}), "shade.beyond-light",
                   "the wrong way round"},
