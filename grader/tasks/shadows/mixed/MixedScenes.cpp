@@ -249,7 +249,7 @@ void addScenes(Draw& draw, ShadowQuestion::Purpose purpose, std::vector<Between>
 std::vector<ShadowQuestion> drawMixedScenes(Draw& draw) {
     std::vector<ShadowQuestion> drawn;
     addScenes(draw, ShadowQuestion::Purpose::mixed,
-              {{1.5, 2.5}, {3.0, 8.0}, {20.0, 45.0}, {1200.0, 3000.0}}, drawn);
+              {{1.5, 2.5}, {3.0, 8.0}, {20.0, 45.0}, {1200.0, 9000.0}}, drawn);
     addScenes(draw, ShadowQuestion::Purpose::mixedNear, {{0.65, 0.95}, {0.95, 3.0}}, drawn);
     return drawn;
 }

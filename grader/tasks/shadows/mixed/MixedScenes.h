@@ -21,9 +21,12 @@ namespace ticker::tasks {
 /// nearer (`mixedNear`).
 [[nodiscard]] std::vector<ShadowQuestion> drawMixedScenes(Draw& draw);
 
-/// More of purpose `mixed`: a bumpy ball before a light, or one so large that its centre is farther
-/// away than the light.
+/// More of purpose `mixed`: a bumpy ball before a light, one so large that its centre is farther
+/// away than the light, and one that is more than 1000 away.
 [[nodiscard]] std::vector<ShadowQuestion> drawOtherBalls(Draw& draw);
+
+/// One more: 34 lights in plain sight, more than tables of 16 or 32 hold.
+[[nodiscard]] std::vector<ShadowQuestion> drawManyLights(Draw& draw);
 
 }  // namespace ticker::tasks
 

@@ -139,6 +139,10 @@ constexpr std::array kTraits{
                },
                "A light behind the surface adds nothing and changes nothing of the others: go on "
                "with the next one (continue)."},
+    PointTrait{"there are more than 12 lights",
+               [](const PointOfLog& at) { return at.log->scene().pointLights.size() > 12; },
+               "Every light of the scene counts, however many there are: loop over "
+               "scene.pointLights() to its end, without a table of a fixed size."},
     PointTrait{"there are several lights",
                [](const PointOfLog& at) { return at.log->scene().pointLights.size() > 1; },
                "Each light has rays and a share of its own: start again at 0 for each of them."},
@@ -156,6 +160,17 @@ constexpr std::array kTraits{
                        const auto* ball = sphereOf(of, i);
                        const Vector3& point = at.point->point.position;
                        return ball != nullptr && (ball->centre - point).magnitude() > kFar;
+                   });
+               },
+               kAnyObject},
+    PointTrait{"a ball that is farther away than 900 is in the light's way",
+               [](const PointOfLog& at) {
+                   return anyBlockerThat(at, [&](const raytracer::SceneDescription& of, int i) {
+                       constexpr double kVeryFar = 900.0;
+                       const auto* ball = sphereOf(of, i);
+                       const Vector3& point = at.point->point.position;
+                       return ball != nullptr &&
+                              (ball->centre - point).magnitude() - ball->radius > kVeryFar;
                    });
                },
                kAnyObject},

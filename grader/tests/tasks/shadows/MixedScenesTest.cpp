@@ -21,8 +21,9 @@ constexpr std::uint64_t kSeeds = 40;
 std::vector<ShadowQuestion> drawn(std::uint64_t seed) {
     Draw draw{seed, 77};
     std::vector<ShadowQuestion> scenes = drawMixedScenes(draw);
-    for (ShadowQuestion& scene : drawOtherBalls(draw))
-        scenes.push_back(std::move(scene));
+    for (const auto drawNext : {drawOtherBalls, drawManyLights})
+        for (ShadowQuestion& scene : drawNext(draw))
+            scenes.push_back(std::move(scene));
     return scenes;
 }
 
@@ -136,10 +137,13 @@ TEST(OtherBalls, HideTheLightFromEveryPointUnderEverySeed) {
         Draw draw{seed, 77};
         int bumpy = 0;
         int large = 0;
+        int far = 0;
         for (const ShadowQuestion& drawn : drawOtherBalls(draw)) {
             const raytracer::SphereDescription& ball = drawn.question.scene.spheres.at(0);
             const Vector3 light = drawn.question.scene.pointLights.at(0).position();
             bumpy += ball.heightMap != nullptr ? 1 : 0;
+            const Vector3 foot = drawn.question.scene.planes.at(0).point;
+            far += (ball.centre - foot).magnitude() - ball.radius > 1000.0 ? 1 : 0;
             bool isFarther = true;
             for (const probe::LitPoint& point : drawn.question.points)
                 isFarther = isFarther && (ball.centre - point.position).magnitude() >
@@ -150,6 +154,27 @@ TEST(OtherBalls, HideTheLightFromEveryPointUnderEverySeed) {
         }
         EXPECT_EQ(bumpy, 3) << seed;
         EXPECT_EQ(large, 3) << seed;
+        EXPECT_EQ(far, 1) << seed;
+    }
+}
+
+TEST(ManyLights, AllLightTheirPointsAndTheLastOnesShow) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        Draw draw{seed, 77};
+        const ShadowQuestion drawn = drawManyLights(draw).at(0);
+        const auto& lights = drawn.question.scene.pointLights;
+        ASSERT_EQ(lights.size(), 34U);
+        for (const probe::LitPoint& point : drawn.question.points) {
+            const auto arriving = [&](const PointLight& light) {
+                const Vector3 way = light.position() - point.position;
+                EXPECT_GT(way.normalised().dot(point.normal), 0.3) << seed;
+                return light.illuminationAt(way.magnitude()).g * way.normalised().dot(point.normal);
+            };
+            double all = 0.0;
+            for (const PointLight& light : lights)
+                all += arriving(light);
+            EXPECT_GT(arriving(lights[32]) + arriving(lights[33]), 0.04 * all) << seed;
+        }
     }
 }
 
