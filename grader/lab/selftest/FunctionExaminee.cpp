@@ -31,8 +31,13 @@ probe::NormalAnswer answer(const NormalFunction& function, const probe::NormalQu
 probe::Run FunctionExaminee::ask(const std::vector<probe::Question>& questions) {
     ++runs_;
     probe::Run run;
-    for (const probe::Question& question : questions)
-        run.answers.emplace_back(answer(function_, std::get<probe::NormalQuestion>(question)));
+    for (const probe::Question& question : questions) {
+        const auto* normals = std::get_if<probe::NormalQuestion>(&question);
+        if (normals != nullptr)
+            run.answers.emplace_back(answer(function_, *normals));
+        else
+            run.answers.emplace_back(probe::RenderAnswer{});
+    }
     return run;
 }
 

@@ -51,6 +51,16 @@ inline constexpr FindingText kBumpUpsideDown{.id = "bump.upside-down",
                                              .words = "laid the map upside down",
                                              .meaning = "row 0 of the map lies at the bottom"};
 
+inline constexpr FindingText kBumpThreadsMixed{
+    .id = "bump.threads-mixed",
+    .words = "let threads share what a normal is made of",
+    .meaning = "right with one thread, another picture with two",
+    .hint =
+        "forEachPixel calls your code from several threads at once: a static or global variable "
+        "belongs to all of them. Declare normal, angles, tangents and slopes inside of the "
+        "function, without static, and hand them on as arguments.",
+    .section = "Option 1: What to do, step 4"};
+
 inline constexpr FindingText kBumpWrong{
     .id = "bump.wrong",
     .words = "tilted normals in no known way",
@@ -75,9 +85,10 @@ inline constexpr FindingText kBumpMirrored{.id = "bump.mirrored",
 
 /// In the order in which they are reported.
 inline constexpr std::array kBumpFindings{
-    &kBumpNotFinite,   &kBumpNotUnit,  &kBumpFlat,           &kBumpLongitudeDependent,
-    &kBumpSwappedAxes, &kBumpInverted, &kBumpInvertedU,      &kBumpInvertedV,
-    &kBumpUpsideDown,  &kBumpWrong,    &kBumpPictureDiffers, &kBumpMirrored};
+    &kBumpNotFinite,   &kBumpNotUnit,      &kBumpFlat,      &kBumpLongitudeDependent,
+    &kBumpSwappedAxes, &kBumpInverted,     &kBumpInvertedU, &kBumpInvertedV,
+    &kBumpUpsideDown,  &kBumpThreadsMixed, &kBumpWrong,     &kBumpPictureDiffers,
+    &kBumpMirrored};
 
 }  // namespace ticker::tasks
 

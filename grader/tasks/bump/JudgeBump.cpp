@@ -1,6 +1,8 @@
 #include <grader/result/GeneralFindings.h>
 #include <grader/tasks/bump/JudgeBump.h>
 
+#include <grader/tasks/bump/BumpFindings.h>
+#include <grader/tasks/bump/BumpThreads.h>
 #include <grader/tasks/bump/Examination.h>
 #include <grader/tasks/bump/words/BumpWords.h>
 #include <grader/tasks/bump/words/Diagnosis.h>
@@ -69,6 +71,12 @@ std::optional<TaskJudgement> judgeEnd(const Answers& answers, const Conduct& con
     const ProcessEnd& end = answers.end();
     if (end.kind == ProcessEnd::Kind::ourFault)
         return TaskJudgement{TaskState::notGraded, end.detail, {}, false};
+    if (end.kind == ProcessEnd::Kind::crashed && !conduct.missing)
+        return blocked({kRunCrashed.id,
+                        "All normals were answered; then the program crashed while it rendered "
+                        "with one thread and with two",
+                        kBumpThreadsMixed.hint.data()},
+                       end.detail);
     if (end.kind != ProcessEnd::Kind::finished || conduct.missing)
         return blocked(wordsFor(end.kind), end.detail);
     return std::nullopt;
@@ -107,6 +115,21 @@ TaskJudgement failed(const Diagnosis& diagnosis, const Examination& examination,
     return judgement;
 }
 
+/// Normals are right one after the other, and pictures differ.
+TaskJudgement threadsMixed(std::size_t pixels) {
+    Finding finding;
+    finding.id = kBumpThreadsMixed.id;
+    finding.message = fmt::format(
+        "All normals are right when they are asked for one after the other. {} pictures of {} x {} "
+        "pixels were rendered with one thread and with two, and forEachPixel has as many as the "
+        "machine has cores: {} pixels differ.",
+        kThreadedPictures, kThreadedWidth, kThreadedHeight, pixels);
+    finding.hint = kBumpThreadsMixed.hint;
+    finding.section = kBumpThreadsMixed.section;
+    finding.evidence.emplace_back("pixels", static_cast<double>(pixels));
+    return {TaskState::failed, finding.message, {finding}, false};
+}
+
 /// Adds the notes. A failure at points that a picture shows makes warnings about other points
 /// superfluous.
 void addNotes(TaskJudgement& judgement, std::vector<Finding> notes) {
@@ -120,7 +143,13 @@ void addNotes(TaskJudgement& judgement, std::vector<Finding> notes) {
 
 TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed) {
     const MainPlan plan = planMain(seed);
-    const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));
+    std::vector<probe::Question> questions = plan.questionnaire.questions();
+    const std::size_t renders = questions.size();
+    for (probe::Question& render : drawThreadedRenders(seed))
+        questions.push_back(std::move(render));
+    probe::Run run = examinee.ask(questions);
+    const std::size_t mixed = pixelsThatThreadsChange(run, renders);
+    const Answers answers(plan.questionnaire, std::move(run));
     Examination examination = examine(plan, answers);
     if (auto ended = judgeEnd(answers, examination.conduct)) return *std::move(ended);
     if (!examination.ramps().response)
@@ -136,6 +165,7 @@ TaskJudgement judgeBump(probe::Examinee& examinee, std::uint64_t seed) {
         judgement.rasters =
             drawRelief(plan.letters, answers, examination.ramps().fit->parametrisation,
                        *examination.ramps().response);
+        if (mixed > 0) judgement = threadsMixed(mixed);
     }
     addNotes(judgement, sideNotes(examination));
     return judgement;

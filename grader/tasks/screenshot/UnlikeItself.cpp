@@ -1,3 +1,4 @@
+#include <grader/tasks/bump/BumpFindings.h>
 #include <grader/tasks/lens/LensFindings.h>
 #include <grader/tasks/screenshot/UnlikeItself.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
@@ -16,7 +17,7 @@ std::string whyUnlikeItself(const std::vector<TaskReport>& tasks) {
             });
         });
     };
-    if (has({&kShadowThreadsMixed, &kDofThreadsMixed}))
+    if (has({&kBumpThreadsMixed, &kShadowThreadsMixed, &kDofThreadsMixed}))
         return "what this code draws depends on how its threads meet";
     if (has({&kShadowFixedSamples, &kDofSharedSamples, &kDofReusedPattern}))
         return "this code uses the same random points all over a picture, and other ones in the "

@@ -2,6 +2,7 @@
 
 #include <grader/tasks/bump/questions/Numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -10,6 +11,10 @@ namespace {
 
 constexpr int kAcross = 64;
 constexpr double kRise = 20.0 * kByte;  // for each texel
+// In half turns from the pole.
+constexpr double kNearPole = 0.05;
+constexpr double kBesidePole = 0.12;
+constexpr double kMiddle = 0.2;
 
 /// Rises for `kHalf` texels, then falls for as many.
 std::vector<double> zigzag(int count) {
@@ -55,6 +60,7 @@ double opposition(const std::vector<Vector3>& pairs, const std::vector<Vector3>&
 
 FinenessPlan planFineness(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
     constexpr int kPairs = 60;
+    constexpr int kPairsNearPoles = 40;
     constexpr double kStepU = 2.0 * kPi * FinenessPlan::kHalf / FinenessPlan::kColumns;
     constexpr double kStepV = kPi * FinenessPlan::kHalf / FinenessPlan::kRows;
     FinenessPlan plan;
@@ -63,6 +69,14 @@ FinenessPlan planFineness(Questionnaire& questionnaire, Draws& draws, const Ball
         const double polarAngle = draws.uniform(0.25, 0.75) * kPi;
         plan.pairsU.push_back(directionAt(longitude, polarAngle));
         plan.pairsU.push_back(directionAt(longitude + kStepU, polarAngle));
+        plan.pairsV.push_back(directionAt(longitude, polarAngle));
+        plan.pairsV.push_back(directionAt(longitude, polarAngle + kStepV));
+    }
+    // Where a table of arc cosines has its widest steps.
+    for (int i = 0; i < kPairsNearPoles; ++i) {
+        const double longitude = draws.uniform(0.0, 2.0 * kPi);
+        const double fromPole = draws.uniform(kNearPole, kBesidePole) * kPi;
+        const double polarAngle = i % 2 == 0 ? fromPole : kPi - fromPole - kStepV;
         plan.pairsV.push_back(directionAt(longitude, polarAngle));
         plan.pairsV.push_back(directionAt(longitude, polarAngle + kStepV));
     }
@@ -84,16 +98,22 @@ Fineness readFineness(const FinenessPlan& plan, const Answers& answers,
     const double timesV = kRise / ramps.shape.slope(ramps.shape.rows);
     const AxisResponse& onU = ramps.response->u;
     const AxisResponse& onV = ramps.response->v;
+    const auto alongV = [&](bool inTheMiddle) {
+        return opposition(
+            plan.pairsV, answers.tiltsBeyond(plan.zigzagV.flat, plan.zigzagV.map),
+            [&](const Vector3& n) {
+                const double v = parametrisation.v(n);
+                return (std::min(v, 1.0 - v) > kMiddle) == inTheMiddle;
+            },
+            [&](const Vector3& n) { return parametrisation.alongV(n); },
+            [&](const Vector3& n) { return timesV * strengthAt(onV, parametrisation.v(n)); });
+    };
     return {opposition(
                 plan.pairsU, answers.tiltsBeyond(plan.zigzagU.flat, plan.zigzagU.map),
                 [&](const Vector3& n) { return isAwayFromSeam(parametrisation.u(n)); },
                 [&](const Vector3& n) { return parametrisation.alongU(n); },
                 [&](const Vector3& n) { return timesU * strengthAt(onU, parametrisation.v(n)); }),
-            opposition(
-                plan.pairsV, answers.tiltsBeyond(plan.zigzagV.flat, plan.zigzagV.map),
-                [](const Vector3&) { return true; },
-                [&](const Vector3& n) { return parametrisation.alongV(n); },
-                [&](const Vector3& n) { return timesV * strengthAt(onV, parametrisation.v(n)); })};
+            std::min(alongV(true), alongV(false))};
 }
 
 }  // namespace ticker::tasks::bump

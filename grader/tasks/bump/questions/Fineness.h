@@ -18,8 +18,8 @@ struct FinenessPlan {
     static constexpr int kHalf = 3;  ///< texels: half a degree on either axis
 
     std::vector<Vector3> pairsU;  ///< one pair after the other
-    std::vector<Vector3> pairsV;
-    LevelPair zigzagU;  ///< at `pairsU`
+    std::vector<Vector3> pairsV;  ///< some of them 9 to 22 degrees from a pole
+    LevelPair zigzagU;            ///< at `pairsU`
     LevelPair zigzagV;
 };
 

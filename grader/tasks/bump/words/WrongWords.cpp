@@ -119,8 +119,9 @@ Words roundedWords(const Fineness& fineness) {
                         "same texel, or one that is too far away: {} rounded too coarsely.",
                         FinenessPlan::kColumns, FinenessPlan::kRows, FinenessPlan::kHalf,
                         fineness.goodU() || fineness.goodV() ? one : both),
-            "Keep angles, u and v as fractions (double), not as whole degrees or percent; only the "
-            "column, u * width(), and the row, v * height(), become whole numbers.",
+            "Keep angles, u and v as fractions (double), not as whole degrees or percent, and take "
+            "no angle from a table; only the column, u * width(), and the row, v * height(), "
+            "become whole numbers.",
             "Option 1: What to do, steps 1 and 3"};
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numbers>
 
 namespace ticker::tasks::bump {
 namespace {
@@ -55,6 +56,20 @@ Fineness finenessOf(const selftest::NormalFunction& function,
     ramps.response->u.bandStrength.fill(0.5 / 1000);
     ramps.response->v.bandStrength.fill(0.5 / 800);
     return readFineness(plan, tests::answersOf(questionnaire, function), ramps);
+}
+
+// The steps of a table of arc cosines are four times as wide near the poles as in the middle.
+TEST(ReadFineness, SeesRowsThatAreCoarseNearThePolesAlone) {
+    const Steps table = [](double v) {
+        constexpr double kEntries = 256.0;  // for each unit of the cosine
+        const double cosine = std::round(std::cos(v * std::numbers::pi) * kEntries) / kEntries;
+        return std::acos(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi;
+    };
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const Fineness fineness = finenessOf(rounded(kUpright, exact, table), kUpright, seed);
+        EXPECT_TRUE(fineness.goodU()) << seed;
+        EXPECT_FALSE(fineness.goodV()) << seed;
+    }
 }
 
 TEST(ReadFineness, SeesThatNeighboursTiltOppositeWays) {

@@ -88,7 +88,7 @@ struct AskedLetters {
     }
 };
 
-std::pair<double, double> right(const Place&) {
+std::pair<double, double> rightTimes(const Place&) {
     return {1.0, 1.0};
 }
 
@@ -117,7 +117,7 @@ void expectAll(const EdgeCount& edges, int EdgeCount::*kind, int least, int most
 // Four letters of each kind: an H has four upright edges, except at its bar; an L has two and one
 // at its foot.
 TEST(ReadLetters, FindsEveryEdgeOfARightReading) {
-    const LetterReading reading = AskedLetters(right).read();
+    const LetterReading reading = AskedLetters(rightTimes).read();
     expectAll(reading.h.alongU, &EdgeCount::right, 265, 295);
     expectAll(reading.h.alongV, &EdgeCount::right, 143, 161);
     expectAll(reading.l.alongU, &EdgeCount::right, 165, 183);
@@ -157,7 +157,7 @@ TEST(ReadLetters, TakesHardlyAnyChangeForNone) {
 }
 
 TEST(DrawRelief, ShowsTheMapAndTheSameReliefOfARightReading) {
-    const AskedLetters run(right);
+    const AskedLetters run(rightTimes);
     const std::vector<Raster> rasters =
         drawRelief(run.plan, run.answers, tests::kParametrisation, run.response);
     ASSERT_EQ(rasters.size(), 2U);

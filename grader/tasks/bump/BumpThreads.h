@@ -1,0 +1,28 @@
+#ifndef TICKER_TASKS_BUMP_BUMPTHREADS_H
+#define TICKER_TASKS_BUMP_BUMPTHREADS_H
+
+#include <grader/probe/Examinee.h>
+#include <grader/probe/Question.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ticker::tasks::bump {
+
+inline constexpr int kThreadedWidth = 64;
+inline constexpr int kThreadedHeight = 48;
+inline constexpr int kThreadedPictures = 3;
+
+/// Two renders of the same bumpy spheres, the first with one thread, the second with two. The light
+/// that a pixel gets depends on its normal alone.
+[[nodiscard]] std::vector<probe::Question> drawThreadedRenders(std::uint64_t seed);
+
+/// The pixels that the second of these renders has otherwise than the first: 0 for code without
+/// variables that calls share, and where a picture is missing.
+/// @param first  Index of the first render among the answers.
+[[nodiscard]] std::size_t pixelsThatThreadsChange(const probe::Run& run, std::size_t first);
+
+}  // namespace ticker::tasks::bump
+
+#endif

@@ -1,0 +1,96 @@
+// Normals that are right alone and wrong where two threads ask for them.
+#include <grader/lab/selftest/BumpModel.h>
+#include <grader/tasks/bump/BumpThreads.h>
+#include <grader/tasks/bump/JudgeBump.h>
+#include <grader/tests/tasks/bump/Judging.h>
+
+#include <gtest/gtest.h>
+
+#include <variant>
+
+namespace ticker::tasks {
+namespace {
+
+using probe::RenderAnswer;
+using probe::RenderQuestion;
+using raytracer::ColourRGB;
+
+/// Right normals, and renders of one grey. With two threads one pixel has another grey.
+class Racing final : public probe::Examinee {
+public:
+    Racing(double second, std::size_t pictures) : second_(second), pictures_(pictures) {}
+
+    probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run = normals_.ask(questions);
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+            const auto* asked = std::get_if<RenderQuestion>(&questions[i]);
+            if (asked == nullptr) continue;
+            RenderAnswer answer;
+            answer.state = probe::AnswerState::answered;
+            const auto pixels = static_cast<std::size_t>(asked->settings.width) *
+                                static_cast<std::size_t>(asked->settings.height);
+            answer.images.assign(pictures_, std::vector<ColourRGB>(pixels, ColourRGB{0.25}));
+            if (asked->settings.threads == 2) answer.images.back().at(17) = ColourRGB{second_};
+            run.answers[i] = answer;
+        }
+        return run;
+    }
+
+private:
+    selftest::FunctionExaminee normals_{[](const selftest::Point& point) {
+        return modelNormal({}, selftest::Mistake::none, point);
+    }};
+    double second_;
+    std::size_t pictures_;
+};
+
+TEST(BumpThreads, FailWhereTwoThreadsRenderAnotherPictureThanOne) {
+    Racing racing{0.5, 3};
+    const TaskJudgement judgement = judgeBump(racing, 3);
+    EXPECT_EQ(judgement.state, TaskState::failed);
+    EXPECT_EQ(tests::firstId(judgement), "bump.threads-mixed");
+    EXPECT_NE(judgement.reason.find(": 1 pixels differ"), std::string::npos) << judgement.reason;
+}
+
+TEST(BumpThreads, PassWhereBothRenderTheSameOrAPictureIsMissing) {
+    Racing same{0.25, 3};
+    EXPECT_EQ(judgeBump(same, 3).state, TaskState::passed);
+    Racing shortOfOne{0.5, 2};
+    EXPECT_EQ(judgeBump(shortOfOne, 3).state, TaskState::passed);
+}
+
+/// Right normals, and a crash after them.
+class CrashesLater final : public probe::Examinee {
+public:
+    probe::Run ask(const std::vector<probe::Question>& questions) override {
+        probe::Run run = selftest::FunctionExaminee{[](const selftest::Point& point) {
+                             return modelNormal({}, selftest::Mistake::none, point);
+                         }}.ask(questions);
+        run.end = {probe::ProcessEnd::Kind::crashed, "signal 11"};
+        return run;
+    }
+};
+
+TEST(BumpThreads, SayThatTheProgramCrashedInTheRenders) {
+    CrashesLater crashing;
+    const TaskJudgement judgement = judgeBump(crashing, 3);
+    EXPECT_EQ(judgement.state, TaskState::blocked);
+    EXPECT_EQ(tests::firstId(judgement), "run.crashed");
+    EXPECT_NE(judgement.reason.find("with one thread and with two"), std::string::npos)
+        << judgement.reason;
+}
+
+TEST(BumpThreads, AskForTheSamePictureWithOneThreadAndWithTwo) {
+    const auto asked = bump::drawThreadedRenders(4);
+    ASSERT_EQ(asked.size(), 2U);
+    const auto& alone = std::get<RenderQuestion>(asked[0]);
+    const auto& together = std::get<RenderQuestion>(asked[1]);
+    EXPECT_EQ(alone.settings.threads, 1);
+    EXPECT_EQ(together.settings.threads, 2);
+    EXPECT_EQ(alone.scene.spheres.size(), 3U);
+    for (const auto& sphere : alone.scene.spheres)
+        EXPECT_NE(sphere.heightMap, nullptr);
+}
+
+}  // namespace
+}  // namespace ticker::tasks
