@@ -22,7 +22,7 @@ using probe::ProcessEnd;
 struct EndWords {
     std::string_view id;
     const char* message;
-    const char* hint;
+    std::string_view hint;
 };
 
 EndWords wordsFor(ProcessEnd::Kind kind) {
@@ -75,7 +75,7 @@ std::optional<TaskJudgement> judgeEnd(const Answers& answers, const Conduct& con
         return blocked({kRunCrashed.id,
                         "All normals were answered; then the program crashed while it rendered "
                         "with one thread and with two",
-                        kBumpThreadsMixed.hint.data()},
+                        kBumpThreadsMixed.hint},
                        end.detail);
     if (end.kind != ProcessEnd::Kind::finished || conduct.missing)
         return blocked(wordsFor(end.kind), end.detail);

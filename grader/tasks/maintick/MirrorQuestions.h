@@ -24,7 +24,7 @@ struct MirrorQuestion {
 /// points of its chain in order.
 [[nodiscard]] MirrorQuestion drawFacingMirrors(std::uint64_t seed);
 
-/// So many that tables of 16 or 32 reflections end before.
+/// More than a table of 16 or 32 reflections holds.
 inline constexpr int kDeepest = 40;
 
 /// Two parallel mirrors in ambient light alone, each of one colour: whatever the start of a

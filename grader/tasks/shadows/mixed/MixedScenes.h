@@ -25,6 +25,9 @@ namespace ticker::tasks {
 /// away than the light, and one that is more than 1000 away.
 [[nodiscard]] std::vector<ShadowQuestion> drawOtherBalls(Draw& draw);
 
+/// Three more: a light in plain sight, hundreds of units away and thousands.
+[[nodiscard]] std::vector<ShadowQuestion> drawVeryFarLights(Draw& draw);
+
 /// One more: 34 lights in plain sight, more than tables of 16 or 32 hold.
 [[nodiscard]] std::vector<ShadowQuestion> drawManyLights(Draw& draw);
 

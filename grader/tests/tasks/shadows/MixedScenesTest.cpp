@@ -21,7 +21,7 @@ constexpr std::uint64_t kSeeds = 40;
 std::vector<ShadowQuestion> drawn(std::uint64_t seed) {
     Draw draw{seed, 77};
     std::vector<ShadowQuestion> scenes = drawMixedScenes(draw);
-    for (const auto drawNext : {drawOtherBalls, drawManyLights})
+    for (const auto drawNext : {drawOtherBalls, drawVeryFarLights, drawManyLights})
         for (ShadowQuestion& scene : drawNext(draw))
             scenes.push_back(std::move(scene));
     return scenes;
@@ -155,6 +155,23 @@ TEST(OtherBalls, HideTheLightFromEveryPointUnderEverySeed) {
         EXPECT_EQ(bumpy, 3) << seed;
         EXPECT_EQ(large, 3) << seed;
         EXPECT_EQ(far, 1) << seed;
+    }
+}
+
+TEST(VeryFarLights, AreInPlainSightWhateverTheSeed) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        Draw draw{seed, 77};
+        std::vector<double> distances;
+        for (const ShadowQuestion& drawn : drawVeryFarLights(draw)) {
+            const auto& [object, position, normal, viewer] = drawn.question.points.at(0);
+            const Vector3 way = drawn.question.scene.pointLights.at(0).position() - position;
+            EXPECT_GT(way.normalised().dot(normal), 0.3) << seed;
+            distances.push_back(way.magnitude());
+        }
+        ASSERT_EQ(distances.size(), 3U);
+        EXPECT_GT(distances[0], 199.0) << seed;
+        EXPECT_GT(distances[1], 1099.0) << seed;
+        EXPECT_GT(distances[2], 5999.0) << seed;
     }
 }
 
