@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <variant>
 
 namespace ticker::tasks {
@@ -18,7 +19,8 @@ using raytracer::ColourRGB;
 /// Right normals, and renders of one grey. With two threads one pixel has another grey.
 class Racing final : public probe::Examinee {
 public:
-    Racing(double second, std::size_t pictures) : second_(second), pictures_(pictures) {}
+    Racing(double second, std::size_t pictures, double first = 0.25)
+        : first_(first), second_(second), pictures_(pictures) {}
 
     probe::Run ask(const std::vector<probe::Question>& questions) override {
         probe::Run run = normals_.ask(questions);
@@ -29,7 +31,7 @@ public:
             answer.state = probe::AnswerState::answered;
             const auto pixels = static_cast<std::size_t>(asked->settings.width) *
                                 static_cast<std::size_t>(asked->settings.height);
-            answer.images.assign(pictures_, std::vector<ColourRGB>(pixels, ColourRGB{0.25}));
+            answer.images.assign(pictures_, std::vector<ColourRGB>(pixels, ColourRGB{first_}));
             if (asked->settings.threads == 2) answer.images.back().at(17) = ColourRGB{second_};
             run.answers[i] = answer;
         }
@@ -40,6 +42,7 @@ private:
     selftest::FunctionExaminee normals_{[](const selftest::Point& point) {
         return modelNormal({}, selftest::Mistake::none, point);
     }};
+    double first_;
     double second_;
     std::size_t pictures_;
 };
@@ -57,6 +60,14 @@ TEST(BumpThreads, PassWhereBothRenderTheSameOrAPictureIsMissing) {
     EXPECT_EQ(judgeBump(same, 3).state, TaskState::passed);
     Racing shortOfOne{0.5, 2};
     EXPECT_EQ(judgeBump(shortOfOne, 3).state, TaskState::passed);
+}
+
+TEST(BumpThreads, TakeTheSameNaNInBothForTheSame) {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    Racing same{kNaN, 3, kNaN};
+    EXPECT_EQ(judgeBump(same, 3).state, TaskState::passed);
+    Racing once{kNaN, 3};
+    EXPECT_EQ(tests::firstId(judgeBump(once, 3)), "bump.threads-mixed");
 }
 
 /// Right normals, and a crash after them.
