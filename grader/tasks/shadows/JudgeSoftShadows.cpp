@@ -131,7 +131,7 @@ Result mixed(ShadowSeen& seen) {
 
 // Code with the handout's light size typed in, of which another check speaks, cannot answer.
 Result mixedNear(ShadowSeen& seen) {
-    if (!seen.reading || checkOtherSettings(seen.logs)) return std::nullopt;
+    if (!seen.reading || checkOtherSettings(seen.logs, seen.aims)) return std::nullopt;
     return checkMixed(seen.logs.mixedNear, *seen.reading, true);
 }
 
@@ -148,7 +148,7 @@ Result oddCount(ShadowSeen& seen) {
 }
 
 Result otherSettings(ShadowSeen& seen) {
-    return seen.reading ? checkOtherSettings(seen.logs) : std::nullopt;
+    return seen.reading ? checkOtherSettings(seen.logs, seen.aims) : std::nullopt;
 }
 
 /// A new check of T2.1: a row here with its function, and a row in ShadowFindings.h.

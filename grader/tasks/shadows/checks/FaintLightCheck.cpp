@@ -41,13 +41,6 @@ Finding lightLost(const ShadowLog& log, std::size_t rays, std::size_t asked) {
     return finding;
 }
 
-std::size_t linesOf(const ShadowLog& log) {
-    std::size_t lines = 0;
-    for (const PointLog& point : log.points)
-        lines += point.lines[0].size();
-    return lines;
-}
-
 }  // namespace
 
 // Of two readings that fit all other questions only one may fit a light that shines along the
@@ -64,56 +57,6 @@ std::optional<Finding> checkFaintLight(const ShadowLogs& logs) {
 std::optional<Finding> checkFaintValues(const ShadowLogs& logs, const ShadowReading& reading) {
     for (const ShadowLog* log : logs.faintLight)
         if (!allNearKnown({log}, reading.viewerIsEye)) return lightLost(*log, 0, 0);
-    return std::nullopt;
-}
-
-// The original's helper crowds at the centre: seen along its poles 0.904 of its rays pass within
-// 0.72 radii of it. That 280 of them do has a chance of 1e-12.
-std::optional<Finding> checkCloseLight(const ShadowLogs& logs, const AimVerdict& aims) {
-    constexpr double kSmall = 0.72;
-    constexpr std::size_t kEnough = 280;
-    const double radius = raytracer::RenderSettings{}.lightSize;
-    for (const ShadowLog* log : logs.closeLight) {
-        const double widest = widestMiss({log});
-        if (std::min(linesOf(*log), aims.distinct) < kEnough || widest > kSmall * radius) continue;
-        const Vector3 way = log->scene().pointLights[0].position() - log->points[0].point.position;
-        Finding finding = distributedFinding(
-            kShadowLightSize, Severity::fail,
-            fmt::format("Shadow rays were expected all over a light of radius {}; to one that is "
-                        "{:.2f} away they pass within {:.2f} of its centre, to one farther away "
-                        "they do not.",
-                        radius, way.magnitude(), widest));
-        finding.hint =
-            "The radius is settings().lightSize whatever the distance: take out the minimum (or "
-            "the factor) that has the light's distance in it.";
-        finding.evidence.emplace_back("widest", widest);
-        return finding;
-    }
-    return std::nullopt;
-}
-
-// Of the helper's rays 0.552 pass within 0.3 radii of the centre. That 44 of them do has a chance
-// of 5e-12.
-std::optional<Finding> checkOneRay(const ShadowLogs& logs, const AimVerdict& aims) {
-    constexpr double kSmall = 0.3;
-    constexpr std::size_t kEnough = 44;
-    for (const ShadowLog* log : logs.oneRay) {
-        const double widest = widestMiss({log});
-        if (std::min(linesOf(*log), aims.distinct) < kEnough ||
-            widest > kSmall * log->settings().lightSize)
-            continue;
-        Finding finding = distributedFinding(
-            kShadowFixedSamples, Severity::warn,
-            fmt::format("With {} shadow rays all is right; asked for a single one, which was "
-                        "expected to go to a random place of the light, illuminate casts it to the "
-                        "light's centre.",
-                        raytracer::RenderSettings{}.shadowRayCount));
-        finding.hint =
-            "Draw a place inside of the light's ball for every ray, also where it is the only one: "
-            "many pixels with one random ray each show a soft shadow with noise.";
-        finding.evidence.emplace_back("widest", widest);
-        return finding;
-    }
     return std::nullopt;
 }
 

@@ -76,7 +76,9 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkSmallPool(const AimVerdict& aims);
 [[nodiscard]] std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs);
 [[nodiscard]] std::optional<Finding> checkAims(const ShadowLogs& logs, const AimVerdict& aims);
-[[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs);
+/// Whether the number of rays and the light's radius are those of settings().
+[[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs,
+                                                        const AimVerdict& aims);
 /// Whether a number of rays that pairs or other groups do not make up is cast all the same.
 [[nodiscard]] std::optional<Finding> checkOddCount(const ShadowLogs& logs);
 /// Whether a light that adds little gets its rays and adds its light.

@@ -245,32 +245,4 @@ std::optional<Finding> checkOddCount(const ShadowLogs& logs) {
     return std::nullopt;
 }
 
-std::optional<Finding> checkOtherSettings(const ShadowLogs& logs) {
-    for (const ShadowLog* log : logs.otherSettings) {
-        const RayCounts counts = countRays({log});
-        const auto asked = static_cast<std::size_t>(log->settings().shadowRayCount);
-        const double widest = widestMiss({log});
-        const bool tooFew = counts.fewest < asked;
-        const bool tooWide = widest > log->settings().lightSize * (1.0 + 1e-6) + kLargestBias;
-        // Readings with wide intervals fit whenever the code's own reading does; with a smaller
-        // light only that one does.
-        const bool wrongValue = !fitsAnyReading(*log);
-        if (!tooFew && !tooWide && !wrongValue) continue;
-        Finding finding = distributedFinding(
-            kSettingsHardCoded, Severity::warn,
-            fmt::format("Asked for {} shadow rays to a light of radius {:.3g}, illuminate cast {} "
-                        "within {:.3g}: {}it does not follow settings().",
-                        asked, log->settings().lightSize, counts.fewest, widest,
-                        counts.fewest > 10U ? "more than the handout's 10 are accepted, but "
-                                            : "right with the handout's numbers, but "));
-        finding.section = "Soft shadows (T2.1)";
-        finding.evidence.emplace_back("raysAsked", static_cast<double>(asked));
-        finding.evidence.emplace_back("raysSeen", static_cast<double>(counts.fewest));
-        finding.evidence.emplace_back("lightSizeAsked", log->settings().lightSize);
-        finding.evidence.emplace_back("widest", widest);
-        return finding;
-    }
-    return std::nullopt;
-}
-
 }  // namespace ticker::tasks

@@ -28,6 +28,11 @@ namespace ticker::tasks {
 /// Three more: a light in plain sight, hundreds of units away and thousands.
 [[nodiscard]] std::vector<ShadowQuestion> drawVeryFarLights(Draw& draw);
 
+/// Of purpose `mixedNear`, with lights so small that they are nearly points: one in plain sight
+/// less than half a unit away, one that shows a narrow highlight, and one that a plane a few
+/// hundredths before it hides.
+[[nodiscard]] std::vector<ShadowQuestion> drawSmallLights(Draw& draw);
+
 /// One more: 34 lights in plain sight, more than tables of 16 or 32 hold.
 [[nodiscard]] std::vector<ShadowQuestion> drawManyLights(Draw& draw);
 

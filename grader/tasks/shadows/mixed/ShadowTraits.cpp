@@ -1,7 +1,7 @@
+#include <grader/tasks/shadows/mixed/PointQueries.h>
 #include <grader/tasks/shadows/mixed/ShadowTraits.h>
 #include <grader/tasks/support/Channels.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -10,67 +10,6 @@ namespace {
 
 using raytracer::Material;
 using raytracer::PointLight;
-
-const Material& surfaceOf(const PointOfLog& at) {
-    return materialOf(at.log->scene(), at.point->point.object);
-}
-
-double distanceOf(const PointOfLog& at, const PointLight& light) {
-    return (light.position() - at.point->point.position).magnitude();
-}
-
-bool isInFront(const PointOfLog& at, const PointLight& light) {
-    return (light.position() - at.point->point.position).dot(at.point->point.normal) > 0.0;
-}
-
-template <typename Test>
-bool anyLight(const PointOfLog& at, Test test) {
-    return std::ranges::any_of(at.log->scene().pointLights, test);
-}
-
-int channelsOf(const ColourRGB& colour) {
-    return (colour.r > 0.0 ? 1 : 0) + (colour.g > 0.0 ? 1 : 0) + (colour.b > 0.0 ? 1 : 0);
-}
-
-/// Whether such an object stands between the point and the centre of a light.
-/// @param test  Of a scene and the object's index.
-template <typename Test>
-bool anyBlockerThat(const PointOfLog& at, Test test) {
-    const raytracer::SceneDescription& scene = at.log->scene();
-    const auto& [object, position, normal, viewer] = at.point->point;
-    const Vector3 start = position + normal * 1e-4;
-    const int objects = static_cast<int>(scene.spheres.size() + scene.planes.size());
-    for (int i = 0; i < objects; ++i) {
-        if (i == object || !test(scene, i)) continue;
-        raytracer::SceneDescription alone;
-        const auto index = static_cast<std::size_t>(i);
-        if (index < scene.spheres.size())
-            alone.spheres = {scene.spheres[index]};
-        else
-            alone.planes = {scene.planes[index - scene.spheres.size()]};
-        const Surfaces surfaces{alone};
-        const bool blocks = anyLight(at, [&](const PointLight& light) {
-            const Vector3 way = light.position() - start;
-            return isInFront(at, light) &&
-                   surfaces.sightAlong(start, way.normalised(), way.magnitude()) == Sight::blocked;
-        });
-        if (blocks) return true;
-    }
-    return false;
-}
-
-template <typename Test>
-bool anyBlocker(const PointOfLog& at, Test test) {
-    return anyBlockerThat(at, [&](const raytracer::SceneDescription& scene, int object) {
-        return test(materialOf(scene, object));
-    });
-}
-
-/// Null: a plane.
-const raytracer::SphereDescription* sphereOf(const raytracer::SceneDescription& scene, int object) {
-    const auto index = static_cast<std::size_t>(object);
-    return index < scene.spheres.size() ? &scene.spheres[index] : nullptr;
-}
 
 constexpr const char* kAnyObject =
     "Whatever stands in the way hides the light: do not ask what kind of object it is, nor of what "
@@ -94,6 +33,13 @@ constexpr std::array kTraits{
                [](const PointOfLog& at) {
                    return anyLight(at, [&](const PointLight& light) {
                        return isInFront(at, light) && distanceOf(at, light) < 1.0;
+                   });
+               },
+               kEveryLight},
+    PointTrait{"a light is nearer than 0.5",
+               [](const PointOfLog& at) {
+                   return anyLight(at, [&](const PointLight& light) {
+                       return isInFront(at, light) && distanceOf(at, light) < 0.5;
                    });
                },
                kEveryLight},
@@ -190,6 +136,10 @@ constexpr std::array kTraits{
                                      [](const Material& of) { return channelsOf(of.colour) == 0; });
                },
                kAnyObject},
+    PointTrait{"an object is in the light's way, less than 0.05 before the light",
+               [](const PointOfLog& at) { return anyBlockerWithin(at, 0.05); },
+               "A hit before the light's place hides it, however close to the light: compare the "
+               "distances as they are, and take nothing from them."},
     PointTrait{
         "an object is in the light's way",
         [](const PointOfLog& at) { return anyBlocker(at, [](const Material&) { return true; }); },
@@ -209,6 +159,8 @@ constexpr std::array kTraits{
                [](const PointOfLog& at) { return surfaceOf(at).phongAlpha == 1.0; }, kSurface},
     PointTrait{"the surface's phongAlpha() is 30 or more",
                [](const PointOfLog& at) { return surfaceOf(at).phongAlpha >= 30.0; }, kSurface},
+    PointTrait{"the surface's phongAlpha() is above 100",
+               [](const PointOfLog& at) { return surfaceOf(at).phongAlpha > 100.0; }, kSurface},
     PointTrait{"the surface's reflectivity() is 1",
                [](const PointOfLog& at) { return surfaceOf(at).reflectivity == 1.0; },
                "illuminate knows nothing of mirrors: leave reflectivity() out of it."},

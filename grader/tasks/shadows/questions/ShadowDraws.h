@@ -58,6 +58,14 @@ void addLitPoints(Draw& draw, ShadowQuestion& drawn, int count, double reach);
 /// Sets the log's capacity, many times the number of rays that is asked for.
 void setCapacity(ShadowQuestion& question);
 
+/// Three lights, each a right angle or so from the others as seen from the floor. Two are far and
+/// have a ball before them, the last is near and has one behind it, nearer than the far ones are.
+[[nodiscard]] ShadowQuestion drawSeveralLights(Draw& draw);
+
+/// A light with a sphere behind it, seen from a floor. Three more spheres stand behind and around
+/// it, so near that rays past the light's centre meet them within a radius.
+[[nodiscard]] ShadowQuestion drawBeyondLight(Draw& draw);
+
 /// A floor under a light so far away, `towards` there, that its rays are almost parallel. The
 /// viewers stand aside, in directions of their own.
 [[nodiscard]] ShadowQuestion drawFarLight(Draw& draw, const Vector3& towards);
@@ -110,6 +118,10 @@ void setCapacity(ShadowQuestion& question);
 
 /// A floor under a light in plain sight, which gets a single ray from each point.
 [[nodiscard]] ShadowQuestion drawOneRay(Draw& draw);
+
+/// A floor under a light in plain sight: one of radius 1.5 to 2, and one so small that it is
+/// nearly a point. Of purpose `otherSettings`.
+[[nodiscard]] std::vector<ShadowQuestion> drawOtherSizes(Draw& draw);
 
 /// A floor with the light and the viewers behind it. R.V is below 0, for the eye as well.
 [[nodiscard]] ShadowQuestion drawBackSide(Draw& draw);

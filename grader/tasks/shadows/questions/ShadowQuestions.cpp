@@ -21,9 +21,6 @@ using raytracer::SceneDescription;
 // statement.
 constexpr int kPointsForEachZone = 12;
 constexpr int kPointsOnSphere = 6;
-constexpr int kPointsSeveral = 24;
-constexpr int kPointsInBothShadows = 6;
-constexpr int kPointsBeyond = 8;
 constexpr int kPointsBesideWall = 8;
 
 // No groups of two, five or ten rays make it up. Below the handout's number, so that code with that
@@ -84,88 +81,6 @@ ShadowQuestion drawOneLight(Draw& draw, const raytracer::RenderSettings& setting
         if (std::all_of(wanted.begin(), wanted.end(), [](int count) { return count == 0; })) break;
     }
     addPointsOnSphere(draw, drawn);
-    setCapacity(drawn);
-    return drawn;
-}
-
-/// Three lights, each a right angle or so from the others as seen from the floor. Two are far and
-/// have a ball before them, the last is near and has one behind it, nearer than the far ones are.
-ShadowQuestion drawSeveralLights(Draw& draw) {
-    const Vector3 up = draw.direction();
-    const Perpendiculars sides = perpendicularsOf(up);
-    const Vector3 foot = drawPlace(draw);
-
-    ShadowQuestion drawn;
-    drawn.purpose = Purpose::severalLights;
-    SceneDescription& scene = drawn.question.scene;
-    scene.ambientLighting = draw.colour(0.1, 0.5);
-    const double turn = draw.between(0.0, 2.0 * std::numbers::pi);
-    for (int i = 0; i < 3; ++i) {
-        const double angle = turn + i * 2.0 * std::numbers::pi / 3.0;
-        const Vector3 around = sideAt(sides, angle);
-        const Vector3 towards = (up + around * draw.between(1.3, 1.7)).normalised();
-        const bool isFar = i < 2;
-        const double distance = isFar ? draw.between(8.0, 9.0) : draw.between(5.0, 5.3);
-        scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));
-        const double size = draw.between(0.25, 0.35);
-        const double along = isFar
-                                 ? draw.between(1.6, 2.2)
-                                 : distance + 1.5 * drawn.question.settings.lightSize + 2.0 * size;
-        scene.spheres.push_back({foot + towards * along, size, drawMaterial(draw), nullptr});
-    }
-    scene.planes.push_back({foot, up, drawMaterial(draw)});
-
-    const Surfaces surfaces{scene};
-    const double radius = drawn.question.settings.lightSize;
-    for (int i = 0; i < kPointsSeveral; ++i) {
-        // The first ones lie in the shadow of both spheres, the others anywhere.
-        const double reach = i < kPointsInBothShadows ? 0.06 : 0.7;
-        const double x = draw.between(-reach, reach);
-        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-reach, reach);
-        const auto facing = static_cast<std::size_t>(draw.whole(0, 2));
-        const Vector3 light = scene.pointLights[facing].position();
-        drawn.question.points.push_back({3, point, up, drawViewer(draw, point, up, light)});
-        drawn.zones.push_back(zonesOf(scene, surfaces, point, up, radius));
-    }
-    setCapacity(drawn);
-    return drawn;
-}
-
-/// A light with a sphere behind it, seen from a floor. Three more spheres stand behind and around
-/// it, so near that rays past the light's centre meet them within a radius.
-ShadowQuestion drawBeyondLight(Draw& draw) {
-    const Vector3 up = draw.direction();
-    const Perpendiculars sides = perpendicularsOf(up);
-    const Vector3 foot = drawPlace(draw);
-    const Vector3 towards = draw.directionAround(up, 0.6);
-    const double distance = draw.between(3.0, 4.0);
-
-    ShadowQuestion drawn;
-    drawn.purpose = Purpose::beyondLight;
-    SceneDescription& scene = drawn.question.scene;
-    const double gap = 1.5 * drawn.question.settings.lightSize + draw.between(0.2, 1.0);
-    const double radius = draw.between(2.0, 3.0);
-    scene.ambientLighting = draw.colour(0.1, 0.5);
-    scene.pointLights.push_back(drawLight(draw, foot + towards * distance, distance));
-    scene.spheres.push_back(
-        {foot + towards * (distance + gap + radius), radius, drawMaterial(draw), nullptr});
-    const Perpendiculars round = perpendicularsOf(towards);
-    const double beside = 1.1 * drawn.question.settings.lightSize + radius;
-    for (const double turn : {0.0, 1.0 / 3.0, 2.0 / 3.0}) {
-        const double angle = 2.0 * std::numbers::pi * turn;
-        const Vector3 across = round.first * std::cos(angle) + round.second * std::sin(angle);
-        const Vector3 aside = across * 0.87 + towards * 0.5;  // 60 degrees from the way
-        scene.spheres.push_back({foot + towards * distance + aside.normalised() * beside, radius,
-                                 drawMaterial(draw), nullptr});
-    }
-    scene.planes.push_back({foot, up, drawMaterial(draw)});
-    for (int i = 0; i < kPointsBeyond; ++i) {
-        const double x = draw.between(-0.4, 0.4);
-        const Vector3 point = foot + sides.first * x + sides.second * draw.between(-0.4, 0.4);
-        const Vector3 viewer = drawViewer(draw, point, up, scene.pointLights[0].position());
-        drawn.question.points.push_back({4, point, up, viewer});
-        drawn.zones.push_back({Zone::lit});
-    }
     setCapacity(drawn);
     return drawn;
 }
@@ -256,7 +171,8 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     questions.push_back(drawLightsInLine(draw));
     questions.push_back(drawVeryCloseLight(draw));
     questions.push_back(drawOneRay(draw));
-    for (const auto drawNext : {drawMixedScenes, drawOtherBalls, drawVeryFarLights, drawManyLights})
+    for (const auto drawNext : {drawMixedScenes, drawOtherBalls, drawVeryFarLights, drawManyLights,
+                                drawSmallLights, drawOtherSizes})
         for (ShadowQuestion& drawn : drawNext(draw))
             questions.push_back(std::move(drawn));
     return questions;

@@ -121,6 +121,9 @@ TEST(MixedScenes, HaveRaysThatBelongToOneLight) {
 /// The points of one seed's scenes, nothing answered.
 struct Points {
     explicit Points(std::uint64_t seed) : questions(drawn(seed)) {
+        Draw draw{seed, 79};
+        for (ShadowQuestion& small : drawSmallLights(draw))
+            questions.push_back(std::move(small));
         for (const ShadowQuestion& question : questions)
             logs.push_back(readShadowLog(question, {}));
         for (const ShadowLog& log : logs)
@@ -131,69 +134,6 @@ struct Points {
     std::vector<ShadowLog> logs;
     std::vector<PointOfLog> all;
 };
-
-TEST(OtherBalls, HideTheLightFromEveryPointUnderEverySeed) {
-    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-        Draw draw{seed, 77};
-        int bumpy = 0;
-        int large = 0;
-        int far = 0;
-        for (const ShadowQuestion& drawn : drawOtherBalls(draw)) {
-            const raytracer::SphereDescription& ball = drawn.question.scene.spheres.at(0);
-            const Vector3 light = drawn.question.scene.pointLights.at(0).position();
-            bumpy += ball.heightMap != nullptr ? 1 : 0;
-            const Vector3 foot = drawn.question.scene.planes.at(0).point;
-            far += (ball.centre - foot).magnitude() - ball.radius > 1000.0 ? 1 : 0;
-            bool isFarther = true;
-            for (const probe::LitPoint& point : drawn.question.points)
-                isFarther = isFarther && (ball.centre - point.position).magnitude() >
-                                             (light - point.position).magnitude();
-            large += isFarther ? 1 : 0;
-            for (const std::vector<Zone>& zones : drawn.zones)
-                EXPECT_EQ(zones, std::vector{Zone::umbra}) << seed;
-        }
-        EXPECT_EQ(bumpy, 3) << seed;
-        EXPECT_EQ(large, 3) << seed;
-        EXPECT_EQ(far, 1) << seed;
-    }
-}
-
-TEST(VeryFarLights, AreInPlainSightWhateverTheSeed) {
-    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-        Draw draw{seed, 77};
-        std::vector<double> distances;
-        for (const ShadowQuestion& drawn : drawVeryFarLights(draw)) {
-            const auto& [object, position, normal, viewer] = drawn.question.points.at(0);
-            const Vector3 way = drawn.question.scene.pointLights.at(0).position() - position;
-            EXPECT_GT(way.normalised().dot(normal), 0.3) << seed;
-            distances.push_back(way.magnitude());
-        }
-        ASSERT_EQ(distances.size(), 3U);
-        EXPECT_GT(distances[0], 199.0) << seed;
-        EXPECT_GT(distances[1], 1099.0) << seed;
-        EXPECT_GT(distances[2], 5999.0) << seed;
-    }
-}
-
-TEST(ManyLights, AllLightTheirPointsAndTheLastOnesShow) {
-    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-        Draw draw{seed, 77};
-        const ShadowQuestion drawn = drawManyLights(draw).at(0);
-        const auto& lights = drawn.question.scene.pointLights;
-        ASSERT_EQ(lights.size(), 34U);
-        for (const probe::LitPoint& point : drawn.question.points) {
-            const auto arriving = [&](const PointLight& light) {
-                const Vector3 way = light.position() - point.position;
-                EXPECT_GT(way.normalised().dot(point.normal), 0.3) << seed;
-                return light.illuminationAt(way.magnitude()).g * way.normalised().dot(point.normal);
-            };
-            double all = 0.0;
-            for (const PointLight& light : lights)
-                all += arriving(light);
-            EXPECT_GT(arriving(lights[32]) + arriving(lights[33]), 0.04 * all) << seed;
-        }
-    }
-}
 
 TEST(MixedScenes, HavePointsWithEachTraitAndWithout) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {

@@ -124,6 +124,7 @@ int countZones(const ShadowQuestion& question, Zone zone) {
 TEST(ShadowQuestions, OfOneLightHaveAllThreeZonesAndPointsOnTheBall) {
     for (const Purpose purpose : {Purpose::oneLight, Purpose::otherSettings, Purpose::oddCount})
         forEach(purpose, [&](const ShadowQuestion& question) {
+            if (question.question.scene.spheres.empty()) return;  // a light of another size
             const int each = purpose == Purpose::oneLight ? 12 : 6;
             EXPECT_EQ(countZones(question, Zone::lit), each + 6);
             EXPECT_EQ(countZones(question, Zone::umbra), each);

@@ -219,7 +219,7 @@ std::optional<Finding> judgeOther(int rays, double off, double colourTimes = 1.0
                     unshadowed(point, made.last().scene(), 0, false)) *
                    colourTimes;
     if (miss >= 0.0) point.lines[0][0].miss = miss;
-    return checkOtherSettings(made.logs());
+    return checkOtherSettings(made.logs(), AimVerdict{});
 }
 
 TEST(CheckOtherSettings, WantsThemFollowed) {
@@ -233,6 +233,30 @@ TEST(CheckOtherSettings, WantsThemFollowed) {
     EXPECT_NEAR(numberIn(*wide, "widest"), 0.26, 1e-3);
     EXPECT_EQ(numberIn(*wide, "raysSeen"), 14.0);
     EXPECT_TRUE(judgeOther(14, 0.2, 1.5)) << "a value of no reading";
+}
+
+// A radius of at most some number fits the handout's light, and larger ones no more.
+TEST(CheckOtherSettings, WantsAWideLightToBeWide) {
+    const auto judgeWide = [](double off, std::size_t distinct) {
+        ShadowByHand made;
+        ShadowQuestion& question = made.ask(Purpose::otherSettings, {{0.0, 8.0, 0.0}});
+        question.question.settings.shadowRayCount = 15;
+        question.question.settings.lightSize = 1.5;
+        for (int i = 0; i < 30; ++i) {
+            PointLog& point = made.point();
+            made.castRing(15, 0, off);
+            point.colour = ambientPart(point, made.last().scene()) +
+                           unshadowed(point, made.last().scene(), 0, false);
+        }
+        AimVerdict aims;
+        aims.distinct = distinct;
+        return checkOtherSettings(made.logs(), aims);
+    };
+    EXPECT_FALSE(judgeWide(1.2, 2010));
+    const auto narrow = judgeWide(1.0, 2010);
+    ASSERT_EQ(idOf(narrow), "settings.hard-coded");
+    EXPECT_NEAR(numberIn(*narrow, "widest"), 1.0, 0.02);
+    EXPECT_FALSE(judgeWide(1.0, 10)) << "ten aims say little";
 }
 
 TEST(CheckOtherSettings, SaysThatMoreThanTheHandoutsRaysAreAccepted) {
