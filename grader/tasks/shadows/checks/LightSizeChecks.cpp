@@ -18,8 +18,8 @@ struct Crowd {
     std::size_t lines;
 };
 
-// The original's helper crowds at the centre: seen along its poles 0.904 of its rays pass within
-// 0.72 radii of it, 0.91 from as near as five radii. That 280 of them do has a chance of 4e-12.
+// The original's helper crowds at the centre: seen along its poles, from 1.4 radii away or farther,
+// 0.904 of its rays pass within 0.72 radii of it. That 280 of them do has a chance of 5e-13.
 constexpr Crowd kSmallLight{0.72, 280};
 
 // Of the helper's rays 0.552 pass within 0.3 radii of the centre. That 44 of them do has a chance

@@ -53,6 +53,8 @@ ShadowQuestion drawHiddenCloseBy(Draw& draw) {
     addLitPoints(draw, drawn, kPointsOfSmall, 0.1);
     const Vector3 light = scene.pointLights.front().position();
     const Vector3 towards = (light - scene.planes.front().point).normalised();
+    // Outside of the margin of 0.02 that some leave before the light, inside of one of 0.05, which
+    // loses shadows.
     scene.planes.push_back({light - towards * draw.between(0.035, 0.045),
                             draw.directionAround(towards, 0.1), drawMaterial(draw)});
     for (std::vector<Zone>& zones : drawn.zones)

@@ -21,7 +21,7 @@ struct ShadowQuestion {
         planeShadow,    ///< a wall on the floor hides the light from the points behind it
         farLight,       ///< a single light, a hundred units away: shows where the rays aim
         lightBehind,    ///< three lights, the second behind the surface: the other two light it
-        otherSettings,  ///< like oneLight, with other ray counts and light size
+        otherSettings,  ///< like oneLight or in plain sight, with other ray counts and light sizes
         inLine,         ///< spheres one behind the other, before the light and beyond it
         contact,        ///< a ball that rests on the floor, and points close to where it does
         horizon,        ///< a light so low above a floor that part of it is below the horizon
