@@ -111,11 +111,17 @@ std::size_t fewestRays(const LensLog& log) {
 std::optional<Finding> checkOtherSettings(const LensLog& log) {
     std::optional<Finding> wrong = firstFailure(log);
     if (!wrong) return std::nullopt;
+    const auto handoutRays = static_cast<std::size_t>(raytracer::RenderSettings{}.dofRayCount);
+    // Where the handout's number is typed in, every pixel gets as many.
+    if (is(*wrong, kDofTooFewRays) && !log.cut && fewestRays(log) < handoutRays)
+        return onlyWhere("With the handout's settings all is right; with other settings",
+                         "Cast settings().dofRayCount rays for every pixel, whatever the settings "
+                         "are and whatever the pixel shows, also where that is sharp.",
+                         std::move(wrong));
     Finding finding = renamed(kSettingsHardCoded, Severity::warn,
                               "render does not follow settings(): asked for other numbers than the "
                               "handout's, it is wrong. ",
                               *std::move(wrong));
-    const auto handoutRays = static_cast<std::size_t>(raytracer::RenderSettings{}.dofRayCount);
     if (const std::size_t rays = fewestRays(log);
         rays > handoutRays && rays < static_cast<std::size_t>(log.asked->settings.dofRayCount))
         finding.message +=

@@ -3,6 +3,7 @@
 #include <grader/tasks/lens/answers/RayColours.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -56,20 +57,31 @@ void addHelpers(LensLog& log, const std::vector<PlacedRay>& rays, const PixelOf&
                 placed.byCamera >= 0 ? placed.byCamera : nearestByFocus(placed.ray, log));
 }
 
-void place(LensLog& log, const std::vector<PlacedRay>& rays) {
-    if (rays.empty()) return;
-    for (const PixelOf& pixelOf : {PixelOf{&PlacedRay::bySet}, PixelOf{&PlacedRay::byCamera}})
-        if (distribute(log, rays, pixelOf)) {
-            addHelpers(log, rays, pixelOf);
-            return;
-        }
-    distribute(log, rays, [&](const PlacedRay& placed) { return nearestByFocus(placed.ray, log); });
-}
-
 bool hasAllRays(const LensLog& log) {
     const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
     return std::all_of(log.pixels.begin(), log.pixels.end(),
                        [&](const LensPixel& pixel) { return pixel.rays.size() >= asked; });
+}
+
+// Of three ways the first by which every pixel gets all its rays, since loops may run in any order:
+// if each pass over the picture adds a ray to every pixel, and the last one sets the pixels, the
+// first that is set comes after nearly all rays. Where no way does so, the first by which every
+// pixel gets a ray.
+void place(LensLog& log, const std::vector<PlacedRay>& rays) {
+    if (rays.empty()) return;
+    const auto byFocus = [&](const PlacedRay& placed) { return nearestByFocus(placed.ray, log); };
+    const std::array<PixelOf, 3> ways{&PlacedRay::bySet, &PlacedRay::byCamera, byFocus};
+    const auto asked = static_cast<std::size_t>(log.asked->settings.dofRayCount);
+    const auto placeBy = [&](const PixelOf& pixelOf) {
+        if (!distribute(log, rays, pixelOf)) return false;
+        addHelpers(log, rays, pixelOf);
+        return true;
+    };
+    if (rays.size() >= asked * log.pixels.size())
+        for (const PixelOf& pixelOf : ways)
+            if (placeBy(pixelOf) && hasAllRays(log)) return;
+    for (const PixelOf& pixelOf : ways)
+        if (placeBy(pixelOf)) return;
 }
 
 bool isPinhole(const LensRay& ray, const LensPixel& pixel) {

@@ -1,12 +1,16 @@
+#include <grader/tasks/lens/answers/LensLog.h>
 #include <grader/tasks/lens/questions/MixedRenders.h>
 #include <grader/tasks/support/Channels.h>
 #include <grader/tasks/support/Deck.h>
+#include <grader/tasks/support/Surfaces.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace ticker::tasks {
 namespace {
@@ -24,6 +28,9 @@ constexpr std::size_t kEventsForEachRay = 24;
 // Brightest channel of the ambient light, from which `wordsOf` knows the scene.
 constexpr double kDark = 0.01;
 constexpr double kBright = 100.0;
+
+// How far from the focal plane a surface may lie that `wordsOf` calls a surface in it.
+constexpr double kInFocus = 1e-9;
 
 enum class Shows : std::uint8_t { usual, nothing, black, dark, bright, mirrors, close };
 
@@ -62,6 +69,42 @@ SceneDescription drawScene(Draw& draw, Shows shows) {
             }
     }
     return scene;
+}
+
+// z of what the centre of each pixel shows; infinite where it shows nothing.
+std::vector<double> depthsOf(const SceneDescription& scene, const RenderSettings& settings) {
+    const Surfaces surfaces{scene};
+    std::vector<double> depths;
+    for (int i = 0; i < settings.width * settings.height; ++i) {
+        const Vector3 pinhole = pinholeDirection(settings, i % settings.width, i / settings.width);
+        depths.push_back(surfaces.hitsAlong({}, pinhole).plain * pinhole.z);
+    }
+    return depths;
+}
+
+bool showsFocalPlane(const SceneDescription& scene, const RenderSettings& settings) {
+    return std::ranges::any_of(depthsOf(scene, settings), [&](double depth) {
+        return std::abs(depth - settings.dofFocalPlane) < kInFocus;
+    });
+}
+
+// The focal plane goes exactly through what a pixel shows: code that casts one ray where a pixel
+// is sharp is wrong there, whatever it calls sharp.
+probe::RenderQuestion drawInFocus(std::uint64_t seed) {
+    Draw draw{seed, 32};
+    RenderSettings settings;
+    settings.width = 4;
+    settings.height = 3;
+    SceneDescription scene;
+    std::vector<double> shown;
+    do {
+        scene = drawBalls(draw);
+        shown = depthsOf(scene, settings);
+        std::erase_if(shown, [](double depth) { return !(depth > 1.5 && depth < 8.0); });
+    } while (shown.empty());
+    const auto one = draw.whole(0, static_cast<int>(shown.size()) - 1);
+    settings.dofFocalPlane = shown[static_cast<std::size_t>(one)];
+    return renderOf(draw, std::move(scene), settings);
 }
 
 std::string sceneWords(const SceneDescription& scene) {
@@ -142,15 +185,18 @@ std::vector<probe::RenderQuestion> drawMixedRenders(std::uint64_t seed) {
         SceneDescription scene = drawScene(draw, shows.deal());
         renders.push_back(renderOf(draw, std::move(scene), settings));
     }
+    renders.push_back(drawInFocus(seed));
     return renders;
 }
 
 std::string wordsOf(const probe::RenderQuestion& asked) {
     const RenderSettings& settings = asked.settings;
+    const bool inFocus = showsFocalPlane(asked.scene, settings);
     return fmt::format(
         "in a picture of {} x {} pixels of {}, with the focal plane at {:.3g}, a dofAmount of "
         "{:.2g} and {} bounces",
-        settings.width, settings.height, sceneWords(asked.scene), settings.dofFocalPlane,
+        settings.width, settings.height,
+        inFocus ? "a surface in the focal plane" : sceneWords(asked.scene), settings.dofFocalPlane,
         settings.dofAmount, settings.bounces);
 }
 

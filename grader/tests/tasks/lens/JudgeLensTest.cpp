@@ -180,6 +180,19 @@ TEST(JudgeDepthOfField, SaysThatMoreRaysThanTheHandoutsAreAccepted) {
     EXPECT_EQ(messageWith(80), "");
 }
 
+TEST(JudgeDepthOfField, FailsFewerRaysThanTheHandoutsInAPictureWithOtherSettings) {
+    RightLog other{0.2, 80};
+    other.asked.settings.dofRayCount = 80;
+    std::vector<LensRay>& rays = other.log.pixels[1].rays;
+    rays.resize(1);
+    other.log.pixels[1].colour = *rays[0].value;
+    const LensOutcome outcome = judgeDepthOfField(RightLog().log, other.log);
+    ASSERT_EQ(idsOf(outcome), "dof.too-few-rays ");
+    EXPECT_NE(outcome.findings[0].message.find("with other settings it is not"), std::string::npos);
+    other.log.cut = true;
+    EXPECT_EQ(idsOf(judgeDepthOfField(RightLog().log, other.log)), "settings.hard-coded ");
+}
+
 TEST(JudgeDepthOfField, WarnsOfPixelsThatAreLostInAPictureOfAnotherSize) {
     RightLog other;
     for (LensPixel& pixel : other.log.pixels) {

@@ -116,6 +116,37 @@ TEST(LensLog, JoinsATracedRayWithThoseOfAnotherRecursionWhereBothGiveTheColour) 
     }
 }
 
+/// Two pixels, rendered in two passes over the picture; the second pass sets the pixels.
+LensLog readTwoPasses(bool asksCamera) {
+    OnePixel asked;
+    asked.question.settings.width = 2;
+    for (const int pass : {1, 2})
+        for (const int x : {0, 1}) {
+            if (asksCamera) asked.tell(Event::Kind::cameraRayAsked, {});
+            if (asksCamera) asked.answer.events.back().x = x;
+            const Vector3 lens{0.01 * pass, 0.0, 0.0};
+            const Vector3 pinhole = pinholeDirection(asked.question.settings, x, 0);
+            const Vector3 focus = pinhole * (asked.question.settings.dofFocalPlane / pinhole.z);
+            asked.tell(Event::Kind::traceBegan, lens, focus - lens);
+            asked.tell(Event::Kind::traceEnded, {1.0 * pass, 0.0, 0.0});
+            if (pass == 1) continue;
+            asked.tell(Event::Kind::pixelSet, {});
+            asked.answer.events.back().x = x;
+        }
+    asked.answer.images = {{ColourRGB{1.5, 0.0, 0.0}, ColourRGB{1.5, 0.0, 0.0}}};
+    return readLensLog(asked.question, asked.answer);
+}
+
+TEST(LensLog, GivesEachPixelItsRaysIfTheLastOfSeveralPassesSetsThePixels) {
+    for (const bool asksCamera : {true, false}) {
+        const LensLog log = readTwoPasses(asksCamera);
+        for (const LensPixel& pixel : log.pixels)
+            EXPECT_EQ(pixel.rays.size(), 2U) << asksCamera;
+        EXPECT_FALSE(checkLensCounts(log));
+        EXPECT_FALSE(checkAverage(log));
+    }
+}
+
 TEST(LensLog, DoesNotTakeAReflectionForALensRay) {
     OnePixel asked;
     asked.cast(0.1, 0);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace ticker::tasks {
@@ -109,7 +110,7 @@ TEST(MixedRenders, HaveEachKindOfSceneAndSizeUnderEverySeed) {
     using Asked = probe::RenderQuestion;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         const std::vector<Asked> renders = drawMixedRenders(seed);
-        ASSERT_EQ(renders.size(), 9U);
+        ASSERT_EQ(renders.size(), 10U);
         for (const auto fits :
              {+[](const Asked& a) { return a.scene.planes.empty(); },
               +[](const Asked& a) { return a.scene.ambientLighting.r == 0.0; },
@@ -133,6 +134,24 @@ TEST(MixedRenders, HaveEachKindOfSceneAndSizeUnderEverySeed) {
                                 +[](const Asked& a) { return a.settings.dofFocalPlane > 20.0; },
                                 +[](const Asked& a) { return a.settings.dofAmount > 0.5; }})
             EXPECT_GE(countOf(renders, fits), 1U) << seed;
+    }
+}
+
+// Code that spares the lens where a pixel is sharp is right if no surface is near enough.
+TEST(MixedRenders, FocusOnASurfaceInTheLast) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        const probe::RenderQuestion asked = drawMixedRenders(seed).back();
+        const raytracer::Scene scene{asked.scene};
+        double least = 1.0;
+        for (int i = 0; i < asked.settings.width * asked.settings.height; ++i) {
+            const auto hit = scene.findClosestIntersection(
+                {Vector3{}, pinholeDirection(asked.settings, i % asked.settings.width,
+                                             i / asked.settings.width)});
+            if (hit)
+                least = std::min(least, std::abs(hit->location.z - asked.settings.dofFocalPlane));
+        }
+        EXPECT_LT(least, 1e-9) << seed;
+        EXPECT_NE(wordsOf(asked).find("of a surface in the focal plane"), std::string::npos);
     }
 }
 
