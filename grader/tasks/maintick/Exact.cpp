@@ -6,7 +6,8 @@
 
 namespace ticker::tasks::maintick {
 
-// From the point of the line that is nearest to the centre: another way than the handout's.
+// Computes the hit from the line's point nearest to the centre. The handout solves a quadratic
+// instead, so that no mistake is in both.
 std::optional<Meeting> meet(const raytracer::SphereDescription& sphere, const Ray& ray) {
     const double length = ray.direction.magnitude();
     const Vector3 along = ray.direction / length;

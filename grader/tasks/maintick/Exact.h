@@ -19,13 +19,14 @@ using raytracer::ColourRGB;
 using raytracer::Ray;
 using raytracer::Vector3;
 
-/// What right answers may differ by, relative to the larger of 1 and the expected value. In double
-/// precision all algebra agrees to 1e-9; in float to 2e-4, as accepted entries of the corpus show,
-/// since small spheres are asked from near and far ones are large. Every known mistake moves some
-/// answer by more than 1e-2, but for distances rounded to three decimals: one near plane is asked
-/// with a tolerance of its own.
+/// Tolerance of right answers, relative to the larger of 1 and the expected value. In double
+/// precision all ways to compute agree to 1e-9. In single precision they agree to 2e-4, as accepted
+/// entries of the corpus show: small spheres are asked from nearby, and far ones are large. Every
+/// known mistake moves some answer by more than 1e-2. The exception is a distance rounded to three
+/// decimals, for which one near plane is asked with a tolerance of its own.
 inline constexpr double kTolerance = 5e-4;
-/// Of colours behind a mirror: the reflected ray starts up to 1e-3 above the surface.
+/// Tolerance of colours behind a mirror, whose reflected ray may start up to 1e-3 above the
+/// surface.
 inline constexpr double kMirrorTolerance = 4e-3;
 
 /// False for NaN.
@@ -37,7 +38,7 @@ inline constexpr double kMirrorTolerance = 4e-3;
     return isNear((a - expected).magnitude() + expected.magnitude(), expected.magnitude(),
                   tolerance);
 }
-/// Relative to the colour itself, whose channels may all be small.
+/// Relative to the largest channel of `expected`, since all its channels may be small.
 [[nodiscard]] inline bool isNear(const ColourRGB& a, const ColourRGB& expected,
                                  double tolerance = kTolerance) {
     const double scale =
@@ -65,9 +66,11 @@ struct Meeting {
 /// @param hint  Empty: that of `text`.
 [[nodiscard]] Finding failure(const FindingText& text, std::string seen, std::string hint = {});
 
-/// The first of these questions that code with this mistake would answer otherwise; all are right:
-/// nothing.
-/// @param isRight  Whether the answer to a question (by index) is that of a mistake (a pointer).
+/// Index of the first answer that code with this mistake would not give; empty if the mistake
+/// explains all answers.
+/// @param mistake  A pointer; null stands for right code.
+/// @param isRight  isRight(index, mistake): whether that answer is the one of code with the
+///                 mistake.
 template <class Mistake, class IsRight>
 [[nodiscard]] std::optional<std::size_t> firstWrong(std::size_t questions, const Mistake& mistake,
                                                     const IsRight& isRight) {

@@ -51,7 +51,8 @@ const FindingText& nameOf(const AskedHit& asked, const probe::Hit& hit, const Hi
     }
 }
 
-/// Of the distances: the first that is wrong, under the name of the mistake that explains all.
+/// A finding about the first wrong distance, under the name of the known mistake that explains all
+/// distances, if there is one.
 std::optional<Finding> checkDistances(const raytracer::SceneDescription& scene, const Asked& asked,
                                       const Hits& hits, std::span<const HitMistake> mistakes,
                                       const HitTexts& texts) {
@@ -85,7 +86,8 @@ std::optional<Finding> checkLocation(const AskedHit& asked, const probe::Hit& hi
                                    : "");
 }
 
-/// The text asks for none of this; only back faces look different.
+/// Whether the normal is turned towards the origin of the ray. The handout does not say which way
+/// it points, and only back faces look different.
 bool isTurned(const AskedHit& asked, const probe::Hit& hit) {
     const Vector3 expected = asked.expected->normal;
     return asked.ray.direction.dot(expected) > 0.0 && isNear(hit.normal, expected * -1.0);
@@ -137,7 +139,8 @@ std::optional<Finding> noteTurned(const Asked& asked, const Hits& hits, const Hi
     return std::nullopt;
 }
 
-/// A distance may count lengths of the direction or world units; the location is one point.
+/// Compares locations only: along a long direction, code may count the distance in lengths of the
+/// direction or in world units.
 std::optional<Finding> checkLongDirections(const Asked& asked, const Hits& hits,
                                            const HitTexts& texts) {
     for (std::size_t i = 0; i < asked.size(); ++i) {

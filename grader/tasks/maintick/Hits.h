@@ -26,25 +26,26 @@ struct AskedHit {
     [[nodiscard]] Ray line() const { return {ray.origin, ray.direction}; }
 };
 
-/// Nothing: no hit.
+/// Distance of a hit; empty for a miss.
 using Distance = std::optional<double>;
-/// Of code that drops hits with a z below 0.
+/// Hint for code that drops hits with a z below 0.
 inline constexpr const char* kBehindCameraHint =
     "What lies behind the camera is hit as well, since shadow rays and mirrored rays go there: "
     "compare s alone, and no z.";
 [[nodiscard]] inline Distance ifAhead(double distance) {
     return distance > 0.0 ? Distance{distance} : Distance{};
 }
-/// Nothing where the hit's z is below 0.
+/// The same distance, but empty if the hit's z is below 0.
 [[nodiscard]] inline Distance ifBeforeCamera(const Ray& ray, const Distance& distance) {
     return distance && ray.evaluateAt(*distance).z >= 0.0 ? distance : Distance{};
 }
 
-/// Of code that takes rays along an axis, or level ones, for parallel to what they meet.
+/// Hint for code that treats a ray along an axis, or a level one, as parallel to what it meets.
 inline constexpr const char* kStillHint =
     "A ray whose direction has a 0 among its coordinates, as one that is level or goes straight "
     "ahead, meets things like every other ray: leave tests of single coordinates out.";
-/// Nothing where the ray leaves all of these coordinates (1: x, 2: y, 4: z) nearly as they are.
+/// The same distance, but empty if the ray's direction is nearly 0 in all of these coordinates.
+/// @param coordinates  Sum of 1 for x, 2 for y and 4 for z.
 [[nodiscard]] inline Distance unlessStill(unsigned coordinates, const Ray& ray,
                                           const Distance& distance) {
     constexpr double kStill = 1e-3;
@@ -66,7 +67,7 @@ struct HitMistake {
 [[nodiscard]] std::span<const HitMistake> sphereMistakes();
 [[nodiscard]] std::span<const HitMistake> planeMistakes();
 
-/// What is said where no known mistake fits, and of the fields of a hit.
+/// Findings for answers that no known mistake explains, and for wrong fields of a hit.
 struct HitTexts {
     const FindingText* missed;
     const FindingText* phantom;  ///< a hit where the ray passes by
@@ -78,7 +79,7 @@ struct HitTexts {
     const FindingText* object;
     const FindingText* turned;  ///< a note: normals that are turned towards the ray
     const FindingText* length;  ///< of directions that are no unit vectors; null: not asked
-    const char* normalHint;     ///< of one that is neither reversed nor of another length
+    const char* normalHint;     ///< for a wrong normal, unless only its sign or length is wrong
     std::span<const FindingText* const> order;
 };
 

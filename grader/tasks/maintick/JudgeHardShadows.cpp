@@ -27,7 +27,7 @@ using raytracer::Vector3;
 using Seen = std::vector<ShadeSeen>;
 constexpr std::size_t kQuestionsEach = 7;
 
-/// Of the object that the point lies on.
+/// The question about the setup's point on its own object.
 probe::IlluminateQuestion onSurface(const ShadeCase& shade, const LitSetup& setup) {
     probe::IlluminateQuestion question = maintick::questionOf(setup);
     question.points[0].object = shade.object;
@@ -64,8 +64,8 @@ RayStart rayStartOf(const Vector3& origin, const LitSetup& asked) {
                                                                            : RayStart::elsewhere;
 }
 
-/// What is known of the shadow rays: `bias`, `aim` and `start`. Rays that start at the light, and
-/// look at the point from there, are right as well.
+/// Sets `bias`, `aim` and `start` from the logged shadow rays. A ray from the light to the point is
+/// right as well.
 void readRays(ShadeSeen& seen, const std::vector<probe::Event>& events) {
     const LitSetup& asked = seen.asked->asked;
     for (const probe::Event& event : events) {
@@ -82,7 +82,8 @@ void readRays(ShadeSeen& seen, const std::vector<probe::Event>& events) {
     }
 }
 
-/// Where other light is lost as well, that is a mistake of M2.
+/// Sets `isUnlit` for cases in which grazing light is lost. If any other light is lost, too, that
+/// is a mistake of M2, and no case is marked.
 void findUnlit(Seen& seen) {
     const auto isOf = [](const ShadeSeen& one) { return one.asked->place == Occluder::grazing; };
     if (std::any_of(seen.begin(), seen.end(),
@@ -100,7 +101,8 @@ Seen readAnswers(const std::vector<ShadeCase>& cases, const probe::Run& run) {
         };
         const auto colour = [&](std::size_t k) { return answer(k).colours.at(0); };
         ShadeSeen one{&cases[i], colour(0), colour(1), colour(2), colour(3), colour(4), colour(5)};
-        // Code that takes a point for hidden where the light does not meet it hides all that float.
+        // Code that casts its shadow rays from the light hides every floating point, since they
+        // miss it. The same point on its surface then shows what full light is.
         if (one.hasNoLight()) one.lit = colour(6);
         readRays(one, answer(0).events);
         seen.push_back(one);

@@ -14,10 +14,10 @@ namespace ticker::tasks {
 [[nodiscard]] TaskJudgement judgePhong(probe::Examinee& examinee, std::uint64_t seed);
 /// M3.1: `Plane::intersectionWith`.
 [[nodiscard]] TaskJudgement judgePlanes(probe::Examinee& examinee, std::uint64_t seed);
-/// M3.2: `Renderer::illuminate` where something does. What arrives is held against what the same
-/// code says without that object, so that a mistake of M2 does not count twice.
+/// M3.2: `Renderer::illuminate` where an object hides the light. The colour is compared with what
+/// the same code gives without that object, so that a mistake of M2 does not count twice.
 [[nodiscard]] TaskJudgement judgeHardShadows(probe::Examinee& examinee, std::uint64_t seed);
-/// M4: `Renderer::trace`, held against what the same code's `illuminate` says of each surface.
+/// M4: `Renderer::trace`, compared with what the same code's `illuminate` gives for each surface.
 [[nodiscard]] TaskJudgement judgeReflections(probe::Examinee& examinee, std::uint64_t seed);
 
 }  // namespace ticker::tasks

@@ -20,7 +20,8 @@ using maintick::isNear;
 using maintick::LitSetup;
 using maintick::words;
 
-/// Where no known mistake fits: what the first wrong question is about, in the order of `LitKind`.
+/// The finding if no known mistake explains the answers, by the kind of the first wrong question.
+/// The rows below are in the order of `LitKind`.
 struct KindName {
     const FindingText* finding;
     const char* hint = "";  ///< empty: that of `finding`
@@ -73,9 +74,9 @@ std::optional<Finding> check(const std::vector<maintick::LitQuestion>& asked,
     return maintick::failure(*name.finding, seen, name.hint);
 }
 
-/// Shadows that are there already must not matter. Points float, so that no surface is in the way
-/// of light. Code that lights only what a ray from the light meets lights none of them, and is
-/// asked about points on their surface.
+/// Shadows that the code casts already must not count here, so the points float away from every
+/// surface. Code that casts its shadow rays from the light lights no such point; it is judged by
+/// the same points on a surface.
 std::optional<Finding> checkBoth(const std::vector<maintick::LitQuestion>& asked,
                                  const std::vector<ColourRGB>& floating,
                                  const std::vector<ColourRGB>& onSurface) {

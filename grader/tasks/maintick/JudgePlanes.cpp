@@ -65,8 +65,8 @@ AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, Place pl
     return hitFrom(draw, scene, object, place, direction, draw.between(1.0, 5.0));
 }
 
-/// Where limits and tolerances show that the handout does not have: grazing, as near the horizon of
-/// a floor, near, and far away.
+/// Adds rays that show limits and tolerances which the handout does not have: one grazes the plane,
+/// as near the horizon of a floor, one starts close to it, and one far away.
 void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
     constexpr double kGrazing = 0.008;  // of D.N: in float the distance is right to 1e-4
     constexpr double kNear = 0.0025;    // in float right to 1e-5
@@ -84,8 +84,9 @@ void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& ask
     asked.push_back(hitFrom(draw, scene, far, Place::outside, down, kFar));
 }
 
-/// From less than a thousandth above the plane, along it: the hit is far enough away for every
-/// limit of the distance. In float the height is right to 2e-6, the distance to 2e-4.
+/// Adds rays that start less than a thousandth above a plane and run nearly along it. Their hits
+/// are far enough away that no usual lower limit on the distance drops them. In single precision
+/// the height is right to 2e-6, the distance to 2e-4.
 void addLow(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& asked) {
     constexpr double kSlope = 0.012;
     for (std::size_t object = 0; object < 5; ++object) {
@@ -119,8 +120,8 @@ void addCorner(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked
     }
 }
 
-/// Far aside from the point that the plane is given by, along both of its tangents and both ways,
-/// the last time from close by.
+/// Adds hits far from the point that defines the plane, both ways along both tangents. The last one
+/// on each side is hit from close by.
 void addAside(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& asked) {
     constexpr double kFarthest = 400.0;
     const auto& plane = scene.planes[0];
@@ -139,9 +140,9 @@ void addAside(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& 
     }
 }
 
-/// Planes that lean by some two degrees, and by half of one, for either end of each axis: what code
-/// for level floors or upright walls takes for one of them. The rays meet them aside from their
-/// point, up or down the slope, where such code is wrong by 0.009 or more.
+/// Adds planes whose normals lean by two degrees, or by half a degree, from either end of each
+/// axis. Code for level floors or upright walls treats them as if they did not lean. The rays hit
+/// them along the slope from the plane's point, where such code is wrong by 0.009 or more.
 void addLeaning(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
     for (const Vector3& axis :
          {Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}, Vector3{0.0, 0.0, 1.0}})
@@ -162,8 +163,8 @@ void addLeaning(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& aske
         }
 }
 
-/// Planes along the axes, each met at a right angle and by a ray that leaves another coordinate as
-/// it is: where code divides by what is 0, or takes level rays for parallel ones.
+/// Adds planes at right angles to the axes. One ray meets each head-on, and one has a 0 in another
+/// coordinate of its direction: code may divide by that 0, or treat the ray as parallel.
 void addLevel(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
     constexpr std::array kAxes{&Vector3::x, &Vector3::y, &Vector3::z};
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis)

@@ -28,7 +28,8 @@ std::string askedOf(const MirrorQuestion& asked, std::size_t ray) {
         words(cast.origin), words(cast.direction), cast.bounces, cast.bounces == 1 ? "" : "s");
 }
 
-/// How far the ray that follows the first one starts from the first hit; the direction is right.
+/// Distance from the first hit to the start of the mirrored ray, world units. Empty if no ray in
+/// the mirrored direction starts within 0.3 of the hit.
 std::optional<double> startOf(const MirrorQuestion& asked, const probe::IlluminateAnswer& answer,
                               std::size_t ray) {
     const probe::CastRay& cast = asked.question.rays[ray];
@@ -61,8 +62,9 @@ std::optional<Finding> checkStarts(const MirrorQuestion& asked,
     return std::nullopt;
 }
 
-/// Rays that leave into the surface, or from below it, see nothing but that surface: its colour is
-/// that of no mirror at all. The ray that was cast tells them apart.
+/// Why every mirror shows only its own colour. A mirrored ray that starts below the surface or goes
+/// into it hits that surface again, and the colour is the same as without mirrors. The logged rays
+/// tell these mistakes apart.
 std::pair<const FindingText*, const char*> whyOnlyItself(const MirrorQuestion& asked,
                                                          const probe::IlluminateAnswer& answer) {
     for (std::size_t i = 0; i + 1 < answer.events.size(); ++i) {
@@ -131,7 +133,7 @@ std::optional<Finding> checkLit(const MirrorQuestion& asked, const probe::Run& r
     return std::nullopt;
 }
 
-/// What is asked in ambient light alone, where it was answered, and what is said if it is wrong.
+/// A question in ambient light alone, the place of its answers, and the words for a wrong one.
 struct ChainCheck {
     const MirrorQuestion& asked;
     std::size_t at;  ///< of `direct` among the answers; the rays follow

@@ -48,23 +48,27 @@ constexpr std::array kStarts{
     Start{Place::inside, -0.5, 0.1, 0.5},       Start{Place::inside, 0.5, 0.1, 0.5},
     Start{Place::longDirection, -3.0, 0.2, 0.7}};
 
-/// A sphere of its own size with one ray, where limits and tolerances show that the handout does
-/// not have.
+/// A sphere that gets a single ray, to show limits and tolerances that the handout does not have.
 struct Alone {
     double radius;
     double farAway;  ///< of the centre from the origin of the world
     Start start;
 };
-// The first two are seen from 1.2 and from 2000 away, the third one from 0.002 before it; the
-// fourth one from inside, its near side 0.015 to 0.02 behind the ray; the fifth one lies behind,
-// its far side by 0.02 to 0.025; the next one is seen from inside, its far side 0.002 ahead; the
-// next one is passed by, as close as 0.006. The small one after it has a discriminant of 0.0005 to
-// 0.0006. Of the large ones, where limits show that grow with the radius, the first is seen from
-// 0.04 before it, the others from inside, a side 0.04 behind the ray or ahead, and the last one
-// lies 0.04 behind. The next one is seen from 110 radii away, so that its discriminant is small
-// beside b^2, and the last one from so near that the half-angle of its cone is 56 degrees, not the
-// 40 of its tangent; the ray is 48 degrees aside. Distances, locations and normals in float are
-// right to 2e-4: the roots of the large ones are to 1e-4, as their b is 400.
+// Where the rays start, sphere by sphere, in world units:
+//   first and second: outside, 1.2 and 2000 from the centre
+//   third: outside, 0.002 before the surface
+//   fourth: inside, the near side 0.015 to 0.02 behind the ray
+//   fifth: the sphere is behind the ray, its far side by 0.02 to 0.025
+//   sixth: inside, the far side 0.002 ahead
+//   seventh: the ray misses by as little as 0.006
+//   eighth: a small sphere, with a discriminant of 0.0005 to 0.0006
+//   then four large ones, for limits that grow with the radius: the surface 0.04 ahead of an
+//     outside origin; a side 0.04 behind, then ahead of an inside origin; the sphere 0.04 behind
+//   then one seen from 110 radii away: its discriminant is small beside b^2
+//   last: so near that the half-angle of its cone is 56 degrees; the arc tangent of radius over
+//     distance would be 40, and the ray is 48 degrees aside
+// In single precision, distances, locations and normals are right to 2e-4; the roots of the large
+// spheres are right to 1e-4, as their b is 400.
 constexpr std::array kAlone{Alone{0.03, 5.0, {Place::outside, -40.0, 0.0, 0.5}},
                             Alone{200.0, 2000.0, {Place::outside, -10.0, 0.1, 0.8}},
                             Alone{0.3, 5.0, {Place::outside, -1.007, 0.0, 0.02}},
@@ -85,8 +89,8 @@ std::string objectWords(const raytracer::SphereDescription& sphere) {
                        sphere.radius);
 }
 
-/// From inside, at right angles to the way from the centre and along the axes, so that b of the
-/// quadratic is exactly 0.
+/// A ray along an axis from inside, at a right angle to the line from the centre to its origin, so
+/// that b of the quadratic is exactly 0.
 AskedHit levelHit(Draw& draw, const SceneDescription& scene, int object) {
     const auto& sphere = scene.spheres[static_cast<std::size_t>(object)];
     const std::array axes{Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}, Vector3{0.0, 0.0, 1.0}};
@@ -121,7 +125,7 @@ AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, const St
     return hitAlong(draw, scene, object, start, draw.direction());
 }
 
-/// By rays along each axis, and by those that leave one coordinate as it is.
+/// Adds rays along each axis, and rays whose direction has a 0 in one coordinate.
 void addStraight(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& asked) {
     constexpr std::array kAxes{&Vector3::x, &Vector3::y, &Vector3::z};
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
@@ -135,7 +139,7 @@ void addStraight(Draw& draw, const SceneDescription& scene, std::vector<AskedHit
     }
 }
 
-/// The same ray of a sphere and of a larger one around it: what is remembered of one is wrong for
+/// The same ray for a sphere and for a larger one around it: a result kept from one is wrong for
 /// the other.
 std::array<AskedHit, 2> drawConcentric(Draw& draw, SceneDescription& scene, int object) {
     constexpr double kLarger = 1.6;

@@ -9,7 +9,7 @@ namespace {
 
 using raytracer::Material;
 
-/// Of a light: `away` is in front, and its highlight is not seen.
+/// Where a light stands. `away` is in front of the surface, but R.V is negative: no highlight.
 enum class Side : std::uint8_t { behind, away, inFront };
 
 Vector3 towardsLightOf(const LitSetup& setup, std::size_t light) {
@@ -77,8 +77,8 @@ LitQuestion peakOfHighlight(Draw& draw) {
     return question;
 }
 
-/// Of a surface so shiny that limits of alpha show, as that of a byte. In single precision R.V is
-/// right to 4e-7, so that its power is to 1.2e-4.
+/// A surface so shiny that a limit on alpha shows, such as that of a byte. In single precision R.V
+/// is right to 4e-7, and its power to 1.2e-4.
 LitQuestion shinyHighlight(Draw& draw) {
     LitQuestion question = lit(draw, LitKind::specular, draw.between(1.5, 3.5));
     question.kind = LitKind::shiny;
@@ -87,7 +87,7 @@ LitQuestion shinyHighlight(Draw& draw) {
     return question;
 }
 
-/// Coefficients that code would cut which takes them for shares.
+/// A coefficient of 2.5 to 3.5, to show code that treats it as a share and cuts it off at 1.
 LitQuestion strong(Draw& draw, LitKind kind) {
     LitQuestion question = lit(draw, kind, draw.between(1.5, 3.5));
     const double coefficient = draw.between(2.5, 3.5);
@@ -102,7 +102,7 @@ LitQuestion faint(Draw& draw) {
     return question;
 }
 
-/// Nothing arrives in two channels.
+/// A light with one channel only.
 LitQuestion pureLight(Draw& draw, double ColourRGB::*channel) {
     LitQuestion question = lit(draw, LitKind::pure, draw.between(1.5, 3.5));
     raytracer::PointLight& light = question.setup.scene.pointLights.at(0);
@@ -112,15 +112,15 @@ LitQuestion pureLight(Draw& draw, double ColourRGB::*channel) {
     return question;
 }
 
-/// The surface reflects nothing of the light but its highlight.
+/// A green light on a surface without green: only the highlight is visible.
 LitQuestion otherColour(Draw& draw) {
     LitQuestion question = pureLight(draw, &ColourRGB::g);
     ownMaterial(question.setup).colour.g = 0.0;
     return question;
 }
 
-/// R.V is negative and the power even. With `isBelow` N.L is negative, too; otherwise the viewer is
-/// behind a surface that is lit in front.
+/// R.V is negative, and alpha is even, so that the power would be positive. With `isBelow`, N.L is
+/// negative, too; otherwise the surface is lit in front and the viewer is behind it.
 LitQuestion behind(Draw& draw, bool isBelow) {
     LitQuestion question{LitKind::behind, drawPoint(draw)};
     ownMaterial(question.setup).phongAlpha = 2.0 * draw.whole(1, 3);
@@ -143,9 +143,9 @@ LitQuestion several(Draw& draw, LitKind kind, int lights) {
     return question;
 }
 
-/// Lights behind the surface and in front of it, as `places` has them from the first light on. R.V
-/// is negative for those behind, so that it does not matter whether they may have highlights, and
-/// positive for those in front that are not `away`.
+/// Lights behind the surface and in front of it, in the order of `places`. R.V is negative for
+/// those behind, since accepted readings differ in whether they have a highlight. It is positive
+/// for those in front, except `away`.
 LitQuestion oneBehind(Draw& draw, std::initializer_list<Side> places) {
     constexpr double kOffEdge = 0.1;
     while (true) {

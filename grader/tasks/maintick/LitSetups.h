@@ -31,13 +31,14 @@ struct LitQuestion {
     LitSetup setup;
 };
 
-/// A point, its normal and a viewer, without lights. The object is a small sphere well below the
-/// point, whose normal there is the right one: nothing casts a shadow, and a normal that code works
-/// out itself is the same.
+/// A point, its normal and a viewer, without lights. The object is a sphere of radius 0.02 whose
+/// centre lies 3 world units below the point, so that nothing casts a shadow. A normal that code
+/// computes from that sphere equals the given one.
 [[nodiscard]] LitSetup drawPoint(Draw& draw);
 
-/// How far P lies above its surface or below it, as rounding puts the points of a render: a hundred
-/// times what rounding does to these questions, so that its sign is certain.
+/// How far P lies above or below its surface, world units: rounding moves the points of a render in
+/// this way. It is a hundred times the rounding error of these questions, so that its sign is
+/// certain.
 inline constexpr double kRounding = 1e-13;
 
 /// Ambient light and a point light so faint that no tolerance hides either: both add less than one
@@ -51,9 +52,9 @@ void layOnSphere(LitSetup& setup, double radius, double height);
 /// A copy whose object is a sphere of radius 1 that P lies on.
 [[nodiscard]] LitSetup onItsSurface(LitSetup setup);
 
-/// A light whose cosines are off their edges: N.L from 0.3 to 0.8, R.V from 0.75 to 0.93 as seen
-/// from the setup's O, which is moved. Coloured.
-/// @param distance  From the point.
+/// Adds a coloured light, and moves O. No cosine is near a limit: N.L is 0.3 to 0.8, and R.V is
+/// 0.75 to 0.93 as seen from the new O.
+/// @param distance  From the point, world units.
 void addLight(Draw& draw, LitSetup& setup, double distance, double intensity);
 
 /// The same, but for N.L from 0.02 to 0.04.

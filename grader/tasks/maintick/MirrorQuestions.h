@@ -14,17 +14,16 @@ struct MirrorQuestion {
     probe::TraceQuestion question;
 };
 
-/// Ambient light alone: each object has one colour. All chains of mirrors end. No object of a chain
-/// changes where a reflected ray starts up to 0.001 above the surface, or the first one turns by
-/// 0.01.
-/// `direct` asks each object once.
+/// A scene with ambient light alone, so that each object has one colour. Every chain of mirrors
+/// ends. It meets the same objects if reflected rays start anywhere from 1e-6 to 0.001 above the
+/// surface, and if the first ray turns by 0.01 radians. `direct` asks each object once.
 [[nodiscard]] MirrorQuestion drawOpenScene(std::uint64_t seed);
 
 /// Two planes that show each other in the light, one ray with 0, 1 and 2 bounces. `direct` asks the
 /// points of its chain in order.
 [[nodiscard]] MirrorQuestion drawFacingMirrors(std::uint64_t seed);
 
-/// More than a table of 16 or 32 reflections holds.
+/// Most bounces that are asked for: more than a table of 16 or 32 reflections holds.
 inline constexpr int kDeepest = 40;
 
 /// Two parallel mirrors in ambient light alone, each of one colour: whatever the start of a

@@ -29,7 +29,8 @@ double unclampedMirrored(const Terms& t) {
     return t.L.reflectIn(t.setup.N).dot(t.V);
 }
 
-/// Nothing of this light and of those after it, once `ends` holds for one of them.
+/// Drops this light's terms if `ends` holds for any of the first `lights` lights, as if the loop
+/// had ended there.
 template <class Ends>
 void endAt(Terms& t, std::size_t lights, const Ends& ends) {
     for (std::size_t i = 0; i < lights; ++i) {

@@ -9,7 +9,7 @@
 
 namespace ticker::tasks::maintick {
 
-/// What one call of illuminate gets, where nothing casts a shadow.
+/// Arguments of one call of `Renderer::illuminate` in a scene without shadows.
 struct LitSetup {
     raytracer::SceneDescription scene;  ///< its first sphere is the object
     Vector3 P;
@@ -42,7 +42,8 @@ struct PhongTerms {
     [[nodiscard]] Vector3 path() const { return lamp().position() - setup.P; }
 };
 
-/// After which step a mistake changes the terms. All but the first and the last are of each light.
+/// The step after which a mistake changes the terms. `material` and `colour` happen once, the other
+/// steps once for each light.
 enum class PhongStep : std::uint8_t { material, ways, cosines, clamped, light, colour };
 
 /// A known mistake: its name, what code with it works out instead, and what mends it.

@@ -10,11 +10,11 @@ struct Fraction {
     double slope = 0.0;     ///< D.N
     double ofPoint = 0.0;   ///< Q.N
     double ofOrigin = 0.0;  ///< O.N
-    double ofFirst = 0.0;   ///< Q.N of the first plane
-    double atFirst = 0.0;   ///< Q.N, Q of the first plane
+    double ofFirst = 0.0;   ///< Q.N with both Q and N of the first plane
+    double atFirst = 0.0;   ///< Q.N with Q of the first plane and N of this one
 
     [[nodiscard]] double s() const { return height / slope; }
-    /// The right distance where this holds.
+    /// The right distance; a miss unless `holds`.
     [[nodiscard]] Distance hitIf(bool holds) const { return holds ? ifAhead(s()) : Distance{}; }
 };
 using F = Fraction;

@@ -37,13 +37,13 @@ enum class Occluder : std::uint8_t {
     ofFaintLight      ///< half-way to a light that adds less than a byte of a picture shows
 };
 
-/// A point of an object that is asked about with something around it, and the same without. The
-/// point lies on the object, as points of a render do: code that looks from the light meets it
-/// there.
+/// A point that is asked about with an object in the scene that may hide the light, and again
+/// without that object. The point lies on its surface, as points of a render do, so that a shadow
+/// ray cast from the light hits it there.
 struct ShadeCase {
     Occluder place = Occluder::before;
-    /// Nothing casts a shadow, and the object is far below the point: code whose shadow ray meets
-    /// its own surface lights it.
+    /// Nothing casts a shadow, and the object is far below the point, so that no shadow ray hits
+    /// the point's own surface.
     LitSetup floating;
     LitSetup free;   ///< nothing casts a shadow
     LitSetup asked;  ///< with the occluder; its object is `object`
@@ -63,7 +63,7 @@ struct ShadeCase {
 /// The questions of M3.2. Every hit is at least 0.01 from the light and from the point.
 [[nodiscard]] std::vector<ShadeCase> drawShadeCases(std::uint64_t seed);
 
-/// What an answer equals, other than the right value.
+/// What an answer equals: the right value, or a telling wrong one.
 enum class Shown : std::uint8_t {
     right,
     lit,
@@ -75,14 +75,15 @@ enum class Shown : std::uint8_t {
     other
 };
 
-/// Where a ray starts; of several, the first of these.
+/// Where the shadow ray of a point starts; if it has several, the first of these that occurs.
 enum class RayStart : std::uint8_t { nearPoint, nearLight, alongNormal, elsewhere, unseen };
 
 /// What the same code gives with and without what stands around the point.
 struct ShadeSeen {
     const ShadeCase* asked = nullptr;
     ColourRGB given;
-    /// Of the point that floats; if that is dark, of the one on its surface with nothing around.
+    /// Colour in full light, of the floating point. If that is dark, the colour of the point on its
+    /// surface in the scene `free`.
     ColourRGB lit;
     ColourRGB dark;
     ColourRGB putOut;    ///< dark as well, see ShadeCase
@@ -93,8 +94,8 @@ struct ShadeSeen {
     /// no such ray was seen.
     std::optional<double> aim{};
     RayStart start = RayStart::unseen;
-    /// Light that grazes the surface is lost even where the point floats, and no other light is:
-    /// `lit` is dark then.
+    /// Grazing light is lost even at the floating point, while no other light is lost. `lit` is
+    /// then dark.
     bool isUnlit = false;
 
     [[nodiscard]] ColourRGB expected() const;
@@ -102,8 +103,8 @@ struct ShadeSeen {
     [[nodiscard]] Shown shown() const;
 };
 
-/// The name of what is wrong at `first`, from what goes wrong elsewhere, and its hint; empty: the
-/// finding's own.
+/// The finding for the mistake at `first`, which all cases together identify, and its hint. An
+/// empty hint stands for the finding's own.
 [[nodiscard]] std::pair<const FindingText*, std::string> nameOf(const std::vector<ShadeSeen>& seen,
                                                                 const ShadeSeen& first);
 

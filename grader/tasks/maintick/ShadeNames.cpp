@@ -9,7 +9,7 @@ namespace {
 using Seen = std::vector<ShadeSeen>;
 using Name = std::pair<const FindingText*, std::string>;
 
-/// Of the cases that `belongs` picks: all show `what`, and there is one.
+/// Whether `belongs` picks at least one case, and all that it picks show `what`.
 template <class Belongs>
 bool allShow(const Seen& seen, Shown what, const Belongs& belongs) {
     bool any = false;
@@ -81,7 +81,7 @@ std::optional<Name> nameOfStart(const Seen& seen) {
     return std::nullopt;
 }
 
-/// Nothing is wrong but that points below their surface are lit where they are hidden.
+/// Whether the only mistake is that hidden points are lit if rounding put them below their surface.
 bool isLeak(const Seen& seen) {
     const auto isHiddenAndSunk = [](const ShadeCase& shade) {
         return shade.isShaded() && shade.isSunk;
@@ -91,7 +91,7 @@ bool isLeak(const Seen& seen) {
                    [&](const ShadeCase& shade) { return !isHiddenAndSunk(shade); });
 }
 
-/// Where whatever is hidden is lit.
+/// The name for code that lights all hidden points.
 Name nameOfNoShadows(const Seen& seen) {
     if (allShow(seen, Shown::dark, [](const ShadeCase& shade) { return !shade.isShaded(); }))
         return {&kShadeInverted, ""};
@@ -106,8 +106,8 @@ constexpr const char* kFromLight =
     "The ray from the light meets the surface of P itself, at about the distance of P. Cast it the "
     "other way: Ray{P + N * kShadowBias, (light.position() - P).normalised()}.";
 
-/// Where a sphere contains one end of the way to the light or both, or where that grazes the
-/// surface.
+/// The name for code that is wrong where a sphere contains the point, the light or both, or where
+/// the light grazes the surface.
 std::optional<Name> nameOfSurrounded(const Seen& seen) {
     if (!isRight(seen, Occluder::aroundLight))
         return Name{&kShadeWrong,
@@ -130,7 +130,7 @@ std::optional<Name> nameOfSurrounded(const Seen& seen) {
     return std::nullopt;
 }
 
-/// Where the light is 95 away.
+/// Whether all cases with a light 95 world units away are right.
 bool isRightOfFar(const Seen& seen) {
     return isRight(seen, Occluder::atPointOfFar) && isRight(seen, Occluder::atFarLight) &&
            isRight(seen, Occluder::beyondFarLight);
@@ -142,7 +142,8 @@ constexpr const char* kFarLight =
     "share of the distance as a tolerance (a hundredth is a whole unit there) and a limit of the "
     "distance: P + N * kShadowBias is enough against acne.";
 
-/// Of code that is right where something stands between the point and a light that is 3 away.
+/// The name for code that casts the usual shadow, about half-way to a light 3 units away, but is
+/// wrong in other cases.
 std::optional<Name> nameOfPlace(const Seen& seen) {
     if (anyIs(seen, [](const ShadeSeen& one) {
             return one.asked->place == Occluder::itself && one.shown() != Shown::right;

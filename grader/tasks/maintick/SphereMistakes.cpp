@@ -100,7 +100,7 @@ constexpr const char* kNearLimit =
     "A limit cuts near hits off: every positive s is a hit, however small it is, and however large "
     "the sphere.";
 
-/// A root that is this far behind counts.
+/// The near root counts down to this distance behind the origin of the ray.
 constexpr double kBehind = -0.05;
 double nearRootBehind(const Q& q) {
     return kBehind < q.near() ? q.near() : q.far();

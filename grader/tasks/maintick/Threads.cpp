@@ -27,7 +27,7 @@ raytracer::SceneDescription drawRoom(Draw& draw, Shows shows) {
     const double share = shows == Shows::mirrors ? 0.5 : 0.0;
     raytracer::SceneDescription scene;
     scene.ambientLighting = draw.colour(0.03, 0.1);
-    // One light is near, the other one far, so that a way to one taken for that to the other shows.
+    // One light is near and one is far: a vector to one that is used for the other then shows.
     const ColourRGB near = draw.colour(0.5, 1.0);
     scene.pointLights.emplace_back(Vector3{draw.between(-0.5, 0.5), -0.4, 3.8}, near, 8.0);
     const ColourRGB far = draw.colour(0.5, 1.0);

@@ -13,9 +13,9 @@ namespace ticker::tasks::maintick {
 /// What a picture shows besides a floor in the light of two lamps.
 enum class Shows : std::uint8_t { floor, shadows, mirrors };
 
-/// A failure if two threads render something else than one, and render the pictures that show less
-/// alike: what differs there as well belongs to the task before. Empty, too, if something is not
-/// rendered at all. Code without variables that calls share always renders alike.
+/// Fails if two threads render another picture than one thread. Empty if that happens in a picture
+/// that shows less, too, since the mistake is then one of an earlier task. Also empty if a picture
+/// is missing. Code whose calls share no variable never fails.
 [[nodiscard]] std::optional<Finding> checkThreads(probe::Examinee& examinee, std::uint64_t seed,
                                                   Shows shows, const FindingText& text);
 

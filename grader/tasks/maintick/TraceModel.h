@@ -38,11 +38,11 @@ struct MirrorColours {
 
 inline constexpr ColourRGB kBackground{0.001};
 
-/// How trace goes about it: as it is here it is right, and a known mistake changes a part.
+/// How `trace` works. The defaults are right; each known mistake changes some of them.
 struct TraceWay {
     ColourRGB background = kBackground;
     ColourRGB mirroredBackground = kBackground;
-    bool isDirectWhereNothingIsSeen = false;  ///< a mirror without anything to show
+    bool isDirectWhereNothingIsSeen = false;  ///< direct light only if the mirrored ray misses
     Vector3 (*mirrored)(const Vector3& D, const Vector3& N) =
         [](const Vector3& D, const Vector3& N) { return (-D).reflectIn(N); };
     double bias = 1e-4;

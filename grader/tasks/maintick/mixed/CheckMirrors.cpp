@@ -13,8 +13,8 @@
 namespace ticker::tasks::maintick {
 namespace {
 
-/// Where a surface is asked about in the light: at the point itself, which rounding may put to
-/// either side, and a thousandth above.
+/// Heights above a lit surface, world units, at which its direct light is asked for: at the point,
+/// which rounding may put on either side, and a thousandth above.
 constexpr std::array kHeights{0.0, 1e-9, -1e-9, 1e-3};
 
 std::size_t heightsOf(const MixedMirror& mirror) {
@@ -26,7 +26,7 @@ struct Cast {
     const MixedMirror* mirror;
     int bounces;
 
-    /// The last surface that is seen; null: nothing is.
+    /// The surface at which the chain of mirrors ends; null if the last mirrored ray hits nothing.
     [[nodiscard]] const MirrorLink* last() const {
         const auto& links = mirror->links;
         std::size_t i = 0;

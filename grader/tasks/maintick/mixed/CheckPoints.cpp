@@ -66,7 +66,7 @@ constexpr Trait<Setup> kPointTraits[] = {
     {"a point far from the origin", [](const Setup& s) { return s.P.magnitude() > kPlaceFar; }},
 };
 
-/// Whether this is right but for whole lights that are lost.
+/// Whether the colour is right for a subset of the lights, as if the others were lost.
 bool hasLostLights(const Setup& setup, const ColourRGB& given) {
     const std::uint32_t all = 1U << setup.scene.pointLights.size();
     for (std::uint32_t bits = 0; bits < all; ++bits)
@@ -79,13 +79,15 @@ struct SeenPoint {
     bool isWrong = false;
 };
 
-/// What the same code says of a point that floats, with all lights, and of one in its scene.
+/// Colours that the code gives for the floating point, with all lights, and for the point in its
+/// scene.
 struct Told {
     ColourRGB alone;
     ColourRGB inScene;
 };
 
-/// Whether code lights no point that floats: it looks from the light, and meets no surface there.
+/// Whether all floating points are dark: code that casts its shadow rays from the light hits no
+/// surface there.
 bool isUnlitAlone(const std::vector<MixedPoint>& points, const std::vector<Told>& told) {
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!isNear(told[i].alone, phong(withLights(points[i].alone, 0)))) return false;
@@ -96,11 +98,13 @@ SeenPoint seenOf(const MixedPoint& point, const Told& told, bool isUnlit) {
     const ColourRGB right = phong(point.alone);
     if (!isUnlit && !isNear(told.alone, right)) return {told.alone, true};
     if (isNear(told.inScene, right)) return {right, false};
-    // Shadow rays that meet the point's own surface, or what is aside, are no mistake of M2.
+    // A lost light is a mistake of M3.2: a shadow ray hit the point's own surface, or an object
+    // beside the way.
     return {told.inScene, isUnlit || !hasLostLights(point.alone, told.inScene)};
 }
 
-/// The known mistake that explains what is wrong; code with it is right elsewhere.
+/// The known mistake that explains all wrong answers. The right ones may not fit it, since the code
+/// may make it only under a condition. Null if none fits, or if fewer than two answers are wrong.
 const PhongMistake* mistakeOf(const std::vector<MixedPoint>& points,
                               const std::vector<SeenPoint>& seen) {
     std::vector<std::size_t> wrong;

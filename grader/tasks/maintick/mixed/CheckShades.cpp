@@ -90,7 +90,8 @@ struct SeenShade {
     std::optional<std::uint32_t> wrong = {};  ///< bits of the lights that explain `given`
 };
 
-/// The fewest lights that explain what is given, if those lit are dark and those dark lit.
+/// The smallest set of lights that explains the given colour if each of them is wrong: lit where it
+/// is hidden, or dark where it is not. Empty if no set does.
 std::optional<std::uint32_t> wrongLights(const MixedShade& shade, const ColourRGB& given) {
     std::uint32_t front = 0;
     std::uint32_t free = 0;
@@ -111,9 +112,9 @@ SeenShade seenOf(const MixedShade& shade, std::span<const probe::Answer> answers
         return std::get<probe::IlluminateAnswer>(answers[k]).colours.at(0);
     };
     SeenShade seen{colour(0), colour(1)};
-    // A mistake of M2 can make numbers that are too large, as by a long vector to a high power.
+    // A mistake of M2 can overflow, as where a vector that is not normalised goes to a high power.
     if (!std::isfinite(largestChannel(seen.expected))) return seen;
-    // Code that looks from the light lights no point that floats.
+    // Code that casts its shadow rays from the light does not light floating points.
     const bool isUnlit = isNear(colour(1), colour(5));
     if (isUnlit && isNear(seen.given, colour(4))) return seen;
     seen.isWrong = !isNear(seen.given, seen.expected) && !isNear(seen.given, colour(2)) &&
@@ -122,7 +123,8 @@ SeenShade seenOf(const MixedShade& shade, std::span<const probe::Answer> answers
     return seen;
 }
 
-/// Of each light in front whether it is wrong; where the colours do not tell, all of them are.
+/// For each light in front of a surface, whether it is wrong. If the colours do not tell which one
+/// of a point's lights is, all of them count as wrong.
 struct Units {
     std::vector<Unit> units = {};
     std::vector<bool> isWrong = {};

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kCosine = 0.02;  ///< of N.L, R.V and D.N
 
-/// Half of what the line has in common with a ball of this radius; 0: nothing.
+/// Half the length of the chord of a ball on a line; 0 if the line misses the ball.
+/// @param away  Distance of the line from the ball's centre.
 double halfChord(double radius, double away) {
     return away < radius ? std::sqrt((radius - away) * (radius + away)) : 0.0;
 }

@@ -6,7 +6,8 @@
 
 namespace ticker::tasks::maintick {
 
-/// How far from an edge is sure. A ray that leaves a curved mirror turns along with its start.
+/// Distance from an edge, world units, beyond which a result is certain. It may grow along a ray,
+/// since a ray that leaves a curved mirror turns if its start moves.
 struct Margin {
     double least = 0.012;
     double spread = 0.0;  ///< for each unit along the ray
@@ -21,23 +22,23 @@ struct Margin {
 [[nodiscard]] Sight sightOf(const raytracer::PlaneDescription& plane, const Ray& ray, double reach,
                             const Margin& margin = {});
 
-/// Of all objects but one. `unsure` if one of them is.
+/// The same for all objects but one; `unsure` if any of them is.
 /// @param without  An index: spheres first, then planes.
 [[nodiscard]] Sight sightOf(const raytracer::SceneDescription& scene, const Ray& ray, double reach,
                             int without, const Margin& margin = {});
 
-/// From the point to one of its lights, and on for `reach` in place of the light's distance.
+/// The ray from the point towards a light; its direction has length 1.
 [[nodiscard]] Ray wayTo(const LitSetup& setup, const raytracer::PointLight& light);
 
 /// N.L
 [[nodiscard]] double facingOf(const LitSetup& setup, const raytracer::PointLight& light);
 
-/// Whether all cosines are off their edges, and R.V is negative for each light behind the surface:
-/// readings differ in whether such a light has a highlight.
+/// Whether N.V, N.L and R.V are all well away from 0, and R.V is negative for each light behind the
+/// surface: accepted readings differ in whether such a light has a highlight.
 [[nodiscard]] bool isOffEdges(const LitSetup& setup);
 
-/// Whether the worst that single precision makes of each step moves the colour by less than half
-/// the tolerance.
+/// Whether single precision, with the largest rounding error in each step, changes the colour by at
+/// most half the tolerance.
 [[nodiscard]] bool isRightInFloats(const LitSetup& setup);
 
 }  // namespace ticker::tasks::maintick

@@ -30,7 +30,8 @@ Sight sightOfObject(const SceneDescription& scene, int object, const Ray& ray, d
                : sightOf(scene.planes[at - scene.spheres.size()], ray, reach, kMirrorMargin);
 }
 
-/// Whether a link is another one, or the ray that leaves it.
+/// Whether the link is on another object, or its point or the ray that leaves it has moved by more
+/// than `kMostMoved`.
 bool hasMoved(const MirrorLink& link, const MirrorLink& usual) {
     const auto leaves = [](const MirrorLink& at) {
         return (at.O - at.P).normalised().reflectIn(at.N);

@@ -36,7 +36,8 @@ inline constexpr std::size_t kMostLinks = kMostMixedBounces + 1;
 [[nodiscard]] bool areLightsClear(const raytracer::SceneDescription& scene,
                                   const std::vector<MirrorLink>& links);
 
-/// Whether neither the chain nor its light changes along with where mirrored rays start.
+/// Whether the chain and its light stay the same wherever the mirrored rays start, from 1e-6 to
+/// twice the largest bias.
 [[nodiscard]] bool isSteady(const raytracer::SceneDescription& scene, const Ray& ray,
                             const std::vector<MirrorLink>& links);
 

@@ -23,14 +23,14 @@ void askMixedPoints(const std::vector<MixedPoint>& points, std::vector<probe::Qu
                                                       std::span<const probe::Answer> answers);
 
 void askMixedShades(const std::vector<MixedShade>& shades, std::vector<probe::Question>& questions);
-/// Held against what the same code says of the point alone, without the lights that are hidden.
+/// Compares with what the same code gives for the point alone, without the lights that are hidden.
 [[nodiscard]] std::optional<Finding> checkMixedShades(const std::vector<MixedShade>& shades,
                                                       std::span<const probe::Answer> answers);
 
 void askMixedMirrors(const std::vector<MixedMirror>& mirrors,
                      std::vector<probe::Question>& questions);
-/// Held against what the same code's `illuminate` says of each surface. Where this changes within a
-/// thousandth, as with shadows without a bias, a ray is not judged.
+/// Compares with what the same code's `illuminate` gives for each surface. A ray is not judged if
+/// that changes within a thousandth of the surface, as it does for shadows without a bias.
 [[nodiscard]] std::optional<Finding> checkMixedMirrors(const std::vector<MixedMirror>& mirrors,
                                                        std::span<const probe::Answer> answers);
 

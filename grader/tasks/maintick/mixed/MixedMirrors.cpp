@@ -107,7 +107,7 @@ void addLights(Draw& draw, SceneDescription& scene, const Plan& plan, const Mirr
         plane.material.phongAlpha = std::min(plane.material.phongAlpha, kBroad);
 }
 
-/// Empty where the chain is another one than planned, or too near to an edge.
+/// Builds the planned chain; empty if the ray meets another chain, or one too near to an edge.
 std::optional<MixedMirror> build(Draw& draw, const Plan& plan, Plans& plans) {
     MixedMirror mirror;
     SceneDescription& scene = mirror.scene;

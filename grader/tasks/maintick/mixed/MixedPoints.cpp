@@ -25,7 +25,8 @@ Vector3 atCosine(Draw& draw, const Vector3& axis, double cosine) {
     return axis * cosine + side * std::sqrt(1.0 - cosine * cosine);
 }
 
-/// Whether no light in front has the object on its way, beyond it, or behind the point.
+/// Whether the object is clear of the rays from the point to all lights in front and beyond them,
+/// and with `isBothWays` of the opposite rays, too.
 template <class Object>
 bool isAside(const LitSetup& setup, const Object& object, bool isBothWays) {
     constexpr double kEndless = std::numeric_limits<double>::infinity();
@@ -48,7 +49,7 @@ SphereDescription sphereAside(Draw& draw, const LitSetup& setup,
     }
 }
 
-/// Below the surface, and the lights in front of it.
+/// A plane below the surface, which no ray from the point to a light in front meets.
 PlaneDescription planeAside(Draw& draw, const LitSetup& setup,
                             const raytracer::Material& material) {
     constexpr double kLeaning = 0.6;

@@ -38,7 +38,7 @@ private:
     Deck<double> reflectivity_;
 };
 
-/// As many values between 1 and 2 as between 10 and 20.
+/// A number from `low` to `high`, uniform in its logarithm.
 [[nodiscard]] double logBetween(Draw& draw, double low, double high);
 
 /// Where something is in the world.
@@ -51,7 +51,7 @@ public:
     /// @param lights  How many, for a deck.
     /// @param hasLow  Whether some of them all but graze the surface.
     MixedPoints(Draw& draw, std::vector<int> lights, bool hasLow);
-    /// Off all edges, and right in single precision.
+    /// A point whose cosines are well away from 0, and whose colour single precision gets right.
     [[nodiscard]] MixedPoint deal();
 
 private:

@@ -93,7 +93,8 @@ private:
             {way.evaluateAt(along) + side * aside, radius, materialOf(role), nullptr});
     }
 
-    /// What hides a light has a deck of its own, so that each kind of object does.
+    /// Objects that hide a light have a deck of their own, so that every kind of material hides
+    /// one.
     raytracer::Material materialOf(Role role) {
         return role == Role::hides || role == Role::hidesBehindAnother ? hiders_.deal()
                                                                        : others_.deal();
@@ -106,7 +107,7 @@ private:
     Deck<bool> isPlane_;
 };
 
-/// Of the lights in front; empty if one is too near to an edge.
+/// The ways to the lights in front of the surface; empty if one passes too near to an edge.
 std::optional<std::vector<Way>> waysOf(const MixedPoint& point) {
     std::vector<Way> ways;
     const auto& lights = point.scene.pointLights;
@@ -124,7 +125,7 @@ std::optional<std::vector<Way>> waysOf(const MixedPoint& point) {
     return ways;
 }
 
-/// Of the lights that arrive.
+/// Bits of the lights that arrive at the point.
 std::uint32_t bitsOfFree(const MixedShade& shade) {
     std::uint32_t bits = 0;
     for (const Way& way : shade.ways)

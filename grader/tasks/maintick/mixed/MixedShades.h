@@ -9,7 +9,7 @@
 
 namespace ticker::tasks::maintick {
 
-/// Whether a light in front of the surface arrives.
+/// A light in front of the surface, and the object that hides it, if any.
 struct Way {
     std::size_t light = 0;
     std::optional<int> blocker;  ///< the nearest object that hides it
@@ -24,11 +24,12 @@ struct MixedShade {
 /// The questions of M3.2. No hit is within 0.012 of the light, of the point or of a tangent.
 [[nodiscard]] std::vector<MixedShade> drawMixedShades(std::uint64_t seed);
 
-/// The same point without the lights that are hidden, be it by its own surface, or with these put
-/// out. Right code says the same of both.
+/// The same point alone, without the lights that its own surface or an object hides; then with
+/// these lights at intensity 0. Right code gives the same colour for both.
 [[nodiscard]] LitSetup withoutHidden(const MixedShade& shade);
 [[nodiscard]] LitSetup withHiddenOut(const MixedShade& shade);
-/// With the lights behind the surface: a bias along L does not meet a plane from there.
+/// The same without the lights that an object hides, but with those behind the surface: a shadow
+/// ray that starts a bias along L is then below its own plane and does not hit it.
 [[nodiscard]] LitSetup withoutBlocked(const MixedShade& shade);
 
 /// The point with some of its lights: bit i is light i.
