@@ -23,8 +23,8 @@ std::optional<Finding> takeWarning(Stage& stage) {
     return std::exchange(stage.failure, std::nullopt);
 }
 
-// Where illuminate shows no more than a ray to each light's centre, beside an intersection of its
-// own, a render shows no more either.
+// The rays that a render is expected to show. If `illuminate` shows only a ray to each light's
+// centre, since it intersects the scene by itself, so does a render.
 VisibleRays visibleRays(const ShadowOutcome& outcome, const std::vector<ShadowLog>& logs) {
     VisibleRays visible{.all = !outcome.rayless};
     if (outcome.onlyExtra)

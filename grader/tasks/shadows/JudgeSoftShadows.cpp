@@ -33,8 +33,9 @@ bool castsNoRay(const ShadowLogs& logs) {
     return true;
 }
 
-/// Whether the visible rays are one and the same from each point to a light's centre, although
-/// points have fractions of the light: an extra ray beside an intersection of the code's own.
+/// Whether only one ray, to the light's centre, is visible for each point and light, although
+/// points in the penumbra have a fraction of the light. Such code intersects the scene by itself,
+/// and casts the visible ray for another purpose.
 bool castsOnlyExtraRays(const ShadowLogs& logs) {
     constexpr double kSome = 0.02;
     const RayCounts counts = countRays(logs.atHandoutSettings());
@@ -129,7 +130,7 @@ Result mixed(ShadowSeen& seen) {
     return seen.reading ? checkMixed(seen.logs.mixed, *seen.reading, RaysSeen) : std::nullopt;
 }
 
-// Code with the handout's light size typed in, of which another check speaks, cannot answer.
+// Code with a hard-coded light size is left out: `otherSettings` reports it.
 Result mixedNear(ShadowSeen& seen) {
     if (!seen.reading || checkOtherSettings(seen.logs, seen.aims)) return std::nullopt;
     return checkMixed(seen.logs.mixedNear, *seen.reading, true);

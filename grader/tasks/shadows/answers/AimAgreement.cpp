@@ -117,18 +117,19 @@ constexpr std::array<double, kMoments> kMostUneven{42.0, 42.0, 42.0, 42.0, 50.0,
 // poles. A point counts with at least this share of what independent lines have.
 constexpr double kLeastSquare = 1e-3;
 
-// The sum of z^k over a point's lines, less what is expected, has the same chance to be turned the
-// one way as the other, however the point's own lines depend on each other. For sums over
-// independent points, exp(t |sum|^2 / sum of squares) then has a mean of at most (1 - 2 t)^-1/2
-// (Rademacher sums; where all directions are as likely it is less): with three views, 42 is
-// exceeded with a chance of at most (42 / 3)^1.5 e^-19.5 = 1.8e-7 for each k. An evenly filled disc
-// that keeps its place in the world has 90 in the mean, or more, and so has a square or an ellipse
-// of 2 : 3 that faces the point. What has poles may look like such an ellipse but for its size,
-// which |z|^2 measures; what has none looks alike from all sides, whatever its density.
+// Take the sum of z^k over a point's lines, less its expectation. For a right shape it is as likely
+// to point one way as the opposite way, however the point's own lines depend on each other. So over
+// independent points, exp(t |sum|^2 / sum of squares) has a mean of at most (1 - 2 t)^-1/2
+// (Rademacher sums; less if all directions are equally likely). With three views, 42 is exceeded
+// with a chance of at most (42 / 3)^1.5 e^-19.5 = 1.8e-7 for each k.
+// An evenly filled disc that keeps its place in the world has 90 or more on average, and so has a
+// square or an ellipse of 2 : 3 that faces the point. A shape with poles may look like such an
+// ellipse except for its size, which |z|^2 measures. A shape without poles looks the same from all
+// sides, whatever its density.
 // A shape that leans to one side where it is wide and to the other where it is narrow keeps the
-// mean of z near 0, but not that of z |z|^2. One random number for both radius and height has 67 to
-// 109 there (2000 simulated submissions), and the ball at most 15 (6000); 50 is exceeded with a
-// chance of at most (50 / 3)^1.5 e^-23.5 = 4.2e-9.
+// mean of z near 0, but not that of z |z|^2. Code that uses one random number for both radius and
+// height has 67 to 109 there (2000 simulated submissions), and the ball at most 15 (6000). The
+// limit of 50 is exceeded with a chance of at most (50 / 3)^1.5 e^-23.5 = 4.2e-9.
 bool turnsAs(const std::vector<const ShadowLog*>& far, const std::vector<Vector3>& directions,
              std::size_t distinct, std::optional<AimShape> shape, double size) {
     const bool poles = shape && shape->poles != AimShape::Poles::none;

@@ -32,8 +32,9 @@ bool staysBetween(const std::vector<double>& seen, const std::vector<const Feet*
     return true;
 }
 
-// Even radius and direction have the fewest lines at the rim: a share of at least (1 - r^2)^1.5 / 3
-// passes outside of r, so that at least one of `distinct` lines does.
+// The distance from the centre, in radii of the light, beyond which at least one of `distinct`
+// lines passes. Of the accepted shapes, uniform radius and direction has the fewest lines at the
+// rim: a share of at least (1 - r^2)^1.5 / 3 passes outside of r.
 double leastRim(std::size_t distinct) {
     constexpr double kRisk = 4e-7;
     const double share = std::min(1.0 / 3.0, missedShare(distinct, kRisk));

@@ -3,8 +3,8 @@
 namespace ticker::tasks {
 namespace {
 
-/// Means over the rays of one far light. Feet show what is across the ray alone, so only the
-/// normal's part across it counts.
+/// Means over the rays of one far light, both at right angles to the ray: feet show no more, so the
+/// normal's part along the ray is left out.
 struct Sides {
     Vector3 foot;
     Vector3 normal;
@@ -26,8 +26,9 @@ Sides sidesOf(const ShadowLog& log) {
 }  // namespace
 
 double leanToNormal(const std::vector<const ShadowLog*>& far) {
-    // The lean leaves a fortieth of the squares in a half ball, from 670 rays. An offset that the
-    // normal does not turn leaves less than a quarter with a chance of a few in a hundred.
+    // Largest share of the feet's squares that a lean along the normal may leave unexplained. For
+    // half a ball a fortieth is left, at 670 rays. An offset that does not turn with the normal
+    // leaves less than this with a chance of a few in a hundred.
     constexpr double kLeft = 0.25;
     double along = 0.0;
     double normals = 0.0;

@@ -7,8 +7,8 @@
 
 namespace ticker::tasks {
 
-/// How far the aims lie towards the side to which the surface's normal points, in radii of the
-/// light: 3/8 for the half of an evenly filled ball; 0 if they do not lie as the normal does.
+/// How far the aims lean towards the side that the surface's normal points to, in radii of the
+/// light: 3/8 for half of an evenly filled ball. 0 if their offset does not follow the normal.
 /// @param far  Logs of purpose farLight.
 [[nodiscard]] double leanToNormal(const std::vector<const ShadowLog*>& far);
 

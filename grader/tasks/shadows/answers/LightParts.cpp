@@ -12,8 +12,10 @@ namespace {
 using Phong = ShadowReading::Phong;
 using Terms = ShadowReading::Terms;
 
-// Whether a sample on the half of the surface that faces the point lies where its line enters the
-// ball: beside the rim the line leaves through this half, too, but its chord is short there.
+// Whether a line enters the ball through the half of its surface that faces the point, but does not
+// leave through it. Near the rim it does both, but its chord is short there.
+// @param half    Half the length of the chord.
+// @param centre  Distance of the ball's centre from the point.
 bool entersAlone(double half, double radius, double centre) {
     constexpr double kBias = 1.05;  // rays start beside the point
     return half > kBias * radius * radius / centre;
@@ -39,15 +41,16 @@ SampleTerms termsOf(const Setting& at, const AimLine& line) {
     return {{far.diffuse, near.diffuse}, {far.specular, near.specular}};
 }
 
-// How far the line is from one to the centre, seen from its start or from the point.
+// How far the line misses the light's centre, world units: from its own start, or as if it started
+// at the point, whichever is less.
 double offCentre(const Setting& at, const AimLine& line) {
     const Vector3 towards = at.light.position() - at.point.point.position;
     const double distance = towards.magnitude();
     return std::min(line.miss, (line.direction - towards / distance).magnitude() * distance);
 }
 
-// Leaves out the most central line and its equals. Samples of the light that come as near to its
-// centre count: where they crowd there, a picture has some.
+// Leaves out the most central line and its equals, if it aims at the centre. Other lines that pass
+// as near are samples and count, since the samples of some accepted shapes crowd there.
 std::vector<AimLine> withoutCentral(const Setting& at, const std::vector<AimLine>& lines) {
     constexpr double kEqual = 1e-9;
     const double exact = 1e-9 + 1.01 * biasOf(at.point);

@@ -25,11 +25,11 @@ struct ShadowReading {
     /// turns.
     enum class Terms { together, halves, inTurns };
     Terms terms = Terms::together;
-    /// Every sample lies on the half of the light's surface that faces the point. No reading of
-    /// acceptedShadowReadings: those with the distance of each sample include it.
+    /// Every sample lies on the half of the light's surface that faces the point. Not set in
+    /// acceptedShadowReadings, whose readings with the distance of each sample include this case.
     bool nearSide = false;
-    /// Of terms with rays of their own, the specular one's come first: the order in which a + b is
-    /// evaluated is the compiler's choice.
+    /// If each term has rays of its own, those of the specular term come first: the compiler
+    /// chooses the order in which it evaluates a + b.
     bool specularFirst = false;
 };
 

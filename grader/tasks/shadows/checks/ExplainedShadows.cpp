@@ -145,7 +145,8 @@ std::optional<Finding> comparedWrongly(const Logs& logs) {
     return std::nullopt;
 }
 
-// Points whose light one number scales; empty if another one's light is not scaled so.
+// For each point, the factor that scales its light; empty if a single factor does not explain the
+// light of some point. Points with rays that rounding decides are left out.
 std::vector<PartOfLight> scaledPoints(const Logs& logs) {
     std::vector<PartOfLight> all;
     for (const ShadowLog* log : logs)

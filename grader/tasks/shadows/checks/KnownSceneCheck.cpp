@@ -70,8 +70,8 @@ bool isDark(const ShadowLog& log) {
     });
 }
 
-/// Code that lights the back of surfaces through them, as limits against shadow acne may, is not
-/// asked.
+/// Whether a light behind the surface adds light only after a light in front. Code that lights the
+/// back of surfaces anyway, as limits against shadow acne may, is not blamed for this.
 bool keepsShare(const ShadowLogs& logs, const ShadowReading& reading) {
     const auto dark = [](const ShadowLog* log) { return isDark(*log); };
     return std::ranges::all_of(logs.behindAlone, dark) &&
@@ -100,7 +100,8 @@ bool followsCount(const ShadowLogs& logs, const ShadowReading& reading, bool ray
 
 std::optional<Finding> checkKnownScenes(const ShadowLogs& logs, const ShadowReading& reading,
                                         bool raysSeen) {
-    // Any colour fits a point without rays, and the geometry says what is near it.
+    // Both tests are needed: a reading fits any colour of a point without rays, and geometry tells
+    // the colours of such points only approximately.
     const auto fits = [&](const ShadowLog* log) {
         return allNearKnown({log}, reading.viewerIsEye) && (!raysSeen || fitsAnyReading(*log));
     };

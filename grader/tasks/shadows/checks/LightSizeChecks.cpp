@@ -12,7 +12,7 @@
 namespace ticker::tasks {
 namespace {
 
-/// Rays that all pass within a share of the light's radius, so many that right ones would not.
+/// So many lines of right rays do not all pass within this share of the light's radius.
 struct Crowd {
     double share;
     std::size_t lines;

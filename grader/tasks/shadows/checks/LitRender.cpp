@@ -128,7 +128,7 @@ bool goAstray(const ShadowLog& log) {
     return false;
 }
 
-// A looser reading may fit single points in other light.
+// The reading that fits the most points. Readings with wide intervals may fit a point by chance.
 FitCount bestFit(const ShadowLog& log) {
     FitCount best;
     for (const ShadowReading& reading : acceptedShadowReadings()) {
@@ -152,7 +152,8 @@ bool helpersCastTheRest(const LitRender& lit) {
     return lit.looseRays > 0 && rays >= raysFor(lit, lit.answer.colours.size(), raysAsked(lit));
 }
 
-// For a render that lights its points in code of its own.
+// The difference if `render` never calls `illuminate`, but lights its points by itself: its rays
+// are then only counted.
 std::optional<std::string> looseDifference(const LitRender& lit, const VisibleRays& visible) {
     const std::size_t toALight = visible.toALight.value_or(raysAsked(lit));
     const std::size_t expected = raysFor(lit, lit.lensRays, toALight);

@@ -16,10 +16,11 @@ bool fitsAll(const std::vector<const ShadowLog*>& logs, const ShadowReading& rea
 
 }  // namespace
 
-// Only the line of a sample is visible, so the readings with each sample's distance allow every
-// place on it, the near end as well. Samples that lie elsewhere do not all fit that end: some
-// hundred rays arrive, and each has its light within a few thousandths where two ends of a chord
-// differ by a tenth and more.
+// Only the line of a sample is visible, so readings with each sample's distance allow every place
+// on its chord of the light, and the near end as well. This check asks whether the near end alone
+// fits all points. Samples elsewhere on the chord do not pass: some hundred rays arrive, the
+// tolerance is a few thousandths, and the light from the two ends of a chord differs by a tenth or
+// more.
 std::optional<Finding> checkNearSide(const ShadowLogs& logs) {
     const std::vector<const ShadowLog*> all = logs.atHandoutSettings();
     if (std::ranges::any_of(all, &ShadowLog::cut)) return std::nullopt;

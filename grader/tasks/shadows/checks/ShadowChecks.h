@@ -79,11 +79,11 @@ struct ShadowLogs {
 /// Whether the number of rays and the light's radius are those of settings().
 [[nodiscard]] std::optional<Finding> checkOtherSettings(const ShadowLogs& logs,
                                                         const AimVerdict& aims);
-/// Whether a number of rays that pairs or other groups do not make up is cast all the same.
+/// Whether all rays are cast if their number is odd, so that pairs or other groups leave some over.
 [[nodiscard]] std::optional<Finding> checkOddCount(const ShadowLogs& logs);
 /// Whether a light that adds little gets its rays and adds its light.
 [[nodiscard]] std::optional<Finding> checkFaintLight(const ShadowLogs& logs);
-/// Whether it adds its light, for code whose rays are not visible.
+/// Whether a light that adds little adds its light, for code whose rays are not visible.
 /// @param reading  The one that fits all other questions.
 [[nodiscard]] std::optional<Finding> checkFaintValues(const ShadowLogs& logs,
                                                       const ShadowReading& reading);
@@ -94,7 +94,8 @@ struct ShadowLogs {
 [[nodiscard]] std::optional<Finding> checkOneRay(const ShadowLogs& logs, const AimVerdict& aims);
 /// Whether lights with one channel alone get their rays, and surfaces with one channel.
 [[nodiscard]] std::optional<Finding> checkColourChannels(const ShadowLogs& logs);
-/// Rays are cast there or cannot be seen, and the colour is wrong.
+/// The finding if a light or surface of one channel gets its rays, or no rays are visible, but its
+/// colour is wrong.
 [[nodiscard]] Finding channelsLost();
 /// Whether rays below the surface's horizon count as blocked.
 /// @param reading  The reading that fits all other questions.

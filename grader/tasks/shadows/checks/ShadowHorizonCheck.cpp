@@ -16,15 +16,16 @@ std::size_t askedOf(const ShadowLog& log) {
     return static_cast<std::size_t>(log.settings().shadowRayCount);
 }
 
-// A ray that starts off the surface goes down a little to an aim on the horizon, 2.3 or more away.
+// Slope of a ray that starts above the surface, by the largest bias, and aims at the horizon: the
+// aim is 2.3 world units away or more, so that the ray goes down a little.
 constexpr double kLevel = kLargestBias / 2.3;
 
 double slopeOf(const AimLine& line, const PointLog& point) {
     return line.direction.dot(point.point.normal);
 }
 
-// Whether the ray meets the floor near its aim, if anywhere. Where on the line the aim lies is not
-// visible, so neither is which of the two comes first.
+// Whether the ray is so level that it meets the floor, if at all, near its aim. Which of the two
+// comes first is unknown, since the place of the aim on the line is not visible.
 bool isLevel(const AimLine& line, const PointLog& point) {
     constexpr double kSinglePrecision = 1e-6;
     const double slope = slopeOf(line, point);
@@ -61,8 +62,9 @@ bool allRight(const ShadowLog& log, const ShadowReading& reading, Sight level) {
     });
 }
 
-// Whether the missing rays count as blocked, under any reading: the one that fits elsewhere may be
-// too wide an interval of the code's own, which differs most here, with the facing of each ray.
+// Whether the rays that were not cast count as blocked, under any accepted reading. The reading
+// that fits elsewhere does not decide: it may fit only since its interval is wide, and here, where
+// the rays differ most in N.L, the code's own reading may be another.
 bool countsMissing(ShadowLog log) {
     for (PointLog& point : log.points)
         if (!point.lines[0].empty())
@@ -73,8 +75,9 @@ bool countsMissing(ShadowLog log) {
     });
 }
 
-// The clearest example, if every point with fewer rays than asked for has the share of the rays
-// that were cast. Counting the missing rays as blocked gives a smaller share, unless it is 0.
+// The clearest example of a point whose light is the share of the rays that were cast, and not of
+// those that were asked for. Null if some point with fewer rays does not have that share, or if the
+// missing rays may count as blocked after all.
 const PointLog* leftOut(const ShadowLog& log, const ShadowReading& reading) {
     if (reading.terms != ShadowReading::Terms::together) return nullptr;
     const PointLog* clearest = nullptr;
@@ -89,12 +92,14 @@ const PointLog* leftOut(const ShadowLog& log, const ShadowReading& reading) {
     return clearest != nullptr && countsMissing(log) ? nullptr : clearest;
 }
 
-// Whether the light is that of all rays that were cast. Code that casts more rays than asked for
-// may spare those below: its share is then not that of the rays that are left, for about one in a
-// hundred of these is level, and each of the 24 points would need some. If every point has as many
-// rays, none are spared, but for a chance of 1e-10: then any reading may fit.
-// Code that moves aims onto the horizon is right if all rays there count as blocked: 1 in 24 or
-// more of its rays are level, but for a chance of 1e-7.
+// Whether the light is the share of all rays that were cast.
+// Code that casts more rays than asked for may leave out those below the horizon. Its light is then
+// not the share of the remaining rays: about one in a hundred of these is level, and each of the 24
+// points would need some. If all points have the same number of rays, none were left out, except
+// with a chance of 1e-10, and any accepted reading may fit.
+// Code that moves aims onto the horizon is right if all rays there count as blocked. At least 1 in
+// 24 of its rays is level, except with a chance of 1e-7.
+// @param manyLevel  Whether so many rays are level.
 bool countsAll(const ShadowLog& log, const ShadowReading& reading, bool manyLevel) {
     const std::size_t first = log.points.front().lines[0].size();
     const bool evenly = std::ranges::all_of(

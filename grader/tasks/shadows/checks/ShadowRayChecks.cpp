@@ -66,8 +66,8 @@ bool fitsDividedBy(std::size_t divisor, ShadowLog log, std::size_t rays) {
     return fitsAnyReading(log);
 }
 
-/// What is wrong with the light of as many rays as were asked for, or more; empty: nothing, or
-/// numbers that are typed in, of which another check speaks.
+/// What is wrong with the light if as many rays as asked for, or more, were cast. Empty if nothing
+/// is, or if the cause is a hard-coded number of rays, which another check reports.
 std::string oddLight(const ShadowLog& log, const RayCounts& counts) {
     const auto atHandout = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
     const auto asked = static_cast<std::size_t>(log.settings().shadowRayCount);
@@ -184,7 +184,8 @@ std::optional<Finding> checkFixedSamples(const ShadowLogs& logs) {
     return finding;
 }
 
-// A few more feet than one point has rays: feet next to the edge of a cell count twice.
+// The limit is twice the number of rays of one point, since feet next to the edge of a cell count
+// twice.
 std::optional<Finding> checkSmallPool(const AimVerdict& aims) {
     const auto asked = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
     if (aims.lines == 0 || aims.distinct > 2 * asked) return std::nullopt;
@@ -216,9 +217,9 @@ std::optional<Finding> checkDirectionOffset(const ShadowLogs& logs) {
     return finding;
 }
 
-// Fewer rays than asked for are no number that is typed in, since at the handout's settings more
-// were cast. More rays are right if the light is divided by their number; where they are as many
-// as the handout's, another check speaks of numbers that are typed in.
+// If fewer rays than asked for are cast, their number is not hard-coded, since more were cast at
+// the handout's settings. More rays are right if the light is divided by their number. If they are
+// as many as the handout's, another check reports a hard-coded number.
 std::optional<Finding> checkOddCount(const ShadowLogs& logs) {
     const auto atHandout = static_cast<std::size_t>(raytracer::RenderSettings{}.shadowRayCount);
     for (const ShadowLog* log : logs.oddCount) {

@@ -15,8 +15,8 @@ namespace ticker::tasks {
 [[nodiscard]] bool isOffHorizon(const raytracer::PointLight& light, const raytracer::Vector3& point,
                                 const raytracer::Vector3& normal, double lightSize);
 
-/// A ray that is cast from any place of the light to the point is seen to come from there
-/// (questions::seenFrom).
+/// The light is so far away that `questions::seenFrom` recognises a ray that was cast from any
+/// place of it to the point.
 [[nodiscard]] bool isFarOff(const raytracer::PointLight& light, const raytracer::Vector3& point,
                             double lightSize);
 

@@ -18,14 +18,16 @@ struct Judged {
     std::vector<bool> isWrong;
 };
 
-/// Other readings than the central one compute with intervals, into which much fits.
+/// The readings under which code with this reading is judged. Only the central reading gives exact
+/// colours. The others give intervals that may fit by chance, so that all accepted ones are tried.
 std::vector<ShadowReading> readingsLike(const ShadowReading& reading) {
     if (reading.phong == ShadowReading::Phong::central) return {reading};
     return acceptedShadowReadings();
 }
 
-/// Any colour fits a point without rays, and the geometry says what is near it. Where each point of
-/// a log fits a reading and no reading fits all of them, all are wrong.
+/// A point is right if its colour is near what geometry tells and fits a reading; a reading fits
+/// any colour of a point without rays. If each point of a log is right, but no single reading fits
+/// all of them, all count as wrong.
 Judged judged(const std::vector<const ShadowLog*>& logs, const ShadowReading& found,
               bool raysSeen) {
     const std::vector<ShadowReading> readings = readingsLike(found);

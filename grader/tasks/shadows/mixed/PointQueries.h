@@ -12,7 +12,7 @@ namespace ticker::tasks {
 
 [[nodiscard]] const raytracer::Material& surfaceOf(const PointOfLog& at);
 
-/// From the point to the light's centre.
+/// Distance from the point to the light's centre, world units.
 [[nodiscard]] double distanceOf(const PointOfLog& at, const raytracer::PointLight& light);
 
 /// Whether the light's centre is in front of the surface.
@@ -39,7 +39,7 @@ template <typename Test>
 /// Whether some object on the way to the centre of a light is nearer to that centre than this.
 [[nodiscard]] bool anyBlockerWithin(const PointOfLog& at, double distance);
 
-/// Null: a plane.
+/// The sphere with this index among the objects; null for a plane.
 [[nodiscard]] const raytracer::SphereDescription* sphereOf(const raytracer::SceneDescription& scene,
                                                            int object);
 

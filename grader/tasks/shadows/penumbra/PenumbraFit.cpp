@@ -44,8 +44,8 @@ void tryDensity(const std::vector<PenumbraSamples>& seen, const Expected& first,
         }
 }
 
-// A fit of the near side's falloff is not enough where another reading may still fit as well: a
-// warning says that none does.
+// Whether no further shapes need be tried. If the near side's falloff fits best so far, they are
+// tried: its warning says that no other reading fits.
 bool isDecided(const PenumbraFit& fit) {
     const bool mayBeNearSide =
         fit.excessOfNearSide < fit.excessOfOthers && fit.excessOfOthers > PenumbraFit::kSurely;

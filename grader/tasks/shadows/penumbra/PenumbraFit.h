@@ -10,14 +10,15 @@ namespace ticker::tasks {
 
 /// How well the means in the penumbra fit the accepted readings.
 struct PenumbraFit {
-    double excessOfOthers = 1e9;     ///< worstExcess of the best reading but those below
-    double excessOfNearSide = 1e9;   ///< of the best with the falloff of the light's near side
+    double excessOfOthers = 1e9;     ///< least worstExcess of all readings but those below
+    double excessOfNearSide = 1e9;   ///< least one of readings with the near side's falloff
     std::vector<double> openInBall;  ///< share of visible aims at each place, for a filled ball
 
     [[nodiscard]] double excess() const { return std::min(excessOfOthers, excessOfNearSide); }
-    /// Whether the falloff of the near side fits, and no other reading does. Bernstein's bound is
-    /// wide: of 3000 right stages none was beyond 0.4 of it under its own reading, and most of the
-    /// near side are below 1 under some other.
+    /// Whether the falloff of the near side fits clearly better than any other reading. Bernstein's
+    /// bound alone does not tell, because it is wide: of 3000 right stages none exceeded 0.4 of it
+    /// under its own reading, and most stages with the near side's falloff stay below 1 under
+    /// another reading.
     [[nodiscard]] bool isNearSideAlone() const {
         return excessOfOthers > kSurely && excessOfNearSide < 0.75 * excessOfOthers &&
                excessOfNearSide <= 1.0;

@@ -9,7 +9,7 @@ namespace {
 // 67 points in each of three questions give 2010 aim lines.
 constexpr int kPointsFar = 67;
 
-/// A direction at an angle from `axis` between these.
+/// A unit vector whose angle to `axis` is from `least` to `most`, radians.
 Vector3 drawAside(Draw& draw, const Vector3& axis, double least, double most) {
     const Perpendiculars sides = perpendicularsOf(axis);
     const double away = draw.between(least, most);
@@ -17,8 +17,9 @@ Vector3 drawAside(Draw& draw, const Vector3& axis, double least, double most) {
     return axis * std::cos(away) + sideAt(sides, around) * std::sin(away);
 }
 
-// Far aside from the light and about as far away as it is, so that both the point and the light see
-// the viewer in another direction than each other: a disc that faces the viewer looks narrow.
+// A viewer far aside from the light and about as far away. From the point it is in another
+// direction than the light, and from the light in another direction than the point, so that a disc
+// that faces the viewer looks narrow.
 Vector3 drawFarViewer(Draw& draw, const Vector3& point, const Vector3& normal,
                       const Vector3& light) {
     const Vector3 way = light - point;
@@ -31,7 +32,7 @@ Vector3 drawFarViewer(Draw& draw, const Vector3& point, const Vector3& normal,
 }  // namespace
 
 ShadowQuestion drawFarLight(Draw& draw, const Vector3& towards) {
-    // A shape that the normal turns looks narrow, too.
+    // The normal leans away from the light, so that a shape that faces along it looks narrow, too.
     const Vector3 up = drawAside(draw, towards, 0.65, 0.9);
     const Perpendiculars sides = perpendicularsOf(up);
     const Vector3 foot = drawPlace(draw);
