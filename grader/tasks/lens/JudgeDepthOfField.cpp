@@ -93,7 +93,8 @@ Finding renamed(const FindingText& text, Severity severity, const std::string& c
     return finding;
 }
 
-// `wrong`, if anything is, where all is right under other conditions.
+// `wrong`, if not empty, with a message that all is right under other conditions.
+// @param conditions  First half of that sentence, up to "it is not".
 std::optional<Finding> onlyWhere(const std::string& conditions, const char* hint,
                                  std::optional<Finding> wrong) {
     if (!wrong) return std::nullopt;
@@ -174,8 +175,9 @@ LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other) {
     return outcome;
 }
 
-// Fewer rays than asked for are no number that is typed in, since at the handout's settings more
-// were cast. Where they are as many as the handout's, another check speaks of typed numbers.
+// If fewer rays than asked for are cast, their number is not hard-coded, since more were cast at
+// the handout's settings. If they are as many as the handout's, another check reports a hard-coded
+// number.
 std::optional<Finding> judgeOddCount(const LensLog& odd) {
     if (lacksRays(odd) || odd.cut) return std::nullopt;
     const auto asked = static_cast<std::size_t>(odd.asked->settings.dofRayCount);
@@ -208,7 +210,8 @@ std::optional<Finding> judgeManyRays(const LensLog& many, const LensLog& handout
 }
 
 std::optional<Finding> judgeMixed(const LensLog& log) {
-    // Nothing is seen of an empty scene or of one without light, with any number of rays.
+    // An empty scene, or one without light, looks the same with any number of rays, so that code
+    // may cast none.
     const bool mayCastNone =
         log.asked->scene.planes.empty() || log.asked->scene.ambientLighting == ColourRGB{};
     if (lacksRays(log) && mayCastNone) return std::nullopt;

@@ -30,8 +30,8 @@ struct LensOutcome {
 /// @param other    Answers at other settings: a fault there alone is a warning.
 [[nodiscard]] LensOutcome judgeDepthOfField(const LensLog& handout, const LensLog& other);
 
-/// Judges a number of rays that pairs or other groups do not make up, for code that is right at the
-/// handout's number: too few rays, or a mean over another number of them.
+/// Judges an odd number of rays, of which pairs or other groups leave some over, for code that is
+/// right at the handout's number. Fails on too few rays, or on a mean over another number of them.
 [[nodiscard]] std::optional<Finding> judgeOddCount(const LensLog& odd);
 
 /// Whether code that casts more rays where more are asked for does so beyond 255, too; other code

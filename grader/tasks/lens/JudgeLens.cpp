@@ -83,8 +83,9 @@ bool antialiases(probe::Examinee& examinee, const LensLog& tiny, std::uint64_t s
     return staysInPixels(readLensLog(asked, *answer));
 }
 
-// Asks the scene of the other settings with the handout's numbers: what is wrong there, too, is no
-// matter of settings. The frame stays, and rows that are lost in it remain a warning.
+// Asks about the scene of the other settings with the handout's numbers. If the answer is wrong
+// again, the settings are not the cause, and its failure replaces the warning. The frame's size
+// stays, so that the warning remains if the code loses rows of that frame only.
 void confirmSettings(probe::Examinee& examinee, const LensQuestions& asked, bool mayAntialias,
                      std::vector<Finding>& findings) {
     const auto blamed = std::ranges::find_if(
@@ -98,9 +99,10 @@ void confirmSettings(probe::Examinee& examinee, const LensQuestions& asked, bool
         *blamed = *std::move(alone);
 }
 
-// Of rays that are visible and right at the handout's number. What pairs lose they lose with other
-// settings, too, so that the warning about these says nothing more. What is wrong in this scene
-// with the handout's number as well is no matter of odd ones.
+// Judges an odd number of rays, for code whose rays are visible and right at the handout's number.
+// Rays lost in pairs are lost with other settings, too, so that this finding replaces the warning
+// about settings. If the scene is wrong with the handout's number as well, that failure is reported
+// instead.
 void askOddCount(probe::Examinee& examinee, const LensQuestions& asked, const LensLog& odd,
                  std::vector<Finding>& findings) {
     if (hasFailure(findings)) return;
@@ -114,7 +116,7 @@ void askOddCount(probe::Examinee& examinee, const LensQuestions& asked, const Le
     findings.push_back(*std::move(wrong));
 }
 
-// What is wrong in this scene with the handout's settings as well; else nothing.
+// The failure of the log's scene at the handout's settings; empty if it is right there.
 std::optional<Finding> wrongAtHandout(probe::Examinee& examinee, const LensLog& log) {
     probe::RenderQuestion again = *log.asked;
     again.settings = raytracer::RenderSettings{};
@@ -124,7 +126,8 @@ std::optional<Finding> wrongAtHandout(probe::Examinee& examinee, const LensLog& 
     return failureAlone(examinee, again, log.mayAntialias);
 }
 
-// Of rays that are visible and follow the number that is asked for.
+// Judges more than 255 rays, for code whose rays are visible and follow the number that is asked
+// for.
 void askManyRays(probe::Examinee& examinee, const LensLog& many, const LensLog& handout,
                  const LensLog& other, std::vector<Finding>& findings) {
     if (hasFailure(findings)) return;
@@ -135,15 +138,16 @@ void askManyRays(probe::Examinee& examinee, const LensLog& many, const LensLog& 
     findings.push_back(*std::move(wrong));
 }
 
-// What is wrong in a mixed render: what it keeps from the render before, what is wrong in its scene
-// at the handout's settings as well, or else `wrong`.
+// The cause of a wrong mixed render. If the render is right in a fresh program, it kept something
+// from the render before. If its scene is wrong at the handout's settings, too, that failure is the
+// cause. Otherwise the cause is `wrong`.
 Finding renamedByCause(probe::Examinee& examinee, const LensLog& log, Finding wrong) {
     if (!failureAlone(examinee, *log.asked, log.mayAntialias))
         return judgeNextRender(log).value_or(std::move(wrong));
     return wrongAtHandout(examinee, log).value_or(std::move(wrong));
 }
 
-// Of rays that are visible and right with other settings.
+// Judges mixed renders, for code whose rays are visible and right with other settings.
 void askMixed(probe::Examinee& examinee, const std::vector<LensLog>& logs,
               std::vector<Finding>& findings) {
     const auto keeps = [](const Finding& finding) { return is(finding, kSettingsHardCoded); };

@@ -20,10 +20,10 @@ namespace ticker::tasks {
 /// Result of pictures.
 struct PictureStage {
     Stage stage;
-    bool antialiased = false;  ///< they are those of rays that go through all of their pixel
+    bool antialiased = false;  ///< they are pictures of rays through all places of a pixel
 };
 /// Judges the pictures of `render`, for code whose rays are not visible.
-/// @param shelf  Of other submissions that are asked the same, perhaps.
+/// @param shelf  Keeps expected pictures; submissions that get the same questions may share it.
 [[nodiscard]] PictureStage judgePicture(probe::Examinee& examinee, ExpectationShelf& shelf,
                                         std::uint64_t seed, std::uint64_t stage);
 

@@ -39,7 +39,7 @@ void add(LensLog& log, const PlacedRay& placed, int pixel) {
         placed.ray);
 }
 
-// Succeeds only if every pixel gets a ray.
+// Sorts the rays by pixel, in place of those before. False if some pixel gets none.
 bool distribute(LensLog& log, const std::vector<PlacedRay>& rays, const PixelOf& pixelOf) {
     for (LensPixel& pixel : log.pixels)
         pixel.rays.clear();
@@ -89,8 +89,9 @@ bool isPinhole(const LensRay& ray, const LensPixel& pixel) {
     return ray.origin.magnitude() < kSame && (ray.direction - pixel.pinhole).magnitude() < kSame;
 }
 
-// Code with its own recursion may trace an extra ray. All its rays together, the colours of those
-// that were not traced being recomputed, are its samples if they explain each pixel's colour.
+// Code with its own recursion may still trace an extra ray. This takes all its rays as samples, and
+// recomputes the colours of those that were not traced. The result counts only if the mean explains
+// each pixel's colour.
 void placeTogether(LensLog& log, const std::vector<PlacedRay>& traced,
                    const std::vector<PlacedRay>& cast) {
     std::vector<PlacedRay> together = traced;
@@ -108,8 +109,8 @@ void placeTogether(LensLog& log, const std::vector<PlacedRay>& traced,
     if (hasAllRays(joined) && std::ranges::all_of(joined.pixels, isExplained)) log = joined;
 }
 
-// The pinhole ray of each pixel is visible, and the pixel has another colour: an extra ray beside
-// rays that are not visible.
+// Whether the pinhole ray is the only visible ray of each pixel, while some pixel has another
+// colour: then it is an extra ray beside rays that are not visible.
 bool showsOnlyPinholeRays(const LensLog& log) {
     constexpr double kSame = 1e-3;
     const auto hasOthers = [](const LensPixel& pixel) {
@@ -173,7 +174,7 @@ LensLog readLensLog(const probe::RenderQuestion& asked, const probe::RenderAnswe
         return log;
     }
     place(log, traced);
-    // Extra rays that were cast but not traced, beside traced ones, are no samples.
+    // If the traced rays are all there, further rays that were cast but not traced are no samples.
     if (traced.size() < rays.entered.size() && !hasAllRays(log)) place(log, rays.entered);
     if (!hasAllRays(log)) placeTogether(log, traced, rays.cast);
     return log;

@@ -24,8 +24,8 @@ double sumOf(const ColourRGB& colour) {
     return colour.r + colour.g + colour.b;
 }
 
-// Whether each pixel's colour contains another's, whole or divided a second time. No pixel precedes
-// the first one.
+// Whether every pixel's colour is its mean plus another pixel's colour, whole or divided a second
+// time. One pixel, the first that was rendered, may have its mean alone.
 bool areCarriedOn(const std::vector<PixelMean>& pixels, bool dividedAgain) {
     std::size_t first = 0;
     for (const PixelMean& pixel : pixels) {
@@ -52,8 +52,7 @@ bool areScaled(const std::vector<PixelMean>& pixels, double& least, double& most
     return most > 0.0;
 }
 
-// The number at which every value ends that would be greater; 0 if another value differs from its
-// mean, or none would be greater.
+// The largest value, if all means above it, and only these, are cut off at it; 0 otherwise.
 double cutOffAt(const std::vector<PixelMean>& pixels) {
     constexpr double kSame = 1e-5;
     double most = 0.0;
@@ -69,8 +68,8 @@ double cutOffAt(const std::vector<PixelMean>& pixels) {
     return cuts && most > kSame ? most : 0.0;
 }
 
-// Whether a greater mean never has a smaller value, over all channels of all pixels, and values are
-// many.
+// Whether values never fall as means grow, over all channels of all pixels, and there are many
+// different values: the means went through a curve.
 bool followACurve(const std::vector<PixelMean>& pixels) {
     constexpr double kSame = 1e-5;
     std::vector<std::pair<double, double>> values;

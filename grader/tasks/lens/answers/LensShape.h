@@ -36,8 +36,10 @@ struct Columns {
     [[nodiscard]] double aside() const { return count == 0 ? 0.0 : mean / step; }
 };
 
-/// Of the points of all pixels; places that have more than one ray more than others of a pixel are
-/// no grid, but one that is cut short.
+/// Finds the columns or rows of a grid in the lens points of all pixels.
+/// @param axis  &Vector3::x: columns; &Vector3::y: rows.
+/// @return      A count of 0 if the places have unequal steps, or if one has more than one ray more
+///              for each pixel than another: a grid that is cut short.
 [[nodiscard]] Columns columnsOf(const LensLog& log, double Vector3::*axis);
 
 /// Confidence bound on how much narrower than the aperture `count` independent points are: the

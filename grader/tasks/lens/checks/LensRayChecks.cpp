@@ -86,10 +86,11 @@ Finding tooFewRays(const LensLog& log, std::size_t asked) {
     return finding;
 }
 
-// A finding if the ray straight from the eye takes the place of a ray of the lens in every pixel.
-// Beside `asked` rays of the lens it is accepted, and so is a pattern of many points that contains
-// the eye. Random points on a grid are the eye now and then: of 50 on one of 101 by 101 with a
-// chance of 0.005, so that a picture of one pixel proves nothing; in each of twelve with 1e-28.
+// A finding if a ray straight from the eye takes the place of a lens ray in every pixel. It is
+// accepted in addition to `asked` lens rays, and as part of a pattern of many points that contains
+// the eye. Random points on a grid coincide with the eye now and then. Among 50 points on a grid of
+// 101 by 101 the chance is 0.005, so that a single pixel proves nothing; for all of twelve pixels
+// it is 1e-28.
 std::optional<Finding> eyeAmongRays(const LensLog& log, std::size_t asked) {
     constexpr std::size_t kEnoughPixels = 12;
     if (log.pixels.size() < kEnoughPixels) return std::nullopt;

@@ -76,8 +76,9 @@ private:
 
     void chooseLeastBad() {
         for (const Tried& tried : tried_) {
-            // What may be the noise of shared lens points is no failure of antialiasing, and a
-            // mistake that has a name without it does not lose that name.
+            // An antialiased reading with a smaller total does not replace one without antialiasing
+            // if its misfit may be noise of shared lens points, or if only the other names a
+            // mistake.
             const PictureVerdict& verdict = tried.trial->verdict;
             const bool isUnnamed = verdict.finding && is(*verdict.finding, kDofWrong);
             const bool isOpen = verdict.reading.pixelSpread > 0.0 && leastBad_ &&
@@ -102,22 +103,25 @@ private:
         return fits(half);
     }
 
-    // Rays through all of their pixel have a misfit of 0.5 to 0.8, those through its middle half 5
-    // with the whole and 2 with 0.7 of it, a tenth to a quarter of that without antialiasing. Of
-    // mistakes it is 7 and more, in one large picture half of that without and more.
+    // Whether antialiasing brings the misfit down far enough. Rays through the whole pixel have a
+    // misfit of 0.5 to 0.8. Rays through the middle half have 5 under a spread of 1 and 2 under
+    // 0.7, which is a tenth to a quarter of the misfit without antialiasing. Mistakes have 7 or
+    // more, in one large picture at least half of the misfit without antialiasing.
     [[nodiscard]] bool isNear(const Candidate& antialiased) const {
         constexpr double kNearer = 0.5;
         constexpr double kFar = 6.0;
         return antialiased.misfit <= std::min(kNearer * misfit_, kFar);
     }
-    // False only for what is not near by far. Rough misfits lie closer together than real ones.
+    // The same from a rough misfit, with wider limits: rough misfits lie closer together than real
+    // ones, and true means only that the real misfit must be computed.
     [[nodiscard]] bool mayBeNear(double roughAntialiased) const {
         constexpr double kNearer = 0.9;
         constexpr double kFar = 9.0;
         return roughAntialiased <= std::min(kNearer * roughMisfit_, kFar);
     }
 
-    // @return  Whether the best is some antialiasing, but not of the usual kind.
+    // Tries rays through the whole pixel. True if they do not fit, but some antialiasing is nearer
+    // than none.
     bool isNearerAntialiased() {
         bool isNearer = false;
         for (const double aperture : {kWhole, kHalf}) {
@@ -135,8 +139,9 @@ private:
         return isNearer;
     }
 
-    // The noise of a single picture is so large that antialiasing lowers its misfit by a tenth
-    // only, and the search does not come to it. A picture that it explains wholly is not failed.
+    // Whether antialiasing explains a single picture wholly; it then does not fail. The noise of
+    // one picture is so large that antialiasing lowers its misfit by a tenth only, and the search
+    // above does not find it.
     [[nodiscard]] bool mayBeAntialiasedOnce() const {
         if (!seen_.identical) return false;
         for (const double aperture : {kWhole, kHalf})
@@ -205,8 +210,8 @@ PictureVerdict notFinite() {
     return verdict;
 }
 
-// Whether the rays miss the focal point by a part of the pixel, and not by a length of their own,
-// which is more in units of these pixels.
+// Whether the rays miss the focal point by a share of the pixel. Code that misses it by a fixed
+// length misses it by a larger share of these smaller pixels.
 bool followsPixels(Expectations& expectations, const SeenPictures& seen, const Reading& reading) {
     Reading ofOwnLength = reading;
     ofOwnLength.pixelSpread *= kFinerPixels;

@@ -66,7 +66,8 @@ bool isMixed(const raytracer::SceneDescription& scene, const raytracer::RenderSe
 
 enum class Depth { nothing, sharp, between, blurred };
 
-// How far what a ray from the eye shows lies from the focal plane. Rounding counts as `between`.
+// How sharp the surface is that a ray from the eye shows, by its z from the focal plane. `between`
+// if rounding decides.
 Depth depthAlong(const Surfaces& surfaces, const Vector3& direction, double focalPlane) {
     constexpr double kNear = 0.3;
     constexpr double kFar = 0.5;
@@ -81,9 +82,9 @@ Depth depthAlong(const Surfaces& surfaces, const Vector3& direction, double foca
     return isSharp ? Depth::sharp : Depth::between;
 }
 
-// Code that focuses on what the centre shows, along the axis or in the middle pixel, differs from
-// right code only if that is out of focus; code that spares the lens where a pixel is nearly sharp
-// only if one is.
+// Whether the scene shows two mistakes. Code that focuses on what the axis or the middle pixel
+// shows differs from right code only if that is out of focus. Code that skips the lens in pixels
+// that are nearly sharp differs only if there is such a pixel.
 bool showsDepths(const raytracer::SceneDescription& scene,
                  const raytracer::RenderSettings& settings) {
     const Surfaces surfaces{scene};

@@ -27,7 +27,7 @@ raytracer::PlaneDescription wallAt(double z, Draw& draw) {
     return {{0.0, 0.0, z}, {0.0, 0.0, z > 0.0 ? -1.0 : 1.0}, material};
 }
 
-// What only mirrored rays meet: a recursion of one's own may fail where nothing but it can tell.
+// Adds objects that only mirrored rays meet. A student's own recursion shows its mistakes in them.
 void addBehindTheEye(raytracer::SceneDescription& scene, Draw& draw) {
     for (int i = 0; i < 8; ++i) {
         const double z = draw.between(-6.0, -2.5);
