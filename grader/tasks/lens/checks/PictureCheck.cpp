@@ -76,9 +76,9 @@ private:
 
     void chooseLeastBad() {
         for (const Tried& tried : tried_) {
-            // An antialiased reading with a smaller total does not replace one without antialiasing
-            // if its misfit may be noise of shared lens points, or if only the other names a
-            // mistake.
+            // An antialiased reading with a smaller total does not replace the least bad one so far
+            // if that one's misfit may be noise of shared lens points, or if its own mistake has no
+            // name.
             const PictureVerdict& verdict = tried.trial->verdict;
             const bool isUnnamed = verdict.finding && is(*verdict.finding, kDofWrong);
             const bool isOpen = verdict.reading.pixelSpread > 0.0 && leastBad_ &&
