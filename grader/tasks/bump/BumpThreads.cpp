@@ -41,7 +41,8 @@ const probe::RenderAnswer* renderedIn(const probe::Run& run, std::size_t at) {
     return isWhole ? answer : nullptr;
 }
 
-/// Normals that are NaN at special points give the same NaN with any number of threads.
+/// Whether two channels differ by more than rounding. Two NaNs are equal: a normal that is NaN at
+/// some point is so with any number of threads.
 bool differ(double one, double other) {
     constexpr double kRounding = 1e-6;
     if (one == other || (std::isnan(one) && std::isnan(other))) return false;

@@ -18,8 +18,8 @@ inline constexpr int kThreadedPictures = 3;
 /// that a pixel gets depends on its normal alone.
 [[nodiscard]] std::vector<probe::Question> drawThreadedRenders(std::uint64_t seed);
 
-/// The pixels that the second of these renders has otherwise than the first: 0 for code without
-/// variables that calls share, and where a picture is missing.
+/// Number of pixels in which the second of these renders differs from the first. It is 0 for code
+/// whose calls share no variable, and if a picture is missing.
 /// @param first  Index of the first render among the answers.
 [[nodiscard]] std::size_t pixelsThatThreadsChange(const probe::Run& run, std::size_t first);
 

@@ -115,7 +115,7 @@ TaskJudgement failed(const Diagnosis& diagnosis, const Examination& examination,
     return judgement;
 }
 
-/// Normals are right one after the other, and pictures differ.
+/// The judgement of code whose normals are right, but whose pictures change with a second thread.
 TaskJudgement threadsMixed(std::size_t pixels) {
     Finding finding;
     finding.id = kBumpThreadsMixed.id;

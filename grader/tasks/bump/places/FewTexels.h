@@ -24,17 +24,17 @@ struct FewTexelPlan {
 [[nodiscard]] FewTexelPlan planFewTexels(Questionnaire& questionnaire, Draws& draws,
                                          const Ball& ball);
 
-/// Share of the points that tilt towards where the wave falls, in the second texel or the last but
-/// one, whichever has fewer. What lies beyond the edge does not matter there: a neighbour is of the
-/// map, and even where differences reach over three texels and wrap, or stay at the edge, or turn
-/// back, the wave makes them fall the same way. A test holds accepted readings to 0.8, since chords
-/// over three columns bend; a neighbour that stops one texel too early gives 0.
+/// Share of the points that tilt towards where the wave falls, in the second texel or in the last
+/// but one, whichever share is smaller. The rule beyond the map's edge does not matter there. The
+/// direct neighbours lie in the map, and the wave falls the same way even for differences over
+/// three texels that wrap, clamp or mirror. A test holds accepted readings to 0.8, since chords
+/// over three columns bend. Code whose neighbour stops one texel too early gives 0.
 struct FewTexels {
     double alongU = 1.0;
     double alongV = 1.0;
-    /// Of the map whose rows alone differ: how far the first or the last column tilts along u, in
-    /// shares of its tilts along v. Right code gives nearly 0, code that takes the neighbour beyond
-    /// the last column from another row 1.
+    /// On the map that varies along v alone: the tilts along u in the first or the last column,
+    /// divided by those along v, whichever is larger. Right code gives nearly 0. Code that takes
+    /// the neighbour beyond the last column from another row gives 1.
     double aside = 0.0;
 
     static constexpr double kLeast = 0.6;

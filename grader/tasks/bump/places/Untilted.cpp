@@ -28,7 +28,7 @@ HeightMapDescription partlyBlack(Draws& draws) {
     return map;
 }
 
-/// Of random bytes, but no two neighbours of a row or a column are nearly equal.
+/// A map of random bytes in which no two neighbours of a row or a column are nearly equal.
 HeightMapDescription coarse(Draws& draws, int width, int height) {
     constexpr int kLeastStep = 12;
     HeightMapDescription map = noiseMap(draws, width, height);
@@ -109,7 +109,8 @@ std::vector<Vector3> atRim(Draws& draws, const Ball& ball) {
     return directions;
 }
 
-/// @param every  Every n-th of them, from `first` on.
+/// Share of the tilts that are too small to be one.
+/// @param every  Counts only every n-th tilt, from `first` on.
 double smoothShare(const std::vector<Vector3>& tilts, std::size_t first, std::size_t every) {
     constexpr double kSomeTilt = 5e-6;  // ten times single precision's rounding
     double smooth = 0.0;

@@ -36,19 +36,20 @@ struct UntiltedPlan {
 [[nodiscard]] UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws,
                                         const Ball& ball);
 
-/// The share of the points whose normal is the smooth one; near the poles, of the axis that has the
-/// most. Neighbouring texels of the rough map are equal once in 256 times, so that code without
-/// such a condition gives 0.02 at most; of the map that is black in one of three texels, where the
-/// gentler of two differences is taken, 0.1, with a standard deviation of 0.013. A condition that
-/// holds at all of these points gives 1, on black 0.33 and more, at the rim, where half of the
-/// tilted normals face away, 0.3 and more. On few rows or columns, neighbours are never equal: code
-/// whose slopes are 0 at the map's edges gives 0.024, the corners; a row or a column that is left
-/// out 0.095 and more.
-/// Along both diagonals, central differences are 0 at one of seven texels, and a condition on one
-/// of the diagonals gives 0.43. Where texels are equal in pairs, the two kinds of pairs are
-/// compared: differences to one side are 0 at a half of the texels of either, the gentler of two at
-/// all of either. Code that reads every other column gives 0.75 and 0.25, with a standard deviation
-/// of 0.02.
+/// Share of the points whose normal is the smooth one, for each place; near the poles, of the axis
+/// that has the largest share. What right code and code with a condition of its own give:
+///   rough map: neighbouring texels are equal once in 256 times, so that right code gives at most
+///     0.02; a condition gives 1, or 0.3 and more at the rim, where half of the tilted normals face
+///     away
+///   onBlack: one texel of three is black; code that takes the gentler of two differences gives
+///     0.1, with a standard deviation of 0.013, and a condition 0.33 and more
+///   fewRows, fewColumns: neighbours are never equal; code whose slopes are 0 at the map's edges
+///     gives 0.024, the corners, and code that leaves out a row or a column 0.095 and more
+///   onDiagonals: central differences are 0 at one of seven texels; a condition on one of the
+///     diagonals gives 0.43
+///   evenSteps, oddSteps: these two are compared; differences to one side are 0 at half of the
+///     texels of either, the gentler of two at all of either; code that reads every other column
+///     gives 0.75 and 0.25, with a standard deviation of 0.02
 struct Untilted {
     std::array<double, kWhereabouts> shares{};
 

@@ -11,9 +11,8 @@
 namespace ticker::tasks::bump {
 
 /// The finding that a student reads: message, hint, section and evidence.
-/// @param diagnosis  Of the examination, with at least one fault; the first is described, the
-/// others
-///                   are named in the evidence.
+/// @param diagnosis  Of the examination, with at least one fault. The first is described, the
+///                   others are named in the evidence.
 [[nodiscard]] Finding describe(const Diagnosis& diagnosis, const Examination& examination,
                                const std::optional<Hints>& hints);
 

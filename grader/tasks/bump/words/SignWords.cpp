@@ -24,7 +24,7 @@ struct AxisNames {
     const char* wrongEdges;
     const char* rightEdges;
 };
-// Not for v: where 1 - v puts row 0 at the top, v alone would turn the map round.
+// `reversed` is for u only: to write v for 1 - v would turn a right map upside down.
 constexpr AxisNames kAxisU{
     "u",
     "v",
