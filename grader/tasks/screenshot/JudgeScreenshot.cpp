@@ -143,7 +143,9 @@ private:
         return doubt ? withoutWindows(*doubt) : passedInDoubt(isTheReference(*noise));
     }
 
-    // Code that does not repeat itself may have drawn any picture that shows the scene.
+    // The judgement of code whose renders differ: it may have drawn any picture that shows the
+    // scene.
+    // @param why  The reason why they differ.
     [[nodiscard]] TaskJudgement excuse(const std::string& why) const {
         if (const Scene* other = otherScene())
             return failed(notThisScene(scene_.name, other->name));

@@ -55,7 +55,8 @@ public:
         return frame;
     }
 
-    /// One ray says nothing of noise.
+    /// Equal to the last bit, or with several rays for each pixel equal within noise: one ray does
+    /// not show how large the noise is.
     [[nodiscard]] bool areAlike(const Strip& first, const Strip& second) const {
         if (first.colours == second.colours) return true;
         return !isOneRay_ && areAlikeInBytes(bytesOf(first).view(), bytesOf(second).view());
@@ -79,7 +80,8 @@ private:
         return strip;
     }
 
-    // Rays that the whole frame gets and a part does not are seen in the noise alone.
+    // A whole frame may get more rays than a part of it. That shows in the noise alone, so that it
+    // is compared, too.
     [[nodiscard]] bool areAlikeInBytes(const ByteView& first, const ByteView& second) const {
         constexpr double kOtherRays = 4.0;
         if (!agreementOf(first, second, scene_.isRandom).agrees) return false;

@@ -12,7 +12,8 @@ namespace ticker::tasks {
 /// Reduces more than 500 points to every n-th, so that all pixels and lights are represented.
 void thin(std::vector<PlotPoint>& points);
 
-/// The plots that have points and that no finding shows already. Only one of all keeps its drawing.
+/// The plots that have points and that no finding shows already. At most one plot keeps its
+/// drawing.
 [[nodiscard]] std::vector<ScatterPlot> unshown(std::vector<ScatterPlot> plots,
                                                const std::vector<Finding>& findings);
 

@@ -48,7 +48,7 @@ EndText textOf(Kind kind) {
     return {kRunNoAnswer.id, "no answer came", "Make sure that the function returns."};
 }
 
-// The first incomplete answer.
+// State and message of the first incomplete answer; `answered` if all are complete.
 struct Missing {
     AnswerState state = AnswerState::answered;
     std::string message;

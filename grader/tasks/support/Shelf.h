@@ -9,9 +9,9 @@
 
 namespace ticker::tasks {
 
-/// What is expensive to compute from a question alone, for all submissions that are asked it. The
-/// latest few hundred are kept. Several threads may use it.
-/// @tparam Key  Tells the questions apart.
+/// Keeps objects that are expensive to compute and depend on a question alone, for all submissions
+/// that get the question. The latest few hundred are kept. Several threads may use it.
+/// @tparam Key   Tells the questions apart.
 template <class Key, class Kept>
 class Shelf {
 public:

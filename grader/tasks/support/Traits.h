@@ -29,7 +29,8 @@ template <class Asked>
     return text;
 }
 
-/// The wrong answer that is set apart by the fewest traits: it is told of. One is wrong.
+/// Index of the wrong answer whose question has the fewest traits, to be shown as the example. At
+/// least one answer must be wrong.
 template <class Asked>
 [[nodiscard]] std::size_t plainestWrong(std::type_identity_t<std::span<const Trait<Asked>>> traits,
                                         const std::vector<Asked>& asked,
