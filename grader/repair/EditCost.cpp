@@ -13,7 +13,8 @@ namespace {
 
 using candidates::wordsOf;
 
-/// Without what belongs to a word beside it: `.normalised()` is one.
+/// Words of a text that count as changed. Signs that belong to a word beside them do not:
+/// `.normalised()` is one word.
 std::vector<std::string_view> weighedWordsOf(std::string_view text) {
     static const std::set<std::string_view> kLight{"(", ")", "{", "}", ".", "->", "::", ",", "std"};
     std::vector<std::string_view> words = wordsOf(text);
@@ -34,11 +35,11 @@ std::size_t differing(const std::vector<std::string_view>& a,
     return std::max(a.size(), b.size()) - front - back;
 }
 
-// Of kinds that put something in beside what was there.
+// The rank of kinds that add something beside what was there.
 constexpr std::size_t kLastRank = 4;
 
-/// What takes something away comes first among equals; the more a kind puts in beside what was
-/// there, the later it comes among equals.
+/// Order of kinds among edits that change as many tokens, lowest first. Kinds that remove something
+/// come first, and kinds that add more come later.
 std::size_t rankOf(const Atom& atom) {
     static const std::map<std::string, std::size_t> kRanks{
         {"operator", 1}, {"function", 1},  {"member", 1}, {"drop", 0},
@@ -59,7 +60,8 @@ bool putsIn(std::string_view source, const Atom& atom) {
     return after > before;
 }
 
-/// Whether an edit says one thing in many words. A file has few of these.
+/// Whether an edit counts as one token, however many it changes: it is one idea in many words, and
+/// a file has few such edits.
 bool isOneThought(std::string_view source, const Atom& atom, bool isAtSeveralPlaces) {
     // A condition with all that depends on it.
     if (atom.kind == "left-out" && source.substr(atom.edits.front().begin).starts_with("if"))
@@ -68,9 +70,10 @@ bool isOneThought(std::string_view source, const Atom& atom, bool isAtSeveralPla
            atom.kind == "limit" || (isAtSeveralPlaces && atom.kind == "left-out");
 }
 
-/// Bytes of the text that an edit puts something beside: where the same words are put in, the
-/// smaller place is the more exact one. Signs and names are tried in the order of the text: where a
-/// quantity is made before where it is used.
+/// Bytes of the text that an edit adds something to. If the same words can be added in several
+/// places, the smallest place is the most exact one. 0 for all other kinds, such as signs and
+/// names: they keep the order of the text, so that the place that defines a quantity comes before
+/// those that use it.
 std::size_t placeSize(const Atom& atom) {
     if (rankOf(atom) < kLastRank) return 0;
     std::size_t size = 0;

@@ -16,7 +16,8 @@ namespace ticker::repair {
                                         const EditSet& set);
 
 /// Sets in the order in which they are tried: those that change the fewest tokens first.
-/// @param isOne  One edit at several places.
+/// @param isOne  Each set counts as one edit at several places: it costs as much as its costliest
+///               edit.
 [[nodiscard]] std::vector<EditSet> simplestFirst(std::string_view source,
                                                  const Candidates& candidates,
                                                  std::vector<EditSet> sets, bool isOne = false);

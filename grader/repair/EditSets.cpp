@@ -18,7 +18,7 @@ bool touch(const TextEdit& a, const TextEdit& b) {
     return a.begin <= b.end && b.begin <= a.end;
 }
 
-/// Whether both cannot be made at once: they change the same text, or the switch of one replaces
+/// Whether two edits exclude each other: they change the same text, or the switch of one replaces
 /// that of the other.
 bool touch(const Atom& a, const Atom& b) {
     if (a.siteBegin < b.siteEnd && b.siteBegin < a.siteEnd) return true;
@@ -28,7 +28,8 @@ bool touch(const Atom& a, const Atom& b) {
     });
 }
 
-/// A text with names replaced: statements of the same shape say the same of different things.
+/// A text with every name replaced by "n". Statements of the same shape do the same with different
+/// variables.
 std::string shapeOf(std::string_view text) {
     std::string shape;
     for (const std::string_view word : candidates::wordsOf(text)) {
@@ -46,7 +47,7 @@ bool isLight(const Atom& atom) {
     return !atom.isApart && kKinds.contains(atom.kind);
 }
 
-/// Whether an edit turns the sign of a term or a value round.
+/// Whether an edit changes the sign of a term or value.
 bool isSign(std::string_view source, const Atom& atom) {
     if (atom.kind == "sign") return true;
     if (atom.kind != "operator" || atom.edits.size() != 1) return false;
@@ -55,7 +56,8 @@ bool isSign(std::string_view source, const Atom& atom) {
     return (was == "+" && edit.text == "-") || (was == "-" && edit.text == "+");
 }
 
-/// Where in its statement an edit begins, in tokens, and what it does there without names.
+/// Key of edits that correspond: kind, shape of the statement, and for each change its place in the
+/// statement, in tokens, and the shape of the new text.
 std::string placeOf(std::string_view source, const Atom& atom) {
     const std::string_view statement =
         source.substr(atom.statementBegin, atom.statementEnd - atom.statementBegin);
@@ -76,12 +78,13 @@ std::string replacementOf(std::string_view source, const Atom& atom) {
     return text;
 }
 
-/// The same within one statement.
+/// Key of equal replacements within one statement.
 std::string inStatement(std::string_view source, const Atom& atom) {
     return replacementOf(source, atom) + "|" + std::to_string(atom.statementBegin);
 }
 
-/// Likewise, of what differs in its names alone: the components of one colour.
+/// Key of replacements within one statement that differ in names only, such as in the components of
+/// one colour.
 std::string alikeInStatement(std::string_view source, const Atom& atom) {
     std::string text = "alike|" + atom.kind + "|" + std::to_string(atom.statementBegin);
     for (const TextEdit& edit : atom.edits)
@@ -90,7 +93,8 @@ std::string alikeInStatement(std::string_view source, const Atom& atom) {
     return text;
 }
 
-/// All of a group together, and each two and three of it.
+/// Adds the whole group as one set, and every two and three of its edits. Groups of more than four,
+/// or whose edits exclude each other, are not added whole.
 void addGroup(const Candidates& candidates, const EditSet& group, std::set<EditSet>& sets) {
     constexpr std::size_t kMostPlaces = 4;
     if (group.size() < 2 || group.size() > kMostPlaces) return;
@@ -155,7 +159,7 @@ std::vector<EditSet> withoutSwitch(const Candidates& candidates, const Choice& i
 
 std::vector<EditSet> twins(std::string_view source, const Candidates& candidates,
                            const Choice& isChosen) {
-    // Few places have these: they belong together whatever stands there.
+    // Edits of these kinds are rare: all of a kind form one group, wherever they are.
     static const std::set<std::string> kAlike{"clamp", "draw", "regroup"};
     std::map<std::string, EditSet> groups;
     for (const std::uint16_t number : switched(candidates, isChosen)) {

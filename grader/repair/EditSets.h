@@ -41,12 +41,12 @@ using Choice = std::function<bool(const Atom&)>;
 [[nodiscard]] std::vector<EditSet> pairs(std::string_view source, const Candidates& candidates,
                                          const Choice& isChosen);
 
-/// Two signs in different statements, such as a direction that is turned round and what goes with
-/// it; two statements that are left out, such as what was only tried.
+/// Two changed signs in different statements, such as those of a reversed direction and of a term
+/// with it; or two statements left out, such as leftovers of an experiment.
 [[nodiscard]] std::vector<EditSet> linked(std::string_view source, const Candidates& candidates,
                                           const Choice& isChosen);
 
-/// A set with each of others that changes other text.
+/// The union of a set with each of the others that changes other text.
 [[nodiscard]] std::vector<EditSet> together(const Candidates& candidates, const EditSet& set,
                                             std::span<const EditSet> others);
 

@@ -27,7 +27,8 @@ std::vector<const TaskReport*> explainable(const intake::Submission& submission,
     return tasks;
 }
 
-/// Functions that only tasks without a failure are solved in: they are left alone.
+/// Functions in which only tasks without a failure are solved, separated by commas. They are not
+/// edited.
 std::string solvedFunctions(const pipeline::Grader& grader,
                             const std::vector<const TaskReport*>& open, const std::string& file) {
     std::string names;

@@ -5,7 +5,7 @@
 namespace ticker::repair {
 namespace {
 
-/// Without what stays the same at both ends.
+/// The edit without the text that stays the same at both ends.
 TextEdit trimmed(std::string_view source, TextEdit edit) {
     while (edit.begin < edit.end && !edit.text.empty() && source[edit.begin] == edit.text.front()) {
         ++edit.begin;

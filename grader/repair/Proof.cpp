@@ -59,7 +59,7 @@ public:
         });
     }
 
-    /// Whether its renders show what it answers.
+    /// Whether the edited program's renders show what its answers say.
     bool rendersAlike(const std::string& file, const std::string& task,
                       const std::vector<TaskReport>& before) {
         const auto doubt = codeOf(grader_, task).doubt;

@@ -20,7 +20,7 @@ bool sameBytes(const std::vector<Value>& a, const std::vector<Value>& b) {
     return std::ranges::equal(a, b, sameValue<Value>);
 }
 
-// Not its bytes: between its fields lie some that belong to none.
+// Compares field by field: the padding between fields may differ.
 bool sameHit(const probe::Hit& a, const probe::Hit& b) {
     return a.isHit == b.isHit && a.object == b.object && sameValue(a.distance, b.distance) &&
            sameValue(a.location, b.location) && sameValue(a.normal, b.normal);

@@ -62,7 +62,7 @@ Search::Search(const Task& task, const TaskJudgement& before, std::vector<const 
 }
 
 void Search::drawScreening() {
-    // A mistake that few answers show: cheap questions of another seed may see it.
+    // Few answers may show the mistake, so that cheap questions of other seeds are tried.
     constexpr std::uint64_t kMostDraws = 4;
     for (std::uint64_t i = 0; i < kMostDraws && !isSeen_ && !clock_.isOver(); ++i) {
         Screening drawn = task_.screen(seed_ + i);
@@ -88,7 +88,8 @@ std::vector<EditSet> Search::screened(std::span<const EditSet> sets) {
         else if (screening_.mayPass(run))
             kept.push_back(sets[i]);
     });
-    // Where the cheap questions were answered well, what changes no answer is as likely.
+    // If the submission passes the cheap questions, an edit that changes no answer to them is as
+    // likely to mend it as one that does.
     return inTurn(alike, kept);
 }
 
@@ -124,7 +125,7 @@ bool Search::judgeEach(std::span<const EditSet> sets, Use use) {
 
 void Search::eachPassing(std::span<const EditSet> sets,
                          const std::function<bool(const EditSet&)>& use) {
-    // Those that pass are judged before others are screened: the time may not suffice for all.
+    // Sets that pass the screening are judged before more are screened, since the time may run out.
     const auto judged = [&](const EditSet& set, const TaskJudgement& judgement) {
         const bool isClean = passes(judgement) && !addsWarning(judgement, before_);
         return !isClean || !passesOthers(set) || use(set);
@@ -149,7 +150,8 @@ std::vector<Partial> Search::changing(std::span<const EditSet> sets, const std::
     std::map<std::string, int> leading;
     judgeEach(sets, [&](const EditSet& set, const TaskJudgement& judgement) {
         const std::string next = firstFailure(judgement);
-        // A mistake's own name says that it explains all answers: the edit mended another one.
+        // A finding named after a mistake explains all answers that are left, so the edit mended
+        // another mistake.
         const bool isNamed = !isRunEnd(next) && !next.ends_with(".wrong");
         if (!next.empty() && next != finding && isNamed) {
             found.push_back({set, next, failuresOf(judgement)});

@@ -13,7 +13,7 @@
 namespace ticker::repair {
 namespace {
 
-// Of the answers of one process.
+// Most bytes of all answers of one process.
 constexpr std::size_t kMostBytes = 256U << 20U;
 
 EditRound roundOf(const EditSet& set) {

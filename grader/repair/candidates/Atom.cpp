@@ -62,7 +62,7 @@ std::string editedText(const Edits& edits, int part, const Atom& atom) {
     return applied(edits.text(part), range.begin, std::move(within));
 }
 
-/// Whether an edit leaves `x = x` or `x < x`, which says less than what stood there.
+/// Whether an edit makes `x = x` or `x < x`, which is never a repair.
 bool saysNothing(const Edits& edits, const Atom& atom) {
     const Tree& tree = edits.tree();
     for (int at = atom.site; at >= 0 && tree.at(at).isExpression; at = tree.at(at).parent) {
@@ -95,7 +95,7 @@ bool Edits::isVector(int node) const {
 void Edits::insert(Atom atom) {
     if (tree_.at(atom.site).isExpression && !atom.isInstead)
         atom.site = assignedAt(tree_, atom.site);
-    // A list in braces is no value by itself.
+    // A list in braces has no type of its own, so the switch moves to the expression around it.
     while (!atom.isInstead && text(atom.site).starts_with('{') &&
            tree_.at(atom.site).isExpression) {
         atom.site = tree_.at(atom.site).parent;

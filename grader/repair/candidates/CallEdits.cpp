@@ -18,7 +18,7 @@ constexpr std::array kFunctions{Renaming{"sin", "cos"},     Renaming{"cos", "sin
                                 Renaming{"floor", "ceil"},  Renaming{"ceil", "floor"},
                                 Renaming{"round", "floor"}, Renaming{"lround", "floor"}};
 
-/// The last word of what is called: the function's name.
+/// Where the name of the called function stands: the last word of the callee.
 std::optional<Range> nameOf(const Edits& edits, const Node& call) {
     const auto tokens = edits.source().tokensIn(edits.tree().at(call.children.front()).range);
     for (auto token = tokens.rbegin(); token != tokens.rend(); ++token)
@@ -39,7 +39,7 @@ void exchangeArguments(Edits& edits, int index, const std::vector<int>& argument
         }
 }
 
-/// The negative of another argument: a range that lies on both sides of 0.
+/// Replaces an argument by the negative of another one, as in a range around 0.
 void negateNeighbour(Edits& edits, const std::vector<int>& arguments) {
     for (const int one : arguments)
         for (const int other : arguments)
@@ -47,7 +47,7 @@ void negateNeighbour(Edits& edits, const std::vector<int>& arguments) {
                 edits.replace("bound", one, "-" + edits.operand(other), false);
 }
 
-/// The angle of a quotient knows no quadrant.
+/// Replaces atan(a / b), which cannot tell the quadrant, by atan2(a, b).
 void nameQuadrant(Edits& edits, int index, const Node& call) {
     if (call.name != "atan" || call.children.size() != 2) return;
     const Tree& tree = edits.tree();

@@ -5,7 +5,7 @@
 namespace ticker::candidates {
 namespace {
 
-/// What an if guards, whatever its condition says.
+/// Replaces an if by each of its branches, as if its condition were constant.
 void decideBranch(Edits& edits, int index) {
     const Node& node = edits.tree().at(index);
     if (node.children.size() < 2 || !edits.tree().at(node.children.front()).isExpression) return;
@@ -16,7 +16,8 @@ void decideBranch(Edits& edits, int index) {
     }
 }
 
-/// A loop that returns what it knows of its first round: only one of both answers is certain.
+/// Makes a return within a loop conditional. A loop that returns in its first round often knows
+/// only one of the two answers for certain by then.
 void returnWhenCertain(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
@@ -32,7 +33,7 @@ void returnWhenCertain(Edits& edits, int index) {
         edits.addInstead("jump", index, whole, "if (" + text + ") return " + text + ";");
 }
 
-/// A condition's own statement after which a loop has to end, such as a ray that counts once.
+/// Adds a break after a guarded statement in a loop, as where each ray must count only once.
 void leaveLoop(Edits& edits, int index) {
     static const std::set<std::string> kChanging{"=", "+=", "-="};
     const Tree& tree = edits.tree();
@@ -49,7 +50,7 @@ void leaveLoop(Edits& edits, int index) {
     edits.addInstead("jump", index, wholeOf(edits, index), isBraced ? both : "{ " + both + " }");
 }
 
-/// `return {f(c.r), f(c.g), f(c.b)}` where c itself would do.
+/// Replaces `return {f(c.r), f(c.g), f(c.b)};` by `return c;`.
 void returnWhole(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
@@ -70,8 +71,8 @@ void returnWhole(Edits& edits, int index) {
                          "return " + *objects.begin() + ";");
 }
 
-/// A condition of several parts, or one that a function tells, in the negative. A comparison has
-/// its operators.
+/// Negates a condition that has several parts or is a call. A single comparison is not negated
+/// here, since its operator is exchanged elsewhere.
 void negate(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);

@@ -32,8 +32,8 @@ bool isProductOfTwo(const Node& node) {
     return node.kind == NodeKind::binary && (node.name == "*" || node.name == "/");
 }
 
-/// `(a + b + c) * s` as `a + (b + c) * s` and `a + b + c * s`: what stands in front is not scaled.
-/// @param sum  What stands in the parentheses.
+/// Rewrites `(a + b + c) * s` as `a + (b + c) * s` and as `a + b + c * s`.
+/// @param sum  The sum in the parentheses.
 void takeTermsOut(Edits& edits, int product, int sum) {
     const Tree& tree = edits.tree();
     const std::size_t end = tree.at(sum).range.end;
@@ -53,7 +53,7 @@ void takeTermsOut(Edits& edits, int product, int sum) {
 }  // namespace
 
 void addDrawEdits(Edits& edits, int index) {
-    // A number of its own, where several places share one, or all rounds of a loop.
+    // Gives a place that uses a shared random number a new one, by the variable's initialiser.
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
     if (node.kind != NodeKind::name || node.declared == 0) return;

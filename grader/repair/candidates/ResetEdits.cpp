@@ -40,7 +40,7 @@ bool isSum(const Node& variable) {
            variable.type == "raytracer::Vector3";
 }
 
-/// A sum that begins with something else than nothing, such as the colour of one ray more.
+/// Sets the initial value of a sum to 0, as where it begins with the colour of an extra ray.
 void beginWithNothing(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& sum = tree.at(index);
@@ -61,7 +61,7 @@ void beginWithNothing(Edits& edits, int index) {
 
 }  // namespace
 
-// A sum or a count that goes on from one light, or one pixel, to the next.
+// Resets a sum or count that goes on from one light or pixel to the next.
 void addResets(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);

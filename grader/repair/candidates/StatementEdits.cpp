@@ -6,14 +6,15 @@
 namespace ticker::candidates {
 namespace {
 
-/// continue, break and return in each other's place.
+/// Replaces a continue, break or return within a loop by continue and by break.
 void exchangeJumps(Edits& edits, int index) {
     if (loopAround(edits.tree(), index) < 0) return;
     for (const char* jump : {"continue;", "break;"})
         edits.addInstead("jump", index, wholeOf(edits, index), jump);
 }
 
-/// A statement that declares nothing, nothing after it needs, and that may be left out.
+/// Whether a statement may be left out: a branch, a loop or an expression, since these declare
+/// nothing that later statements need.
 bool mayBeLeftOut(const Tree& tree, int index) {
     const Node& node = tree.at(index);
     if (node.parent < 0 || tree.at(node.parent).kind != NodeKind::block) return false;
@@ -60,7 +61,8 @@ int nextDeclaration(const Tree& tree, int index) {
     return -1;
 }
 
-/// What a variable of type int cuts off, also from both slopes of a point.
+/// Makes a variable of type int a double if it cuts off fractions; and the next one with it, such
+/// as the other slope of a point.
 void keepFractions(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const auto type = typeOf(edits, tree.at(index));
@@ -99,7 +101,7 @@ void addStaticEdits(Edits& edits, int index) {
         const std::string_view word = edits.source().in(token);
         if (word != "static" && word != "thread_local") continue;
         const Replacement drop{{token.begin, token.end + 1}, ""};
-        // A copy for every call may cost more time than there is.
+        // A copy in every call may take too long, so a reference is tried, too.
         if (node.type.starts_with("raytracer::") && !edits.isVector(index))
             edits.addApart("static", index, {drop, {{node.declared - 1, node.declared}, "& "}});
         edits.addApart("static", index, {drop});

@@ -61,7 +61,7 @@ std::vector<int> usedBefore(const Edits& edits, int index, std::string_view type
 }
 
 void addBounds(Edits& edits, int index) {
-    // An index that may lie outside: bounded as sizes of the same function tell.
+    // Bounds an index that may lie outside, by sizes that the same function names.
     const Node& around = edits.tree().at(edits.tree().at(index).parent);
     if (!edits.isInteger(index) || around.kind != NodeKind::declaration) return;
     const auto sizes = expressionsLike(
@@ -97,8 +97,8 @@ char thirdAxis(char one, char other) {
     return 0;
 }
 
-/// What a term is along the third axis, where two terms differ in the letters of two axes alone:
-/// `z * z` for `x * x` and `y * y`. Empty: they differ otherwise.
+/// The term for the third axis if two terms differ only in the letters of two axes: `z * z` for `x
+/// * x` and `y * y`. Empty if they differ otherwise.
 std::string alongThirdAxis(std::string_view one, std::string_view other) {
     std::string term{one};
     if (one.size() != other.size()) return {};
@@ -111,7 +111,7 @@ std::string alongThirdAxis(std::string_view one, std::string_view other) {
     return term == one ? std::string{} : term;
 }
 
-/// A sum along two axes, such as a square of a length or a scalar product written out.
+/// Adds the missing third term to a sum over two axes, such as a squared length or a dot product.
 void completeAxes(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
@@ -125,7 +125,7 @@ void completeAxes(Edits& edits, int index) {
 }  // namespace
 
 void addNeighbours(Edits& edits, int index) {
-    // An index that is asked for as it is: the one beside it, round the edge or held at it.
+    // Replaces an index by that of its neighbour, which wraps at the edge or is clamped to it.
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
     if (node.kind != NodeKind::name || !edits.isInteger(index) || node.parent < 0) return;

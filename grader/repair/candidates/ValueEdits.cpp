@@ -79,7 +79,7 @@ void addNumberEdits(Edits& edits, int index) {
         around.kind == NodeKind::binary && (around.name == "+" || around.name == "-");
     const bool isFactor =
         around.kind == NodeKind::binary && (around.name == "*" || around.name == "/");
-    // As good as dropped, which is an edit of its own.
+    // A term 0 or a factor 1 amounts to dropping it, which is an edit of its own.
     const auto isIdle = [&](std::string_view other) {
         return (isTerm && (other == "0" || other == "0.0")) ||
                (isFactor && (other == "1" || other == "1.0"));

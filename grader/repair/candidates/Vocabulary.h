@@ -27,7 +27,7 @@ public:
     [[nodiscard]] const std::vector<std::string>& angles() const { return angles_; }
     /// Quantities of a type that the function does not use yet.
     [[nodiscard]] std::vector<std::string> unused(std::string_view type) const;
-    /// Both, and what functions of one argument give for a variable.
+    /// Variables and unused quantities, and what functions of one argument return for a variable.
     [[nodiscard]] std::vector<std::string> all(std::string_view type) const;
     /// Points and directions, used or not.
     [[nodiscard]] std::vector<std::string> places() const;

@@ -42,7 +42,7 @@ void addReplacements(Edits& edits, int index, const Vocabulary& words) {
                          node.kind == NodeKind::member || node.kind == NodeKind::call ||
                          node.kind == NodeKind::unary ||
                          (node.kind == NodeKind::cast && edits.isVector(index));
-    // A product that a function of the kit knows by name.
+    // A product may stand for the result of a function of the kit.
     const bool isNew = edits.tree().at(node.parent).kind == NodeKind::declaration;
     if (isNew && node.kind == NodeKind::binary && edits.isType(index, "raytracer::ColourRGB"))
         for (const std::string& call : words.calls(node.type))
@@ -75,13 +75,13 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
     std::vector<std::string> factors = isPoint ? words.unused("double") : words.all("double");
     if (edits.isType(index, "raytracer::ColourRGB"))
         std::ranges::move(words.colours(), std::back_inserter(factors));
-    // The share that is left.
+    // The rest of a share: 1 - share.
     if (edits.isType(index, "raytracer::ColourRGB"))
         for (const std::string& share : words.variables("double"))
             factors.push_back("(1.0 - " + share + ")");
     if (isPoint) factors.emplace_back("2.0");
     if (edits.isType(index, "double")) factors.emplace_back("4.0");
-    // The square of what tells a size.
+    // The square of a value that a function returns, such as a length.
     if (edits.isType(index, "double") && node.kind == NodeKind::call)
         edits.replace("factor", index, operand + " * " + operand, holds);
     for (const std::string& factor : factors)
@@ -98,7 +98,7 @@ void addFactors(Edits& edits, int index, const Vocabulary& words) {
                 edits.replace("factor", index, operand + " / " + factor, holds);
 }
 
-/// Another divisor: a component of a point or direction, as where a plane is met.
+/// Replaces a divisor by a component of a point or direction, as in the distance to a plane.
 void addDivisors(Edits& edits, int index, const Vocabulary& words) {
     const Node& node = edits.tree().at(index);
     const Node& around = edits.tree().at(node.parent);
@@ -146,7 +146,7 @@ void addTerms(Edits& edits, int index, const Vocabulary& words) {
     }
 }
 
-/// What the function has computed and does not use, and angles as shares of a turn.
+/// Puts in values that the function computes but does not use, and angles as shares of a turn.
 void addIdle(Edits& edits, int index, const Vocabulary& words) {
     const Node& node = edits.tree().at(index);
     constexpr std::size_t kMostTokens = 16;
@@ -178,7 +178,7 @@ void addChoices(Edits& edits, int index, const Vocabulary& words) {
     }
 }
 
-/// A root, a size or an angle that was not taken.
+/// Wraps a value in a square root, an absolute value or an arc tangent.
 void addFunctions(Edits& edits, int index) {
     if (!edits.isType(index, "double") || !standsAlone(edits.tree(), index)) return;
     const Node& node = edits.tree().at(index);
@@ -212,7 +212,7 @@ void addWideEdits(Edits& edits, int index) {
 }
 
 void addGuards(Edits& edits, int index) {
-    // A number that must be positive, or must not be negative, before what follows.
+    // Adds `return {}` for a number that is negative, or not positive, before the next statement.
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
     const int function = tree.functionOf(index);

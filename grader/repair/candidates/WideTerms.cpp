@@ -57,7 +57,7 @@ void addDirections(Edits& edits, int index, const Vocabulary& words) {
     }
 }
 
-/// What is left of a colour beside a share of this one.
+/// Adds the rest of another colour to a share of this one: b * (1 - s) + a * s.
 void addBlends(Edits& edits, int index, const Vocabulary& words) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
@@ -77,7 +77,8 @@ int numberOf(const Tree& tree, int index) {
     return tree.at(node.children[1]).kind == NodeKind::number ? node.children[1] : -1;
 }
 
-/// Two shares that are written as numbers, `a * 0.7 + b * 0.3`: a quantity and what it leaves.
+/// Replaces two shares that are written as numbers, `a * 0.7 + b * 0.3`, by a quantity and 1 minus
+/// it.
 void addShares(Edits& edits, int index, const Vocabulary& words) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
@@ -94,7 +95,7 @@ void addShares(Edits& edits, int index, const Vocabulary& words) {
     }
 }
 
-/// Only a hit that is nearer than the one that is kept.
+/// Counts a hit only if it is nearer than the one that is kept.
 void addNearest(Edits& edits, int index, const Node& hit, const Node& kept) {
     for (const Quantity& part : kept.parts)
         if (part.type == "double" && part.argument.empty())
@@ -104,7 +105,8 @@ void addNearest(Edits& edits, int index, const Node& hit, const Node& kept) {
                                                           kept.name + part.text + "))"}});
 }
 
-/// An optional hit that is asked for alone: whether it counts may depend on its numbers.
+/// Adds a comparison to a test that asks only whether there is a hit, such as of its distance with
+/// a limit.
 void addLimits(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
@@ -145,7 +147,7 @@ void addLimits(Edits& edits, int index) {
     }
 }
 
-/// The same ray for another function that gives a hit.
+/// Hands the ray to another function that returns a hit.
 void addFinders(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);
@@ -168,7 +170,7 @@ bool standsAlone(const Tree& tree, int index) {
 void addWideTerms(Edits& edits, int index, const Vocabulary& words) {
     const Node& node = edits.tree().at(index);
     if (node.parent < 0) return;
-    // An argument that is a whole number, where a quantity belongs.
+    // Replaces a literal integer argument by a quantity.
     if (edits.isInteger(index) && node.kind == NodeKind::number &&
         edits.tree().at(node.parent).kind == NodeKind::call)
         for (const std::string& word : words.unused("double"))
