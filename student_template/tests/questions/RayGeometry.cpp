@@ -34,8 +34,9 @@ Ray seenFrom(const Vector3& position, const Vector3& normal, const Ray& ray) {
     if (along < kFarAway) return ray;
     const Vector3 nearest = ray.origin + ray.direction * along;
     if ((nearest - position).magnitude() > kPasses) return ray;
-    // On the ray's own line: beside the edge of an object another line has another result. Below
-    // the horizon that start would be below the surface.
+    // The reversed ray starts on its own line, since near the edge of an object a shifted line may
+    // have another result. If the light is below the horizon, such a start would lie below the
+    // surface.
     const Vector3 back = -ray.direction;
     if (back.dot(normal) > 0.0) return {nearest + back * kOffSurface, back};
     return {position + normal * kOffSurface, back};

@@ -87,8 +87,8 @@ TEST_F(PhongIllumination, LightsAddUp) {
              {"a glossy point in the light of two lamps", "Add the terms of every light."});
 }
 
-/// The same code with nothing in the way says what is right, so that no mistake of M2 counts
-/// here.
+/// Compares with the colour that the same code gives with nothing in the way, so that a mistake of
+/// M2 does not count here.
 class Shadows : public Room {
 protected:
     Shadows() : Room("M3.2", "Shadows (M3.2)", {"M1", "M2"}) { addLight({2.0, 2.0, 4.0}); }
@@ -100,7 +100,8 @@ protected:
         dark_ = colour();
         addLight({2.0, 2.0, 4.0});
         scene_.planes[0].point.y = 0.0;
-        // Code that looks from the light may take a point that it does not meet for hidden.
+        // Code that casts its shadow rays from the light may count a point as hidden if they miss
+        // it.
         if (isNear(lit_, dark_)) lit_ = colour();
     }
 

@@ -29,7 +29,8 @@ protected:
     explicit MainTick(const char* task, const char* section, std::vector<const char*> needs = {})
         : task_(task), section_(section), needs_(std::move(needs)) {}
 
-    /// Ends a test, after the student's code was called: only then is it known which stubs stand.
+    /// Ends a test. Call it after the student's code has run: a stub is known only once it was
+    /// called.
     void settle(bool isRight, const Question& question, const std::string& expected,
                 const std::string& got) const {
         if (isUnfinished(task_)) GTEST_SKIP() << task_ << " is not attempted";

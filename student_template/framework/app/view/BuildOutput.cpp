@@ -16,7 +16,7 @@ namespace {
 // Longer than any line that tells something.
 constexpr std::size_t kLongestLine = 2000;
 
-/// Without the end that Windows writes, and not too long.
+/// The line without the "\r" that Windows writes, cut to `kLongestLine` bytes.
 std::string withoutReturn(std::string line) {
     line.resize(std::min(line.size(), kLongestLine));
     if (!line.empty() && line.back() == '\r') line.pop_back();
@@ -66,7 +66,7 @@ void TestReader::add(std::string_view bytes) {
 
 void TestReader::readLine() {
     constexpr std::string_view kNotYet = "NOT YET: ";
-    // Not always at the start: what the student's code printed before may lack an end.
+    // It may stand within a line: the student's code may have printed text without a line end.
     const std::size_t start = line_.find(kNotYet);
     const bool isNotYet = start != std::string::npos;
     if (isNotYet) line_.erase(0, start + kNotYet.size());

@@ -9,7 +9,7 @@
 
 namespace raytracer::view {
 
-/// The first thing that a compiler or linker refuses.
+/// The first error of a compiler or linker.
 struct FirstError {
     std::string file;  ///< as the compiler writes it; empty where the linker complains
     int line = 0;
@@ -27,8 +27,8 @@ struct TestOutcome {
     std::string summary;  ///< a line for each of the tasks
 };
 
-/// Reads what the public tests write, as it comes. The student's code may print between their
-/// lines, and without end.
+/// Reads the output of the public tests piece by piece. The student's code may print between its
+/// lines, any amount and without line ends.
 class TestReader {
 public:
     /// @param tasks  Tags of the tasks; empty: all.

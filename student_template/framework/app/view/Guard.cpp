@@ -67,8 +67,8 @@ void endOrphans() {
 #endif
 }
 
-/// Waits for the program's end, or for that of the lifeline, which only the program that asked for
-/// all this holds; then leaves nothing behind that the program started.
+/// Waits until the program ends, or until the lifeline closes: only the viewer holds its other end.
+/// Then ends the program and everything that it started.
 [[noreturn]] void guard(pid_t program) {
     constexpr int kLookEveryMs = 15;
     constexpr int kPatience = 30;  // looks: a build tool ends its compilers when it is asked to end
@@ -86,8 +86,8 @@ void endOrphans() {
     }
     ::kill(-program, SIGKILL);
     if (!isOver) waitpid(program, &status, 0);
-    // The lifeline may end first: the end of a crashed program's output is noticed before its end
-    // is noticed here.
+    // The program's own status counts even if the lifeline closed first: the viewer may notice the
+    // end of a crashed program's output before this guard notices the crash.
     const int result = statusOf(status);
     endOrphans();
     _exit(result);

@@ -10,10 +10,10 @@ namespace raytracer::view {
 inline constexpr int kNotFound = 127;  ///< status of a program that cannot be started
 inline constexpr int kKilled = 128 + SIGKILL;
 
-/// In a process that was just forked: puts the pipes at their places, starts the program and guards
-/// it, until it ends or nothing holds the other end of the lifeline any more. Nothing that the
-/// program started is left behind.
-/// @param ends  Of pipes: stdin, stdout and stderr of the program, and the lifeline.
+/// Call in a process that was just forked. Puts the pipes in place, starts the program and guards
+/// it until it ends, or until nothing holds the other end of the lifeline. Then ends everything
+/// that the program started.
+/// @param ends  Ends of pipes: stdin, stdout and stderr of the program, and the lifeline.
 [[noreturn]] void becomeGuard(char* const* command, const std::array<int, 4>& ends);
 
 /// Closes this file and all after it.

@@ -10,7 +10,7 @@
 
 namespace raytracer::view {
 
-/// A part of a picture while it comes: it covers a region of the full frame, perhaps more coarsely.
+/// A part of an unfinished picture: a region of the full frame, perhaps at a lower resolution.
 struct Part {
     Region region;      ///< in pixels of the full frame
     ByteImage picture;  ///< of the region; the whole frame's where it is coarse
@@ -21,12 +21,12 @@ struct Part {
 
 using Sink = std::function<void(const Part&)>;
 
-/// Renders a picture so that something is seen at once: the whole frame at a quarter of its width
-/// and height with one ray for each pixel, then with more and more of them, then tile by tile as it
-/// will be in the end. The tiles are rendered with the settings as they are, so that nothing that a
-/// solution does wrong is hidden by the way in which the picture comes.
+/// Renders a picture so that something is visible at once. First comes the whole frame at a quarter
+/// of its width and height, with one ray for each pixel and then with more. The final picture
+/// follows in tiles. Tiles are rendered with the unchanged settings, so that the stages hide no
+/// mistake of the solution.
 ///
-/// @param stop  Asked often; true: the rest is not wanted.
+/// @param stop  Called often; returns true once the rest is not wanted.
 void renderInStages(const Scene& scene, const RenderSettings& settings, const Sink& sink,
                     const std::function<bool()>& stop);
 

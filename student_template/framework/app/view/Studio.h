@@ -18,8 +18,8 @@
 
 namespace raytracer::view {
 
-/// What the viewer does, without its page: renders with the settings of the moment, answers
-/// questions about pixels and points, builds what is saved.
+/// The viewer without its page: renders with the current settings, answers questions about pixels
+/// and points, and builds saved files.
 class Studio {
 public:
     /// @param options  The first settings, with a scene.
@@ -42,10 +42,10 @@ public:
 
 private:
     void render();
-    /// Gives up a picture that is not whole yet: the compiler needs the processor.
+    /// Stops an unfinished picture, since the compiler needs the processor.
     void pause();
     void takeProgram();
-    /// Renders what `pause` gave up.
+    /// Renders the picture again that `pause` stopped.
     void goOn();
     void hearPart(int number, const std::string& payload);
     [[nodiscard]] std::set<std::string> scenes() const;

@@ -59,8 +59,9 @@ void refuseOthers(const Options& options) {
                 "", 0, std::string{name} + ": --view has no use for it; leave one of them out");
 }
 
-/// How much a scene suits where none was named: most where its picture is handed in and its option
-/// is worked on, and of two such options that whose file was saved last.
+/// Rank of a scene if none was named; the highest wins. 2: its picture is handed in, and its file
+/// has no stub left; 1: its file has; 0: any other scene. Between equals the file that was saved
+/// last decides.
 std::pair<int, fs::file_time_type> fitOf(const fs::path& scene) {
     const std::string text = contentsOf(scene);
     if (text.find("screenshot.png") == std::string::npos) return {0, {}};

@@ -11,9 +11,8 @@ inline constexpr std::string_view kWorkerArgument = "--view-worker";
 
 // A command is one line on stdin: verb, number and arguments, with tabs between them. An answer is
 // a line "KIND NUMBER BYTES", then that many bytes.
-//   picture  options of tick1star   -> "part" again and again (a line of numbers and the stage,
-//   then
-//                                      red, green, blue), until another picture is asked for
+//   picture  options of tick1star   -> "part" again and again, until another picture is asked
+//                                      for: a line of numbers and the stage, then red, green, blue
 //   whole    options of tick1star   -> "part", with the whole picture
 //   pixel    x, y, options          -> "drawing" (JSON)
 //   point    x, y, z, options       -> "drawing"

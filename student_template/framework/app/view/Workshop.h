@@ -54,13 +54,15 @@ private:
     [[nodiscard]] std::map<std::filesystem::path, Stamp> stamps() const;
     void work();
     void buildAndTest(const std::set<std::string>& tasks);
-    /// @param hear  Gets all of its output; what is kept of it lacks the middle of too much.
+    /// Runs a command until it ends.
+    /// @param hear  Gets all of its output. The result lacks the middle of long output.
     [[nodiscard]] Outcome run(
         const std::vector<std::string>& command,
         const std::function<void(std::string_view)>& hear = [](std::string_view) {});
     [[nodiscard]] Outcome build(const std::string& target);
     void test(const std::set<std::string>& tasks);
-    /// One process for each task: one that crashes does not take the others with it.
+    /// Runs the public tests of each task in a process of its own, so that a crash in one task does
+    /// not end the others.
     [[nodiscard]] TestOutcome ask(const std::set<std::string>& tasks);
     void tellOfErrors(const std::string& output);
     [[nodiscard]] bool isOver();
@@ -72,8 +74,8 @@ private:
     std::mutex mutex_;
     std::condition_variable asked_;
     int looksWithoutAFile_ = 0;
-    std::set<std::string> tasks_;  // of files that were saved since the last build began
-    bool isAsked_ = true;          // what is there may be older than the files
+    std::set<std::string> tasks_;  // tasks of the files that were saved since the last build began
+    bool isAsked_ = true;          // the program may be older than the files
     bool isEnding_ = false;
     Process* running_ = nullptr;
     Clock::time_point deadline_;

@@ -11,24 +11,23 @@
 namespace raytracer::view {
 
 /// A program that this one starts. It ends, with everything that it started itself, when this
-/// object goes, and when this program ends, in whatever way: also when this program is killed.
+/// object is destroyed, and when this program ends, even if it is killed.
 class Process {
 public:
-    /// Where what it writes on stderr goes.
+    /// Where the program's stderr goes.
     enum class Errors { toOurs, withItsOutput };
 
     /// @param command  The program, looked up in PATH, and its arguments.
-    /// @throws Error where the system gives no process or pipe. A program that cannot be started
-    /// ends
+    /// @throws Error if the system gives no process or pipe. A program that cannot be started ends
     ///         at once with the status 127.
     Process(const std::vector<std::string>& command, Errors errors);
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    /// Waits for output. @return How many bytes came; 0 at its end.
+    /// Waits for the program's output. @return The number of bytes read; 0 at its end.
     [[nodiscard]] std::size_t read(char* bytes, std::size_t size);
-    /// False where it reads no more.
+    /// Writes to the program's stdin. False if the program reads no more.
     bool write(std::string_view bytes);
     /// Ends it and everything that it started; `read` then comes to the end. Another thread may
     /// call this.
@@ -42,7 +41,8 @@ private:
     std::unique_ptr<Handles> handles_;
 };
 
-/// Both ends of what a `Process` was started with, in that process.
+/// The parent's pipes, in a program that was started as a `Process`: `read` gets what the parent
+/// writes, and `write` sends to it.
 class Parent {
 public:
     /// Takes stdout away from the rest of the program, which writes to stderr from here on.

@@ -22,13 +22,16 @@ public:
     HeightMap(int width, int height, std::vector<double> heights);
 
     /// Heights from bytes: 0 gives 0, 255 gives `kBumpFactor`.
+    /// @param bytes  width * height values, row after row from the top.
+    /// @throws Error as the constructor.
     [[nodiscard]] static HeightMap fromBytes(int width, int height,
                                              const std::vector<std::uint8_t>& bytes);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 
-    /// Height of one texel, in [0, kBumpFactor].
+    /// Height of one texel; in [0, kBumpFactor] for maps made from bytes, as all maps of scenes
+    /// are.
     /// @throws Error with column, row and size if the texel is outside.
     [[nodiscard]] double at(int column, int row) const {
         if (column < 0 || column >= width_ || row < 0 || row >= height_) reportOutside(column, row);

@@ -20,7 +20,7 @@ public:
     /// The point where the ray meets the plane, from either side. Main tick: task M3.1, in
     /// exercise/Plane.cpp; in the starred exercise it is there already.
     [[nodiscard]] std::optional<RaycastHit> intersectionWith(const Ray& ray) const override;
-    /// The same everywhere.
+    /// Unit normal, world space; the same at every position.
     [[nodiscard]] Vector3 getNormalAt(const Vector3& /*position*/) const override {
         return normal_;
     }

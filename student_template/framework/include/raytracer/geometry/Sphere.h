@@ -15,11 +15,12 @@ public:
     [[nodiscard]] const Vector3& centre() const { return centre_; }
     [[nodiscard]] double radius() const { return radius_; }
 
-    /// The nearest point of the sphere in front of the ray's origin. An origin inside sees the far
-    /// side. Main tick: task M1, in exercise/Sphere.cpp; in the starred exercise it is there
+    /// The nearest point of the sphere in front of the ray's origin; from inside, the point on the
+    /// far side. Main tick: task M1, in exercise/Sphere.cpp; in the starred exercise it is there
     /// already.
     [[nodiscard]] std::optional<RaycastHit> intersectionWith(const Ray& ray) const override;
-    /// Away from the centre.
+    /// Unit normal, world space, pointing away from the centre.
+    /// @param position  Any point but the centre, world space.
     [[nodiscard]] Vector3 getNormalAt(const Vector3& position) const override {
         return (position - centre_).normalised();
     }

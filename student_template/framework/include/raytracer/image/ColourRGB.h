@@ -3,7 +3,7 @@
 
 namespace raytracer {
 
-/// A linear colour; components are not clamped, 1 is what `#FF` means in a scene file.
+/// A linear colour. Components are not clamped; a component `FF` in a scene file is 1.
 struct ColourRGB {
     double r = 0.0;
     double g = 0.0;

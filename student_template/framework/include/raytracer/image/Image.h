@@ -14,8 +14,10 @@ namespace raytracer {
 class Image {
 public:
     /// An image of the size that a render with these settings gives.
+    /// @throws Error if a side is not in 1..65535.
     explicit Image(const RenderSettings& settings);
-    /// @throws Error if a size is not in 1..65535.
+    /// @param width, height  Pixels.
+    /// @throws Error if a side is not in 1..65535.
     Image(int width, int height);
 
     [[nodiscard]] int width() const { return width_; }
@@ -29,7 +31,7 @@ public:
     /// @throws Error as for `set`.
     [[nodiscard]] const ColourRGB& at(int x, int y) const;
 
-    /// Row after row from the top.
+    /// All colours, row after row from the top.
     [[nodiscard]] const std::vector<ColourRGB>& pixels() const { return pixels_; }
 
     /// The settings that the image was made from; defaults if it was made from a size.

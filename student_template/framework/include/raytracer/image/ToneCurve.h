@@ -12,7 +12,7 @@ namespace raytracer {
 /// p = max(c, 0)^1.3, d = p / (p + 0.25^1.3), 255 d^(1 / 2.2), truncated. NaN gives 0.
 [[nodiscard]] std::uint8_t toneMapped(double component);
 
-/// All three components.
+/// The bytes of all three components: red, green, blue.
 [[nodiscard]] std::array<std::uint8_t, 3> toneMapped(const ColourRGB& colour);
 
 }  // namespace raytracer

@@ -13,7 +13,8 @@ struct Nearest {
     double distance = std::numeric_limits<double>::infinity();  ///< in lengths of the direction
     const SceneObject* object = nullptr;                        ///< null: a miss
 
-    /// The same in full.
+    /// The hit with its location and normal; empty for a miss.
+    /// @param ray  The ray that this is the nearest hit of.
     [[nodiscard]] std::optional<RaycastHit> hitOf(const Ray& ray) const {
         std::optional<RaycastHit> hit;
         if (object != nullptr) {

@@ -14,8 +14,8 @@ namespace raytracer {
 /// True for a text that `freshToken` could have given.
 [[nodiscard]] bool isToken(std::string_view text);
 
-/// True where the header Host, or Origin without its "http://", names this machine and port. What
-/// another site's page sends, and a name that another site points here, does not.
+/// True if the header Host, or Origin without its "http://", names this machine and port. False for
+/// another site's page, and for another host name that resolves to this machine.
 [[nodiscard]] bool namesThisServer(std::string_view host, int port);
 
 /// True for equal texts; takes the same time wherever they differ.
