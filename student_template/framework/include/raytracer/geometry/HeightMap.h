@@ -30,8 +30,7 @@ public:
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 
-    /// Height of one texel; in [0, kBumpFactor] for maps made from bytes, as all maps of scenes
-    /// are.
+    /// Height of one texel; in [0, kBumpFactor] for every map that is read from a picture.
     /// @throws Error with column, row and size if the texel is outside.
     [[nodiscard]] double at(int column, int row) const {
         if (column < 0 || column >= width_ || row < 0 || row >= height_) reportOutside(column, row);
