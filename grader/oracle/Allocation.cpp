@@ -33,14 +33,14 @@ std::vector<double> smoothed(const PilotNoise& pilot) {
     return result;
 }
 
-// A pixel's number of paths, as a base-2 logarithm: the pictures' many pixels are looked at dozens
-// of times, which takes no power and no logarithm then.
+// A pixel's number of paths, as a base-2 logarithm. Each pixel is rounded dozens of times, and this
+// form needs no power and no logarithm.
 int roundedTo(double wish, int least, int most) {
     return static_cast<int>(
         std::lround(std::clamp(wish, static_cast<double>(least), static_cast<double>(most))));
 }
 
-// By base-2 logarithm of the number of paths: what is left of the pilot's variance.
+// Share of the pilot's variance that remains, by the base-2 logarithm of the number of paths.
 std::array<double, 32> remainders(const PilotNoise& pilot) {
     std::array<double, 32> result{};
     for (std::size_t i = 0; i < result.size(); ++i)

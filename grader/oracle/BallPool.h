@@ -9,13 +9,14 @@
 
 namespace ticker::oracle {
 
-/// Maps `u`, `v`, `w` in [0, 1) to a point of the shape; uniform numbers give the shape's
-/// distribution, without rejection.
+/// A point of a shape around the origin, of radius (of the cube: half-width) 1.
 struct AimPoint {
     double x = 0.0;
     double y = 0.0;
     double z = 0.0;
 };
+/// Maps `u`, `v`, `w` in [0, 1) to a point of the shape. Uniform numbers give the shape's
+/// distribution, without rejection.
 [[nodiscard]] AimPoint aimPoint(LightShape shape, double u, double v, double w);
 
 /// Aim points made ahead, for student renders: drawing one costs three loads. The points are

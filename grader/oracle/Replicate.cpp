@@ -15,7 +15,7 @@ std::uint32_t keyOf(std::uint64_t seed, std::uint64_t number, int pixel) {
     return mixed(run + static_cast<std::uint32_t>(pixel));
 }
 
-// Removes the pivot that `sums` are counted from, in double precision.
+// Adds sums that are relative to a pivot, and takes the pivot out in double precision.
 void add(const PathSums& sums, double paths, PathMoments& to) {
     constexpr std::size_t kFirst[6] = {0, 1, 2, 0, 0, 1};
     constexpr std::size_t kSecond[6] = {0, 1, 2, 1, 2, 2};

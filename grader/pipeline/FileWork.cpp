@@ -30,7 +30,7 @@ void blockAll(FileWork& work, const Finding& finding, bool needsReview) {
     }
 }
 
-// Refusals that a question to the student can settle; the others are final.
+// Whether a person can settle the refusal by asking the student. Other refusals are final.
 bool isForAPerson(const Finding& finding) {
     return is(finding, kIntakeAmbiguous) || is(finding, kIntakeMissingFile);
 }

@@ -9,10 +9,11 @@
 namespace ticker::pipeline {
 namespace {
 
-// What is farther off is no accepted reading of the light.
+// A picture with a larger misfit than this is not explained by another reading of the light.
 constexpr double kNearMiss = 2.0;
-/// The mean square of a map's sums over square tiles, each sum in standard errors where each value
-/// is; what is left at the right and lower border is left out.
+/// Mean square of the sums over square tiles of a map of z-scores, each sum in its own standard
+/// errors. Incomplete tiles at the right and lower border are left out.
+/// @param side  Pixels.
 double meanSquare(const metrics::Map& z, int side) {
     const int across = z.width / side;
     const int down = z.height / side;
@@ -42,7 +43,7 @@ Fit bestFit(const SpecScene& scene, const probe::RenderAnswer& answer, Rays rays
         const double own = scene.readings[i].apertureFactor;
         if (i > 0 && best.meanSquare <= enough) break;
         if (isOfLight && (best.meanSquare > kNearMiss || own != best.apertureFactor)) continue;
-        // Each expectation that is tried first costs some 300 ms.
+        // An expectation costs some 300 ms when it is first used, so few rays try few of them.
         if (few && i > 0 && !isOfLight && best.meanSquare <= kNearMiss) continue;
         const Expectation& expected = scene.expected(i);
         metrics::Measured z = metrics::zMap(expected.brightness, picture, share);

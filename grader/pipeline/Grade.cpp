@@ -187,7 +187,7 @@ private:
     std::vector<JudgedFile> files_;
 };
 
-/// The order of the exercise, not that of the files.
+/// Sorts reports by the exercise's order of tasks.
 void inOrderOf(const std::vector<std::string>& ids, std::vector<TaskReport>& tasks) {
     std::ranges::stable_sort(tasks, {}, [&](const TaskReport& task) {
         return std::ranges::find(ids, task.id) - ids.begin();

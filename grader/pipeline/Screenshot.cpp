@@ -59,7 +59,8 @@ void show(const ByteImage& image, SubmissionResult& result) {
         {"images/screenshot.png", "screenshot.png as handed in", picture::encodePicture(shown)});
 }
 
-/// Asks a program, but takes the answers of a run that was made ahead if its questions come.
+/// Asks a program. If the questions are those of a run that was made ahead, it gives that run's
+/// answers.
 class WithAhead final : public probe::Examinee {
 public:
     WithAhead(const JudgedFile& file, const Grader& grader, build::TimeBudget& budget)
@@ -71,7 +72,8 @@ public:
             return program_.ask(questions);
         wallMs_ += ahead_->wallMs;
         madeForbiddenCall_ = madeForbiddenCall_ || ahead_->madeForbiddenCall;
-        // Once: asked again, code with random numbers of its own answers otherwise.
+        // Only once: if the judgement repeats a question, it wants to see whether the answer
+        // repeats.
         return std::exchange(ahead_, nullptr)->run;
     }
 
