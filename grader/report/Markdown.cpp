@@ -23,7 +23,8 @@ std::vector<cmark_node*> nodesOf(cmark_node* document) {
     return nodes;
 }
 
-/// What a student would not see, or a page could be changed with, becomes text.
+/// Turns markup into text: HTML, which could change the page or be invisible. Pictures become their
+/// words, headings become paragraphs.
 void makePlain(cmark_node* node) {
     const cmark_node_type type = cmark_node_get_type(node);
     if (type == CMARK_NODE_HTML_INLINE || type == CMARK_NODE_HTML_BLOCK) {

@@ -18,7 +18,7 @@ struct Remark {
     std::string_view message;
 };
 
-/// What the compiler said about its file; into `said`.
+/// The errors and warnings of the compiler about the student's file. The texts point into `said`.
 [[nodiscard]] std::vector<Remark> remarksOf(const Diagnostics& said);
 
 /// A line between its neighbours as HTML, itself marked; empty where the source has none of this

@@ -60,8 +60,8 @@ Reply withoutResult(const fs::path& out, const std::string& name) {
     }
 }
 
-/// Adds to each note the text of its line. Removes notes on lines that never existed; a line that
-/// has gone, because other files were handed in, is quoted already.
+/// Adds to each note the text of its line. Removes notes on lines that never existed. A line that
+/// is gone, since other files were handed in, keeps the text that was stored with its note.
 void quoteLines(Decision& decision, const fs::path& code) {
     std::erase_if(decision.notes, [&](LineNote& note) {
         if (note.file.find('/') != std::string::npos || note.file.starts_with('.')) return true;

@@ -62,7 +62,7 @@ std::string idsWithout(const SubmissionResult& one, const SubmissionResult& othe
     return text;
 }
 
-/// What is no longer found, and what is new.
+/// The findings that are gone and those that are new, in words.
 std::string changeOf(const SubmissionResult& before, const SubmissionResult& next) {
     const std::string gone = idsWithout(before, next);
     const std::string come = idsWithout(next, before);

@@ -29,7 +29,7 @@ Outcome outcomeOf(const SubmissionResult& result) {
     return result.verdict == Verdict::awarded ? Outcome::passed : Outcome::failed;
 }
 
-/// Artemis and Jenkins show the attribute, GitLab shows the text alone.
+/// The reason both as attribute, which Artemis and Jenkins show, and as text, which GitLab shows.
 std::string withReason(std::string_view element, const std::string& text) {
     return fmt::format("      <{0} message=\"{1}\">{2}</{0}>\n", element,
                        escapeHtml(text.substr(0, text.find('\n'))), escapeHtml(text));

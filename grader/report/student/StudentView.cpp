@@ -26,8 +26,8 @@ bool isShown(const Finding& finding, const StudentPolicy& policy) {
     return false;
 }
 
-/// What the student's own code did at one question that was asked, at most: no other point of it,
-/// no ray that it should have cast, and no normal that it should have given.
+/// Leaves at most what the student's code did at one question: a drawing without the rays that were
+/// expected and without the expected normals, and no points.
 void withhold(std::vector<ScatterPlot>& plots, const StudentPolicy& policy) {
     std::erase_if(plots, [&](const ScatterPlot& plot) { return !policy.rays || !plot.drawing; });
     for (ScatterPlot& plot : plots) {
@@ -59,7 +59,7 @@ void sayLine(TaskReport& task, const SubmissionResult& whole, const StudentPolic
     if (!line.empty() && said != task.findings.end()) said->message += " " + line;
 }
 
-/// @param isMended  A line was said that mends it, and its hint may be shown beside.
+/// @param isMended  The report names a line that mends the task, so that its hint may be shown.
 void withhold(TaskReport& task, const StudentPolicy& policy, bool isMended) {
     // The reason of a notGraded task may describe this machine.
     if (task.state == TaskState::notGraded)
