@@ -11,14 +11,14 @@ namespace {
 
 using nlohmann::json;
 
-/// Follows a parser through a text and keeps the byte of one place. Its time is proportional to the
-/// text's length, because texts may be hostile: nlohmann's callbacks would look at all earlier
-/// items of an array at each one's end.
+/// Finds the byte at which one place of a text stands, in time proportional to the text's length,
+/// since texts may be hostile. nlohmann's parser callbacks would take longer: at the end of each
+/// item they look at all earlier items of the array.
 class Follower final : public json::json_sax_t {
 public:
     Follower(const std::string& text, std::string_view wanted) : stream_(text), wanted_(wanted) {}
 
-    /// From 1; 0: nothing stands there.
+    /// Number of the byte, from 1; 0 if the text has no such place.
     std::size_t byteOfWanted() {
         json::sax_parse(stream_, this);
         return byte_;
@@ -49,7 +49,8 @@ public:
 private:
     static constexpr std::size_t kOther = std::string_view::npos;
 
-    /// Places are compared step by step: one of a hostile text may be long.
+    /// An open array or object. Keeps how far its place agrees with the wanted one, not the place
+    /// itself, which may be long in a hostile text.
     struct Level {
         bool isArray = false;
         std::size_t above = 0;  ///< length of the wanted place's part above; kOther: another place

@@ -7,14 +7,15 @@
 
 namespace ticker {
 
-/// The line, from 1, of what stands at a place of a JSON text.
-/// @param text   May be no JSON from some point on.
+/// The line, from 1, of a place in a JSON text.
+/// @param text   May cease to be JSON at some point.
 /// @param place  "/options/0/name": member names and numbers of array items, each after a slash, as
 ///               they are; empty: the whole text.
 /// @return 0 where nothing stands there.
 [[nodiscard]] int jsonLineOf(const std::string& text, std::string_view place);
 
-/// The line, from 1, that holds the byte of this number, from 1: where a parser stopped.
+/// The line, counted from 1, that holds a byte.
+/// @param byte  Counted from 1, as parsers report where they stopped.
 [[nodiscard]] int lineOfByte(std::string_view text, std::size_t byte);
 
 }  // namespace ticker

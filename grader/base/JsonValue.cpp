@@ -25,8 +25,8 @@ constexpr std::size_t kLongestFound = 60;
 constexpr std::size_t kDeepest = 100;
 constexpr std::size_t kMostMembers = 1000;
 
-/// Refuses what a hostile text could keep the parser busy with: its time grows with the square of
-/// an object's members.
+/// Refuses deep nesting and objects with many members: the parser's time grows with the square of
+/// the number of members, so that a hostile text could keep it busy.
 void refuseExcess(std::string_view text, const std::string& name) {
     std::vector<std::size_t> members;  // of each object and array that is open
     bool isInString = false;

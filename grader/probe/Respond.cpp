@@ -255,7 +255,7 @@ void answerAll(const std::vector<Question>& questions, std::span<std::byte> memo
 
 }  // namespace
 
-// Of an exercise without a Calls.cpp.
+// The default if the exercise has no Calls.cpp, which would replace this weak symbol: no calls.
 [[gnu::weak]] std::span<const Call> calls() {
     return {};
 }

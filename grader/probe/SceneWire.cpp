@@ -18,7 +18,7 @@ using raytracer::PointLight;
 using raytracer::SceneDescription;
 using raytracer::SphereDescription;
 
-// The heights of a picture's bytes.
+// The height of each byte of a picture.
 std::array<double, 256> heightsOfBytes() {
     std::array<double, 256> heights{};
     for (std::size_t byte = 0; byte < heights.size(); ++byte)
@@ -26,7 +26,8 @@ std::array<double, 256> heightsOfBytes() {
     return heights;
 }
 
-// An eighth of the size of the heights; empty if some height is not a picture's.
+// The map's heights as bytes of a picture, which take an eighth of the space. Empty if some height
+// is not that of a byte.
 std::vector<std::uint8_t> asBytes(const HeightMap& map) {
     static const std::array<double, 256> kHeights = heightsOfBytes();
     std::vector<std::uint8_t> bytes;

@@ -10,7 +10,7 @@ namespace ticker::probe {
 
 inline constexpr int kLargestMapSide = 16384;  ///< same limit as raytracer/io/ImageReader.h
 
-/// Throws raytracer::Error about the questions.
+/// Throws a raytracer::Error that says what is wrong with the questions.
 [[noreturn]] void refuse(const char* what);
 
 // Height maps and scenes inside a message.
