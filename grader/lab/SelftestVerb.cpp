@@ -53,7 +53,7 @@ bool testBump(const SelftestOptions& options, const std::string& option, bool dr
     return result.passed();
 }
 
-/// Both reference solutions and the right samples.
+/// The reference solution's files of the default exercise, and some right samples.
 std::vector<selftest::RightSource> rightSources(const Home& home) {
     std::vector<selftest::RightSource> sources;
     for (const char* folder :
@@ -67,7 +67,8 @@ std::vector<selftest::RightSource> rightSources(const Home& home) {
     return sources;
 }
 
-/// The catalogue of an exercise; that of another than the default one with what was written unseen.
+/// The catalogue of an exercise. For other exercises than the default one it includes the unseen
+/// solutions.
 std::vector<corpus::Entry> catalogueOf(const Exercise& exercise) {
     std::vector<std::string> collections{"accepted", "mistakes"};
     if (&exercise != &defaultExercise()) collections.emplace_back("unseen");

@@ -38,8 +38,9 @@ RenderSettings smallSettings() {
     return settings;
 }
 
-// A program with one edited file has the template's other file: for bumps a pinhole camera and one
-// hard shadow ray, for option 2 smooth spheres.
+// A program with one edited file uses the template's other file. Programs with bumps therefore
+// render with a pinhole camera and one hard shadow ray, and those of option 2 render smooth
+// spheres.
 RenderSettings bumpSettings() {
     RenderSettings settings;
     settings.width = 160;

@@ -75,7 +75,7 @@ std::string firstFailure(const TaskJudgement& judgement) {
     return found == judgement.findings.end() ? std::string{} : found->id;
 }
 
-/// True for a finding that is untrue. bump.wrong is always true.
+/// Whether a finding names another mistake than the expected one. bump.wrong names none.
 bool isMisleading(const std::string& expected, const std::string& got) {
     return !got.empty() && got != expected && got != tasks::kBumpWrong.id;
 }

@@ -69,8 +69,8 @@ bool takesAPlaceInOut(std::string name) {
     return name == "index.html" || name == "summary.csv" || name == "results.sqlite";
 }
 
-// A notice is one line for terminals and logs, for any names in it. Above ASCII, control characters
-// are the byte pairs C2 80 to C2 9F.
+// Whether a notice holds control characters. It must be one line for terminals and logs, whatever
+// names it holds. Control characters above ASCII are the byte pairs C2 80 to C2 9F.
 bool holdsControls(const std::string& notice) {
     unsigned char before = 0;
     for (const char c : notice) {

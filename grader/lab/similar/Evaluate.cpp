@@ -16,7 +16,7 @@ constexpr std::array kLeastPercents{30, 40, 50, 60};
 // author, or one was made from the other: they are no independent pair.
 constexpr std::size_t kSameAuthor = 4;
 constexpr std::size_t kLongLine = 12;
-// The other student of a copy that is half another's: some entries further on.
+// For copies that are half another student's: that student's file is so many entries further on.
 constexpr std::size_t kOtherStep = 7;
 
 using Percents = std::map<std::pair<std::size_t, std::size_t>, int>;
@@ -92,7 +92,7 @@ Listed listedOf(const std::vector<int>& percents, int least) {
             percents.size()};
 }
 
-/// Which files have enough code of their own: those that are like themselves.
+/// Which files have enough code of their own to be compared: those of which a copy is recognised.
 std::vector<bool> comparedFiles(const Originals& originals, const sandbox::Sandbox& sandbox) {
     std::vector<StudentFile> twice = originals.files;
     twice.insert(twice.end(), originals.files.begin(), originals.files.end());

@@ -27,8 +27,8 @@ using nlohmann::json;
 
 constexpr std::uint64_t kRendersPerUnit = 10;
 
-// The warning explains their pictures, or their lens points are shared by all pixels, so that their
-// noise cannot be measured.
+// Whether the campaign measures a right subject's pictures. It leaves out those that a warning
+// explains, and those whose pixels share lens points, since their noise cannot be measured.
 bool isCompared(const Subject& subject) {
     constexpr std::array kOthers{&tasks::kShadowViewFromEye, &tasks::kShadowNearSideFalloff,
                                  &tasks::kDofAntialiased, &tasks::kShadowFixedSamples,

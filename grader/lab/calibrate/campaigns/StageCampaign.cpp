@@ -90,7 +90,8 @@ struct StageTally {
 };
 
 bool isSuited(const Subject& subject) {
-    // A fixed seed gives one sample of its noise, which is judged differently.
+    // Code with a fixed seed always gives the same sample of its noise and is judged in another
+    // way.
     return subject.isRight() && subject.isUnseen() && !subject.task.empty() &&
            subject.name.find("fixed") == std::string::npos;
 }
