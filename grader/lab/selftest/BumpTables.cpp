@@ -25,7 +25,6 @@ std::vector<std::size_t> sample(std::size_t count, double fraction) {
     return chosen;
 }
 
-/// One judgement to make.
 struct Case {
     Reading reading;
     Mistake mistake = Mistake::none;

@@ -28,7 +28,7 @@ bool fitsAReading(const std::vector<const ShadowLog*>& logs) {
     });
 }
 
-/// What the judge would find with one light alone, as far as that is cheap.
+/// Whether the judge might pass the code, as far as cheap checks tell.
 bool mayPass(const std::vector<ShadowQuestion>& asked, const probe::Run& run) {
     std::vector<ShadowLog> all;
     for (std::size_t i = 0; i < asked.size() && i < run.answers.size(); ++i) {

@@ -29,7 +29,8 @@ namespace ticker::tasks {
                                         std::span<const FindingText* const> order,
                                         bool needsReview = false);
 
-/// The note that the rays are not visible.
+/// The note that the rays are not visible, so that only values or pictures are judged.
+/// @param what  The reason, as a clause.
 [[nodiscard]] Finding unseenRays(const FindingText& text, const std::string& what);
 
 }  // namespace ticker::tasks

@@ -113,7 +113,6 @@ bool isSign(Fault fault) {
     return fault == Fault::inverted || fault == Fault::invertedU || fault == Fault::invertedV;
 }
 
-/// What words are made from.
 struct Told {
     const Examination& examination;
     const std::optional<Hints>& hints;

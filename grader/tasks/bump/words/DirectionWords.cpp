@@ -97,7 +97,8 @@ bool isMostlyRight(const Response& response) {
     return std::min(response.u.shares.right, response.v.shares.right) > 0.7;
 }
 
-/// Where the tilt is farthest off; where the rest is right, what may be different there.
+/// A hint that names the place where the tilt is farthest off. If most points are right, it
+/// also says what may be different there.
 std::string farthestHint(const Response& response, const Vector3& worst) {
     const std::string place = placeInWords(worst);
     if (!isMostlyRight(response))

@@ -161,7 +161,6 @@ Words lettersWords(const LetterReading& letters) {
         "Option 1: Test it"};
 }
 
-/// What words are made from.
 struct Seen {
     const Examination& examination;
     const std::optional<Hints>& hints;

@@ -31,7 +31,8 @@ Finding findingOf(const FindingText& text, const std::string& seen, const Pictur
     return finding;
 }
 
-// Large differences must have the mistake's shape; small ones have that of their noise.
+// Whether the best mistake may be named. A large difference must have its shape. A small one need
+// not, since it has mostly the shape of noise.
 bool hasName(const Bank& bank, double z, double meanSquares, std::size_t pixels) {
     constexpr double kShare = 0.35;
     constexpr double kSmall = 4.0;
@@ -46,7 +47,8 @@ Finding nameOf(const Bank& bank, double z, bool scaled, bool named) {
     return findingOf(kDofWrong, "it differs in a way that is not known", bank.second, z);
 }
 
-// Whether a factor on the brightness explains nearly all, and more than any other mistake.
+// Whether a factor on the brightness explains nearly the whole difference, and more than any
+// mistake.
 bool isScaled(const SeenPictures& seen, const ExpectedPicture& expected, const Bank& bank) {
     constexpr double kNearlyAll = 0.1;
     const std::optional<Plane> scaled = rescaled(seen, expected);
