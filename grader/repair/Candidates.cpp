@@ -105,7 +105,7 @@ sandbox::Command parserCommand(const build::Kit& kit, const sandbox::Limits& lim
     return command;
 }
 
-/// The headers, precompiled where the kit lies now.
+/// A precompiled header that was made on this machine, where the kit lies now.
 struct MadeHeader {
     Product product{"Framework.pch"};
 
@@ -124,7 +124,8 @@ struct MadeHeader {
     }
 };
 
-/// Made once where the kit's own cannot be used.
+/// The precompiled header for the parser: the kit's own, or one that is made once if that cannot be
+/// used.
 fs::path parsedHeader(const build::Kit& kit, const sandbox::Sandbox& sandbox,
                       const sandbox::Limits& limits) {
     if (fs::path own = kit.parsedHeader(); !own.empty()) return own;

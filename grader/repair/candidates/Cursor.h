@@ -16,15 +16,15 @@ namespace ticker::candidates {
 [[nodiscard]] std::string textOf(CXString text);
 /// Where a cursor stands in the student's file; empty if it stands elsewhere.
 [[nodiscard]] std::optional<Range> rangeOf(CXCursor cursor);
-/// Whether its text is no macro's.
+/// Whether the cursor's text stands in the file, and does not come from a macro.
 [[nodiscard]] bool isWrittenOut(CXCursor cursor);
 [[nodiscard]] std::vector<CXCursor> childrenOf(CXCursor cursor);
-/// Canonical, without const and reference.
+/// The canonical name of a type, without const and reference.
 [[nodiscard]] std::string plainType(CXType type);
 /// The same cursor without conversions and copies that stand in no text.
 [[nodiscard]] CXCursor withoutConversions(CXCursor cursor);
-/// Other fields, or functions without arguments, of the class that a member belongs to, of its
-/// type.
+/// Names of the class's other public members of the same kind and type as a member: fields, or
+/// functions without arguments.
 [[nodiscard]] std::vector<std::string> siblingsOf(CXCursor member);
 
 /// What members of a variable of this type give: `.colour()` of an object, `->distance` of an

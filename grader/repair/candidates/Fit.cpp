@@ -68,8 +68,8 @@ public:
     }
 
 private:
-    /// An error outside of all switches: those of the same line cause it, kinds that change a type
-    /// before others.
+    /// Marks the edits that may cause an error outside of all switches: those in the same line. If
+    /// some of them are of a kind that may change a type, only these.
     void blame(const Schema& schema, std::size_t offset, std::set<std::size_t>& wrong) const {
         const std::size_t begin = schema.text.rfind('\n', offset);
         const std::size_t end = schema.text.find('\n', offset);
@@ -102,8 +102,8 @@ private:
         }
     }
 
-    /// To the whole expression, whose value is converted; an edit that stands there already has to
-    /// be compiled by itself.
+    /// Moves an edit's switch up to the whole expression, whose value is converted. An edit whose
+    /// switch is there already has to be compiled by itself.
     void lift(Atom& atom) {
         const int top = tree_.topOf(atom.site);
         if (top == atom.site)
