@@ -37,7 +37,8 @@ bool showsInside(const Command& command, const fs::path& inside) {
 }
 
 void addMounts(std::vector<std::string>& words, const Command& command) {
-    // First: what is shown may lie below it, such as the kit of a checkout in /tmp.
+    // The scratch folder comes first, since shown files may lie below it, such as the kit of a
+    // checkout in /tmp.
     if (command.wantsScratch)
         append(words, {"--size", std::to_string(command.limits.fileSizeBytes * kScratchFiles),
                        "--tmpfs", kScratchFolder});
@@ -79,7 +80,7 @@ std::vector<std::string> landlockPaths(const Command& command, const JailPlace& 
     std::vector<std::string> paths;
     for (const ReadOnlyPath& path : command.readOnly)
         paths.push_back(inside ? path.inside.string() : path.host.string());
-    // Needed where these are folders rather than links into /usr.
+    // On some systems these are folders, not links into /usr, and need a permission of their own.
     if (showsInside(command, "/usr"))
         for (const char* name : {"/bin", "/lib", "/lib64", "/lib32"})
             paths.emplace_back(name);

@@ -34,7 +34,7 @@ FileDescriptor openLockFolder() {
         "one is needed to share uids among processes");
 }
 
-// Empty if all are in use.
+// Reserves a free uid of the range; empty if all are in use.
 std::optional<UserSlot> freeSlot(const FileDescriptor& folder, const UserRange& range) {
     for (long user = range.first; user < range.first + range.count; ++user) {
         const std::string name = fmt::format("uid-{}", user);
