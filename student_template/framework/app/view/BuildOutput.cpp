@@ -16,7 +16,7 @@ namespace {
 // Longer than any line that tells something.
 constexpr std::size_t kLongestLine = 2000;
 
-/// The line without the "\r" that Windows writes, cut to `kLongestLine` bytes.
+/// The line without the carriage return that Windows writes, cut to `kLongestLine` bytes.
 std::string withoutReturn(std::string line) {
     line.resize(std::min(line.size(), kLongestLine));
     if (!line.empty() && line.back() == '\r') line.pop_back();
