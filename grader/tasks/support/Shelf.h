@@ -11,7 +11,7 @@ namespace ticker::tasks {
 
 /// Keeps objects that are expensive to compute and depend on a question alone, for all submissions
 /// that get the question. The latest few hundred are kept. Several threads may use it.
-/// @tparam Key   Tells the questions apart.
+/// @tparam Key  Tells the questions apart.
 template <class Key, class Kept>
 class Shelf {
 public:

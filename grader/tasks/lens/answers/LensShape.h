@@ -37,7 +37,7 @@ struct Columns {
 };
 
 /// Finds the columns or rows of a grid in the lens points of all pixels.
-/// @param axis  &Vector3::x: columns; &Vector3::y: rows.
+/// @param axis  `&Vector3::x` for columns, `&Vector3::y` for rows.
 /// @return      A count of 0 if the places have unequal steps, or if one has more than one ray more
 ///              for each pixel than another: a grid that is cut short.
 [[nodiscard]] Columns columnsOf(const LensLog& log, double Vector3::*axis);
