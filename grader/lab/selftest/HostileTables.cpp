@@ -2,6 +2,7 @@
 
 #include <grader/base/Workers.h>
 #include <grader/intake/Intake.h>
+#include <grader/intake/SafeName.h>
 #include <grader/picture/DecodePicture.h>
 #include <grader/result/Names.h>
 #include <grader/result/ResultJson.h>
@@ -12,7 +13,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <mutex>
 
@@ -61,14 +61,6 @@ bool mustBeNamed(const Entry& hostileCase, const std::string& state) {
     return hostileCase.expected().passes() || state == "failed" || state == "blocked";
 }
 
-// True for names of the class's own files in OUT, which a submission's folder would replace. Some
-// file systems ignore case.
-bool takesAPlaceInOut(std::string name) {
-    std::ranges::transform(name, name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name == "index.html" || name == "summary.csv" || name == "results.sqlite";
-}
-
 // Whether a notice holds control characters. It must be one line for terminals and logs, whatever
 // names it holds. Control characters above ASCII are the byte pairs C2 80 to C2 9F.
 bool holdsControls(const std::string& notice) {
@@ -91,7 +83,9 @@ void compare(const Entry& hostileCase, const SubmissionResult& result, HostileRo
     if (!holds(hostileCase.verdicts, verdict)) row.faults.push_back("verdict " + verdict);
     if (std::ranges::any_of(result.notices, holdsControls))
         row.faults.emplace_back("a control character in a notice");
-    if (takesAPlaceInOut(result.submission)) row.faults.push_back("named " + result.submission);
+    // A folder of another name could replace one of the class's own files in OUT.
+    if (intake::safeName(result.submission) != result.submission)
+        row.faults.push_back("named " + result.submission);
     const bool isNamed = std::ranges::any_of(findingsOf(hostileCase),
                                              [&](const std::string& id) { return holds(ids, id); });
     if (mustBeNamed(hostileCase, state) && !isNamed) {

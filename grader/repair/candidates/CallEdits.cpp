@@ -86,10 +86,8 @@ void addCallEdits(Edits& edits, int index) {
         tree.at(node.children.back()).isExpression &&
         tree.at(node.children.back()).kind != NodeKind::list)
         edits.replaceBy("cast", index, node.children.back());
-    if (node.kind != NodeKind::call || node.children.empty()) return;
-    if (!node.isExpression) {  // arguments of a constructor
-        return;
-    }
+    const bool isConstructor = !node.isExpression;
+    if (node.kind != NodeKind::call || node.children.empty() || isConstructor) return;
     const Node& callee = tree.at(node.children.front());
     if (node.name == "dot" && edits.isType(index, "double"))
         edits.replace("clamp", index, "std::max(0.0, " + edits.text(index) + ")", true);
