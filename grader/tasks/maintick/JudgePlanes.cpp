@@ -68,14 +68,17 @@ AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, Place pl
 /// Adds rays that show limits and tolerances which the handout does not have: one grazes the plane,
 /// as near the horizon of a floor, one starts close to it, and one far away.
 void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
-    constexpr double kGrazing = 0.008;  // of D.N: in float the distance is right to 1e-4
-    constexpr double kNear = 0.0025;    // in float right to 1e-5
+    // D.N of less than two of the rows of a picture that is 640 wide. From so far away the distance
+    // is right to 1e-4 in single precision.
+    constexpr double kGrazing = 0.0025;
+    constexpr double kGrazingDistance = 60.0;
+    constexpr double kNear = 0.0025;  // in float right to 1e-5
     constexpr double kNearTolerance = 5e-5;
     constexpr double kFar = 2000.0;
     const Vector3 normal = scene.planes[0].normal.normalised();
     const Vector3 along = perpendicularsOf(normal).second;
     const Vector3 grazing = (along - normal * kGrazing).normalised();
-    asked.push_back(hitFrom(draw, scene, 0, Place::outside, grazing, 6.0));
+    asked.push_back(hitFrom(draw, scene, 0, Place::outside, grazing, kGrazingDistance));
     const Vector3 down = draw.directionAround(normal * -1.0, 1.1);
     asked.push_back(hitFrom(draw, scene, 0, Place::outside, down, kNear));
     asked.back().tolerance = kNearTolerance;

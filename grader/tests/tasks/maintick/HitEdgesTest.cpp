@@ -54,6 +54,23 @@ TEST(JudgeHits, AsksLevelRaysAndThoseAlongAnAxisUnderEverySeed) {
         }
 }
 
+// A picture shows the horizon of a floor there; a tolerance of a row's height is right.
+TEST(JudgeHits, AsksNearlyParallelRaysUnderEverySeed) {
+    const auto parallelBelow = [](double limit) {
+        return [=](probe::Hit& hit, const Asked& asked, const probe::CastRay& ray) {
+            const auto& plane = asked.scene.planes[static_cast<std::size_t>(ray.object)];
+            const double slope = ray.direction.normalised().dot(plane.normal.normalised());
+            if (std::abs(slope) < limit) hit.isHit = false;
+        };
+    };
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        AltersHits limited{parallelBelow(0.004)};
+        expectOne(judgePlanes(limited, seed).findings, "plane.missed", "tolerance of D.N");
+        AltersHits right{parallelBelow(0.001)};
+        EXPECT_TRUE(judgePlanes(right, seed).findings.empty()) << seed;
+    }
+}
+
 // The near root of a ray that starts inside is a little below 0.
 TEST(JudgeHits, AsksInsideNearTheSurfaceUnderEverySeed) {
     const auto behindCounts = [](bool isHit) {
