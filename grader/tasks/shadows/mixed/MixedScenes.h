@@ -29,9 +29,13 @@ namespace ticker::tasks {
 [[nodiscard]] std::vector<ShadowQuestion> drawVeryFarLights(Draw& draw);
 
 /// Of purpose `mixedNear`, with lights so small that they are nearly points: one in plain sight
-/// less than half a unit away, one that shows a narrow highlight, and one that a plane a few
-/// hundredths before it hides.
+/// less than half a unit away, one that shows a narrow highlight, one that a plane a few hundredths
+/// before it hides, and one that shows the broadest highlight and a phongKD above 1.
 [[nodiscard]] std::vector<ShadowQuestion> drawSmallLights(Draw& draw);
+
+/// Of purpose `mixedNear`, too: points at both edges of a penumbra, where a few of some fifty rays
+/// are blocked or arrive.
+[[nodiscard]] std::vector<ShadowQuestion> drawPenumbraEdges(Draw& draw);
 
 /// One more: 34 lights in plain sight, more than tables of 16 or 32 hold.
 [[nodiscard]] std::vector<ShadowQuestion> drawManyLights(Draw& draw);

@@ -24,8 +24,19 @@ ShadowQuestion underSmallLight(Draw& draw, const Between& size, const Between& a
 
 ShadowQuestion drawNearby(Draw& draw) {
     constexpr double kReach = 0.02;
-    ShadowQuestion drawn = underSmallLight(draw, {0.015, 0.025}, {0.38, 0.45});
+    // So small that code may take the distance of each sample: 2.6 % of the light at most.
+    ShadowQuestion drawn = underSmallLight(draw, {0.003, 0.005}, {0.38, 0.45});
     addLitPoints(draw, drawn, kPointsOfSmall, kReach);
+    return drawn;
+}
+
+/// The broadest highlight that pictures have, and a coefficient above 1.
+ShadowQuestion drawBroadHighlight(Draw& draw) {
+    ShadowQuestion drawn = underSmallLight(draw, {0.015, 0.025}, {4.0, 8.0});
+    raytracer::Material& material = drawn.question.scene.planes.front().material;
+    material.phongKD = draw.between(1.5, 2.5);
+    material.phongAlpha = 1.0;
+    addLitPoints(draw, drawn, kPointsOfSmall, 0.1);
     return drawn;
 }
 
@@ -65,7 +76,8 @@ ShadowQuestion drawHiddenCloseBy(Draw& draw) {
 }  // namespace
 
 std::vector<ShadowQuestion> drawSmallLights(Draw& draw) {
-    return {drawNearby(draw), drawNarrowHighlight(draw), drawHiddenCloseBy(draw)};
+    return {drawNearby(draw), drawNarrowHighlight(draw), drawHiddenCloseBy(draw),
+            drawBroadHighlight(draw)};
 }
 
 }  // namespace ticker::tasks

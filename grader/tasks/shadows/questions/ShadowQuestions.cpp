@@ -172,7 +172,7 @@ std::vector<ShadowQuestion> drawShadowQuestions(std::uint64_t seed) {
     questions.push_back(drawVeryCloseLight(draw));
     questions.push_back(drawOneRay(draw));
     for (const auto drawNext : {drawMixedScenes, drawOtherBalls, drawVeryFarLights, drawManyLights,
-                                drawSmallLights, drawOtherSizes})
+                                drawSmallLights, drawPenumbraEdges, drawOtherSizes})
         for (ShadowQuestion& drawn : drawNext(draw))
             questions.push_back(std::move(drawn));
     return questions;

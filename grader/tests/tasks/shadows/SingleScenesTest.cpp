@@ -98,7 +98,7 @@ TEST(SmallLights, AreInPlainSightOrHiddenFromEveryPoint) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         Draw draw{seed, 77};
         const std::vector<ShadowQuestion> drawn = drawSmallLights(draw);
-        ASSERT_EQ(drawn.size(), 3U);
+        ASSERT_EQ(drawn.size(), 4U);
         for (const ShadowQuestion& question : drawn)
             expectZonesOfGeometry(question, seed);
         EXPECT_EQ(drawn[0].zones[0], std::vector{Zone::lit});
@@ -127,6 +127,26 @@ TEST(SmallLights, ShowAHighlightThatAnExponentOf100WouldMakeBrighter) {
                                       std::pow(cosine, scene.planes[0].material.phongAlpha));
         }
         EXPECT_GT(most, 0.05) << seed;
+    }
+}
+
+// Shares that are rounded show only there: of 50 rays one or two are blocked, or arrive.
+TEST(PenumbraEdges, HaveASmallShareOfTheLightHiddenOrVisible) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        Draw draw{seed, 77};
+        const ShadowQuestion drawn = drawPenumbraEdges(draw).at(0);
+        const auto& scene = drawn.question.scene;
+        int dark = 0;
+        for (const probe::LitPoint& point : drawn.question.points) {
+            const double share =
+                visibleShare(Surfaces{scene}, point.position + point.normal * 1e-4,
+                             scene.pointLights[0].position(), drawn.question.settings.lightSize);
+            EXPECT_GT(std::min(share, 1.0 - share), 0.03) << seed;
+            EXPECT_LT(std::min(share, 1.0 - share), 0.16) << seed;
+            dark += share < 0.5 ? 1 : 0;
+        }
+        EXPECT_EQ(dark, 8) << seed;
+        EXPECT_EQ(drawn.question.points.size(), 16U) << seed;
     }
 }
 
