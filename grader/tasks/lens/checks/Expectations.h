@@ -22,6 +22,8 @@ public:
     /// @param seed  Of the oracle's paths.
     Expectations(probe::RenderQuestion asked, std::uint64_t seed);
 
+    [[nodiscard]] const probe::RenderQuestion& asked() const { return asked_; }
+
     /// @param reading  Of its fields only the aperture and the pixels' spread may differ from the
     ///                 defaults.
     [[nodiscard]] const ExpectedPicture& under(const oracle::Reading& reading,

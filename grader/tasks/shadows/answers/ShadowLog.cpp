@@ -28,6 +28,15 @@ AimLine readLine(const Surfaces& surfaces, const Vector3& centre, const Vector3&
     return line;
 }
 
+// Whether a ray is the line's own, cast again from a start beside the first one: code that meets
+// its own surface there goes on behind it. Both are one sample.
+bool isCastAgain(const AimLine& line, const raytracer::Ray& ray) {
+    constexpr double kSame = 1e-12;
+    constexpr double kBeside = 2e-3;
+    const double apart = (ray.origin - line.origin).magnitude();
+    return (ray.direction - line.direction).magnitude() < kSame && apart > kSame && apart < kBeside;
+}
+
 }  // namespace
 
 std::size_t PointLog::lineCount() const {
@@ -60,7 +69,9 @@ ShadowLog readShadowLog(const ShadowQuestion& asked, const probe::IlluminateAnsw
         const raytracer::Ray course =
             questions::seenFrom(at.point.position, at.point.normal, {event.a, event.b / length});
         const std::size_t light = questions::nearestLight(lights, course.origin, course.direction);
-        at.lines[light].push_back(
+        std::vector<AimLine>& lines = at.lines[light];
+        if (!lines.empty() && isCastAgain(lines.back(), course)) lines.pop_back();
+        lines.push_back(
             readLine(surfaces, lights[light].position(), course.origin, course.direction));
     }
     if (log.cut && !answer.events.empty() && answer.events.back().ask < log.points.size())

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -82,6 +83,25 @@ TEST(Pictures, DoNotFailWhereThePixelsNoiseGoesTogether) {
             if (verdict.ambiguous) ++forAPerson;
         }
     EXPECT_GT(forAPerson, 0);
+}
+
+// A grid of eight by eight lens points from edge to edge blurs as much as random points on a lens
+// that is wider by sqrt(9/7). The noise of repetitions tells a wider lens from a grid. Missed, and
+// wrongly failed, with a chance below 1e-6.
+TEST(Pictures, AcceptTheBlurOfAGridFromEdgeToEdgeWhereTheyRepeatThemselves) {
+    oracle::Reading wider;
+    wider.apertureFactor = std::sqrt(9.0 / 7.0);
+    for (const double spread : {0.0, 1.0}) {
+        wider.pixelSpread = spread;
+        const probe::RenderQuestion one = drawPictureQuestion(6, true);
+        const PictureVerdict repeated = judgePictures(one, answerOf(one, 7, {}, wider), 6);
+        EXPECT_FALSE(repeated.finding) << spread;
+        EXPECT_FALSE(repeated.ambiguous) << spread;
+        const probe::RenderQuestion eight = drawPictureQuestion(6);
+        const PictureVerdict random = judgePictures(eight, answerOf(eight, 7, {}, wider), 6);
+        ASSERT_TRUE(random.finding) << spread;
+        EXPECT_EQ(random.finding->id, "dof.aperture-size") << spread;
+    }
 }
 
 // A picture that is unrelated to the scene is not noise, even if its pixels are correlated.
