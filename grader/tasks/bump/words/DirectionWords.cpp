@@ -1,5 +1,7 @@
 #include <grader/tasks/bump/words/DirectionWords.h>
 
+#include <grader/tasks/bump/questions/Numbers.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,6 +88,30 @@ Words diagonalWords(const char* axis, const char* other, const char* own, const 
                     "{2}. Look for a {2} that was moved on for B{3} and is used again. If "
                     "B{0} is right, look at P{3}: it must have no part along P{0}.",
                     other, pair, own, axis),
+        "Option 1: What to do, step 3"};
+}
+
+/// Whether a slope along the one axis tilts a little along the other one as well, by the same share
+/// everywhere, and the other axis is right.
+bool leaks(const AxisResponse& axis, const AxisResponse& other) {
+    constexpr double kWide = 4.0;
+    constexpr double kClearly = 2.0;
+    const auto [least, most] = std::ranges::minmax(axis.bandDirection);
+    return std::min(axis.shares.right, other.shares.right) > 0.9 && most - least < kWide &&
+           isNear(other, 0.0) && std::min(std::abs(least), std::abs(most)) > kClearly;
+}
+
+Words leakWords(const AxisResponse& axis, const char* name, const char* other, const char* own) {
+    const double share = std::abs(std::tan(axis.bandDirection[kBands / 2] / kDegrees));
+    return {
+        fmt::format("A slope along {0} alone tilts the normal along {1}, too, by {2} of what it "
+                    "tilts along {0}. So B{1} contains a part of the difference along {0}.",
+                    name, other, percent(share)),
+        fmt::format("B{1} must be 0 where all texels of a {2} are equal. A filter of several "
+                    "texels takes those on both sides with the same weights: look for a texel "
+                    "with another place than its name says, taken twice or left out. If B{1} "
+                    "is right, look at P{1}: it must have no part along P{0}.",
+                    name, other, own),
         "Option 1: What to do, step 3"};
 }
 
@@ -188,6 +214,8 @@ Words directionWords(const Response& response, const std::optional<Hints>& hints
         return diagonalWords("u", "v", "column", "at(column, row) and at(column, row + 1)");
     if (tiltsAlongBoth(response.v, response.u))
         return diagonalWords("v", "u", "row", "at(column, row) and at(column + 1, row)");
+    if (leaks(response.u, response.v)) return leakWords(response.u, "u", "v", "column");
+    if (leaks(response.v, response.u)) return leakWords(response.v, "v", "u", "row");
     const AxisResponse& farthest =
         std::abs(response.u.worstDirection) > std::abs(response.v.worstDirection) ? response.u
                                                                                   : response.v;

@@ -74,6 +74,19 @@ TEST(DirectionWords, SayThatOneDifferenceContainsTheOtherOne) {
     EXPECT_FALSE(says(response, "contains")) << "both are turned";
 }
 
+TEST(DirectionWords, SayThatOneDifferenceContainsAPartOfTheOtherOne) {
+    Response response;
+    response.u.shares.right = response.v.shares.right = 1.0;
+    response.u.bandDirection.fill(14.0);
+    EXPECT_TRUE(says(response, "along v, too, by 25 % of what it tilts along u"));
+    EXPECT_NE(directionWords(response).hint.find("all texels of a column"), std::string::npos);
+    std::swap(response.u, response.v);
+    EXPECT_TRUE(says(response, "Bu contains a part of the difference along v"));
+    EXPECT_NE(directionWords(response).hint.find("all texels of a row"), std::string::npos);
+    response.v.bandDirection[3] = -14.0;
+    EXPECT_FALSE(says(response, "contains")) << "one way in the north, the other in the south";
+}
+
 /// The hints of code that is right on these spheres alone.
 Hints rightOn(bool square, bool unitSphere, bool aside) {
     const auto kindOf = [](bool isRight) {

@@ -115,14 +115,31 @@ TEST(Response, HasTheDirectionOfEveryBandAndTheFarthest) {
 
 TEST(Response, AllowsFifteenDegreesEitherWay) {
     for (const double middle : {0.0, 180.0, 90.0, -90.0})
-        for (const double side : {-1.0, 1.0}) {
+        for (const double north : {-1.0, 1.0}) {
             const auto off = [&](double by) {
-                return measureTilts([&](double, double) { return turned(middle + side * by); },
-                                    rightTilt)
+                return measureTilts(
+                           [&](double, double v) {
+                               return turned(middle + (v < 0.5 ? north : -north) * by);
+                           },
+                           rightTilt)
                     .u.sense;
             };
             EXPECT_NE(off(14.9), Sense::mixed) << middle;
             EXPECT_EQ(off(15.1), Sense::mixed) << middle;
+        }
+}
+
+// A slope along u that adds to the tilt along v turns all tilts the same way.
+TEST(Response, AllowsNoLeanOfAllTilts) {
+    for (const double middle : {0.0, 180.0})
+        for (const double side : {-1.0, 1.0}) {
+            const auto leaning = [&](double by) {
+                return measureTilts([&](double, double) { return turned(middle + side * by); },
+                                    rightTilt)
+                    .u.sense;
+            };
+            EXPECT_NE(leaning(2.0), Sense::mixed) << middle;
+            EXPECT_EQ(leaning(3.0), Sense::mixed) << middle;
         }
 }
 
