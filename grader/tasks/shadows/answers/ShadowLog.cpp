@@ -33,8 +33,10 @@ AimLine readLine(const Surfaces& surfaces, const Vector3& centre, const Vector3&
 bool isCastAgain(const AimLine& line, const raytracer::Ray& ray) {
     constexpr double kSame = 1e-12;
     constexpr double kBeside = 2e-3;
-    const double apart = (ray.origin - line.origin).magnitude();
-    return (ray.direction - line.direction).magnitude() < kSame && apart > kSame && apart < kBeside;
+    const Vector3 moved = ray.origin - line.origin;
+    // A step back begins another sample that happens to have the same direction.
+    return (ray.direction - line.direction).magnitude() < kSame &&
+           moved.dot(ray.direction) > kSame && moved.magnitude() < kBeside;
 }
 
 }  // namespace

@@ -56,18 +56,21 @@ TEST(ShadowLog, SortsRaysByPointAndByLight) {
     EXPECT_EQ(log.points[1].lines[0][0].toLight, Sight::open);
 }
 
-// Code that meets its own surface goes on behind it. A ray from the same start is another sample.
+// Code that meets its own surface goes on behind it. A ray from the same start, or from one before,
+// is another sample.
 TEST(ShadowLog, TakesARayThatGoesOnBesideItsStartForOneSample) {
     const Vector3 direction{0.1, 4.0, 0.0};
     Logged logged;
     logged.cast(0, {0.0, 0.0, 0.0}, direction);
     logged.cast(0, {0.0, 1e-4, 0.0}, direction);
     logged.cast(0, {0.0, 1e-4, 0.0}, direction);
+    logged.cast(0, {0.0, 0.0, 0.0}, direction);
+    logged.cast(0, {0.0, 1e-4, 0.0}, direction);
     logged.cast(0, {0.0, 1e-4, 0.0}, {0.2, 4.0, 0.0});
     logged.cast(0, {0.0, 1e-1, 0.0}, {0.2, 4.0, 0.0});
     const ShadowLog log = logged.read();
     const std::vector<AimLine>& lines = log.points[0].lines[0];
-    ASSERT_EQ(lines.size(), 4U);
+    ASSERT_EQ(lines.size(), 5U);
     EXPECT_EQ(lines[0].origin.y, 1e-4) << "the ray that goes on decides";
 }
 
