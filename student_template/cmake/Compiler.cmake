@@ -9,7 +9,7 @@ function(gnu_options target visibility)
 endfunction()
 
 # For what is not performance-critical and no student edits: compiled fast. UndefinedBehaviourSanitizer
-# would treble the time.
+# would more than double the time for the viewer's files.
 function(compile_fast target)
   gnu_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
   if(TICK1STAR_HAS_SANITIZERS)

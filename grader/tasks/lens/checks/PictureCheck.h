@@ -27,8 +27,8 @@ struct PictureVerdict {
 };
 
 /// Compares with the oracle's mean and variance under each accepted reading (aperture,
-/// antialiasing): by one matched filter for each named mistake (Neyman and Pearson 1933), and by
-/// tiles for unknown ones.
+/// antialiasing; for fixed lens points also the wider blur of a grid from edge to edge): by one
+/// matched filter for each named mistake (Neyman and Pearson 1933), and by tiles for unknown ones.
 /// @param expectations  Of the question that was answered.
 [[nodiscard]] PictureVerdict judgePictures(Expectations& expectations,
                                            const probe::RenderAnswer& answer);
