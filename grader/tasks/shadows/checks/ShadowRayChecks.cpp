@@ -1,4 +1,3 @@
-#include <grader/result/GeneralFindings.h>
 #include <grader/tasks/shadows/ShadowFindings.h>
 #include <grader/tasks/shadows/checks/ShadowChecks.h>
 #include <grader/tasks/shadows/checks/ShadowRayCounts.h>

@@ -134,29 +134,31 @@ private:
     }
 
     bool tryBall(const Vector3& centre, double radius, const raytracer::Material& material) {
-        const auto isOff = [&](const Vector3& place, double distance) {
+        const bool isClear = keepsOff([&](const Vector3& place, double distance) {
             return (place - centre).magnitude() > radius + distance;
-        };
-        const bool isClear = isOff(ground_.foot, ground_.reach + kOffPoints) &&
-                             std::ranges::all_of(scene().pointLights, [&](const PointLight& light) {
-                                 return isOff(light.position(), kOffObjects * lightSize());
-                             });
+        });
         if (isClear) scene().spheres.push_back({centre, radius, material, nullptr});
         return isClear;
     }
 
     bool tryPlane(const Vector3& point, const Vector3& normal,
                   const raytracer::Material& material) {
-        const auto isOff = [&](const Vector3& place, double distance) {
+        const bool isClear = keepsOff([&](const Vector3& place, double distance) {
             return std::abs((place - point).dot(normal)) > distance;
-        };
-        const bool isClear = isOff(ground_.foot, ground_.reach + kOffPoints) &&
-                             std::ranges::all_of(scene().pointLights, [&](const PointLight& light) {
-                                 return isOff(light.position(), kOffObjects * lightSize());
-                             });
+        });
         const bool isTurned = draw_.whole(0, 1) == 0;
         if (isClear) scene().planes.push_back({point, isTurned ? -normal : normal, material});
         return isClear;
+    }
+
+    /// @param isOff  Whether an object is farther from a place than a distance.
+    /// @return       Whether that holds for the points and for each light.
+    template <typename IsOff>
+    bool keepsOff(const IsOff& isOff) {
+        return isOff(ground_.foot, ground_.reach + kOffPoints) &&
+               std::ranges::all_of(scene().pointLights, [&](const PointLight& light) {
+                   return isOff(light.position(), kOffObjects * lightSize());
+               });
     }
 
     /// @return  Its index among the objects.

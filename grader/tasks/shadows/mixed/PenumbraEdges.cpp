@@ -10,7 +10,7 @@ namespace ticker::tasks {
 namespace {
 
 constexpr int kPointsOfEdge = 8;  // at either edge of the penumbra
-constexpr double kBias = 1e-4;
+constexpr int kEdgeTries = 100'000;
 
 }  // namespace
 
@@ -32,10 +32,10 @@ std::vector<ShadowQuestion> drawPenumbraEdges(Draw& draw) {
     const double radius = drawn.question.settings.lightSize;
     int dark = 0;
     int bright = 0;
-    while (dark < kPointsOfEdge || bright < kPointsOfEdge) {
+    for (int i = 0; i < kEdgeTries && dark + bright < 2 * kPointsOfEdge; ++i) {
         const Vector3 side = sideAt(sides, draw.between(0.0, 2.0 * std::numbers::pi));
         const Vector3 point = floor.point + side * draw.between(0.0, kReach);
-        const double share = visibleShare(surfaces, point + floor.normal * kBias, light, radius);
+        const double share = visibleShare(surfaces, rayStart(point, floor.normal), light, radius);
         const bool isDark = kSmallShare.low <= share && share <= kSmallShare.high;
         const bool isBright = kSmallShare.low <= 1.0 - share && 1.0 - share <= kSmallShare.high;
         int& count = isDark ? dark : bright;

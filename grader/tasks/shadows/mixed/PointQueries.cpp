@@ -1,13 +1,13 @@
 #include <grader/tasks/shadows/mixed/PointQueries.h>
+#include <grader/tasks/shadows/questions/ShadowDraws.h>
 
 #include <cstddef>
 
 namespace ticker::tasks {
 namespace {
 
-/// Where shadow rays of accepted readings start, or near to it.
 Vector3 startOf(const PointOfLog& at) {
-    return at.point->point.position + at.point->point.normal * 1e-4;
+    return rayStart(at.point->point.position, at.point->point.normal);
 }
 
 }  // namespace

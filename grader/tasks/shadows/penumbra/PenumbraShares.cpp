@@ -1,6 +1,7 @@
 #include <grader/tasks/shadows/answers/Phong.h>
 #include <grader/tasks/shadows/answers/ShadowReplay.h>
 #include <grader/tasks/shadows/penumbra/PenumbraShares.h>
+#include <grader/tasks/shadows/questions/ShadowDraws.h>
 #include <grader/tasks/support/Bounds.h>
 
 #include <algorithm>
@@ -87,7 +88,7 @@ ExpectedShares expectedAt(const probe::IlluminateQuestion& asked, const Surfaces
     const double radius = size * asked.settings.lightSize;
     const std::array<double, 2> central{
         1.0 / kAimsOfAShare, total(unshadowed(log, asked.scene, 0, true)) / full / kAimsOfAShare};
-    const Vector3 start = point.position + point.normal * 1e-4;
+    const Vector3 start = rayStart(point.position, point.normal);
     ExpectedShares expected;
     for (const Vector3& place : aimsOf(shape, kAimsOfAShare)) {
         const Vector3 aim = light.position() + place * radius;

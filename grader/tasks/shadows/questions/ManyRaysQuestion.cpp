@@ -15,7 +15,7 @@ bool isAtRim(const ShadowQuestion& drawn, const Vector3& point, bool isNearlyLit
     constexpr double kLeast = 0.02;
     constexpr double kMost = 0.045;
     const raytracer::SceneDescription& scene = drawn.question.scene;
-    const Vector3 start = point + scene.planes.front().normal * 1e-4;
+    const Vector3 start = rayStart(point, scene.planes.front().normal);
     const double visible = visibleShare(Surfaces{scene}, start, scene.pointLights[0].position(),
                                         drawn.question.settings.lightSize);
     const double rest = isNearlyLit ? 1.0 - visible : visible;

@@ -1,6 +1,10 @@
 #include <grader/tasks/shadows/questions/ShadowDraws.h>
 
+#include <raytracer/render/Renderer.h>
+
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace ticker::tasks {
@@ -14,24 +18,33 @@ Zone zoneOf(const Surfaces& surfaces, const Vector3& start, const Vector3& light
     return share == 0.0 ? Zone::umbra : Zone::penumbra;
 }
 
+constexpr int kSpiralPlaces = 96;
+
+// A spiral of equal areas over the unit sphere (golden angle).
+std::array<Vector3, kSpiralPlaces> spiral() {
+    std::array<Vector3, kSpiralPlaces> places;
+    for (int i = 0; i < kSpiralPlaces; ++i) {
+        const double z = 1.0 - (2.0 * i + 1.0) / kSpiralPlaces;
+        const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
+        const double ring = std::sqrt(1.0 - z * z);
+        places.at(static_cast<std::size_t>(i)) = {ring * std::cos(angle), ring * std::sin(angle),
+                                                  z};
+    }
+    return places;
+}
+
 }  // namespace
 
 double visibleShare(const Surfaces& surfaces, const Vector3& start, const Vector3& centre,
                     double radius) {
-    constexpr int kAims = 96;
+    static const std::array<Vector3, kSpiralPlaces> kSpiral = spiral();
     int open = 0;
-    for (int i = 0; i < kAims; ++i) {
-        // A spiral of equal areas over the sphere (golden angle).
-        const double z = 1.0 - (2.0 * i + 1.0) / kAims;
-        const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
-        const double ring = std::sqrt(1.0 - z * z);
-        const Vector3 aim =
-            centre + Vector3{ring * std::cos(angle), ring * std::sin(angle), z} * radius;
-        const Vector3 towards = aim - start;
+    for (const Vector3& place : kSpiral) {
+        const Vector3 towards = centre + place * radius - start;
         const double distance = towards.magnitude();
         if (surfaces.sightAlong(start, towards / distance, distance) == Sight::open) ++open;
     }
-    return static_cast<double>(open) / kAims;
+    return static_cast<double>(open) / kSpiralPlaces;
 }
 
 raytracer::Material drawMaterial(Draw& draw) {
@@ -74,11 +87,15 @@ Vector3 drawLensPoint(Draw& draw, const raytracer::RenderSettings& settings) {
     return {x, draw.between(-settings.dofAmount, settings.dofAmount), 0.0};
 }
 
+Vector3 rayStart(const Vector3& point, const Vector3& normal) {
+    return point + normal * raytracer::kShadowBias;
+}
+
 std::vector<Zone> zonesOf(const raytracer::SceneDescription& scene, const Surfaces& surfaces,
                           const Vector3& point, const Vector3& normal, double radius) {
     std::vector<Zone> zones;
     for (const raytracer::PointLight& light : scene.pointLights)
-        zones.push_back(zoneOf(surfaces, point + normal * 1e-4, light.position(), radius));
+        zones.push_back(zoneOf(surfaces, rayStart(point, normal), light.position(), radius));
     return zones;
 }
 

@@ -33,6 +33,10 @@ namespace ticker::tasks {
 /// differently.
 [[nodiscard]] Vector3 drawLensPoint(Draw& draw, const raytracer::RenderSettings& settings);
 
+/// Where the shadow rays of accepted readings start, or near to it: off the surface by the
+/// framework's shadow bias.
+[[nodiscard]] Vector3 rayStart(const Vector3& point, const Vector3& normal);
+
 /// The share of a ball's surface that is visible.
 [[nodiscard]] double visibleShare(const Surfaces& surfaces, const Vector3& start,
                                   const Vector3& centre, double radius);
