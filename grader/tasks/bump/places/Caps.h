@@ -9,8 +9,8 @@
 
 namespace ticker::tasks::bump {
 
-/// Ramps of whole bytes from black to white, along u and along v, on rings round both ends of each
-/// axis. Other questions about directions leave out what is nearer to the poles than 11 degrees.
+/// Ramps of whole bytes along u and along v, on rings round both ends of each axis. The ramp along v
+/// is turned round farther from the ends. Other questions about directions leave out what is nearer to the poles than 11 degrees.
 struct CapPlan {
     std::vector<Vector3> directions;  ///< group after group: axis by axis, end by end, ring by ring
     LevelPair columns;
@@ -22,7 +22,7 @@ struct CapPlan {
 /// Share of the tilted points whose tilt leads within 60 degrees of where the ramp falls, in the
 /// worst of four groups: inner or outer ring at either end of the map's axis. A test holds accepted
 /// readings to 0.9: the direction is that of one tangent, whatever the gain. Tangents that do not
-/// turn with the longitude give 0.33.
+/// turn with the longitude give 0.33, rows that stop before the poles give 0 along v.
 struct Caps {
     double alongU = 1.0;
     double alongV = 1.0;

@@ -41,7 +41,8 @@ Words capWords(const Caps& caps) {
             "longitude grows and Pv to where the polar angle grows. Take out the condition that "
             "chooses another helper vector (another up) for the cross products, or other tangents, "
             "where the normal is nearly along the axis: only at the exact pole is the cross "
-            "product 0.",
+            "product 0. The row of the map must reach the poles, too: limit the argument of acos "
+            "to -1 and 1 exactly.",
             "Option 1: What to do, step 2"};
 }
 

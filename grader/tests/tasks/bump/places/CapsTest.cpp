@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace ticker::tasks::bump {
@@ -43,6 +45,20 @@ TEST(ReadCaps, SeesAnotherHelperVectorAtOneEndFromSixDegreesOn) {
             EXPECT_LT(caps.alongU, 0.5) << limit;
             EXPECT_LT(caps.alongV, 0.5) << limit;
         }
+}
+
+TEST(ReadCaps, SeesAPolarAngleThatStopsTwelveDegreesBeforeThePoles) {
+    const auto limited = [](const Point& point) {
+        constexpr double kMost = 0.978;
+        const Vector3 n = tests::smooth(point);
+        const double y = std::clamp(n.y, -kMost, kMost);
+        const double ring = std::sqrt((1.0 - y * y) / std::max(1.0 - n.y * n.y, 1e-12));
+        const Point there{point.map, point.centre, point.radius,
+                          point.centre + Vector3{n.x * ring, y, n.z * ring} * point.radius};
+        return selftest::modelNormal({}, selftest::Mistake::none, there);
+    };
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5})
+        EXPECT_LT(capsOf(limited, tests::kParametrisation, seed).alongV, 0.1);
 }
 
 TEST(ReadCaps, DoesNotApplyToATiltedAxisNorWhereNothingTilts) {
