@@ -1,5 +1,7 @@
 #include <grader/tasks/shadows/answers/LightParts.h>
 
+#include <raytracer/render/Renderer.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -118,7 +120,7 @@ double biasOf(const PointLog& point) {
     for (const std::vector<AimLine>& light : point.lines)
         for (const AimLine& line : light)
             bias = std::max(bias, (line.origin - point.point.position).magnitude());
-    return std::min(bias, 2e-3);
+    return std::clamp(bias, raytracer::kShadowBias, 2e-3);
 }
 
 SampleTerms centralTerms(const Setting& at) {

@@ -33,6 +33,13 @@ bool aimsAtALight(const raytracer::SceneDescription& scene, double radius, const
     return std::ranges::any_of(scene.pointLights, passes);
 }
 
+// Whether the ray starts within some light, as shadow rays do that run to the point.
+bool startsInALight(const raytracer::SceneDescription& scene, double radius, const Event& ray) {
+    return std::ranges::any_of(scene.pointLights, [&](const raytracer::PointLight& light) {
+        return (light.position() - ray.a).magnitude() < 1.5 * radius;
+    });
+}
+
 class Reader {
 public:
     explicit Reader(const probe::RenderQuestion& asked)
@@ -85,14 +92,17 @@ private:
     }
     void cast(const Event& event) {
         if (!isFinite(event.a) || !isFinite(event.b) || !(event.b.magnitude() > 0.0)) return;
+        const raytracer::SceneDescription& scene = lit_.asked.question.scene;
+        const double radius = lit_.asked.question.settings.lightSize;
         if (const auto open = open_.find(event.thread); open != open_.end()) {
             open->second.rays.push_back(event);
+        } else if (startsInALight(scene, radius, event)) {
+            ++lit_.looseRays;
         } else if (surfaces_.distanceToNearest(event.a) > kOnSurface) {
             const auto cell = [](double value) { return std::llround(value * 1e9); };
             lensRays_.push_back({cell(event.a.x), cell(event.a.y), cell(event.a.z), cell(event.b.x),
                                  cell(event.b.y), cell(event.b.z)});
-        } else if (aimsAtALight(lit_.asked.question.scene, lit_.asked.question.settings.lightSize,
-                                event)) {
+        } else if (aimsAtALight(scene, radius, event)) {
             ++lit_.looseRays;
         }
     }

@@ -22,7 +22,7 @@ struct LitRender {
     ShadowQuestion asked;            ///< the lit points, in the form of a question
     probe::IlluminateAnswer answer;  ///< their colours and rays
     std::size_t lensRays = 0;        ///< distinct rays from outside
-    std::size_t looseRays = 0;  ///< rays from the wall to a light that no point's lighting cast
+    std::size_t looseRays = 0;  ///< rays between the wall and a light that no point's lighting cast
 };
 [[nodiscard]] LitRender readLitRender(const probe::RenderQuestion& asked,
                                       const probe::RenderAnswer& answer);

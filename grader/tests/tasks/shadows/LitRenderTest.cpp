@@ -154,6 +154,30 @@ TEST(LitRender, CountsTheRaysOfARecursionOfOnesOwn) {
     EXPECT_FALSE(differenceAfter(unobserved(0))) << "its shadow rays cannot be seen";
 }
 
+// A mirrored ray may pass near a light: it must not count as the only shadow ray.
+TEST(LitRender, CountsRaysFromALightToThePoint) {
+    const probe::RenderQuestion asked = drawLitQuestion(3, 1);
+    const auto reversed = [&](int kept) {
+        return [&, kept](probe::RenderAnswer& answer) {
+            unobserved(kept)(answer);
+            for (Event& event : answer.events)
+                for (const raytracer::PointLight& light : asked.scene.pointLights) {
+                    const double distance = (light.position() - event.a).magnitude();
+                    const Vector3 end = event.a + event.b.normalised() * distance;
+                    if (event.kind != Event::Kind::rayCast || event.a.z < 1.0 ||
+                        (end - light.position()).magnitude() > 1.4 * asked.settings.lightSize)
+                        continue;
+                    event.b = event.a - end;
+                    event.a = end;
+                    break;
+                }
+        };
+    };
+    EXPECT_FALSE(differenceAfter(reversed(20)));
+    EXPECT_EQ(differenceAfter(reversed(2)),
+              "a point gets 1 of 10 shadow rays to a light, in the mean");
+}
+
 TEST(LitRender, ExpectsAsManyRaysAsSinglePointsShow) {
     const VisibleRays one{.all = false, .toALight = 1};
     EXPECT_FALSE(differenceAfter(unobserved(2), one));
