@@ -119,8 +119,9 @@ double biasOf(const PointLog& point) {
     double bias = 0.0;
     for (const std::vector<AimLine>& light : point.lines)
         for (const AimLine& line : light)
-            bias = std::max(bias, (line.origin - point.point.position).magnitude());
-    return std::clamp(bias, raytracer::kShadowBias, 2e-3);
+            bias = std::max(
+                {bias, (line.origin - point.point.position).magnitude(), raytracer::kShadowBias});
+    return std::min(bias, 2e-3);
 }
 
 SampleTerms centralTerms(const Setting& at) {

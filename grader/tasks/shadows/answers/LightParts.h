@@ -64,8 +64,9 @@ struct SampleTerms {
 };
 [[nodiscard]] SampleTerms centralTerms(const Setting& at);
 
-/// Largest distance of a logged ray's start from the point, within 2e-3. It is at least the
-/// framework's shadow bias: directions may be computed from a start that the rays do not have.
+/// Largest distance of a logged ray's start from the point, at most 2e-3; 0 without rays. With rays
+/// it is at least the framework's shadow bias: directions may be computed from a start that the
+/// rays do not have.
 [[nodiscard]] double biasOf(const PointLog& point);
 
 }  // namespace ticker::tasks

@@ -273,6 +273,8 @@ TEST(Tolerance, GrowsWithTheBiasOverTheNearestDistance) {
     EXPECT_NEAR(tolerance(), most * (48.0 * 1e-4 / 4.0 + 2e-5) + 1e-9, 1e-9) << "to the light";
     point.lines[0][0].origin = {0.0, 0.01, 0.0};
     EXPECT_NEAR(tolerance(), most * (48.0 * 2e-3 / 4.0 + 2e-5) + 1e-9, 1e-9) << "at most";
+    point.lines[0][0].origin = point.point.position;
+    EXPECT_NEAR(tolerance(), most * (48.0 * 1e-4 / 4.0 + 2e-5) + 1e-9, 1e-9) << "at least";
     point.lines[0].clear();
     EXPECT_NEAR(tolerance(), most * 2e-5 + 1e-9, 1e-12);
 }
