@@ -84,6 +84,14 @@ void place(LensLog& log, const std::vector<PlacedRay>& rays) {
         if (placeBy(pixelOf)) return;
 }
 
+// Whether each pixel's colour is the mean of its rays.
+bool isExplained(const LensLog& log) {
+    return std::ranges::all_of(log.pixels, [](const LensPixel& pixel) {
+        const std::vector<ColourRGB> values = valuesOf(pixel);
+        return !values.empty() && isNear(pixel.colour, meanOf(values.data(), values.size()));
+    });
+}
+
 bool isPinhole(const LensRay& ray, const LensPixel& pixel) {
     constexpr double kSame = 1e-6;
     return ray.origin.magnitude() < kSame && (ray.direction - pixel.pinhole).magnitude() < kSame;
@@ -102,11 +110,7 @@ void placeTogether(LensLog& log, const std::vector<PlacedRay>& traced,
     LensLog joined = log;
     joined.recomputed = !cast.empty();
     place(joined, together);
-    const auto isExplained = [](const LensPixel& pixel) {
-        const std::vector<ColourRGB> values = valuesOf(pixel);
-        return isNear(pixel.colour, meanOf(values.data(), values.size()));
-    };
-    if (hasAllRays(joined) && std::ranges::all_of(joined.pixels, isExplained)) log = joined;
+    if (hasAllRays(joined) && isExplained(joined)) log = joined;
 }
 
 // Whether the pinhole ray is the only visible ray of each pixel, while some pixel has another
@@ -174,8 +178,13 @@ LensLog readLensLog(const probe::RenderQuestion& asked, const probe::RenderAnswe
         return log;
     }
     place(log, traced);
-    // If the traced rays are all there, further rays that were cast but not traced are no samples.
-    if (traced.size() < rays.entered.size() && !hasAllRays(log)) place(log, rays.entered);
+    // Rays that hit nothing and were not traced are samples if the traced ones are too few, or if
+    // the colours are the means of all of them alone: code may send more rays than it is asked for.
+    if (traced.size() < rays.entered.size()) {
+        LensLog withMisses = log;
+        place(withMisses, rays.entered);
+        if (!hasAllRays(log) || (!isExplained(log) && isExplained(withMisses))) log = withMisses;
+    }
     if (!hasAllRays(log)) placeTogether(log, traced, rays.cast);
     return log;
 }

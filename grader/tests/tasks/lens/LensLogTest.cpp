@@ -92,6 +92,16 @@ TEST(LensLog, LeavesOutARayThatOnlyLookedBesidesAllThatWereTraced) {
     EXPECT_FALSE(checkAverage(log));
 }
 
+TEST(LensLog, CountsSuchARayBesidesAsManyTracedOnesAsAskedIfTheColourIsTheMeanOfAll) {
+    OnePixel asked;
+    asked.cast(0.0, -1);
+    asked.trace(0.1, kAmbient);
+    asked.trace(-0.1, kAmbient);
+    const LensLog log = asked.setPixel((kAmbient * 2.0 + kBackground) / 3.0);
+    EXPECT_EQ(log.pixels[0].rays.size(), 3U);
+    EXPECT_FALSE(checkAverage(log));
+}
+
 TEST(LensLog, RecomputesWhatRaysOfAnotherRecursionGave) {
     for (const bool leftOut : {false, true}) {
         OnePixel asked;
