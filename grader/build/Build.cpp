@@ -104,6 +104,8 @@ private:
         if (precompiled)
             words.insert(words.end(), {"-Winvalid-pch", "-include",
                                        inKit(isSwitched_ ? "pch/Switched.h" : "pch/Framework.h")});
+        // Warnings for thousands of edits would be more than a compiler may print.
+        if (isSwitched_) words.push_back("-w");
         words.push_back((sandbox_.pathFor(sourcePath_) / file_).string());
         for (const std::string& other : kit_.files())
             if (other != file_) words.push_back(inKit(Kit::templateObject(other)));
