@@ -10,6 +10,13 @@
 
 namespace ticker {
 
+/// An expression of the handout, as its function may compute a value of some type.
+struct Formula {
+    std::string type;  ///< of the value, with its namespace
+    std::string of;    ///< type of the variable that `@` stands for in the text; may be empty
+    std::string text;
+};
+
 /// A task as an exercise's file describes it.
 struct TaskEntry {
     std::string id;        ///< tag in the handout and in the stub's marks
@@ -18,6 +25,8 @@ struct TaskEntry {
     std::string function;  ///< function that the file must define, as students write it
     /// Symbols that linkers report as missing if it is not defined.
     std::vector<std::string> symbols;
+    /// What repairs may put in place of a value; may be empty.
+    std::vector<Formula> formulas;
 };
 
 /// Tasks that belong together; solving one option is enough.

@@ -33,10 +33,20 @@ auto listOf(const JsonValue& value, const Read& read) {
     return items;
 }
 
+Formula readFormula(const JsonValue& value) {
+    value.allowOnly({"type", "of", "text"});
+    Formula formula{textOf(value.at("type")), "", textOf(value.at("text"))};
+    if (value.has("of")) formula.of = textOf(value.at("of"));
+    return formula;
+}
+
 TaskEntry readTask(const JsonValue& value) {
-    value.allowOnly({"id", "title", "file", "function", "symbols"});
-    return {textOf(value.at("id")), textOf(value.at("title")), textOf(value.at("file")),
-            textOf(value.at("function")), listOf(value.at("symbols"), textOf)};
+    value.allowOnly({"id", "title", "file", "function", "symbols", "formulas"});
+    TaskEntry task{
+        textOf(value.at("id")),       textOf(value.at("title")),           textOf(value.at("file")),
+        textOf(value.at("function")), listOf(value.at("symbols"), textOf), {}};
+    if (value.has("formulas")) task.formulas = listOf(value.at("formulas"), readFormula);
+    return task;
 }
 
 OptionEntry readOption(const JsonValue& value, const Exercise& exercise) {

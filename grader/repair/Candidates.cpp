@@ -74,6 +74,14 @@ Candidates readReply(std::string text, std::size_t size) {
     return found;
 }
 
+/// As ../candidates/main.cpp reads them.
+std::string asArgument(const std::vector<Formula>& formulas) {
+    std::string lines;
+    for (const Formula& formula : formulas)
+        lines += formula.type + "\t" + formula.of + "\t" + formula.text + "\n";
+    return lines;
+}
+
 /// A file that a command makes, in a folder that every user can read.
 struct Product {
     sandbox::JobFolder folder;
@@ -137,7 +145,7 @@ fs::path parsedHeader(const build::Kit& kit, const sandbox::Sandbox& sandbox,
 
 Candidates findCandidates(const build::Kit& kit, const sandbox::Sandbox& sandbox,
                           const sandbox::Limits& limits, const std::string& file,
-                          std::string_view source, Reach reach, const std::string& leftAlone) {
+                          std::string_view source, const Wanted& wanted) {
     const sandbox::JobFolder sources;
     std::ofstream{sources.path() / file, std::ios::binary} << source;
     fs::permissions(sources.path() / file, fs::perms{0644});
@@ -151,9 +159,10 @@ Candidates findCandidates(const build::Kit& kit, const sandbox::Sandbox& sandbox
     for (const std::string& word :
          {(sandbox.pathFor(sourcePath) / file).string(),
           (kit.folder() / "template" / file).string(), std::string{kProduct},
-          std::string{reach == Reach::wide ? "wide" : "simple"}, leftAlone, std::string{"-xc++"},
-          std::string{"-std=c++20"}, "-I" + (kit.folder() / "include").string(),
-          std::string{"-include-pch"}, sandbox.pathFor(headerPath).string(),
+          std::string{wanted.reach == Reach::wide ? "wide" : "simple"}, wanted.leftAlone,
+          asArgument(wanted.formulas), std::string{"-xc++"}, std::string{"-std=c++20"},
+          "-I" + (kit.folder() / "include").string(), std::string{"-include-pch"},
+          sandbox.pathFor(headerPath).string(),
           // An edit that chooses between number literals is no constant: narrowing it must not be
           // an error. Spelling proposals for edits that do not compile cost time.
           std::string{"-ferror-limit=0"}, std::string{"-Wno-c++11-narrowing"},

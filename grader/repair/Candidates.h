@@ -2,6 +2,7 @@
 #define TICKER_REPAIR_CANDIDATES_H
 
 #include <grader/build/Kit.h>
+#include <grader/exercise/Exercise.h>
 #include <grader/sandbox/Sandbox.h>
 
 #include <cstddef>
@@ -39,6 +40,16 @@ enum class Reach {
     wide     ///< with everything that the function could name
 };
 
+/// What is looked for in a file.
+struct Wanted {
+    Reach reach = Reach::simple;
+    std::string leftAlone = {};          ///< functions that are not edited, with commas in between
+    std::vector<Formula> formulas = {};  ///< of the handout, for wide edits
+};
+
+/// The kind of an edit that puts in a formula of the handout.
+inline constexpr std::string_view kFormulaKind = "formula";
+
 /// The edits that were found for a file.
 struct Candidates {
     std::string program;  ///< the file with a switch for each edit: that of atoms[i] has number i
@@ -48,13 +59,11 @@ struct Candidates {
 };
 
 /// Parses a file in the sandbox and finds small edits of it.
-/// @param leftAlone  Functions that are not edited, with commas between them.
 /// @return  The program is empty where the file cannot be parsed within the limits.
 /// @throws raytracer::Error (notGradable) where this ticker was built without libclang.
 [[nodiscard]] Candidates findCandidates(const build::Kit& kit, const sandbox::Sandbox& sandbox,
                                         const sandbox::Limits& limits, const std::string& file,
-                                        std::string_view source, Reach reach,
-                                        const std::string& leftAlone);
+                                        std::string_view source, const Wanted& wanted);
 
 /// The file with edits made in it; empty where two of them change the same text.
 [[nodiscard]] std::optional<std::string> withEdits(std::string_view source,

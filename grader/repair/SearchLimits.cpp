@@ -35,10 +35,11 @@ SearchLimits parseSearchLimits(const std::string& text, const std::string& name)
     limits.all.cpuSeconds = secondsIn(top, "cpuSeconds", 1.0);
     limits.all.wallSeconds = secondsIn(top, "wallSeconds", limits.all.cpuSeconds);
     const JsonValue shares = top.at("untilShare");
-    shares.allowOnly({"others", "singles", "wide", "twins", "pairs", "twoMistakes"});
+    shares.allowOnly({"others", "singles", "formulas", "wide", "twins", "pairs", "twoMistakes"});
     limits.others = shareIn(shares, "others", 0);
     limits.singles = shareIn(shares, "singles", 0);
-    limits.wide = shareIn(shares, "wide", limits.singles);
+    limits.formulas = shareIn(shares, "formulas", limits.singles);
+    limits.wide = shareIn(shares, "wide", limits.formulas);
     limits.twins = shareIn(shares, "twins", limits.wide);
     limits.pairs = shareIn(shares, "pairs", limits.twins);
     limits.twoMistakes = shareIn(shares, "twoMistakes", limits.pairs);

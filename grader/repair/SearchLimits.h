@@ -16,6 +16,7 @@ struct SearchLimits {
     double others = 0.0;
     // The share of a task's CPU time after which the next kind of edits has its turn, 0 to 1.
     double singles = 0.0;      ///< one edit
+    double formulas = 0.0;     ///< an expression of the handout in place of a value
     double wide = 0.0;         ///< one edit that puts in what stands nowhere near
     double twins = 0.0;        ///< the same edit at several places
     double pairs = 0.0;        ///< two edits of one statement

@@ -36,6 +36,7 @@ std::vector<Repair> TaskExplanation::run(double endMs) {
     const std::pair<double, std::function<Repairs()>> steps[] = {
         {1.0, [this] { return noLongerStatic(); }},
         {limits.singles, [this] { return anyOf(Reach::simple, singles); }},
+        {limits.formulas, [this] { return formulas(); }},
         {limits.wide, [this] { return anyOf(Reach::wide, singles); }},
         {limits.twins, [this] { return notCutOff(); }},
         {limits.twins, [this] { return anyOf(Reach::simple, twins); }},
@@ -68,6 +69,21 @@ TaskExplanation::Repairs TaskExplanation::noLongerStatic() {
          }))
         if (Repairs repairs = proven(*bench, {set}); !repairs.empty()) return repairs;
     return {};
+}
+
+TaskExplanation::Repairs TaskExplanation::formulas() {
+    constexpr std::size_t kMostTried = 6;  // each is compiled and judged
+    Bench* bench = workbench_.bench(Reach::wide);
+    if (bench == nullptr) return {};
+    const Choice isFormula = [this](const Atom& atom) {
+        return atom.kind == kFormulaKind && !isOfAnotherTask(atom.function);
+    };
+    Repairs repairs = proven(searchOf(Reach::wide, *bench), *bench,
+                             singles(workbench_.source(), bench->candidates, isFormula));
+    if (!repairs.empty()) return repairs;
+    auto sets = withoutSwitch(bench->candidates, isFormula);
+    sets.resize(std::min(sets.size(), kMostTried));
+    return proven(*bench, sets);
 }
 
 TaskExplanation::Repairs TaskExplanation::notCutOff() {

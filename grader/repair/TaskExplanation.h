@@ -48,6 +48,7 @@ private:
     using MakeSets = std::vector<EditSet> (*)(std::string_view, const Candidates&, const Choice&);
 
     [[nodiscard]] Repairs noLongerStatic();
+    [[nodiscard]] Repairs formulas();
     [[nodiscard]] Repairs notCutOff();
     [[nodiscard]] Repairs anyOf(Reach reach, MakeSets make);
     [[nodiscard]] Repairs twoMistakes();

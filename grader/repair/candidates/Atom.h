@@ -28,13 +28,23 @@ struct Atom {
     bool isInstead = false;  ///< a statement in place of the site, which is one, too
 };
 
+/// An expression of the handout: its type, the type of the variable that `@` stands for (may be
+/// empty), and its text.
+struct HandoutFormula {
+    std::string type;
+    std::string of;
+    std::string text;
+};
+
 /// A file with the edits that were found for it.
 class Edits {
 public:
-    Edits(const Tree& tree, const Source& source) : tree_(tree), source_(source) {}
+    Edits(const Tree& tree, const Source& source, const std::vector<HandoutFormula>& formulas)
+        : tree_(tree), source_(source), formulas_(formulas) {}
 
     [[nodiscard]] const Tree& tree() const { return tree_; }
     [[nodiscard]] const Source& source() const { return source_; }
+    [[nodiscard]] const std::vector<HandoutFormula>& formulas() const { return formulas_; }
     [[nodiscard]] const std::vector<Atom>& atoms() const { return atoms_; }
     [[nodiscard]] std::string text(int node) const {
         return std::string{source_.in(tree_.at(node).range)};
@@ -71,6 +81,7 @@ private:
 
     const Tree& tree_;
     const Source& source_;
+    const std::vector<HandoutFormula>& formulas_;
     std::vector<Atom> atoms_;
     std::set<std::string> known_;
 };
@@ -101,6 +112,7 @@ void addGroupingEdits(Edits& edits, int node);
 void addResets(Edits& edits, int node);
 // With what the function could name and does not.
 void addWideEdits(Edits& edits, int node);
+void addFormulas(Edits& edits, int node);
 void addGuards(Edits& edits, int node);
 void addNeighbours(Edits& edits, int node);
 

@@ -4,26 +4,6 @@
 namespace ticker::candidates {
 namespace {
 
-/// Whether an expression asks for a random number: every use of it gets another one.
-bool draws(const Tree& tree, int expression) {
-    for (int i = expression; i < static_cast<int>(tree.nodes.size()); ++i) {
-        const Node& node = tree.at(i);
-        if (!tree.at(expression).range.holds(node.range)) break;
-        const bool isNamed = node.kind == NodeKind::call && node.name.starts_with("rand");
-        if (isNamed || node.name == "operator()") return true;
-    }
-    return false;
-}
-
-/// The value that a variable was given where it was declared; -1: none.
-int initialiserOf(const Tree& tree, const Node& name) {
-    for (const Node& node : tree.nodes)
-        if (node.kind == NodeKind::declaration && node.declared == name.declared &&
-            !node.children.empty())
-            return node.children.back();
-    return -1;
-}
-
 bool isSumOfTwo(const Node& node) {
     return node.kind == NodeKind::binary && (node.name == "+" || node.name == "-");
 }

@@ -19,6 +19,17 @@ bool isVisible(const Tree& tree, int declaration, int index) {
     return block < 0 || tree.at(block).range.holds(tree.at(index).range);
 }
 
+/// Whether a node, or one inside of it, is as asked.
+template <typename IsAsked>
+bool anyIn(const Tree& tree, int expression, const IsAsked& isAsked) {
+    const Range& whole = tree.at(expression).range;
+    for (int i = expression; i < static_cast<int>(tree.nodes.size()); ++i) {
+        if (!whole.holds(tree.at(i).range)) return false;
+        if (isAsked(tree.at(i))) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 int outermostFunction(const Tree& tree, int index) {
@@ -33,6 +44,29 @@ std::vector<int> visibleVariables(const Tree& tree, int index) {
     for (int i = std::max(0, outermostFunction(tree, index)); i < index; ++i)
         if (isVariable(tree.at(i)) && isVisible(tree, i, index)) found.push_back(i);
     return found;
+}
+
+int initialiserOf(const Tree& tree, const Node& name) {
+    for (const Node& node : tree.nodes)
+        if (node.kind == NodeKind::declaration && node.declared == name.declared &&
+            !node.children.empty())
+            return node.children.back();
+    return -1;
+}
+
+bool draws(const Tree& tree, int expression) {
+    return anyIn(tree, expression, [](const Node& node) {
+        const bool isNamed = node.kind == NodeKind::call && node.name.starts_with("rand");
+        return isNamed || node.name == "operator()";
+    });
+}
+
+bool dependsOnDraws(const Tree& tree, int expression) {
+    return draws(tree, expression) || anyIn(tree, expression, [&](const Node& node) {
+               if (node.kind != NodeKind::name || node.declared == 0) return false;
+               const int value = initialiserOf(tree, node);
+               return value >= 0 && draws(tree, value);
+           });
 }
 
 bool isUsableAt(const Tree& tree, int expression, int index) {

@@ -14,6 +14,15 @@ namespace ticker::candidates {
 /// statement declares is left out.
 [[nodiscard]] std::vector<int> visibleVariables(const Tree& tree, int index);
 
+/// The value that a variable was given where it was declared; -1: none.
+[[nodiscard]] int initialiserOf(const Tree& tree, const Node& name);
+
+/// Whether an expression asks for a random number: every use of it gets another one.
+[[nodiscard]] bool draws(const Tree& tree, int expression);
+
+/// The same, or whether a variable that it names was given a random number.
+[[nodiscard]] bool dependsOnDraws(const Tree& tree, int expression);
+
 /// Whether all names of an expression could be used at the place of a node.
 [[nodiscard]] bool isUsableAt(const Tree& tree, int expression, int index);
 

@@ -1,8 +1,10 @@
 // Finds edits of a student's file. Runs in the sandbox, since the file is untrusted.
 //   ticker-candidates --precompile HEADER TARGET CLANG-ARGUMENT...
-//   ticker-candidates SOURCE STUB PRODUCT simple|wide FUNCTION,... CLANG-ARGUMENT...
+//   ticker-candidates SOURCE STUB PRODUCT simple|wide FUNCTION,... FORMULAS CLANG-ARGUMENT...
 // writes the edits and the program that carries them as JSON, as ../Candidates.cpp reads it. What
 // stands in the stub as well is not the student's and is left alone, and so are these functions.
+// FORMULAS has a line for each: its type, the type of its variable, and its text, with tabs
+// between.
 #include <grader/repair/candidates/Atom.h>
 #include <grader/repair/candidates/Schema.h>
 
@@ -91,15 +93,22 @@ constexpr AddEdits kSimple[] = {
     addOperatorEdits,  addNumberEdits, addNameEdits,     addMemberEdits, addCallEdits,
     addWrapEdits,      addTermEdits,   addSiblingEdits,  addStaticEdits, addStatementEdits,
     addConditionEdits, addDrawEdits,   addGroupingEdits, addResets};
-constexpr AddEdits kWide[] = {addGuards, addNeighbours, addWideEdits};
+constexpr AddEdits kWide[] = {addFormulas, addGuards, addNeighbours, addWideEdits};
+
+/// What is looked for, apart from the file.
+struct Wanted {
+    bool isWide = false;
+    std::set<std::string> leftAlone;
+    std::vector<HandoutFormula> formulas;
+};
 
 std::vector<Atom> findAtoms(const Tree& tree, const Source& source, const Source& stub,
-                            const std::set<std::string>& leftAlone,
-                            std::span<const AddEdits> kinds) {
+                            const Wanted& wanted) {
     constexpr std::size_t kMost = 2400;
     const std::string given = normal(stub, {0, stub.text().size()});
     const std::string all = normal(source, {0, source.text().size()});
-    Edits edits{tree, source};
+    const auto kinds = wanted.isWide ? std::span<const AddEdits>{kWide} : kSimple;
+    Edits edits{tree, source, wanted.formulas};
     for (int i = 0; i < static_cast<int>(tree.nodes.size()); ++i) {
         const Node& node = tree.at(i);
         if (!node.isWritten || tree.functionOf(i) < 0 || edits.atoms().size() > kMost) continue;
@@ -107,7 +116,7 @@ std::vector<Atom> findAtoms(const Tree& tree, const Source& source, const Source
         const std::string statement = normal(source, tree.at(tree.statementOf(i)).range);
         const std::size_t givenTimes = countOf(given, statement);
         if (givenTimes > 0 && countOf(all, statement) <= givenTimes) continue;
-        if (leftAlone.contains(functionAround(tree, i))) continue;
+        if (wanted.leftAlone.contains(functionAround(tree, i))) continue;
         for (const AddEdits add : kinds)
             add(edits, i);
     }
@@ -122,6 +131,16 @@ std::set<std::string> namesIn(const std::string& list) {
     return names;
 }
 
+std::vector<HandoutFormula> formulasIn(const std::string& lines) {
+    std::vector<HandoutFormula> formulas;
+    std::istringstream stream{lines};
+    HandoutFormula one;
+    while (std::getline(stream, one.type, '\t') && std::getline(stream, one.of, '\t') &&
+           std::getline(stream, one.text))
+        formulas.push_back(one);
+    return formulas;
+}
+
 std::string contentsOf(const std::string& file) {
     std::ifstream stream{file, std::ios::binary};
     std::ostringstream text;
@@ -130,12 +149,11 @@ std::string contentsOf(const std::string& file) {
 }
 
 int explain(const std::string& file, const std::string& stub, const std::string& product,
-            bool isWide, const std::set<std::string>& leftAlone, const Parser& parser) {
+            const Wanted& wanted, const Parser& parser) {
     const Source source{contentsOf(file)};
     const Tree tree = parser.parse(file, source.text());
     if (!tree.wasParsed) return 2;
-    std::vector<Atom> atoms = findAtoms(tree, source, Source{contentsOf(stub)}, leftAlone,
-                                        isWide ? std::span<const AddEdits>{kWide} : kSimple);
+    std::vector<Atom> atoms = findAtoms(tree, source, Source{contentsOf(stub)}, wanted);
     const Schema schema = fitSchema(parser, file, tree, source, atoms);
     std::ofstream out{product, std::ios::binary};
     out << asJson(tree, atoms, schema);
@@ -148,10 +166,11 @@ int main(int argc, char** argv) {
     const std::vector<std::string> words{argv + 1, argv + argc};
     if (words.size() >= 3 && words[0] == "--precompile")
         return Parser{{words.begin() + 3, words.end()}}.precompile(words[1], words[2]) ? 0 : 1;
-    if (words.size() >= 5)
-        return explain(words[0], words[1], words[2], words[3] == "wide", namesIn(words[4]),
-                       Parser{{words.begin() + 5, words.end()}});
-    std::cerr
-        << "ticker-candidates: SOURCE STUB PRODUCT simple|wide FUNCTION,... CLANG-ARGUMENT...\n";
+    if (words.size() >= 6)
+        return explain(words[0], words[1], words[2],
+                       {words[3] == "wide", namesIn(words[4]), formulasIn(words[5])},
+                       Parser{{words.begin() + 6, words.end()}});
+    std::cerr << "ticker-candidates: SOURCE STUB PRODUCT simple|wide FUNCTION,... FORMULAS "
+                 "CLANG-ARGUMENT...\n";
     return 2;
 }

@@ -59,6 +59,15 @@ TEST(ReadExercise, EachFileFitsItsSchemaAndNamesWhatIsThere) {
     }
 }
 
+TEST(ReadExercise, ATaskMayHaveFormulasOfTheHandout) {
+    const Exercise& exercise = exerciseNamed("tick1star");
+    const std::vector<Formula>& formulas = exercise.task("T2.2")->formulas;
+    ASSERT_FALSE(formulas.empty());
+    EXPECT_EQ(formulas.front().type, "raytracer::Vector3");
+    EXPECT_EQ(formulas.front().of, "raytracer::Ray");
+    EXPECT_TRUE(exercise.task("T1")->formulas.empty());
+}
+
 TEST(ReadExercise, EveryTaskHasOneRowAndEveryRowATask) {
     for (const Exercise& exercise : knownExercises()) {
         EXPECT_EQ(tasks::tasksOf(exercise.name).size(), exercise.tasks.size())

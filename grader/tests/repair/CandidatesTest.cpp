@@ -167,7 +167,7 @@ TEST(PrecompiledHeader, CanBeReadByEveryJobWhateverTheUmaskOfRootIs) {
     const mode_t before = umask(0077);
     const auto candidates =
         findCandidates(kit, sandbox::Sandbox::best(), sandbox::defaultPolicy().compile,
-                       "BumpySphere.cpp", kit.templateSource("BumpySphere.cpp"), Reach::simple, "");
+                       "BumpySphere.cpp", kit.templateSource("BumpySphere.cpp"), {});
     umask(before);
     EXPECT_FALSE(candidates.program.empty());
 }

@@ -63,6 +63,27 @@ INSTANTIATE_TEST_SUITE_P(
          "const Vector3 lensPoint{a,"},
         {"lensPoint{a,", "lensPoint{randomBetween(-1.0, 1.0) * settings().dofAmount,"}}));
 INSTANTIATE_TEST_SUITE_P(
+    Formulas, EditsOfSlips,
+    testing::Values(
+        Slip{"another-shape-of-the-light",
+             kStar,
+             kRenderer,
+             Reach::wide,
+             {"light.position() + Vector3::randomInsideUnitSphere() * settings().lightSize;",
+              "light.position() + Vector3{randomBetween(-1.0, 1.0), 0.0, 0.0};"},
+             {"Vector3{randomBetween(-1.0, 1.0), 0.0, 0.0};",
+              "Vector3::randomInsideUnitSphere() * settings().lightSize;"}},
+        Slip{"focal-point-of-its-own",
+             kStar,
+             kRenderer,
+             Reach::wide,
+             {"focalPoint =\n            pinholeRay.evaluateAt(settings().dofFocalPlane / "
+              "pinholeRay.direction.z);",
+              "focalPoint{pinholeRay.direction.x, pinholeRay.direction.y, 1.0};"},
+             {"focalPoint{pinholeRay.direction.x, pinholeRay.direction.y, 1.0};",
+              "focalPoint = pinholeRay.evaluateAt(settings().dofFocalPlane / "
+              "pinholeRay.direction.z);"}}));
+INSTANTIATE_TEST_SUITE_P(
     Conditions, EditsOfSlips,
     testing::Values(
         Slip{"only-sometimes",
