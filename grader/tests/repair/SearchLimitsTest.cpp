@@ -23,8 +23,8 @@ std::string complaint(const std::string& text) {
 
 std::string text(const std::string& wall, const std::string& twins) {
     return R"({"cpuSeconds": 10, "wallSeconds": )" + wall +
-           R"(, "untilShare": {"others": 0.1, "singles": 0.4, "formulas": 0.5, "wide": 0.6, "twins": )" + twins +
-           R"(, "pairs": 0.8, "twoMistakes": 1.0}})";
+           R"(, "untilShare": {"others": 0.1, "singles": 0.4, "formulas": 0.5, "wide": 0.6, "twins": )" +
+           twins + R"(, "pairs": 0.8, "twoMistakes": 1.0}})";
 }
 
 TEST(SearchLimits, AreTheFileThatTheProgramWasBuiltWith) {

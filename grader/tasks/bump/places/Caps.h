@@ -9,8 +9,9 @@
 
 namespace ticker::tasks::bump {
 
-/// Ramps of whole bytes along u and along v, on rings round both ends of each axis. The ramp along v
-/// is turned round farther from the ends. Other questions about directions leave out what is nearer to the poles than 11 degrees.
+/// Ramps of whole bytes along u and along v, on rings round both ends of each axis. The ramp along
+/// v is turned round farther from the ends. Other questions about directions leave out what is
+/// nearer to the poles than 11 degrees.
 struct CapPlan {
     std::vector<Vector3> directions;  ///< group after group: axis by axis, end by end, ring by ring
     LevelPair columns;
