@@ -1,5 +1,7 @@
 // Which edits are found, without asking or judging: one of them turns each of these mistakes back
 // into the reference solution.
+#include <grader/base/WholeFile.h>
+#include <grader/build/Build.h>
 #include <grader/corpus/Entry.h>
 #include <grader/tests/repair/FoundEdits.h>
 #include <grader/tests/support/Files.h>
@@ -154,6 +156,28 @@ TEST(PrecompiledHeader, IsNotMadeOfHeadersThatCannotBeFound) {
                           "/bin/ticker-candidates --precompile Framework.h made -xc++-header");
     EXPECT_EQ(made.status, 1);
     EXPECT_NE(made.output.find("'nowhere.h' file not found"), std::string::npos) << made.output;
+}
+
+// Each whole number in braces is a narrowing, and the compiler may print only so much.
+TEST(WideEdits, AreCompiledWhereThousandsOfThemNarrowNumbers) {
+    const build::Kit kit = build::Kit::besideProgram();
+    const std::string reference = readWhole(std::filesystem::path{TICKER_SOURCE_DIR} /
+                                            "reference_solution/exercise/Renderer.cpp");
+    const std::string source = corpus::applyEdits(
+        reference,
+        {{"const Vector3 lensPoint{randomBetween(-settings().dofAmount, settings().dofAmount),\n"
+          "                                    randomBetween(-settings().dofAmount, "
+          "settings().dofAmount),\n                                    0.0};",
+          "const double x = settings().dofAmount * randomBetween(-1.0, 1.0);\n"
+          "const double y = settings().dofAmount * randomBetween(-1.0, 1.0);\n"
+          "const Vector3 lensPoint = pinholeRay.origin + Vector3{x, y, 0.0};"}},
+        "test");
+    const Candidates found =
+        tests::found("tick1star", "Renderer.cpp", source, Reach::wide, "illuminate");
+    const build::BuildResult built =
+        build::buildProgram(kit, sandbox::Sandbox::best(), sandbox::defaultPolicy().compile,
+                            "Renderer.cpp", found.program, build::Purpose::switched);
+    EXPECT_TRUE(built.program) << built.diagnostics.substr(0, 300);
 }
 
 // A kit that was moved needs headers that are precompiled anew, which the next job reads.
