@@ -26,7 +26,7 @@ struct TaskEntry {
     /// Symbols that linkers report as missing if it is not defined.
     std::vector<std::string> symbols;
     /// What repairs may put in place of a value; may be empty.
-    std::vector<Formula> formulas;
+    std::vector<Formula> formulas = {};
 };
 
 /// Tasks that belong together; solving one option is enough.
