@@ -93,8 +93,9 @@ Finding renamed(const FindingText& text, Severity severity, const std::string& c
     return finding;
 }
 
-// `wrong`, if not empty, with a message that all is right under other conditions.
-// @param conditions  First half of that sentence, up to "it is not".
+// `wrong`, if there is one, with this hint and a message that begins: under other conditions all
+// is right.
+// @param conditions  That sentence, up to "it is not".
 std::optional<Finding> onlyWhere(const std::string& conditions, const char* hint,
                                  std::optional<Finding> wrong) {
     if (!wrong) return std::nullopt;
@@ -113,7 +114,8 @@ std::optional<Finding> checkOtherSettings(const LensLog& log) {
     std::optional<Finding> wrong = firstFailure(log);
     if (!wrong) return std::nullopt;
     const auto handoutRays = static_cast<std::size_t>(raytracer::RenderSettings{}.dofRayCount);
-    // Where the handout's number is typed in, every pixel gets as many.
+    // Code with the handout's number hard-coded casts that many in every pixel: fewer rays have
+    // another cause.
     if (is(*wrong, kDofTooFewRays) && !log.cut && fewestRays(log) < handoutRays)
         return onlyWhere("With the handout's settings all is right; with other settings",
                          "Cast settings().dofRayCount rays for every pixel, whatever the settings "

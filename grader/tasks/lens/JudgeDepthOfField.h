@@ -22,7 +22,7 @@ struct LensOutcome {
     bool cut = false;        ///< casts more rays than could be followed
 };
 
-/// Whether one of the findings says that each ray goes through another place of its pixel.
+/// Whether one of the findings reports antialiasing: rays through different places of the pixel.
 [[nodiscard]] bool isAntialiased(const std::vector<Finding>& findings);
 
 /// Judges T2.2 from answered questions alone.
@@ -34,16 +34,16 @@ struct LensOutcome {
 /// right at the handout's number. Fails on too few rays, or on a mean over another number of them.
 [[nodiscard]] std::optional<Finding> judgeOddCount(const LensLog& odd);
 
-/// Whether code that casts more rays where more are asked for does so beyond 255, too; other code
-/// is not asked.
+/// Judges more than 255 rays, for code that casts more rays in `other` than in `handout`; empty for
+/// other code.
 [[nodiscard]] std::optional<Finding> judgeManyRays(const LensLog& many, const LensLog& handout,
                                                    const LensLog& other);
 
 /// The first failure of a mixed render, for code that follows other settings.
 [[nodiscard]] std::optional<Finding> judgeMixed(const LensLog& log);
 
-/// The first failure of an answer at the handout's settings, by itself. The hint says that other
-/// scenes were answered rightly.
+/// The first failure of an answer, by itself. The hint says that another scene was rendered
+/// rightly.
 [[nodiscard]] std::optional<Finding> judgeAnotherScene(const LensLog& log);
 
 /// Judges `render` with several threads, for code that is right with one.

@@ -28,7 +28,7 @@ Finding antialiasedPicture() {
         "which is antialiasing. They are right, with smoother edges than the handout's.");
 }
 
-// Judges pictures, for code whose rays do not show all.
+// Judges pictures, for code whose logged rays leave something open.
 // @return  Whether the submission needs review.
 bool judgeUnseen(probe::Examinee& examinee, ExpectationShelf& shelf, std::uint64_t seed,
                  LensOutcome& outcome) {
@@ -52,8 +52,8 @@ bool judgeUnseen(probe::Examinee& examinee, ExpectationShelf& shelf, std::uint64
     return needsReview;
 }
 
-// Judges pictures if the rays leave something open; otherwise renders with two threads and a second
-// render.
+// Judges pictures if the rays leave something open; otherwise a render with two threads, then one
+// after another render in the same program.
 // @return  Whether the submission needs review.
 bool judgeResults(probe::Examinee& examinee, ExpectationShelf& shelf, std::uint64_t seed,
                   bool mayAntialias, LensOutcome& outcome) {
@@ -162,7 +162,8 @@ void askMixed(probe::Examinee& examinee, const std::vector<LensLog>& logs,
     }
 }
 
-// The logs of the renders after the first `from`.
+// The logs of the renders whose answers start at index `from`. Pictures of a wrong size are left
+// out.
 std::vector<LensLog> readLogs(const std::vector<probe::RenderQuestion>& asked,
                               const probe::Run& run, std::size_t from) {
     std::vector<LensLog> logs;

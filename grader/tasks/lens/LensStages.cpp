@@ -17,7 +17,8 @@ bool sameEachTime(const probe::RenderAnswer& answer) {
                                [&](const auto& image) { return image == answer.images.front(); });
 }
 
-// The accepted factor of a reading, which is wider by a seventh for a grid from edge to edge.
+// The accepted factor, 1 or 0.5, that a reading stands for. The reading of a grid from edge to edge
+// is wider by about a seventh (see `tryGridsToTheEdges`).
 double acceptedAperture(const oracle::Reading& reading) {
     constexpr double kBetween = 0.75;
     return reading.apertureFactor < kBetween ? 0.5 : 1.0;
@@ -56,8 +57,8 @@ std::optional<Finding> failureAlone(probe::Examinee& examinee, probe::RenderQues
     return judgeAnotherScene(log);
 }
 
-// Code that repeats one picture yields a single sample of its noise: a larger picture is asked for,
-// with as many pixels as all repetitions together.
+// Code that repeats one picture yields a single sample of its noise. It is asked for a larger
+// picture, with about as many pixels as all repetitions together.
 PictureStage judgePicture(probe::Examinee& examinee, ExpectationShelf& shelf, std::uint64_t seed,
                           std::uint64_t stage) {
     const std::uint64_t own = seedOf(seed, stage);
@@ -91,8 +92,8 @@ Stage judgeThreads(probe::Examinee& examinee, bool mayAntialias, std::uint64_t s
     return {std::move(withThreads), std::nullopt};
 }
 
-// Faults of the picture before do not count: it shows a part of a frame, and code that draws the
-// whole frame leaves nothing to compare.
+// Only the second picture is judged. The first one shows a part of a frame, and code that draws the
+// whole frame instead would give nothing to compare.
 Stage judgeNext(probe::Examinee& examinee, bool mayAntialias, std::uint64_t seed,
                 std::uint64_t stage) {
     const NextRender asked = drawNextRender(seedOf(seed, stage));

@@ -11,7 +11,7 @@ namespace ticker::tasks {
 /// Asks a question once more, with one thread and in a fresh program, before threads, memory or
 /// settings are blamed for its wrong answer.
 /// @return  The failure of that answer; empty if the answer is right, so that threads, memory or
-///          settings are the cause.
+///          settings are the cause. Also empty if no picture of the right size came.
 [[nodiscard]] std::optional<Finding> failureAlone(probe::Examinee& examinee,
                                                   probe::RenderQuestion asked, bool mayAntialias);
 

@@ -39,7 +39,8 @@ void add(LensLog& log, const PlacedRay& placed, int pixel) {
         placed.ray);
 }
 
-// Sorts the rays by pixel, in place of those before. False if some pixel gets none.
+// Sorts the rays by pixel, and drops those that the pixels had before. False if some pixel gets
+// none.
 bool distribute(LensLog& log, const std::vector<PlacedRay>& rays, const PixelOf& pixelOf) {
     for (LensPixel& pixel : log.pixels)
         pixel.rays.clear();
@@ -63,10 +64,10 @@ bool hasAllRays(const LensLog& log) {
                        [&](const LensPixel& pixel) { return pixel.rays.size() >= asked; });
 }
 
-// Of three ways the first by which every pixel gets all its rays, since loops may run in any order:
-// if each pass over the picture adds a ray to every pixel, and the last one sets the pixels, the
-// first that is set comes after nearly all rays. Where no way does so, the first by which every
-// pixel gets a ray.
+// Places the rays by the first of three ways that gives every pixel all its rays. One way is not
+// enough, since loops may run in any order: if each pass over the picture adds one ray to every
+// pixel, and only the last pass sets the pixels, nearly all rays come before the first pixel is
+// set. If no way gives every pixel all its rays, the first is taken that gives every pixel one.
 void place(LensLog& log, const std::vector<PlacedRay>& rays) {
     if (rays.empty()) return;
     const auto byFocus = [&](const PlacedRay& placed) { return nearestByFocus(placed.ray, log); };

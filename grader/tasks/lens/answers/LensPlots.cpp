@@ -25,7 +25,7 @@ const LensPixel* tellingPixel(const LensLog& log) {
     return most == log.pixels.end() || most->rays.empty() ? nullptr : &*most;
 }
 
-/// The rays of one pixel, beside the one to its focal point.
+/// The rays of one pixel, with its pinhole ray up to the focal point; empty if no ray was seen.
 std::optional<RayDrawing> drawPixel(const LensLog& log) {
     constexpr std::size_t kMostRays = 60;
     const LensPixel* pixel = tellingPixel(log);

@@ -45,7 +45,7 @@ Lens lensOf(const LensLog& log) {
     return lens;
 }
 
-// Random numbers make neither equal steps nor equal counts. A grid of n rays has some sqrt(n)
+// Random numbers make neither equal steps nor equal counts. A grid of n rays has about sqrt(n)
 // places along each side.
 Columns columnsOf(const LensLog& log, double Vector3::*axis) {
     constexpr std::size_t kLeast = 3;

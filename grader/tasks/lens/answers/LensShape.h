@@ -38,13 +38,14 @@ struct Columns {
 
 /// Finds the columns or rows of a grid in the lens points of all pixels.
 /// @param axis  `&Vector3::x` for columns, `&Vector3::y` for rows.
-/// @return      A count of 0 if the places have unequal steps, or if one has more than one ray more
-///              for each pixel than another: a grid that is cut short.
+/// @return      A count of 0 if the places are fewer than 3, too many for a square grid, or at
+///              unequal steps. Likewise if the numbers of rays of two places differ by more than
+///              one for each pixel: a grid that is cut short.
 [[nodiscard]] Columns columnsOf(const LensLog& log, double Vector3::*axis);
 
-/// Confidence bound on how much narrower than the aperture `count` independent points are: the
-/// range r of uniform points in [0, 1] has P(range <= r) = n r^(n-1) - (n-1) r^n, solved for the
-/// risk by bisection.
+/// Confidence bound on how much narrower than the aperture `count` independent points are, as a
+/// share of its width. The range of n uniform points in [0, 1] has P(range <= r) = n r^(n-1) -
+/// (n-1) r^n; bisection finds the r whose chance is `kStatementRisk`. 1 for fewer than 3 points.
 [[nodiscard]] double rangeShortfall(std::size_t count);
 
 /// Test of the corners: a share of 1 - pi/4 of a square's points lies outside of the inscribed

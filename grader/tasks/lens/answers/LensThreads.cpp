@@ -83,8 +83,8 @@ private:
         placed.byCamera = camera_;
         return placed;
     }
-    // Rays that start on a surface are shadow rays and reflections, except those traced with all
-    // bounces: a lens that is far too large may reach the floor.
+    // Rays that start on a surface are shadow rays and reflections. `begin` makes an exception for
+    // rays traced with all bounces: a lens that is far too large may reach the floor.
     [[nodiscard]] bool isFromOutside(const Event& event) const {
         constexpr double kOnSurface = 0.01;
         return isUsable(event) && surfaces_.distanceToNearest(event.a) > kOnSurface;

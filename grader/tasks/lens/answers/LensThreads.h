@@ -8,7 +8,7 @@
 
 namespace ticker::tasks {
 
-/// A lens ray with all that may determine its pixel; -1 for an unknown index.
+/// A lens ray with the possible indices of its pixel in the picture; -1 for an unknown index.
 struct PlacedRay {
     LensRay ray;
     bool untraced = false;  // the scene was asked about it, and it hit nothing

@@ -16,16 +16,16 @@ constexpr probe::ColourRGB kWeights{0.35, 0.4, 0.25};
 // Lens paths of each pixel, at least. One picture has more noise of its own than several.
 constexpr int kPaths = 4096;
 constexpr int kPathsForOne = 1024;
-constexpr int kRoughly = 8;     // times fewer
-constexpr int kOfTemplate = 8;  // likewise
+constexpr int kRoughly = 8;     // a rough picture has this many times fewer
+constexpr int kOfTemplate = 8;  // a template has this many times fewer
 
 int leastPaths(int repetitions, Exactness exactness) {
     const int paths = repetitions > 1 ? kPaths : kPathsForOne;
     return exactness == Exactness::rough ? paths / kRoughly : paths;
 }
 
-// A share that no path of n meets is at most 3/n (Hanley and Lippman-Hand 1983); its colour may
-// differ by a half, and fifty rays are averaged.
+// Variance of a pixel that the oracle's paths may miss. A share that no path of n meets is at most
+// 3/n (Hanley and Lippman-Hand 1983); its colour may differ by a half, and fifty rays are averaged.
 constexpr double varianceFloor(int paths) {
     return 3.0 / paths * 0.25 / 50.0;
 }
@@ -109,7 +109,7 @@ ExpectedPicture expectedPicture(const probe::RenderQuestion& asked, const oracle
 Plane mistakenPicture(const probe::RenderQuestion& asked, const oracle::Reading& reading,
                       const oracle::Mistake& mistake, std::uint64_t seed, Exactness exactness) {
     oracle::Precision precision;
-    // As many for each pixel: a pilot that distributes them would cost as much.
+    // All pixels get the same number: a pilot that distributes the paths would cost as much.
     precision.minLensPaths = leastPaths(asked.repetitions, exactness) / kOfTemplate;
     precision.maxLensPaths = precision.minLensPaths;
     const oracle::Moments moments =
@@ -193,7 +193,7 @@ std::optional<Plane> rescaled(const SeenPictures& seen, const ExpectedPicture& e
         squares += expected.mean[i] * expected.mean[i];
     }
     const double factor = products / squares;
-    // Pixels this dark carry no information.
+    // A picture this much darker than the expected one is black: it carries no information.
     constexpr double kNothing = 0.001;
     if (std::abs(factor - 1.0) <= 0.01 || factor < kNothing) return std::nullopt;
     Plane plane = expected.mean;

@@ -73,8 +73,8 @@ struct Excess {
 [[nodiscard]] double unexplainedBy(const Plane& other, const SeenPictures& seen,
                                    const ExpectedPicture& expected);
 
-/// The expected picture times the best fitting brightness factor; empty if the factor is 1, or all
-/// is black.
+/// The expected picture times the best fitting brightness factor; empty if the factor is 1 within
+/// 0.01, or all is black.
 [[nodiscard]] std::optional<Plane> rescaled(const SeenPictures& seen,
                                             const ExpectedPicture& expected);
 

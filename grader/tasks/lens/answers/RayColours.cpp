@@ -30,7 +30,8 @@ double compressed(double component) {
     return component / (1.0 + component);
 }
 
-// A power of every ray's colour: the usual exponents and their inverses.
+// Whether the pixels show the mean of a power of every ray's colour. The exponents are the usual
+// gammas 2.2 and 2 with their inverses, and the tone curve's 1.3.
 bool isMeanOfPowers(const LensLog& log) {
     return std::ranges::any_of(std::array{1.0 / 2.2, 0.5, 1.3, 2.0, 2.2}, [&](double power) {
         return commonFactor(log, through([power](double component) {

@@ -15,8 +15,8 @@
 
 namespace ticker::tasks {
 
-/// What the oracle says about one question. Each picture is computed when it is first asked for,
-/// and kept: references stay valid as long as this object. Several threads may use it.
+/// The oracle's pictures for one question. Each is computed when it is first asked for, and kept:
+/// references stay valid as long as this object. Several threads may use it.
 class Expectations {
 public:
     /// @param seed  Of the oracle's paths.

@@ -18,8 +18,8 @@
 namespace ticker::tasks {
 namespace {
 
-// The rays of one pixel start on one row or column of the lens, or in one corner. The range of
-// fifty independent points is below half of the lens with a chance below 1e-12 (see
+// Whether the rays of some pixel start on one row or column of the lens, or in one corner. The
+// range of fifty independent points is below half of the lens with a chance below 1e-12 (see
 // rangeShortfall).
 bool usesPartOfLens(const LensLog& log, const Lens& lens) {
     constexpr std::size_t kEnough = 50;
@@ -63,9 +63,10 @@ bool isLine(const Lens& lens) {
     return lens.distinct >= kEnoughForLine && areOnLine(lens.points, lens.halfWidth());
 }
 
-// The points of some pixels lie on one line each, where those of all pixels fill a square: both
-// coordinates come from one hash whose arguments x and y are exchanged, and they are equal where
-// the pixel's x is its y. One or two degenerate pixels, as that at (0, 0) of a hash, do not show.
+// Whether the points of some pixels lie on one line each, while those of all pixels fill a square.
+// That happens if both coordinates come from one hash with x and y exchanged: they are equal where
+// the pixel's x equals its y. One or two degenerate pixels, such as (0, 0) of a hash, are not
+// visible and do not count.
 bool haveLines(const LensLog& log, const Lens& lens) {
     constexpr std::ptrdiff_t kEnough = 3;
     const auto pixels = std::ranges::count_if(log.pixels, [&](const LensPixel& pixel) {
@@ -75,8 +76,8 @@ bool haveLines(const LensLog& log, const Lens& lens) {
     return pixels >= kEnough * log.asked->repetitions;
 }
 
-// Half of all points lie within a small part of the range along each axis: the width comes from a
-// few outliers.
+// Whether more than half of all points lie within a small part of the range along each axis, so
+// that the width comes from a few outliers.
 bool crowdInTheMiddle(const Lens& lens) {
     constexpr double kSmallPart = 0.3;
     const Vector3 centre = lens.centre();
@@ -134,7 +135,8 @@ std::optional<Finding> gridAside(const LensLog& log) {
     return finding;
 }
 
-// One side is far longer than the other: its number was scaled differently, or not at all.
+// A hint if one side is far longer than the other: its number was scaled differently, or not at
+// all.
 std::string hintOfSides(double alongX, double alongY) {
     constexpr double kFar = 1.5;
     if (std::max(alongX, alongY) < kFar * std::min(alongX, alongY)) return {};
@@ -152,7 +154,8 @@ double acceptedFactor(const Lens& lens, double amount, double shortfall) {
     return 0.0;
 }
 
-// All rays start in one plane beside the lens; what else is strange about their places follows.
+// A finding if all rays start in one plane with z other than 0. It comes first, since other faults
+// of their places follow from this one.
 std::optional<Finding> startsInPlane(const Lens& lens) {
     constexpr double kSlack = 1e-6;
     if (lens.high.z - lens.low.z > kSlack || std::abs(lens.low.z) <= kSlack) return std::nullopt;

@@ -19,8 +19,8 @@ namespace {
 // The colour of a ray that hits nothing.
 constexpr ColourRGB kBackground{0.001};
 
-// All rays, or all but an extra ray at the beginning or the end that was traced for another
-// purpose.
+// Whether the colour is the mean of all rays, or of all but extra rays at the beginning or the end
+// that were traced for another purpose: one extra ray, or all beyond the number asked for.
 bool isMean(const LensPixel& pixel, std::size_t asked) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
     if (values.empty()) return false;
@@ -72,7 +72,7 @@ bool isOneOf(const LensPixel& pixel, Which which) {
            isNear(pixel.colour, which == Which::first ? values.front() : values.back());
 }
 
-// One ray's colour divided by the number of rays.
+// Whether the colour is one ray's colour divided by the number of rays.
 bool isOneDivided(const LensPixel& pixel, Which which) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
     if (values.empty()) return false;
@@ -80,7 +80,7 @@ bool isOneDivided(const LensPixel& pixel, Which which) {
     return isNear(pixel.colour, one * (1.0 / static_cast<double>(values.size())));
 }
 
-// The sum of all colours but one, divided by the number of rays.
+// Whether the colour is the sum of all rays' colours but one, divided by the number of rays.
 bool lacksOne(const LensPixel& pixel, Which which) {
     const std::vector<ColourRGB> values = valuesOf(pixel);
     if (values.size() < 2) return false;

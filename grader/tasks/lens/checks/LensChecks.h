@@ -10,11 +10,10 @@
 
 namespace ticker::tasks {
 
-/// Each check looks at one property of the render at the handout's settings, and returns a finding
-/// if it is wrong.
+/// Each check looks at one property of a render, and returns a finding if it is wrong.
 [[nodiscard]] std::optional<Finding> checkLensCounts(const LensLog& log);
-/// Pixels without a visible ray that have the colour of a neighbour with rays: copies, since the
-/// means of two pixels' own random rays differ.
+/// A finding if every pixel without a visible ray has the colour of a neighbour with rays. Such
+/// pixels are copies, since the means of two pixels' own random rays differ.
 [[nodiscard]] std::optional<Finding> checkCopies(const LensLog& log);
 [[nodiscard]] std::optional<Finding> checkAverage(const LensLog& log);
 [[nodiscard]] std::optional<Finding> checkFocus(const LensLog& log);

@@ -14,7 +14,7 @@
 namespace ticker::tasks {
 namespace {
 
-// Rays on the right lines, but in the opposite direction.
+// A finding if rays are on the right lines, but in the opposite direction.
 std::optional<Finding> checkHeading(const LensLog& log) {
     std::size_t away = 0;
     for (const LensPixel& pixel : log.pixels) {

@@ -77,7 +77,8 @@ private:
     }
 
     // A grid of lens points from edge to edge blurs more than points all over the lens: a row of n
-    // points at equal distances has (n + 1) / (n - 1) times the variance. Such a grid is fixed.
+    // points at equal distances has (n + 1) / (n - 1) times the variance. Such a grid is the same
+    // in every repetition.
     void tryGridsToTheEdges() {
         const double root = std::sqrt(expectations_.asked().settings.dofRayCount);
         for (const double side : {std::ceil(root), std::floor(root)})
@@ -180,8 +181,9 @@ private:
     }
 
     // Filters that favour the middle of a pixel (tent, bell, disc, grid) look like a smaller square
-    // of the same variance. Half a step of these sizes is z = 2 at most. Rough misfits may be least
-    // a few steps aside.
+    // of the same variance. A square that is half a step of these sizes off gives z = 2 at most.
+    // The least rough misfit may be a few steps from the least real one, which is then searched
+    // downhill.
     void tryInsideOfPixels() {
         constexpr std::array kSizes{1.0,  0.965,   0.93, 0.895, 0.86, 0.82, 0.78,
                                     0.74, kMiddle, 0.65, 0.6,   0.55, 0.5};

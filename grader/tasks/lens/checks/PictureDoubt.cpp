@@ -27,13 +27,14 @@ bool hasFinding(const std::vector<TaskReport>& tasks,
     });
 }
 
-// Highlights computed for the eye change every reflection, the falloff of the light's near side all
-// light, antialiasing every edge: all are accepted.
+// Three accepted readings change the picture: highlights computed for the eye change every
+// reflection, the falloff of the light's near side all light, antialiasing every edge.
 bool isExplained(const std::vector<TaskReport>& tasks) {
     return hasFinding(tasks, {&kShadowViewFromEye, &kShadowNearSideFalloff, &kDofAntialiased});
 }
 
-// Lens points that all pixels share move the picture as a whole: one pattern of fifty gave 1.13.
+// Lens points that all pixels share move the picture as a whole: one pattern of fifty points gave a
+// misfit of 1.13.
 double limitFor(const std::vector<TaskReport>& tasks) {
     constexpr double kOfOnePattern = 2.0;
     return hasFinding(tasks, {&kDofReusedPattern, &kShadowFixedSamples}) ? kOfOnePattern

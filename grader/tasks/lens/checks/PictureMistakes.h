@@ -20,7 +20,7 @@ struct PictureMistake {
     bool withoutBounces = false;
 };
 
-/// Each mistake beside an accepted reading.
+/// All known mistakes, each on top of this accepted reading.
 [[nodiscard]] std::vector<PictureMistake> pictureMistakes(const oracle::Reading& accepted);
 
 /// The means under each of them, as templates.

@@ -13,7 +13,8 @@ namespace ticker::tasks {
 namespace {
 
 // The limit for the largest of about 30 z-scores: normal scores exceed 6 with a chance below 1e-7.
-// Sums of squares have heavier tails. docs/calibration.md has the measured values.
+// Excess variances are sums of squares, which have heavier tails; beyond the last limit the picture
+// changes as a whole. docs/calibration.md has the measured values.
 constexpr double kMostZ = 6.0;
 constexpr double kMostExcess = 9.0;
 constexpr double kSharedExcess = 120.0;
@@ -90,7 +91,7 @@ Trial tryReading(Expectations& expectations, const SeenPictures& seen, const Can
     const ExpectedPicture& expected = *candidate.expected;
     const double misfit = candidate.misfit;
     const std::vector<PictureMistake> mistakes = pictureMistakes(reading);
-    // Rough templates name what is this clear.
+    // With a misfit this large, rough templates suffice to name the mistake.
     constexpr double kClear = 25.0;
     const Exactness exactness = misfit > kClear ? Exactness::rough : Exactness::judging;
     const Bank bank =

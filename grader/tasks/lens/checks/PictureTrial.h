@@ -17,8 +17,8 @@ struct Candidate {
 [[nodiscard]] Candidate candidateOf(Expectations& expectations, const SeenPictures& seen,
                                     const oracle::Reading& reading);
 
-/// Whether another reading is tried first: pixels differ by two standard deviations in the root
-/// mean square, those of right code by one at most.
+/// Whether other readings are tried before this one. At the limit pixels differ by two standard
+/// deviations in the root mean square; those of right code differ by one at most.
 [[nodiscard]] constexpr bool isUnlikely(double misfit) {
     return misfit > 4.0;
 }

@@ -19,14 +19,14 @@ constexpr int kHeight = 4;
 constexpr int kRepetitions = 2;
 
 // A mean without the misses differs from the mean only if a pixel has hits and misses. At least
-// this many pixels have both, and some have no misses.
+// kMixedPixels pixels have a share of kLeastShare or more of both, and some have no misses.
 constexpr int kMixedPixels = 3;
 constexpr double kLeastShare = 0.2;
 constexpr int kLensGrid = 6;
 
-// Primes: no groups of any size make them up. Below the handout's number, so that code with that
-// one typed in casts enough. A loop that adds 1.0 / n until it reaches 1 runs once more than n
-// times.
+// Primes, so that groups of any size leave some rays over. Below the handout's number, so that code
+// with that number hard-coded casts enough. A loop that adds 1.0 / n until it reaches 1 runs n + 1
+// times for each of them.
 constexpr std::array kOddRays{29, 31, 37};
 
 // Share of the lens points from which the rays to `focus` hit nothing.
@@ -66,8 +66,8 @@ bool isMixed(const raytracer::SceneDescription& scene, const raytracer::RenderSe
 
 enum class Depth { nothing, sharp, between, blurred };
 
-// How sharp the surface is that a ray from the eye shows, by its z from the focal plane. `between`
-// if rounding decides.
+// How sharp the surface is that a ray from the eye meets, by its distance in z from the focal
+// plane. `between` if it is neither clearly sharp nor clearly blurred.
 Depth depthAlong(const Surfaces& surfaces, const Vector3& direction, double focalPlane) {
     constexpr double kNear = 0.3;
     constexpr double kFar = 0.5;
@@ -82,9 +82,9 @@ Depth depthAlong(const Surfaces& surfaces, const Vector3& direction, double foca
     return isSharp ? Depth::sharp : Depth::between;
 }
 
-// Whether the scene shows two mistakes. Code that focuses on what the axis or the middle pixel
-// shows differs from right code only if that is out of focus. Code that skips the lens in pixels
-// that are nearly sharp differs only if there is such a pixel.
+// Whether two mistakes are visible in the scene. Code that focuses on what the axis or the middle
+// pixel shows differs from right code only if that is out of focus. Code that skips the lens in
+// pixels that are nearly sharp differs only if there is such a pixel.
 bool showsDepths(const raytracer::SceneDescription& scene,
                  const raytracer::RenderSettings& settings) {
     const Surfaces surfaces{scene};

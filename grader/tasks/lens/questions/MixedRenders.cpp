@@ -25,11 +25,12 @@ constexpr int kBalls = 24;
 // the pixel come on top. The log holds four times as many.
 constexpr std::size_t kEventsForEachRay = 24;
 
-// Brightest channel of the ambient light, from which `wordsOf` knows the scene.
+// Limits of the ambient light's brightest channel: `wordsOf` calls a scene below kDark dark, and
+// one above kBright very bright.
 constexpr double kDark = 0.01;
 constexpr double kBright = 100.0;
 
-// How far from the focal plane a surface may lie that `wordsOf` calls a surface in it.
+// `wordsOf` calls a surface this near to the focal plane one in the focal plane.
 constexpr double kInFocus = 1e-9;
 
 enum class Shows : std::uint8_t { usual, nothing, black, dark, bright, mirrors, close };
@@ -88,8 +89,8 @@ bool showsFocalPlane(const SceneDescription& scene, const RenderSettings& settin
     });
 }
 
-// The focal plane goes exactly through what a pixel shows: code that casts one ray where a pixel
-// is sharp is wrong there, whatever it calls sharp.
+// A render whose focal plane goes exactly through what a pixel shows. Code that casts one ray where
+// a pixel is sharp is wrong there, whatever its threshold for sharpness.
 probe::RenderQuestion drawInFocus(std::uint64_t seed) {
     Draw draw{seed, 32};
     RenderSettings settings;

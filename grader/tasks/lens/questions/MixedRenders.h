@@ -10,11 +10,11 @@
 
 namespace ticker::tasks {
 
-/// Tiny renders with the handout's number of rays, whose every other attribute is drawn on its own
+/// Tiny renders with the handout's number of rays. Every other attribute is drawn independently,
 /// from usual and extreme values: size of the picture, focal plane, lens, bounces, and what the
-/// scene shows. A condition on one of them that render should not have shows in some render. The
-/// first two have a focal plane nearer than 1 and one farther than 20; in the last one it goes
-/// through what a pixel shows.
+/// scene shows. If `render` has a condition on one of them that it should not have, some render is
+/// wrong. The first has a focal plane nearer than 1, the second one farther than 20; in the last
+/// one it goes through what a pixel shows.
 [[nodiscard]] std::vector<probe::RenderQuestion> drawMixedRenders(std::uint64_t seed);
 
 /// Size, scene and settings: "in a picture of 1 x 4 pixels of an empty scene, with ...".

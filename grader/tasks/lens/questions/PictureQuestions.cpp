@@ -4,11 +4,11 @@
 namespace ticker::tasks {
 namespace {
 
-// Eight pictures of 24 x 18 pixels, or one picture with as many pixels.
+// Eight pictures of 24 x 18 pixels, or one picture with about as many pixels in all.
 constexpr int kPictureWidth = 24;
 constexpr int kPictureRepetitions = 8;
 constexpr int kLargeWidth = 68;
-// For the same focal points in smaller pixels, and still some repetitions.
+// The same scene in smaller pixels, with fewer repetitions.
 constexpr int kFineWidth = static_cast<int>(kPictureWidth * kFinerPixels);
 constexpr int kFineRepetitions = 4;
 
