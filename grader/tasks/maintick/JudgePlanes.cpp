@@ -31,7 +31,7 @@ constexpr maintick::HitTexts kPlaneTexts{&kPlaneMissed,
                                          "A plane has the same normal everywhere: normal().",
                                          kPlaneFindings};
 
-constexpr double kLowTolerance = 2e-3;  ///< of a hit some 0.06 away
+constexpr double kLowTolerance = 2e-3;  ///< of a hit about 0.06 away
 
 /// @param foot  A point of the plane, that the ray's line meets.
 AskedHit hitAt(const Vector3& foot, const SceneDescription& scene, int object, Place place,
@@ -68,8 +68,8 @@ AskedHit drawHit(Draw& draw, const SceneDescription& scene, int object, Place pl
 /// Adds rays that show limits and tolerances which the handout does not have: one grazes the plane,
 /// as near the horizon of a floor, one starts close to it, and one far away.
 void addExtremes(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
-    // D.N of less than two of the rows of a picture that is 640 wide. From so far away the distance
-    // is right to 1e-4 in single precision.
+    // This D.N is that of a ray less than two rows below the horizon, in a picture that is 640
+    // wide. From so far away the distance is right to 1e-4 in single precision.
     constexpr double kGrazing = 0.0025;
     constexpr double kGrazingDistance = 60.0;
     constexpr double kNear = 0.0025;  // in float right to 1e-5
@@ -106,7 +106,8 @@ void addLow(Draw& draw, const SceneDescription& scene, std::vector<AskedHit>& as
     }
 }
 
-/// Two more planes through one point, asked from one origin in one direction.
+/// Adds two more planes through one point, asked from one origin. Each ray has a direction of its
+/// own, within 0.3 radians of the one to that point.
 void addCorner(Draw& draw, SceneDescription& scene, std::vector<AskedHit>& asked) {
     const Vector3 corner{draw.between(-2.0, 2.0), draw.between(-2.0, 2.0), draw.between(3.0, 5.0)};
     const Vector3 origin = corner + draw.direction() * draw.between(2.0, 3.0);

@@ -24,8 +24,8 @@ Material materialWith(Draw& draw, double reflectivity) {
     return material;
 }
 
-/// Five mirrors around a middle, a dull ball among them; open on all sides. A weak mirror hangs
-/// below the floor, where no chain comes from above.
+/// Five mirroring balls and a dull one in a ring above a mirroring floor; open on all sides. A weak
+/// mirror hangs below the floor, where no chain comes from above.
 SceneDescription openScene(Draw& draw) {
     SceneDescription scene;
     scene.ambientLighting = draw.colour(0.03, 0.06);  // so that the background counts
@@ -62,7 +62,7 @@ bool isClear(const SceneDescription& scene, const Ray& ray) {
     return true;
 }
 
-/// Asks each object for its colour, at a point with its own normal.
+/// Asks for the colour of each object, at one of its points and with the normal there.
 void askEachObject(MirrorQuestion& asked) {
     const SceneDescription& scene = asked.question.scene;
     asked.direct.scene = scene;

@@ -8,7 +8,7 @@
 
 namespace ticker::tasks::maintick {
 
-/// Rays to trace, and the points at which the same code says what light there is.
+/// Rays to trace, and the points whose direct light is asked of the same code.
 struct MirrorQuestion {
     probe::IlluminateQuestion direct;
     probe::TraceQuestion question;
@@ -35,7 +35,7 @@ inline constexpr int kDeepest = 40;
 /// 1 and 2 bounces. `direct` asks each object once.
 [[nodiscard]] MirrorQuestion drawGrazedMirror(std::uint64_t seed);
 
-/// The colour of a ray with `bounces` left along the chain of its first points.
+/// The right colour of a ray with `bounces` left, from the direct light of the points of its chain.
 [[nodiscard]] ColourRGB alongChain(const MirrorQuestion& asked,
                                    const std::vector<ColourRGB>& direct, int bounces);
 

@@ -59,7 +59,7 @@ ShadeCase ofTwoBalls(Draw& draw, bool firstIsBeyond) {
     return made;
 }
 
-/// Far from the origin of the world, where a bias in shares of the place is large.
+/// Far from the origin of the world, where a bias proportional to the coordinates is large.
 ShadeCase farOff(Draw& draw) {
     constexpr double kFarOff = 60.0;
     ShadeCase made = withBall(draw, Occluder::before, 3.0, 1.5, 0.3);
@@ -139,8 +139,8 @@ ShadeCase onPlane(Draw& draw, ShadeCase made, bool isSunk) {
     return made;
 }
 
-/// A light that is far away, and something at either end of the way to it: a tolerance of a
-/// hundredth of that is a whole unit.
+/// A light that is far away, and something at either end of the way to it. A tolerance of a
+/// hundredth of the distance is about a whole unit there.
 void addFar(Draw& draw, std::vector<ShadeCase>& cases, bool isSunk) {
     constexpr double kFar = 95.0;
     constexpr double kApart = 0.35;

@@ -33,7 +33,7 @@ bool anyIs(const Seen& seen, auto&& fits) {
     return std::any_of(seen.begin(), seen.end(), fits);
 }
 
-/// Most rays that start near their point lead to no light.
+/// The name for code most of whose rays start near their point, but lead to no light.
 std::optional<Name> nameOfAim(const Seen& seen) {
     constexpr double kTowards = 0.99;
     std::ptrdiff_t seenRays = 0;
@@ -56,7 +56,7 @@ std::optional<Name> nameOfAim(const Seen& seen) {
     return std::nullopt;
 }
 
-/// More than half of the points that see a ray have one of these starts.
+/// Whether, of the points with a logged ray, more than half have a start from `first` to `last`.
 bool mostStart(const Seen& seen, RayStart first, RayStart last) {
     std::ptrdiff_t seenRays = 0;
     std::ptrdiff_t there = 0;
@@ -68,7 +68,7 @@ bool mostStart(const Seen& seen, RayStart first, RayStart last) {
     return 2 * there > seenRays;
 }
 
-/// Most points see no ray that starts near them, nor near a light.
+/// The name for code most of whose rays start neither near their point nor near a light.
 std::optional<Name> nameOfStart(const Seen& seen) {
     if (mostStart(seen, RayStart::alongNormal, RayStart::alongNormal))
         return Name{&kShadeBias,
@@ -200,7 +200,8 @@ Name nameOfColour(const Seen& seen, Occluder place) {
     return {&kShadeWrong, ""};
 }
 
-/// Right but for ambient light, which is there once more, or once more for each light.
+/// Whether the colour is right but for ambient light, which is added once more, or once more for
+/// each light.
 bool hasAmbientAgain(const ShadeSeen& seen) {
     const raytracer::SceneDescription& scene = seen.asked->asked.scene;
     const ColourRGB ambient = scene.spheres[0].material.colour * scene.ambientLighting;

@@ -100,7 +100,7 @@ constexpr const char* kNearLimit =
     "A limit cuts near hits off: every positive s is a hit, however small it is, and however large "
     "the sphere.";
 
-/// The near root counts down to this distance behind the origin of the ray.
+/// The limit of code that also takes hits a little behind the origin of the ray, world units.
 constexpr double kBehind = -0.05;
 double nearRootBehind(const Q& q) {
     return kBehind < q.near() ? q.near() : q.far();

@@ -49,7 +49,7 @@ struct TraceWay {
     bool startsAtOrigin = false;
     int last = 0;           ///< bounces left at which no mirror counts any more
     int spent = 1;          ///< bounces for each mirror
-    int most = 1000;        ///< bounces left behind a mirror
+    int most = 1000;        ///< at most this many bounces are left behind a mirror
     double weakest = 0.0;   ///< share below which no mirror counts
     bool endsDark = false;  ///< direct light times 1 - share where no mirror counts
     ColourRGB (*blend)(const MirrorColours&) = [](const MirrorColours& at) {

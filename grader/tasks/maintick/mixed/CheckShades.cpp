@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kAsksOfShade = 6;
 
-/// One light that a point sees, or does not.
+/// One light of a point, hidden or not.
 struct Unit {
     const MixedShade* shade;
     const Way* way;
@@ -123,8 +123,8 @@ SeenShade seenOf(const MixedShade& shade, std::span<const probe::Answer> answers
     return seen;
 }
 
-/// For each light in front of a surface, whether it is wrong. If the colours do not tell which one
-/// of a point's lights is, all of them count as wrong.
+/// For each light in front of a surface, whether it is wrong. If the colour of a wrong point does
+/// not show which of its lights is wrong, all of them count as wrong.
 struct Units {
     std::vector<Unit> units = {};
     std::vector<bool> isWrong = {};

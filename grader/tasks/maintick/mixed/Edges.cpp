@@ -33,7 +33,8 @@ double turnOf(const LitSetup& setup, const Vector3& to) {
     return kFloat * ((setup.P.magnitude() + to.magnitude()) / (to - setup.P).magnitude() + 2.0);
 }
 
-/// The worst error of what one light adds in front. Near a cosine of 1 a turn hardly counts.
+/// The largest error, in single precision, of what one light adds to the colour; 0 for a light
+/// behind the surface. Near a cosine of 1 a turn of a direction hardly counts.
 double errorOf(const LitSetup& setup, const raytracer::PointLight& light) {
     const raytracer::Material& material = setup.scene.spheres[0].material;
     const double distance = (light.position() - setup.P).magnitude();

@@ -39,7 +39,8 @@ public:
           hasAmbient_(draw, {true, true, false}),
           isPlane_(draw, {true, false, false}),
           shares_(kMostLinks, Deck<double>{draw, {0.0, 0.03, 0.5, 0.97, 1.0, 0.0, 1.0}}) {
-        // A dull surface ends the chain, and what a weak one shows hardly counts.
+        // A dull surface ends the chain, and what a weak one shows hardly counts: the first surface
+        // is a strong mirror more often than the others.
         shares_[0] = Deck<double>{draw, {0.0, 0.03, 0.5, 0.97, 1.0, 0.5, 0.97, 1.0}};
     }
 

@@ -8,15 +8,15 @@
 
 namespace ticker::tasks::maintick {
 
-/// A ray of which each mirror is met from its front, well off all edges.
+/// A ray that meets each mirror from its front, well off all edges.
 struct MixedMirror {
     raytracer::SceneDescription scene;
     Ray ray;
-    std::vector<MirrorLink> links;  ///< as many as four bounces meet; fewer: then comes nothing
+    std::vector<MirrorLink> links;  ///< at most `kMostLinks`; after fewer the ray meets nothing
 };
 
-/// The questions of M4. Lights, where there are any, change so little along with where a mirrored
-/// ray starts that no bias shows.
+/// The questions of M4. The direct light of each surface hardly depends on where a mirrored ray
+/// starts, so that every accepted bias gives the same answers.
 [[nodiscard]] std::vector<MixedMirror> drawMixedMirrors(std::uint64_t seed);
 
 /// What trace gives with this many bounces left.

@@ -179,7 +179,7 @@ LitSetup MixedPoints::place(const Plan& plan) {
 }
 
 MixedPoint MixedPoints::deal() {
-    constexpr int kMostTries = 60;  // single precision bears no sharp highlight far away
+    constexpr int kMostTries = 60;  // far away single precision is too coarse for sharp highlights
     while (true) {
         const Plan planned = plan();
         const bool isPlane = isPlane_.deal();
