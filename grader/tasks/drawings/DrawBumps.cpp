@@ -108,7 +108,7 @@ std::vector<std::vector<RayDrawing::Point>> outlinesOf(const std::vector<LetterE
 }
 
 /// Asks for the normals; spots without a finite one are dropped. False if the program does not
-/// answer.
+/// finish, or if no spot is left.
 bool fill(std::vector<Spot>& spots, probe::Examinee& examinee) {
     std::vector<Vector3> directions;
     for (const Spot& spot : spots)

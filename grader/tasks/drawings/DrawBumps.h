@@ -7,8 +7,8 @@
 namespace ticker::tasks {
 
 /// Draws the normals along two letters of one row of the map of letters: the smooth one, the one
-/// that is expected, and the one that the code gives. Only for a failed judgement of T1 that knows
-/// how the map lies on the sphere.
+/// that is expected, and the one that the code gives. Only for a failed judgement of T1 whose first
+/// finding has the parametrisation in its evidence; does nothing otherwise.
 void drawBumps(probe::Examinee& examinee, TaskJudgement& judgement);
 
 }  // namespace ticker::tasks

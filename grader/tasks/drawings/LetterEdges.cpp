@@ -10,7 +10,8 @@ namespace {
 constexpr int kCell = bump::kLetterMapWidth / kCellColumns;  // texels
 constexpr int kTop = (bump::kLetterMapHeight - kCellRows * kCell) / 2;
 
-/// The height of a letter's texel, where it is more than half of the letter's; else 0.
+/// 1 for a raised texel and -1 for a lowered one, if it has at least half of the letter's height; 0
+/// otherwise.
 double solid(int column, int row) {
     const double height = bump::letterHeight(column, row);
     return std::abs(height) >= 0.5 ? (height > 0.0 ? 1.0 : -1.0) : 0.0;

@@ -21,8 +21,8 @@ double brightness(const std::uint8_t* rgb) {
     return 0.25 * rgb[0] + 0.5 * rgb[1] + 0.25 * rgb[2];
 }
 
-// The second difference along a row removes even changes; independent noise has six times its
-// variance there.
+// The square of the second difference along a row, divided by 6. It removes linear gradients;
+// independent noise has six times its variance in the second difference.
 double squaredBend(const ByteView& picture, int x, int y) {
     const auto at = [&](int column) {
         return brightness(

@@ -15,7 +15,7 @@ inline constexpr double kSmallestChance = 5e-4;
 /// Whether windows of a picture agree with one render by some code.
 struct Agreement {
     bool agrees = false;
-    bool isLossy = false;         ///< agrees except for small errors everywhere, as in a JPEG
+    bool isLossy = false;         ///< many pixels differ; if it agrees, only a little, as in a JPEG
     double rms = 0.0;             ///< root mean square of the difference, steps of a byte
     double differing = 0.0;       ///< for code without random rays: share of pixels that differ
     metrics::NoiseEnergy energy;  ///< for code with random rays

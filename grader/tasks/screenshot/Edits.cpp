@@ -68,8 +68,8 @@ Picture ofWidth(const ByteView& picture, int width) {
     return metrics::resized(picture, width, std::max(1, height));
 }
 
-// As wide as the outer picture, and in its middle: nothing was cut off or added; the camera saw
-// more or less above and below.
+// Whether the inner picture is as wide as the outer one, and in its middle. Then nothing was cut
+// off or added; the camera saw more or less above and below.
 bool isOtherShape(const metrics::Fit& fit, int width, int height) {
     const int above = fit.box.y;
     const int below = height - fit.box.y - fit.box.height;

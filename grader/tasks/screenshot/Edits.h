@@ -40,7 +40,7 @@ struct Shift {
 /// A change of colours.
 struct Recolouring {
     double distance = 0.0;  ///< root mean square over the picture, steps of a byte
-    std::string words;      ///< "grey", "a negative", "other colours"
+    std::string words;      ///< a clause: "it is a negative", "it has no colours"
     /// Up to this distance colours "may differ slightly", as the handout says.
     static constexpr double kSlight = 8.0;
     [[nodiscard]] bool isSlight() const { return distance <= kSlight; }

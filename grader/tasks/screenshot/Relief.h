@@ -19,13 +19,14 @@ struct Relief {
 ///               size do not matter.
 [[nodiscard]] Relief reliefOf(const ByteView& picture, const Scene& scene);
 
-/// The code's own relief, whatever was done to the pixels.
+/// Whether the picture has the code's own relief, whatever was done to its pixels.
 [[nodiscard]] bool isSame(const Relief& relief);
 
-/// The map's relief, but weaker, as through the lens and under soft shadows.
+/// Whether the picture has the map's relief, but weaker, as through the lens and under soft
+/// shadows.
 [[nodiscard]] bool isSofter(const Relief& relief);
 
-/// The picture shows the relief of scene `here` and not that of `there`.
+/// Whether the picture shows the relief of one scene (`here`) and not that of another (`there`).
 [[nodiscard]] bool isRather(const Relief& here, const Relief& there);
 
 }  // namespace ticker::tasks::screenshot

@@ -8,8 +8,8 @@
 
 namespace ticker::tasks {
 
-/// Why two pictures of a random scene by the same code differ by more than noise: words for a
-/// person. Empty: no finding of these tasks says so.
+/// Why two pictures of a random scene by the same code differ by more than noise, in words for a
+/// person. Empty if no finding of these tasks is a reason.
 [[nodiscard]] std::string whyUnlikeItself(const std::vector<TaskReport>& tasks);
 
 }  // namespace ticker::tasks

@@ -22,7 +22,9 @@ struct Verification {
     Kind kind = Kind::unknown;
     std::string why;
     Agreement agreement;
-    std::optional<OwnWindows> own;  ///< the differing windows if the picture differs
+    /// The windows that were compared last. After a difference that did not repeat, `kind` is
+    /// `same` and these are the first windows, which differ.
+    std::optional<OwnWindows> own;
 };
 
 /// Asks the scene's code for a few windows of the picture, and for other windows if they differ.

@@ -31,7 +31,7 @@ Terms termsOf(const std::uint8_t* rgb) {
     return {1.0, r, g, b, r * r, g * g, b * b};
 }
 
-// Gaussian elimination; the matrix is symmetric and positive, so it needs no pivots.
+// Gaussian elimination; the matrix is symmetric and positive definite, so it needs no pivots.
 Terms solved(std::array<Terms, kTerms> matrix, Terms right) {
     for (std::size_t i = 0; i < kTerms; ++i)
         for (std::size_t row = i + 1; row < kTerms; ++row) {

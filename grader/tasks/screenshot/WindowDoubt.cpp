@@ -121,8 +121,8 @@ std::optional<Verification> doubtOfWindows(const Scene& scene, std::uint64_t see
             if (strip->colours.empty())
                 return without(strip->end, "this code did not render a small frame for comparison");
         if (frame.areAlike(whole, parts)) return std::nullopt;
-        // Code whose frames are not alike either does not repeat itself, which says nothing of
-        // parts.
+        // If whole frames differ from each other as well, the code does not repeat itself, and
+        // the comparison shows nothing about parts.
         if (!isOneRay && !frame.areAlike(whole, frame.whole())) return std::nullopt;
     }
     return without({},

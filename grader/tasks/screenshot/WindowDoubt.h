@@ -18,7 +18,7 @@ namespace ticker::tasks::screenshot {
 /// not repeat itself: `whyNotRepeated` is about that.
 ///
 /// @param scene  Must have an examinee.
-/// @return  What is known of the picture without windows; empty if the windows may count.
+/// @return  The verification of a picture whose windows do not count; empty if they may count.
 [[nodiscard]] std::optional<Verification> doubtOfWindows(const Scene& scene, std::uint64_t seed);
 
 }  // namespace ticker::tasks::screenshot

@@ -77,7 +77,7 @@ raytracer::RenderSettings settingsFor(const Windows& windows, const metrics::Box
 
 bool isSensibleSize(int width, int height) {
     constexpr int kRounding =
-        4;  // 3 x width of a picture that is half a pixel too wide or too high
+        4;  // |3 width - 4 height| of a picture that is one pixel too high or too low
     return width >= kSmallestWidth && std::abs(3 * width - 4 * height) <= kRounding;
 }
 

@@ -26,9 +26,9 @@ struct Windows {
     std::vector<metrics::Box> boxes;
 };
 
-/// About 2000 pixels that show mistakes: penumbras, edges of blurred balls, lit relief. Their
-/// places vary a little with the seed, so that they are not known in advance. The two stages use
-/// different pixels.
+/// 2000 to 3500 pixels that show mistakes: penumbras, edges of blurred balls, lit relief. Their
+/// places vary a little with the seed, so that they are not known in advance. With random rays the
+/// two stages use different pixels.
 /// @param stage  0 or 1.
 [[nodiscard]] Windows drawWindows(bool isDeterministic, int width, int height, std::uint64_t seed,
                                   int stage = 0);

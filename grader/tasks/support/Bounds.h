@@ -21,9 +21,9 @@ inline constexpr double kStatementRisk = 1e-11;
 /// p)^count = risk.
 [[nodiscard]] double missedShare(std::size_t count, double risk = kStatementRisk);
 
-/// Bound on the chance that `hits` of `count` independent trials of probability `p` deviate at
-/// least as far in this direction (Chernoff 1952: exp(-count KL(hits/count || p))); 1 if they
-/// deviate in the other.
+/// Bound on the chance that `count` independent trials of probability `p` deviate from `p` at least
+/// as far as `hits` does, to the same side (Chernoff 1952: exp(-count KL(hits/count || p))). It is
+/// small for deviations to either side: a caller that tests one side compares hits/count with `p`.
 [[nodiscard]] double chernoffTail(std::size_t hits, std::size_t count, double p);
 
 /// Largest distance between the distribution function of the samples and a given one.

@@ -17,8 +17,8 @@ namespace ticker::tasks {
 
 [[nodiscard]] bool hasFailure(const std::vector<Finding>& findings);
 
-/// Sorts findings by rank and keeps the first failure. The names of the other failures become its
-/// evidence; warnings and notes follow.
+/// Sorts findings by severity, then by their place in `order`, and keeps the first failure. The ids
+/// of the other failures become its evidence; warnings and notes follow.
 /// @param order  The task's table; findings outside it come last.
 [[nodiscard]] std::vector<Finding> mostImportantFirst(std::vector<Finding> findings,
                                                       std::span<const FindingText* const> order);

@@ -9,7 +9,8 @@
 
 namespace ticker::tasks {
 
-/// The judgement of a task with missing answers; empty if all answers are present.
+/// The judgement of a task with missing answers, or whose program did not finish; empty if all
+/// answers are present and it finished.
 /// @param function  The student's function that was asked: "illuminate".
 [[nodiscard]] std::optional<TaskJudgement> judgeUnanswered(const probe::Run& run,
                                                            std::string_view function);

@@ -10,12 +10,13 @@
 namespace ticker::tasks {
 
 /// Keeps objects that are expensive to compute and depend on a question alone, for all submissions
-/// that get the question. The latest few hundred are kept. Several threads may use it.
-/// @tparam Key  Tells the questions apart.
+/// that get the question. After a few hundred objects it drops all of them and starts again; a
+/// caller's pointer stays valid. Several threads may use it.
+/// @tparam Key  Distinguishes the questions.
 template <class Key, class Kept>
 class Shelf {
 public:
-    /// @param arguments  The constructor gets them where nothing is kept under this key.
+    /// @param arguments  Of the constructor, which is called if nothing is kept under this key.
     template <class... Arguments>
     [[nodiscard]] std::shared_ptr<Kept> of(const Key& key, Arguments&&... arguments) {
         const std::lock_guard lock{mutex_};
@@ -26,7 +27,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMost = 400;  // some 100 MB of pictures
+    static constexpr std::size_t kMost = 400;  // about 100 MB of pictures
 
     std::mutex mutex_;
     std::map<Key, std::shared_ptr<Kept>> kept_;

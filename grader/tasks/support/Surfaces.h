@@ -16,8 +16,9 @@ using raytracer::Vector3;
 /// submission.
 enum class Sight { open, blocked, unsure };
 
-/// What a ray meets first, as rounding may have it. Infinite if it meets nothing; distances within
-/// rounding of the start are 0.
+/// Distances to the first surface on a ray, for the scene and for two variants that bound the
+/// effect of rounding. Infinite if the ray meets nothing; distances within rounding of the start
+/// are 0.
 struct NearestHits {
     double plain = 0.0;  ///< of the scene
     double small = 0.0;  ///< if its spheres were smaller by more than rounding
