@@ -6,8 +6,8 @@
 namespace ticker::tasks::bump {
 namespace {
 
-/// Draws a sphere beside every plane through the eye, so large that its far side is about four
-/// times as far away as its near side.
+/// Draws a sphere whose centre lies off every coordinate plane through the eye. It is so large that
+/// its far side is about four times as far away as its near side.
 /// @param side  1: in front of the eye; -1: behind it.
 Ball drawBall(Draws& draws, double side) {
     const double distance = draws.uniform(20.0, 30.0);
@@ -48,8 +48,8 @@ bool seesSlope(const Answers& answers, std::size_t flat, std::size_t question) {
     return seen > kSomePoints * static_cast<double>(tilts.size());
 }
 
-/// True if most points of the first ramps are not tilted, and ramps of whole bytes show the
-/// parametrisation or any tilt at all.
+/// True if ramps of whole bytes show the parametrisation, or if they tilt anything at all while
+/// most points of the first ramps are not tilted.
 bool tellsMore(const RampJudgement& coarse, const RampJudgement& ramps) {
     constexpr double kNothing = 1e-13;
     const bool mostlyLevel = !(std::max(ramps.strength.alongU, ramps.strength.alongV) > kNothing);

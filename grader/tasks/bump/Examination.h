@@ -73,7 +73,7 @@ struct Examination {
     Untilted untilted;
     Elsewhere elsewhere;
     SharpSteps sharpSteps;
-    std::optional<RegionAgreement> regions;  ///< this and the next need a known parametrisation
+    std::optional<RegionAgreement> regions;  ///< this and all below need a known parametrisation
     std::optional<SlopeAgreement> slopes;
     std::optional<MapEdges> edges;
     std::optional<LetterReading> letters;
@@ -84,7 +84,7 @@ struct Examination {
     std::optional<FewTexels> fewTexels;
 
     [[nodiscard]] const RampJudgement& ramps() const { return ladder.ramps; }
-    /// All other maps agree with the ramps.
+    /// Whether the steep ramps, the large map and the maps of `SlopePlan` agree with the ramps.
     [[nodiscard]] bool agreesWithRamps() const;
 };
 

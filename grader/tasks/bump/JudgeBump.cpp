@@ -90,8 +90,7 @@ std::optional<RampJudgement> askForCoarseRamps(probe::Examinee& examinee, std::u
     return judgeRamps(plan.ramps.shape, readCoarse(plan, answers));
 }
 
-/// Asks the hint questions if they help to explain a fault; empty otherwise, and if the process
-/// ends badly.
+/// Asks the hint questions, which may help to explain a fault; empty if the process ends badly.
 std::optional<Hints> askForHints(probe::Examinee& examinee, std::uint64_t seed) {
     const HintPlan plan = planHints(seed);
     const Answers answers(plan.questionnaire, examinee.ask(plan.questionnaire.questions()));

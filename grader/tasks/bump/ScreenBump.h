@@ -7,7 +7,7 @@
 
 namespace ticker::tasks {
 
-/// Small ramps along u and v: do normals lean the right way?
+/// Small ramps along u and along v, to see whether the normals lean the right way.
 [[nodiscard]] Screening screenBump(std::uint64_t seed);
 
 }  // namespace ticker::tasks

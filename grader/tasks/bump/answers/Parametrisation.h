@@ -26,7 +26,8 @@ public:
 
     [[nodiscard]] double u(const Vector3& direction) const;  ///< in [0, 1)
     [[nodiscard]] double v(const Vector3& direction) const;  ///< in [0, 1]
-    /// Radians to the right, counted from the meridian nearest to the camera.
+    /// Radians to the right, counted from the meridian nearest to the camera; if the axis points
+    /// nearly along z, from the one nearest to +y.
     [[nodiscard]] double longitude(const Vector3& direction) const;
     /// Unit tangent in the direction of growing columns.
     [[nodiscard]] Vector3 alongU(const Vector3& direction) const;
@@ -69,7 +70,8 @@ struct ParametrisationFit {
     [[nodiscard]] bool good() const;
 };
 
-/// The best fitting parametrisation; empty with fewer than 50 usable points.
+/// The best fitting parametrisation; empty with fewer than 50 usable points, or if they show no
+/// axis.
 [[nodiscard]] std::optional<ParametrisationFit> fitParametrisation(
     const std::vector<Sighting>& sightings);
 

@@ -58,7 +58,7 @@ Values transform(const Values& grid, const CosineTransform& across, const Cosine
     return whole;
 }
 
-/// Divergence of each cell: flow in minus flow out.
+/// Divergence of each cell: the sum of the differences from it to its neighbours.
 Values divergence(const GridDifferences& differences) {
     const auto columns = static_cast<std::size_t>(differences.columns);
     const auto rows = static_cast<std::size_t>(differences.rows);

@@ -84,7 +84,7 @@ private:
             alongU += std::abs(u);
             alongV += std::abs(v);
         }
-        // 30 of 3000 points lie in either column, on average.
+        // About 40 of 3000 points lie in either column, on average.
         [[nodiscard]] double share() const {
             constexpr double kFewest = 10.0;
             return points < kFewest || alongV <= 0.0 ? 0.0 : alongU / alongV;

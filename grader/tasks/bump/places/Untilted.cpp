@@ -49,8 +49,8 @@ HeightMapDescription coarse(Draws& draws, int width, int height) {
     return map;
 }
 
-/// Rises and falls along one diagonal in the left half, along the other in the right one, by bytes
-/// whose heights have differences that are the same to the last bit.
+/// Rises and falls along one diagonal in the left half, along the other in the right one. The bytes
+/// are such that equal steps are equal heights to the last bit.
 HeightMapDescription diagonal(Draws& draws) {
     constexpr int kPeriod = 14;
     constexpr int kStep = 16;
@@ -109,7 +109,7 @@ std::vector<Vector3> atRim(Draws& draws, const Ball& ball) {
     return directions;
 }
 
-/// Share of the tilts that are too small to be one.
+/// Share of the tilts that are so small that they count as none.
 /// @param every  Counts only every n-th tilt, from `first` on.
 double smoothShare(const std::vector<Vector3>& tilts, std::size_t first, std::size_t every) {
     constexpr double kSomeTilt = 5e-6;  // ten times single precision's rounding
@@ -128,7 +128,8 @@ UntiltedPlan planUntilted(Questionnaire& questionnaire, Draws& draws, const Ball
     const Ball farAway{{draws.uniform(-9.0, 9.0), draws.uniform(-9.0, 9.0), 180.0}, 45.0};
     const Ball small{{draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9), 2.0}, 0.05};
     UntiltedPlan plan;
-    // A braced list: it is evaluated from left to right.
+    // The arguments are in a braced list, which is evaluated from left to right, so that the draws
+    // have a fixed order.
     struct Asked {
         const Ball& on;
         std::vector<Vector3> directions;

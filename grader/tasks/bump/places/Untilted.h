@@ -13,7 +13,7 @@ namespace ticker::tasks::bump {
 enum class Whereabouts : std::uint8_t {
     nearPoles,    ///< 2.3 to 5.5 degrees from either end of each axis
     atRim,        ///< where the eye sees the sphere nearly edge-on
-    farAway,      ///< a sphere some 180 from the eye
+    farAway,      ///< a sphere about 180 from the eye
     smallSphere,  ///< of radius 0.05
     onBlack,      ///< texels of height 0 beside higher ones
     fewRows,      ///< some row of a map of 5 rows

@@ -32,8 +32,8 @@ struct ConductPlan {
     std::size_t tinyMap = 0;
     std::vector<std::size_t> rough;  ///< the maps of random texels of other plans
     std::size_t twice = 0;  ///< a flat map, at some points and then at the same points again
-    /// Four points: this one, one far from it, one in the same texel (mostly), and this one again,
-    /// after a point of another map of the same size.
+    /// Questions that follow one about another map of the same size, at one point. Each has four
+    /// points: that point, one far from it, one mostly in the same texel, and that point again.
     std::vector<std::size_t> afterOtherMap;
 
     [[nodiscard]] Place placeOf(std::size_t question) const;
@@ -45,7 +45,7 @@ struct ConductPlan {
 struct Offence {
     double count = 0.0;
     double asked = 0.0;
-    std::string message;  ///< what the student's code said in its first exception
+    std::string message;  ///< of the first exception from the student's code
     Vector3 direction;    ///< of the first such point, from the centre
     int width = 0;        ///< of the map at the first such point
     int height = 0;
@@ -64,7 +64,7 @@ struct Conduct {
     Offence notUnitHidden;
     Offence inward;            ///< the normal points into the sphere
     Offence missing;           ///< not answered, though the process ended properly
-    double largestTilt = 0.0;  ///< over all ordinary points and maps
+    double largestTilt = 0.0;  ///< over all ordinary points, and those on rough maps
     double chance = 0.0;       ///< median change of the normal when a point is asked for again
     /// Largest change of a normal caused by what was asked just before it: the same point of
     /// another map, or another point of the same map, or of the same texel.

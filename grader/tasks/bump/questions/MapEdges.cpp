@@ -64,8 +64,8 @@ double ratioOf(const std::vector<Vector3>& directions, const std::vector<Vector3
 }  // namespace
 
 EdgePlan planEdges(Questionnaire& questionnaire, Draws& draws, const Ball& ball) {
-    // One column of 76 has 15 of the points that count; the chance that fewer than two points hit
-    // it is five in a million.
+    // One column of 76 has 20 of the points that count, on average; the chance that fewer than two
+    // points hit it is below five in a million.
     constexpr int kPoints = 1900;
     EdgePlan plan;
     plan.directions = draws.directions(kPoints);

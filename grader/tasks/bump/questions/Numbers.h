@@ -10,7 +10,8 @@ inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kTurn = 2.0 * kPi;
 inline constexpr double kDegrees = 180.0 / kPi;  ///< of one radian
 
-/// The value below which `share` of the values lies, NaNs left out; NaN if no value is left.
+/// The value below which a share of `share` of the values lies. NaNs are left out; NaN if no value
+/// is left.
 [[nodiscard]] double quantile(std::vector<double> values, double share);
 
 [[nodiscard]] double median(std::vector<double> values);

@@ -43,7 +43,8 @@ void compareRamps(const std::vector<RampTilts>& gentle, const std::vector<RampTi
     judgement.steepAgrees = agreeing / (2.0 * static_cast<double>(count));
 }
 
-/// Judges the gentle ramps, or moderate ones if rounding shows in the gentle ramps' tilts.
+/// Judges the gentle ramps, or moderate ones if rounding shows in the gentle ramps' tilts, or steep
+/// ones if rounding shows in both.
 void judgeRungs(const RampLadder& ladder, const Answers& answers, LadderJudgement& judgement) {
     // Single precision leaves 1e-7 in a normal, and 1e-5 in the normal of chords over a texel: both
     // are far below the limits.

@@ -165,7 +165,7 @@ RegionPlan planRegions(Questionnaire& questionnaire, Draws& draws, const Ball& b
 
 bool RegionShares::good() const {
     // Teeth end at 2 percent of the points, or at 20 for differences over a hundredth of the map.
-    // Then 16 of 40 points of a region are wrong with a chance of one in a million.
+    // Then more than 24 of 40 points of a region are wrong with a chance below one in a million.
     constexpr double kMost = 0.75;
     constexpr double kWorst = 0.4;
     return asOnRamps >= kMost && worst >= kWorst;

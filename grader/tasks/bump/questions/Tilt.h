@@ -33,7 +33,7 @@ struct Ball {
 
 using raytracer::questions::tiltOf;
 
-/// A map without slope; `level` is half of the greatest height.
+/// A map without slope, of height `level`: by default half of the greatest height.
 [[nodiscard]] probe::HeightMapDescription flatMap(int width, int height, double level = 2.5);
 
 /// A map of random bytes: neighbours differ at nearly every texel.

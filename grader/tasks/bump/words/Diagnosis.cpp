@@ -52,7 +52,7 @@ bool isFlat(const Examination& examination) {
            !(conduct.largestTilt > kVisibleTilt);
 }
 
-/// True if a flat map tilts the normal. The differences that ramps make then say nothing.
+/// True if a flat map tilts the normal. What ramps change then proves nothing.
 bool tiltsWithoutSlope(const Examination& examination) {
     // Normals of chords over a hundredth of the map lean by 0.03; smaller tilts are subtracted.
     constexpr double kFlatTilt = 0.1;
@@ -168,7 +168,7 @@ std::optional<WrongReason> firstOf(std::span<const Rule> rules, const Examinatio
 std::optional<WrongReason> findWrong(const Examination& examination) {
     if (const auto reason = firstOf(kAnyRamps, examination)) return reason;
     const KindRow row = rowOf(examination);
-    // Slopes that are kept from an earlier, flat map of the same size.
+    // The code keeps slopes from an earlier, flat map of the same size.
     if (row.kind == RampKind::silent && examination.conduct.sameOnOtherMap)
         return WrongReason::mapIgnored;
     if (row.reason) return row.reason;

@@ -35,7 +35,7 @@ enum class WrongReason {
     normalMissing,  ///< a gentle slope lays the normal flat into the surface
     inward,
     flatTilted,
-    normalsRounded,  ///< to few values
+    normalsRounded,  ///< to a few values, which points share
     slopeUIgnored,
     slopeVIgnored,
     signLost,
@@ -59,7 +59,7 @@ enum class WrongReason {
     fewTexelsDiffer,     ///< beside the first or last row or column of a small map
     sharpStepsTurned,    ///< white beside black tilts to the other side
     smallSphereDiffers,  ///< on a very small sphere
-    smoothInPlaces       ///< a condition of its own keeps the normal as it is
+    smoothInPlaces       ///< a condition of the code's own keeps the normal smooth in places
 };
 
 /// What is wrong with a submission.
@@ -74,7 +74,7 @@ struct Diagnosis {
 /// map is square, so that the hints may show it alone.
 [[nodiscard]] bool isTransposed(const Examination& examination, const std::optional<Hints>& hints);
 
-/// Row 0 lies at the bottom of the sphere.
+/// True if row 0 lies at the bottom of the sphere.
 [[nodiscard]] bool standsOnItsHead(const Examination& examination);
 
 /// True if nearly every normal points into the sphere. No other result then has its usual meaning.

@@ -158,7 +158,7 @@ constexpr const char* kCentre =
     "normal, or from position - centre(), in x, y and z alike: look for a position.x, position.y "
     "or position.z without the centre's.";
 
-/// Where to look first; empty if the shares do not tell.
+/// Where to look first; empty if the directions show no known pattern.
 std::string hintOf(const Response& response) {
     if (!invertedRows(response.u).empty() || !invertedRows(response.v).empty())
         return "A sign changes on the way down. Look for a comparison or an abs that turns the "
