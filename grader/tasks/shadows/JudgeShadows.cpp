@@ -81,7 +81,7 @@ TaskJudgement judge(probe::Examinee& examinee, std::uint64_t seed, PenumbraShelf
         });
         needsReview = needsReview || inRenders;
     }
-    // Review: steps at the edges of shadows.
+    // Samples that all points share need review: they make steps at the edges of shadows.
     needsReview = needsReview || std::ranges::any_of(outcome.findings, [](const Finding& finding) {
                       return is(finding, kShadowFixedSamples);
                   });

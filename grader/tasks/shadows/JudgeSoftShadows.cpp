@@ -193,7 +193,7 @@ const std::vector<ShadowCheck>& checksOfRays() {
         {.run = eightLights, .ifNothingFails = true},
         {.run = knownScenes<true>, .ifNothingFails = true},
         {.run = mixed<true>, .ifNothingFails = true},
-        // Rays that pairs lose are lost with other settings, too.
+        // Rays lost in pairs are lost with other settings, too, so that this check comes first.
         {.run = oddCount, .ifNothingFails = true},
         {.run = oneRay, .ifNothingFails = true},
         {.run = manyRays<true>, .ifNothingFails = true},

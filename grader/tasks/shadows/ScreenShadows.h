@@ -7,7 +7,8 @@
 
 namespace ticker::tasks {
 
-/// Rays and colours under one light: does the arithmetic fit an accepted reading?
+/// Rays under one light, and colours under one light, several lights and a light before an object:
+/// whether they fit an accepted reading.
 [[nodiscard]] Screening screenShadows(std::uint64_t seed);
 
 }  // namespace ticker::tasks

@@ -54,7 +54,8 @@ constexpr std::array kMistakes{
                     "Divide the sum by the number of all rays that are cast, the blocked ones as "
                     "well: settings().shadowRayCount, not the number of those that arrive."}};
 
-// State of a point that lies in full light or full shadow of every light, from geometry.
+// Colour of a point that lies in full light or full shadow of every light, from geometry; empty for
+// other points.
 std::optional<ColourRGB> knownColour(const PointLog& point,
                                      const raytracer::SceneDescription& scene, bool viewerIsEye) {
     ColourRGB expected = ambientPart(point, scene);

@@ -25,7 +25,8 @@ namespace ticker::tasks {
 /// isNearKnown for all points.
 [[nodiscard]] bool allNearKnown(const std::vector<const ShadowLog*>& logs, bool viewerIsEye);
 
-/// The finding of a named mistake; `arithmetic` is neither `right` nor `endless`.
+/// The finding of a named mistake.
+/// @param arithmetic  One of `namedMistakes`.
 [[nodiscard]] Finding findingOf(ShadowArithmetic arithmetic);
 
 /// Lights are lost if another one shines on the back of the surface.
@@ -46,7 +47,7 @@ namespace ticker::tasks {
 /// Planes cast no shadow, but spheres do.
 [[nodiscard]] Finding planesCastNothing();
 
-/// All mistakes that `findingOf` knows, in the order in which they are tried.
+/// All mistakes that `findingOf` has a finding for, in the order in which they are tried.
 [[nodiscard]] const std::vector<ShadowArithmetic>& namedMistakes();
 
 }  // namespace ticker::tasks

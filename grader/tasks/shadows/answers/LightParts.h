@@ -57,11 +57,13 @@ struct Setting {
 /// The light that the logged rays of one light give; without rays, every share is possible.
 [[nodiscard]] LightParts partsOf(const Setting& at, const std::vector<AimLine>& logged);
 
-/// The full light in the central reading, without shadow.
+/// Diffuse and specular light of one sample. The sample's place on its line may be unknown, so both
+/// are intervals.
 struct SampleTerms {
     Range diffuse;
     Range specular;
 };
+/// The full light in the central reading, without shadow.
 [[nodiscard]] SampleTerms centralTerms(const Setting& at);
 
 /// Largest distance of a logged ray's start from the point, at most 2e-3; 0 without rays. With rays

@@ -52,7 +52,8 @@ inline constexpr AimShape AimShape::polarHelper{Radius::even, Poles::z};
 inline constexpr AimShape AimShape::polarHelperX{Radius::even, Poles::x};
 inline constexpr AimShape AimShape::polarHelperY{Radius::even, Poles::y};
 
-/// Shapes no worse than the original's helper are accepted as it is: with a warning.
+/// Shapes with poles are no worse than the original's helper, and are accepted like it: with a
+/// warning.
 inline constexpr std::array kAcceptedAimShapes{
     AimShape::ball,
     AimShape::surface,

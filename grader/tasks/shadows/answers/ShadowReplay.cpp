@@ -16,7 +16,8 @@ Range difference(const Range& whole, const Range& part) {
     return {whole.low - part.high, whole.high - part.low};
 }
 
-// True, false or either: a decision on a share that may be an interval.
+// The light under an all-or-nothing rule. Since the share of the rays may be an interval, the
+// result is all of the light, none of it, or an interval from none to all.
 Range decided(const Range& full, bool surely, bool possibly) {
     return {surely ? full.low : ColourRGB{}, possibly ? full.high : ColourRGB{}};
 }

@@ -16,8 +16,8 @@ namespace ticker::tasks {
 /// frame.
 [[nodiscard]] probe::RenderQuestion drawLitQuestion(std::uint64_t seed, int threads);
 
-/// What `illuminate` did during a render of `drawLitQuestion`. Rays that a thread cast between the
-/// beginning and the end of a point's lighting belong to that point.
+/// What `illuminate` did during a render of `drawLitQuestion`; empty if the log was cut. Rays that
+/// a thread cast between the beginning and the end of a point's lighting belong to that point.
 struct LitRender {
     ShadowQuestion asked;            ///< the lit points, in the form of a question
     probe::IlluminateAnswer answer;  ///< their colours and rays

@@ -70,7 +70,7 @@ bool onlyDarker(const Logs& logs) {
     });
 }
 
-// A ray that misses the light may meet an object beyond its sample.
+// Whether some ray misses the light. Such a ray may meet an object beyond its sample.
 bool aimBesideTheLight(const Logs& logs) {
     constexpr double kBeside = 1.02;
     const auto beside = [](const ShadowLog& log, const PointLog& point) {

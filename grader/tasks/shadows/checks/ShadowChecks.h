@@ -62,8 +62,8 @@ struct ShadowLogs {
 /// Whether each of several lights is as large as a single light.
 [[nodiscard]] std::optional<Finding> checkSeveralSizes(const ShadowLogs& logs,
                                                        const AimVerdict& aims);
-/// What the three checks above say of eight lights, and whether each of them adds its light.
-/// Directions that are far off belong to another light there: for rays that are right otherwise.
+/// The three checks above with eight lights, and whether each of them adds its light. A direction
+/// that is far off belongs to another light there, so this is for rays that are right otherwise.
 /// @param fixed  Points share their samples, which another finding reports.
 [[nodiscard]] std::optional<Finding> checkEightLights(const ShadowLogs& logs,
                                                       const AimVerdict& aims, bool fixed);

@@ -8,13 +8,13 @@
 
 namespace ticker::tasks {
 
-/// Scenes whose every attribute is drawn on its own from usual and extreme values: the number of
-/// lights and their distance, level and colour; the materials of the surface and of what stands
-/// before a light or behind it; where the surface lies and where the viewer is. A condition on one
-/// of them that illuminate should not have shows in some scene.
+/// Scenes whose every attribute is drawn independently, from usual and extreme values: the number
+/// of lights and their distance, level and colour; the materials of the surface and of what stands
+/// before a light or behind it; where the surface lies and where the viewer is. If `illuminate` has
+/// a condition on one of them that it should not have, some scene is wrong.
 ///
 /// Every light lies in front of the surface's tangent plane or behind it by more than its radius,
-/// no object comes nearer to a light than 1.35 radii or to a point than 0.1, and a ray to any place
+/// no object comes nearer to a light than 1.4 radii or to a point than 0.1, and a ray to any place
 /// of a light is nearer in angle to its centre than to another light's. R.V is negative for every
 /// place of a light behind, for the eye, too.
 /// Half of the scenes have the handout's settings (`mixed`), the others smaller lights that may be

@@ -104,8 +104,8 @@ bool seesLight(const PenumbraSamples& samples) {
     return *std::max_element(samples.shares.begin(), samples.shares.end()) > kSeen;
 }
 
-// Exact, except that 30000 rays may miss the outermost part of the light. Every accepted shape hits
-// it with a chance above 0.002 for each ray.
+// Whether light arrives at a place that sees no part of the light. Exact: no ray of right code
+// arrives there.
 bool seesTooMuch(const std::vector<PenumbraSamples>& rim) {
     return std::any_of(rim.begin(), rim.end(), [](const PenumbraSamples& samples) {
         return samples.place.kind == Place::Kind::beyondRim && seesLight(samples);
@@ -133,6 +133,8 @@ Finding leftInShadowFinding(double left) {
     return finding;
 }
 
+// Whether no light arrives at places of this kind. Within the rim 30000 rays may miss the outermost
+// part of the light, but every accepted shape hits it with a chance above 0.002 for each ray.
 bool isDark(const std::vector<PenumbraSamples>& rim, Place::Kind kind) {
     return std::none_of(rim.begin(), rim.end(), [&](const PenumbraSamples& samples) {
         return samples.place.kind == kind && seesLight(samples);

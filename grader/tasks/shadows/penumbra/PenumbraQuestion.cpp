@@ -113,7 +113,7 @@ private:
 }  // namespace
 
 PenumbraQuestion drawPenumbraQuestion(std::uint64_t seed) {
-    // Drawn like the questions with visible rays. In the last one the occluder is next to the
+    // Drawn like the questions with visible rays. In the second one the occluder is next to the
     // light.
     const std::uint64_t own = seed ^ 0x50454E554D425241U;
     PenumbraQuestion drawn;

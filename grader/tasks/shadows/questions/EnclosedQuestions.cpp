@@ -20,7 +20,8 @@ std::vector<ShadowQuestion> drawEnclosed(Draw& draw) {
         const double distance = draw.between(5.0, 6.0);
         addLightTowards(draw, drawn, towards, distance);
         const Vector3 centre = isAroundLight ? foot + towards * distance : foot;
-        // The ball has the floor's colour: an object is known by its address.
+        // The ball has the floor's material, so that only its address distinguishes the two
+        // objects.
         scene.spheres.push_back({centre, kBall, scene.planes.front().material, nullptr});
         addLitPoints(draw, drawn, kPoints, 0.4);
         std::ranges::fill(drawn.zones, std::vector{Zone::umbra});

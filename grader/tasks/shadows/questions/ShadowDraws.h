@@ -62,8 +62,8 @@ void addLitPoints(Draw& draw, ShadowQuestion& drawn, int count, double reach);
 /// Sets the log's capacity, many times the number of rays that is asked for.
 void setCapacity(ShadowQuestion& question);
 
-/// Three lights, each a right angle or so from the others as seen from the floor. Two are far and
-/// have a ball before them, the last is near and has one behind it, nearer than the far ones are.
+/// Three lights, about at right angles to each other as seen from the floor. Two are far and have a
+/// ball before them, the last is near and has one behind it, nearer than the far ones are.
 [[nodiscard]] ShadowQuestion drawSeveralLights(Draw& draw);
 
 /// A light with a sphere behind it, seen from a floor. Three more spheres stand behind and around
@@ -85,7 +85,7 @@ void setCapacity(ShadowQuestion& question);
 /// behind the light, one before and one after these in the scene's list.
 [[nodiscard]] ShadowQuestion drawInLine(Draw& draw);
 
-/// A ball that rests on a floor, under a light some 25 away. The points lie in full shadow, where
+/// A ball that rests on a floor, under a light about 25 away. The points lie in full shadow, where
 /// the ball's surface is 0.006 to 0.008 above the floor.
 [[nodiscard]] ShadowQuestion drawContact(Draw& draw);
 
@@ -98,7 +98,7 @@ void setCapacity(ShadowQuestion& question);
 
 /// A floor under a light with a plane just before it, 1.2 to 1.3 times the light's radius from its
 /// centre: no ray of any accepted reading arrives. The light is 20 to 30 away, so that a hit is
-/// only some hundredths nearer than the light.
+/// nearer than the light by only a few hundredths of the distance.
 [[nodiscard]] ShadowQuestion drawNearLight(Draw& draw);
 
 /// A floor with a colour in all channels under a red, a green and a blue light, all in plain sight.
@@ -107,8 +107,8 @@ void setCapacity(ShadowQuestion& question);
 /// A red, a green and a blue ball under a light with all channels, all in plain sight.
 [[nodiscard]] ShadowQuestion drawPureSurfaces(Draw& draw);
 
-/// A dark floor under a light of which some 0.001 arrives, less than one of 255 steps in every
-/// channel, in plain sight.
+/// A dark floor under a light in plain sight, of which about 0.001 arrives: less than one of 255
+/// steps in every channel.
 [[nodiscard]] ShadowQuestion drawFaintLight(Draw& draw);
 
 /// A floor under a light with N.L of 0.07 to 0.1, all of it above the horizon and in plain sight.
@@ -147,8 +147,8 @@ void setCapacity(ShadowQuestion& question);
 /// in front.
 [[nodiscard]] std::vector<ShadowQuestion> drawBehindAfterLit(Draw& draw);
 
-/// A floor in plain sight of a light and at either rim of a ball's penumbra, where some 3 % of the
-/// light is visible or hidden, and more rays than fit into a byte.
+/// Points of a floor in plain sight of a light, and at either rim of a ball's penumbra, where about
+/// 3 % of the light is visible or hidden. More rays are asked for than fit into a byte.
 [[nodiscard]] ShadowQuestion drawManyRays(Draw& draw);
 
 }  // namespace ticker::tasks

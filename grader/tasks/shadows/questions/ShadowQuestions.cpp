@@ -23,8 +23,8 @@ constexpr int kPointsForEachZone = 12;
 constexpr int kPointsOnSphere = 6;
 constexpr int kPointsBesideWall = 8;
 
-// No groups of two, five or ten rays make it up. Below the handout's number, so that code with that
-// one typed in casts enough.
+// Groups of two, five or ten rays leave some over. Below the handout's number, so that code with
+// that number hard-coded casts enough.
 constexpr int kOddRays = 7;
 
 // On the side that faces the light the sphere has no shadow: rays that hit the surface they leave
@@ -121,9 +121,9 @@ Vector3 turned(const Vector3& vector, const Vector3& axis, double angle) {
            axis * (axis.dot(vector) * (1.0 - std::cos(angle)));
 }
 
-// At right angles, since one shows what another hides. Each is near an axis of the world: from
-// there points that crowd at two poles on that axis look round, an ellipse that faces the point
-// does not.
+// Three directions at right angles, since one shows what another hides. Each is near an axis of the
+// world: seen from there, points that crowd at two poles on that axis look round, while an ellipse
+// that faces the point does not.
 std::array<Vector3, 3> drawNearAxes(Draw& draw) {
     constexpr double kLeast = 0.1;
     constexpr double kMost = 0.25;
