@@ -71,7 +71,8 @@ struct Precision {
 class Oracle {
 public:
     /// Copies what it needs; the scene may be destroyed afterwards.
-    /// @throws raytracer::Error if settings make no sense (sizes or ray counts below 1).
+    /// @throws raytracer::Error if settings make no sense (sizes or ray counts below 1, bounces
+    ///         below 0).
     Oracle(const raytracer::SceneDescription& scene, const raytracer::RenderSettings& settings,
            const Reading& reading = {}, const Mistake& mistake = {}, const Tricks& tricks = {});
     ~Oracle();

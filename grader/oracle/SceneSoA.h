@@ -16,8 +16,8 @@ namespace ticker::oracle {
 struct SceneSoA {
     explicit SceneSoA(const raytracer::SceneDescription& scene);
 
-    /// Number of objects that a property's table is padded to, with zeros: the widest vector, so
-    /// that loads never run past the end.
+    /// The tables of normals and materials are padded with zeros to a multiple of this: the widest
+    /// vector, so that loads never run past the end.
     static constexpr std::size_t kPadding = 16;
 
     struct Spheres {

@@ -81,7 +81,8 @@ private:
 /// Aim points for moments, computed from the numbers of each path.
 class NumberedAims {
 public:
-    /// @param pairs  Points of a hit and light that use the lattice's own dimensions.
+    /// @param paired  Two points for each hit and light, which use the lattice's own dimensions;
+    ///                otherwise `shadowRays` points, which use the dimensions after those.
     NumberedAims(const Setup& setup, const PathNumbers& numbers, bool paired)
         : setup_(setup), numbers_(numbers), paired_(paired) {}
 

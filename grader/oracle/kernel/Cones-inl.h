@@ -30,7 +30,7 @@ struct Occluders {
     VU planes;        ///< may shade
 };
 
-/// Bit of an object in `Occluders`; objects from the 31st on share the last bit.
+/// Bit of an object in `Occluders`; objects with the index 31 or more share the last bit.
 HWY_INLINE std::uint32_t bitOf(std::size_t object) {
     return 1U << (object < 31 ? object : 31);
 }
@@ -96,8 +96,9 @@ public:
 private:
     static constexpr float kSlack = 1e-4F;
 
-    /// The cone is as wide as this tube where objects may last shade. Half of the operations of the
-    /// cone's own test, and enough for most spheres.
+    /// Whether a sphere reaches the tube around the cone's axis that is as wide as the cone at the
+    /// farthest distance where objects shade. This takes half of the operations of the cone's own
+    /// test, and is enough for most spheres.
     HWY_INLINE MF reachesTube(const Vec3& toCentre, VF along, VF wider) const {
         const VF across2 = hn::NegMulAdd(along, along, squared(toCentre));
         return hn::And(hn::Le(across2, squared(hn::Add(tube_, wider))),

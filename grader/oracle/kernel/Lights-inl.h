@@ -50,7 +50,8 @@ HWY_INLINE Start shadowStart(const Setup& setup, const Surface& surface, const V
             hn::Mul(bias, dot(surface.geometric, along))};
 }
 
-/// Compresses in a register: some processors take a hundred times as long to compress into memory.
+/// Appends the lanes of `mask`. They are compressed in a register: some processors take a hundred
+/// times as long to compress into memory.
 template <typename T>
 HWY_INLINE void append(T value, MF mask, Lanes<hn::TFromV<T>>& to, std::size_t at) {
     const hn::DFromV<T> tag;

@@ -130,7 +130,7 @@ HWY_INLINE VF sineOfTurn(VF turn) {
     return hn::CopySign(sineOfQuarter(folded), half);
 }
 
-/// Cube root of u in [0, 1]: a first guess from the exponent, then two Newton steps.
+/// Cube root of u in [0, 1]: a first guess from the exponent, then three Newton steps.
 HWY_INLINE VF cubeRoot(VF u) {
     const VF safe = hn::Max(u, all(1e-12F));
     const VI third =

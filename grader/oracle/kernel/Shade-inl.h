@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ticker::oracle::HWY_NAMESPACE {
 
-/// What Phong's model needs to know of a point.
+/// What Phong's model needs of a point.
 struct Surface {
     Vec3 point;
     Vec3 normal;     ///< for shading; bumps included

@@ -32,8 +32,8 @@ public:
             if ((plane & bitOf(i)) != 0) addPlane(i, start, planes);
     }
 
-    /// Lanes whose ray hits an object before start + towards, or before `reach` times that
-    /// distance.
+    /// Lanes whose ray from the start along `towards` is blocked: by a near sphere at any
+    /// distance, or by another object nearer than `reach`, in lengths of `towards`.
     HWY_INLINE MF stops(const Vec3& towards, VF length2, VF reach) const {
         const VF zero = hn::Zero(F());
         MF stopped = hn::MaskFromVec(zero);

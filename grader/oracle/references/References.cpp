@@ -15,7 +15,8 @@ namespace {
 
 using raytracer::ColourRGB;
 
-// Rounds away the last six bits of single precision: they are noise, which does not compress.
+// Rounds to 12 significant bits: the other twelve of single precision are noise, which does not
+// compress.
 double rounded(double value) {
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent);

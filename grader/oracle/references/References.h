@@ -41,7 +41,8 @@ struct ReferenceOptions {
     std::string toolVersion;  ///< goes into the manifest
 };
 
-/// Called before and after every scene. `secondsLeft` is an estimate; negative: not known yet.
+/// Progress over a list of scenes, reported before every scene and after the last one.
+/// `secondsLeft` is an estimate; negative: not known yet.
 struct ReferenceProgress {
     std::string scene;
     int done = 0;
