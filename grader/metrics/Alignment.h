@@ -40,7 +40,7 @@ struct Box {
 /// Position and size at which a part fits into a whole picture.
 struct Fit {
     Box box;                   ///< of the part in the whole
-    double correlation = 0.0;  ///< at the box; 0 if no width was small enough
+    double correlation = 0.0;  ///< at the box; 0 if the part fits nowhere
 };
 
 /// Tries the part at several widths, with its aspect ratio kept, at every position in the whole.

@@ -28,7 +28,7 @@ struct Scores {
 struct Row {
     std::string name;     ///< "flip"; stable
     std::string title;    ///< "FLIP, mean"
-    std::string meaning;  ///< "0 equal, 1 as different as can be"
+    std::string meaning;  ///< "0 equal, 1 black against white"
     double value = 0.0;
     Map map;                ///< empty if the metric has no map of its own
     double full = 1.0;      ///< value of the brightest colour in a picture of the map

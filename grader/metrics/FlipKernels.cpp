@@ -25,7 +25,7 @@ constexpr Term kRedGreen{1.0, 0.0053};
 constexpr Term kBlueYellowWide{34.1, 0.04};
 constexpr Term kBlueYellowNarrow{13.5, 0.025};
 
-// Half the width of the feature detector's response, in degrees, is two standard deviations.
+// Width of the feature detector's response, in degrees: two standard deviations.
 constexpr double kFeatureWidth = 0.082;
 
 std::vector<double> sampled(int radius, const std::function<double(double)>& f) {

@@ -19,7 +19,7 @@ struct TileTest {
     Map score;         ///< one for each tile: signed, in standard errors, test minus reference
     Map probability;   ///< one for each tile: of such a score or a larger one under the null
                        ///< hypothesis
-    double smallest = 1.0;   ///< the smallest probability, corrected for the number of tiles
+    double smallest = 1.0;   ///< the smallest probability, corrected for the number of tests
     double threshold = 0.0;  ///< a tile differs if its probability is below this
     int differing = 0;  ///< tiles that differ at the given false-alarm rate for the whole picture
 };
@@ -45,6 +45,7 @@ struct TileTest {
 /// difference.
 ///
 /// @param tileSize  Side of the tiles in the result; the other size is four times that.
+/// @throws raytracer::InputError as `requireSameSize`, and if `tileSize` is too small.
 [[nodiscard]] TileTest noiseTiles(const ByteView& reference, const ByteView& test,
                                   int tileSize = 16, double alpha = 1e-6);
 
@@ -59,7 +60,8 @@ struct TileTest {
 [[nodiscard]] double excessOverNoise(const ByteView& reference, const ByteView& test);
 
 /// z-scores of each pixel, for a reference with known variance: (test - mean) / sqrt(
-/// variance (1 / testRenders + 1 / reference.renders)). The value is the largest |z|.
+/// variance (1 / testRenders + 1 / reference.renders)), without the last term if
+/// `reference.renders` is 0. The value is the largest |z|.
 ///
 /// @param floor  Lower bound for the variance, in squared units of the mean: right programs differ
 ///         by rounding even without noise.

@@ -95,7 +95,7 @@ AnswerState stateOf(const AnswerHeader& header) {
     return AnswerState::missing;
 }
 
-// An unstarted header still holds the fill pattern; ignore it.
+// A header that was not begun still holds the fill pattern.
 bool wasBegun(const AnswerHeader& header) {
     return stateOf(header) != AnswerState::missing || header.state == AnswerHeader::kBegun;
 }

@@ -50,7 +50,7 @@ struct AnswerPlace {
     std::size_t valueCount = 0;  ///< of three doubles each
     std::size_t events = 0;
     std::uint32_t eventCapacity = 0;
-    std::uint32_t askCount = 0;  ///< positions, points or repetitions
+    std::uint32_t askCount = 0;  ///< positions, points, rays, calls or repetitions
 };
 
 struct AnswerLayout {

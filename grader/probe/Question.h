@@ -57,7 +57,7 @@ struct IlluminateQuestion {
     raytracer::SceneDescription scene;
     raytracer::RenderSettings settings;
     std::vector<LitPoint> points;
-    std::uint32_t eventCapacity = 0;  ///< most logged rays; 0: no log
+    std::uint32_t eventCapacity = 0;  ///< most logged events; 0: no log
 };
 
 /// Asks `Renderer::render`, `repetitions` times with settings.seed, settings.seed + 1, ...
@@ -87,7 +87,7 @@ struct TraceQuestion {
     raytracer::SceneDescription scene;
     raytracer::RenderSettings settings;
     std::vector<CastRay> rays;
-    std::uint32_t eventCapacity = 0;  ///< most logged rays; 0: no log
+    std::uint32_t eventCapacity = 0;  ///< most logged events; 0: no log
 };
 
 /// Asks a function that the exercise has named (Calls.h), once for each row of arguments, each call
@@ -157,7 +157,7 @@ struct IlluminateAnswer {
     std::uint32_t exceptions = 0;  ///< number of points at which an exception was thrown
 };
 
-/// What an object says of a ray.
+/// What an object returns for a ray.
 struct Hit {
     bool isHit = false;
     double distance = 0.0;

@@ -16,7 +16,8 @@ namespace ticker::probe {
 /// first one is kept, and the next item is asked.
 ///
 /// @param memory  Filled by `fillUnanswered` (AnswerMemory.h); aligned to 8.
-/// @throws raytracer::Error if the memory is too small.
+/// @throws raytracer::Error if the memory is too small, or if a question names a call that the
+///         exercise does not have.
 void respond(const std::vector<Question>& questions, std::span<std::byte> memory);
 
 }  // namespace ticker::probe
