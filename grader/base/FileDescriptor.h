@@ -24,7 +24,7 @@ public:
 
     [[nodiscard]] int get() const { return descriptor_; }
     [[nodiscard]] bool isOpen() const { return descriptor_ >= 0; }
-    /// Gives the descriptor away: it is not closed here.
+    /// Returns the descriptor and gives up its ownership: it is no longer closed here.
     int release() { return std::exchange(descriptor_, -1); }
     void reset() {
         if (descriptor_ >= 0) ::close(descriptor_);

@@ -49,13 +49,13 @@ public:
 private:
     static constexpr std::size_t kOther = std::string_view::npos;
 
-    /// An open array or object. Keeps how far its place agrees with the wanted one, not the place
-    /// itself, which may be long in a hostile text.
+    /// An open array or object. Contains the length of its match with the wanted place instead of
+    /// its own place, which may be long in a hostile text.
     struct Level {
         bool isArray = false;
-        std::size_t above = 0;  ///< length of the wanted place's part above; kOther: another place
+        std::size_t above = 0;  ///< length of the wanted place that matches so far; kOther: none
         std::size_t items = 0;
-        std::size_t reached = kOther;  ///< the same with the member or item that is being read
+        std::size_t reached = kOther;  ///< the same, including the member or item being read
     };
 
     // A member is found at its key, which its value must not overwrite.

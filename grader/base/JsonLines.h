@@ -8,10 +8,10 @@
 namespace ticker {
 
 /// The line, from 1, of a place in a JSON text.
-/// @param text   May cease to be JSON at some point.
+/// @param text   Need not be valid JSON to its end.
 /// @param place  "/options/0/name": member names and numbers of array items, each after a slash, as
 ///               they are; empty: the whole text.
-/// @return 0 where nothing stands there.
+/// @return 0 if the text has no such place.
 [[nodiscard]] int jsonLineOf(const std::string& text, std::string_view place);
 
 /// The line, counted from 1, that holds a byte.

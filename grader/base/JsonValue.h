@@ -12,10 +12,10 @@
 
 namespace ticker {
 
-/// How messages about one kind of file speak.
+/// The words of the messages about one kind of file.
 struct JsonWords {
     std::string_view whole = "the file";                 ///< the place of the whole text
-    std::string_view needs = "an object with a member";  ///< what an object without a member lacks
+    std::string_view needs = "an object with a member";  ///< before the name of a missing member
     bool showsFound = false;  ///< whether "expected ..." also says what was found
 };
 

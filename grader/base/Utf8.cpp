@@ -51,7 +51,8 @@ bool isControl(std::uint32_t c) {
     return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029;
 }
 
-/// `text` as valid UTF-8, without the characters that `isUnwanted` names.
+/// `text` as valid UTF-8: invalid bytes, and characters for which `isUnwanted` is true, become
+/// U+FFFD.
 template <typename Unwanted>
 std::string cleaned(std::string_view text, Unwanted&& isUnwanted) {
     std::string clean;

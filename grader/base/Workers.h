@@ -6,8 +6,8 @@
 
 namespace ticker {
 
-/// Calls work(0) ... work(count - 1), each once, on so many threads; the calling thread is one of
-/// them. The first exception keeps further calls from beginning and is thrown again at the end.
+/// Calls work(0) ... work(count - 1), each once, on `workers` threads, of which the calling thread
+/// is one. After an exception no further call begins, and the first exception is thrown at the end.
 void onWorkers(int workers, std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace ticker

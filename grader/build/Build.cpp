@@ -28,9 +28,9 @@ bool says(const Outcome& outcome, std::string_view words) {
     return outcome.output.find(words) != std::string::npos;
 }
 
-// The driver outlives a compiler or linker that the kernel ends for want of memory, so only its
-// message tells. A student can print the message, but cannot make the kernel count such an end
-// without filling the machine.
+// If the kernel ends a compiler or linker for want of memory, the driver goes on, so only the
+// driver's message shows it. A student can print the same message, but the kernel counts such an
+// end (`machineRanOut`) only if the machine's memory was full.
 bool lostItsCompiler(const Outcome& outcome, const sandbox::Limits& limits) {
     return outcome.machineRanOut &&
            sandbox::usedLittleMemory(outcome, limits, sandbox::Policy::compile) &&

@@ -31,7 +31,7 @@ struct BuildResult {
     int compilations = 0;  ///< how often the compiler was run
 };
 
-/// What an ended compiler says about the file that it compiled.
+/// The kind of result that a finished run of the compiler stands for.
 [[nodiscard]] BuildResult::Kind kindOf(const sandbox::Outcome& outcome,
                                        const sandbox::Limits& limits);
 

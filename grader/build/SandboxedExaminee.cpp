@@ -56,7 +56,7 @@ std::optional<std::string> wantOfMemory(const Outcome& outcome, const sandbox::L
          !sandbox::usedLittleMemory(outcome, limits, sandbox::Policy::run)))
         return fmt::format("{} after it had used {}", signalName(outcome.code),
                            ofTheLimit(outcome.peakMemoryBytes, limits));
-    // A single oversized request uses no memory: only this message tells.
+    // A single oversized request uses no memory: only this message shows it.
     if (outcome.code == SIGABRT && outcome.output.find(kBadAlloc) != std::string::npos)
         return kBadAlloc;
     return {};

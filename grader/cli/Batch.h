@@ -28,7 +28,8 @@ struct BatchHooks {
 
 /// Grades submissions on several workers. A bad submission never stops the others: if grading fails
 /// because of the grader or its system, it is tried once more, and then the result is notGraded.
-/// Once `stop` is true, no further submission is started. An exception of a hook ends the batch.
+/// The same applies to an exception of `known`; one of `write` or `take` ends the batch. Once
+/// `stop` is true, no further submission is started.
 void gradeAll(const std::vector<intake::Located>& submissions, const pipeline::Grader& grader,
               std::uint64_t seed, int workers, const std::atomic<bool>& stop,
               const BatchHooks& hooks);

@@ -25,7 +25,8 @@ std::vector<intake::Located> wholePath(const std::string& path, const std::strin
     return {{name.empty() ? "submission" : name, whole, "", out}};
 }
 
-// What cannot be read is graded as such, later.
+// Name of the exercise whose files a submission contains instead; empty if there is none, or if the
+// submission cannot be read, which its grading reports later.
 std::string otherExerciseOf(const intake::Located& located, const intake::IntakeLimits& limits) {
     try {
         return intake::readSubmission(located, limits).otherExercise;
@@ -34,7 +35,7 @@ std::string otherExerciseOf(const intake::Located& located, const intake::Intake
     }
 }
 
-/// The names of those that bring this exercise's files instead of the wanted one's.
+/// Names of the submissions that contain files of `other` instead of the wanted exercise's.
 std::vector<std::string> broughtFor(const Exercise& other, const std::vector<intake::Located>& all,
                                     const intake::IntakeLimits& limits) {
     std::vector<std::string> names;
@@ -43,7 +44,7 @@ std::vector<std::string> broughtFor(const Exercise& other, const std::vector<int
     return names;
 }
 
-// The first of a name keeps it, and none of the made-up names is another folder's.
+// The first submission of a name keeps it. The others get new names, which no submission has.
 void makeUnique(std::vector<intake::Located>& all) {
     std::set<std::string> taken;
     std::vector<intake::Located*> repeated;

@@ -18,7 +18,7 @@ struct ClassPaths {
     std::string out = {};  ///< where results go: no submission, although it may lie in a path
 };
 
-/// The submissions below all paths; a repeated name gets a number that makes it unlike any other.
+/// The submissions below all paths; a repeated name gets a number that makes it unique.
 /// @throws raytracer::InputError if there are no submissions, or a path cannot be read.
 [[nodiscard]] std::vector<intake::Located> locate(const ClassPaths& from);
 

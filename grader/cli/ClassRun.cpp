@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr const char* kSeedKey = "seed";
 constexpr const char* kExerciseKey = "exercise";
 
-/// A class has one exercise; that of a store which does not say is the default one.
+/// A class has one exercise. A store that has results but no exercise belongs to the default one.
 void keepToOne(store::Store& store, const Exercise& exercise, const fs::path& out) {
     std::string earlier = store.remembered(kExerciseKey);
     if (earlier.empty() && !store.results().empty()) earlier = defaultExercise().name;

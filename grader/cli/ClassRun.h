@@ -23,9 +23,9 @@ struct Regrade {
     [[nodiscard]] bool concerns(const SubmissionResult& result) const;
 };
 
-/// Stores what a later run over OUT goes on with: the results' exercise, and their seed if it is
+/// Stores what a later run over OUT continues with: the results' exercise, and their seed if it is
 /// the same for all.
-/// @return  Whether it is.
+/// @return  True if the results have one seed, or if there are none.
 /// @throws raytracer::InputError if the results are of more than one exercise.
 bool rememberOrigin(store::Store& store, const std::vector<SubmissionResult>& results);
 
@@ -55,7 +55,8 @@ public:
 
     /// Writes a fresh result's files.
     void write(const SubmissionResult& result) const;
-    /// Adds a result to the store if it is not there yet.
+    /// Stores a result: a fresh one always, a kept one only if the store's row does not agree with
+    /// it. Does nothing without a store.
     void index(const SubmissionResult& result, bool isKept);
     /// Writes summary.csv and index.html of the whole class; without a store, neither.
     void finish() const;

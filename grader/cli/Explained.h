@@ -11,7 +11,7 @@ namespace ticker::cli {
 [[nodiscard]] bool wantsRepairs(const SubmissionResult& result);
 
 /// Looks for edits that mend the failed tasks, and puts the proven ones into the result; nothing
-/// else of it changes. What goes wrong becomes a notice. Does nothing where no task failed.
+/// else of it changes. An error becomes a notice. Does nothing if no task failed.
 void addRepairs(const intake::Submission& submission, const pipeline::Grader& grader,
                 SubmissionResult& result);
 

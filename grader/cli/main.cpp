@@ -5,7 +5,7 @@
 namespace ticker::cli {
 namespace {
 
-/// A verb of the lab: prints the lab's command.
+/// A verb that only ticker-lab has: fails with the command that runs it there.
 template <const char* const& name>
 Run addElsewhere(CLI::App& app, const GlobalOptions& /*global*/) {
     app.add_subcommand(name)->group("")->allow_extras()->fallthrough(false)->set_help_flag();

@@ -46,7 +46,7 @@ struct Entry {
     std::string name;        ///< of its folder, or of its file without ".json"
     std::string about;       ///< a short description
     std::string alone;       ///< why it is not combined with other entries; empty: it is
-    std::string folderName;  ///< name under which it is handed in; mostly `name`
+    std::string folderName;  ///< name under which it is handed in; usually `name`
     std::filesystem::path
         base;  ///< folder of the files that are edited; empty if no file is edited
     std::map<std::string, std::vector<Edit>>

@@ -185,7 +185,8 @@ std::vector<fs::path> filesBeside(const fs::path& folder) {
     return files;
 }
 
-/// Whose bases a collection's entries have: "tick1/mistakes" says it itself.
+/// The exercise that the bases of a collection's entries belong to: the one that the collection's
+/// name begins with ("tick1/mistakes"), otherwise `exercise`.
 const Exercise& ownerOf(const std::string& collection, const Exercise& exercise) {
     for (const Exercise& known : knownExercises())
         if (collection.starts_with(known.name + "/")) return known;

@@ -8,7 +8,7 @@
 
 namespace ticker {
 
-/// The texts of the exercises' files, by CMake; the last one is null.
+/// The texts of the exercises' files, in a source that CMake writes; the last one is null.
 extern const char* const kExerciseTexts[];
 
 std::vector<std::string> Exercise::files() const {

@@ -10,7 +10,7 @@
 
 namespace ticker {
 
-/// An expression of the handout, as its function may compute a value of some type.
+/// An expression of the handout. Repairs may put it in place of a value of its type.
 struct Formula {
     std::string type;  ///< of the value, with its namespace
     std::string of;    ///< type of the variable that `@` stands for in the text; may be empty
@@ -82,7 +82,7 @@ struct Exercise {
     [[nodiscard]] bool isIn(std::string_view option, std::string_view file) const;
 };
 
-/// Id and file name of the screenshot's task, which every exercise has.
+/// Id and file name of the screenshot's task, if the exercise has one (`hasScreenshot`).
 inline constexpr std::string_view kScreenshotTask = "screenshot";
 inline constexpr std::string_view kScreenshotPart = "screenshot.png";
 

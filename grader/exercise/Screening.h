@@ -8,8 +8,8 @@
 
 namespace ticker {
 
-/// A few cheap questions that tell most wrong submissions of a task. They decide nothing: who
-/// answers them well is judged in full.
+/// A few cheap questions that most wrong submissions of a task fail. They decide nothing: a
+/// submission that may pass is judged in full.
 struct Screening {
     std::vector<probe::Question> questions;
     /// False: with these answers the submission is sure to fail.

@@ -44,16 +44,16 @@ struct Task {
     /// @param seed  Source of every hidden question; equal seeds give equal findings for code that
     ///              uses the kit's generator.
     TaskJudgement (*judge)(probe::Examinee& examinee, std::uint64_t seed) = nullptr;
-    /// Whether a scene shows this task's work; null if none does. The file of the first task that
-    /// answers true renders the scene.
+    /// Whether a scene shows this task's work; null if none does. The file of the first task for
+    /// which this is true renders the scene.
     bool (*isSeenIn)(const raytracer::SceneDescription& scene) = nullptr;
-    /// Asks for review if the renders do not show what the submission answers; may be null.
+    /// Asks for review if the renders do not agree with the submission's answers; may be null.
     /// @param tasks  All tasks of the task's file.
     void (*doubt)(std::vector<TaskReport>& tasks, const RenderEvidence& renders) = nullptr;
-    /// For hundreds of edits of one submission; may be null.
+    /// The cheap questions for hundreds of edits of one submission; may be null.
     Screening (*screen)(std::uint64_t seed) = nullptr;
     /// A judge of many submissions under the same seeds, which keeps what it computes from a seed
-    /// alone; null if that is nothing.
+    /// alone; null if there is nothing to keep.
     Judge (*judgeOfMany)() = nullptr;
     /// Adds drawings for people to a judgement, from questions of its own, and changes nothing
     /// else; may be null.

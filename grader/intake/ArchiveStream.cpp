@@ -55,7 +55,7 @@ struct ArchiveStream::Calls {
         return size;
     }
 
-    // A file ends where it ends, although lseek goes on.
+    // lseek also moves beyond the end of a file, so that the step is limited to what is left.
     static la_int64_t skip(archive* /*handle*/, void* stream, la_int64_t bytes) {
         auto& self = *static_cast<ArchiveStream*>(stream);
         const off_t from = lseek(self.descriptor_.get(), 0, SEEK_CUR);

@@ -34,8 +34,8 @@ private:
 
 /// The members of a zip or tar archive, one after the other, for one thread.
 ///
-/// An archive that cannot be read is an error of the system, and throws; one that is damaged, or
-/// none at all, is not: `damage` describes it.
+/// If the system cannot read the file, the functions throw. If the archive is damaged, or the file
+/// is no archive, they do not: `damage` describes it.
 class ArchiveStream {
 public:
     /// @throws raytracer::InputError if the file cannot be read.
@@ -49,12 +49,12 @@ public:
     /// @throws raytracer::InputError if the file cannot be read.
     [[nodiscard]] archive_entry* next();
 
-    /// Unpacks some of the member's bytes into the buffer: how many; 0 at the member's end, empty
-    /// if it cannot be unpacked.
+    /// Unpacks the next bytes of the member into the buffer.
+    /// @return  Their number; 0 at the member's end; empty if they cannot be unpacked.
     /// @throws raytracer::InputError if the file cannot be read.
     [[nodiscard]] std::optional<std::size_t> unpackInto(std::string& buffer);
 
-    /// Why the archive cannot be read to its end; empty: it can so far.
+    /// Why the archive cannot be read to its end; empty if no damage was found so far.
     [[nodiscard]] const std::string& damage() const { return damage_; }
     /// Size of the archive itself, in bytes.
     [[nodiscard]] std::uint64_t packedBytes() const { return packedBytes_; }

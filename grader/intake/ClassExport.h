@@ -28,7 +28,7 @@ struct ClassExport {
     std::vector<std::string> owners;  ///< all owners, by name; empty if it is not an export
     /// First components of paths that may be work, but fit no layout.
     std::vector<std::string> others;
-    std::string damage;  ///< of the zip: why owners may be missing here; empty: none is
+    std::string damage;  ///< of the zip: why owners may be missing; empty: none are
 };
 
 /// Reads an export. Most paths that may be work must fit one of these layouts: a single such name

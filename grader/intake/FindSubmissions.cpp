@@ -75,7 +75,7 @@ std::vector<Place> placesInExport(const fs::path& folder, const Wanted& wanted) 
     return placesOf(readClassExport(folder, wanted), folder);
 }
 
-// Whose work lies behind a cut is unknown, so that nothing of a cut download is graded.
+// It is unknown whose work a truncated download lacks, so that nothing of it is graded.
 std::vector<Place> placesInDownload(const fs::path& zip, const Wanted& wanted) {
     const ClassExport found = readClassExport(zip, wanted);
     if (!found.damage.empty()) throw damagedDownload(zip, found.damage);

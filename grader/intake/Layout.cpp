@@ -87,7 +87,8 @@ bool isKit(const std::vector<Below>& children, const Entries& entries, const Exe
         }
     }
     if (solved == nullptr || framework == nullptr || framework->isSubmission) return false;
-    // The kit's exercise contains all files, so that its files are not added to a part of the work.
+    // Another folder may contain code only if exercise/ has every file: otherwise the other
+    // folder's files, perhaps another student's, would be added to a part of the work.
     const bool isWhole = std::ranges::all_of(
         exercise.files(), [&](const std::string& file) { return solved->parts.contains(file); });
     return others == 0 || (others == 1 && (isWhole || !othersHaveCode));

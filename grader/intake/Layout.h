@@ -16,7 +16,7 @@ struct Entries {
     std::vector<std::filesystem::path> archives;
     std::set<std::string> parts;  ///< parts in the folder itself
     bool isEmpty = true;
-    bool isUnreadable = false;  ///< some or all of its contents are not here
+    bool isUnreadable = false;  ///< some or all of its contents are unknown
 };
 
 /// A submission, and the folder, archive or owner that names it.

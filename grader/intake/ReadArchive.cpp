@@ -63,7 +63,7 @@ private:
         return std::move(contents_);
     }
 
-    // Nobody in a class handed in the class's archive.
+    // The archive of a class download is no student's hand-in: its damage is an error, no finding.
     void expectNoDownload() const {
         if (!owner_.empty()) throw damagedDownload(stream_.file(), stream_.damage());
     }

@@ -43,7 +43,8 @@ std::optional<std::string> readUpTo(int descriptor, std::uint64_t limit) {
 
 /// Walks through a folder by descriptors, so that no link can be substituted during the walk.
 ///
-/// What the system does not let us read throws: it is not missing, and no student's fault.
+/// A file or folder that the system does not let us read throws: it is not missing, and no
+/// student's fault.
 class FolderReader {
 public:
     FolderReader(const std::filesystem::path& top, const IntakeLimits& limits,
@@ -129,7 +130,7 @@ private:
             contents_.others.push_back(asUtf8(path));
     }
 
-    // Ignored if all archives together are too large.
+    // Ignores an archive with which all archives together would be too large.
     void takeArchive(std::optional<std::string> bytes, const std::string& path) {
         if (!bytes || packedBytes_ + bytes->size() > limits_.archiveBytes) {
             contents_.others.push_back(asUtf8(path));

@@ -43,7 +43,8 @@ Fit bestFit(const SpecScene& scene, const probe::RenderAnswer& answer, Rays rays
         const double own = scene.readings[i].apertureFactor;
         if (i > 0 && best.meanSquare <= enough) break;
         if (isOfLight && (best.meanSquare > kNearMiss || own != best.apertureFactor)) continue;
-        // An expectation costs some 300 ms when it is first used, so few rays try few of them.
+        // An expectation costs some 300 ms when it is first used, so that a picture of few rays is
+        // compared with few of them.
         if (few && i > 0 && !isOfLight && best.meanSquare <= kNearMiss) continue;
         const Expectation& expected = scene.expected(i);
         metrics::Measured z = metrics::zMap(expected.brightness, picture, share);

@@ -44,7 +44,7 @@ struct Grader {
 /// Judges one submission: builds each attempted file, asks it, applies the rubric.
 ///
 /// The result describes everything the submission does or fails to do. It always contains the
-/// exercise's tasks and "screenshot", in this order.
+/// exercise's tasks and, after them, "screenshot" if the exercise has one.
 ///
 /// @param seed  Source of the hidden questions, which are drawn after the submission was compiled.
 /// @throws raytracer::Error if grading failed because of the grader or its system.

@@ -5,7 +5,8 @@
 namespace ticker::cli {
 namespace {
 
-/// Text that troff takes as it is: no control line, no hyphen of another kind.
+/// Escapes text for troff: backslashes and hyphens are printed unchanged, and a full stop or an
+/// apostrophe at the beginning starts no control line.
 std::string plain(const std::string& text) {
     std::string safe;
     for (const char c : text) {

@@ -43,7 +43,8 @@ SubmissionResult resultWith(const std::string& number, const fs::path& out) {
                     found.size(), number));
 }
 
-/// Verdicts can only be compared if they were made in the same way. The sandbox decides none.
+/// Verdicts can only be compared if they were made in the same way. The level of the sandbox does
+/// not change a verdict, so that it may differ: the digest is made with the first grading's level.
 void expectSameWay(const SubmissionResult& first, const pipeline::Grader& grader,
                    const fs::path& folder) {
     if (first.inputs.how != pipeline::howDigest(grader, first.sandboxLevel, first.seed))
@@ -58,12 +59,13 @@ void expectSameWay(const SubmissionResult& first, const pipeline::Grader& grader
 }
 
 std::optional<std::string> keptBytes(const fs::path& file) {
-    std::error_code ignored;  // a file that cannot be looked at is not missing
+    std::error_code ignored;  // readWhole reports a file that cannot be looked at
     const bool isMissing = fs::status(file, ignored).type() == fs::file_type::not_found;
     return isMissing ? std::nullopt : std::optional{readWhole(file)};
 }
 
-/// What intake refused is in no folder: its tasks are blocked although no part is there.
+/// Intake's refusals in the first grading. A refused file was not stored: its tasks are blocked,
+/// and the part is missing here.
 std::vector<intake::IntakeFinding> refusalsIn(const SubmissionResult& first,
                                               const intake::Submission& kept,
                                               const Exercise& exercise) {

@@ -62,7 +62,7 @@ void print(const TaskReport& task, const SubmissionResult& result) {
         fmt::print("  no small edit of the code was found that mends this\n");
 }
 
-// A reason that several tasks share stands once.
+// A reason that several tasks share is printed once.
 void printBlocked(const SubmissionResult& result) {
     std::set<std::string> said;
     for (const TaskReport& task : result.tasks)

@@ -38,8 +38,7 @@ void addGradeOptions(CLI::App& verb, GradeOptions& options);
 
 /// @param level  "A", "B", "C", "none", or "auto": the best available level.
 /// @throws raytracer::InputError for any other word, raytracer::Error if this machine does not
-/// offer
-///         the level.
+///         offer the level.
 [[nodiscard]] sandbox::Sandbox openSandbox(const std::string& level);
 
 /// Everything that judging needs, according to the options.

@@ -81,8 +81,8 @@ raytracer::ExitCode exitCodeOf(const Tally& tally, bool stopped) {
     return tally.unexpected > 0 ? raytracer::ExitCode::checkFailed : raytracer::ExitCode::success;
 }
 
-/// The command that goes on with a run that was stopped. Without a store, nothing but the command
-/// remembers the seed.
+/// The command that continues a stopped run. Without a store the seed is stored nowhere, so that
+/// the command names it.
 std::string commandToGoOn(const BatchOptions& options, const GlobalOptions& global,
                           std::uint64_t seed) {
     const bool needsSeed = options.resultsOnly && !options.grade.seed;

@@ -84,7 +84,7 @@ raytracer::ExitCode checkThem(const std::filesystem::path& folder,
         fmt::print("{:<6} {}\n", one.passed ? "ok" : "DRIFT", one.message);
         allPassed = allPassed && one.passed;
     }
-    // Only Ctrl-C leaves some out, about which nothing is known.
+    // Ctrl-C ended the checks early: nothing is known about the other scenes.
     if (checks.size() < scenes.size()) return raytracer::ExitCode::interrupted;
     return allPassed ? raytracer::ExitCode::success : raytracer::ExitCode::checkFailed;
 }
