@@ -102,7 +102,7 @@ std::string prepareScript(const Parts& parts) {
     return replaced(std::move(text), "@LINK@", quoted(parts.linkFlags));
 }
 
-/// One option's files are enough.
+/// The sentence about the files to hand in. Of several options, the files of one are enough.
 std::string handInWords(const Exercise& exercise) {
     std::vector<std::string> files;
     for (const std::string& file : exercise.files())

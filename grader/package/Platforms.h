@@ -30,8 +30,7 @@ struct Parts {
 void writeGradescope(const Parts& parts, const std::filesystem::path& file);
 
 /// Writes a zip for PrairieLearn: the Dockerfile of an external grader's image, its entry point,
-/// ticker, and a question that uses it. It contains no solution, no
-/// reference picture and no seed.
+/// ticker, and a question that uses it. It contains no solution, no reference picture and no seed.
 /// @throws raytracer::InputError likewise.
 void writePrairieLearn(const Parts& parts, const std::filesystem::path& file);
 

@@ -23,7 +23,7 @@ constexpr std::array kFiles{".clangd",           ".gitattributes", ".gitignore",
 // CMake file that builds an overlay beside the framework in this project; packages leave it out.
 constexpr std::string_view kWholeKit = "WholeKit.cmake";
 
-// What ./check goes through.
+// The list of tasks and pictures that ./check works through.
 constexpr std::string_view kDescription = "check.json";
 
 /// Collects the files of a student's package.

@@ -28,12 +28,12 @@ public:
     [[nodiscard]] double cpuMs() const {
         return std::accumulate(processesMs_.begin(), processesMs_.end(), threadMs());
     }
-    /// CPU time of the processes that did this.
+    /// CPU time of the processes that did this kind of work.
     [[nodiscard]] double cpuMs(Work work) const {
         return processesMs_.at(static_cast<std::size_t>(work));
     }
 
-    /// Until `end` of CPU time, or until all is used up, whichever comes first.
+    /// Sets the end of the current step: `endMs` of CPU time, or all of it, whichever comes first.
     void runUntil(double endMs) { endMs_ = std::min(endMs, 1000.0 * all_.cpuSeconds); }
     [[nodiscard]] bool isOver() const {
         return cpuMs() >= endMs_ || wallSeconds() >= all_.wallSeconds;

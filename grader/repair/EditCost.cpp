@@ -38,8 +38,8 @@ std::size_t differing(const std::vector<std::string_view>& a,
 // The rank of kinds that add something beside what was there.
 constexpr std::size_t kLastRank = 4;
 
-/// Order of kinds among edits that change as many tokens, lowest first. Kinds that remove something
-/// come first, and kinds that add more come later.
+/// Order of kinds among edits that change the same number of tokens, lowest first. Kinds that
+/// remove something come first, and kinds that add more come later.
 std::size_t rankOf(const Atom& atom) {
     static const std::map<std::string, std::size_t> kRanks{
         {"operator", 1}, {"function", 1},  {"member", 1}, {"drop", 0},
@@ -63,7 +63,7 @@ bool putsIn(std::string_view source, const Atom& atom) {
 /// Whether an edit counts as one token, however many it changes: it is one idea in many words, and
 /// a file has few such edits.
 bool isOneThought(std::string_view source, const Atom& atom, bool isAtSeveralPlaces) {
-    // A condition with all that depends on it.
+    // An if is left out with all that depends on it.
     if (atom.kind == "left-out" && source.substr(atom.edits.front().begin).starts_with("if"))
         return true;
     return atom.kind == "drop" || atom.kind == "draw" || atom.kind == "jump" ||

@@ -93,8 +93,9 @@ std::string alikeInStatement(std::string_view source, const Atom& atom) {
     return text;
 }
 
-/// Adds the whole group as one set, and every two and three of its edits. Groups of more than four,
-/// or whose edits exclude each other, are not added whole.
+/// Adds the whole group as one set, and every two and three of its edits. If some of its edits
+/// exclude each other, only the pairs that do not are added. Nothing is added for a group of one or
+/// of more than four.
 void addGroup(const Candidates& candidates, const EditSet& group, std::set<EditSet>& sets) {
     constexpr std::size_t kMostPlaces = 4;
     if (group.size() < 2 || group.size() > kMostPlaces) return;
@@ -193,7 +194,7 @@ std::vector<EditSet> pairs(std::string_view source, const Candidates& candidates
 
 std::vector<EditSet> linked(std::string_view source, const Candidates& candidates,
                             const Choice& isChosen) {
-    // Their pairs must leave time for two mistakes.
+    // Their pairs must leave time for the search for two mistakes.
     constexpr std::size_t kMost = 20;
     EditSet signs;
     EditSet leftOut;

@@ -15,7 +15,7 @@ namespace ticker::repair {
 /// All text edits of a set, in the order of the file.
 [[nodiscard]] std::vector<TextEdit> textEdits(const Candidates& candidates, const EditSet& set);
 
-/// Which edits take part: those of the functions that another task is not solved in.
+/// True for the edits that take part. Those in functions that solve only other tasks do not.
 using Choice = std::function<bool(const Atom&)>;
 
 // Sets of edits, those that change the fewest tokens first.
@@ -24,7 +24,7 @@ using Choice = std::function<bool(const Atom&)>;
 [[nodiscard]] std::vector<EditSet> singles(std::string_view source, const Candidates& candidates,
                                            const Choice& isChosen);
 
-/// The same without those that put in much: operators, signs, numbers, names.
+/// The same for light edits only: those of operators, signs, numbers, names and the like.
 [[nodiscard]] std::vector<EditSet> lightSingles(std::string_view source,
                                                 const Candidates& candidates,
                                                 const Choice& isChosen);

@@ -33,9 +33,9 @@ public:
     Search(const Task& task, const TaskJudgement& before, std::vector<const Task*> others,
            SwitchedProgram& program, std::uint64_t seed, const Clock& clock);
 
-    /// Those of the sets with which the judge passes the submission, in their order, until the
-    /// clock's time is up.
-    /// @param use  Takes one of them; false: no more are looked for.
+    /// Calls `use` for those of the sets with which the judge passes the submission, roughly in
+    /// their order, until the clock's time is up.
+    /// @param use  Takes one of them; returns false if no more are wanted.
     void eachPassing(std::span<const EditSet> sets, const std::function<bool(const EditSet&)>& use);
 
     /// Those of the sets with which the judge's first failing finding is the name of another
@@ -44,11 +44,11 @@ public:
     [[nodiscard]] std::vector<Partial> changing(std::span<const EditSet> sets,
                                                 const std::string& finding);
 
-    /// Whether a set that was screened changed no answer to the cheap questions, or ended the
-    /// process.
+    /// Whether a screened set changed no answer to the cheap questions, or ended the process.
+    /// Always false if the submission may pass these questions without edits.
     [[nodiscard]] bool isIdle(const EditSet& set) const { return idle_.contains(set); }
 
-    /// Sets that were asked so far.
+    /// Number of sets that were asked the cheap questions so far; 0 if the task has none.
     [[nodiscard]] std::size_t asked() const { return asked_; }
 
 private:

@@ -13,7 +13,7 @@
 namespace ticker::repair {
 namespace {
 
-// The first repair, and others that students and tickers may compare it with.
+// The first repair, and one more that students and tickers may compare it with.
 constexpr std::size_t kMostRepairs = 2;
 // Sets of one kind of edits that pass the search and are put to the proof.
 constexpr std::size_t kMostProofs = 4;

@@ -11,7 +11,8 @@
 namespace ticker::repair {
 
 /// A submission that is asked until the time of its explanation is used up: a judge then gets no
-/// answer and ends soon. Judging takes CPU time of its own, which no limit of a process holds.
+/// answer and ends soon. Judging takes CPU time of its own, which the processes' limits do not
+/// cover.
 class TimedExaminee final : public probe::Examinee {
 public:
     /// The submission and the clock must outlive this object.

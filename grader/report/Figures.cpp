@@ -49,7 +49,7 @@ std::string figures(const std::vector<ScatterPlot>& plots, const std::vector<Ras
                     const Album& album) {
     std::string html;
     for (const ScatterPlot& plot : plots) {
-        // Students see the rays alone.
+        // In a student's view a plot has no points, only the drawing of its rays.
         if (!plot.points.empty()) html += plotFigure(plot);
         if (plot.drawing) html += rayFigure(*plot.drawing);
     }

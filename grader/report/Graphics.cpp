@@ -13,7 +13,7 @@ namespace {
 constexpr double kReach = 100.0;          // from the centre to the edge, user units of the SVG
 constexpr std::size_t kMostPoints = 600;  // more points make the page slow
 
-/// Half the width of the plot, in the plot's units: all important points fit.
+/// Half the width of the plot, in the plot's units: the expected shape and all finite points fit.
 double reachOf(const ScatterPlot& plot) {
     double reach = std::max(plot.expectedHalfWidth, 0.0);
     for (const PlotPoint& point : plot.points)

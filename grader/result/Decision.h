@@ -46,7 +46,7 @@ struct Decision {
     std::string when;                         ///< UTC, "2026-11-21T16:05:36Z"
     Verdict proposed = Verdict::needsReview;  ///< the tool's verdict at that moment
     std::vector<LineNote> notes = {};         ///< shown to the student
-    std::string bulk = {};   ///< the same for all of one bulk decision; empty for a single one
+    std::string bulk = {};   ///< identifies a bulk decision; empty for a single one
     std::string files = {};  ///< digest of the files that it is about; empty: unknown
 };
 

@@ -19,7 +19,7 @@ constexpr std::array<std::pair<RayDrawing::Kind, std::string_view>, 4> kRayKindN
      {RayDrawing::Kind::blocked, "blocked"},
      {RayDrawing::Kind::expected, "expected"}}};
 
-/// A tenth of a thousandth: drawings show no more.
+/// Rounded to 1e-4: drawings show no more.
 double roundedLength(double value) {
     constexpr double kScale = 1e4;
     return std::isfinite(value) ? std::round(value * kScale) / kScale : 0.0;

@@ -18,8 +18,8 @@ struct Repair {
     std::string task;
     std::string finding;  ///< the failing one that it mends
     std::string file;
-    std::vector<RepairEdit> edits;  ///< at least one; several where the same edit is needed twice
-    bool proven = false;            ///< all questions were answered under three seeds
+    std::vector<RepairEdit> edits;  ///< at least one; several if all are needed together
+    bool proven = false;            ///< judged in full, with one result under three seeds
     /// The finding that is left with this edit; empty: the task passes.
     std::string next;
 };

@@ -176,7 +176,7 @@ ordered_json editJson(const RepairEdit& edit) {
     return {{"from", cleanText(edit.from)}, {"to", cleanText(edit.to)}};
 }
 
-/// What is not proven is in no file.
+/// Repairs that are not proven are not written.
 ordered_json repairsJson(const std::vector<Repair>& repairs) {
     ordered_json list = ordered_json::array();
     for (const Repair& repair : repairs) {

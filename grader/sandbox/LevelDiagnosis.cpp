@@ -71,7 +71,7 @@ Diagnosis examine(Level level) {
     return unavailable(level, firstLine(outcome.output), adviceFor(level));
 }
 
-// A capability that the machine lacks stays lacking: an error here is a valid answer, too.
+// An error is a valid result, too, and is kept: the machine will not offer later what it lacks now.
 Diagnosis examineSafely(Level level) {
     try {
         return examine(level);

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // How long a job waits for a uid: a machine may have several times as many threads as uids, and
-// each job holds one for 90 s at most.
+// each job of a grading holds one for 90 s at most.
 constexpr std::chrono::minutes kPatience{10};
 
 // Shared by all runs of this process: the staging folder, and the copy of the helper in it, which

@@ -153,7 +153,7 @@ private:
         const bool exited = report.kind == jail::Report::Kind::exited;
         outcome_.end = exited ? Outcome::End::exited : Outcome::End::signalled;
         // A compiler that ignores SIGXCPU gets SIGKILL a second later: the same limit, so the same
-        // result. The helper says so itself of a program.
+        // result. For a program the helper reports SIGXCPU itself.
         if (!exited && report.code == SIGKILL && outcome_.cpuMs >= limits_.cpuSeconds * 1000.0)
             outcome_.code = SIGXCPU;
     }

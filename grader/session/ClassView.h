@@ -54,8 +54,8 @@ public:
     /// Stores decisions in one transaction (see `readDecisions`). Each has the version that the
     /// page saw. 200 once they are on disk, with {"answers": [{"isKept", "decision"}]}: `decision`
     /// is the valid one, which is another ticker's if that was stored first. 400 if one is
-    /// malformed or too long, with {"error"}: none is stored then. A request that is sent again,
-    /// because its answer was lost, is stored once.
+    /// malformed or too long, 404 if there is no such submission, with {"error"}: none is stored
+    /// then. A request that is sent again, because its answer was lost, is stored once.
     [[nodiscard]] Reply decide(const std::string& body);
 
     /// Stores a comment that all tickers of the class can insert (see `readSavedComment`).
@@ -67,7 +67,8 @@ public:
 
     /// The store's message for the user; may be empty.
     [[nodiscard]] const std::string& notice() const { return store_.notice(); }
-    /// Number of requests that stored decisions.
+    /// Number of requests for decisions that were accepted, also of those in which another decision
+    /// was stored first.
     [[nodiscard]] std::uint64_t changes() const { return changes_; }
     [[nodiscard]] std::size_t size() const { return rows().size(); }
 

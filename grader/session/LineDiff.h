@@ -15,7 +15,8 @@ struct DiffLine {
 };
 
 /// The shortest list of removed and added lines that turns one text into the other, in order. If
-/// more than 2000 lines differ, all lines are removed and added.
+/// one of the texts has more than 2000 lines between the equal lines at the beginning and at the
+/// end, all lines in between are removed and added.
 [[nodiscard]] std::vector<DiffLine> lineDiff(std::string_view before, std::string_view after);
 
 }  // namespace ticker::session

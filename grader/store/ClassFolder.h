@@ -22,7 +22,7 @@ struct ClassEntry {
 [[nodiscard]] std::filesystem::path resultFile(const std::filesystem::path& out,
                                                const std::string& submission);
 
-/// True if the store's row of a submission says what its result says. A run that was killed between
+/// True if the store's row of a submission agrees with its result. A run that was killed between
 /// writing the two leaves an older row, or none.
 [[nodiscard]] bool isKnown(const std::optional<ResultRow>& row, const SubmissionResult& result);
 

@@ -28,7 +28,7 @@ struct ResultRow {
     std::string toolVersion;
     Inputs inputs;
     std::string gradedAt;            ///< UTC, "2026-11-21T16:05:36Z"
-    std::int64_t timesGraded = 0;    ///< to the end, in this OUT
+    std::int64_t timesGraded = 0;    ///< how often a result was stored in this OUT
     std::vector<std::string> tasks;  ///< "ID:passed", in the exercise's order
     std::vector<ProvenLine> proven;  ///< none where edits were not looked for
 };
@@ -36,9 +36,9 @@ struct ResultRow {
 /// Words for students that the tickers of a class share.
 struct SavedComment {
     std::int64_t id = 0;
-    std::string finding;  ///< for those who have it; empty: for anybody
+    std::string finding;  ///< for submissions that have it; empty: for all
     std::string text;     ///< Markdown
-    std::string who;      ///< saved it
+    std::string who;      ///< who saved it
     std::string when;     ///< UTC
 };
 
@@ -82,7 +82,8 @@ public:
     /// All decisions about one submission, oldest first.
     [[nodiscard]] std::vector<Decision> history(std::string_view submission) const;
 
-    /// Keeps a saved comment, once for its finding. On disk when this returns.
+    /// Stores a comment, unless the same text is stored for its finding already. On disk when this
+    /// returns.
     void saveComment(const SavedComment& comment);
     void dropComment(std::int64_t id);
     /// All, oldest first.

@@ -14,9 +14,9 @@ namespace ticker::calibrate {
 
 /// The finished units of one campaign on disk, `FOLDER/<name>.jsonl`: a first line that names the
 /// campaign, then one line for each unit in the order of finishing, with the code that it belongs
-/// to. Lines are only added, of which the last counts; a line that was cut short by a kill is
-/// dropped when the file is opened again. Units are identified by name; units that the campaign no
-/// longer has are ignored.
+/// to. Lines are only added, and the last line of a unit counts; a line that was cut short by a
+/// kill is dropped when the file is opened again. Units are identified by name; units that the
+/// campaign no longer has are ignored.
 class Record {
 public:
     /// Reads the existing record. The first `add` creates the folder and the file if necessary.
@@ -25,8 +25,9 @@ public:
 
     /// Writes one line; threads may call it at once.
     void add(std::size_t unit, const std::string& found, const Stamp& stamp = {});
-    /// Takes over, in memory, what another record has of the code of these stamps, and what only
-    /// the other one has.
+    /// Takes over, in memory, units of another record: those that belong to the code of the stamps,
+    /// and those that this record lacks. Units of this record that belong to that code stay.
+    /// @param stamps  One for each unit of the campaign.
     void adopt(const Record& other, const std::vector<Stamp>& stamps);
 
     [[nodiscard]] bool has(std::size_t unit) const { return found_.contains(unit); }

@@ -23,13 +23,13 @@ namespace ticker::calibrate {
 struct Subject {
     std::string name;  ///< "T2.1/light-size-0.36"
     std::string source;
-    std::string task;  ///< the task of `expect`; empty: both tasks must pass
+    std::string task;  ///< the task of `expect`; empty: all tasks of the file must pass
     corpus::Expectation expect;
     std::string file;  ///< its name
     const Exercise* exercise = &defaultExercise();
 
     [[nodiscard]] bool isRight() const { return expect.passes(); }
-    /// The task that it is about; of a whole file its first.
+    /// The task that it is about; the file's first task if it is about all of them.
     [[nodiscard]] std::string ownTask() const;
     /// What of it can change a verdict: its code and the expected result.
     [[nodiscard]] std::string basis() const;

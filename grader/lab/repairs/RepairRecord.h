@@ -9,8 +9,9 @@
 
 namespace ticker::lab {
 
-/// Finished rows on disk, a line each, so that a run can be stopped and go on. A line that was cut
-/// short is dropped. Rows do not know which tool made them: a new tool takes a new file.
+/// Finished rows on disk, a line each, so that a run can be stopped and continued. A line that was
+/// cut short is dropped. A row does not contain the version of the tool, so that a new tool needs a
+/// new file.
 class RepairRecord {
 public:
     /// @throws raytracer::InputError if the file cannot be read.

@@ -24,7 +24,7 @@ private:
     std::uint64_t state_;
 };
 
-// Choices outside the cross product are drawn, so that any of them meet.
+// Choices outside the cross product are drawn, so that any two of them may occur together.
 void drawOthers(Choices& choices, Reading& reading) {
     constexpr std::array kOrigins{0.5, 0.25, 0.0, 0.75, 0.5, 0.137};
     constexpr std::array kEdges{Reading::Edge::wrap, Reading::Edge::clamp, Reading::Edge::mirror};
@@ -81,7 +81,8 @@ std::vector<Reading> readingsForMistakes() {
     std::vector<Reading> readings;
     const std::vector<Reading> all = acceptedReadings(1);
     constexpr std::size_t kStep = 19;
-    // A second run with whole bytes names fewer mistakes: few readings round.
+    // Code that rounds heights is judged by a second run, with slopes of whole bytes, which names
+    // fewer mistakes: so at most one reading in eight rounds.
     constexpr std::size_t kRounds = 8;
     for (std::size_t i = 0; i < all.size(); i += kStep) {
         readings.push_back(all[i]);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array kGainNames{
     "unit tangents", "P_u by sin theta", "P_u by 1 / sin theta", "slopes over (u, v)",
     "Blinn's form",  "cross products",   "displaced surface",    "displaced unit sphere"};
-/// Indices of every step-th element of `count`.
+/// Indices of a share of `count` elements, evenly spread.
 std::vector<std::size_t> sample(std::size_t count, double fraction) {
     const double step = 1.0 / std::clamp(fraction, 1e-3, 1.0);
     std::vector<std::size_t> chosen;

@@ -145,8 +145,8 @@ public:
     }
 
 private:
-    // Files that are created once are not left behind: those of the first grading, and the
-    // decoder's copy.
+    // Creates the files that each process creates once, those of the first grading and the
+    // decoder's copy, so that they do not count as left behind.
     void warmUp() const {
         constexpr std::string_view kBeginning{"\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1", 24};
         static_cast<void>(gradeOne(cases_.front()));

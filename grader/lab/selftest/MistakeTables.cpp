@@ -43,7 +43,7 @@ std::string told(const corpus::Expectation& expected) {
            (expected.needsReview ? " (review)" : "");
 }
 
-/// An entry, and its task's file, or the one that results from its edits.
+/// An entry, and the text of its task's file, or else of the file that it edits or adds.
 struct Made {
     Entry entry;
     std::string source;

@@ -10,7 +10,7 @@ namespace ticker::similar {
 
 /// What is done to a copy so that it looks like own work.
 enum class Disguise {
-    names,        ///< every name of its own is another one
+    names,        ///< every name is replaced, except those of the kit and the language
     order,        ///< neighbouring declarations and functions change places where they may
     comments,     ///< other comments, line breaks and indentation
     expressions,  ///< expressions and loops are written in another way

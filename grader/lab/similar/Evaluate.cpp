@@ -16,7 +16,8 @@ constexpr std::array kLeastPercents{30, 40, 50, 60};
 // author, or one was made from the other: they are no independent pair.
 constexpr std::size_t kSameAuthor = 4;
 constexpr std::size_t kLongLine = 12;
-// For copies that are half another student's: that student's file is so many entries further on.
+// A copy whose second half is another student's takes that half from the file so many entries
+// further on.
 constexpr std::size_t kOtherStep = 7;
 
 using Percents = std::map<std::pair<std::size_t, std::size_t>, int>;

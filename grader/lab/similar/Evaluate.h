@@ -17,7 +17,7 @@ struct Listed {
     std::size_t all = 0;
 };
 
-/// What one least percentage does to pairs whose origin is known.
+/// How many pairs of known origin are listed at one least percentage.
 struct Row {
     std::string file;
     int leastPercent = 0;

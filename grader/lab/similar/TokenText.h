@@ -14,7 +14,7 @@ struct Token {
     std::string text;
 };
 
-/// The pieces of a C++ text, in order; together they are the text. Raw strings are not known.
+/// The pieces of a C++ text, in order; together they are the text. Raw strings are not recognised.
 [[nodiscard]] std::vector<Token> tokensOf(std::string_view source);
 [[nodiscard]] std::string sourceOf(const std::vector<Token>& tokens);
 

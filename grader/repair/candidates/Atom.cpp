@@ -22,7 +22,7 @@ bool holdsTogether(const Node& node) {
     }
 }
 
-/// Whether what stands around a node keeps it together.
+/// Whether a text in place of a node needs no parentheses, because of what stands around it.
 bool isEnclosed(const Tree& tree, int node) {
     const int parent = tree.at(node).parent;
     if (parent < 0 || !tree.at(parent).isExpression) return true;

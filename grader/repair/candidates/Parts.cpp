@@ -82,7 +82,7 @@ void addMethod(CXCursor member, const std::string& before, std::vector<Quantity>
         found.push_back({before + name, type, argument});
 }
 
-/// Those of a class and of its bases.
+/// Such functions of a class and of its bases.
 void addMethods(CXCursor record, const std::string& before, std::vector<Quantity>& found) {
     for (const CXCursor& child : childrenOf(record))
         if (clang_getCursorKind(child) == CXCursor_CXXBaseSpecifier)

@@ -10,7 +10,8 @@
 namespace ticker::candidates {
 namespace {
 
-/// Texts of expressions in a node's function that satisfy a condition, each once.
+/// Expressions in a node's outermost function that satisfy a condition, one for each text, in the
+/// order of the text; at most `most`.
 template <class Wanted>
 std::vector<int> expressionsLike(const Edits& edits, int index, std::size_t most, Wanted wanted) {
     const Tree& tree = edits.tree();
@@ -27,7 +28,7 @@ std::vector<int> expressionsLike(const Edits& edits, int index, std::size_t most
     return found;
 }
 
-/// A quantity that something else tells: `map.width()`, `settings().rays`.
+/// Whether a node is a number that an object or a call supplies: `map.width()`, `settings().rays`.
 bool isQuantity(const Edits& edits, int i) {
     const Node& node = edits.tree().at(i);
     if (!node.isExpression || !edits.isNumber(i)) return false;
@@ -36,7 +37,7 @@ bool isQuantity(const Edits& edits, int i) {
            edits.tree().at(node.children.front()).kind == NodeKind::call;
 }
 
-/// A size that a variable keeps: `const int w = map.width();`.
+/// Whether a node is a variable that was given such a number: `const int w = map.width();`.
 bool isKeptSize(const Edits& edits, int i) {
     const Node& node = edits.tree().at(i);
     if (node.kind != NodeKind::name || !edits.isInteger(i) || node.declared == 0) return false;
@@ -79,8 +80,8 @@ void addBounds(Edits& edits, int index) {
     }
 }
 
-/// Whether a node is a whole initialiser or value, an argument, or what `.normalised()` is asked
-/// of.
+/// Whether a node is a whole initialiser or value, an argument, or all that stands in parentheses,
+/// as in `(a - b).normalised()`.
 bool isWhole(const Tree& tree, int index) {
     const Node& node = tree.at(index);
     if (node.parent < 0) return false;

@@ -15,7 +15,7 @@ class Vocabulary {
 public:
     Vocabulary(const Edits& edits, int index);
 
-    /// Variables of a type, the nearest first.
+    /// Variables of a type, the nearest first; at most five.
     [[nodiscard]] std::vector<std::string> variables(std::string_view type) const;
     /// Pairs of numbers that were computed alike, such as two roots.
     [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& twins() const {
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::vector<std::string> all(std::string_view type) const;
     /// Points and directions, used or not.
     [[nodiscard]] std::vector<std::string> places() const;
-    /// The same, and what functions give.
+    /// The same, and what functions of one argument return for a variable.
     [[nodiscard]] std::vector<std::string> points() const;
     [[nodiscard]] std::vector<std::string> colours() const;
     /// Lengths of the variables that are vectors.

@@ -21,8 +21,9 @@ bool isScale(const Edits& edits, int index) {
            edits.isType(around.children.front(), "raytracer::Vector3");
 }
 
-/// Whether a node is whole, a term of a sum, what a method is called for, or the first line of a
-/// product.
+/// Whether a term or a factor may be added to a node: it stands alone, is an operand of an operator
+/// other than *, / and =, has a method called for it, is the number that a direction is multiplied
+/// by, or is the first operand of a product or quotient that goes on in the next line.
 bool isTerm(const Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& node = tree.at(index);

@@ -6,7 +6,8 @@
 
 namespace ticker::candidates {
 
-/// Whether a node is a whole initialiser, value or argument.
+/// Whether a node is a whole initialiser, value, argument or item of a list, or all that stands in
+/// parentheses.
 [[nodiscard]] bool standsAlone(const Tree& tree, int index);
 
 /// Terms and values that a function could name beside those of a node.

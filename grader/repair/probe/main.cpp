@@ -28,8 +28,9 @@ void ticker_step();
 
 namespace {
 
-// Loops go round at most so often in a round: a few times as often as without edits. Where that is
-// not known, a right submission comes nowhere near.
+// Most steps of all loops in one round, so that a loop that an edit makes endless ends: three times
+// the steps without edits, and some more. Before these are measured the limit is far above the
+// steps of a right submission.
 constexpr long kTimesAsOften = 3;
 constexpr long kSomeMore = 10'000;
 std::atomic<long> mostSteps{2'000'000};  // NOLINT: shared with the code that is asked

@@ -16,8 +16,8 @@ std::string paragraph(std::string_view text) {
     return html;
 }
 
-/// HTML of ours on one line: newlines count in preformatted text alone, and attributes take the
-/// other quotes.
+/// Our own HTML on one line: newlines are kept, as <br>, in preformatted text only, and attributes
+/// get single quotes.
 std::string onOneLine(std::string_view html) {
     std::string line;
     bool isPreformatted = false;

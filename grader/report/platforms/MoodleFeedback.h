@@ -7,9 +7,9 @@
 
 namespace ticker::report {
 
-/// What Moodle shows beside the grade: the text for the student as HTML on one line, the ticker's
-/// words as their Markdown says. Holds neither quotes nor backslashes of CSV, so that no two
-/// readers can differ on where the field ends.
+/// What Moodle shows beside the grade: the text for the student as HTML on one line, with the
+/// ticker's Markdown rendered. It contains no double quote and no backslash, so that all readers of
+/// the CSV agree on where the field ends.
 [[nodiscard]] std::string moodleFeedback(const StudentView& view);
 
 }  // namespace ticker::report

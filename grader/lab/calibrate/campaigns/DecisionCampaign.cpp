@@ -57,8 +57,8 @@ DecisionCampaign::DecisionCampaign(DecisionPlan plan, Programs& programs)
             if (round < rounds[i]) addBlocks(i, round);
 }
 
-// Adds the blocks of one round. The other task of a wrong subject is the reference's code, so that
-// it is judged in the first block only.
+// Adds the blocks of one round. The other tasks of a wrong subject are the reference's code, so
+// that they are judged in the first round only.
 void DecisionCampaign::addBlocks(std::size_t subject, std::size_t round) {
     const Subject& judged = plan_.subjects[subject];
     const bool others = plan_.othersToo && (judged.isRight() || round == 0);

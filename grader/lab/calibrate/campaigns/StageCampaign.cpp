@@ -96,7 +96,8 @@ bool isSuited(const Subject& subject) {
            subject.name.find("fixed") == std::string::npos;
 }
 
-// Of the subjects' file: the one that is asked about shadows.
+// Whether a subject is about the first task of its file, soft shadows; the others are judged by
+// their pictures.
 bool isOfFirstTask(const Subject& subject) {
     const auto first = std::ranges::find(defaultExercise().tasks, subject.file, &TaskEntry::file);
     return subject.task == first->id;
