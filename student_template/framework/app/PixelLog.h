@@ -32,7 +32,8 @@ struct TracedRay {
 class PixelLog final : public RenderObserver {
 public:
     [[nodiscard]] const std::vector<TracedRay>& traced() const { return traced_; }
-    /// Rays cast outside of `trace`.
+    /// All other rays: those cast outside of `trace`, and those cast in it outside of `illuminate`
+    /// after the traced ray itself.
     [[nodiscard]] const std::vector<SeenRay>& loose() const { return loose_; }
     /// The pinhole camera's ray, if the solution asked for it.
     [[nodiscard]] const std::optional<Ray>& cameraRay() const { return cameraRay_; }

@@ -18,7 +18,8 @@ struct LensPoints {
     Vector3 low{1e9, 1e9, 1e9};
     Vector3 high{-1e9, -1e9, -1e9};
 
-    /// Half the side of the smallest square around them, and of the largest square within.
+    /// Half the longer and half the shorter side, in x and y, of the smallest rectangle around
+    /// them.
     [[nodiscard]] double widest() const;
     [[nodiscard]] double narrowest() const;
 };

@@ -16,7 +16,8 @@ namespace raytracer::view {
 namespace {
 
 constexpr int kCoarser = 4;
-// Passes with this many times the rays of the one before cost a fortieth of the whole picture.
+// Each coarse pass has this many times the rays of the one before. With the handout's 50 rays all
+// coarse passes cost about a fortieth of the whole picture.
 constexpr int kMoreRays = 4;
 constexpr int kTileWidth = 128;
 constexpr int kTileHeight = 96;

@@ -13,7 +13,7 @@ namespace raytracer::view {
 /// A part of an unfinished picture: a region of the full frame, perhaps at a lower resolution.
 struct Part {
     Region region;      ///< in pixels of the full frame
-    ByteImage picture;  ///< of the region; the whole frame's where it is coarse
+    ByteImage picture;  ///< of the region, with fewer pixels in a coarse stage
     std::string stage;  ///< "4 of 50 rays", empty for the final pixels
     double secondsLeft = 0.0;
     bool isLast = false;

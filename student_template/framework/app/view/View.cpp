@@ -60,8 +60,8 @@ void refuseOthers(const Options& options) {
 }
 
 /// Rank of a scene if none was named; the highest wins. 2: its picture is handed in, and its file
-/// has no stub left; 1: its file has; 0: any other scene. Between equals the file that was saved
-/// last decides.
+/// has no stub left; 1: its picture is handed in, and its file has a stub; 0: any other scene.
+/// Between equals the file that was saved last decides.
 std::pair<int, fs::file_time_type> fitOf(const fs::path& scene) {
     const std::string text = contentsOf(scene);
     if (text.find("screenshot.png") == std::string::npos) return {0, {}};

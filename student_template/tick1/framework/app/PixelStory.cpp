@@ -38,8 +38,8 @@ std::string storyOf(const SeenRay& seen, const Scene& scene) {
 
 }  // namespace
 
-// Every ray in the order in which it was cast: which of them asks for shadows and which is mirrored
-// is for your code to know.
+// Every ray in the order in which it was cast. The log does not contain which of them are shadow
+// rays and which are mirrored.
 std::string storyOf(const PixelLog& log, const Scene& scene, bool /*inFull*/) {
     std::string story;
     for (const SeenRay& seen : log.loose())

@@ -2,7 +2,7 @@
 
 namespace raytracer {
 
-// The main tick knows no bumps.
+// The main tick has no bumps.
 Vector3 BumpySphere::getNormalAt(const Vector3& position) const {
     return Sphere::getNormalAt(position);
 }
