@@ -38,7 +38,7 @@ std::string whyNotGraded(const fs::directory_entry& entry) {
     return isEmpty ? "is empty" : "holds nothing to grade";
 }
 
-/// Descends as long as submissions lie beside other folders.
+/// Collects what belongs to no submission. Descends only into folders that contain submissions.
 class Search {
 public:
     Search(fs::path top, const std::vector<Located>& found, const fs::path& out)

@@ -13,7 +13,8 @@ namespace {
 // Means and variances of 75 000 comparisons of normal variables: the probability of any false alarm
 // is below 1e-3.
 constexpr double kLargestZ = 5.8;
-// Share of the pixels of a bumpy scene, see OracleAgreement.cpp.
+// Largest share of the pixels of bumpy scenes that may be off at an edge: see kEdge in
+// OracleAgreement.cpp.
 constexpr double kEdgeShare = 0.01;
 
 /// All units of one reading.

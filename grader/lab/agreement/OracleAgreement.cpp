@@ -25,8 +25,8 @@ using raytracer::RenderSettings;
 using raytracer::SceneDescription;
 
 constexpr int kRenders = 40;
-// A ray that grazes an edge, or the edge of a texel, may fall on its other side in single
-// precision.
+// A larger difference of a channel comes from an edge: a ray that grazes the edge of an object or
+// of a texel may fall on its other side in single precision.
 constexpr double kEdge = 2e-4;
 
 RenderSettings smallSettings() {

@@ -30,7 +30,8 @@ public:
 
     /// Files of the parts of a measurement, as paths in the checkout.
     [[nodiscard]] std::vector<std::filesystem::path> filesOf(std::string_view measured) const;
-    /// "grader/tasks/shadows": the paths of a part, for messages; its name if there are many.
+    /// Words for a part in messages: its first path ("grader/tasks/shadows"), or "the part NAME" if
+    /// it has more than two paths.
     [[nodiscard]] std::string placeOf(const std::string& part) const;
 
 private:

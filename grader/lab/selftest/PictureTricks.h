@@ -18,7 +18,7 @@ using metrics::Picture;
                                  const std::function<double(double value, int channel)>& change);
 [[nodiscard]] Picture inGrey(const ByteView& picture);
 [[nodiscard]] Picture withRedForBlue(const ByteView& picture);
-/// On a light canvas a quarter larger, with a dark bar above, as in a viewer's window.
+/// On a light canvas of this size, with a dark bar above, as in a viewer's window.
 [[nodiscard]] Picture inAWindow(const ByteView& picture, int width, int height);
 /// The same pixels, shifted right and down; the border repeats.
 [[nodiscard]] Picture moved(const ByteView& picture, int right, int down);
