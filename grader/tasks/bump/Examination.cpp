@@ -100,6 +100,8 @@ MainPlan planMain(std::uint64_t seed) {
         plan.conduct.rough.push_back(pair.flat);
         plan.conduct.rough.push_back(pair.map);
     }
+    plan.conduct.rough.push_back(plan.fewTexels.columnRidges);
+    plan.conduct.rough.push_back(plan.fewTexels.rowRidges);
     for (const LevelPair& pair : plan.untilted.pairs)
         plan.conduct.rough.push_back(pair.map);
     return plan;

@@ -75,7 +75,6 @@ std::optional<std::size_t> axisOf(const Parametrisation& parametrisation) {
 template <typename Falls, typename Counts>
 double leastShare(const std::vector<Vector3>& directions, const std::vector<Vector3>& tilts,
                   std::size_t axis, Falls falls, Counts counts) {
-    constexpr double kSomeTilt = 5e-6;
     constexpr double kCosine = 0.5;  // of 60 degrees
     double least = 1.0;
     for (std::size_t group = axis * kCapGroups; group < (axis + 1) * kCapGroups; ++group) {
@@ -83,7 +82,8 @@ double leastShare(const std::vector<Vector3>& directions, const std::vector<Vect
         double right = 0.0;
         for (std::size_t i = group * kRingPoints; i < (group + 1) * kRingPoints; ++i) {
             const double length = tilts[i].magnitude();
-            if (!(length > kSomeTilt) || !std::isfinite(length) || !counts(directions[i])) continue;
+            if (!(length > kLeastTilt) || !std::isfinite(length) || !counts(directions[i]))
+                continue;
             tilted += 1.0;
             if (tilts[i].dot(falls(directions[i])) > kCosine * length) right += 1.0;
         }

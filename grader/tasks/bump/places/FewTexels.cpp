@@ -20,6 +20,16 @@ std::vector<double> singleWave(int count) {
     return heights;
 }
 
+/// Height of a flat map, but for the last texel and one in the middle, which are higher.
+std::vector<double> twoRidges(int count) {
+    constexpr double kLevel = 2.5;
+    constexpr double kHigher = 0.3;
+    std::vector<double> heights = raytracer::questions::level(count, kLevel);
+    heights.at(static_cast<std::size_t>(count / 2)) += kHigher;
+    heights.back() += kHigher;
+    return heights;
+}
+
 /// Share of right tilts in the second texel, or the last but one.
 class EdgeShares {
 public:
@@ -44,10 +54,9 @@ private:
         double right = 0.0;
 
         void add(double downhill) {
-            constexpr double kSomeTilt = 5e-6;
             if (!std::isfinite(downhill)) return;
             asked += 1.0;
-            if (downhill > kSomeTilt) right += 1.0;
+            if (downhill > kLeastTilt) right += 1.0;
         }
         // Of 3000 points 45 lie in either column and 70 in either row, on average.
         [[nodiscard]] double share() const {
@@ -58,6 +67,57 @@ private:
 
     int count_;
     Count start_;
+    Count end_;
+};
+
+/// Compares what the ridge at the map's end does to the texels before it with what the ridge in the
+/// middle does.
+class RidgeShares {
+public:
+    explicit RidgeShares(int count) : count_(count) {}
+
+    /// @param coordinate  Of the map, 0 to 1.
+    /// @param along       The tilt along growing coordinates.
+    void add(double coordinate, double along) {
+        const double at = coordinate * count_;
+        if (isBefore(at, count_)) end_.add(along);
+        if (isBefore(at, count_ / 2 + 1)) middle_.add(along);
+    }
+    /// 1 if nothing tilts before the ridge in the middle, as with differences to the texel before,
+    /// or if the last texel's own points do not show it.
+    [[nodiscard]] double beforeLast() const {
+        // Of the points of three texels. The last row has a ninth of those of the last three.
+        constexpr double kShown = 0.06;
+        if (middle_.rising() < kShown || end_.falling() < kShown) return 1.0;
+        return end_.rising() / middle_.rising();
+    }
+
+private:
+    /// The ridge's own texel and the two before it: a coordinate that is rounded to the nearest
+    /// texel, or that is stretched to the last texel, moves by less.
+    [[nodiscard]] static bool isBefore(double at, double end) {
+        constexpr double kTexels = 3.0;
+        return at < end && at >= end - kTexels;
+    }
+
+    struct Count {
+        double asked = 0.0;
+        double tiltsBack = 0.0;
+        double tiltsOn = 0.0;
+
+        void add(double along) {
+            if (!std::isfinite(along)) return;
+            asked += 1.0;
+            if (along < -kLeastTilt) tiltsBack += 1.0;
+            if (along > kLeastTilt) tiltsOn += 1.0;
+        }
+        // Of 3000 points 330 lie in three columns, and 440 in the last three rows, on average.
+        [[nodiscard]] double rising() const { return asked > 0.0 ? tiltsBack / asked : 0.0; }
+        [[nodiscard]] double falling() const { return asked > 0.0 ? tiltsOn / asked : 0.0; }
+    };
+
+    int count_;
+    Count middle_;
     Count end_;
 };
 
@@ -105,6 +165,10 @@ FewTexelPlan planFewTexels(Questionnaire& questionnaire, Draws& draws, const Bal
         ball, {kFewColumns, kManyTexels, {}, singleWave(kFewColumns), across}, plan.directions);
     plan.rows = questionnaire.addPair(
         ball, {kManyTexels, kFewRows, {}, across, singleWave(kFewRows)}, plan.directions);
+    plan.columnRidges = questionnaire.add(
+        ball, {kFewColumns, kManyTexels, {}, twoRidges(kFewColumns), across}, plan.directions);
+    plan.rowRidges = questionnaire.add(
+        ball, {kManyTexels, kFewRows, {}, across, twoRidges(kFewRows)}, plan.directions);
     return plan;
 }
 
@@ -113,6 +177,11 @@ FewTexels readFewTexels(const FewTexelPlan& plan, const Answers& answers,
     constexpr double kFromPole = 0.15;  // nearer, columns are narrow and their chords bend
     const std::vector<Vector3> onColumns = answers.tiltsBeyond(plan.columns.flat, plan.columns.map);
     const std::vector<Vector3> onRows = answers.tiltsBeyond(plan.rows.flat, plan.rows.map);
+    const std::vector<Vector3> byColumnRidges =
+        answers.tiltsBeyond(plan.columns.flat, plan.columnRidges);
+    const std::vector<Vector3> byRowRidges = answers.tiltsBeyond(plan.rows.flat, plan.rowRidges);
+    RidgeShares lastColumn(kFewColumns);
+    RidgeShares lastRow(kFewRows);
     EdgeShares alongU(kFewColumns);
     EdgeShares alongV(kFewRows);
     AsideShare aside;
@@ -121,12 +190,15 @@ FewTexels readFewTexels(const FewTexelPlan& plan, const Answers& answers,
         const double v = parametrisation.v(n);
         if (std::min(v, 1.0 - v) > kFromPole) {
             alongU.add(parametrisation.u(n), onColumns[i].dot(parametrisation.alongU(n)));
+            lastColumn.add(parametrisation.u(n), byColumnRidges[i].dot(parametrisation.alongU(n)));
             aside.add(parametrisation.u(n), onRows[i].dot(parametrisation.alongU(n)),
                       onRows[i].dot(parametrisation.alongV(n)));
         }
         alongV.add(v, onRows[i].dot(parametrisation.alongV(n)));
+        lastRow.add(v, byRowRidges[i].dot(parametrisation.alongV(n)));
     }
-    return {alongU.least(), alongV.least(), aside.most()};
+    return {alongU.least(), alongV.least(), aside.most(), lastColumn.beforeLast(),
+            lastRow.beforeLast()};
 }
 
 }  // namespace ticker::tasks::bump

@@ -15,10 +15,14 @@ inline constexpr int kFewRows = 12;
 
 /// A map of few columns that vary along u alone, and one of few rows that vary along v alone: one
 /// wave from edge to edge, high at both. So few that the texels beside the outermost ones show.
+/// Likewise two maps that are flat but for two higher columns, the last one and one in the middle,
+/// or for two such rows.
 struct FewTexelPlan {
     std::vector<Vector3> directions;
     LevelPair columns;
     LevelPair rows;
+    std::size_t columnRidges = 0;
+    std::size_t rowRidges = 0;
 };
 
 [[nodiscard]] FewTexelPlan planFewTexels(Questionnaire& questionnaire, Draws& draws,
@@ -37,9 +41,21 @@ struct FewTexels {
     /// the neighbour beyond the last column from another row gives 1.
     double aside = 0.0;
 
+    /// Share of the points before the higher last column, or row, that lean away from it, divided
+    /// by that before the one in the middle. Right code gives about 1: both ridges stand inside the
+    /// map. Wide differences that mirror at the edge give 0.37 at least. Code that wraps one texel
+    /// too early, by (column + 1) % (width() - 1), gives 0.
+    double beforeLastColumn = 1.0;
+    double beforeLastRow = 1.0;
+
     static constexpr double kLeast = 0.6;
-    [[nodiscard]] bool goodU() const { return alongU >= kLeast; }
-    [[nodiscard]] bool goodV() const { return alongV >= kLeast; }
+    static constexpr double kLeastBeforeLast = 0.12;
+    [[nodiscard]] bool goodU() const {
+        return alongU >= kLeast && beforeLastColumn >= kLeastBeforeLast;
+    }
+    [[nodiscard]] bool goodV() const {
+        return alongV >= kLeast && beforeLastRow >= kLeastBeforeLast;
+    }
     static constexpr double kMostAside = 0.5;
     [[nodiscard]] bool goodAside() const { return aside <= kMostAside; }
     [[nodiscard]] bool good() const { return goodU() && goodV() && goodAside(); }

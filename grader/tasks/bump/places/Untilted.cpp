@@ -112,12 +112,11 @@ std::vector<Vector3> atRim(Draws& draws, const Ball& ball) {
 /// Share of the tilts that are so small that they count as none.
 /// @param every  Counts only every n-th tilt, from `first` on.
 double smoothShare(const std::vector<Vector3>& tilts, std::size_t first, std::size_t every) {
-    constexpr double kSomeTilt = 5e-6;  // ten times single precision's rounding
     double smooth = 0.0;
     double all = 0.0;
     for (std::size_t i = first; i < tilts.size(); i += every) {
         all += 1.0;
-        if (tilts[i].magnitude() < kSomeTilt) smooth += 1.0;
+        if (tilts[i].magnitude() < kLeastTilt) smooth += 1.0;
     }
     return smooth / all;
 }

@@ -9,6 +9,8 @@ namespace ticker::tasks::bump {
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kTurn = 2.0 * kPi;
 inline constexpr double kDegrees = 180.0 / kPi;  ///< of one radian
+/// A shorter tilt counts as none: ten times single precision's rounding.
+inline constexpr double kLeastTilt = 5e-6;
 
 /// The value below which a share of `share` of the values lies. NaNs are left out; NaN if no value
 /// is left.

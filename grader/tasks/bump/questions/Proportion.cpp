@@ -17,7 +17,6 @@ constexpr int kWidth = 400;
 constexpr int kHeight = 200;
 constexpr int kLevels = 5;  // random heights: 0 to 5 of these
 
-constexpr double kSomeTilt = 5e-6;  // ten times single precision's rounding
 
 HeightMapDescription scaled(const std::vector<int>& texels, int base, int bytesPerLevel) {
     HeightMapDescription map{kWidth, kHeight, {}, {}, {}};
@@ -40,7 +39,7 @@ double middleLength(const std::vector<Vector3>& tilts) {
     lengths.reserve(tilts.size());
     for (const Vector3& tilt : tilts)
         lengths.push_back(tilt.magnitude());
-    return std::max(median(std::move(lengths)), kSomeTilt);
+    return std::max(median(std::move(lengths)), kLeastTilt);
 }
 
 /// The mean of values over the mean of their sizes.
@@ -91,7 +90,7 @@ Proportion readProportion(const ProportionPlan& plan, const Answers& answers) {
     const std::vector<Vector3> steep = answers.tiltsBeyond(plan.flat, plan.steep);
     std::vector<double> growth;
     for (std::size_t i = 0; i < gentle.size(); ++i)
-        if (gentle[i].magnitude() > kSomeTilt)
+        if (gentle[i].magnitude() > kLeastTilt)
             growth.push_back(steep[i].dot(gentle[i]) / gentle[i].dot(gentle[i]));
     if (static_cast<double>(growth.size()) < kSomePoints * static_cast<double>(gentle.size()))
         return proportion;
@@ -105,7 +104,7 @@ StepBalance readBalance(const ProportionPlan& plan, const Answers& answers,
     const AxisResponse& onU = ramps.response->u;
     const AxisResponse& onV = ramps.response->v;
     const std::vector<Vector3> tilts = answers.tiltsBeyond(plan.flat, plan.gentle);
-    if (!(middleLength(tilts) > kSomeTilt)) return {};
+    if (!(middleLength(tilts) > kLeastTilt)) return {};
     SignedShare alongU;
     SignedShare alongV;
     for (std::size_t i = 0; i < tilts.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 namespace ticker::tasks::bump {
@@ -58,10 +59,26 @@ Words seamWords(const FewTexels& fewTexels) {
             "Option 1: What to do, step 3"};
 }
 
+Words lastTexelWords(const FewTexels& fewTexels) {
+    const bool inRows = fewTexels.beforeLastColumn >= FewTexels::kLeastBeforeLast;
+    const std::string texel = inRows ? "row" : "column";
+    return {
+        fmt::format("On a map that is flat but for a higher last {0}, the normal does not lean "
+                    "away from it in the {0} before; beside a higher {0} in the middle it does.",
+                    texel),
+        fmt::format("The right neighbour of the last {0} but one is the last {0}, {1}() - 1. "
+                    "Look at the limit of the neighbour's index: (column + 1) % width() wraps "
+                    "the columns, and width() - 1 in its place leaves the last one out.",
+                    texel, inRows ? "height" : "width"),
+        "Option 1: What to do, step 3"};
+}
+
 }  // namespace
 
 Words fewTexelWords(const FewTexels& fewTexels) {
     if (fewTexels.goodU() && fewTexels.goodV()) return seamWords(fewTexels);
+    if (std::min(fewTexels.alongU, fewTexels.alongV) >= FewTexels::kLeast)
+        return lastTexelWords(fewTexels);
     const bool inRows = fewTexels.goodU();
     const std::string texel = inRows ? "row" : "column";
     return {fmt::format("On a map of {3} {0}s, in the {0} beside the first or the last one, the "

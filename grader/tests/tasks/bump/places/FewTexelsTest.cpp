@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -56,6 +57,46 @@ TEST(ReadFewTexels, SaysNothingAboutTheFirstAndTheLastTexel) {
                     const bool isEdge = at.row == 0 || at.row == point.map.height() - 1;
                     return std::pair{1.0, isEdge ? 0.0 : 1.0};
                 })).good());
+}
+
+/// Texels whose differences to the right and below wrap at another size, or are taken to the texel
+/// before.
+selftest::NormalFunction wrapping(int columnsLess, int rowsLess, int step = 1) {
+    return [=](const Point& point) {
+        const Vector3 n = tests::smooth(point);
+        const Parametrisation& sphere = tests::kParametrisation;
+        const auto texel = [](double coordinate, int count) {
+            return std::clamp(static_cast<int>(coordinate * count), 0, count - 1);
+        };
+        const int width = point.map.width();
+        const int height = point.map.height();
+        const int column = texel(sphere.u(n), width);
+        const int row = texel(sphere.v(n), height);
+        const auto neighbour = [step](int at, int count) { return (at + step + count) % count; };
+        const double here = point.map.at(column, row);
+        const double slopeU = point.map.at(neighbour(column, width - columnsLess), row) - here;
+        const double slopeV = point.map.at(column, neighbour(row, height - rowsLess)) - here;
+        return (n - (sphere.alongU(n) * slopeU + sphere.alongV(n) * slopeV) * step).normalised();
+    };
+}
+
+TEST(ReadFewTexels, SeesANeighbourThatWrapsOneTexelTooEarly) {
+    const FewTexels right = fewTexelsOf(wrapping(0, 0));
+    EXPECT_NEAR(right.beforeLastColumn, 1.0, 0.2);
+    EXPECT_NEAR(right.beforeLastRow, 1.0, 0.2);
+    const FewTexels columns = fewTexelsOf(wrapping(1, 0));
+    EXPECT_EQ(columns.beforeLastColumn, 0.0);
+    EXPECT_TRUE(columns.goodV());
+    const FewTexels rows = fewTexelsOf(wrapping(0, 1));
+    EXPECT_EQ(rows.beforeLastRow, 0.0);
+    EXPECT_TRUE(rows.goodU());
+    EXPECT_TRUE(fewTexelsOf(wrapping(0, 0, -1)).good());
+}
+
+TEST(JudgeBump, SaysThatTheLastColumnIsNoNeighbour) {
+    const TaskJudgement judgement = tests::judge(wrapping(1, 0));
+    ASSERT_EQ(tests::firstId(judgement), "bump.wrong");
+    EXPECT_NE(judgement.reason.find("higher last column"), std::string::npos) << judgement.reason;
 }
 
 TEST(JudgeBump, SaysThatTheSlopeBesideTheLastRowIsLost) {

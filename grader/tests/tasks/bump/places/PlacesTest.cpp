@@ -27,6 +27,8 @@ void expectRoom(const Examination& examination) {
     EXPECT_GE(examination.caps->alongV, 0.9);
     EXPECT_GE(examination.fewTexels->alongU, 0.8);
     EXPECT_GE(examination.fewTexels->alongV, 0.8);
+    EXPECT_GE(examination.fewTexels->beforeLastColumn, 0.3);
+    EXPECT_GE(examination.fewTexels->beforeLastRow, 0.3);
 }
 
 TEST(Places, AcceptedReadingsAreFarFromTheLimits) {
