@@ -25,7 +25,7 @@ struct Regrade {
 
 /// Stores what a later run over OUT continues with: the results' exercise, and their seed if it is
 /// the same for all.
-/// @return  True if the results have one seed, or if there are none.
+/// @return  True if the results have one seed, or if there are no results.
 /// @throws raytracer::InputError if the results are of more than one exercise.
 bool rememberOrigin(store::Store& store, const std::vector<SubmissionResult>& results);
 

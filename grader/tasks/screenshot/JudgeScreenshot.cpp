@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    /// Why the windows may not count against the picture; empty if they may, or if there are none.
+    /// Why the windows may not count against the picture; empty if they may, or without windows.
     [[nodiscard]] std::optional<Verification> doubtOf(const Verification& verification) const {
         return verification.own ? doubtOfWindows(scene_, seed_ + 3) : std::nullopt;
     }

@@ -78,7 +78,7 @@ private:
 /// A map whose heights are the sums of `columns` and `rows`.
 [[nodiscard]] HeightMap mapOf(const std::vector<double>& columns, const std::vector<double>& rows);
 
-/// Median of the finite values, the upper one of an even number; 0 if there are none.
+/// Median of the finite values, the upper one of an even number; 0 if no value is finite.
 [[nodiscard]] double median(std::vector<double> values);
 
 }  // namespace raytracer::tests::bump

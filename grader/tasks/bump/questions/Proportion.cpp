@@ -17,7 +17,6 @@ constexpr int kWidth = 400;
 constexpr int kHeight = 200;
 constexpr int kLevels = 5;  // random heights: 0 to 5 of these
 
-
 HeightMapDescription scaled(const std::vector<int>& texels, int base, int bytesPerLevel) {
     HeightMapDescription map{kWidth, kHeight, {}, {}, {}};
     map.bytes.reserve(texels.size());
