@@ -25,7 +25,7 @@ std::vector<intake::Located> wholePath(const std::string& path, const std::strin
     return {{name.empty() ? "submission" : name, whole, "", out}};
 }
 
-// Name of the exercise whose files a submission contains instead; empty if there is none, or if the
+// Name of another exercise, whose files a submission contains; empty if it contains none, or if the
 // submission cannot be read, which its grading reports later.
 std::string otherExerciseOf(const intake::Located& located, const intake::IntakeLimits& limits) {
     try {

@@ -66,9 +66,9 @@ Words lastTexelWords(const FewTexels& fewTexels) {
         fmt::format("On a map that is flat but for a higher last {0}, the normal does not lean "
                     "away from it in the {0} before; beside a higher {0} in the middle it does.",
                     texel),
-        fmt::format("The right neighbour of the last {0} but one is the last {0}, {1}() - 1. "
-                    "Look at the limit of the neighbour's index: (column + 1) % width() wraps "
-                    "the columns, and width() - 1 in its place leaves the last one out.",
+        fmt::format("The neighbour of the last {0} but one is the last {0}, {1}() - 1. Look at "
+                    "the limit of the neighbour's index: % {1}() begins again after the last {0}, "
+                    "and % ({1}() - 1) leaves it out.",
                     texel, inRows ? "height" : "width"),
         "Option 1: What to do, step 3"};
 }
