@@ -109,8 +109,9 @@ bool give(std::string_view input) {
 
 std::vector<std::string> seeds() {
     std::vector<std::string> inputs{std::string(1, '\0'), std::string(1, '\1')};
+    // 0, 1e308, infinity, NaN; unanswered; a shorter number of ones; the negative; another bit.
     for (const char option : {'\0', '\1'})
-        for (char value = 0; value < 40; value = static_cast<char>(value + 3))
+        for (const char value : std::array<char, 8>{0, 4, 8, 10, 13, 18, 27, 36})
             inputs.push_back(std::string{option} + '\x40' + value + '\x03' + '\x20' + value);
     return inputs;
 }
