@@ -191,8 +191,9 @@ std::optional<Finding> judgeOddCount(const LensLog& odd) {
     return onlyWhere(
         fmt::format("With {} rays for each pixel all is right; with an odd number", handoutRays),
         "Half of an odd number is rounded down as an int, so that rays in pairs are one too few; "
-        "so are other groups where some rays are left over. A loop that adds fractions up to 1 "
-        "may run once too often. Cast settings().dofRayCount rays whatever that number is, or "
+        "rounded up, they are one too many. So are other groups where some rays are left over. A "
+        "loop that adds fractions up to 1 may run once too often. Cast settings().dofRayCount rays "
+        "whatever that number is, or "
         "more, and divide their sum by the number of rays that you cast.",
         std::move(wrong));
 }

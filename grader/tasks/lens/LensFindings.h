@@ -46,8 +46,8 @@ inline constexpr FindingText kDofNotAveraged{
     .hint =
         "Add, with +=, what trace returns for each of the dofRayCount lens rays, as it is: no "
         "std::min, pow or tone curve, and the background counts as well. Divide once by their "
-        "number. The ray straight from the eye is none of them, the sum is not static, and no "
-        "second pass over the picture mixes neighbours.",
+        "number, no more and no less. The ray straight from the eye is none of them, the sum is "
+        "not static, and no second pass over the picture mixes neighbours.",
     .section = "Depth of field (T2.2), step 3"};
 
 inline constexpr FindingText kDofThreadsMixed{
@@ -57,7 +57,8 @@ inline constexpr FindingText kDofThreadsMixed{
     .hint =
         "forEachPixel works on several rows at the same time. All that a pixel computes must be "
         "its own: declare focal point, sum and counters inside of the function that is given to "
-        "forEachPixel, not before it, and neither static nor as members.",
+        "forEachPixel, not before it, and neither static nor as members. Threads of your own need "
+        "every row between them, also those that are left over when rows are shared out.",
     .section = "Depth of field (T2.2), step 3"};
 
 inline constexpr FindingText kDofFocalDistance{

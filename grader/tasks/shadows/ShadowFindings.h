@@ -228,7 +228,8 @@ inline constexpr FindingText kShadowWrong{
         "must not set that back, and no ray leaves the next one a shorter limit). Diffuse and "
         "specular light are added once for each light (not "
         "for each ray), both times the same share: the number of rays that arrive, divided once, "
-        "as double, by the number of rays that the loop casts. Nothing else depends on them: "
+        "as double, by the number of rays that the loop casts (not one more or less; the share has "
+        "no lower limit). Nothing else depends on them: "
         "neither share nor 1 - share scales the ambient light.",
     .section = "Soft shadows (T2.1), step 3"};
 

@@ -34,8 +34,8 @@ Words regionWords(const RegionAgreement& regions) {
                     regions.width, regions.height, where),
         "Look for a number that a column, a row or an angle is compared with, for a type that is "
         "too small for a column or a row, and for width(), or the larger of both, in the place of "
-        "height(). Bu and Bv compare neighbouring texels: look for a step of many texels (a fixed "
-        "step in u and v), and for a mean over many of them.",
+        "height() or the other way round. Bu and Bv compare neighbouring texels: look for a step "
+        "of many texels (a fixed step in u and v), and for a mean over many of them.",
         "Option 1: What to do, step 3"};
 }
 
