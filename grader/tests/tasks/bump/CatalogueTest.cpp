@@ -85,7 +85,12 @@ TEST(BumpCatalogue, TellsTheseMistakesInWordsThatMendThem) {
         {"signed-bytes", "", "int8_t"},
         {"dark-half-inverted", "", "no abs"},
         {"u-inverted-behind", "", "no abs in them"},
-        {"longer-side-for-both", "", "the larger of both"}};
+        {"longer-side-for-both", "", "the larger of both"},
+        {"normal-forgotten", "the normal lies flat in the surface", "n is missing from the sum"},
+        {"normal-forgotten-tangents", "not a number", "such as a sum without n"},
+        {"tangents-twist-with-latitude", "turning with the row",
+         "Pu and Pv turn away with latitude"},
+        {"pv-turns-with-latitude", "turning with the row", "Pv turns away with latitude"}};
     for (const Told& told : wanted) {
         SCOPED_TRACE(told.id);
         const auto mistake = std::ranges::find(compiledCatalogue(), told.id, &CompiledMistake::id);
