@@ -118,6 +118,7 @@ TEST(CheckValues, SaysThatAmbientLightIsThereForEachOfThreeLights) {
     EXPECT_FALSE(withAmbient(1.0));
     ASSERT_EQ(idOf(withAmbient(3.0)), "shadow.lights-mixed");
     EXPECT_NE(withAmbient(3.0)->message.find("once for each light"), std::string::npos);
+    EXPECT_NE(withAmbient(3.0)->hint.find("add it once, before the loop"), std::string::npos);
     ASSERT_EQ(idOf(withAmbient(-1.0)), "shadow.lights-mixed");
     EXPECT_EQ(withAmbient(-1.0)->message.find("once for each light"), std::string::npos);
 }
