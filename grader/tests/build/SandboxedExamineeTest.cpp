@@ -153,6 +153,30 @@ TEST(SandboxedExaminee, SharesOneBudgetAmongItsRuns) {
     EXPECT_EQ(examinee.wallMs(), before) << "it was started once more";
 }
 
+// Sleeping costs no time of computing. Without the budget this program would finish.
+TEST(SandboxedExaminee, CountsTimeAsleepForTheBudget) {
+    const sandbox::Sandbox theSandbox = sandbox::Sandbox::best();
+    const Kit kit = Kit::besideProgram();
+    const BuildResult built = buildProgram(
+        kit, theSandbox, sandbox::defaultPolicy().compile, "BumpySphere.cpp",
+        bumpySphere("static const bool slept = [] {\n"
+                    "std::this_thread::sleep_for(std::chrono::seconds(10)); return true; }();\n"
+                    "return slept ? Sphere::getNormalAt(position) : Vector3{};",
+                    "#include <chrono>"));
+    ASSERT_TRUE(built.program) << built.diagnostics;
+    TimeBudget budget{{600.0, 1.0}};
+    SandboxedExaminee examinee{*built.program, theSandbox, sandbox::defaultPolicy().run, &budget};
+
+    for (const char* which : {"first", "second"}) {
+        const probe::Run run = examinee.ask({tests::normalQuestion()});
+        EXPECT_EQ(run.end.kind, EndKind::timedOut) << which << ": " << run.end.detail;
+        EXPECT_NE(run.end.detail.find("all runs of a submission together may take 1 s"),
+                  std::string::npos)
+            << which << ": " << run.end.detail;
+        EXPECT_TRUE(budget.isSpent()) << which;
+    }
+}
+
 struct Ending {
     const char* name;
     const char* body;
