@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace ticker::intake {
 namespace {
@@ -167,6 +169,26 @@ TEST(ReadSubmission, DoesNotFollowLinksToFolders) {
     const Submission submission = read(folder);
     EXPECT_EQ(submission.part("Renderer.cpp"), "render");
     EXPECT_EQ(submission.ignored, std::vector<std::string>{"up"});
+}
+
+// Names reach the ticker's terminal and the pages.
+TEST(ReadSubmission, ShowsNamesWithoutTheirControlCharacters) {
+    const tests::TemporaryFolder folder;
+    folder.write("\x1b[31m/Renderer.cpp", "one");
+    folder.write("\x1b[32m/Renderer.cpp", "two");
+    folder.write("\x1b[33m\n/BumpSphere.cpp", "bump");
+    folder.write("a\x1b[2J\r\nb.txt", "notes");
+    const Submission submission = read(folder);
+    EXPECT_EQ(idOf(submission, "Renderer.cpp"), "intake.ambiguous");
+    EXPECT_EQ(idOf(submission, "BumpySphere.cpp"), "intake.missing-file");
+    EXPECT_EQ(submission.ignored.size(), 2U);
+    std::vector<std::string> shown = submission.ignored;
+    for (const IntakeFinding& found : submission.findings)
+        shown.push_back(found.finding.message + found.finding.hint);
+    for (const std::string& text : shown)
+        EXPECT_TRUE(std::ranges::none_of(text, [](char c) {
+            return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+        })) << text;
 }
 
 TEST(ReadSubmission, StopsCountingFiles) {
