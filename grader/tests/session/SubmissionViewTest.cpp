@@ -136,6 +136,36 @@ TEST(SubmissionHtml, ShowsWhatAnotherHandInChanged) {
     EXPECT_EQ(submissionHtml(before, code).find("Handed in before"), std::string::npos);
 }
 
+// What is no text blocks both tasks of its file for one reason.
+TEST(SubmissionHtml, SaysOnceWhatBlocksTwoTasks) {
+    const tests::ClassOnDisk onDisk{{"bob"}};
+    SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
+    TaskReport& first = result.tasks.front();
+    first.title = "Soft <shadows>";
+    first.reason = first.findings.at(0).message = "Renderer.cpp is no plain text";
+    TaskReport second = first;
+    second.id = "T2.2";
+    second.title = "Depth of field";
+    result.tasks.push_back(second);
+    const std::filesystem::path code = onDisk.out() / "bob" / "code";
+    const std::string same = "<p>The same as for Soft &lt;shadows&gt;.</p></section>";
+    const auto cards = [](const std::string& html) {
+        std::size_t count = 0;
+        for (std::size_t at = html.find("hint&lt;"); at != std::string::npos;
+             at = html.find("hint&lt;", at + 1))
+            ++count;
+        return count;
+    };
+    const std::string once = submissionHtml(result, code);
+    EXPECT_NE(once.find(same), std::string::npos) << once;
+    EXPECT_EQ(once.find(same), once.rfind("The same as for") - 3);
+    EXPECT_EQ(cards(once), 1U) << once;
+    result.tasks.back().findings.at(0).message = "something else";
+    const std::string twice = submissionHtml(result, code);
+    EXPECT_EQ(twice.find("The same as for"), std::string::npos) << twice;
+    EXPECT_EQ(cards(twice), 2U) << twice;
+}
+
 TEST(SubmissionHtml, SaysAboveThePicturesOnceWhatStandsUnderSeveralTasks) {
     const tests::ClassOnDisk onDisk{{"bob"}};
     SubmissionResult result = tests::markedResult("bob", Verdict::notAwarded);
