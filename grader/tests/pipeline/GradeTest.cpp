@@ -129,6 +129,26 @@ TEST(GradeSubmission, NamesMemoryThatLeaksAwayFromAnswerToAnswer) {
     EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"run.memory"});
 }
 
+// Sleeping costs no time of computing.
+TEST(GradeSubmission, SharesTheTimeOfASubmissionAmongItsFiles) {
+    const std::string bump =
+        "#include <raytracer/geometry/BumpySphere.h>\n#include <chrono>\n#include <thread>\n"
+        "namespace raytracer {\nVector3 BumpySphere::getNormalAt(const Vector3&) const {\n"
+        "std::this_thread::sleep_for(std::chrono::hours(1)); return {};\n}\n}\n";
+    Grader grader = tests::testGrader();
+    grader.policy.submission = {600.0, 4.0};
+    const SubmissionResult result = gradeSubmission(
+        submission(bump, tests::readFile("reference_solution/exercise/Renderer.cpp")), grader,
+        kSeed);
+    for (const char* id : {"T1", "T2.1", "T2.2"}) {
+        const TaskReport& task = taskOf(result, id);
+        ASSERT_EQ(findingIds(task), Ids{"run.timed-out"}) << id;
+        EXPECT_NE((task.reason + task.findings.at(0).message).find("together may take 4 s"),
+                  std::string::npos)
+            << id << task.reason;
+    }
+}
+
 TEST(GradeSubmission, CallsAReplacedFrameworkForbidden) {
     const SubmissionResult result =
         grade(submission(tests::readFile("reference_solution/exercise/BumpySphere.cpp") +

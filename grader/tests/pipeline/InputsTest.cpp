@@ -38,6 +38,25 @@ TEST(QuestionSeed, IsAnotherForEveryClass) {
     EXPECT_NE(questionSeed(submissionOf("x"), kClassSeed), kClassSeed);
 }
 
+// Else a late hand-in could be made for the questions that an early one's report shows.
+TEST(QuestionSeed, GivesALateHandInThatDiffersByACommentOtherQuestions) {
+    const auto said = [](const std::string& comment) {
+        intake::Submission work;
+        work.parts["BumpySphere.cpp"] =
+            "#include <raytracer/geometry/BumpySphere.h>\n#include <limits>\n" + comment +
+            "namespace raytracer {\nVector3 BumpySphere::getNormalAt(const Vector3& position) "
+            "const "
+            "{\nreturn position * std::numeric_limits<double>::quiet_NaN();\n}\n}\n";
+        const SubmissionResult result = gradeSubmission(work, tests::testGrader(), kClassSeed);
+        EXPECT_EQ(result.seed, kClassSeed);
+        const TaskReport& task = tests::taskOf(result, "T1");
+        EXPECT_EQ(tests::findingIds(task), std::vector<std::string>{"bump.not-finite"});
+        return task.reason + task.findings.at(0).message;  // it names a point and the map's size
+    };
+    EXPECT_EQ(said(""), said(""));
+    EXPECT_NE(said(""), said("// late\n"));
+}
+
 TEST(HowDigest, IsThatOfTheResultsOfALevelAndAnotherForEveryOtherWay) {
     Grader grader = tests::testGrader();
     const std::string level = sandbox::toString(grader.sandbox.level());
