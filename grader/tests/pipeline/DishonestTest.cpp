@@ -119,23 +119,6 @@ TEST(Honest, BumpsOfAnyStrengthShowInThePicture) {
     }
 }
 
-// The sample's verdict says that this picture is another code's, beside code that repeats itself.
-TEST(Honest, NothingIsSaidAgainstThePictureOfCodeWhoseThreadsRace) {
-    intake::Submission work;
-    work.name = "somebody";
-    std::string source = tests::readFile("reference_solution/exercise/Renderer.cpp");
-    const std::string count = "int reached = 0;";
-    source.replace(source.find(count), count.size(), "static int reached; reached = 0;");
-    work.parts["Renderer.cpp"] = source;
-    work.parts["screenshot.png"] =
-        tests::readFile("grader/corpus/samples/needsReview/picture-of-other-code/screenshot.png");
-    const SubmissionResult result = gradeSubmission(work, tests::testGraderWithScenes(), 1);
-    EXPECT_EQ(findingIds(taskOf(result, "T2.1")), Ids{"shadow.threads-mixed"});
-    const TaskReport& picture = taskOf(result, "screenshot");
-    EXPECT_EQ(picture.state, TaskState::passed);
-    EXPECT_EQ(findingIds(picture), Ids{"screenshot.unverified"});
-}
-
 TEST(Honest, LightsThatAreLostBehindASurfaceAreNamed) {
     intake::Submission work;
     work.name = "somebody";
