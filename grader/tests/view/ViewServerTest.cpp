@@ -105,6 +105,11 @@ TEST_F(ViewServerTest, TellsTheNewsAsJsonThatIsNotCompressed) {
     EXPECT_TRUE(Json::parse(get("news?after=nonsense").body).contains("started"));
 }
 
+// The viewer's end would wait for connections that are kept: five seconds after Ctrl-C.
+TEST_F(ViewServerTest, KeepsNoConnectionOpen) {
+    EXPECT_EQ(get("").get_header_value("Connection"), "close");
+}
+
 TEST_F(ViewServerTest, PassesOnWhatTheSolutionCannotAnswer) {
     const httplib::Response pixel = get("pixel?x=3&y=4");
     EXPECT_EQ(pixel.status, 409);

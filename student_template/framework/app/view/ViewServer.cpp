@@ -19,6 +19,9 @@ constexpr const char* kHost = "127.0.0.1";
 // Every page waits for news on one of them.
 constexpr std::size_t kThreads = 16;
 constexpr std::size_t kLargestBody = 16'384;
+// Seconds for which a connection may stay open without a request, as a browser opens them in
+// advance. The end of the viewer waits for it.
+constexpr int kLongestIdle = 1;
 
 // JSON under this name: the library would compress what is called JSON, which takes seconds where a
 // whole picture is in it.
@@ -46,6 +49,8 @@ public:
         http_.set_payload_max_length(kLargestBody);
         http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
         http_.set_tcp_nodelay(true);
+        http_.set_keep_alive_timeout(kLongestIdle);
+        http_.set_keep_alive_max_count(1);
         http_.set_default_headers({kAnswerHeaders.begin(), kAnswerHeaders.end()});
         http_.set_pre_routing_handler(
             [this](const httplib::Request& request, httplib::Response& response) {
