@@ -79,13 +79,14 @@ test("many decisions by keyboard, the session killed in between, none lost", asy
   await page.close();
 });
 
-test("1000 submissions load", async (t) => {
-  const session = await startSession(makeClass(1000));
+const many = isSlowRun ? 1000 : 250;
+test(`${many} submissions load`, async (t) => {
+  const session = await startSession(makeClass(many));
   const start = performance.now();
   const { page, problems } = await openSession(browser, session);
   await shown(page);
-  assert.equal(await page.locator(".list li").count(), 1000);
-  t.diagnostic(`1000 submissions: ${Math.round(performance.now() - start)} ms to the first one on the page`);
+  assert.equal(await page.locator(".list li").count(), many);
+  t.diagnostic(`${many} submissions: ${Math.round(performance.now() - start)} ms to the first one on the page`);
   assert.deepEqual(problems, []);
   await page.close();
 });

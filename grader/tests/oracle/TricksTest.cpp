@@ -2,6 +2,7 @@
 #include <grader/oracle/BallPool.h>
 #include <grader/oracle/Oracle.h>
 #include <grader/tests/oracle/TestScenes.h>
+#include <grader/tests/support/SlowRun.h>
 
 #include <gtest/gtest.h>
 
@@ -44,7 +45,9 @@ TEST(OracleTricks, ChangeNoExpectedValue) {
         {"closedForms", &Tricks::closedForms},
         {"pairedShadows", &Tricks::pairedShadows},
         {"allocation", &Tricks::allocation}};
-    for (const auto& scene : {distributedScene(), variedScene()}) {
+    std::vector<raytracer::SceneDescription> scenes{distributedScene()};
+    if (tests::isSlowRun()) scenes.push_back(variedScene());
+    for (const auto& scene : scenes) {
         const Moments all = Oracle{scene, smallSettings()}.moments(21, good());
         for (const auto& [name, trick] : tricks) {
             SCOPED_TRACE(name);
