@@ -16,11 +16,13 @@ namespace ticker::repair {
 /// What the processes of an explanation do.
 enum class Work { parse, compile, ask, prove };
 
-/// Time that one explanation has taken: of this thread and of the processes it ran. Belongs to one
-/// thread.
+/// Time that one explanation has taken: of this thread and of the processes it ran. It goes step by
+/// step: each step ends at a time of its own, and all of them when all the time is used up. Belongs
+/// to one thread.
 class Clock {
 public:
-    explicit Clock(const sandbox::TimeLimits& all) : all_(all), endMs_(1000.0 * all.cpuSeconds) {}
+    explicit Clock(const sandbox::TimeLimits& all)
+        : all_(all), stepEndMs_(1000.0 * all.cpuSeconds) {}
 
     /// Adds the CPU time of a process.
     void add(Work work, double cpuMs) { processesMs_.at(static_cast<std::size_t>(work)) += cpuMs; }
@@ -34,27 +36,28 @@ public:
     }
 
     /// Sets the end of the current step: `endMs` of CPU time, or all of it, whichever comes first.
-    void runUntil(double endMs) { endMs_ = std::min(endMs, 1000.0 * all_.cpuSeconds); }
-    [[nodiscard]] bool isOver() const {
-        return cpuMs() >= endMs_ || wallSeconds() >= all_.wallSeconds;
+    void endStepAt(double endMs) { stepEndMs_ = std::min(endMs, 1000.0 * all_.cpuSeconds); }
+    [[nodiscard]] double stepEndMs() const { return stepEndMs_; }
+    [[nodiscard]] bool isStepOver() const {
+        return cpuMs() >= stepEndMs_ || wallSeconds() >= all_.wallSeconds;
     }
-    [[nodiscard]] double endMs() const { return endMs_; }
-    /// Whether all is used up, whatever the end of the step that runs.
-    [[nodiscard]] bool isUsedUp() const {
-        return cpuMs() >= 1000.0 * all_.cpuSeconds || wallSeconds() >= all_.wallSeconds;
-    }
-    /// CPU time until all is used up.
-    [[nodiscard]] double leftMs() const { return 1000.0 * all_.cpuSeconds - cpuMs(); }
 
-    /// What is left, at least a second each: the kernel counts whole ones.
-    [[nodiscard]] sandbox::TimeLimits left() const {
-        return {std::max(1.0, all_.cpuSeconds - cpuMs() / 1000.0),
+    /// Whether all the time is used up, whenever the step ends.
+    [[nodiscard]] bool isAllUsedUp() const {
+        return unusedMs() <= 0.0 || wallSeconds() >= all_.wallSeconds;
+    }
+    /// CPU time until then.
+    [[nodiscard]] double unusedMs() const { return 1000.0 * all_.cpuSeconds - cpuMs(); }
+    /// All the unused time as limits: at least a second each, since the kernel counts whole ones.
+    [[nodiscard]] sandbox::TimeLimits unused() const {
+        return {std::max(1.0, unusedMs() / 1000.0),
                 std::max(1.0, all_.wallSeconds - wallSeconds())};
     }
-    /// The limits of a process, reduced to what is left.
+    /// The limits of a process, reduced to the unused time.
     [[nodiscard]] sandbox::Limits cut(sandbox::Limits limits) const {
-        limits.cpuSeconds = std::min(limits.cpuSeconds, left().cpuSeconds);
-        limits.wallSeconds = std::min(limits.wallSeconds, left().wallSeconds);
+        const sandbox::TimeLimits most = unused();
+        limits.cpuSeconds = std::min(limits.cpuSeconds, most.cpuSeconds);
+        limits.wallSeconds = std::min(limits.wallSeconds, most.wallSeconds);
         return limits;
     }
 
@@ -65,7 +68,7 @@ private:
     }
 
     sandbox::TimeLimits all_;
-    double endMs_;
+    double stepEndMs_;
     double threadMs_ = threadCpuMs();
     std::array<double, 4> processesMs_{};
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -17,7 +17,7 @@ class Trial {
 public:
     Trial(const build::Program& program, const pipeline::Grader& grader, std::uint64_t seed,
           Clock& clock)
-        : budget_(clock.left()),
+        : budget_(clock.unused()),
           program_(program, grader.sandbox, grader.policy.run, &budget_),
           examinee_(
               program_, [this] { return program_.cpuMs(); }, clock),
@@ -32,11 +32,11 @@ public:
         double longestMs = 0.0;
         for (int i = 0; i < kSeeds; ++i) {
             // Each seed takes about as long as the others.
-            if (clock_.leftMs() < longestMs) return std::nullopt;
+            if (clock_.unusedMs() < longestMs) return std::nullopt;
             const double beginMs = clock_.cpuMs();
             const TaskJudgement judgement =
                 codeOf(grader_, task).judge(examinee_, seed_ + static_cast<std::uint64_t>(i));
-            if (clock_.isUsedUp()) return std::nullopt;
+            if (clock_.isAllUsedUp()) return std::nullopt;
             longestMs = std::max(longestMs, clock_.cpuMs() - beginMs);
             const std::string next = passes(judgement) ? "" : firstFailure(judgement);
             if (!passes(judgement) && next.empty()) return std::nullopt;
@@ -55,7 +55,7 @@ public:
                 grader_.exercise->fileOf(report.id) != file)
                 return true;
             const TaskJudgement now = codeOf(grader_, report.id).judge(examinee_, seed_);
-            return passes(now) && !addsWarning(now, report) && !clock_.isUsedUp();
+            return passes(now) && !addsWarning(now, report) && !clock_.isAllUsedUp();
         });
     }
 
@@ -73,7 +73,7 @@ public:
         own->needsReview = false;
         own->findings.clear();
         own->apertureFactor = aperture_;
-        if (clock_.isUsedUp()) return false;
+        if (clock_.isAllUsedUp()) return false;
         const double beginMs = program_.cpuMs();
         const pipeline::Gallery gallery =
             pipeline::renderSpecScenes(grader_.scenes, file, program_);
@@ -97,7 +97,7 @@ private:
 std::optional<Proof> prove(const std::string& edited, const std::string& file,
                            const std::string& task, const std::vector<TaskReport>& before,
                            const pipeline::Grader& grader, std::uint64_t seed, Clock& clock) {
-    if (clock.isUsedUp()) return std::nullopt;
+    if (clock.isAllUsedUp()) return std::nullopt;
     const build::BuildResult built = build::buildProgram(
         grader.kit, grader.sandbox, clock.cut(grader.policy.compile), file, edited);
     clock.add(Work::prove, built.cpuMs);

@@ -64,7 +64,7 @@ Search::Search(const Task& task, const TaskJudgement& before, std::vector<const 
 void Search::drawScreening() {
     // Few answers may show the mistake, so that cheap questions of other seeds are tried.
     constexpr std::uint64_t kMostDraws = 4;
-    for (std::uint64_t i = 0; i < kMostDraws && !isSeen_ && !clock_.isOver(); ++i) {
+    for (std::uint64_t i = 0; i < kMostDraws && !isSeen_ && !clock_.isStepOver(); ++i) {
         Screening drawn = task_.screen(seed_ + i);
         Run run = EditedExaminee{program_, {}}.ask(drawn.questions);
         isSeen_ = !drawn.mayPass(run);
@@ -110,12 +110,12 @@ template <class Use>
 bool Search::judgeEach(std::span<const EditSet> sets, Use use) {
     // A few at first: the simplest ones pass more often than others.
     std::size_t together = kJudgedFirst;
-    for (std::size_t at = 0; at < sets.size() && !clock_.isOver();) {
+    for (std::size_t at = 0; at < sets.size() && !clock_.isStepOver();) {
         const auto some = sets.subspan(at, std::min(together, sets.size() - at));
         at += some.size();
         together = std::min(2 * together, kJudgedTogether);
         std::vector<Run> runs = program_.ask(first_, some);
-        for (std::size_t i = 0; i < runs.size() && !clock_.isOver(); ++i) {
+        for (std::size_t i = 0; i < runs.size() && !clock_.isStepOver(); ++i) {
             if (!isFinished(runs[i]) || sameAnswers(runs[i], asHandedIn_)) continue;
             if (!use(some[i], judge(some[i], std::move(runs[i])))) return false;
         }
@@ -131,7 +131,7 @@ void Search::eachPassing(std::span<const EditSet> sets,
         return !isClean || !passesOthers(set) || use(set);
     };
     std::vector<EditSet> later;
-    for (std::size_t at = 0; at < sets.size() && !clock_.isOver(); at += kTogether) {
+    for (std::size_t at = 0; at < sets.size() && !clock_.isStepOver(); at += kTogether) {
         std::vector<EditSet> kept =
             screened(sets.subspan(at, std::min(kTogether, sets.size() - at)));
         // Where the cheap questions do not see the mistake, most edits pass them.

@@ -83,7 +83,7 @@ void SwitchedProgram::askEach(const std::vector<probe::Question>& questions,
     // After a process that ended early, the next one goes on behind the set that ended it.
     const std::size_t bytesEach = std::max<std::size_t>(1, probe::layoutFor(questions).totalBytes);
     const std::size_t most = keepsState_ ? 1 : std::max<std::size_t>(1, kMostBytes / bytesEach);
-    for (std::size_t at = 0; at < sets.size() && !clock_.isOver();) {
+    for (std::size_t at = 0; at < sets.size() && !clock_.isStepOver();) {
         const std::size_t count = std::min(most, sets.size() - at);
         at += askTogether(questions, sets.subspan(at, count), at, use);
     }

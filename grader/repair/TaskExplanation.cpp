@@ -46,10 +46,10 @@ std::vector<Repair> TaskExplanation::run(double endMs) {
         {limits.twoMistakes, [this] { return twoMistakes(); }},
         {1.0, [this] { return compiledApart(); }}};
     for (const auto& [share, step] : steps) {
-        setting_.clock.runUntil(beginMs + share * (endMs - beginMs));
+        setting_.clock.endStepAt(beginMs + share * (endMs - beginMs));
         Repairs repairs = step();
         if (!repairs.empty()) return repairs;
-        wasCutOff_ = wasCutOff_ || setting_.clock.isOver();
+        wasCutOff_ = wasCutOff_ || setting_.clock.isStepOver();
     }
     return {};
 }
@@ -126,10 +126,10 @@ TaskExplanation::Repairs TaskExplanation::twoMistakes() {
 
     Clock& clock = setting_.clock;
     const double beginMs = clock.cpuMs();
-    const double stepEndMs = clock.endMs();
-    clock.runUntil(beginMs + kShareOfFirst * (stepEndMs - beginMs));
+    const double stepEndMs = clock.stepEndMs();
+    clock.endStepAt(beginMs + kShareOfFirst * (stepEndMs - beginMs));
     const std::vector<Partial> partials = search.changing(ones, finding_);
-    clock.runUntil(stepEndMs);
+    clock.endStepAt(stepEndMs);
     for (std::size_t i = 0; i < std::min(kMostPartials, partials.size()); ++i) {
         const auto both = together(bench->candidates, partials[i].set, ones);
         Repairs repairs = proven(search, *bench, both);
@@ -152,10 +152,10 @@ TaskExplanation::Repairs TaskExplanation::proven(const Bench& bench,
                                                  const std::vector<EditSet>& sets) {
     Repairs repairs;
     std::set<std::string> known;
-    setting_.clock.runUntil(endMs_);
+    setting_.clock.endStepAt(endMs_);
     for (const EditSet& set : sets) {
         const auto edited = withEdits(workbench_.source(), textEdits(bench.candidates, set));
-        if (repairs.size() == kMostRepairs || setting_.clock.isOver()) break;
+        if (repairs.size() == kMostRepairs || setting_.clock.isStepOver()) break;
         if (!edited || !known.insert(*edited).second) continue;
         if (auto repair = provenOne(bench, set, "")) repairs.push_back(*std::move(repair));
     }
@@ -170,7 +170,7 @@ TaskExplanation::Repairs TaskExplanation::proven(Search& search, const Bench& be
         const auto edited = withEdits(workbench_.source(), textEdits(bench.candidates, set));
         if (!edited || !known.insert(*edited).second) return true;
         if (auto repair = provenOne(bench, set, "")) repairs.push_back(*std::move(repair));
-        if (!repairs.empty()) setting_.clock.runUntil(othersEndMs_);
+        if (!repairs.empty()) setting_.clock.endStepAt(othersEndMs_);
         return repairs.size() < kMostRepairs && known.size() < kMostProofs;
     });
     return repairs;

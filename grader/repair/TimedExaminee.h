@@ -21,7 +21,7 @@ public:
         : submission_(submission), cpuMs_(std::move(cpuMs)), clock_(clock) {}
 
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
-        if (clock_.isUsedUp())
+        if (clock_.isAllUsedUp())
             return {{}, {probe::ProcessEnd::Kind::timedOut, "the search is over"}};
         const double beginMs = cpuMs_();
         probe::Run run = submission_.ask(questions);

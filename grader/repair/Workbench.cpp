@@ -9,7 +9,7 @@ namespace ticker::repair {
 
 Bench* Workbench::bench(Reach reach) {
     Place& place = reach == Reach::simple ? simple_ : wide_;
-    if (!place.wasTried && !clock_.isOver()) {
+    if (!place.wasTried && !clock_.isStepOver()) {
         place.wasTried = true;
         if (auto bench = made(reach)) place.bench.emplace(*std::move(bench));
     }

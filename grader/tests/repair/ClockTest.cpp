@@ -27,13 +27,13 @@ sandbox::TimeLimits anHour() {
 
 TEST(Clock, IsUsedUpByAllTimeAndNotByThatOfAStep) {
     Clock clock{anHour()};
-    clock.runUntil(0.5 * kMore);
+    clock.endStepAt(0.5 * kMore);
     clock.add(Work::ask, 0.75 * kMore);
-    EXPECT_TRUE(clock.isOver());
-    EXPECT_FALSE(clock.isUsedUp());
-    EXPECT_LE(clock.leftMs(), 0.25 * kMore);
+    EXPECT_TRUE(clock.isStepOver());
+    EXPECT_FALSE(clock.isAllUsedUp());
+    EXPECT_LE(clock.unusedMs(), 0.25 * kMore);
     clock.add(Work::prove, 0.25 * kMore);
-    EXPECT_TRUE(clock.isUsedUp());
+    EXPECT_TRUE(clock.isAllUsedUp());
 }
 
 TEST(TimedExaminee, AsksNothingMoreWhenTheTimeIsUsedUp) {
