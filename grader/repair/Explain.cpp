@@ -69,16 +69,15 @@ Explanation explain(const intake::Submission& submission, const pipeline::Grader
         for (const TaskReport* task : open) {
             if (grader.exercise->fileOf(task->id) != file) continue;
             const double nowMs = clock.cpuMs();
-            TaskExplanation one{workbench, *task, setting};
-            std::vector<Repair> repairs =
-                one.run(nowMs + (1000.0 * limits.all.cpuSeconds - nowMs) / waiting);
+            const double endMs = nowMs + (1000.0 * limits.all.cpuSeconds - nowMs) / waiting;
             waiting -= 1.0;
-            if (repairs.empty() && one.wasCutOff())
+            TaskRepairs found = TaskExplanation{workbench, *task, setting, endMs}.run();
+            if (found.repairs.empty() && found.wasCutOff)
                 explanation.cutOff.push_back(task->id);
             else if (workbench.bench(Reach::simple) == nullptr)
                 explanation.notSearched.push_back(task->id);
-            std::move(repairs.begin(), repairs.end(), std::back_inserter(explanation.repairs));
-            explanation.tried += one.asked();
+            std::ranges::move(found.repairs, std::back_inserter(explanation.repairs));
+            explanation.tried += found.asked;
         }
     }
     explanation.cpuMs = clock.cpuMs();

@@ -25,40 +25,41 @@ constexpr double kShareOfFirst = 0.5;
 }  // namespace
 
 TaskExplanation::TaskExplanation(Workbench& workbench, const TaskReport& task,
-                                 const Setting& setting)
-    : workbench_(workbench), task_(task), setting_(setting), finding_(firstFailure(task)) {}
+                                 const Setting& setting, double endMs)
+    : workbench_(workbench),
+      task_(task),
+      setting_(setting),
+      finding_(firstFailure(task)),
+      beginMs_(setting.clock.cpuMs()),
+      endMs_(endMs) {}
 
-std::vector<Repair> TaskExplanation::run(double endMs) {
-    endMs_ = endMs;
+TaskRepairs TaskExplanation::run() {
+    struct Kind {
+        double untilShare;  // of the task's time: then the next kind has its turn
+        std::function<Repairs()> repairs;
+    };
     const SearchLimits& limits = setting_.limits;
-    const double beginMs = setting_.clock.cpuMs();
-    othersEndMs_ = beginMs + limits.others * (endMs - beginMs);
-    const std::pair<double, std::function<Repairs()>> steps[] = {
-        {1.0, [this] { return noLongerStatic(); }},
-        {limits.singles, [this] { return anyOf(Reach::simple, singles); }},
-        {limits.formulas, [this] { return formulas(); }},
-        {limits.wide, [this] { return anyOf(Reach::wide, singles); }},
-        {limits.twins, [this] { return notCutOff(); }},
-        {limits.twins, [this] { return anyOf(Reach::simple, twins); }},
-        {limits.twins, [this] { return anyOf(Reach::wide, twins); }},
-        {limits.pairs, [this] { return anyOf(Reach::simple, linked); }},
-        {limits.pairs, [this] { return anyOf(Reach::simple, pairs); }},
-        {limits.twoMistakes, [this] { return twoMistakes(); }},
-        {1.0, [this] { return compiledApart(); }}};
-    for (const auto& [share, step] : steps) {
-        setting_.clock.endStepAt(beginMs + share * (endMs - beginMs));
-        Repairs repairs = step();
-        if (!repairs.empty()) return repairs;
-        wasCutOff_ = wasCutOff_ || setting_.clock.isStepOver();
+    const Kind kinds[] = {{1.0, [this] { return noLongerStatic(); }},
+                          {limits.singles, [this] { return anyOf(Reach::simple, singles); }},
+                          {limits.formulas, [this] { return formulas(); }},
+                          {limits.wide, [this] { return anyOf(Reach::wide, singles); }},
+                          {limits.twins, [this] { return doubleForInt(); }},
+                          {limits.twins, [this] { return anyOf(Reach::simple, twins); }},
+                          {limits.twins, [this] { return anyOf(Reach::wide, twins); }},
+                          {limits.pairs, [this] { return anyOf(Reach::simple, linked); }},
+                          {limits.pairs, [this] { return anyOf(Reach::simple, pairs); }},
+                          {limits.twoMistakes, [this] { return twoMistakes(); }},
+                          {1.0, [this] { return compiledApart(); }}};
+    TaskRepairs found;
+    for (const Kind& kind : kinds) {
+        setting_.clock.endStepAt(timeAt(kind.untilShare));
+        found.repairs = kind.repairs();
+        if (!found.repairs.empty()) break;
+        found.wasCutOff = found.wasCutOff || setting_.clock.isStepOver();
     }
-    return {};
-}
-
-std::size_t TaskExplanation::asked() const {
-    std::size_t asked = 0;
     for (const auto& [reach, search] : searches_)
-        asked += search.asked();
-    return asked;
+        found.asked += search.asked();
+    return found;
 }
 
 TaskExplanation::Repairs TaskExplanation::noLongerStatic() {
@@ -86,7 +87,7 @@ TaskExplanation::Repairs TaskExplanation::formulas() {
     return proven(*bench, sets);
 }
 
-TaskExplanation::Repairs TaskExplanation::notCutOff() {
+TaskExplanation::Repairs TaskExplanation::doubleForInt() {
     constexpr std::size_t kMostTried = 2;
     Bench* bench = workbench_.bench(Reach::simple);
     if (bench == nullptr) return {};
@@ -170,7 +171,8 @@ TaskExplanation::Repairs TaskExplanation::proven(Search& search, const Bench& be
         const auto edited = withEdits(workbench_.source(), textEdits(bench.candidates, set));
         if (!edited || !known.insert(*edited).second) return true;
         if (auto repair = provenOne(bench, set, "")) repairs.push_back(*std::move(repair));
-        if (!repairs.empty()) setting_.clock.endStepAt(othersEndMs_);
+        // A second repair is worth less time than the first.
+        if (!repairs.empty()) setting_.clock.endStepAt(timeAt(setting_.limits.others));
         return repairs.size() < kMostRepairs && known.size() < kMostProofs;
     });
     return repairs;

@@ -28,33 +28,41 @@ struct Setting {
     Clock& clock;
 };
 
+/// What was found for one failed task.
+struct TaskRepairs {
+    std::vector<Repair> repairs;
+    std::size_t asked = 0;   ///< sets of edits that were asked
+    bool wasCutOff = false;  ///< the time of some kind ended before all of its edits were tried
+};
+
 /// The search for edits that mend one failed task.
 class TaskExplanation {
 public:
     /// All of them must outlive this object.
-    TaskExplanation(Workbench& workbench, const TaskReport& task, const Setting& setting);
+    /// @param endMs  The clock's CPU time at which the search ends; it begins now.
+    TaskExplanation(Workbench& workbench, const TaskReport& task, const Setting& setting,
+                    double endMs);
 
-    /// Kinds of edits one after the other, the simplest first, until one of them is proven.
-    /// @param endMs  The clock's CPU time at which it ends.
-    [[nodiscard]] std::vector<Repair> run(double endMs);
-
-    /// Sets of edits that were asked.
-    [[nodiscard]] std::size_t asked() const;
-    /// Whether the time ended before all edits were tried.
-    [[nodiscard]] bool wasCutOff() const { return wasCutOff_; }
+    /// Tries kinds of edits one after the other, the simplest first, until one of them is proven.
+    [[nodiscard]] TaskRepairs run();
 
 private:
     using Repairs = std::vector<Repair>;
     using MakeSets = std::vector<EditSet> (*)(std::string_view, const Candidates&, const Choice&);
 
+    /// The clock's CPU time when a share of this task's time is over.
+    [[nodiscard]] double timeAt(double share) const {
+        return beginMs_ + share * (endMs_ - beginMs_);
+    }
+
     [[nodiscard]] Repairs noLongerStatic();
     [[nodiscard]] Repairs formulas();
-    [[nodiscard]] Repairs notCutOff();
+    [[nodiscard]] Repairs doubleForInt();
     [[nodiscard]] Repairs anyOf(Reach reach, MakeSets make);
     [[nodiscard]] Repairs twoMistakes();
     [[nodiscard]] Repairs compiledApart();
 
-    /// Those of the sets that are proven.
+    /// Those of the sets that are proven, within the task's time.
     [[nodiscard]] Repairs proven(const Bench& bench, const std::vector<EditSet>& sets);
     /// The same of those that pass the search.
     [[nodiscard]] Repairs proven(Search& search, const Bench& bench,
@@ -72,10 +80,9 @@ private:
     const TaskReport& task_;
     Setting setting_;
     std::string finding_;
+    double beginMs_;
+    double endMs_;
     std::map<Reach, Search> searches_;
-    double endMs_ = 0.0;
-    double othersEndMs_ = 0.0;  ///< no second repair is looked for after this
-    bool wasCutOff_ = false;
 };
 
 }  // namespace ticker::repair
