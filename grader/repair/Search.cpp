@@ -29,6 +29,12 @@ public:
     std::vector<probe::Question> asked;
 };
 
+std::vector<probe::Question> firstQuestions(const Task& task, std::uint64_t seed) {
+    FirstQuestions examinee;
+    static_cast<void>(task.judge(examinee, seed));
+    return std::move(examinee.asked);
+}
+
 /// The first of both, then the second of both, and so on.
 std::vector<EditSet> inTurn(const std::vector<EditSet>& some, const std::vector<EditSet>& others) {
     std::vector<EditSet> all;
@@ -52,25 +58,25 @@ Search::Search(const Task& task, const TaskJudgement& before, std::vector<const 
       others_(std::move(others)),
       program_(program),
       seed_(seed),
-      clock_(clock) {
-    FirstQuestions recorder;
-    static_cast<void>(task.judge(recorder, seed));
-    first_ = std::move(recorder.asked);
-    asHandedIn_ = EditedExaminee{program, {}}.ask(first_);
+      clock_(clock),
+      first_(firstQuestions(task, seed)),
+      asHandedIn_(EditedExaminee{program, {}}.ask(first_)) {
     program.answersUnedited(isFinished(asHandedIn_));
     if (task.screen != nullptr) drawScreening();
 }
 
 void Search::drawScreening() {
-    // Few answers may show the mistake, so that cheap questions of other seeds are tried.
+    // Few answers may show the mistake, so that cheap questions of other seeds are tried. If none
+    // of them shows it, the first ones are as good as the others.
     constexpr std::uint64_t kMostDraws = 4;
     for (std::uint64_t i = 0; i < kMostDraws && !isSeen_ && !clock_.isStepOver(); ++i) {
         Screening drawn = task_.screen(seed_ + i);
         Run run = EditedExaminee{program_, {}}.ask(drawn.questions);
         isSeen_ = !drawn.mayPass(run);
-        if (i > 0 && !isSeen_) continue;
-        screening_ = std::move(drawn);
-        screenedAsHandedIn_ = std::move(run);
+        if (i == 0 || isSeen_) {
+            screening_ = std::move(drawn);
+            screenedAsHandedIn_ = std::move(run);
+        }
     }
 }
 

@@ -52,7 +52,7 @@ public:
     [[nodiscard]] std::size_t asked() const { return asked_; }
 
 private:
-    /// Draws cheap questions, if possible some that the submission fails without edits.
+    /// Chooses the cheap questions, if possible some that the submission fails without edits.
     void drawScreening();
     [[nodiscard]] std::vector<EditSet> screened(std::span<const EditSet> sets);
     [[nodiscard]] TaskJudgement judge(const EditSet& set, probe::Run first) const;
@@ -69,10 +69,10 @@ private:
     const SwitchedProgram& program_;
     std::uint64_t seed_;
     const Clock& clock_;
-    Screening screening_;
     std::vector<probe::Question> first_;  ///< what the judge asks first
     probe::Run asHandedIn_;               ///< the answers to them without edits
-    probe::Run screenedAsHandedIn_;
+    Screening screening_;                 ///< the cheap questions, if the task has any
+    probe::Run screenedAsHandedIn_;       ///< the answers to them without edits
     bool isSeen_ = false;  ///< whether the submission fails the cheap questions without edits
     std::size_t asked_ = 0;
     std::set<EditSet> idle_;
