@@ -41,80 +41,77 @@ bool isRisky(const std::string& kind) {
     return kKinds.contains(kind);
 }
 
-class Fitting {
-public:
-    Fitting(const Tree& tree, std::vector<Atom>& atoms) : tree_(tree), atoms_(atoms) {}
-
-    /// Judges a schema. @return  Whether something had to change.
-    bool judge(const Schema& schema, const Tree& parsed) {
-        std::set<std::size_t> wrong;
-        std::set<std::size_t> other;
-        for (const Diagnostic& said : parsed.diagnostics) {
-            if (!said.isError) continue;
-            if (const auto atom = atomAt(schema, said.offset)) {
-                const bool isAtSwitch = said.text.find("incompatible operand types") == 0 ||
-                                        said.text.find("conditional expression") == 0;
-                (isAtSwitch ? other : wrong).insert(*atom);
-            } else {
-                blame(schema, said.offset, wrong);
-            }
-        }
-        compareTypes(schema, parsed, other);
-        for (const std::size_t atom : wrong)
-            atoms_[atom].edits.clear();
-        for (const std::size_t atom : other)
-            if (!wrong.contains(atom)) lift(atoms_[atom]);
-        return !wrong.empty() || !other.empty();
-    }
-
-private:
-    /// Marks the edits that may cause an error outside of all switches: those in the same line. If
-    /// some of them are of a kind that may change a type, only these.
-    void blame(const Schema& schema, std::size_t offset, std::set<std::size_t>& wrong) const {
-        const std::size_t begin = schema.text.rfind('\n', offset);
-        const std::size_t end = schema.text.find('\n', offset);
-        std::set<std::size_t> risky;
-        std::set<std::size_t> any;
-        for (const Schema::Place& place : schema.places) {
-            if (begin != std::string::npos && place.range.end <= begin) continue;
-            if (place.range.begin >= end) continue;
-            any.insert(place.atom);
-            if (isRisky(atoms_[place.atom].kind)) risky.insert(place.atom);
-        }
-        wrong.merge(risky.empty() ? any : risky);
-    }
-
-    void compareTypes(const Schema& schema, const Tree& parsed, std::set<std::size_t>& other) {
-        constexpr std::string_view kSwitch = "ticker_edit[";
-        for (const Node& node : parsed.nodes) {
-            if (node.kind != NodeKind::expression || node.children.size() != 3) continue;
-            const std::string_view text =
-                std::string_view{schema.text}.substr(node.range.begin, node.range.size());
-            if (!text.starts_with(kSwitch)) continue;
-            const auto atom =
-                static_cast<std::size_t>(std::stoul(std::string{text.substr(kSwitch.size(), 8)}));
-            const int site = atoms_[atom].site;
-            const std::string& was = tree_.at(site).type;
-            const std::string& is = parsed.at(node.children[1]).type;
-            const bool fits =
-                was == is || (isConverted(tree_, site) && isArithmetic(was) && isArithmetic(is));
-            if (!fits) other.insert(atom);
-        }
-    }
-
-    /// Moves an edit's switch up to the whole expression, whose value is converted. An edit whose
-    /// switch is there already has to be compiled by itself.
-    void lift(Atom& atom) {
-        const int top = tree_.topOf(atom.site);
-        if (top == atom.site)
-            atom.isApart = true;
-        else
-            atom.site = top;
-    }
-
-    const Tree& tree_;
-    std::vector<Atom>& atoms_;
+/// Edits whose switches do not compile.
+struct Unfit {
+    std::set<std::size_t> wrong;      ///< no type allows the edited text
+    std::set<std::size_t> otherType;  ///< the edited text has another type than what was handed in
 };
+
+/// The edits that may cause an error outside of all switches: those in the same line. If some of
+/// them are of a kind that may change a type, only these.
+std::set<std::size_t> suspects(const Schema& schema, const std::vector<Atom>& atoms,
+                               std::size_t offset) {
+    const std::size_t begin = schema.text.rfind('\n', offset);
+    const std::size_t end = schema.text.find('\n', offset);
+    std::set<std::size_t> risky;
+    std::set<std::size_t> any;
+    for (const Schema::Place& place : schema.places) {
+        if (begin != std::string::npos && place.range.end <= begin) continue;
+        if (place.range.begin >= end) continue;
+        any.insert(place.atom);
+        if (isRisky(atoms[place.atom].kind)) risky.insert(place.atom);
+    }
+    return risky.empty() ? any : risky;
+}
+
+/// The edit of a switch, `ticker_edit[NUMBER]?(edited):(...)`.
+std::optional<std::size_t> atomOfSwitch(const Schema& schema, const Node& node) {
+    constexpr std::string_view kBegin = "ticker_edit[";
+    constexpr std::size_t kMostDigits = 8;
+    if (node.kind != NodeKind::expression || node.children.size() != 3) return std::nullopt;
+    const std::string_view text =
+        std::string_view{schema.text}.substr(node.range.begin, node.range.size());
+    if (!text.starts_with(kBegin)) return std::nullopt;
+    return std::stoul(std::string{text.substr(kBegin.size(), kMostDigits)});
+}
+
+/// Whether an edited text of a type may stand where an expression was.
+bool fits(const std::string& type, const Tree& tree, int site) {
+    const std::string& was = tree.at(site).type;
+    return type == was || (isConverted(tree, site) && isArithmetic(was) && isArithmetic(type));
+}
+
+/// @param parsed  The schema's text.
+Unfit unfitOf(const Schema& schema, const Tree& parsed, const Tree& tree,
+              const std::vector<Atom>& atoms) {
+    Unfit unfit;
+    for (const Diagnostic& said : parsed.diagnostics) {
+        if (!said.isError) continue;
+        const auto atom = atomAt(schema, said.offset);
+        if (!atom)
+            unfit.wrong.merge(suspects(schema, atoms, said.offset));
+        else if (said.text.starts_with("incompatible operand types") ||
+                 said.text.starts_with("conditional expression"))
+            unfit.otherType.insert(*atom);
+        else
+            unfit.wrong.insert(*atom);
+    }
+    for (const Node& node : parsed.nodes)
+        if (const auto atom = atomOfSwitch(schema, node))
+            if (!fits(parsed.at(node.children[1]).type, tree, atoms[*atom].site))
+                unfit.otherType.insert(*atom);
+    return unfit;
+}
+
+/// Moves an edit's switch up to the whole expression, whose value is converted. An edit whose
+/// switch is there already has to be compiled by itself.
+void lift(Atom& atom, const Tree& tree) {
+    const int top = tree.topOf(atom.site);
+    if (top == atom.site)
+        atom.isApart = true;
+    else
+        atom.site = top;
+}
 
 }  // namespace
 
@@ -124,7 +121,12 @@ Schema fitSchema(const Parser& parser, const std::string& file, const Tree& tree
     for (int round = 0; round < kMostRounds; ++round) {
         const Schema schema = makeSchema(tree, source, atoms);
         const Tree parsed = parser.parse(file, schema.text);
-        if (!Fitting{tree, atoms}.judge(schema, parsed)) return schema;
+        const Unfit unfit = unfitOf(schema, parsed, tree, atoms);
+        if (unfit.wrong.empty() && unfit.otherType.empty()) return schema;
+        for (const std::size_t atom : unfit.otherType)
+            lift(atoms[atom], tree);
+        for (const std::size_t atom : unfit.wrong)
+            atoms[atom].edits.clear();
         std::erase_if(atoms, [](const Atom& atom) { return atom.edits.empty(); });
     }
     atoms.clear();
