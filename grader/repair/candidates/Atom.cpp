@@ -1,6 +1,7 @@
 #include <grader/repair/candidates/Atom.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace ticker::candidates {
 namespace {
@@ -76,6 +77,21 @@ bool saysNothing(const Edits& edits, const Atom& atom) {
     return false;
 }
 
+/// The expression or statement that can hold the switch of an edit, which is made in its text or
+/// before it; empty: none can.
+std::optional<int> switchSite(const Edits& edits, const Atom& atom) {
+    const Tree& tree = edits.tree();
+    int site = tree.at(atom.site).isExpression ? assignedAt(tree, atom.site) : atom.site;
+    // A list in braces has no type of its own, so the switch moves to the expression around it.
+    while (tree.at(site).isExpression && edits.text(site).starts_with('{')) {
+        site = tree.at(site).parent;
+        if (site < 0 || !tree.at(site).isExpression) return std::nullopt;
+    }
+    const bool holdsAll = std::ranges::all_of(
+        atom.edits, [&](const Replacement& edit) { return tree.at(site).range.holds(edit.range); });
+    return holdsAll ? std::optional{site} : std::nullopt;
+}
+
 }  // namespace
 
 std::string Edits::bareText(int node) const {
@@ -93,27 +109,17 @@ bool Edits::isVector(int node) const {
 }
 
 void Edits::insert(Atom atom) {
-    if (tree_.at(atom.site).isExpression && !atom.isInstead)
-        atom.site = assignedAt(tree_, atom.site);
-    // A list in braces has no type of its own, so the switch moves to the expression around it.
-    while (!atom.isInstead && text(atom.site).starts_with('{') &&
-           tree_.at(atom.site).isExpression) {
-        atom.site = tree_.at(atom.site).parent;
-        if (atom.site < 0 || !tree_.at(atom.site).isExpression) return;
+    if (!atom.isInstead) {
+        const std::optional<int> site = switchSite(*this, atom);
+        if (!site) return;
+        atom.site = *site;
+        if (!atom.isBefore && saysNothing(*this, atom)) return;
     }
-    if (!atom.isInstead && !std::ranges::all_of(atom.edits, [&](const Replacement& edit) {
-            return tree_.at(atom.site).range.holds(edit.range);
-        }))
-        return;
-    if (!atom.isInstead && !atom.isBefore && saysNothing(*this, atom)) return;
+    const bool changesNothing = std::ranges::any_of(atom.edits, [this](const Replacement& edit) {
+        return source_.in(edit.range) == edit.text;
+    });
     // Two edits that make the same text are one.
-    std::string key;
-    for (const Replacement& edit : atom.edits) {
-        if (source_.in(edit.range) == edit.text) return;
-        key += std::to_string(edit.range.begin) + ":" + std::to_string(edit.range.end) + ":" +
-               edit.text + "\n";
-    }
-    if (known_.insert(std::move(key)).second) atoms_.push_back(std::move(atom));
+    if (!changesNothing && known_.insert(atom.edits).second) atoms_.push_back(std::move(atom));
 }
 
 void Edits::add(std::string kind, int site, std::vector<Replacement> edits) {

@@ -3,6 +3,7 @@
 
 #include <grader/repair/candidates/Tree.h>
 
+#include <compare>
 #include <set>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@ struct Replacement {
     std::string text;
 
     [[nodiscard]] auto key() const { return std::make_pair(range.begin, std::string_view{text}); }
+    [[nodiscard]] auto operator<=>(const Replacement&) const = default;
 };
 
 /// One edit: what it replaces, and the expression that it is switched at.
@@ -83,7 +85,7 @@ private:
     const Source& source_;
     const std::vector<HandoutFormula>& formulas_;
     std::vector<Atom> atoms_;
-    std::set<std::string> known_;
+    std::set<std::vector<Replacement>> known_;
 };
 
 /// A statement with the semicolon behind it, which libclang leaves out.

@@ -1,6 +1,7 @@
 #ifndef TICKER_REPAIR_CANDIDATES_TOKENS_H
 #define TICKER_REPAIR_CANDIDATES_TOKENS_H
 
+#include <compare>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -17,7 +18,7 @@ struct Range {
     [[nodiscard]] bool holds(const Range& other) const {
         return begin <= other.begin && other.end <= end;
     }
-    [[nodiscard]] bool operator==(const Range&) const = default;
+    [[nodiscard]] auto operator<=>(const Range&) const = default;
 };
 
 /// The words and signs of a C++ text, without white space and comments.
