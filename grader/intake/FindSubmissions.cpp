@@ -6,9 +6,11 @@
 #include <raytracer/base/Error.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 namespace ticker::intake {
 namespace fs = std::filesystem;
@@ -101,37 +103,38 @@ void nameAfter(const std::string& person, int depth, Below& child) {
     }
 }
 
-void add(Below& below, const Below& child) {
-    below.submissions.insert(below.submissions.end(), child.submissions.begin(),
-                             child.submissions.end());
-    below.parts.insert(child.parts.begin(), child.parts.end());
+// The submissions of a folder that is none itself. Beside a student's folder, another one with
+// contents is a student's, too, even if nothing in it has a right name.
+std::vector<Place> placesBelow(Level level, int depth) {
+    const bool people = arePeople(level);
+    std::vector<Place> places;
+    for (const fs::path& archive : level.entries.archives)
+        places.push_back(placeAt(archive, depth + 1));
+    for (Below& child : level.children) {
+        if (child.submissions.empty() && (child.isUnreadable || (people && !child.isEmpty)))
+            places.push_back(placeAt(child.folder, depth + 1));
+        if (people) nameAfter(child.folder.filename().string(), depth + 1, child);
+        std::ranges::move(child.submissions, std::back_inserter(places));
+    }
+    return places;
 }
 
 Below look(const fs::path& folder, int depth, const Wanted& wanted) {
-    const Entries entries = entriesOf(folder, wanted);
-    std::vector<Below> children;
+    Level level{entriesOf(folder, wanted), {}};
     if (depth < kDeepest)
-        for (const fs::path& child : entries.folders)
-            children.push_back(look(child, depth + 1, wanted));
-    const bool people = arePeople(children, entries);
-    for (std::size_t i = 0; people && i < children.size(); ++i)
-        nameAfter(entries.folders[i].filename().string(), depth + 1, children[i]);
+        for (const fs::path& child : level.entries.folders)
+            level.children.push_back(look(child, depth + 1, wanted));
 
     Below below;
-    below.isEmpty = entries.isEmpty && !entries.isUnreadable;
-    below.isUnreadable = entries.isUnreadable;
-    for (const Below& child : children)
-        add(below, child);
-    below.parts.insert(entries.parts.begin(), entries.parts.end());
-    if (!entries.parts.empty() || isKit(children, entries, wanted.exercise) ||
-        isOneInPieces(below, children, entries, wanted.exercise) || lacksAPiece(children, entries))
-        return {{placeAt(folder, depth)}, below.parts, true, false, entries.isUnreadable};
-    for (const fs::path& archive : entries.archives)
-        below.submissions.push_back(placeAt(archive, depth + 1));
-    for (std::size_t i = 0; i < children.size(); ++i)
-        if (children[i].submissions.empty() &&
-            (children[i].isUnreadable || (people && !children[i].isEmpty)))
-            below.submissions.push_back(placeAt(entries.folders[i], depth + 1));
+    below.folder = folder;
+    below.isUnreadable = level.entries.isUnreadable;
+    below.isEmpty = level.entries.isEmpty && !below.isUnreadable;
+    below.parts.insert(level.entries.parts.begin(), level.entries.parts.end());
+    for (const Below& child : level.children)
+        below.parts.insert(child.parts.begin(), child.parts.end());
+    below.isSubmission = isSubmission(level, wanted.exercise);
+    below.submissions = below.isSubmission ? std::vector{placeAt(folder, depth)}
+                                           : placesBelow(std::move(level), depth);
     return below;
 }
 

@@ -31,59 +31,21 @@ bool isForPictures(const fs::path& folder) {
     return kKinds.contains(kindOf(folder));
 }
 
-}  // namespace
-
-bool arePeople(const std::vector<Below>& children, const Entries& entries) {
-    const auto count = [&](auto&& holds) { return std::ranges::count_if(children, holds); };
-    if (!entries.archives.empty()) return true;
-    if (count([](const Below& child) { return child.isSubmission; }) > 0) return true;
-    const auto one = count([](const Below& child) { return child.submissions.size() == 1; });
-    const auto more = count([](const Below& child) { return child.submissions.size() > 1; });
-    return one >= 2 && one > more;
-}
-
-bool isOneInPieces(const Below& below, const std::vector<Below>& children, const Entries& entries,
-                   const Exercise& exercise) {
-    std::size_t code = 0;
-    std::size_t pictures = 0;
-    for (std::size_t i = 0; i < children.size(); ++i) {
-        if (children[i].submissions.empty()) continue;
-        const bool isPicture = children[i].parts == std::multiset<std::string>{kPicture};
-        const fs::path& folder = entries.folders[i];
-        if (!(isPicture ? isForPictures(folder) : isForCode(folder))) return false;
-        ++(isPicture ? pictures : code);
-    }
-    return entries.archives.empty() && code == 1 && pictures == 1 &&
-           std::ranges::all_of(exercise.parts(), [&](const std::string& part) {
-               return below.parts.count(part) <= 1;
-           });
-}
-
-bool lacksAPiece(const std::vector<Below>& children, const Entries& entries) {
-    bool isLacking = false;
-    for (std::size_t i = 0; i < children.size(); ++i) {
-        const bool isPiece = isForCode(entries.folders[i]) || isForPictures(entries.folders[i]);
-        if (!isPiece && !children[i].submissions.empty()) return false;
-        isLacking = isLacking || (isPiece && children[i].isUnreadable);
-    }
-    return isLacking && entries.archives.empty();
-}
-
-bool isKit(const std::vector<Below>& children, const Entries& entries, const Exercise& exercise) {
+/// Whether the folder is a whole project in the kit's layout, perhaps with one additional folder.
+/// With work in more folders, or in the framework itself, the folders belong to two students.
+bool isKit(const Level& level, const Exercise& exercise) {
     const Below* solved = nullptr;
     const Below* framework = nullptr;
-    std::size_t others = entries.archives.size();
-    bool othersHaveCode = !entries.archives.empty();
-    for (std::size_t i = 0; i < children.size(); ++i) {
-        const fs::path name = entries.folders[i].filename();
-        if (name == "exercise") {
-            solved = &children[i];
-        } else if (name == "framework") {
-            framework = &children[i];
-        } else if (!children[i].submissions.empty()) {
+    std::size_t others = level.entries.archives.size();
+    bool othersHaveCode = others > 0;
+    for (const Below& child : level.children) {
+        if (child.folder.filename() == "exercise") {
+            solved = &child;
+        } else if (child.folder.filename() == "framework") {
+            framework = &child;
+        } else if (!child.submissions.empty()) {
             ++others;
-            othersHaveCode =
-                othersHaveCode || children[i].parts.count(kPicture) < children[i].parts.size();
+            othersHaveCode = othersHaveCode || child.parts.count(kPicture) < child.parts.size();
         }
     }
     if (solved == nullptr || framework == nullptr || framework->isSubmission) return false;
@@ -92,6 +54,54 @@ bool isKit(const std::vector<Below>& children, const Entries& entries, const Exe
     const bool isWhole = std::ranges::all_of(
         exercise.files(), [&](const std::string& file) { return solved->parts.contains(file); });
     return others == 0 || (others == 1 && (isWhole || !othersHaveCode));
+}
+
+/// src/File.cpp and pictures/screenshot.png: one submission in two folders. Folders count as one
+/// submission only if their names say so: ann/File.cpp and bob/screenshot.png are two students.
+bool isOneInPieces(const Level& level) {
+    std::size_t code = 0;
+    std::size_t pictures = 0;
+    std::multiset<std::string> parts;
+    for (const Below& child : level.children) {
+        if (child.submissions.empty()) continue;
+        const bool isPicture = child.parts == std::multiset<std::string>{kPicture};
+        if (!(isPicture ? isForPictures(child.folder) : isForCode(child.folder))) return false;
+        ++(isPicture ? pictures : code);
+        parts.insert(child.parts.begin(), child.parts.end());
+    }
+    return level.entries.archives.empty() && code == 1 && pictures == 1 &&
+           std::ranges::adjacent_find(parts) == parts.end();
+}
+
+/// Whether an unreadable folder below has the name of a submission's piece, such as src, and only
+/// such pieces lie beside it: without it they are no whole submission.
+bool lacksAPiece(const Level& level) {
+    bool isLacking = false;
+    for (const Below& child : level.children) {
+        const bool isPiece = isForCode(child.folder) || isForPictures(child.folder);
+        if (!isPiece && !child.submissions.empty()) return false;
+        isLacking = isLacking || (isPiece && child.isUnreadable);
+    }
+    return isLacking && level.entries.archives.empty();
+}
+
+}  // namespace
+
+bool isSubmission(const Level& level, const Exercise& exercise) {
+    return !level.entries.parts.empty() || isKit(level, exercise) || isOneInPieces(level) ||
+           lacksAPiece(level);
+}
+
+bool arePeople(const Level& level) {
+    if (!level.entries.archives.empty()) return true;
+    std::size_t one = 0;
+    std::size_t more = 0;
+    for (const Below& child : level.children) {
+        if (child.isSubmission) return true;
+        one += child.submissions.size() == 1 ? 1 : 0;
+        more += child.submissions.size() > 1 ? 1 : 0;
+    }
+    return one >= 2 && one > more;
 }
 
 }  // namespace ticker::intake

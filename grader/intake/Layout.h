@@ -27,8 +27,9 @@ struct Place {
     int depth = 0;           ///< of that folder, archive or owner
 };
 
-/// What is below a folder.
+/// What is in and below a folder.
 struct Below {
+    std::filesystem::path folder;
     std::vector<Place> submissions;
     std::multiset<std::string> parts;  ///< parts of all of them, except archives
     bool isSubmission = false;         ///< the folder itself is one
@@ -36,22 +37,18 @@ struct Below {
     bool isUnreadable = false;  ///< the folder's contents are unknown
 };
 
+/// A folder before it is decided what it is: its own contents, and what is below its folders.
+struct Level {
+    Entries entries;
+    std::vector<Below> children;
+};
+
+/// Whether the folder itself is a submission: it has a part in it, or the kit's layout, or its
+/// folders are the pieces of one.
+[[nodiscard]] bool isSubmission(const Level& level, const Exercise& exercise);
+
 /// Whether the folders and archives of a level are students, rather than groups of students.
-[[nodiscard]] bool arePeople(const std::vector<Below>& children, const Entries& entries);
-
-/// src/File.cpp and pictures/screenshot.png: one submission in two folders. Folders count as one
-/// submission only if their names say so: ann/File.cpp and bob/screenshot.png are two students.
-[[nodiscard]] bool isOneInPieces(const Below& below, const std::vector<Below>& children,
-                                 const Entries& entries, const Exercise& exercise);
-
-/// Whether an unreadable folder below has the name of a submission's piece, such as src, and only
-/// such pieces lie beside it: without it they are no whole submission.
-[[nodiscard]] bool lacksAPiece(const std::vector<Below>& children, const Entries& entries);
-
-/// Whether the folder is a whole project in the kit's layout, perhaps with one additional folder.
-/// With work in more folders, or in the framework itself, the folders belong to two students.
-[[nodiscard]] bool isKit(const std::vector<Below>& children, const Entries& entries,
-                         const Exercise& exercise);
+[[nodiscard]] bool arePeople(const Level& level);
 
 }  // namespace ticker::intake
 
