@@ -34,18 +34,18 @@ bool mayBePerson(std::string_view name) {
 std::optional<CanvasName> readCanvasName(std::string_view name) {
     if (name.find('/') != std::string_view::npos) return std::nullopt;
     std::string_view rest = name;
-    std::string_view word = cutWord(rest);
-    std::size_t length = word.size();
-    for (word = cutWord(rest); !word.empty() && !isId(word); word = cutWord(rest))
-        length += 1 + word.size();
-    std::string_view person = name.substr(0, length);
+    // The person's name, perhaps with underscores, goes to the first id behind its first word.
+    std::string person{cutWord(rest)};
+    std::string_view user = cutWord(rest);
+    for (; !user.empty() && !isId(user); user = cutWord(rest))
+        person += "_" + std::string{user};
     const std::string_view attachment = cutWord(rest);
-    if (!isId(word) || !isId(attachment) || attachment.size() < kFewestAttachmentDigits ||
+    if (!isId(user) || !isId(attachment) || attachment.size() < kFewestAttachmentDigits ||
         rest.find('.') == std::string_view::npos)
         return std::nullopt;
-    if (person.ends_with(kLate)) person.remove_suffix(kLate.size());
+    if (person.ends_with(kLate)) person.resize(person.size() - kLate.size());
     if (!mayBePerson(person)) return std::nullopt;
-    return CanvasName{std::string{person} + "_" + std::string{word}, std::string{rest}};
+    return CanvasName{person + "_" + std::string{user}, std::string{rest}};
 }
 
 }  // namespace ticker::intake
