@@ -25,109 +25,85 @@ bool isClosedComment(std::string_view text) {
     return text.size() >= std::string_view{"/**/"}.size() && text.ends_with("*/");
 }
 
-/// Splits C++ source into comments, literals and single characters.
-class Lexer {
-public:
-    enum class Piece { comment, literal, character };
+/// The word, perhaps of digits, that a text ends with; it may be empty.
+std::string_view wordAtEnd(std::string_view text) {
+    std::size_t begin = text.size();
+    while (begin > 0 && isWordCharacter(text[begin - 1]))
+        --begin;
+    return text.substr(begin);
+}
 
-    explicit Lexer(std::string_view rest) : rest_(rest) {}
-
-    /// Advances by one piece; false at the end.
-    bool next() {
-        remember();
-        if (rest_.empty()) return false;
-        piece_ = Piece::character;
-        std::size_t size = 1;
-        if (rest_.starts_with("//"))
-            size = lineComment();
-        else if (rest_.starts_with("/*"))
-            size = blockComment();
-        else if (rest_.front() == '"')
-            size = isRawPrefix() ? rawString() : quoted('"');
-        else if (rest_.front() == '\'' && !isInNumber())
-            size = quoted('\'');
-        text_ = rest_.substr(0, size);
-        rest_.remove_prefix(text_.size());
-        return true;
-    }
-
-    [[nodiscard]] Piece piece() const { return piece_; }
-    [[nodiscard]] std::string_view text() const { return text_; }
-
-private:
-    std::size_t orAll(std::size_t at, std::size_t plus) const {
-        return at == std::string_view::npos ? rest_.size() : at + plus;
-    }
-
-    std::size_t lineComment() {
-        piece_ = Piece::comment;
-        std::size_t at = rest_.find('\n');
-        while (at != std::string_view::npos && endsInBackslash(rest_.substr(0, at)))
-            at = rest_.find('\n', at + 1);
-        return orAll(at, 0);
-    }
-
-    static bool endsInBackslash(std::string_view line) {
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        return line.ends_with('\\');
-    }
-
-    std::size_t blockComment() {
-        piece_ = Piece::comment;
-        return orAll(rest_.find("*/", 2), 2);
-    }
-
-    std::size_t quoted(char quote) {
-        piece_ = Piece::literal;
-        for (std::size_t i = 1; i < rest_.size(); ++i) {
-            if (rest_[i] == '\\')
-                ++i;
-            else if (rest_[i] == quote)
-                return i + 1;
-            else if (rest_[i] == '\n')
-                return i;  // unterminated: ends with its line here; the compiler reports it
-        }
-        return rest_.size();
-    }
-
-    // True inside a number: a digit separator as in 1'000 starts no literal. `word_` then holds the
-    // digits since the last separator.
-    [[nodiscard]] bool isInNumber() const {
-        return !word_.empty() && std::isxdigit(static_cast<unsigned char>(word_.back())) != 0 &&
-               word_ != "u8";
-    }
-
-    // Raw string literal R"(...)", also with an encoding prefix: u8R, uR, UR, LR.
-    [[nodiscard]] bool isRawPrefix() const {
-        std::string_view word = word_;
-        if (!word.ends_with('R')) return false;
-        word.remove_suffix(1);
-        return word.empty() || word == "u8" || word == "u" || word == "U" || word == "L";
-    }
-
-    std::size_t rawString() {
-        const std::size_t open = rest_.find('(');
-        constexpr std::size_t kLongestDelimiter = 16;
-        if (open == std::string_view::npos || open > kLongestDelimiter + 1) return quoted('"');
-        piece_ = Piece::literal;
-        std::string end{')'};
-        end.append(rest_.substr(1, open - 1)).push_back('"');
-        return orAll(rest_.find(end, open), end.size());
-    }
-
-    // Keeps the word that ends before the next piece: a literal's prefix, or a number.
-    void remember() {
-        if (piece_ == Piece::character && !text_.empty() && isWordCharacter(text_.front()))
-            word_ += text_.front();
-        else
-            word_.clear();
-    }
-
-    std::string_view rest_;
-    std::string_view text_;
-    std::string word_;
-    Piece piece_ = Piece::character;
+/// A comment, a string or character literal, or a single character of C++ source.
+struct Piece {
+    enum class Kind { comment, literal, character };
+    Kind kind = Kind::character;
+    std::string_view text;
 };
+
+/// The beginning of a text, up to and with the first `end` from a place on.
+std::string_view upTo(std::string_view end, std::string_view text, std::size_t from) {
+    const std::size_t at = text.find(end, from);
+    return at == std::string_view::npos ? text : text.substr(0, at + end.size());
+}
+
+bool endsInBackslash(std::string_view line) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line.ends_with('\\');
+}
+
+// A backslash at the end of its line continues a comment on the next one.
+std::string_view lineComment(std::string_view rest) {
+    std::size_t end = rest.find('\n');
+    while (end != std::string_view::npos && endsInBackslash(rest.substr(0, end)))
+        end = rest.find('\n', end + 1);
+    return rest.substr(0, end);
+}
+
+std::string_view quoted(std::string_view rest) {
+    const char quote = rest.front();
+    for (std::size_t i = 1; i < rest.size(); ++i) {
+        if (rest[i] == '\\')
+            ++i;
+        else if (rest[i] == quote)
+            return rest.substr(0, i + 1);
+        else if (rest[i] == '\n')
+            return rest.substr(0, i);  // unterminated; the compiler reports it
+    }
+    return rest;
+}
+
+/// @param rest  From the quote after the R.
+std::string_view rawString(std::string_view rest) {
+    const std::size_t open = rest.find('(');
+    constexpr std::size_t kLongestDelimiter = 16;
+    if (open == std::string_view::npos || open > kLongestDelimiter + 1) return quoted(rest);
+    return upTo(")" + std::string{rest.substr(1, open - 1)} + "\"", rest, open);
+}
+
+/// Whether a quote after this word begins a raw string: R"(...)", also u8R, uR, UR, LR.
+bool isRawPrefix(std::string_view word) {
+    return word == "R" || word == "u8R" || word == "uR" || word == "UR" || word == "LR";
+}
+
+/// Whether a quote after this word is a digit separator, as in 1'000: it begins no literal.
+bool isInNumber(std::string_view word) {
+    return !word.empty() && std::isxdigit(static_cast<unsigned char>(word.back())) != 0 &&
+           word != "u8";
+}
+
+/// The piece of a source that begins at a place before its end.
+Piece pieceAt(std::size_t at, std::string_view source) {
+    const std::string_view before = source.substr(0, at);
+    const std::string_view rest = source.substr(at);
+    if (rest.starts_with("//")) return {Piece::Kind::comment, lineComment(rest)};
+    if (rest.starts_with("/*")) return {Piece::Kind::comment, upTo("*/", rest, 2)};
+    if (rest.front() == '"')
+        return {Piece::Kind::literal,
+                isRawPrefix(wordAtEnd(before)) ? rawString(rest) : quoted(rest)};
+    if (rest.front() == '\'' && !isInNumber(wordAtEnd(before)))
+        return {Piece::Kind::literal, quoted(rest)};
+    return {Piece::Kind::character, rest.substr(0, 1)};
+}
 
 }  // namespace
 
@@ -135,15 +111,16 @@ std::optional<std::string> taskText(std::string_view source, std::string_view ta
     const std::string begin = "TASK " + std::string{task} + " begin";
     const std::string end = "TASK " + std::string{task} + " end";
     std::optional<std::string> text;
-    for (Lexer lexer{source}; lexer.next();) {
-        if (lexer.piece() == Lexer::Piece::comment) {
-            const std::string_view comment = trimmed(lexer.text().substr(2));
+    for (std::size_t at = 0; at < source.size();) {
+        const Piece piece = pieceAt(at, source);
+        at += piece.text.size();
+        if (piece.kind == Piece::Kind::comment) {
+            const std::string_view comment = trimmed(piece.text.substr(2));
             if (comment == begin && !text) text.emplace();
             if (comment == end && text) return text;
-            continue;
+        } else if (text && (piece.kind == Piece::Kind::literal || !isSpace(piece.text.front()))) {
+            *text += piece.text;
         }
-        if (text && (lexer.piece() == Lexer::Piece::literal || !isSpace(lexer.text().front())))
-            *text += lexer.text();
     }
     return std::nullopt;
 }
@@ -156,11 +133,12 @@ bool isStub(std::string_view source, std::string_view templateSource, std::strin
 bool holdsCode(std::string_view source) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (source.starts_with(kByteOrderMark)) source.remove_prefix(kByteOrderMark.size());
-    for (Lexer lexer{source}; lexer.next();) {
-        const std::string_view text = lexer.text();
-        const bool isBlank = lexer.piece() == Lexer::Piece::comment
-                                 ? !text.starts_with("/*") || isClosedComment(text)
-                                 : text.size() == 1 && isSpace(text.front());
+    for (std::size_t at = 0; at < source.size();) {
+        const Piece piece = pieceAt(at, source);
+        at += piece.text.size();
+        const bool isBlank = piece.kind == Piece::Kind::comment
+                                 ? !piece.text.starts_with("/*") || isClosedComment(piece.text)
+                                 : piece.text.size() == 1 && isSpace(piece.text.front());
         if (!isBlank) return true;
     }
     return false;
