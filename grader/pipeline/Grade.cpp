@@ -46,16 +46,8 @@ void doubt(std::vector<TaskReport>& tasks, const Grader& grader, const RenderEvi
         if (const auto check = codeOf(grader, task.id).doubt) check(tasks, renders);
 }
 
-bool isBlocked(const TaskReport& task) {
-    return task.state == TaskState::blocked;
-}
-
-bool hasPassed(const TaskReport& task) {
-    return task.state == TaskState::passed;
-}
-
-bool isNotAttempted(const TaskReport& task) {
-    return task.state == TaskState::notAttempted;
+auto isIn(TaskState state) {
+    return [state](const TaskReport& task) { return task.state == state; };
 }
 
 TaskReport refused(const Finding& refusal, const Exercise& exercise) {
@@ -96,37 +88,12 @@ public:
             expectations =
                 std::async(std::launch::async, [&] { prepareExpectations(grader_.scenes, file); });
         FileWork work = prepareFile(submission_, file, grader_);
-        JudgedFile judged{file, false, std::nullopt, {}, {}};
         result.timing.compileMs += work.compileMs;
-        if (work.program) {
-            Questioning questioning{*work.program, grader_, budget_};
-            auto gallery = questioning.begin([&](probe::Examinee& examinee) {
-                return renderSpecScenes(grader_.scenes, file, examinee);
-            });
-            std::future<AskedAhead> ahead = beginScreenshot(file, *work.program);
-            judge(work, grader_, questioning, seed_);
-            // Code that crashed or looped would do so again.
-            const bool isUsable = std::ranges::none_of(work.tasks, isBlocked);
-            if (isUsable) {
-                Gallery rendered = gallery.get();
-                if (!rendered.isClear && std::ranges::all_of(work.tasks, hasPassed))
-                    rendered = questioning.run([&](probe::Examinee& examinee) {
-                        return renderSpecScenes(grader_.scenes, file, examinee, Rays::handout);
-                    });
-                if (!grader_.scenes.empty())
-                    doubt(work.tasks, grader_, {rendered.misfits, rendered.bumpMisfit});
-                judged.renders = std::move(rendered).moveTo(result);
-            }
-            gallery = {};
-            if (isUsable && ahead.valid()) judged.ahead = ahead.get();
-            ahead = {};
-            result.timing.probeMs += questioning.wallMs();
-            if (questioning.madeForbiddenCall()) blockForbidden(work.tasks);
-            if (isUsable) judged.program = std::move(work.program);
-        }
-        judged.isAttempted = !std::ranges::all_of(work.tasks, isNotAttempted);
+        JudgedFile judged{file, false, std::nullopt, {}, {}};
+        if (work.program) ask(work, judged, result);
+        judged.isAttempted = !std::ranges::all_of(work.tasks, isIn(TaskState::notAttempted));
         files_.push_back(std::move(judged));
-        std::move(work.tasks.begin(), work.tasks.end(), std::back_inserter(result.tasks));
+        std::ranges::move(work.tasks, std::back_inserter(result.tasks));
         if (work.diagnostics) result.diagnostics.push_back(std::move(*work.diagnostics));
     }
 
@@ -137,7 +104,7 @@ public:
         TaskReport report =
             judgeScreenshotFile(std::move(picture_), files_, grader_, budget_, seed_, result);
         if ((report.state == TaskState::failed || isNotChecked(report)) &&
-            std::ranges::all_of(result.tasks, isNotAttempted)) {
+            std::ranges::all_of(result.tasks, isIn(TaskState::notAttempted))) {
             report = blankReport(std::string{kScreenshotTask}, *grader_.exercise);
             report.state = TaskState::notAttempted;
             report.reason = "no task was attempted";
@@ -168,6 +135,39 @@ public:
     }
 
 private:
+    /// Asks a file's program all that can be asked without the other files.
+    void ask(FileWork& work, JudgedFile& judged, SubmissionResult& result) {
+        Questioning questioning{*work.program, grader_, budget_};
+        const bool isUsable = judgeAndRender(work, judged, questioning, result);
+        result.timing.probeMs += questioning.wallMs();
+        if (questioning.madeForbiddenCall()) blockForbidden(work.tasks);
+        if (isUsable) judged.program = std::move(work.program);
+    }
+
+    /// @return  Whether the program may be asked again: code that crashed or looped would do so
+    ///          again.
+    bool judgeAndRender(FileWork& work, JudgedFile& judged, Questioning& questioning,
+                        SubmissionResult& result) {
+        const auto render = [&](Rays rays) {
+            return [this, &judged, rays](probe::Examinee& examinee) {
+                return renderSpecScenes(grader_.scenes, judged.file, examinee, rays);
+            };
+        };
+        // Whichever way this function ends, it waits for these two, if they have begun.
+        std::future<Gallery> gallery = questioning.begin(render(Rays::few));
+        std::future<AskedAhead> ahead = beginScreenshot(judged.file, *work.program);
+        judge(work, grader_, questioning, seed_);
+        if (std::ranges::any_of(work.tasks, isIn(TaskState::blocked))) return false;
+        Gallery rendered = gallery.get();
+        if (!rendered.isClear && std::ranges::all_of(work.tasks, isIn(TaskState::passed)))
+            rendered = questioning.run(render(Rays::handout));
+        if (!grader_.scenes.empty())
+            doubt(work.tasks, grader_, {rendered.misfits, rendered.bumpMisfit});
+        judged.renders = std::move(rendered).moveTo(result);
+        if (ahead.valid()) judged.ahead = ahead.get();
+        return true;
+    }
+
     /// Starts what the screenshot's judgement asks first, if this submission is graded alone.
     std::future<AskedAhead> beginScreenshot(const std::string& file,
                                             const build::Program& program) {
