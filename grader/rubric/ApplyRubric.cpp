@@ -36,9 +36,17 @@ bool hasPassedForSure(const TaskReport& task) {
     return hasPassed(task) && !task.needsReview;
 }
 
+bool needsReview(const TaskReport& task) {
+    return task.needsReview;
+}
+
+bool isNotGraded(const TaskReport& task) {
+    return task.state == TaskState::notGraded;
+}
+
 /// A person, or the grader's next attempt, may still find that it is right.
 bool mayPass(const TaskReport& task) {
-    return hasPassed(task) || task.needsReview || task.state == TaskState::notGraded;
+    return hasPassed(task) || needsReview(task) || isNotGraded(task);
 }
 
 using OfTask = bool (*)(const TaskReport&);
@@ -64,11 +72,10 @@ double pointsIf(OfTask is, const Rubric& rubric, const SubmissionResult& result)
     return std::min(points, rubric.maxScore);
 }
 
-/// The tasks of the exercise, without the screenshot's.
-template <typename Predicate>
-bool anyExercise(const Rubric& rubric, const SubmissionResult& result, Predicate predicate) {
+/// True if `is` holds for a task of the exercise; the screenshot's is none.
+bool anyExercise(OfTask is, const Rubric& rubric, const SubmissionResult& result) {
     return std::any_of(result.tasks.begin(), result.tasks.end(), [&](const TaskReport& task) {
-        return task.id != rubric.screenshotTask && predicate(task);
+        return task.id != rubric.screenshotTask && is(task);
     });
 }
 
@@ -79,19 +86,21 @@ bool pictureFits(const Rubric& rubric, const SubmissionResult& result) {
            (hasPassed(*screenshot) || isNotChecked(*screenshot));
 }
 
+/// Whether undecided options could add points to the sure ones, which may have all there are.
+bool mayGain(const Rubric& rubric, const SubmissionResult& result) {
+    return pointsIf(mayPass, rubric, result) > pointsIf(hasPassedForSure, rubric, result);
+}
+
 Verdict verdictOf(const Rubric& rubric, const SubmissionResult& result) {
-    const bool passes = holdsForAny(hasPassed, rubric, result);
-    if (passes && !(holdsForAny(hasPassedForSure, rubric, result) && pictureFits(rubric, result)))
-        return Verdict::needsReview;
-    // An award gives its points at once. Those that hang on an undecided task are neither given nor
-    // withheld without a person; where the sure options reach the most, that task does not matter.
-    if (passes && pointsIf(hasPassedForSure, rubric, result) >= pointsIf(mayPass, rubric, result))
-        return Verdict::awarded;
-    if (anyExercise(rubric, result,
-                    [](const TaskReport& task) { return task.state == TaskState::notGraded; }))
-        return Verdict::notGraded;
-    if (anyExercise(rubric, result, [](const TaskReport& task) { return task.needsReview; }))
-        return Verdict::needsReview;
+    if (holdsForAny(hasPassed, rubric, result)) {
+        const bool isSure =
+            holdsForAny(hasPassedForSure, rubric, result) && pictureFits(rubric, result);
+        if (!isSure) return Verdict::needsReview;
+        // An award gives its points at once, so that it waits for a task that may add to them.
+        if (!mayGain(rubric, result)) return Verdict::awarded;
+    }
+    if (anyExercise(isNotGraded, rubric, result)) return Verdict::notGraded;
+    if (anyExercise(needsReview, rubric, result)) return Verdict::needsReview;
     return Verdict::notAwarded;
 }
 
