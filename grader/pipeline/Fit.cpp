@@ -11,6 +11,7 @@ namespace {
 
 // A picture with a larger misfit than this is not explained by another reading of the light.
 constexpr double kNearMiss = 2.0;
+
 /// Mean square of the sums over square tiles of a map of z-scores, each sum in its own standard
 /// errors. Incomplete tiles at the right and lower border are left out.
 /// @param side  Pixels.
@@ -41,10 +42,12 @@ Fit bestFit(const SpecScene& scene, const probe::RenderAnswer& answer, Rays rays
     for (std::size_t i = 0; i < scene.readings.size(); ++i) {
         const bool isOfLight = i >= kAcceptedApertures.size();
         const double own = scene.readings[i].apertureFactor;
+        // The first reading is always tried, and the others only until one fits. The apertures come
+        // first; another light explains near misses alone, with the aperture that fits best so far.
         if (i > 0 && best.meanSquare <= enough) break;
         if (isOfLight && (best.meanSquare > kNearMiss || own != best.apertureFactor)) continue;
-        // An expectation costs some 300 ms when it is first used, so that a picture of few rays is
-        // compared with few of them.
+        // An expectation costs some 300 ms when it is first used. A picture of few rays that nearly
+        // fits the first aperture is not compared with the second one.
         if (few && i > 0 && !isOfLight && best.meanSquare <= kNearMiss) continue;
         const Expectation& expected = scene.expected(i);
         metrics::Measured z = metrics::zMap(expected.brightness, picture, share);
