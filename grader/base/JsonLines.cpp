@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -37,38 +38,34 @@ public:
     bool start_array(std::size_t /*size*/) override { return open(true); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
-    bool key(string_t& name) override {
-        enter(levels_.back(), name);
-        return note();
-    }
+    bool key(string_t& name) override { return enter(name); }
     bool parse_error(std::size_t /*byte*/, const std::string& /*token*/,
                      const nlohmann::detail::exception& /*error*/) override {
         return false;
     }
 
 private:
-    static constexpr std::size_t kOther = std::string_view::npos;
+    /// How much of the wanted place, from its beginning, is the place of a value; empty: the wanted
+    /// place does not go through it. The value's own place may be long in a hostile text.
+    using Match = std::optional<std::size_t>;
 
-    /// An open array or object. Contains the length of its match with the wanted place instead of
-    /// its own place, which may be long in a hostile text.
+    /// An open array or object.
     struct Level {
         bool isArray = false;
-        std::size_t above = 0;  ///< length of the wanted place that matches so far; kOther: none
+        Match match;
         std::size_t items = 0;
-        std::size_t reached = kOther;  ///< the same, including the member or item being read
     };
 
-    // A member is found at its key, which its value must not overwrite.
+    // A member was entered at its key already.
     bool value() {
         if (levels_.empty()) return note();
         if (!levels_.back().isArray) return true;
-        enter(levels_.back(), std::to_string(levels_.back().items++));
-        return note();
+        return enter(std::to_string(levels_.back().items++));
     }
 
     bool open(bool isArray) {
         value();
-        levels_.push_back({isArray, reached()});
+        levels_.push_back({isArray, match_});
         return true;
     }
 
@@ -77,21 +74,18 @@ private:
         return true;
     }
 
+    /// Goes to a member or item of the innermost level.
+    bool enter(std::string_view name) {
+        const Match above = levels_.back().match;
+        const std::string_view rest = above ? wanted_.substr(*above) : std::string_view{};
+        const bool isOnTheWay = rest.starts_with('/') && rest.substr(1).starts_with(name);
+        match_ = isOnTheWay ? Match{*above + 1 + name.size()} : std::nullopt;
+        return note();
+    }
+
     bool note() {
-        if (reached() == wanted_.size()) byte_ = bytesRead();
+        if (match_ == wanted_.size()) byte_ = bytesRead();
         return true;
-    }
-
-    void enter(Level& level, std::string_view name) const {
-        level.reached = kOther;
-        if (level.above == kOther) return;
-        const std::string_view rest = wanted_.substr(level.above);
-        if (rest.starts_with('/') && rest.substr(1).starts_with(name))
-            level.reached = level.above + 1 + name.size();
-    }
-
-    [[nodiscard]] std::size_t reached() const {
-        return levels_.empty() ? 0 : levels_.back().reached;
     }
 
     [[nodiscard]] std::size_t bytesRead() {
@@ -102,6 +96,7 @@ private:
     std::istringstream stream_;
     std::string_view wanted_;
     std::vector<Level> levels_;
+    Match match_ = 0;       ///< of the value that is being read, at first the whole text
     std::size_t byte_ = 0;  ///< of the wanted place, from 1
 };
 
