@@ -11,6 +11,11 @@ namespace ticker {
 /// The texts of the exercises' files, in a source that CMake writes; the last one is null.
 extern const char* const kExerciseTexts[];
 
+std::string TaskEntry::functionName() const {
+    const std::size_t colons = function.rfind("::");
+    return colons == std::string::npos ? function : function.substr(colons + 2);
+}
+
 std::vector<std::string> Exercise::files() const {
     std::vector<std::string> files;
     for (const TaskEntry& task : tasks)
@@ -44,6 +49,14 @@ const TaskEntry* Exercise::task(std::string_view id) const {
 std::string_view Exercise::fileOf(std::string_view id) const {
     const TaskEntry* entry = task(id);
     return entry == nullptr ? std::string_view{} : entry->file;
+}
+
+std::vector<Formula> Exercise::formulasOf(std::string_view file, std::string_view leftAlone) const {
+    std::vector<Formula> all;
+    for (const TaskEntry& task : tasks)
+        if (task.file == file && leftAlone.find(task.functionName()) == std::string_view::npos)
+            all.insert(all.end(), task.formulas.begin(), task.formulas.end());
+    return all;
 }
 
 bool Exercise::isIn(std::string_view option, std::string_view file) const {

@@ -27,6 +27,9 @@ struct TaskEntry {
     std::vector<std::string> symbols;
     /// What repairs may put in place of a value; may be empty.
     std::vector<Formula> formulas = {};
+
+    /// Name of the function without its class.
+    [[nodiscard]] std::string functionName() const;
 };
 
 /// Tasks that belong together; solving one option is enough.
@@ -78,6 +81,11 @@ struct Exercise {
     [[nodiscard]] const TaskEntry* task(std::string_view id) const;
     /// The file that contains a task; empty for the screenshot.
     [[nodiscard]] std::string_view fileOf(std::string_view task) const;
+    /// What repairs of a file may put in place of a value: formulas of its tasks, but of none whose
+    /// function is left alone.
+    /// @param leftAlone  Names of functions, with commas between them.
+    [[nodiscard]] std::vector<Formula> formulasOf(std::string_view file,
+                                                  std::string_view leftAlone) const;
     /// Whether an option has a task in a file.
     [[nodiscard]] bool isIn(std::string_view option, std::string_view file) const;
 };

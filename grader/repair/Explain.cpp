@@ -34,9 +34,9 @@ std::string solvedFunctions(const pipeline::Grader& grader,
     std::string names;
     for (const TaskEntry& task : grader.exercise->tasks) {
         const bool isOpen = std::ranges::any_of(open, [&](const TaskReport* report) {
-            return functionOf(*grader.exercise->task(report->id)) == functionOf(task);
+            return grader.exercise->task(report->id)->functionName() == task.functionName();
         });
-        if (task.file == file && !isOpen) names += functionOf(task) + ",";
+        if (task.file == file && !isOpen) names += task.functionName() + ",";
     }
     return names;
 }

@@ -206,7 +206,7 @@ std::vector<const Task*> TaskExplanation::othersOfTheFunction() const {
     for (const TaskReport& report : setting_.result.tasks) {
         const TaskEntry* entry = exercise.task(report.id);
         const bool isOther = entry != nullptr && entry->id != own.id && entry->file == own.file &&
-                             functionOf(*entry) == functionOf(own);
+                             entry->functionName() == own.functionName();
         if (isOther && report.state == TaskState::passed)
             others.push_back(&codeOf(setting_.grader, report.id));
     }
@@ -220,8 +220,8 @@ Choice TaskExplanation::choice() const {
 bool TaskExplanation::isOfAnotherTask(const std::string& function) const {
     const Exercise& exercise = *setting_.grader.exercise;
     return std::ranges::any_of(exercise.tasks, [&](const TaskEntry& entry) {
-        return entry.file == workbench_.file() && functionOf(entry) == function &&
-               functionOf(*exercise.task(task_.id)) != function;
+        return entry.file == workbench_.file() && entry.functionName() == function &&
+               exercise.task(task_.id)->functionName() != function;
     });
 }
 

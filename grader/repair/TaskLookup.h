@@ -12,12 +12,6 @@ namespace ticker::repair {
 
 using pipeline::codeOf;
 
-/// The name of the function that a task is solved in, without its class.
-[[nodiscard]] inline std::string functionOf(const TaskEntry& task) {
-    const std::size_t colons = task.function.rfind("::");
-    return colons == std::string::npos ? task.function : task.function.substr(colons + 2);
-}
-
 [[nodiscard]] inline bool passes(const TaskJudgement& judgement) {
     return judgement.state == TaskState::passed && !judgement.needsReview;
 }

@@ -1,7 +1,6 @@
 #include <grader/repair/Workbench.h>
 
 #include <grader/build/Build.h>
-#include <grader/repair/TaskLookup.h>
 
 #include <utility>
 
@@ -18,11 +17,7 @@ Bench* Workbench::bench(Reach reach) {
 
 std::optional<Bench> Workbench::made(Reach reach) const {
     const sandbox::Limits limits = clock_.cut(grader_.policy.compile);
-    Wanted wanted{reach, leftAlone_, {}};
-    for (const TaskEntry& task : grader_.exercise->tasks)
-        if (task.file == file_ && leftAlone_.find(functionOf(task)) == std::string::npos)
-            wanted.formulas.insert(wanted.formulas.end(), task.formulas.begin(),
-                                   task.formulas.end());
+    const Wanted wanted{reach, leftAlone_, grader_.exercise->formulasOf(file_, leftAlone_)};
     Candidates candidates =
         findCandidates(grader_.kit, grader_.sandbox, limits, file_, source_, wanted);
     clock_.add(Work::parse, candidates.cpuMs);

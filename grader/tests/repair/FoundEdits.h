@@ -22,11 +22,8 @@ inline std::string tokens(const std::string& text) {
 inline repair::Candidates found(const char* exercise, const std::string& file,
                                 const std::string& text, repair::Reach reach,
                                 const char* leftAlone) {
-    repair::Wanted wanted{reach, leftAlone, {}};
-    for (const TaskEntry& task : exerciseNamed(exercise).tasks)
-        if (task.file == file)
-            wanted.formulas.insert(wanted.formulas.end(), task.formulas.begin(),
-                                   task.formulas.end());
+    const repair::Wanted wanted{reach, leftAlone,
+                                exerciseNamed(exercise).formulasOf(file, leftAlone)};
     const auto candidates =
         findCandidates(build::Kit::besideProgram(exerciseNamed(exercise)), sandbox::Sandbox::best(),
                        sandbox::defaultPolicy().compile, file, text, wanted);
