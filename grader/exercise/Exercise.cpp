@@ -53,8 +53,9 @@ std::string_view Exercise::fileOf(std::string_view id) const {
 
 std::vector<Formula> Exercise::formulasOf(std::string_view file, std::string_view leftAlone) const {
     std::vector<Formula> all;
+    const std::string names = "," + std::string{leftAlone} + ",";
     for (const TaskEntry& task : tasks)
-        if (task.file == file && leftAlone.find(task.functionName()) == std::string_view::npos)
+        if (task.file == file && names.find("," + task.functionName() + ",") == std::string::npos)
             all.insert(all.end(), task.formulas.begin(), task.formulas.end());
     return all;
 }

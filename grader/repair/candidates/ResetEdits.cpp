@@ -35,7 +35,7 @@ bool isNumber(const Node& variable) {
     return variable.type == "int" || variable.type == "double";
 }
 
-bool isSum(const Node& variable) {
+bool mayHoldASum(const Node& variable) {
     return isNumber(variable) || variable.type == "raytracer::ColourRGB" ||
            variable.type == "raytracer::Vector3";
 }
@@ -44,7 +44,7 @@ bool isSum(const Node& variable) {
 void beginWithNothing(Edits& edits, int index) {
     const Tree& tree = edits.tree();
     const Node& sum = tree.at(index);
-    if (!isSum(sum) || sum.children.empty() || sum.parent < 0) return;
+    if (!mayHoldASum(sum) || sum.children.empty() || sum.parent < 0) return;
     const int value = sum.children.back();
     const Node& given = tree.at(value);
     const int block = tree.at(tree.statementOf(index)).parent;
@@ -71,7 +71,7 @@ void addResets(Edits& edits, int index) {
     const std::size_t at = tree.at(first).range.begin;
     for (const int variable : visibleVariables(tree, first)) {
         const Node& sum = tree.at(variable);
-        if (isSum(sum) && isAddedToIn(tree, index, sum))
+        if (mayHoldASum(sum) && isAddedToIn(tree, index, sum))
             edits.addBefore("reset", first, {at, at},
                             sum.name + (isNumber(sum) ? " = 0;\n    " : " = {};\n    "));
     }

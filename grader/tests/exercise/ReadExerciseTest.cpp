@@ -68,6 +68,15 @@ TEST(ReadExercise, ATaskMayHaveFormulasOfTheHandout) {
     EXPECT_TRUE(exercise.task("T1")->formulas.empty());
 }
 
+TEST(ReadExercise, FormulasOfAFileLeaveOutFunctionsThatAreLeftAloneByTheirWholeNames) {
+    const Exercise& exercise = exerciseNamed("tick1star");
+    const std::size_t all = exercise.formulasOf("Renderer.cpp", "").size();
+    ASSERT_GT(all, 0U);
+    EXPECT_LT(exercise.formulasOf("Renderer.cpp", "illuminate,render").size(), all);
+    EXPECT_EQ(exercise.formulasOf("Renderer.cpp", "renderRow,illuminateAll").size(), all);
+    EXPECT_TRUE(exercise.formulasOf("BumpySphere.cpp", "").empty());
+}
+
 TEST(ReadExercise, EveryTaskHasOneRowAndEveryRowATask) {
     for (const Exercise& exercise : knownExercises()) {
         EXPECT_EQ(tasks::tasksOf(exercise.name).size(), exercise.tasks.size())

@@ -62,7 +62,7 @@ void refuseOthers(const Options& options) {
 /// Rank of a scene if none was named; the highest wins. 2: its picture is handed in, and its file
 /// has no stub left; 1: its picture is handed in, and its file has a stub; 0: any other scene.
 /// Between equals the file that was saved last decides.
-std::pair<int, fs::file_time_type> fitOf(const fs::path& scene) {
+std::pair<int, fs::file_time_type> rankOf(const fs::path& scene) {
     const std::string text = contentsOf(scene);
     if (text.find("screenshot.png") == std::string::npos) return {0, {}};
     const bool isBumpy = text.find("<bumpy-sphere") != std::string::npos;
@@ -80,9 +80,10 @@ fs::path sceneOf(const Options& options) {
     for (const fs::directory_entry& entry : fs::directory_iterator{viewHome().scenes, error})
         if (entry.path().extension() == ".xml") scenes.insert(entry.path());
     if (scenes.empty()) throw InputError("", 0, "no scene found; name one: --view SCENE");
-    return *std::max_element(
-        scenes.begin(), scenes.end(),
-        [](const fs::path& first, const fs::path& second) { return fitOf(first) < fitOf(second); });
+    return *std::max_element(scenes.begin(), scenes.end(),
+                             [](const fs::path& first, const fs::path& second) {
+                                 return rankOf(first) < rankOf(second);
+                             });
 }
 
 }  // namespace
