@@ -109,10 +109,16 @@ bool give(std::string_view input) {
 
 std::vector<std::string> seeds() {
     std::vector<std::string> inputs{std::string(1, '\0'), std::string(1, '\1')};
+    const auto add = [&](char option, char value) {
+        inputs.push_back(std::string{option} + '\x40' + value + '\x03' + '\x20' + value);
+    };
     // 0, 1e308, infinity, NaN; unanswered; a shorter number of ones; the negative; another bit.
-    for (const char option : {'\0', '\1'})
-        for (const char value : std::array<char, 8>{0, 4, 8, 10, 13, 18, 27, 36})
-            inputs.push_back(std::string{option} + '\x40' + value + '\x03' + '\x20' + value);
+    for (const char value : std::array<char, 8>{0, 4, 8, 10, 13, 18, 27, 36})
+        add('\0', value);
+    // Fewer: two threads are asked, which sleep in each visible ray. That takes four times as long
+    // beside other tests.
+    for (const char value : std::array<char, 4>{0, 10, 13, 36})
+        add('\1', value);
     return inputs;
 }
 
