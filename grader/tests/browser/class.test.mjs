@@ -1,4 +1,4 @@
-// index.html as a person meets it. TICKER_CLASS is a graded class.
+// The class page (index.html) in a browser. TICKER_CLASS is the folder of a graded class.
 import assert from "node:assert/strict";
 import { after, before, beforeEach, test } from "node:test";
 import { pathToFileURL } from "node:url";

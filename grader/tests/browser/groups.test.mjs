@@ -1,5 +1,6 @@
-// Many at once: groups, contact sheets, words shared by tickers, filters with an address, and how long it
-// all takes. TICKER is the program, TICKER_CLASS a graded class (see session.mjs).
+// Many submissions in the ticking session: groups, contact sheets, comments that tickers share, filters in
+// the address, and the time that a large class takes. TICKER is the program, TICKER_CLASS a graded class
+// (see session.mjs).
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
@@ -26,7 +27,7 @@ async function openAs(session, who, hash = "") {
 
 const inClass = async (session) => (await (await fetch(`${session.address}class`)).json()).submissions;
 
-/// Goes through the whole contact sheet, as the eyes do.
+/// Scrolls every card of the contact sheet into view, and waits until the page counts all of them as looked at.
 async function lookAtAll(page) {
   for (const card of await page.locator(".sheet-card").all()) await card.scrollIntoViewIfNeeded();
   await page.waitForFunction(() => !document.querySelector(".standing").textContent.includes("not looked at yet"));

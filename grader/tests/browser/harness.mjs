@@ -1,4 +1,4 @@
-// What every test in a browser needs: Debian's Chromium, a page that is watched, axe.
+// What every test in a browser needs: Chromium, pages whose errors are recorded, and the accessibility checker axe.
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
@@ -36,11 +36,12 @@ export async function launchBrowser(settings = {}) {
   };
 }
 
-/// Opens a page and notes everything that a good page does not do.
+/// Opens a page. Returns it with `problems`, a list that grows with every console error or warning, error of
+/// a script, request to an address that is not allowed, and request that fails.
 ///
-/// options: colorScheme "light" | "dark", width, height, media "screen" | "print"; `allowed`, which says
-/// of an address whether the page may ask for it (files alone unless given); `expectRefusals` where the
-/// test provokes the page's security policy.
+/// options: colorScheme "light" | "dark", width, height, media "screen" | "print"; `allowed`, a function that
+/// returns whether the page may request an address (by default files, data and about: alone);
+/// `expectRefusals`, true where the test provokes the page's security policy, whose messages then do not count.
 export async function openPage(browser, url, options = {}) {
   const allowed = options.allowed || ((address) => /^(file|data|about):/.test(address));
   const page = await browser.context.newPage();
@@ -56,23 +57,23 @@ export async function openPage(browser, url, options = {}) {
   });
   page.on("requestfailed", (request) => {
     const { errorText } = request.failure();
-    // A picture that was still on its way when the test went to another page.
+    // ERR_ABORTED: a picture was still loading when the test went to another page.
     if (errorText !== "net::ERR_ABORTED") problems.push(`missing: ${request.url()}: ${errorText}`);
   });
   await page.emulateMedia({
     colorScheme: options.colorScheme || "light", media: options.media || "screen",
-    reducedMotion: "reduce", // where something is must not depend on how far a scroll has come
+    reducedMotion: "reduce", // no smooth scrolling: an element's place must not depend on the moment of measuring
   });
   await page.setViewportSize({ width: options.width || 1280, height: options.height || 900 });
   await page.goto(url, { waitUntil: "load" });
   return { page, problems };
 }
 
-/// What axe has to say about a page against WCAG 2.2 AA and its own best practices, and about its
-/// contrast in dark mode: one line for each kind of fault with the elements that have it. Leaves the
-/// page in dark mode.
+/// What axe finds in a page against WCAG 2.2 AA and its own best practices, and in its contrast in dark
+/// mode: one line for each kind of fault, with the first three elements that have it. Leaves the page in
+/// dark mode.
 export async function accessibilityFaults(page) {
-  // Not by a script element: the pages' own policy lets none in.
+  // Not by a script element: the pages' Content-Security-Policy blocks it.
   await page.evaluate(await readFile(axeFile, "utf8"));
   const faults = [];
   for (const [colorScheme, runOnly] of [

@@ -23,7 +23,7 @@ after(async () => {
 const inverted = "Jürgen, jr_1000";
 const offCentre = "O'Neill #1? 100%_1001";
 
-/// Opens a submission at a size of the window.
+/// Opens a submission of the session in a window of this size.
 async function openAt(name, width, height) {
   const { page } = await openSession(browser, session, { width, height });
   await shown(page);

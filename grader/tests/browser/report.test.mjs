@@ -1,5 +1,5 @@
-// report.html as a person meets it. TICKER_CLASS is a graded class, TICKER_EXAMPLES a class of made-up
-// results with everything that a page can show.
+// report.html in a browser. TICKER_CLASS is a graded class, TICKER_EXAMPLES a class of made-up results with
+// everything that a page can show.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { pathToFileURL } from "node:url";
@@ -13,7 +13,7 @@ let browser;
 before(async () => { browser = await launchBrowser(); });
 after(() => browser.close());
 
-/// Opens a report, hands it to `look`, and holds it to what all pages promise.
+/// Opens a report, passes it to `look`, and expects no problem (see openPage).
 async function withReport(url, look, options) {
   const { page, problems } = await openPage(browser, url, options);
   await look(page);
@@ -134,7 +134,7 @@ describe("a comparison", () => {
   const showing = (one = viewer) => one.locator(".showing").textContent();
   const clip = () => viewer.locator(".submitted .frame").evaluate((each) => getComputedStyle(each).clipPath);
 
-  /// How each picture lies in its frame: where its corner is and how wide it is, in widths of the frame.
+  /// For each picture: its corner within its frame (right, down) and its width, in widths of the frame.
   const places = () => viewer.locator(".frame img").evaluateAll((images) => images.map((image) => {
     const box = image.parentElement.getBoundingClientRect();
     const inside = image.getBoundingClientRect();
@@ -142,7 +142,8 @@ describe("a comparison", () => {
       .map((part) => part.toFixed(2)).join(" ");
   }));
 
-  /// Side by side and not zoomed, with the pointer's place in pixels for parts of the picture.
+  /// Sets the viewer to side by side without zoom. Returns a function from shares of the picture's width and
+  /// height to a place of the pointer in pixels.
   async function fresh() {
     await button("side").click();
     while ((await viewer.locator("output").textContent()) !== "1×") await button("out").click();

@@ -27,9 +27,10 @@ export async function startSession(out) {
   return session;
 }
 
-/// TICKER_CLASS under new names: an OUT with so many submissions, as a cluster's nodes leave it and `ticker collect` takes it in.
+/// Makes an OUT of `size` submissions: results of TICKER_CLASS under new names, taken into the store by
+/// `ticker collect`, as on a cluster.
 ///
-/// repairs: proven edits of every second "bump-inverted-u", as result.json has them.
+/// repairs: proven edits in the form of result.json, for every second copy of "bump-inverted-u".
 export function makeClass(size, repairs = []) {
   const out = mkdtempSync(join(tmpdir(), "ticker-session-"));
   folders.push(out);
@@ -37,7 +38,7 @@ export function makeClass(size, repairs = []) {
     const sample = join(process.env.TICKER_CLASS, samples[i % samples.length]);
     const name = `${oddNames[i % oddNames.length]}_${1000 + i}`;
     const result = JSON.parse(readFileSync(join(sample, "result.json"), "utf8"));
-    const isSmall = size <= 200; // pictures are not what many submissions try
+    const isSmall = size <= 200; // tests of large classes do not look at pictures
     const without = isSmall ? {} : { renders: [], pictures: [] };
     const isMended = repairs.length > 0 && sample.endsWith("bump-inverted-u") && i % 2 === 0;
     const proven = isMended ? { repairs } : {};
@@ -57,11 +58,11 @@ export function killSessions() {
   for (const folder of folders) rmSync(folder, { recursive: true, force: true });
 }
 
-/// options: as of `openPage`, and `hash`: what stands behind the address.
+/// options: those of `openPage`, and `hash`, which is added to the address.
 export const openSession = (browser, session, options = {}) =>
   openPage(browser, session.address + (options.hash ?? ""), { allowed: (address) => address.startsWith(session.address), ...options });
 
-/// Waits until a submission fills the page and can be decided. Gives its name.
+/// Waits until a submission, not that named `other`, fills the page and can be decided. Returns its name.
 export async function shown(page, other) {
   const main = page.locator("main[data-name]:not(.loading)");
   await page.waitForFunction((before) => {
@@ -83,7 +84,7 @@ export const saved = (page) =>
 export const onDisk = (out) =>
   rowsOf(execFileSync(ticker, ["report", out, "--format", "csv", "--quiet"], { encoding: "utf8" }));
 
-/// The same of a summary.csv.
+/// The same rows from the text of a summary.csv.
 export function rowsOf(csv) {
   const text = csv.replace(/^\uFEFF/, "");
   const rows = [];

@@ -1,4 +1,4 @@
-// The ticking session as tickers meet it. TICKER is the program, TICKER_CLASS a graded class, whose
+// The ticking session in a browser. TICKER is the program, TICKER_CLASS a graded class, whose
 // results are copied under new names into larger classes.
 import assert from "node:assert/strict";
 import { copyFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
@@ -14,7 +14,7 @@ after(async () => {
   killSessions();
 });
 
-/// Decides with a key, and says why where the page asks.
+/// Decides with a key, and types a reason where the page asks for one.
 async function decide(page, key, why = "as shown at the desk") {
   await page.keyboard.press(key);
   if (await page.locator("#ask[open]").count() === 0) return;
@@ -22,7 +22,7 @@ async function decide(page, key, why = "as shown at the desk") {
   await page.keyboard.press("Enter");
 }
 
-/// What is on disk: the newest ruling by name.
+/// The newest ruling of each decided submission by name, as the session returns it.
 async function rulings(session) {
   const { submissions } = await (await fetch(`${session.address}class`)).json();
   return Object.fromEntries(submissions.filter((one) => one.decision).map((one) => [one.name, one.decision.ruling]));
@@ -64,8 +64,8 @@ test("many decisions by keyboard, the session killed in between, none lost", asy
     const key = i % 3 === 0 ? "n" : "a";
     meant[name] = key === "a" ? "awarded" : "notYet";
     if (i === first || i === second) await session.kill();
-    await decide(page, key); // this one waits in the browser
-    if (i === second) await page.close(); // nothing but what the browser has stored is left
+    await decide(page, key); // with the session killed, this decision waits in the browser
+    if (i === second) await page.close(); // now only the browser's storage has that decision
     if (i === first || i === second) session = await startSession(out);
     if (i === second) ({ page } = await openSession(browser, session));
     if (i === second) name = undefined;
@@ -97,7 +97,7 @@ test("two tickers at once lose nothing and see each other", async () => {
   for (const [{ page }, who] of [[ann, "ann"], [bob, "bob"]]) {
     await page.getByLabel("You are").fill(who);
     await shown(page);
-    if (who === "bob") await page.route(/\/class\?/, () => {}); // never hears of ann
+    if (who === "bob") await page.route(/\/class\?/, () => {}); // bob's page gets no news of ann's decisions
     await page.locator("main").focus();
   }
   await decide(ann.page, "a");
@@ -110,7 +110,7 @@ test("two tickers at once lose nothing and see each other", async () => {
   assert.equal((await rulings(session))["=1+1_1002"], "notYet");
   const reply = await (await fetch(`${session.address}submission?name=${encodeURIComponent("=1+1_1002")}`)).json();
   assert.deepEqual(reply.history.map(({ who, ruling }) => [who, ruling]), [["ann", "awarded"], ["bob", "notYet"]]);
-  await ann.page.locator(".list li[data-ruling=notYet]").waitFor(); // it is told, without being asked
+  await ann.page.locator(".list li[data-ruling=notYet]").waitFor(); // ann's page learns of it by itself
   for (const { page } of [ann, bob]) await page.close();
 });
 

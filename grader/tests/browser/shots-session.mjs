@@ -18,7 +18,7 @@ const browser = await launchBrowser();
 const session = await startSession(out);
 let faults = 0;
 
-/// One view: what is seen without scrolling, and all of it; then axe.
+/// Pictures of one view: the window in light and dark mode, and the whole page. Then prints what axe finds.
 async function shoot(page, name, width) {
   await page.mouse.move(0, 0);
   for (const colorScheme of ["light", "dark"]) {

@@ -1,4 +1,4 @@
-// The pictures of the viewer in docs/images, of a student's package with the model answer (view-kit.sh):
+// Makes the pictures of the viewer in docs/images, from a student's package with the model answer (view-kit.sh):
 //   TICKER_VIEW_KIT=KIT node shots-view.mjs docs/images
 import { join } from "node:path";
 import { readFile, writeFile } from "node:fs/promises";
@@ -9,8 +9,8 @@ const images = process.argv[2];
 const bumpFile = exerciseFile.replace("Renderer", "BumpySphere");
 const lens = [exerciseFile, /randomBetween\(-settings\(\)\.dofAmount, /g, "randomBetween(0.0, 2.0 * "];
 
-// name, scene, pixel as shares of width and height, colours, the highlighted line, how often the drawing comes
-// nearer to its end, edit
+// name, scene, pixel as shares of width and height, colours, the highlighted line, clicks on "Nearer" (to the
+// end of that line's ray), and perhaps an edit of a file: [file, from, to]
 const shots = [
   ["view-shadow-edge", "distributed", 0.93, 0.855, "light", ".ray-camera", 0],
   ["view-out-of-focus", "distributed", 0.42, 0.55, "dark", ".ray-camera", 0],
@@ -36,7 +36,7 @@ for (const [name, scene, x, y, colorScheme, line, nearer, edit] of shots) {
     const path = join(images, `${name}.png`);
     await page.mouse.move(0, 0);
     if (name === "view-off-centre") await page.screenshot({ path, fullPage: true });
-    else await page.locator("#rays").screenshot({ path }); // nothing of interest is above it
+    else await page.locator("#rays").screenshot({ path }); // the picture above it is left out
     await page.close();
   } finally {
     await viewer.end("SIGTERM");

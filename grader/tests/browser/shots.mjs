@@ -1,4 +1,4 @@
-// The pictures of the pages in docs/images, from the sample class:
+// Makes the pictures of the pages in docs/images from the sample class:
 //   ./tick demo && grader/tests/browser/install.sh build/shots &&
 //   node build/shots/shots.mjs out/demo docs/images
 import { pathToFileURL } from "node:url";

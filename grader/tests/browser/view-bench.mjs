@@ -1,6 +1,6 @@
-// The viewer's figures, `./tick bench view [--json FILE]`, of a built package of a student with the model
-// answer (view-kit.sh): TICKER_VIEW_KIT.
-// Times of the clock; the cost of rendering is processor time, which other programs do not change much.
+// Measures the viewer: `./tick bench view [--json FILE]`. TICKER_VIEW_KIT is a built package of a student with
+// the model answer (view-kit.sh).
+// Times are by the clock. The cost of rendering is in CPU time, which other programs change little.
 import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import { readFile, writeFile } from "node:fs/promises";
@@ -16,7 +16,7 @@ function say(name, value, unit, wanted) {
 }
 const scene = ["scenes/distributed.xml", "--seed", "1"];
 
-/// Seconds of the processor that the process which renders has had.
+/// Seconds of CPU time of the process that renders; 0 if there is none.
 function workerSeconds() {
   for (const name of readdirSync("/proc").filter((each) => /^\d+$/.test(each))) {
     try {
@@ -60,17 +60,17 @@ const without = Number(plain.stderr.toString().trim());
 say("rendering, speed with the viewer", 100 * without / withView, "%", "at least 90");
 
 await clickPixel(page, 0.5, 0.6);
-// The ground: each of 50 camera rays is reflected once or twice, with 10 shadow rays at each hit. Then
-// between two balls.
+// First a pixel of the ground, where each of 50 camera rays is reflected once or twice, with 10 shadow rays
+// at each hit; then one between two balls.
 for (const at of [{ x: 200, y: 400 }, { x: 300, y: 250 }]) {
   const clicks = await page.evaluate(async ({ x, y }) => {
     const times = [];
     for (let i = 0; i < 9; ++i) {
       const start = performance.now();
       await ask("pixel", { x: x + i, y });
-      await new Promise((done) => requestAnimationFrame(() => setTimeout(done))); // it is painted
+      await new Promise((done) => requestAnimationFrame(() => setTimeout(done))); // now it is painted
       times.push(performance.now() - start);
-      await new Promise((done) => setTimeout(done, 300)); // the list's further lines follow
+      await new Promise((done) => setTimeout(done, 300)); // the list's other lines appear later
     }
     return { times, count: rays.drawing.data.rays.length };
   }, at);
@@ -104,7 +104,7 @@ async function saveTimes(words, before) {
     await writeFile(exerciseFile, `${source}// ${words} ${i}\n`);
     await page.waitForFunction((last) => picture.build > last && document.getElementById("stage").textContent, build);
     times.push(performance.now() - start);
-    // What still renders or runs tests would share the processor with the next compiler.
+    // Renders and tests that still run would take processor time from the next compiler.
     await page.waitForFunction(() => !document.getElementById("tests").textContent.includes("run ..."));
     await finished(page);
   }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# view-kit.sh SOURCE KIT: the students' package with the model answer, built, for tests that save its files.
+# view-kit.sh SOURCE KIT: builds the students' package with the model answer in KIT, for tests that save its
+# files.
 # Later calls build only what changed.
 set -euo pipefail
 source="$1"
@@ -12,7 +13,7 @@ for file in "$source"/reference_solution/exercise/*.cpp; do
   cmp -s "$file" "$kit/exercise/${file##*/}" || cp "$file" "$kit/exercise"
 done
 cd "$kit"
-# ccache takes the kit's paths relative to it, so that a kit elsewhere compiles nothing anew.
+# With this ccache uses paths relative to the kit, so that a kit in another folder is not compiled again.
 export CCACHE_BASEDIR="$PWD"
 launcher="$(command -v ccache || true)"
 [[ -f build/release/CMakeCache.txt ]] ||

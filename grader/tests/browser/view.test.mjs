@@ -1,4 +1,4 @@
-// tick1star --view as a student meets it.
+// The viewer, tick1star --view, in a browser.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 import { readFile, writeFile } from "node:fs/promises";
@@ -20,7 +20,7 @@ afterEach(async () => {
   assert.deepEqual(processesOfTheKit(), [], "left behind");
 });
 
-/// Opens the viewer on a small picture and holds the page to what all pages promise.
+/// Starts the viewer with a small picture, passes its page to `look`, and expects no problem (see openPage).
 async function withPage(look, options) {
   viewer = await startViewer("scenes/distributed.xml", "-r", "160x120", "--dof-rays", "8", "--seed", "1");
   const { page, problems } = await openViewer(browser, viewer, options);

@@ -1,4 +1,4 @@
-// What tests of tick1star --view share. TICKER_VIEW_KIT is a built package of a student.
+// What tests of tick1star --view share. TICKER_VIEW_KIT is a built package of a student (view-kit.sh).
 import { existsSync, readdirSync, readFileSync, readlinkSync } from "node:fs";
 import { spawn, spawnSync } from "node:child_process";
 import { createInterface } from "node:readline";
@@ -10,7 +10,8 @@ export const exerciseFile = join(kit, "exercise/Renderer.cpp");
 
 const program = join(kit, "build/tick1star");
 
-/// Starts the viewer and waits for its address. Builds the program first where a build that was cut off left none.
+/// Starts the viewer and waits for its address. Builds the program first if it is missing, as after a build
+/// that was interrupted.
 export async function startViewer(...options) {
   if (!existsSync(program)) spawnSync("cmake", ["--build", join(kit, "build/release")]);
   const viewer = spawn(program, ["--view", ...options, "--quiet"],
@@ -29,11 +30,11 @@ export function processesOfTheKit() {
     try {
       const command = readFileSync(`/proc/${name}/cmdline`, "utf8").replaceAll("\0", " ");
       return command.includes(kit) || readlinkSync(`/proc/${name}/exe`).startsWith(kit) ? [command] : [];
-    } catch { return []; } // it has ended meanwhile, or is not ours to look at
+    } catch { return []; } // it has ended meanwhile, or belongs to another user
   });
 }
 
-/// Clicks a pixel, as a share of the picture's width and height, and waits for its rays.
+/// Clicks a pixel and waits for its rays. x, y: its place, as shares of the picture's width and height.
 export async function clickPixel(page, x, y) {
   await page.locator("#picture").scrollIntoViewIfNeeded();
   const box = await page.locator("#picture").boundingBox();
@@ -42,6 +43,6 @@ export async function clickPixel(page, x, y) {
   await page.waitForFunction((last) => rays.drawing.data.about && rays.drawing.data.about !== last, before.about);
 }
 
-/// Waits until all pixels are there as they will be.
+/// Waits until the picture is rendered to the end.
 export const finished = (page) =>
   page.waitForFunction(() => document.getElementById("stage").textContent === "done");

@@ -1,6 +1,6 @@
-// A ticker's evening: a class of 14 in Moodle's layout, graded, then every button and key of the session.
-// After each, what another process reads from the disk, and what the page says. The tests follow each
-// other on one page. TICKER is the program, TICKER_SAMPLES the sample class.
+// A ticker's evening: grades a class of 14 in Moodle's layout, then uses every button and key of the session.
+// After each use the tests compare what another process reads from the disk, and what the page says. They run
+// one after the other on one page. TICKER is the program, TICKER_SAMPLES the sample class.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -28,7 +28,7 @@ const handedIn = {
 };
 const names = Object.keys(handedIn);
 const [ann, bo, cleo, dai, eve, fay, gil, , , jon, kay, , mia, noa] = names;
-const zone = "Asia/Kathmandu"; // 5:45 before UTC: no other zone's time is mistaken for it
+const zone = "Asia/Kathmandu"; // 5:45 ahead of UTC: no other zone's time is mistaken for it
 
 const folder = mkdtempSync(join(tmpdir(), "ticker-walk-"));
 const out = join(folder, "out");
@@ -56,11 +56,11 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-// --- what is used, and how ---------------------------------------------------------------------
+// --- the buttons and keys in use -----------------------------------------------------------------
 
 const used = new Set();
 
-/// "comment: quote": where a button stands and what it does.
+/// A button's dialog (or "page") and its action, such as "comment: quote".
 const nameOf = (button) => `${button.closest("dialog")?.id || "page"}: ${button.dataset.act || button.value || "close"}`;
 
 async function press(key) {
@@ -396,7 +396,7 @@ test("the normals of a failed T1 are drawn, and the drawing turns", async () => 
 
 test("of two who decide, the second says whose holds", async () => {
   await open(jon);
-  await page.route(/\/class\?/, () => {}); // never hears of the other by itself
+  await page.route(/\/class\?/, () => {}); // this page gets no news of the other ticker
   const other = await openSession(browser, session);
   await other.page.getByLabel("You are").fill("Eli");
   const decideFirst = async (name) => {
@@ -463,7 +463,7 @@ test("the last decision is followed by the summary, and the session's end by the
   await page.keyboard.type("you measured from the corner on purpose");
   await press("Enter");
   const rows = (await saved(page), onDisk(out));
-  assert.deepEqual(problems.filter((one) => !/status of 409/.test(one)), []); // the two that were overtaken
+  assert.deepEqual(problems.filter((one) => !/status of 409/.test(one)), []); // two decisions came after another ticker's
   await page.setViewportSize({ width: 420, height: 850 });
   assert.equal(await overflow(page), 0);
   await page.close();
