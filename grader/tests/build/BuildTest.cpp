@@ -90,7 +90,7 @@ TEST(Build, RefusesAnOwnMain) {
     EXPECT_EQ(result.diagnostics.find("/tmp"), std::string::npos) << result.diagnostics;
 }
 
-// A function of the student's that runs after the last answer.
+// The probe ends by _Exit: a submission's own version would run after the last answer.
 TEST(Build, RefusesAnOwnExit) {
     const BuildResult result =
         build("BumpySphere.cpp",
@@ -149,7 +149,7 @@ TEST(Build, StopsACompilerThatTakesTooLong) {
     EXPECT_EQ(build("Renderer.cpp", loop).kind, Kind::failed);
 }
 
-// The driver's words, which a student can print as well.
+// The outcome of a compiler whose driver reports a killed compiler. A file can print the same text.
 sandbox::Outcome saysThatItWasKilled(std::uint64_t peakMemoryBytes, bool machineRanOut) {
     sandbox::Outcome outcome;
     outcome.end = sandbox::Outcome::End::exited;

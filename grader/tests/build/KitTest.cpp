@@ -55,7 +55,7 @@ void writePrivateKit(const fs::path& folder) {
         fs::permissions(entry, fs::perms{entry.is_directory() ? 0700U : 0600U});
 }
 
-/// What some user other than the owner cannot read.
+/// The files and folders that users other than the owner cannot read.
 std::vector<std::string> closedToOthers(const fs::path& folder) {
     std::vector<std::string> closed;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder}) {
@@ -65,7 +65,8 @@ std::vector<std::string> closedToOthers(const fs::path& folder) {
     return closed;
 }
 
-// Jobs of root run as another user, who would find no header: the student's file would not compile.
+// Jobs of root run as another user. If he could not read the headers, no student's file would
+// compile.
 TEST(Kit, CanBeReadByEveryJobWhateverTheUmaskOfRootIs) {
     if (geteuid() != 0) GTEST_SKIP() << "only the jobs of root have another uid";
     const tests::TemporaryFolder folder;
@@ -96,8 +97,8 @@ TEST(Kit, PrecompiledHeaderFitsTheFlags) {
     EXPECT_NE(output.find("Framework.h.gch"), std::string::npos) << output;
 }
 
-// Clang's precompiled headers name the place where they were made; a kit that was moved sees it by
-// this member and makes them anew.
+// Clang's precompiled headers contain the path where they were made. "madeAt" shows that a kit was
+// moved: its headers are then precompiled again.
 TEST(Kit, HoldsNoPathOfTheProjectButThatWhereItWasMade) {
     const Kit kit = Kit::besideProgram();
     std::string json =

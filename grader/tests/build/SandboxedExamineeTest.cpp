@@ -17,7 +17,7 @@ using probe::NormalAnswer;
 using probe::ProcessEnd;
 using EndKind = ProcessEnd::Kind;
 
-/// Builds a submission and asks it, under limits that keep the test short.
+/// Builds a submission and puts questions to it, under limits that keep the test short.
 /// @param cpuSeconds  The default is enough to fill the memory on a slow machine.
 probe::Run ask(const std::string& file, const std::string& source,
                const std::vector<probe::Question>& questions, double cpuSeconds = 4.0) {
@@ -153,7 +153,7 @@ TEST(SandboxedExaminee, SharesOneBudgetAmongItsRuns) {
     EXPECT_EQ(examinee.wallMs(), before) << "it was started once more";
 }
 
-// Sleeping costs no time of computing. Without the budget this program would finish.
+// Sleeping uses no CPU time. Without the budget this program would finish.
 TEST(SandboxedExaminee, CountsTimeAsleepForTheBudget) {
     const sandbox::Sandbox theSandbox = sandbox::Sandbox::best();
     const Kit kit = Kit::besideProgram();

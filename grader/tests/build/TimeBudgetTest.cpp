@@ -41,7 +41,7 @@ TEST(TimeBudget, CountsTheWallClockOfParallelRunsOnce) {
     budget.spend(lasting(30.0), at(35));  // 5 to 35
     budget.spend(lasting(36.0), at(36));  // 0 to 36
     EXPECT_EQ(budget.cut(limits).wallSeconds, 90.0 - 36.0);
-    budget.spend(lasting(10.0), at(60));  // 50 to 60: waiting for it costs nothing
+    budget.spend(lasting(10.0), at(60));  // 50 to 60: the pause before it costs nothing
     EXPECT_EQ(budget.cut(limits).wallSeconds, 90.0 - 46.0);
     budget.spend(lasting(40.0), at(70));  // 30 to 70
     EXPECT_EQ(budget.cut(limits).wallSeconds, 90.0 - 70.0);

@@ -8,7 +8,7 @@
 namespace ticker::calibrate {
 namespace {
 
-/// Keeps what it was asked.
+/// Keeps the questions of the last call.
 class Listener final : public probe::Examinee {
 public:
     [[nodiscard]] probe::Run ask(const std::vector<probe::Question>& questions) override {
@@ -18,7 +18,7 @@ public:
     std::vector<probe::Question> asked;
 };
 
-/// The question as a submission with this seed hears it.
+/// The question that a submission with this seed gets.
 probe::RenderQuestion heard(const probe::RenderQuestion& question, std::uint64_t seed) {
     Listener listener;
     OwnNoise noisy{listener, seed};

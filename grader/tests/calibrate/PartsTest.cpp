@@ -35,20 +35,20 @@ std::vector<std::string> everyTask() {
     return ids;
 }
 
-/// What has a row in parts.json besides tasks.
+/// All tasks, and what else has a row in parts.json.
 std::vector<std::string> everythingMeasured() {
     std::vector<std::string> measured = everyTask();
     measured.insert(measured.end(), {"pictures", "methods", "agreement"});
     return measured;
 }
 
-/// The measured sources in a folder of their own, with a record of each task that is of their code.
+/// The measured sources in a folder of their own, with a record of each task for this code.
 class CopiedSources : public testing::Test {
 protected:
     CopiedSources() {
         campaign_.measured = everyTask();
         copy("grader/lab/calibrate/parts.json");
-        fs::create_directories(root() / "grader/exercises");  // which may have no code
+        fs::create_directories(root() / "grader/exercises");  // there even if no exercise has code
         const Parts all{kSource};
         for (const std::string& measured : everythingMeasured())
             for (const fs::path& file : all.filesOf(measured))
@@ -163,7 +163,7 @@ TEST_F(CopiedSources, OfATaskWithoutARowAreThoseThatNoPartNames) {
     EXPECT_THROW(static_cast<void>(parts.stampOf("T9")), raytracer::InputError);
 }
 
-/// The file of this line's #include, in the project; empty for a package's.
+/// Path of an included header from the project's root; empty for one of a package.
 fs::path includedFile(const std::string& name) {
     if (name.starts_with("grader/")) return name;
     if (name.starts_with("raytracer/")) return "student_template/framework/include/" + name;
@@ -171,7 +171,7 @@ fs::path includedFile(const std::string& name) {
     return {};
 }
 
-// Structs, texts and readers, on which no verdict depends.
+// Files that parts.json may omit: structs, texts and readers, on which no verdict depends.
 bool isLeftOut(const fs::path& file) {
     const std::string folder = file.parent_path().generic_string();
     return folder == "grader/result" || folder == "grader/exercise" || folder == "grader/picture" ||

@@ -25,7 +25,7 @@ TEST(Record, IsReadAgainInTheOrderOfTheUnits) {
     EXPECT_FALSE(again.has(0));
 }
 
-// The rest of a line whose writing was killed.
+// What is left of a line if the program was killed while it wrote it.
 TEST(Record, DropsALineThatWasCutShort) {
     const tests::TemporaryFolder folder;
     const CountingCampaign campaign{5};

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kSeed = 20261121;
 
-// Two honest ones, then a hostile one, and so on.
+// In the class a hostile submission comes after every two honest ones.
 const std::vector<std::string> kHonest{"awarded/reference-bump",       "notAwarded/bump-inverted-u",
                                        "notAwarded/bump-swapped-axes", "needsReview/no-screenshot",
                                        "notAwarded/does-not-compile",  "awarded/bump-z-up"};

@@ -19,7 +19,7 @@ const std::vector<Exercise>& bothExercises() {
     return kBoth;
 }
 
-/// What is said of a class whose submissions have one file each.
+/// The error message for a class whose submissions have one file each; empty without an error.
 std::string complaintAbout(const std::vector<std::string>& files) {
     const tests::TemporaryFolder folder;
     for (std::size_t i = 0; i < files.size(); ++i)

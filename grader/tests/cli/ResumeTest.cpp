@@ -69,7 +69,7 @@ TEST_F(Resume, RefusesAFolderThatAnotherRunGradesInto) {
     EXPECT_EQ(run(gradeCommand("out")).size(), kSize);
 }
 
-// No process has the first number: numbers end at 4194304.
+// No process has the number 999999999: process ids end at 4194304.
 TEST_F(Resume, RemovesWhatAKilledOneWasWriting) {
     fs::create_directories(at("out") / "ann");
     const fs::path leftOver = at("out") / ".summary.csv.999999999.part";

@@ -20,7 +20,8 @@ struct Ran {
 };
 
 /// Runs the program `ticker` of the build folder, or another one, through a shell.
-/// @param arguments  As typed; `errorsFile` is a file of the test's own.
+/// @param arguments   As typed in a shell.
+/// @param errorsFile  A file of the test's own, which receives stderr.
 inline Ran runTicker(const std::string& arguments, const std::string& errorsFile,
                      const std::string& program = "ticker") {
     const std::string command = std::string{TICKER_BINARY_DIR} + "/bin/" + program + " " +

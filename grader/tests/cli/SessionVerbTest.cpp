@@ -31,7 +31,7 @@ protected:
         return result ? result->status : -1;
     }
 
-    /// Asks for the class until this is so; false if the session no longer answers.
+    /// Requests the class until `isSo` is true; false if the session no longer answers.
     bool becomes(const std::function<bool()>& isSo) {
         constexpr int kMost = 200'000;  // the tables are written every three seconds
         for (int i = 0; i < kMost; ++i) {

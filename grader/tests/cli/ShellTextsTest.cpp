@@ -13,7 +13,7 @@ using tests::runCommand;
 
 const std::string kTicker = TICKER_BINARY_DIR "/bin/ticker";
 
-/// What bash offers after these words.
+/// The completions that bash offers for the word at `position`, with these words typed.
 std::string bashOffers(const std::string& words, int position) {
     return runCommand("bash -c 'source <(" + kTicker + " --completion bash); COMP_WORDS=(" + words +
                       "); COMP_CWORD=" + std::to_string(position) +

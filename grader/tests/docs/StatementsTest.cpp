@@ -1,5 +1,5 @@
-// What documents say about programs that are not ours, and no other test would miss: who rewrites a
-// document keeps these statements, or changes them here, too.
+// Statements of the documents, most of them about other programs, whose loss no other test would
+// notice. Whoever rewrites a document keeps them, or changes them here as well.
 #include <grader/tests/support/Files.h>
 
 #include <gtest/gtest.h>

@@ -21,8 +21,8 @@
 #include <vector>
 
 // A further task in a third file passes through all stages of a submission. This folder has an
-// entry in exercise.json, the call of its function, a stub and a solution; its row, its judge and
-// its finding are below. Its id and its file are such as no real task has.
+// entry in exercise.json, the call of its function, a stub and a solution; its row of the table of
+// tasks, its judge and its finding are below. No real task has its id or its file's name.
 namespace ticker {
 namespace {
 

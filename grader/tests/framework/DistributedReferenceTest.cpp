@@ -125,7 +125,7 @@ TEST(ReferenceIlluminate, ScalesDiffuseAndSpecularByTheVisibleShare) {
     const double ambient = 0.5 * 0.02;
     const double measured = (lit.colour.g - ambient) / (free.colour.g - ambient);
     // Two shares of 1e5 samples: standard deviation of the difference at most 0.0022; six of them
-    // are passed with probability 2e-9.
+    // are exceeded with probability 2e-9.
     EXPECT_NEAR(measured, share, 0.0134);
     EXPECT_NEAR((lit.colour.r - ambient) / (free.colour.r - ambient), measured, kReferenceRounding);
 }

@@ -7,7 +7,7 @@
 
 namespace ticker::fuzz {
 
-/// Passes one input to the reader under test. True: accepted; false: refused as specified.
+/// Passes one input to the reader or judge under test. True: accepted; false: refused as specified.
 /// Everything else, a crash or another exception, is a bug.
 [[nodiscard]] bool give(std::string_view input);
 

@@ -1,5 +1,5 @@
 // The judges of both options, with a right solution's answers of which some numbers are replaced.
-// They must reach a judgement for all answers, and never award one of these.
+// They must reach a judgement for all answers, and a failed task must have a finding that fails it.
 #include "../support/LocalExaminee.h"
 #include "Fuzz.h"
 
@@ -115,8 +115,8 @@ std::vector<std::string> seeds() {
     // 0, 1e308, infinity, NaN; unanswered; a shorter number of ones; the negative; another bit.
     for (const char value : std::array<char, 8>{0, 4, 8, 10, 13, 18, 27, 36})
         add('\0', value);
-    // Fewer: two threads are asked, which sleep in each visible ray. That takes four times as long
-    // beside other tests.
+    // Fewer of option 2: its questions have renders with two threads, which sleep in each visible
+    // ray. Beside other tests that takes four times as long.
     for (const char value : std::array<char, 4>{0, 10, 13, 36})
         add('\1', value);
     return inputs;

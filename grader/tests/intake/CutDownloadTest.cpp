@@ -41,7 +41,7 @@ const std::vector<NamedBytes> kMoodle{{"Ann Lee_1_assignsubmission_file/screensh
 const std::vector<NamedBytes> kCanvas{{"leeann_4711_90210_screenshot.png", noise(1)},
                                       {"kimbo_late_99_90305_screenshot.png", noise(2)}};
 
-/// What is said about a zip of this content; empty if its class is found.
+/// The error message for a zip of this content; empty if its submissions are found.
 std::string complaintAbout(const tests::TemporaryFolder& folder, const std::string& bytes) {
     try {
         static_cast<void>(findSubmissions(folder.write("class.zip", bytes)));

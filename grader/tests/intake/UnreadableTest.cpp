@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder whose owner is root, or we, and whose parts can be locked.
+/// A folder of the user who runs the tests. `lock` makes parts of it unreadable, for root as well
+/// (AsNobody).
 class Unreadable : public testing::Test {
 protected:
     Unreadable() { fs::permissions(folder_.path(), fs::perms{0755}); }
@@ -37,7 +38,7 @@ protected:
     }
     [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
 
-    /// What reading a submission says; empty if it can be read.
+    /// The error message of reading a submission; empty if it can be read.
     [[nodiscard]] static std::string complaint(const fs::path& path,
                                                const std::string& owner = {}) {
         try {

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using tests::CommandResult;
 
-// In a folder that is empty everywhere: what else lies in it is hidden.
+// In a folder that is usually empty: the jail hides what else is in it.
 constexpr const char* kOddPath = "/var/opt/Tick für Zoë (2)";
 const std::string kWine{TICKER_BINARY_DIR "/wine"};
 
@@ -49,7 +49,7 @@ class Laptop {
 public:
     explicit Laptop(const std::string& toolchain, const Exercise& exercise = defaultExercise())
         : toolchain_(toolchain), package_(exercise) {
-        // As an editor of Windows saves them.
+        // With line ends as an editor on Windows writes them.
         for (const std::string& name : exercise.files())
             std::ofstream{folder() / "exercise" / name}
                 << withWindowsLineEnds(tests::readFile(exercise.reference + "/" + name));

@@ -56,7 +56,8 @@ TEST(WelchTiles, FindNothingInEqualRenders) {
 }
 
 // The probabilities of 6400 tiles of 16 pixels, with 2 renders each, must be uniform: 5 % of them,
-// 320, are below 0.05; the binomial standard deviation is 17.4, so 6 of them fail with 2e-9.
+// 320, are below 0.05; the binomial standard deviation is 17.4, and 6 of them are exceeded with
+// probability 2e-9.
 TEST(WelchTiles, GiveUniformProbabilitiesForEqualRenders) {
     const TileTest test = welchTiles(moments(320, 320, 8, 0.5, 3), moments(320, 320, 8, 0.5, 4), 4);
     int below = 0;

@@ -26,7 +26,7 @@ RenderSettings onePixel() {
     return settings;
 }
 
-/// A matt white wall at z = 5 that faces the camera, and a light in front of it that has no effect.
+/// A matt white wall at z = 5 that faces the camera and is lit by one light in front of it.
 SceneDescription wallScene(const Vector3& light, double intensity) {
     SceneDescription scene;
     scene.ambientLighting = raytracer::ColourRGB{0.1};
@@ -70,7 +70,8 @@ TEST(OracleAnalytic, FullShadowLeavesTheAmbientLight) {
 }
 
 // A plane through the light hides a cap of its ball: the share that is seen is
-// (1 + s)^2 (2 - s) / 4, with s the height of the ball's centre above the plane, in radii.
+// (1 + s)^2 (2 - s) / 4, with s the distance of the ball's centre from the plane in radii, positive
+// on the side of the point.
 TEST(OracleAnalytic, PlaneThroughTheLightHidesACapOfIt) {
     const Vector3 light{0.0, 2.0, 3.0};
     for (const double height : {-0.3, -0.1, 0.0, 0.15, 0.35}) {
@@ -82,7 +83,7 @@ TEST(OracleAnalytic, PlaneThroughTheLightHidesACapOfIt) {
         const double full = diffuseAtWall(light, 200.0);
         const Moments exact = momentsWith(scene, onePixel(), true, 64);
         EXPECT_NEAR(exact.mean[0].g, 0.1 + full * share, kFloatError);
-        // 10 rays, and as many for each of 50 paths.
+        // 10 shadow rays for each of 50 lens paths.
         EXPECT_NEAR(exact.covariance[0].gg, full * full * share * (1.0 - share) / 500.0, 1e-7);
         // 65536 paths with two rays: even random points would be 0.0014 off at most (1 sigma);
         // 5 sigma, false alarm below 1e-6.
@@ -140,7 +141,8 @@ TEST(OracleAnalytic, FurnaceIsConstant) {
     SceneDescription scene;
     scene.spheres = {sphere({0.0, 0.0, 0.0}, 10.0, 0xffffff),
                      sphere({0.2, 0.1, 4.0}, 0.8, 0xffffff)};
-    // A ray that a surface mirrors from inside starts outside of it, by the bias: semantics.
+    // The outer ball is no mirror: a ray mirrored inside of a ball would start outside, moved along
+    // the normal by the bias.
     scene.spheres[0].material.reflectivity = 0.0;
     RenderSettings settings;
     settings.width = 16;

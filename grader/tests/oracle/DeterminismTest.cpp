@@ -57,8 +57,8 @@ TEST(Oracle, GivesARegionAsThePartOfTheWholePicture) {
         for (int x = 0; x < 12; ++x) {
             const auto own = static_cast<std::size_t>(y * 12 + x);
             const auto other = static_cast<std::size_t>((y + 8) * 40 + x + 10);
-            // Errors with 3 degrees of freedom each are rough: the brightness of the whole picture
-            // bounds them, too.
+            // With 3 degrees of freedom each estimated error is rough, and may be far too small:
+            // hence the constant.
             const double error = std::sqrt(part.meanError[own].g + whole.meanError[other].g) + 5e-4;
             EXPECT_NEAR(part.mean[own].g, whole.mean[other].g, 8.0 * error);
         }

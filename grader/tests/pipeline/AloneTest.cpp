@@ -14,7 +14,8 @@
 namespace ticker::pipeline {
 namespace {
 
-// Graded alone, runs are parallel, and the screenshot's first is made before it is asked for.
+// If a submission is graded alone, its runs are parallel, and the first questions about its
+// screenshot are asked while the tasks are judged.
 TEST(GradeSubmission, GivesTheSameResultAloneAsInAClass) {
     const std::string samples = "grader/corpus/samples/awarded/";
     for (const bool isDistributed : {true, false}) {

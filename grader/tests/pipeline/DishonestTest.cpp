@@ -51,7 +51,7 @@ TEST(Dishonest, ACrashInThePictureAsksForReview) {
     EXPECT_EQ(result.verdict, Verdict::needsReview);
 }
 
-// A grey picture if no observer is set.
+// Code that returns a black picture where no observer is set.
 TEST(Dishonest, CodeCannotTellWhetherItIsObserved) {
     const SubmissionResult result =
         gradeRenderer("if (settings().observer == nullptr) return Image{settings()};");
@@ -79,7 +79,7 @@ SubmissionResult gradeBumps(const std::string& atTheBeginning) {
     return gradeSubmission(work, tests::testGraderWithScenes(), 1);
 }
 
-// A material that no scene has would mark a question's sphere.
+// If the spheres of questions had a material that no scene has, code could tell them by it.
 TEST(Dishonest, BumpsOnSpheresWithoutAMaterialAreNone) {
     const SubmissionResult result =
         gradeBumps("if (colour().r > 0.0) return Sphere::getNormalAt(position);");
@@ -146,7 +146,7 @@ TEST(DoubtPicture, HasNothingToAddToAFailure) {
     }
 }
 
-// Right solutions: 0.04 (stratified points) to 1.05 (points that crowd on the surface).
+// Misfits of right solutions: 0.04 (stratified points) to 1.05 (points that crowd on the surface).
 TEST(DoubtPicture, TakesNoiseForNoise) {
     std::vector<TaskReport> tasks = reports(TaskState::passed, TaskState::passed);
     tasks::doubtPicture(tasks, {{1.0, 1.05}}, 1.0);

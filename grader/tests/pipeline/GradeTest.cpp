@@ -129,7 +129,7 @@ TEST(GradeSubmission, NamesMemoryThatLeaksAwayFromAnswerToAnswer) {
     EXPECT_EQ(findingIds(taskOf(result, "T1")), Ids{"run.memory"});
 }
 
-// Sleeping costs no time of computing.
+// Sleeping uses no CPU time.
 TEST(GradeSubmission, SharesTheTimeOfASubmissionAmongItsFiles) {
     const std::string bump =
         "#include <raytracer/geometry/BumpySphere.h>\n#include <chrono>\n#include <thread>\n"
@@ -220,8 +220,8 @@ TEST(GradeSubmission, ShowsWhatTheCodeRendersBesideWhatWasExpected) {
     EXPECT_EQ(result.verdict, Verdict::awarded);
     ASSERT_EQ(result.renders.size(), 3U);
     for (const RenderScore& render : result.renders) {
-        // Measured: 0.024 and 0.939 if each pixel is the mean of 12 paths (SpecScenesTest has the
-        // handout's 50); 0.0002 and 0.99996 without random rays.
+        // Measured: FLIP 0.024 and SSIM 0.939 if each pixel is the mean of 12 paths (SpecScenesTest
+        // has the handout's 50); 0.0002 and 0.99996 without random rays.
         const bool isNoisy = render.scene == "distributed";
         EXPECT_LT(render.flip, isNoisy ? 0.04 : 0.001) << render.scene;
         EXPECT_GT(render.ssim, isNoisy ? 0.9 : 0.999) << render.scene;

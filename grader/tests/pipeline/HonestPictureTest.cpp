@@ -19,7 +19,8 @@ using tests::findingIds;
 using tests::taskOf;
 using Ids = std::vector<std::string>;
 
-// The sample's verdict says that this picture is another code's, beside code that repeats itself.
+// In its sample this picture counts as that of other code, since the code there draws the same
+// picture each time. Code whose threads race does not.
 TEST(Honest, NothingIsSaidAgainstThePictureOfCodeWhoseThreadsRace) {
     intake::Submission work;
     work.name = "somebody";
@@ -37,7 +38,7 @@ TEST(Honest, NothingIsSaidAgainstThePictureOfCodeWhoseThreadsRace) {
 }
 
 /// The reference with lens points from a table that each process draws anew.
-/// @param index  Where a ray's point is in it.
+/// @param index  Expression for the index of a ray's point in the table.
 intake::Submission withATableOfLensPoints(const std::string& index) {
     std::string source = tests::readFile("reference_solution/exercise/Renderer.cpp");
     const std::size_t begin = source.find("const Vector3 lensPoint{");
@@ -67,7 +68,7 @@ TEST(Honest, NothingIsSaidAgainstThePictureOfCodeThatDrawsATableInEachProcess) {
     const auto scene = std::ranges::find(grader.scenes, "distributed", &SpecScene::name);
     ASSERT_NE(scene, grader.scenes.end());
     raytracer::RenderSettings settings = scene->settings;
-    settings.width = 320;  // the smallest that the grader takes
+    settings.width = 320;  // the smallest width that the grader accepts
     settings.height = 240;
     for (const char* index : {"i", "(y * settings().width + x) * 50 + i"}) {
         intake::Submission work = withATableOfLensPoints(index);

@@ -18,7 +18,7 @@
 namespace ticker::pipeline {
 namespace {
 
-/// A look of one brightness, and the reading that it belongs to.
+/// An expected picture of one brightness, and the aperture of the reading that it belongs to.
 struct Look {
     double brightness;
     double apertureFactor;
@@ -38,8 +38,8 @@ std::shared_future<Expectation> lookOf(double brightness) {
     return promise.get_future().share();
 }
 
-/// Which of the looks fits a picture of brightness 0 best, and how many were tried. With a
-/// variance of 1 a look's misfit is the square of its brightness.
+/// Which of the looks fits a picture of brightness 0 best, how many were tried, and whether the fit
+/// leaves no doubt. With a variance of 1 a look's misfit is the square of its brightness.
 struct Chosen {
     std::size_t look;
     std::size_t tried;
@@ -51,7 +51,7 @@ struct Chosen {
 Chosen choose(const std::vector<Look>& looks, Rays rays = Rays::handout) {
     SpecScene scene;
     scene.isRandom = true;
-    // As many rays as a picture of few has: the noise is the same.
+    // As many rays as a picture of few rays has, so that both have the same noise.
     scene.settings.dofRayCount = kFewRays;
     for (const Look& look : looks) {
         scene.expectations.push_back(lookOf(look.brightness));

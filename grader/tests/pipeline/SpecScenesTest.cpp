@@ -19,7 +19,7 @@ Gallery galleryOfReference(Rays rays) {
     return renderSpecScenes(grader.scenes, "Renderer.cpp", examinee, rays);
 }
 
-// Measured: 0.016 and 0.981 if each pixel is the mean of 50 paths.
+// Measured: FLIP 0.016 and SSIM 0.981 if each pixel is the mean of 50 paths.
 TEST(SpecScenes, RenderWithTheHandoutsRaysAlmostAsExpected) {
     const Gallery gallery = galleryOfReference(Rays::handout);
     ASSERT_EQ(gallery.scores.size(), 1U);

@@ -38,7 +38,7 @@ constexpr double kSlowdown = 10.0;
 constexpr double kSlowdown = 1.0;
 #endif
 
-/// The default ones, however much other work the machine has.
+/// The default limits of CPU time, with a wall clock that suffices on a busy machine.
 SearchLimits longWall() {
     SearchLimits limits = defaultSearchLimits();
     limits.all.cpuSeconds *= kSlowdown;
@@ -46,8 +46,8 @@ SearchLimits longWall() {
     return limits;
 }
 
-/// For what must be found, however slow the machine is. docs/repairs.md has what the default ones
-/// suffice for.
+/// Eight times the default CPU time: for what must be found, however slow the machine is.
+/// docs/repairs.md has the rates under the default limits.
 SearchLimits ample() {
     constexpr double kSlowMachine = 8.0;
     SearchLimits limits = longWall();

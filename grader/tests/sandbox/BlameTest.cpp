@@ -56,13 +56,14 @@ TEST_P(LockedBlame, TakesAKillFromOutsideForOurs) {
     EXPECT_NE(outcome.output.find("killed from outside"), std::string::npos) << outcome.output;
 }
 
-// As the kernel does where the machine has less memory than the limit.
+// The kernel kills such a program itself where the machine has less memory than the limit.
 TEST_P(LockedBlame, LeavesAKillToAProgramThatTookMuchMemory) {
     EXPECT_EQ(describe(killDuring({"fill", "160"})), "signal 9");
     EXPECT_EQ(killDuring({"fill", "16"}).end, Outcome::End::failed);
 }
 
-// Else it could pass for one that somebody else killed. The kernel reads 32 bits of the number.
+// A program that kills itself must not look like one that somebody else killed. The kernel reads
+// the lower 32 bits of the signal's number.
 TEST_P(LockedBlame, EndsWhoSendsItselfTheSignalOfOthers) {
     for (const char* number : {"9", "0x100000009", "0x7fffffff00000009"})
         EXPECT_EQ(describe(runTrick({"kill-itself", number})), kForbidden) << number;
@@ -88,7 +89,7 @@ TEST_P(UnlockedBlame, LeavesEveryKillToTheProgram) {
     EXPECT_EQ(describe(runTrick({"kill-itself", "9"})), "signal 9");
 }
 
-// From now on the kernel of this process has no pidfd_open.
+// From now on pidfd_open fails in this process, as on a kernel without it.
 void loseProcessHandles() {
     std::array<sock_filter, 4> rules{{
         {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},

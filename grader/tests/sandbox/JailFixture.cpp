@@ -108,7 +108,7 @@ Outcome AtLevel::run(const Command& command) const {
     return outcome;
 }
 
-// The helpers have the marker among their words, too, but another first one.
+// The command lines of the helpers contain the marker, too, but begin with another program.
 pid_t AtLevel::trickProcess() const {
     for (const std::string& path : processesLeft(marker_)) {
         std::ifstream stream{fs::path{path} / "cmdline"};

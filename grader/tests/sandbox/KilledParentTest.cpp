@@ -110,7 +110,8 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Sandbox, KilledParentOfOwnUser, testing::Values(Level::ownUser),
                          levelName);
 
-// The helper kills every process of the uid: one of the next run, if that had the uid by then.
+// The helper kills every process of its uid. If another run had the uid already, it would kill that
+// run's process, too.
 TEST_P(KilledParentOfOwnUser, LeavesTheUidToNobodyBeforeTheHelperHasEnded) {
     startVictim();
     ASSERT_TRUE(hasBegun(kPatienceMs));

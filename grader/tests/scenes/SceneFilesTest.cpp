@@ -1,4 +1,5 @@
-// Checks the scenes' comments.
+// The scene files can be read, are listed in scenes/README.md, have the handout's values, and show
+// what their comments promise.
 
 #include <raytracer/io/SceneReader.h>
 #include <raytracer/render/Renderer.h>

@@ -10,9 +10,8 @@ namespace ticker::tests {
 
 /// Options for bwrap that give a jail the user's ccache, and let CMake compile with it: a package
 /// whose files are those of the last time compiles in seconds. Empty where ccache is not installed.
-/// @param where  The cache's folder in the jail. Paths in the jail have to be the same each time,
-/// since
-///               ccache takes another path for another file.
+/// @param where  The cache's folder in the jail. Paths in the jail have to be the same each time:
+///               to ccache another path is another file.
 [[nodiscard]] inline std::string compilerCacheFor(const std::string& where) {
     CommandResult folder = runCommand("ccache --get-config cache_dir");
     if (folder.status != 0) return "";

@@ -163,7 +163,7 @@ std::map<std::string, MoodleAssignment::Row> MoodleAssignment::upload(std::strin
             record.grade = wanted;
             record.gradedAt = now;
         }
-        // Moodle does not find a column of comments in the first place.
+        // Moodle overlooks a column of comments whose index is 0.
         if (!stale && feedback > 0) record.feedback = rows[i].at(feedback);
     }
     return fared;

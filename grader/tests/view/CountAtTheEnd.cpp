@@ -1,4 +1,5 @@
-// With GCC's counters only: workers and guards end by _exit, which writes no counters.
+// Linked only for GCC's coverage counters, in place of _exit: workers and guards end by it, and it
+// writes no counters.
 extern "C" {
 #include <gcov.h>  // has C linkage, but does not say so before GCC 13
 

@@ -106,7 +106,8 @@ TEST(ViewProcess, WritesToNoneThatReadsNoMore) {
     EXPECT_EQ(everythingFrom(process), "");
 }
 
-/// What a desktop's opener is told by a program whose stdout is this file.
+/// What a desktop's opener of addresses prints when a program with this stdout calls openInBrowser.
+/// @param readEnd  The other end of `output`. @param display  $DISPLAY; empty: none.
 std::string toldToTheOpener(int output, int readEnd, const char* display) {
     const ticker::tests::TemporaryFolder folder;
     const auto opener = folder.write("xdg-open", "#!/bin/sh\necho \"open $*\"\n");

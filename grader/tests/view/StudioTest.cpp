@@ -135,7 +135,7 @@ TEST(Studio, RendersAgainWithANewProgram) {
     EXPECT_EQ(all["picture"]["number"], 2);
 }
 
-/// A kit whose compiler finds the saved file itself to be the error.
+/// From now on the kit's compiler refuses every file, with the text of Renderer.cpp as its error.
 void refuseAllFiles(const FakeKit& kit) {
     kit.script("cmake", "cat '" + (kit.home().exercise / "Renderer.cpp").string() + "'; exit 1");
 }

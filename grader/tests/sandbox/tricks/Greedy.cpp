@@ -69,7 +69,7 @@ int sleepForever(std::span<char*>) {
         sleep(1000);
 }
 
-// Keeps so many megabytes for ever.
+// Fills this many megabytes (MiB) and keeps them for ever.
 int fill(std::span<char*> arguments) {
     const std::vector<char> kept(std::strtoul(arguments[0], nullptr, 10) << 20U, 'x');
     return sleepForever(arguments);
