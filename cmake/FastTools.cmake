@@ -1,7 +1,8 @@
 # Uses ccache and lld if they are installed: the same results, faster.
 find_program(TICKER_CCACHE ccache)
 if(TICKER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Without these it does not look at files with precompiled headers. No code of ours has __TIME__.
+  # Without these settings ccache does not cache files that use precompiled headers. (time_macros is safe: no
+  # code of ours uses __TIME__.)
   set(CMAKE_CXX_COMPILER_LAUNCHER
     "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${TICKER_CCACHE}")
 endif()

@@ -1,10 +1,10 @@
-# For code without inner loops: -Og compiles in five sixths of the time of -O1, which takes three quarters
-# of that of -O3, and its running time is negligible.
+# For code without inner loops, whose running time is negligible: -Og compiles in five sixths of the time of
+# -O1, which takes three quarters of that of -O3.
 function(ticker_optimise_little target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
 endfunction()
 
-# All get the flags of fmt and of the framework's data, so that they share precompiled headers.
+# All such folders get the flags of fmt and of the framework's data, so that they share precompiled headers.
 ticker_precompile(folders LIBRARIES raytracer::data fmt::fmt HEADERS <fmt/core.h>)
 function(ticker_compile_quickly target)
   ticker_optimise_little(${target})
@@ -44,9 +44,9 @@ function(ticker_no_instruments target)
   target_link_options(${target} PRIVATE -static -fno-sanitize=all)
 endfunction()
 
-# What takes longer than tests should is run by `./tick guard slow` alone.
+# Adds a test that takes longer than tests should: only `./tick guard slow` runs it.
 #   ticker_slow_test(NAME bump COMMAND test_bump --gtest_filter=BumpSelfTest.*)
-# Programs of tests try more cases there: see grader/tests/support/SlowRun.h.
+# It can try more cases there: see grader/tests/support/SlowRun.h.
 function(ticker_slow_test)
   cmake_parse_arguments(ARG "ALONE" "NAME" "COMMAND" ${ARGN})
   add_test(NAME slow.${ARG_NAME} CONFIGURATIONS Slow COMMAND ${ARG_COMMAND})
@@ -68,7 +68,7 @@ endfunction()
 # grader, slow. FILTER: the tests that ctest lists, in GoogleTest's notation. SLOW: those that only `./tick
 # guard slow` runs. PARTS: one entry in ctest for each of these filters, so that its tests share expensive
 # set-up; else each test has an entry. ALONE: no other test runs at the same time, since these inspect the
-# whole machine. COST: those of a high cost start first, so that no long one is left at the end. Programs of
+# whole machine. COST: tests of a high cost start first, so that no long one is left at the end. Programs of
 # all labels but unit get the kits.
 function(ticker_test)
   if(NOT TICKER_BUILD_TESTS)

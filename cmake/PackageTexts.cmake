@@ -17,7 +17,7 @@ write_text(bash-completion/completions/ticker --completion bash)
 write_text(zsh/vendor-completions/_ticker --completion zsh)
 write_text(fish/vendor_completions.d/ticker.fish --completion fish)
 
-# Their help, as it is.
+# Manual pages of the programs that render: their --help, unchanged.
 string(REPLACE "|" ";" renderers "${RENDERERS}")
 foreach(program ${renderers})
   cmake_path(GET program FILENAME name)

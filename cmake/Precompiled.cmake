@@ -11,7 +11,7 @@ set(TICKER_COMMON_HEADERS
   <iterator> <limits> <map> <memory> <numeric> <optional> <set> <span> <sstream> <stdexcept> <string>
   <string_view> <system_error> <tuple> <unordered_map> <utility> <variant> <vector>)
 
-# ticker_precompile(folders LIBRARIES lib... HEADERS <header>...): a target that holds nothing else.
+# ticker_precompile(folders LIBRARIES lib... HEADERS <header>...): a target of precompiled headers alone.
 function(ticker_precompile name)
   cmake_parse_arguments(ARG "" "" "LIBRARIES;HEADERS" ${ARGN})
   if(NOT TICKER_PRECOMPILED_HEADERS)

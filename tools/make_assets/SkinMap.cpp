@@ -51,7 +51,7 @@ double valueNoise(const Vector3& position, std::uint64_t seed) {
 
 struct Scale {
     Vector3 middle;
-    double height;  // of 1
+    double height;  // kLowestScale to 1
 };
 
 /// Scales distributed over the sphere, and the search for the nearest ones to a point.

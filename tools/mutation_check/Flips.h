@@ -42,7 +42,7 @@ public:
         seen_[static_cast<std::size_t>(flip)].store(1, std::memory_order_relaxed);
         return flip == on_;
     }
-    // There is nothing to flip.
+    // Marks a flip that has nothing to exchange; such flips are not tried.
     void leaveOut(int flip) {
         seen_[static_cast<std::size_t>(flip)].store(2, std::memory_order_relaxed);
     }
@@ -52,7 +52,7 @@ private:
     std::array<std::atomic<char>, kMost> seen_{};
 };
 
-// The first use makes it, also while other objects are made.
+// Made at its first use, which may be during the initialisation of static objects.
 inline Switches& switches() {
     static Switches all;
     return all;
@@ -73,7 +73,8 @@ struct Left {
     int number;
 };
 
-// Whether A - B and A + B can stand for each other. A pair that cannot is left alone.
+// Whether A + B and A - B have the same type, so that one can replace the other. Other pairs stay
+// as they are.
 template <typename A, typename B>
 constexpr bool kBothSigns = requires(const A& a, const B& b) {
     requires std::is_same_v<decltype(a + b), decltype(a - b)>;
@@ -114,7 +115,7 @@ TICKER_SUM(+, -)
 TICKER_SUM(-, +)
 #undef TICKER_SUM
 
-/// A constant, or another one.
+/// `value`, or if the flip is on ten times as much; 1 in place of 0.
 inline double constant(int flip, double value) {
     if (!isOn(flip)) return value;
     return value == 0.0 ? 1.0 : 10.0 * value;
