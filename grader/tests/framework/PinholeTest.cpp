@@ -51,7 +51,7 @@ std::size_t pixelsApartFromFormulas(const SceneDescription& scene) {
         image, ticker::renderPinhole(scene, settings.width, settings.height, settings.bounces), 1);
 }
 
-// Rounding may move the edge of a shadow or a shape; issue 2 grants 0.5 % of the pixels.
+// Rounding may move the edge of a shadow or a shape: 0.5 % of the pixels are granted for that.
 constexpr std::size_t kGrantedPixels = 640 * 480 / 200;
 
 TEST(PinholePicture, IsThatOfTheFormulasOnTheSecondScene) {
